@@ -1,0 +1,15 @@
+"""Curvebench, the editor: what runs in the window.
+
+The layers, top to bottom; a module imports only from its own layer and those above it:
+
+- ``document``: immutable values, edits, the file format. No Qt, no arrays inside the values.
+- ``view_model``: a document's curve turned into arrays to draw. No Qt; calls ``curvecore``.
+- ``gestures``: press, move and release turned into edits. No Qt.
+- ``exchange``: files in and out. Qt only in ``image``.
+- ``session``: the one mutable owner of the current document, its history and the selection.
+- ``plot``, ``canvas``, ``panels``: draw a value and report what the person did.
+- ``actions``, ``theme``, ``preferences``, ``main_window``: build, dock, connect.
+- ``cli``: the command line.  ``testing``: a driver for pytest-qt.
+"""
+
+__version__ = "0.1.0"

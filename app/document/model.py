@@ -1,0 +1,143 @@
+"""The values a document is made of. All are immutable, compare by value and hold no arrays."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from enum import StrEnum
+
+import msgspec
+
+Vector = tuple[float, float]
+
+MAX_MAGNITUDE = 1e12
+"""Largest coordinate, parameter or derivative a document may hold: beyond it a drawing means nothing."""
+
+
+class Family(StrEnum):
+    """The kind of polynomial that goes through the points."""
+
+    LAGRANGE = "lagrange"
+    HERMITE = "hermite"
+    QUINTIC_HERMITE = "quintic_hermite"
+
+    @property
+    def derivatives(self) -> int:
+        """How many derivatives a node carries beside its position: 0, 1 or 2."""
+        return _DERIVATIVES[self]
+
+
+_DERIVATIVES = {Family.LAGRANGE: 0, Family.HERMITE: 1, Family.QUINTIC_HERMITE: 2}
+
+
+class ParametrizationKind(StrEnum):
+    """The rule that gives the parameters t_i, in the order in which the window lists them."""
+
+    UNIFORM = "uniform"
+    CHORD_LENGTH = "chord_length"
+    CENTRIPETAL = "centripetal"
+    POWER = "power"
+    CHEBYSHEV = "chebyshev"
+    MANUAL = "manual"
+
+
+class VelocityRule(StrEnum):
+    """How the velocity of a node is estimated that has none of its own."""
+
+    NATURAL_SPLINE = "natural_spline"
+    BESSEL = "bessel"
+    FINITE_DIFFERENCE = "finite_difference"
+    CATMULL_ROM = "catmull_rom"
+
+
+class AccelerationRule(StrEnum):
+    """How the acceleration of a node is estimated that has none of its own."""
+
+    NATURAL_SPLINE = "natural_spline"
+    ZERO = "zero"
+
+
+class Value(msgspec.Struct, frozen=True, forbid_unknown_fields=True, omit_defaults=True):
+    """Base of the document's values."""
+
+
+class Node(Value, frozen=True):
+    """A point of a curve with what the person fixed there.
+
+    Attributes
+    ----------
+    x, y
+        Position.
+    t
+        Parameter under the manual parametrization; remembered, but not used, under any other.
+    velocity, acceleration
+        Derivatives per unit of t that the person set; None where a rule estimates them.
+    """
+
+    x: float
+    y: float
+    t: float | None = None
+    velocity: Vector | None = None
+    acceleration: Vector | None = None
+
+    @property
+    def position(self) -> Vector:
+        """The point (x, y)."""
+        return (self.x, self.y)
+
+
+class Parametrization(Value, frozen=True, omit_defaults=False):
+    """The rule for the parameters and the interval they span.
+
+    Attributes
+    ----------
+    kind
+        The rule.
+    alpha
+        Exponent of the power rule, Δt = |Δp|^alpha.
+    start, end
+        The interval that the rule's parameters span; the manual parameters carry their own.
+    """
+
+    kind: ParametrizationKind = ParametrizationKind.CHORD_LENGTH
+    alpha: float = 0.5
+    start: float = 0.0
+    end: float = 1.0
+
+
+class Curve(Value, frozen=True, rename={"nodes": "points"}):
+    """Nodes, in order, and the rules that make a curve of them."""
+
+    name: str
+    family: Family
+    parametrization: Parametrization
+    nodes: tuple[Node, ...]
+    velocity_rule: VelocityRule = VelocityRule.NATURAL_SPLINE
+    acceleration_rule: AccelerationRule = AccelerationRule.NATURAL_SPLINE
+
+    @property
+    def is_manual(self) -> bool:
+        """Whether the person, not a rule, gives the parameters."""
+        return self.parametrization.kind is ParametrizationKind.MANUAL
+
+
+class Document(Value, frozen=True):
+    """Everything that is saved: at least one curve."""
+
+    curves: tuple[Curve, ...]
+
+    def with_curve(self, index: int, curve: Curve) -> Document:
+        """Return this document with curve `index` replaced."""
+        return Document((*self.curves[:index], curve, *self.curves[index + 1 :]))
+
+
+def empty_document() -> Document:
+    """Return what File > New opens: one curve without points."""
+    return Document((make_curve(()),))
+
+
+def make_curve(
+    points: Sequence[Vector], *, name: str = "Curve 1", family: Family = Family.LAGRANGE
+) -> Curve:
+    """Return a curve through `points` under the default rules."""
+    nodes = tuple(Node(float(x), float(y)) for x, y in points)
+    return Curve(name, family, Parametrization(), nodes)
