@@ -1,0 +1,484 @@
+"""Colours, style and icons: how the editor looks in light and in dark."""
+
+from __future__ import annotations
+
+import enum
+import math
+from dataclasses import dataclass
+from functools import lru_cache
+from typing import Final
+
+import numpy as np
+from numpy.typing import NDArray
+from PySide6.QtCore import QByteArray, QObject, Qt
+from PySide6.QtGui import QColor, QIcon, QImage, QPainter, QPalette, QPixmap
+from PySide6.QtSvg import QSvgRenderer
+from PySide6.QtWidgets import QApplication, QStyleFactory
+
+from app.resources import resource
+
+FloatArray = NDArray[np.float64]
+
+GRAPHICS_CONTRAST: Final = 3.0
+"""Least contrast of a curve, point or line with the paper (WCAG 2.2, criterion 1.4.11)."""
+
+
+class ThemeMode(enum.Enum):
+    """What the person asked for."""
+
+    SYSTEM = "system"
+    LIGHT = "light"
+    DARK = "dark"
+
+
+@dataclass(frozen=True, eq=False)
+class Theme:
+    """
+    The colours of one appearance.
+
+    Compared by identity: a QColor has no hash, and there are two themes.
+
+    Attributes
+    ----------
+    name : str
+        ``"light"`` or ``"dark"``.
+    paper : QColor
+        Background of the canvas and of input fields.
+    surface : QColor
+        Background of toolbars and panels.
+    ink, muted : QColor
+        Text, and secondary text; both readable on paper and on surface.
+    grid_fine, grid_coarse : QColor
+        Grid lines, opaque: ink at 8 and 16 % over paper.
+    curve, ghost, handle : QColor
+        The curve, the curve as it was before a change, the lines to the handles.
+    accent : QColor
+        Selection, focus and the checked state.
+    warning : QColor
+        Orange; always shown together with a sign or a word.
+    """
+
+    name: str
+    paper: QColor
+    surface: QColor
+    ink: QColor
+    muted: QColor
+    grid_fine: QColor
+    grid_coarse: QColor
+    curve: QColor
+    ghost: QColor
+    handle: QColor
+    accent: QColor
+    warning: QColor
+
+
+def mix(over: QColor, under: QColor, share: float) -> QColor:
+    """Return the opaque colour that ``over`` at opacity ``share`` makes on ``under``."""
+    rest = 1.0 - share
+    return QColor.fromRgbF(
+        share * over.redF() + rest * under.redF(),
+        share * over.greenF() + rest * under.greenF(),
+        share * over.blueF() + rest * under.blueF(),
+    )
+
+
+def _theme(name: str, paper: str, surface: str, ink: str, muted: str, accent: str, warning: str) -> Theme:
+    background, foreground = QColor(paper), QColor(ink)
+    return Theme(
+        name=name,
+        paper=background,
+        surface=QColor(surface),
+        ink=foreground,
+        muted=QColor(muted),
+        grid_fine=mix(foreground, background, 0.08),
+        grid_coarse=mix(foreground, background, 0.16),
+        curve=foreground,
+        ghost=mix(foreground, background, 0.32),
+        handle=mix(foreground, background, 0.62),
+        accent=QColor(accent),
+        warning=QColor(warning),
+    )
+
+
+LIGHT: Final = _theme(
+    "light",
+    paper="#fafafa",
+    surface="#f0f1f3",
+    ink="#1f2328",
+    muted="#5b636d",
+    accent="#2563d9",
+    warning="#b25000",
+)
+DARK: Final = _theme(
+    "dark",
+    paper="#15181c",
+    surface="#1d2126",
+    ink="#e6e8ea",
+    muted="#9aa3ad",
+    accent="#6ea8fe",
+    warning="#ffab52",
+)
+
+
+def theme_of(palette: QPalette) -> Theme:
+    """Return the theme that goes with a palette: dark when its windows are darker than their text."""
+    window = palette.color(QPalette.ColorRole.Window)
+    text = palette.color(QPalette.ColorRole.WindowText)
+    return DARK if window.lightnessF() < text.lightnessF() else LIGHT
+
+
+# --- applying a theme ---------------------------------------------------------------------------
+
+
+class _SystemFollower(QObject):
+    """Keeps the application in step with the system while the mode is ``SYSTEM``; a child of it."""
+
+    def __init__(self, app: QApplication) -> None:
+        super().__init__(app)
+        self.setObjectName("themeFollower")
+        self.mode = ThemeMode.SYSTEM
+        app.styleHints().colorSchemeChanged.connect(self._follow)
+
+    def _follow(self) -> None:
+        app = self.parent()
+        if self.mode is ThemeMode.SYSTEM and isinstance(app, QApplication):
+            _dress(app, _system_theme(app))
+
+
+def apply_theme(app: QApplication, mode: ThemeMode) -> Theme:
+    """
+    Give the whole application its style, palette and style sheet.
+
+    Widgets that are open hear of it by ``QEvent.Type.PaletteChange``; those that paint with a
+    `Theme` or show an `icon` fetch them again there with ``theme_of(self.palette())``.
+
+    Parameters
+    ----------
+    app : QApplication
+        The running application.
+    mode : ThemeMode
+        With ``SYSTEM``, later changes of the system's colour scheme are followed.
+
+    Returns
+    -------
+    Theme
+        The theme now in force.
+    """
+    follower = app.findChild(_SystemFollower, "themeFollower") or _SystemFollower(app)
+    follower.mode = mode
+    _set_native_scheme(app, mode)
+    theme = {ThemeMode.LIGHT: LIGHT, ThemeMode.DARK: DARK}.get(mode) or _system_theme(app)
+    _dress(app, theme)
+    return theme
+
+
+def _set_native_scheme(app: QApplication, mode: ThemeMode) -> None:
+    """Tell the platform, so that title bars and native dialogs go along where they can."""
+    hints = app.styleHints()
+    if mode is ThemeMode.SYSTEM:
+        hints.unsetColorScheme()
+    else:
+        hints.setColorScheme(Qt.ColorScheme.Dark if mode is ThemeMode.DARK else Qt.ColorScheme.Light)
+
+
+def _system_theme(app: QApplication) -> Theme:
+    scheme = app.styleHints().colorScheme()
+    if scheme is Qt.ColorScheme.Unknown:
+        app.setPalette(QPalette())  # forgets ours, so that the platform's own shows through
+        return theme_of(app.palette())
+    return DARK if scheme is Qt.ColorScheme.Dark else LIGHT
+
+
+def _dress(app: QApplication, theme: Theme) -> None:
+    fusion = QStyleFactory.create("Fusion")
+    if app.style().name().lower() != "fusion":
+        app.setStyle(fusion)
+    app.setPalette(palette_of(theme))
+    app.setStyleSheet(style_sheet_of(theme))
+
+
+def palette_of(theme: Theme) -> QPalette:
+    """Return the complete palette of a theme, the disabled and inactive groups included."""
+    role = QPalette.ColorRole
+    colours = _role_colours(theme)
+    palette = QPalette()
+    for key, colour in colours.items():
+        palette.setColor(QPalette.ColorGroup.All, key, colour)
+    pale = mix(theme.ink, theme.surface, 0.38)
+    for key in (role.WindowText, role.Text, role.ButtonText, role.HighlightedText, role.PlaceholderText):
+        palette.setColor(QPalette.ColorGroup.Disabled, key, pale)
+    palette.setColor(QPalette.ColorGroup.Disabled, role.Base, theme.surface)
+    for key in (role.Highlight, role.Accent):
+        palette.setColor(QPalette.ColorGroup.Disabled, key, mix(theme.ink, theme.surface, 0.14))
+    return palette
+
+
+def _role_colours(theme: Theme) -> dict[QPalette.ColorRole, QColor]:
+    role = QPalette.ColorRole
+    raised = mix(theme.ink, theme.paper, 0.06) if theme is DARK else theme.paper
+    return {
+        role.Window: theme.surface,
+        role.WindowText: theme.ink,
+        role.Base: theme.paper,
+        role.AlternateBase: mix(theme.ink, theme.paper, 0.03),
+        role.Text: theme.ink,
+        role.PlaceholderText: theme.muted,
+        role.Button: raised,
+        role.ButtonText: theme.ink,
+        role.BrightText: theme.warning,
+        role.ToolTipBase: raised,
+        role.ToolTipText: theme.ink,
+        role.Highlight: theme.accent,
+        role.HighlightedText: theme.paper,
+        role.Accent: theme.accent,
+        role.Link: theme.accent,
+        role.LinkVisited: mix(theme.accent, theme.ink, 0.6),
+        # Fusion draws its bevels and frames with these five.
+        role.Light: mix(QColor("white"), raised, 0.5 if theme is LIGHT else 0.08),
+        role.Midlight: mix(theme.ink, theme.surface, 0.05),
+        role.Mid: mix(theme.ink, theme.surface, 0.18),
+        role.Dark: mix(theme.ink, theme.surface, 0.28),
+        role.Shadow: QColor("#000000") if theme is DARK else mix(theme.ink, theme.surface, 0.5),
+    }
+
+
+_STYLE_SHEET: Final = """
+QToolBar { background: $surface; border: none; border-bottom: 1px solid $line; padding: 4px 6px; spacing: 2px; }
+QToolBar::separator { background: $line; width: 1px; height: 1px; margin: 5px 6px; }
+QToolBar QToolButton { background: transparent; border: 1px solid transparent; border-radius: 5px; padding: 4px; }
+QToolBar QToolButton:hover { background: $hover; }
+QToolBar QToolButton:pressed { background: $pressed; }
+QToolBar QToolButton:checked { background: $checked; border-color: $accent; color: $accent; }
+QToolBar QToolButton:focus { border-color: $accent; }
+QToolBar QToolButton:disabled { color: $pale; }
+QToolBar QToolButton[popupMode="1"] { padding-right: 16px; }
+QToolBar QToolButton::menu-button { border: none; width: 14px; }
+QMainWindow::separator { background: $line; width: 1px; height: 1px; }
+QMainWindow::separator:hover { background: $accent; }
+QSplitter::handle { background: $line; }
+QSplitter::handle:horizontal { width: 1px; }
+QSplitter::handle:vertical { height: 1px; }
+QSplitter::handle:hover { background: $accent; }
+QDockWidget { font-weight: 600; }
+QDockWidget::title { background: $surface; padding: 7px 10px; text-align: left; }
+QDockWidget > QWidget { font-weight: 400; }
+QHeaderView { background: $surface; border: none; }
+QHeaderView::section { background: $surface; color: $muted; border: none; border-bottom: 1px solid $line; padding: 5px 8px; }
+QTableCornerButton::section { background: $surface; border: none; border-bottom: 1px solid $line; }
+QTableView { border: none; gridline-color: $fine; }
+QStatusBar { background: $surface; border-top: 1px solid $line; color: $muted; }
+QStatusBar::item { border: none; }
+QStatusBar QLabel { color: $muted; padding: 2px 6px; }
+QToolTip { background: $raised; color: $ink; border: 1px solid $line; padding: 4px 6px; }
+"""
+
+
+def style_sheet_of(theme: Theme) -> str:
+    """Return the style sheet of a theme: only what the Fusion style draws too heavily."""
+    colours = {
+        "$surface": theme.surface,
+        "$raised": _role_colours(theme)[QPalette.ColorRole.ToolTipBase],
+        "$line": mix(theme.ink, theme.surface, 0.14),
+        "$fine": mix(theme.ink, theme.paper, 0.07),
+        "$hover": mix(theme.ink, theme.surface, 0.07),
+        "$pressed": mix(theme.ink, theme.surface, 0.14),
+        "$checked": mix(theme.accent, theme.surface, 0.14),
+        "$accent": theme.accent,
+        "$muted": theme.muted,
+        "$pale": mix(theme.ink, theme.surface, 0.38),
+        "$ink": theme.ink,
+    }
+    sheet = _STYLE_SHEET
+    for word, colour in colours.items():
+        sheet = sheet.replace(word, colour.name())
+    return sheet
+
+
+# --- colours of the points ----------------------------------------------------------------------
+
+_OKABE_ITO: Final = ("#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#f0e442")
+"""Safe for colour-blind eyes: Okabe & Ito, "Color Universal Design" (2008). Black is the ink."""
+
+# OKLab, B. Ottosson, "A perceptual color space for image processing" (2020).
+_LAB_TO_LMS: Final = np.array(
+    [
+        [1.0, 0.3963377774, 0.2158037573],
+        [1.0, -0.1055613458, -0.0638541728],
+        [1.0, -0.0894841775, -1.2914855480],
+    ]
+)
+_LMS_TO_RGB: Final = np.array(
+    [
+        [4.0767416621, -3.3077115913, 0.2309699292],
+        [-1.2684380046, 2.6097574011, -0.3413193965],
+        [-0.0041960863, -0.7034186147, 1.7076147010],
+    ]
+)
+_RGB_TO_LMS: Final = np.linalg.inv(_LMS_TO_RGB)
+_LMS_TO_LAB: Final = np.linalg.inv(_LAB_TO_LMS)
+_LUMINANCE: Final = np.array([0.2126, 0.7152, 0.0722])
+
+
+def point_colours(n: int, theme: Theme) -> list[QColor]:
+    """
+    Return one colour for each of ``n`` points, every one legible on the theme's paper.
+
+    Up to eight points have the Okabe–Ito colours, their lightness moved as little as
+    `GRAPHICS_CONTRAST` asks, the hue kept; the eighth is the ink. More points run through an
+    even ramp of hues whose lightness alternates, so that neighbours differ however many there are.
+
+    Parameters
+    ----------
+    n : int
+        How many, 0 or more.
+    theme : Theme
+        Where they will be drawn.
+
+    Returns
+    -------
+    list of QColor
+        The colours by point index.
+    """
+    if n <= len(_OKABE_ITO):
+        return [QColor(name) for name in _legible_okabe_ito(theme)[:n]]
+    if n == len(_OKABE_ITO) + 1:
+        return [*(QColor(name) for name in _legible_okabe_ito(theme)), QColor(theme.ink)]
+    return [QColor(rgb) for rgb in _ramp(n, theme).tolist()]
+
+
+def contrast(a: QColor, b: QColor) -> float:
+    """Return the WCAG contrast ratio of two colours, 1 to 21."""
+    y = np.sort(_luminance(_decode(np.array([a.getRgbF()[:3], b.getRgbF()[:3]]))))
+    return float((y[1] + 0.05) / (y[0] + 0.05))
+
+
+@lru_cache(maxsize=4)
+def _legible_okabe_ito(theme: Theme) -> tuple[str, ...]:
+    return tuple(_legible(QColor(name), theme.paper).name() for name in _OKABE_ITO)
+
+
+def _legible(colour: QColor, paper: QColor) -> QColor:
+    """Return the nearest colour of the same hue that stands out from the paper."""
+    lightness, a, b = _rgb_to_lab(_decode(np.array(colour.getRgbF()[:3])))
+    chroma, hue = math.hypot(a, b), math.atan2(b, a)
+    # A little more than asked for: the colour is rounded to 8 bits afterwards.
+    wanted = GRAPHICS_CONTRAST * 1.02
+    light, part = np.meshgrid(np.linspace(0.0, 1.0, 401), np.linspace(0.0, 1.0, 101), indexing="ij")
+    rgb = _lch_to_rgb(light, part * chroma, np.full_like(light, hue))
+    inside = ((rgb >= -1e-3) & (rgb <= 1.0 + 1e-3)).all(axis=-1)
+    good = inside & (_contrast_with(rgb, paper) >= wanted)
+    distance = np.where(good, np.hypot(light - lightness, (1.0 - part) * chroma), np.inf)
+    return _qcolor(rgb.reshape(-1, 3)[int(np.argmin(distance))])
+
+
+def _ramp(n: int, theme: Theme) -> NDArray[np.int64]:
+    """Return ``n`` packed colours 0xffRRGGBB from violet-blue over green to magenta, n >= 2."""
+    # Middle lightness and chroma keep every hue inside sRGB, to within a rounding, and legible.
+    middle, chroma = (0.74, 0.115) if theme is DARK else (0.59, 0.105)
+    share = np.linspace(0.0, 1.0, n)
+    hue = np.radians(265.0 - 285.0 * share)
+    light = middle + np.where(np.arange(n) % 2 == 0, -0.03, 0.03)
+    code = np.rint(255.0 * _encode(_lch_to_rgb(light, np.full(n, chroma), hue))).astype(np.int64)
+    return (0xFF << 24) | (code[:, 0] << 16) | (code[:, 1] << 8) | code[:, 2]
+
+
+def _lch_to_rgb(lightness: FloatArray, chroma: FloatArray, hue: FloatArray) -> FloatArray:
+    """Turn OKLCH into linear RGB, which may lie outside [0, 1]."""
+    lab = np.stack([lightness, chroma * np.cos(hue), chroma * np.sin(hue)], axis=-1)
+    rgb: FloatArray = (lab @ _LAB_TO_LMS.T) ** 3 @ _LMS_TO_RGB.T
+    return rgb
+
+
+def _rgb_to_lab(rgb: FloatArray) -> FloatArray:
+    lab: FloatArray = np.cbrt(rgb @ _RGB_TO_LMS.T) @ _LMS_TO_LAB.T
+    return lab
+
+
+def _decode(srgb: FloatArray) -> FloatArray:
+    """Turn sRGB values in [0, 1] into linear light."""
+    return np.where(srgb <= 0.04045, srgb / 12.92, ((srgb + 0.055) / 1.055) ** 2.4)
+
+
+def _encode(rgb: FloatArray) -> FloatArray:
+    """Turn linear light into sRGB values, clipped to [0, 1]."""
+    rgb = np.clip(rgb, 0.0, 1.0)
+    return np.where(rgb <= 0.0031308, 12.92 * rgb, 1.055 * rgb ** (1.0 / 2.4) - 0.055)
+
+
+def _luminance(rgb: FloatArray) -> FloatArray:
+    luminance: FloatArray = rgb @ _LUMINANCE
+    return luminance
+
+
+def _contrast_with(rgb: FloatArray, paper: QColor) -> FloatArray:
+    one = _luminance(np.clip(rgb, 0.0, 1.0)) + 0.05
+    other = float(_luminance(_decode(np.array(paper.getRgbF()[:3])))) + 0.05
+    return np.maximum(one / other, other / one)
+
+
+def _qcolor(rgb: FloatArray) -> QColor:
+    red, green, blue = np.rint(255.0 * _encode(rgb)).astype(int).tolist()
+    return QColor(red, green, blue)
+
+
+# --- icons --------------------------------------------------------------------------------------
+
+_PIXELS: Final = (16, 20, 24, 32, 40, 48, 64, 80)
+"""16, 20, 24, 32 and 40 px at device pixel ratios 1 and 2."""
+
+
+@lru_cache(maxsize=256)
+def icon(name: str, theme: Theme) -> QIcon:
+    """
+    Return an icon of ``resources/icons`` in the colours of a theme.
+
+    Ink as a rule, muted when disabled, the accent when checked.
+
+    Parameters
+    ----------
+    name : str
+        File name without ``.svg``.
+    theme : Theme
+        Where it will be shown.
+
+    Returns
+    -------
+    QIcon
+        Drawn at every size in use, never scaled. The same object for the same arguments.
+
+    Raises
+    ------
+    FileNotFoundError
+        When there is no such icon.
+    """
+    drawing = resource("icons", f"{name}.svg").read_text(encoding="utf-8")
+    disabled = mix(theme.muted, theme.surface, 0.5)
+    result = QIcon()
+    for state, colour in ((QIcon.State.Off, theme.ink), (QIcon.State.On, theme.accent)):
+        _add_pixmaps(result, drawing, colour, QIcon.Mode.Normal, state)
+        _add_pixmaps(result, drawing, disabled, QIcon.Mode.Disabled, state)
+    return result
+
+
+def app_icon() -> QIcon:
+    """Return the program's own icon, for windows and the task bar; it has its own colours."""
+    result = QIcon()
+    drawing = resource("icons", "app.svg").read_text(encoding="utf-8")
+    for pixels in (*_PIXELS, 128, 256):
+        result.addPixmap(_render(drawing, pixels))
+    return result
+
+
+def _add_pixmaps(target: QIcon, drawing: str, colour: QColor, mode: QIcon.Mode, state: QIcon.State) -> None:
+    tinted = drawing.replace("currentColor", colour.name())
+    for pixels in _PIXELS:
+        target.addPixmap(_render(tinted, pixels), mode, state)
+
+
+def _render(drawing: str, pixels: int) -> QPixmap:
+    image = QImage(pixels, pixels, QImage.Format.Format_ARGB32_Premultiplied)
+    image.fill(Qt.GlobalColor.transparent)
+    painter = QPainter(image)
+    QSvgRenderer(QByteArray(drawing.encode())).render(painter)
+    painter.end()
+    return QPixmap.fromImage(image)
