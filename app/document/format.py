@@ -1,0 +1,328 @@
+"""The document's file format: bytes to values and back, strictly.
+
+A file is UTF-8 JSON, ``{"format": "curvebench", "version": 1, "curves": [...]}``. What `decode` accepts,
+`encode` writes back with every float equal bit for bit; what it does not accept, it refuses with the
+place in the file and the requirement. `validate` states the requirements that go beyond types.
+"""
+
+from __future__ import annotations
+
+import itertools
+import json
+import re
+from collections.abc import Iterator
+from typing import Literal
+
+import msgspec
+
+from app.document.model import MAX_MAGNITUDE, Curve, Document, Node, ParametrizationKind, Value
+
+FORMAT = "curvebench"
+VERSION = 1
+
+_BYTE_ORDER_MARK = b"\xef\xbb\xbf"
+_LONGEST_QUOTE = 40
+
+
+class FormatError(ValueError):
+    """The bytes are no Curvebench document, or the values cannot be written as one."""
+
+
+class _Header(msgspec.Struct):
+    """What every version of the format has; everything else in the file is skipped."""
+
+    format: str
+    version: int
+
+
+class _File(Value, frozen=True):
+    """A whole file of this version."""
+
+    format: Literal["curvebench"]
+    version: Literal[1]
+    curves: tuple[Curve, ...]
+
+
+class _Place(str):
+    """Where in an object a key is repeated, such as ``.points[3].x``."""
+
+
+_HEADER_DECODER = msgspec.json.Decoder(_Header)
+_FILE_DECODER = msgspec.json.Decoder(_File)
+# NumPy's float64 is a float to everyone but msgspec.
+_ENCODER = msgspec.json.Encoder(enc_hook=float)
+
+
+def encode(document: Document) -> bytes:
+    """Return the content of the file that holds `document`.
+
+    Parameters
+    ----------
+    document
+        Any document that `validate` accepts.
+
+    Returns
+    -------
+    bytes
+        UTF-8, one line per point, a newline at the end.
+
+    Raises
+    ------
+    FormatError
+        Where `decode` would not read the result; msgspec alone would write NaN as null.
+    """
+    validate(document)
+    curves = b",\n".join(_curve_text(curve) for curve in document.curves)
+    head = f'{{\n  "format": "{FORMAT}",\n  "version": {VERSION},\n  "curves": [\n'
+    return head.encode() + curves + b"\n  ]\n}\n"
+
+
+def _curve_text(curve: Curve) -> bytes:
+    """Return the curve as JSON, indented, with one line per member and per point."""
+    # Through Raw, the members keep the order and the omitted defaults that msgspec gives them.
+    members = msgspec.json.decode(_ENCODER.encode(curve), type=dict[str, msgspec.Raw])
+    lines = []
+    for key, value in members.items():
+        text = _points_text(curve.nodes) if key == "points" else _one_line(value)
+        lines.append(b'      "' + key.encode() + b'": ' + text)
+    return b"    {\n" + b",\n".join(lines) + b"\n    }"
+
+
+def _points_text(nodes: tuple[Node, ...]) -> bytes:
+    """Return the nodes as a JSON list with one line each."""
+    if not nodes:
+        return b"[]"
+    lines = (b"        " + _one_line(_ENCODER.encode(node)) for node in nodes)
+    return b"[\n" + b",\n".join(lines) + b"\n      ]"
+
+
+def _one_line(text: bytes | msgspec.Raw) -> bytes:
+    """Return JSON on one line with a space after every comma and colon."""
+    return msgspec.json.format(bytes(text), indent=0)
+
+
+def decode(data: bytes) -> Document:
+    """Return the document that the content of a file holds.
+
+    Parameters
+    ----------
+    data
+        The whole file.
+
+    Raises
+    ------
+    FormatError
+        With the place and the requirement, for anything that is not a valid document of this version.
+    """
+    _refuse_other_text(data)
+    try:
+        _check_header(_HEADER_DECODER.decode(data))
+        file = _FILE_DECODER.decode(data)
+    except msgspec.ValidationError as problem:
+        raise FormatError(_in_words(str(problem))) from None
+    except msgspec.DecodeError as problem:
+        raise FormatError(_not_json(str(problem), data)) from None
+    except RecursionError:
+        raise FormatError("not a Curvebench document: it is nested too deeply") from None
+    _refuse_repeated_keys(data)
+    document = Document(file.curves)
+    validate(document)
+    return document
+
+
+def _refuse_other_text(data: bytes) -> None:
+    """Raise FormatError unless `data` is non-empty UTF-8 without a byte order mark."""
+    if not data.strip():
+        raise FormatError("the file is empty")
+    if data.startswith(_BYTE_ORDER_MARK):
+        raise FormatError("the file starts with a byte order mark; save it as UTF-8 without one")
+    try:
+        data.decode("utf-8")
+    except UnicodeDecodeError as problem:
+        raise FormatError(f"not UTF-8 text: {_line_and_column(data, problem.start)}") from None
+
+
+def _check_header(header: _Header) -> None:
+    """Raise FormatError unless the file is ours and of the version that this program reads."""
+    if header.format != FORMAT:
+        raise FormatError(
+            f'not a Curvebench document: format must be "{FORMAT}", not {_quoted(header.format)}'
+        )
+    if header.version > VERSION:
+        raise FormatError(
+            "This file was written by a newer version of Curvebench "
+            f"(format version {header.version}; this program reads {VERSION})"
+        )
+    if header.version < VERSION:
+        raise FormatError(f"version must be {VERSION}, not {header.version}")
+
+
+def _refuse_repeated_keys(data: bytes) -> None:
+    """Raise FormatError where an object has a key twice; msgspec would silently take the last.
+
+    Runs after the typed decoding, so that nothing here is deep. Numbers become floats because Python
+    refuses to make an int of many digits.
+    """
+    place = json.loads(data, object_pairs_hook=_repeated_key, parse_int=float)
+    if place is not None:
+        raise FormatError(f"{place.removeprefix('.')} appears twice; each key may appear only once")
+
+
+def _repeated_key(members: list[tuple[str, object]]) -> _Place | None:
+    """Return where in this object a key is repeated, or None; nested objects come as their answers."""
+    seen: set[str] = set()
+    for key, value in members:
+        if key in seen:
+            return _Place(f".{key}")
+        seen.add(key)
+        items = enumerate(value) if isinstance(value, list) else [(None, value)]
+        for index, item in items:
+            if isinstance(item, _Place):
+                return _Place(f".{key}{'' if index is None else f'[{index}]'}{item}")
+    return None
+
+
+def validate(document: Document) -> None:
+    """Raise FormatError, with the place, unless `document` may be saved.
+
+    A document has at least one curve. Every number is finite, its magnitude at most `MAX_MAGNITUDE`.
+    A parametrization has start < end and alpha in [0, 1]. The parameters that the points carry increase
+    strictly in the order of the points, also where a rule is in force and they are only remembered; under
+    the manual parametrization every point carries one. A curve may have one point or none.
+    """
+    if not document.curves:
+        raise FormatError("curves must hold at least one curve")
+    for index, curve in enumerate(document.curves):
+        _validate_curve(curve, f"curves[{index}]")
+
+
+def _validate_curve(curve: Curve, place: str) -> None:
+    try:
+        curve.name.encode("utf-8")
+    except UnicodeEncodeError:
+        raise FormatError(f"{place}.name holds a character that UTF-8 cannot carry") from None
+    rule = curve.parametrization
+    for key in ("alpha", "start", "end"):
+        _check_number(getattr(rule, key), f"{place}.parametrization.{key}")
+    if not 0 <= rule.alpha <= 1:
+        raise FormatError(f"{place}.parametrization.alpha must lie between 0 and 1, not {rule.alpha!r}")
+    if not rule.start < rule.end:
+        raise FormatError(
+            f"{place}.parametrization.end must be greater than {rule.start!r}, the start, not {rule.end!r}"
+        )
+    for index, node in enumerate(curve.nodes):
+        _validate_node(node, f"{place}.points[{index}]")
+    _validate_parameters(curve, place)
+
+
+def _validate_node(node: Node, place: str) -> None:
+    for key, value in _numbers(node):
+        _check_number(value, f"{place}.{key}")
+
+
+def _numbers(node: Node) -> Iterator[tuple[str, float]]:
+    """Yield every number of the node with its place in it."""
+    yield "x", node.x
+    yield "y", node.y
+    if node.t is not None:
+        yield "t", node.t
+    for key, vector in (("velocity", node.velocity), ("acceleration", node.acceleration)):
+        for index, value in enumerate(vector or ()):
+            yield f"{key}[{index}]", value
+
+
+def _check_number(value: float, place: str) -> None:
+    if isinstance(value, bool) or not isinstance(value, int | float):
+        raise FormatError(f"{place} must be a number, not {value!r}")
+    # Written so that NaN fails.
+    if not -MAX_MAGNITUDE <= value <= MAX_MAGNITUDE:
+        raise FormatError(f"{place} {_RANGE}, not {_short(value)}")
+
+
+def _validate_parameters(curve: Curve, place: str) -> None:
+    """Raise FormatError unless the parameters that the points carry increase strictly."""
+    carried = [(index, node.t) for index, node in enumerate(curve.nodes) if node.t is not None]
+    if curve.is_manual and len(carried) < len(curve.nodes):
+        missing = next(index for index, node in enumerate(curve.nodes) if node.t is None)
+        raise FormatError(
+            f"{place}.points[{missing}].t is missing; "
+            f'under "{ParametrizationKind.MANUAL}" every point carries its parameter'
+        )
+    for (before, low), (index, high) in itertools.pairwise(carried):
+        if not low < high:
+            whose = "the point before it" if before == index - 1 else f"points[{before}]"
+            raise FormatError(
+                f"{place}.points[{index}].t must be greater than {low!r}, the t of {whose}, not {high!r}"
+            )
+
+
+# What msgspec says, and the same for people. Its message ends with the place, "- at `$.curves[0].x`".
+_RANGE = f"must lie between -{MAX_MAGNITUDE:g} and {MAX_MAGNITUDE:g}".replace("e+", "e")
+_TYPES = {
+    "float": "a number",
+    "int": "a whole number",
+    "str": "text",
+    "array": "a list",
+    "object": "an object {…}",
+    "bool": "true or false",
+    "null": "null",
+}
+
+
+def _in_words(message: str) -> str:
+    """Return msgspec's objection to a value as a sentence that starts with the place in the file."""
+    complaint, _, path = message.partition(" - at `$")
+    place = path.rstrip("`").removeprefix(".")
+    if match := re.fullmatch(r"Object missing required field `(.*)`", complaint):
+        return f"{_joined(place, match[1])} is missing"
+    if match := re.fullmatch(r"Object contains unknown field `(.*)`", complaint, re.DOTALL):
+        return f"{place or 'the file'} has a key that this version does not know: {_quoted(match[1])}"
+    return f"{place or 'the file'} {_requirement(complaint)}"
+
+
+def _requirement(complaint: str) -> str:
+    """Return what msgspec says of a value as a clause that follows its place."""
+    if match := re.fullmatch(r"Expected `array` of length (\d+)(?:, got \d+)?", complaint):
+        return f"must be a list of {match[1]} numbers"
+    if match := re.fullmatch(r"Expected `(.*)`, got `(.*)`", complaint):
+        return f"must be {_kinds(match[1])}, not {_kinds(match[2])}"
+    if match := re.fullmatch(r"Invalid enum value (.*)", complaint, re.DOTALL):
+        return f"is not a choice that this version knows: {_quoted(match[1].strip(chr(39)))}"
+    if complaint in ("Number out of range", "Integer value out of range"):
+        return _RANGE
+    return f"is not valid: {complaint}"
+
+
+def _kinds(names: str) -> str:
+    """Return msgspec's ``float | null`` in words."""
+    return " or ".join(_TYPES.get(name, name) for name in names.split(" | "))
+
+
+def _joined(place: str, key: str) -> str:
+    return f"{place}.{key}" if place else key
+
+
+def _not_json(message: str, data: bytes) -> str:
+    """Return msgspec's objection to the text with its line and column."""
+    match = re.fullmatch(r"JSON is malformed: (.*) \(byte (\d+)\)", message)
+    if match is None:
+        return "not JSON: the file ends too early"
+    return f"not JSON: {_line_and_column(data, int(match[2]))}: {match[1]}"
+
+
+def _line_and_column(data: bytes, position: int) -> str:
+    """Return the place of a byte as an editor of text shows it."""
+    line = data.count(b"\n", 0, position) + 1
+    line_start = data.rfind(b"\n", 0, position) + 1
+    column = len(data[line_start:position].decode("utf-8", "replace")) + 1
+    return f"line {line}, column {column}"
+
+
+def _quoted(text: str) -> str:
+    shortened = text if len(text) <= _LONGEST_QUOTE else f"{text[:_LONGEST_QUOTE]}…"
+    return json.dumps(shortened, ensure_ascii=not shortened.isprintable())
+
+
+def _short(value: float) -> str:
+    """Return a number that may be an int of a million digits."""
+    return repr(value) if isinstance(value, float) else "a larger one"
