@@ -3,24 +3,18 @@
 from __future__ import annotations
 
 import enum
-import math
 from dataclasses import dataclass
 from functools import lru_cache
 from typing import Final
 
 import numpy as np
 from numpy.typing import NDArray
-from PySide6.QtCore import QByteArray, QObject, Qt
+from PySide6.QtCore import QByteArray, QObject, QRectF, Qt
 from PySide6.QtGui import QColor, QIcon, QImage, QPainter, QPalette, QPixmap
 from PySide6.QtSvg import QSvgRenderer
 from PySide6.QtWidgets import QApplication, QStyleFactory
 
 from app.resources import resource
-
-FloatArray = NDArray[np.float64]
-
-GRAPHICS_CONTRAST: Final = 3.0
-"""Least contrast of a curve, point or line with the paper (WCAG 2.2, criterion 1.4.11)."""
 
 
 class ThemeMode(enum.Enum):
@@ -82,7 +76,7 @@ def mix(over: QColor, under: QColor, share: float) -> QColor:
     )
 
 
-def _theme(name: str, paper: str, surface: str, ink: str, muted: str, accent: str, warning: str) -> Theme:
+def _theme(name: str, *, paper: str, surface: str, ink: str, muted: str, accent: str, warning: str) -> Theme:
     background, foreground = QColor(paper), QColor(ink)
     return Theme(
         name=name,
@@ -215,7 +209,7 @@ def palette_of(theme: Theme) -> QPalette:
 
 def _role_colours(theme: Theme) -> dict[QPalette.ColorRole, QColor]:
     role = QPalette.ColorRole
-    raised = mix(theme.ink, theme.paper, 0.06) if theme is DARK else theme.paper
+    raised = mix(theme.ink, theme.paper, 0.06) if theme.name == "dark" else theme.paper
     return {
         role.Window: theme.surface,
         role.WindowText: theme.ink,
@@ -234,42 +228,37 @@ def _role_colours(theme: Theme) -> dict[QPalette.ColorRole, QColor]:
         role.Link: theme.accent,
         role.LinkVisited: mix(theme.accent, theme.ink, 0.6),
         # Fusion draws its bevels and frames with these five.
-        role.Light: mix(QColor("white"), raised, 0.5 if theme is LIGHT else 0.08),
+        role.Light: mix(QColor("white"), raised, 0.5 if theme.name == "light" else 0.08),
         role.Midlight: mix(theme.ink, theme.surface, 0.05),
         role.Mid: mix(theme.ink, theme.surface, 0.18),
         role.Dark: mix(theme.ink, theme.surface, 0.28),
-        role.Shadow: QColor("#000000") if theme is DARK else mix(theme.ink, theme.surface, 0.5),
+        role.Shadow: QColor("#000000") if theme.name == "dark" else mix(theme.ink, theme.surface, 0.5),
     }
 
 
 _STYLE_SHEET: Final = """
-QToolBar { background: $surface; border: none; border-bottom: 1px solid $line; padding: 4px 6px; spacing: 2px; }
-QToolBar::separator { background: $line; width: 1px; height: 1px; margin: 5px 6px; }
-QToolBar QToolButton { background: transparent; border: 1px solid transparent; border-radius: 5px; padding: 4px; }
-QToolBar QToolButton:hover { background: $hover; }
-QToolBar QToolButton:pressed { background: $pressed; }
-QToolBar QToolButton:checked { background: $checked; border-color: $accent; color: $accent; }
-QToolBar QToolButton:focus { border-color: $accent; }
-QToolBar QToolButton:disabled { color: $pale; }
-QToolBar QToolButton[popupMode="1"] { padding-right: 16px; }
-QToolBar QToolButton::menu-button { border: none; width: 14px; }
-QMainWindow::separator { background: $line; width: 1px; height: 1px; }
-QMainWindow::separator:hover { background: $accent; }
-QSplitter::handle { background: $line; }
-QSplitter::handle:horizontal { width: 1px; }
-QSplitter::handle:vertical { height: 1px; }
-QSplitter::handle:hover { background: $accent; }
-QDockWidget { font-weight: 600; }
-QDockWidget::title { background: $surface; padding: 7px 10px; text-align: left; }
-QDockWidget > QWidget { font-weight: 400; }
-QHeaderView { background: $surface; border: none; }
-QHeaderView::section { background: $surface; color: $muted; border: none; border-bottom: 1px solid $line; padding: 5px 8px; }
-QTableCornerButton::section { background: $surface; border: none; border-bottom: 1px solid $line; }
-QTableView { border: none; gridline-color: $fine; }
-QStatusBar { background: $surface; border-top: 1px solid $line; color: $muted; }
-QStatusBar::item { border: none; }
-QStatusBar QLabel { color: $muted; padding: 2px 6px; }
-QToolTip { background: $raised; color: $ink; border: 1px solid $line; padding: 4px 6px; }
+QToolBar { background: $surface; border: none; border-bottom: 1px solid $line; padding: 4px; spacing: 2px }
+QToolBar::separator { background: $line; width: 1px; height: 1px; margin: 5px 6px }
+QToolBar QToolButton { background: none; border: 1px solid transparent; border-radius: 5px; padding: 4px }
+QToolBar QToolButton:hover { background: $hover }
+QToolBar QToolButton:pressed { background: $pressed }
+QToolBar QToolButton:checked { background: $checked; border-color: $accent; color: $accent }
+QToolBar QToolButton:focus { border-color: $accent }
+QToolBar QToolButton:disabled { color: $pale }
+QToolBar QToolButton[popupMode="1"] { padding-right: 16px }
+QToolBar QToolButton::menu-button { border: none; width: 14px }
+QMainWindow::separator, QSplitter::handle { background: $line; width: 1px; height: 1px }
+QMainWindow::separator:hover, QSplitter::handle:hover { background: $accent }
+QDockWidget::title { background: $surface; padding: 7px 10px; text-align: left }
+QHeaderView { background: $surface; border: none }
+QHeaderView::section, QTableCornerButton::section {
+    background: $surface; color: $muted; border: none; border-bottom: 1px solid $line; padding: 5px 8px
+}
+QTableView { border: none; gridline-color: $fine }
+QStatusBar { background: $surface; border-top: 1px solid $line; color: $muted }
+QStatusBar::item { border: none }
+QStatusBar QLabel { color: $muted; padding: 2px 6px }
+QToolTip { background: $raised; color: $ink; border: 1px solid $line; padding: 4px 6px }
 """
 
 
@@ -296,10 +285,19 @@ def style_sheet_of(theme: Theme) -> str:
 
 # --- colours of the points ----------------------------------------------------------------------
 
-_OKABE_ITO: Final = ("#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#f0e442")
-"""Safe for colour-blind eyes: Okabe & Ito, "Color Universal Design" (2008). Black is the ink."""
+_OKABE_ITO: Final = {
+    # On light paper five of the seven are too pale. Lightness alone is moved, by hand and search,
+    # so that colours stay apart for red-, green- and blue-blind eyes too (tests/gui/test_theme.py).
+    "light": ("#006097", "#c35500", "#00835f", "#b2618e", "#c08404", "#3798cb", "#554f00"),
+    "dark": ("#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#f0e442"),
+}
+"""Blue, vermillion, bluish green, reddish purple, orange, sky blue, yellow; ink stands for black.
 
-# OKLab, B. Ottosson, "A perceptual color space for image processing" (2020).
+Okabe & Ito, "Color Universal Design" (2008); the dark theme has them as published.
+"""
+
+# OKLab to cone responses (cube roots), and those to linear RGB:
+# B. Ottosson, "A perceptual color space for image processing" (2020).
 _LAB_TO_LMS: Final = np.array(
     [
         [1.0, 0.3963377774, 0.2158037573],
@@ -314,18 +312,15 @@ _LMS_TO_RGB: Final = np.array(
         [-0.0041960863, -0.7034186147, 1.7076147010],
     ]
 )
-_RGB_TO_LMS: Final = np.linalg.inv(_LMS_TO_RGB)
-_LMS_TO_LAB: Final = np.linalg.inv(_LAB_TO_LMS)
-_LUMINANCE: Final = np.array([0.2126, 0.7152, 0.0722])
 
 
 def point_colours(n: int, theme: Theme) -> list[QColor]:
     """
-    Return one colour for each of ``n`` points, every one legible on the theme's paper.
+    Return one colour for each of ``n`` points, all legible on the theme's paper.
 
-    Up to eight points have the Okabe–Ito colours, their lightness moved as little as
-    `GRAPHICS_CONTRAST` asks, the hue kept; the eighth is the ink. More points run through an
-    even ramp of hues whose lightness alternates, so that neighbours differ however many there are.
+    Up to eight points have the Okabe–Ito colours, darker on light paper; the eighth is the ink.
+    More points run through an even ramp of hues whose lightness alternates, so that neighbours
+    can be told apart however many there are.
 
     Parameters
     ----------
@@ -339,86 +334,24 @@ def point_colours(n: int, theme: Theme) -> list[QColor]:
     list of QColor
         The colours by point index.
     """
-    if n <= len(_OKABE_ITO):
-        return [QColor(name) for name in _legible_okabe_ito(theme)[:n]]
-    if n == len(_OKABE_ITO) + 1:
-        return [*(QColor(name) for name in _legible_okabe_ito(theme)), QColor(theme.ink)]
-    return [QColor(rgb) for rgb in _ramp(n, theme).tolist()]
-
-
-def contrast(a: QColor, b: QColor) -> float:
-    """Return the WCAG contrast ratio of two colours, 1 to 21."""
-    y = np.sort(_luminance(_decode(np.array([a.getRgbF()[:3], b.getRgbF()[:3]]))))
-    return float((y[1] + 0.05) / (y[0] + 0.05))
-
-
-@lru_cache(maxsize=4)
-def _legible_okabe_ito(theme: Theme) -> tuple[str, ...]:
-    return tuple(_legible(QColor(name), theme.paper).name() for name in _OKABE_ITO)
-
-
-def _legible(colour: QColor, paper: QColor) -> QColor:
-    """Return the nearest colour of the same hue that stands out from the paper."""
-    lightness, a, b = _rgb_to_lab(_decode(np.array(colour.getRgbF()[:3])))
-    chroma, hue = math.hypot(a, b), math.atan2(b, a)
-    # A little more than asked for: the colour is rounded to 8 bits afterwards.
-    wanted = GRAPHICS_CONTRAST * 1.02
-    light, part = np.meshgrid(np.linspace(0.0, 1.0, 401), np.linspace(0.0, 1.0, 101), indexing="ij")
-    rgb = _lch_to_rgb(light, part * chroma, np.full_like(light, hue))
-    inside = ((rgb >= -1e-3) & (rgb <= 1.0 + 1e-3)).all(axis=-1)
-    good = inside & (_contrast_with(rgb, paper) >= wanted)
-    distance = np.where(good, np.hypot(light - lightness, (1.0 - part) * chroma), np.inf)
-    return _qcolor(rgb.reshape(-1, 3)[int(np.argmin(distance))])
+    few = [*_OKABE_ITO[theme.name], theme.ink.name()]
+    if n <= len(few):
+        return [QColor(name) for name in few[:n]]
+    return [QColor(code) for code in _ramp(n, theme).tolist()]
 
 
 def _ramp(n: int, theme: Theme) -> NDArray[np.int64]:
     """Return ``n`` packed colours 0xffRRGGBB from violet-blue over green to magenta, n >= 2."""
-    # Middle lightness and chroma keep every hue inside sRGB, to within a rounding, and legible.
-    middle, chroma = (0.74, 0.115) if theme is DARK else (0.59, 0.105)
-    share = np.linspace(0.0, 1.0, n)
-    hue = np.radians(265.0 - 285.0 * share)
-    light = middle + np.where(np.arange(n) % 2 == 0, -0.03, 0.03)
-    code = np.rint(255.0 * _encode(_lch_to_rgb(light, np.full(n, chroma), hue))).astype(np.int64)
-    return (0xFF << 24) | (code[:, 0] << 16) | (code[:, 1] << 8) | code[:, 2]
-
-
-def _lch_to_rgb(lightness: FloatArray, chroma: FloatArray, hue: FloatArray) -> FloatArray:
-    """Turn OKLCH into linear RGB, which may lie outside [0, 1]."""
+    # At this lightness and chroma every hue is legible, and within sRGB to a rounding.
+    middle, chroma = (0.74, 0.115) if theme.name == "dark" else (0.59, 0.105)
+    hue = np.radians(np.linspace(265.0, -20.0, n))
+    lightness = middle + np.where(np.arange(n) % 2 == 0, -0.03, 0.03)
     lab = np.stack([lightness, chroma * np.cos(hue), chroma * np.sin(hue)], axis=-1)
-    rgb: FloatArray = (lab @ _LAB_TO_LMS.T) ** 3 @ _LMS_TO_RGB.T
-    return rgb
-
-
-def _rgb_to_lab(rgb: FloatArray) -> FloatArray:
-    lab: FloatArray = np.cbrt(rgb @ _RGB_TO_LMS.T) @ _LMS_TO_LAB.T
-    return lab
-
-
-def _decode(srgb: FloatArray) -> FloatArray:
-    """Turn sRGB values in [0, 1] into linear light."""
-    return np.where(srgb <= 0.04045, srgb / 12.92, ((srgb + 0.055) / 1.055) ** 2.4)
-
-
-def _encode(rgb: FloatArray) -> FloatArray:
-    """Turn linear light into sRGB values, clipped to [0, 1]."""
-    rgb = np.clip(rgb, 0.0, 1.0)
-    return np.where(rgb <= 0.0031308, 12.92 * rgb, 1.055 * rgb ** (1.0 / 2.4) - 0.055)
-
-
-def _luminance(rgb: FloatArray) -> FloatArray:
-    luminance: FloatArray = rgb @ _LUMINANCE
-    return luminance
-
-
-def _contrast_with(rgb: FloatArray, paper: QColor) -> FloatArray:
-    one = _luminance(np.clip(rgb, 0.0, 1.0)) + 0.05
-    other = float(_luminance(_decode(np.array(paper.getRgbF()[:3])))) + 0.05
-    return np.maximum(one / other, other / one)
-
-
-def _qcolor(rgb: FloatArray) -> QColor:
-    red, green, blue = np.rint(255.0 * _encode(rgb)).astype(int).tolist()
-    return QColor(red, green, blue)
+    rgb = np.clip((lab @ _LAB_TO_LMS.T) ** 3 @ _LMS_TO_RGB.T, 0.0, 1.0)
+    srgb = np.where(rgb <= 0.0031308, 12.92 * rgb, 1.055 * rgb ** (1.0 / 2.4) - 0.055)
+    red, green, blue = np.rint(255.0 * srgb).astype(np.int64).T
+    code: NDArray[np.int64] = (0xFF << 24) | (red << 16) | (green << 8) | blue
+    return code
 
 
 # --- icons --------------------------------------------------------------------------------------
@@ -452,11 +385,15 @@ def icon(name: str, theme: Theme) -> QIcon:
         When there is no such icon.
     """
     drawing = resource("icons", f"{name}.svg").read_text(encoding="utf-8")
-    disabled = mix(theme.muted, theme.surface, 0.5)
     result = QIcon()
-    for state, colour in ((QIcon.State.Off, theme.ink), (QIcon.State.On, theme.accent)):
-        _add_pixmaps(result, drawing, colour, QIcon.Mode.Normal, state)
-        _add_pixmaps(result, drawing, disabled, QIcon.Mode.Disabled, state)
+    for pixels in _PIXELS:
+        shape = _render(drawing.replace("currentColor", theme.ink.name()), pixels)
+        checked = _tinted(shape, theme.accent)
+        disabled = _tinted(shape, mix(theme.muted, theme.surface, 0.5))
+        result.addPixmap(QPixmap.fromImage(shape), QIcon.Mode.Normal, QIcon.State.Off)
+        result.addPixmap(QPixmap.fromImage(checked), QIcon.Mode.Normal, QIcon.State.On)
+        for state in (QIcon.State.Off, QIcon.State.On):
+            result.addPixmap(QPixmap.fromImage(disabled), QIcon.Mode.Disabled, state)
     return result
 
 
@@ -465,20 +402,27 @@ def app_icon() -> QIcon:
     result = QIcon()
     drawing = resource("icons", "app.svg").read_text(encoding="utf-8")
     for pixels in (*_PIXELS, 128, 256):
-        result.addPixmap(_render(drawing, pixels))
+        result.addPixmap(QPixmap.fromImage(_render(drawing, pixels)))
     return result
 
 
-def _add_pixmaps(target: QIcon, drawing: str, colour: QColor, mode: QIcon.Mode, state: QIcon.State) -> None:
-    tinted = drawing.replace("currentColor", colour.name())
-    for pixels in _PIXELS:
-        target.addPixmap(_render(tinted, pixels), mode, state)
-
-
-def _render(drawing: str, pixels: int) -> QPixmap:
+def _render(drawing: str, pixels: int) -> QImage:
     image = QImage(pixels, pixels, QImage.Format.Format_ARGB32_Premultiplied)
     image.fill(Qt.GlobalColor.transparent)
     painter = QPainter(image)
-    QSvgRenderer(QByteArray(drawing.encode())).render(painter)
+    if pixels % 32 == 16:
+        # The 1.5/24 wide lines are 1, 3 or 5 px here: centred on whole numbers they would blur.
+        painter.translate(0.5, 0.5)
+    QSvgRenderer(QByteArray(drawing.encode())).render(painter, QRectF(0, 0, pixels, pixels))
     painter.end()
-    return QPixmap.fromImage(image)
+    return image
+
+
+def _tinted(image: QImage, colour: QColor) -> QImage:
+    """Return the image with every pixel in one colour, its opacity kept."""
+    result = QImage(image)
+    painter = QPainter(result)
+    painter.setCompositionMode(QPainter.CompositionMode.CompositionMode_SourceIn)
+    painter.fillRect(result.rect(), colour)
+    painter.end()
+    return result
