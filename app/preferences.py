@@ -1,0 +1,158 @@
+"""What the editor remembers from one start to the next, outside any document."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Final
+
+from PySide6.QtCore import QByteArray, QSettings
+
+from app.theme import ThemeMode
+
+_NAME: Final = "curvebench"
+_MAX_RECENT: Final = 10
+
+
+class Preferences:
+    """
+    The person's settings, typed, over an ini file in the user's configuration folder.
+
+    A value that cannot be read counts as not set; nothing here raises because of what is in the
+    file, for a broken preference must never keep the editor from opening.
+
+    Parameters
+    ----------
+    store : pathlib.Path or QSettings, optional
+        Where to keep them, for tests and portable use; the user's own place by default.
+
+    Attributes
+    ----------
+    complaint : str
+        What was wrong with the stored values, in one sentence; empty when nothing was.
+    """
+
+    def __init__(self, store: Path | QSettings | None = None) -> None:
+        self._settings = _open(store)
+        self.complaint = ""
+        if self._settings.status() is not QSettings.Status.NoError:
+            self.complaint = f"{self._settings.fileName()} cannot be read; the defaults are used."
+
+    @property
+    def theme_mode(self) -> ThemeMode:
+        """Light, dark, or as the system has it."""
+        stored = self._text("theme")
+        try:
+            return ThemeMode(stored or ThemeMode.SYSTEM.value)
+        except ValueError:
+            self._complain("theme", f"“{stored}” is none of system, light and dark")
+            return ThemeMode.SYSTEM
+
+    @theme_mode.setter
+    def theme_mode(self, mode: ThemeMode) -> None:
+        self._settings.setValue("theme", mode.value)
+
+    @property
+    def window_geometry(self) -> QByteArray:
+        """What ``QWidget.saveGeometry`` gave; empty when nothing is remembered."""
+        return self._bytes("window/geometry")
+
+    @window_geometry.setter
+    def window_geometry(self, value: QByteArray) -> None:
+        self._settings.setValue("window/geometry", value)
+
+    @property
+    def window_state(self) -> QByteArray:
+        """What ``QMainWindow.saveState`` gave; empty when nothing is remembered."""
+        return self._bytes("window/state")
+
+    @window_state.setter
+    def window_state(self, value: QByteArray) -> None:
+        self._settings.setValue("window/state", value)
+
+    @property
+    def splitter_state(self) -> QByteArray:
+        """What ``QSplitter.saveState`` gave; empty when nothing is remembered."""
+        return self._bytes("window/splitter")
+
+    @splitter_state.setter
+    def splitter_state(self, value: QByteArray) -> None:
+        self._settings.setValue("window/splitter", value)
+
+    @property
+    def recent_files(self) -> list[Path]:
+        """At most ten files, the latest first; those that are no longer there are left out."""
+        return [path for path in self._recent() if _is_file(path)]
+
+    def add_recent_file(self, path: Path) -> None:
+        """Put a file at the head of the recent ones."""
+        path = path.absolute()
+        others = [other for other in self._recent() if other != path]
+        self._set_recent([path, *others])
+
+    def clear_recent_files(self) -> None:
+        """Forget the recent files."""
+        self._set_recent([])
+
+    @property
+    def last_folder(self) -> Path:
+        """Where a file dialog starts: the folder last used, or the home folder."""
+        stored = self._text("files/folder")
+        folder = Path(stored) if stored else Path.home()
+        return folder if _is_folder(folder) else Path.home()
+
+    @last_folder.setter
+    def last_folder(self, folder: Path) -> None:
+        self._settings.setValue("files/folder", str(folder.absolute()))
+
+    def _recent(self) -> list[Path]:
+        stored = self._settings.value("files/recent")
+        if stored is None or stored == "":
+            return []
+        # The ini format stores a list of one string as that string.
+        names = [stored] if isinstance(stored, str) else stored
+        if not isinstance(names, list) or not all(isinstance(name, str) and name for name in names):
+            self._complain("files/recent", "it is not a list of file names")
+            return []
+        return [Path(name) for name in names][:_MAX_RECENT]
+
+    def _set_recent(self, paths: list[Path]) -> None:
+        self._settings.setValue("files/recent", [str(path) for path in paths[:_MAX_RECENT]])
+
+    def _text(self, key: str) -> str:
+        stored = self._settings.value(key)
+        if stored is None or isinstance(stored, str):
+            return stored or ""
+        self._complain(key, "it is not a text")
+        return ""
+
+    def _bytes(self, key: str) -> QByteArray:
+        stored = self._settings.value(key)
+        if stored is None or isinstance(stored, QByteArray):
+            return stored or QByteArray()
+        self._complain(key, "it is not a saved layout")
+        return QByteArray()
+
+    def _complain(self, key: str, reason: str) -> None:
+        self.complaint = f"The remembered {key} is not usable ({reason}); the default is used."
+
+
+def _open(store: Path | QSettings | None) -> QSettings:
+    if isinstance(store, QSettings):
+        return store
+    if store is not None:
+        return QSettings(str(store), QSettings.Format.IniFormat)
+    return QSettings(QSettings.Format.IniFormat, QSettings.Scope.UserScope, _NAME, _NAME)
+
+
+def _is_file(path: Path) -> bool:
+    try:
+        return path.is_file()
+    except (OSError, ValueError):  # a drive that is gone, a name with a NUL in it
+        return False
+
+
+def _is_folder(path: Path) -> bool:
+    try:
+        return path.is_dir()
+    except (OSError, ValueError):
+        return False

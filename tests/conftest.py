@@ -1,0 +1,47 @@
+"""What every test gets: no display, a home of its own, repeatable randomness."""
+
+from __future__ import annotations
+
+import os
+import sys
+
+# Before Qt and NumPy are imported: both read these once.
+os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
+os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
+
+import pytest
+from hypothesis import settings
+
+settings.register_profile("curvebench", deadline=None, derandomize=True, max_examples=60)
+settings.load_profile("curvebench")
+
+_HOMES = ("HOME", "USERPROFILE", "APPDATA", "LOCALAPPDATA")
+_XDG = ("XDG_CONFIG_HOME", "XDG_DATA_HOME", "XDG_STATE_HOME", "XDG_CACHE_HOME")
+
+
+@pytest.fixture(autouse=True)
+def own_home(tmp_path_factory, monkeypatch):
+    """Keep the person's own settings, recent files and recovery files out of reach."""
+    home = tmp_path_factory.mktemp("home", numbered=True)
+    for name in _HOMES:
+        monkeypatch.setenv(name, str(home))
+    for name in _XDG:
+        monkeypatch.setenv(name, str(home / name.lower()))
+    core = sys.modules.get("PySide6.QtCore")
+    if core is not None:
+        for scope in (core.QSettings.Scope.UserScope, core.QSettings.Scope.SystemScope):
+            core.QSettings.setPath(core.QSettings.Format.IniFormat, scope, str(home / "settings"))
+    return home
+
+
+@pytest.fixture(autouse=True)
+def _no_window_left_open():
+    """Fail a test that leaves a window on the screen; the next one would find it there."""
+    yield
+    widgets = sys.modules.get("PySide6.QtWidgets")
+    if widgets is None or not isinstance(widgets.QApplication.instance(), widgets.QApplication):
+        return
+    left = [widget for widget in widgets.QApplication.topLevelWidgets() if widget.isVisible()]
+    for widget in left:
+        widget.hide()
+    assert not left, f"still open: {left} (give windows to qtbot.addWidget)"
