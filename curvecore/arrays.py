@@ -1,0 +1,228 @@
+"""All validation: arguments become checked, independent float64 arrays here.
+
+The arithmetic in the other modules assumes what these functions promise and
+checks nothing again.
+"""
+
+from __future__ import annotations
+
+import math
+import operator
+from typing import Any, NamedTuple, TypeAlias
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from curvecore.errors import CurveError
+
+__all__ = [
+    "FloatArray",
+    "IntArray",
+    "Parameters",
+    "box_edges",
+    "data_array",
+    "finite_number",
+    "integer",
+    "jet_array",
+    "parameter_array",
+    "parameter_values",
+    "point_array",
+    "read_only",
+    "tolerance_value",
+]
+
+FloatArray: TypeAlias = NDArray[np.float64]
+IntArray: TypeAlias = NDArray[np.intp]
+
+
+class Parameters(NamedTuple):
+    """Parameters at which a curve is asked for.
+
+    Attributes
+    ----------
+    values : ndarray, shape (m,)
+        Finite values.
+    is_scalar : bool
+        Whether a single number was given, so that the result drops its
+        first axis.
+    """
+
+    values: FloatArray
+    is_scalar: bool
+
+
+def read_only(array: FloatArray) -> FloatArray:
+    """Return `array` itself, no longer writeable."""
+    array.setflags(write=False)
+    return array
+
+
+def _as_floats(values: ArrayLike, name: str) -> FloatArray:
+    """Copy `values` into a new C-ordered float64 array."""
+    try:
+        array: NDArray[Any] = np.asarray(values)
+        if array.dtype.kind in "OUSmMVc":
+            # A table with a hole in it, text and complex numbers arrive with these kinds; only
+            # objects that are numbers themselves (Fraction, Decimal) can be converted.
+            if array.dtype.kind != "O":
+                raise TypeError(array.dtype)
+        return np.array(array, dtype=np.float64, order="C")
+    except (TypeError, ValueError, OverflowError):
+        raise CurveError(f"{name} must be a regular array of real numbers") from None
+
+
+def _check_finite(array: FloatArray, name: str) -> None:
+    """Raise for the first entry that is NaN or infinite."""
+    finite = np.isfinite(array)
+    if finite.all():
+        return
+    where = tuple(int(k) for k in np.argwhere(~finite)[0])
+    place = ", ".join(str(k) for k in where)
+    label = f"{name}[{place}]" if where else name
+    raise CurveError(f"{label} is {array[where]}; every value must be finite", where[:1])
+
+
+def data_array(values: ArrayLike, name: str, shape: tuple[int, int] | None = None) -> FloatArray:
+    """Check one datum per joint: points, velocities or accelerations.
+
+    Parameters
+    ----------
+    values : array_like, shape (n, dim)
+        n >= 2 rows of dim >= 1 finite numbers.
+    name : str
+        The argument's name for messages.
+    shape : (int, int), optional
+        The shape that the points have, which `values` must share.
+
+    Returns
+    -------
+    ndarray, shape (n, dim)
+        An independent copy.
+
+    Raises
+    ------
+    CurveError
+        For a wrong shape, or a value that is not a finite number.
+    """
+    array = _as_floats(values, name)
+    if array.ndim != 2 or array.shape[1] < 1:
+        raise CurveError(f"{name} must have the shape (n, dim), not {array.shape}")
+    if shape is not None and array.shape != shape:
+        raise CurveError(f"{name} must have the shape of the points, {shape}, not {array.shape}")
+    if array.shape[0] < 2:
+        raise CurveError(f"{name} must have at least 2 rows, not {array.shape[0]}")
+    _check_finite(array, name)
+    return array
+
+
+def point_array(points: ArrayLike) -> FloatArray:
+    """Check points of shape (n, dim), n >= 2; see `data_array`."""
+    return data_array(points, "points")
+
+
+def jet_array(jets: ArrayLike, shape: tuple[int, int]) -> FloatArray:
+    """Check jets that replace those of a curve.
+
+    Parameters
+    ----------
+    jets : array_like, shape (n, R, dim)
+        Finite numbers; any dim >= 1.
+    shape : (int, int)
+        The required (n, R).
+
+    Returns
+    -------
+    ndarray, shape (n, R, dim)
+        An independent copy.
+    """
+    array = _as_floats(jets, "jets")
+    if array.ndim != 3 or array.shape[:2] != shape or array.shape[2] < 1:
+        raise CurveError(f"jets must have the shape ({shape[0]}, {shape[1]}, dim), not {array.shape}")
+    _check_finite(array, "jets")
+    return array
+
+
+def parameter_array(parameters: ArrayLike, count: int) -> FloatArray:
+    """Check the parameters t_i of `count` points.
+
+    Parameters
+    ----------
+    parameters : array_like, shape (count,)
+        Finite and strictly increasing; t_(n-1) - t_0 must be finite too.
+    count : int
+        The number of points.
+
+    Returns
+    -------
+    ndarray, shape (count,)
+        An independent copy.
+
+    Raises
+    ------
+    CurveError
+        For a wrong shape, a value that is not finite, or two neighbours
+        that do not increase; `indices` then holds both.
+    """
+    array = _as_floats(parameters, "parameters")
+    if array.shape != (count,):
+        raise CurveError(f"parameters must have the shape ({count},), one per point, not {array.shape}")
+    _check_finite(array, "parameters")
+    increasing = array[1:] > array[:-1]
+    if not increasing.all():
+        i = int(np.argmin(increasing))
+        raise CurveError(
+            f"parameters must be strictly increasing, but parameters[{i + 1}] = {array[i + 1]} "
+            f"does not exceed parameters[{i}] = {array[i]}",
+            (i, i + 1),
+        )
+    if not math.isfinite(float(array[-1]) - float(array[0])):
+        raise CurveError("parameters must span an interval of finite length")
+    return array
+
+
+def parameter_values(t: ArrayLike) -> Parameters:
+    """Check the parameters of an evaluation: a finite scalar or shape (m,)."""
+    array = _as_floats(t, "t")
+    if array.ndim > 1:
+        raise CurveError(f"t must be a number or have the shape (m,), not {array.shape}")
+    _check_finite(array, "t")
+    return Parameters(array.reshape(-1), array.ndim == 0)
+
+
+def integer(value: object, name: str, least: int) -> int:
+    """Check an integer that is at least `least`."""
+    try:
+        number = operator.index(value)  # type: ignore[arg-type]
+    except TypeError:
+        raise CurveError(f"{name} must be an integer, not {value!r}") from None
+    if number < least:
+        raise CurveError(f"{name} must be at least {least}, not {number}")
+    return number
+
+
+def finite_number(value: float, name: str) -> float:
+    """Check a single finite real number."""
+    array = _as_floats(value, name)
+    if array.ndim != 0:
+        raise CurveError(f"{name} must be a single number")
+    _check_finite(array, name)
+    return float(array)
+
+
+def tolerance_value(tolerance: float) -> float:
+    """Check a distance that an approximation may deviate: finite, above zero."""
+    value = finite_number(tolerance, "tolerance")
+    if not value > 0.0:
+        raise CurveError(f"tolerance must be greater than 0, not {value}")
+    return value
+
+
+def box_edges(box: ArrayLike) -> FloatArray:
+    """Check a box (xmin, ymin, xmax, ymax), each minimum at most its maximum."""
+    edges = _as_floats(box, "box")
+    if edges.shape != (4,):
+        raise CurveError(f"box must be (xmin, ymin, xmax, ymax), not an array of shape {edges.shape}")
+    _check_finite(edges, "box")
+    if edges[0] > edges[2] or edges[1] > edges[3]:
+        raise CurveError("box must have xmin <= xmax and ymin <= ymax")
+    return edges

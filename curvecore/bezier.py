@@ -1,0 +1,184 @@
+"""Bezier control points: exact for the Hermite families, cubic pieces for all.
+
+References
+----------
+.. [1] G. Farin, "Curves and Surfaces for CAGD", 5th ed., Morgan Kaufmann
+   2002, sections 5.1 (derivatives at the ends) and 7.5, 7.6.
+.. [2] C. de Boor, "A Practical Guide to Splines", revised ed., Springer 2001,
+   chapter IV, (6): the error h**4 max |c''''| / 384 of cubic Hermite
+   interpolation.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+from curvecore.arrays import FloatArray, tolerance_value
+from curvecore.curve import Curve
+from curvecore.errors import CurveError
+from curvecore.hermite import HermiteCurve, QuinticHermiteCurve
+
+__all__ = ["MAX_PIECES", "CubicPath", "bezier_segments", "cubic_path"]
+
+MAX_PIECES = 1 << 12
+"""`cubic_path` never returns more pieces than this, or one a segment if there are more segments."""
+
+_LIMIT = 1e300  # control points beyond are moved here, so that their differences stay finite
+_SAMPLES = np.arange(1, 12) / 12.0  # where a cubic piece is compared with the curve
+_MARGIN = 1.25  # on the measured deviation, for what lies between the samples
+_ROUNDS = 24
+
+
+class CubicPath(NamedTuple):
+    """Cubic Bezier pieces that follow a curve.
+
+    Attributes
+    ----------
+    control_points : ndarray, shape (k, 4, dim)
+        Piece by piece; each begins where the one before ends.
+    parameters : ndarray, shape (k + 1,)
+        The curve's parameters at the ends of the pieces.
+    deviation : float
+        Upper bound of the distance between the pieces and the curve at equal
+        parameters: 0 for `HermiteCurve`; proved for `QuinticHermiteCurve`;
+        for others measured at 11 parameters a piece and enlarged by a
+        quarter. Larger than the tolerance where `MAX_PIECES` did not suffice.
+    """
+
+    control_points: FloatArray
+    parameters: FloatArray
+    deviation: float
+
+
+def bezier_segments(curve: HermiteCurve | QuinticHermiteCurve) -> FloatArray:
+    """Return the Bezier control points of every segment.
+
+    Cubic: p, p + h v / 3; quintic: p, p + h v / 5, p + 2 h v / 5 + h**2 a / 20
+    ahead of a joint, and the mirror image behind it.
+
+    Parameters
+    ----------
+    curve : HermiteCurve or QuinticHermiteCurve
+        A `LagrangeCurve` has no segments; see `cubic_path`.
+
+    Returns
+    -------
+    ndarray, shape (n - 1, degree + 1, dim)
+        Exact but for rounding; limited to +-1e300.
+
+    Raises
+    ------
+    CurveError
+        For a curve of another family.
+    """
+    if not isinstance(curve, (HermiteCurve, QuinticHermiteCurve)):
+        raise CurveError("curve must be a HermiteCurve or a QuinticHermiteCurve to have Bezier segments")
+    jets, degree = curve.jets, curve.degree
+    h = np.diff(curve.parameters)[:, None]
+    controls = np.empty((len(h), degree + 1, jets.shape[2]))
+    with np.errstate(over="ignore", under="ignore", invalid="ignore"):
+        for ends, step, column in ((jets[:-1], h, 0), (jets[1:], -h, degree)):
+            inward = 1 if column == 0 else -1
+            reach = step * ends[:, 1]
+            controls[:, column] = ends[:, 0]
+            controls[:, column + inward] = ends[:, 0] + reach / degree
+            if degree == 5:
+                bend = step * (step * ends[:, 2]) / 20.0
+                controls[:, column + 2 * inward] = ends[:, 0] + (0.4 * reach + bend)
+    np.nan_to_num(controls, copy=False, nan=_LIMIT)
+    return np.clip(controls, -_LIMIT, _LIMIT, out=controls)
+
+
+def cubic_path(curve: Curve, tolerance: float) -> CubicPath:
+    """Return cubic Bezier pieces within a tolerance of the curve.
+
+    Each piece has the curve's points and velocities at its ends, so the path
+    is as smooth in direction as the curve.
+
+    Parameters
+    ----------
+    curve : Curve
+        Of any family and dim.
+    tolerance : float
+        Largest allowed distance at equal parameters, greater than 0.
+
+    Returns
+    -------
+    CubicPath
+        Its `deviation` says what was reached.
+
+    Raises
+    ------
+    CurveError
+        If the tolerance is not a positive number.
+    """
+    limit = tolerance_value(tolerance)
+    if isinstance(curve, HermiteCurve):
+        return CubicPath(bezier_segments(curve), curve.parameters.copy(), 0.0)
+    if isinstance(curve, QuinticHermiteCurve):
+        return _quintic_path(curve, limit)
+    return _measured_path(curve, limit)
+
+
+def _pieces(curve: Curve, parameters: FloatArray) -> FloatArray:
+    """Return the cubic pieces with the curve's points and velocities."""
+    velocities = curve.evaluate(parameters, 1)
+    if not np.isfinite(velocities).all() or np.abs(velocities).max() > 1e300:
+        velocities = np.clip(np.nan_to_num(velocities), -_LIMIT, _LIMIT)
+    return bezier_segments(HermiteCurve(curve.evaluate(parameters), velocities, parameters))
+
+
+def _quintic_path(curve: QuinticHermiteCurve, tolerance: float) -> CubicPath:
+    t = curve.parameters
+    # h**4 c'''' is linear on a segment: 120 times the fourth differences of the control points.
+    fourth = 120.0 * np.diff(bezier_segments(curve), n=4, axis=1)
+    bound = _lengths(fourth).max(axis=1) / 384.0
+    count = np.clip(np.ceil((bound / tolerance) ** 0.25), 1, MAX_PIECES).astype(np.intp)
+    if count.sum() > max(MAX_PIECES, len(count)):
+        count = np.maximum(1, count * (MAX_PIECES - len(count)) // count.sum())
+    parameters = spread(t, count)
+    return CubicPath(_pieces(curve, parameters), parameters, float((bound / count**4.0).max()))
+
+
+def spread(joints: FloatArray, count: np.ndarray[tuple[int], np.dtype[np.intp]]) -> FloatArray:
+    """Divide segment i into count[i] equal pieces; drop what is not distinct."""
+    segment = np.repeat(np.arange(len(count)), count)
+    first = np.cumsum(count) - count
+    step = np.arange(len(segment)) - first[segment]
+    inner = joints[segment] + (joints[segment + 1] - joints[segment]) * (step / count[segment])
+    return np.unique(np.append(np.minimum(inner, joints[-1]), joints[-1]))
+
+
+def _measured_path(curve: Curve, tolerance: float) -> CubicPath:
+    # Two pieces a segment: fewer could step over an oscillation.
+    parameters = spread(curve.parameters, np.full(len(curve.parameters) - 1, 2))
+    for _ in range(_ROUNDS):
+        pieces = _pieces(curve, parameters)
+        deviation = _MARGIN * _measured_deviation(curve, parameters, pieces)
+        count = np.clip(np.ceil((deviation / tolerance) ** 0.25), 1, 16).astype(np.intp)
+        if count.max() == 1 or count.sum() > MAX_PIECES:
+            break
+        finer = spread(parameters, count)
+        if finer.size == parameters.size:
+            break
+        parameters = finer
+    return CubicPath(pieces, parameters, float(deviation.max()))
+
+
+def _measured_deviation(curve: Curve, parameters: FloatArray, pieces: FloatArray) -> FloatArray:
+    s = _SAMPLES
+    weights = np.stack(((1 - s) ** 3, 3 * s * (1 - s) ** 2, 3 * s**2 * (1 - s), s**3))
+    t = parameters[:-1, None] + np.diff(parameters)[:, None] * s
+    exact = curve.evaluate(t.ravel()).reshape(len(pieces), len(s), -1)
+    return _lengths(np.einsum("ks,pkd->psd", weights, pieces) - np.clip(exact, -_LIMIT, _LIMIT)).max(axis=1)
+
+
+def _lengths(vectors: FloatArray) -> FloatArray:
+    """Return Euclidean lengths along the last axis, with no overflow below 1e300."""
+    largest = np.abs(vectors).max(axis=-1)
+    divisor = np.where(largest > 0.0, largest, 1.0)[..., None]
+    with np.errstate(under="ignore", over="ignore"):
+        lengths = largest * np.sqrt(np.square(vectors / divisor).sum(axis=-1))
+    return np.minimum(lengths, 1e308)

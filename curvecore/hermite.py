@@ -1,0 +1,316 @@
+"""Cubic and quintic Hermite curves: piecewise, with given derivatives at the joints."""
+
+from __future__ import annotations
+
+from typing import ClassVar, NamedTuple, Self
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from curvecore.arrays import (
+    FloatArray,
+    IntArray,
+    data_array,
+    integer,
+    jet_array,
+    parameter_array,
+    parameter_values,
+    point_array,
+    read_only,
+)
+from curvecore.hermite_basis import CUBIC, QUINTIC, LeftFunctions
+from curvecore.scaling import LARGEST
+
+__all__ = ["HermiteCurve", "LocalBasis", "QuinticHermiteCurve"]
+
+
+class LocalBasis(NamedTuple):
+    """The basis functions that are not zero by construction.
+
+    Attributes
+    ----------
+    segment : ndarray of int, shape (m,)
+        Index i of the segment from joint i to joint i + 1 that holds t.
+    values : ndarray, shape (m, 2, R)
+        ``[k, 0, r]`` is B_ir(t_k) and ``[k, 1, r]`` is B_(i+1)r(t_k).
+    """
+
+    segment: IntArray
+    values: FloatArray
+
+
+class _PiecewiseHermite:
+    """What the Hermite families share; R and the functions differ.
+
+    On a segment of length h, with r + s = 1 the relative distances to its
+    ends, B_ik = h**k f_k(s, r), and each derivative divides by h once more.
+    """
+
+    __slots__ = ("_jets", "_parameters")
+
+    _functions: ClassVar[tuple[LeftFunctions, ...]]
+
+    _jets: FloatArray
+    _parameters: FloatArray
+
+    @property
+    def points(self) -> FloatArray:
+        """The points, shape (n, dim)."""
+        return self._jets[:, 0]
+
+    @property
+    def parameters(self) -> FloatArray:
+        """The parameters, shape (n,)."""
+        return self._parameters
+
+    @property
+    def jets(self) -> FloatArray:
+        """Points and derivatives per unit of t, shape (n, R, dim)."""
+        return self._jets
+
+    @property
+    def domain(self) -> tuple[float, float]:
+        """The first and the last parameter."""
+        return float(self._parameters[0]), float(self._parameters[-1])
+
+    @property
+    def degree(self) -> int:
+        """The degree of each piece: 2 R - 1."""
+        return 2 * self._jets.shape[1] - 1
+
+    def evaluate(self, t: ArrayLike, order: int = 0) -> FloatArray:
+        """Return the curve, or a derivative with respect to t.
+
+        Parameters
+        ----------
+        t : float or array_like, shape (m,)
+            Any finite values. Outside the domain the polynomial of the
+            first or last segment continues; at a joint the segment to the
+            right counts, at the last joint the one to the left.
+        order : int, optional
+            Order of the derivative, at least 0; zeros above the degree.
+
+        Returns
+        -------
+        ndarray, shape (dim,) or (m, dim)
+            At a joint t_i and order 0 exactly p_i.
+
+        Raises
+        ------
+        CurveError
+            If t is not finite or has another shape, or order is negative.
+        """
+        at = parameter_values(t)
+        rank = integer(order, "order", 0)
+        local = self._scaled_basis(at.values, rank)
+        with np.errstate(over="ignore", under="ignore", invalid="ignore"):
+            h = np.diff(self._parameters)[:, None]
+            left, right = self._jets[:-1].copy(), self._jets[1:].copy()
+            for k in range(1, self._jets.shape[1]):
+                for _ in range(k):
+                    left[:, k] *= h
+                    right[:, k] *= h
+            pair = np.stack((left, right), axis=1)[local.segment]
+            curve = np.einsum("mek,mekd->md", local.values, pair)
+            for _ in range(rank):
+                curve /= h[local.segment]
+            if not np.isfinite(curve).all():
+                np.nan_to_num(curve, copy=False, nan=LARGEST)
+        return curve[0] if at.is_scalar else curve
+
+    def local_basis(self, t: ArrayLike, order: int = 0) -> LocalBasis:
+        """Return the 2 R basis functions that live on each t's segment.
+
+        Parameters
+        ----------
+        t : float or array_like, shape (m,)
+            As for `evaluate`; a scalar counts as m = 1.
+        order : int, optional
+            Order of the derivative with respect to t, at least 0.
+
+        Returns
+        -------
+        LocalBasis
+            Everything else in `basis` is zero.
+        """
+        at = parameter_values(t)
+        rank = integer(order, "order", 0)
+        local = self._scaled_basis(at.values, rank)
+        values = local.values
+        with np.errstate(over="ignore", under="ignore"):
+            h = np.diff(self._parameters)[local.segment, None]
+            for k in range(values.shape[2]):
+                for _ in range(k - rank):
+                    values[:, :, k] *= h
+                for _ in range(rank - k):
+                    values[:, :, k] /= h
+        np.clip(values, -LARGEST, LARGEST, out=values)
+        return local
+
+    def basis(self, t: ArrayLike, order: int = 0) -> FloatArray:
+        """Return all basis functions, or their derivatives with respect to t.
+
+        Parameters
+        ----------
+        t : float or array_like, shape (m,)
+            As for `evaluate`; a scalar counts as m = 1.
+        order : int, optional
+            Order of the derivative, at least 0.
+
+        Returns
+        -------
+        ndarray, shape (m, n, R)
+            ``[k, i, r]`` is B_ir at t_k. All but 2 R entries of a row are
+            zero; `local_basis` leaves those out.
+        """
+        local = self.local_basis(t, order)
+        m, _, width = local.values.shape
+        n = len(self._parameters)
+        result = np.zeros((m, n * width))
+        # B_i and B_(i+1) lie side by side in a row.
+        columns = (local.segment * width)[:, None] + np.arange(2 * width)
+        result[np.arange(m)[:, None], columns] = local.values.reshape(m, 2 * width)
+        return result.reshape(m, n, width)
+
+    def with_jets(self, jets: ArrayLike) -> Self:
+        """Return the curve with the same parameters and other data.
+
+        Parameters
+        ----------
+        jets : array_like, shape (n, R, dim)
+            Finite numbers.
+
+        Returns
+        -------
+        same type as the curve
+            The parameters are neither copied nor checked again.
+        """
+        curve = object.__new__(type(self))
+        curve._jets = read_only(jet_array(jets, self._jets.shape[:2]))
+        curve._parameters = self._parameters
+        return curve
+
+    def _scaled_basis(self, t: FloatArray, order: int) -> LocalBasis:
+        """Return the functions of the local s, without the powers of h."""
+        joints = self._parameters
+        width = self._jets.shape[1]
+        segment = np.searchsorted(joints[1:-1], t, side="right")
+        values = np.zeros((t.size, 2, width))
+        if order > self.degree:
+            return LocalBasis(segment, values)
+        with np.errstate(over="ignore", under="ignore", invalid="ignore"):
+            start, end = joints[segment], joints[segment + 1]
+            h = end - start
+            s, r = (t - start) / h, (end - t) / h
+            for k, function in enumerate(self._functions[order](s, r)):
+                values[:, 0, k] = function
+            for k, function in enumerate(self._functions[order](r, s)):
+                np.multiply(function, (-1.0) ** (k + order), out=values[:, 1, k])
+        return LocalBasis(segment, values)
+
+
+class HermiteCurve(_PiecewiseHermite):
+    """The piecewise cubic with given points and velocities at the joints.
+
+    Continuously differentiable; c''(t) may jump at the joints.
+
+    Parameters
+    ----------
+    points : array_like, shape (n, dim)
+        p_i = c(t_i), finite; n >= 2, dim >= 1. Copied.
+    velocities : array_like, shape (n, dim)
+        v_i = c'(t_i), per unit of t. Copied.
+    parameters : array_like, shape (n,)
+        t_i, finite and strictly increasing. Copied.
+
+    Attributes
+    ----------
+    points : ndarray, shape (n, dim)
+        Read-only.
+    parameters : ndarray, shape (n,)
+        Read-only.
+    jets : ndarray, shape (n, 2, dim)
+        Points and velocities; read-only.
+    domain : (float, float)
+        t_0 and t_(n-1).
+    degree : int
+        3.
+
+    Raises
+    ------
+    CurveError
+        If an argument does not have the shape or values above.
+
+    Notes
+    -----
+    Values and derivatives have errors of at most a small multiple of
+    u sum |B_ir^(order)(t) d_ir|, u = 2**-53. Results beyond the floating
+    point range become the largest finite number.
+    """
+
+    __slots__ = ()
+
+    _functions = CUBIC
+
+    def __init__(self, points: ArrayLike, velocities: ArrayLike, parameters: ArrayLike) -> None:
+        position = point_array(points)
+        velocity = data_array(velocities, "velocities", position.shape)
+        self._parameters = read_only(parameter_array(parameters, len(position)))
+        self._jets = read_only(np.stack((position, velocity), axis=1))
+
+
+class QuinticHermiteCurve(_PiecewiseHermite):
+    """The piecewise quintic with given points, velocities and accelerations.
+
+    Twice continuously differentiable; c'''(t) may jump at the joints.
+
+    Parameters
+    ----------
+    points : array_like, shape (n, dim)
+        p_i = c(t_i), finite; n >= 2, dim >= 1. Copied.
+    velocities : array_like, shape (n, dim)
+        v_i = c'(t_i), per unit of t. Copied.
+    accelerations : array_like, shape (n, dim)
+        a_i = c''(t_i), per unit of t squared. Copied.
+    parameters : array_like, shape (n,)
+        t_i, finite and strictly increasing. Copied.
+
+    Attributes
+    ----------
+    points : ndarray, shape (n, dim)
+        Read-only.
+    parameters : ndarray, shape (n,)
+        Read-only.
+    jets : ndarray, shape (n, 3, dim)
+        Points, velocities and accelerations; read-only.
+    domain : (float, float)
+        t_0 and t_(n-1).
+    degree : int
+        5.
+
+    Raises
+    ------
+    CurveError
+        If an argument does not have the shape or values above.
+
+    Notes
+    -----
+    Accuracy and limits are those of `HermiteCurve`.
+    """
+
+    __slots__ = ()
+
+    _functions = QUINTIC
+
+    def __init__(
+        self,
+        points: ArrayLike,
+        velocities: ArrayLike,
+        accelerations: ArrayLike,
+        parameters: ArrayLike,
+    ) -> None:
+        position = point_array(points)
+        velocity = data_array(velocities, "velocities", position.shape)
+        acceleration = data_array(accelerations, "accelerations", position.shape)
+        self._parameters = read_only(parameter_array(parameters, len(position)))
+        self._jets = read_only(np.stack((position, velocity, acceleration), axis=1))

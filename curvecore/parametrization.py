@@ -1,0 +1,184 @@
+"""Rules that give the parameters t_i of points.
+
+Every rule returns n strictly increasing values, the first exactly 0 and the
+last exactly 1; the caller maps them to its own interval.
+
+References
+----------
+.. [1] E. T. Y. Lee, "Choosing nodes in parametric curve interpolation",
+   Computer-Aided Design 21 (1989) 363-370: the power family.
+.. [2] L. N. Trefethen, "Approximation Theory and Approximation Practice",
+   SIAM 2013, chapter 2: Chebyshev points of the second kind.
+"""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from curvecore.arrays import FloatArray, finite_number, integer, point_array
+from curvecore.errors import CurveError
+
+__all__ = ["centripetal", "chebyshev", "chord_length", "power", "relative_spacing", "uniform"]
+
+
+def uniform(n: int) -> FloatArray:
+    """Return n equally spaced parameters in [0, 1].
+
+    Parameters
+    ----------
+    n : int
+        Number of points, at least 2.
+
+    Returns
+    -------
+    ndarray, shape (n,)
+        i / (n - 1), each correctly rounded.
+    """
+    count = integer(n, "n", 2)
+    return np.arange(count, dtype=np.float64) / (count - 1)
+
+
+def chebyshev(n: int) -> FloatArray:
+    """Return the n Chebyshev points of the second kind, mapped to [0, 1].
+
+    Parameters
+    ----------
+    n : int
+        Number of points, at least 2. Above some 10**8 the points next to 1
+        are no longer distinct in double precision.
+
+    Returns
+    -------
+    ndarray, shape (n,)
+        (1 - cos(pi i / (n - 1))) / 2, symmetric about 1/2.
+    """
+    count = integer(n, "n", 2)
+    # sin(x/2)**2 keeps all digits next to 0, where 1 - cos(x) loses them.
+    half = np.sin(np.arange((count + 1) // 2) * (math.pi / (2 * (count - 1)))) ** 2
+    parameters = np.empty(count)
+    parameters[: half.size] = half
+    parameters[count - half.size :] = 1.0 - half[::-1]
+    if count % 2:
+        parameters[count // 2] = 0.5
+    _check_increasing(parameters, "n is too large: neighbouring Chebyshev points")
+    return parameters
+
+
+def chord_length(points: ArrayLike) -> FloatArray:
+    """Return parameters in proportion to the distances between the points.
+
+    Parameters
+    ----------
+    points : array_like, shape (n, dim)
+        Consecutive points must be distinct.
+
+    Returns
+    -------
+    ndarray, shape (n,)
+
+    Raises
+    ------
+    CurveError
+        If consecutive points coincide, or lie so close together that their
+        parameters would be equal in double precision.
+    """
+    return _power(point_array(points), 1.0, "chord-length")
+
+
+def centripetal(points: ArrayLike) -> FloatArray:
+    """Return parameters in proportion to the square roots of the distances.
+
+    Parameters, result and errors are those of `chord_length`.
+    """
+    return _power(point_array(points), 0.5, "centripetal")
+
+
+def power(points: ArrayLike, alpha: float) -> FloatArray:
+    """Return parameters with spacing proportional to distance ** alpha.
+
+    Parameters
+    ----------
+    points : array_like, shape (n, dim)
+        Consecutive points must be distinct unless alpha is 0.
+    alpha : float
+        At least 0; 0 is `uniform`, 1/2 `centripetal`, 1 `chord_length`.
+
+    Returns
+    -------
+    ndarray, shape (n,)
+
+    Raises
+    ------
+    CurveError
+        As `chord_length`, and for an alpha that is negative or not finite.
+    """
+    return _power(point_array(points), alpha, "power-family")
+
+
+def relative_spacing(points: FloatArray, alpha: float, rule: str) -> FloatArray:
+    """Return distance ** alpha, relative to the largest one.
+
+    Parameters
+    ----------
+    points : ndarray, shape (n, dim)
+        Checked points.
+    alpha : float
+        At least 0.
+    rule : str
+        The rule's name for messages.
+
+    Returns
+    -------
+    ndarray, shape (n - 1,)
+        In [0, 1]; 0 only where the power underflows.
+
+    Raises
+    ------
+    CurveError
+        For a negative alpha, and for coincident points unless alpha is 0.
+    """
+    exponent = finite_number(alpha, "alpha")
+    if exponent < 0.0:
+        raise CurveError(f"alpha must be at least 0, not {exponent}")
+    if exponent == 0.0:
+        return np.ones(len(points) - 1)
+    length = _relative_distances(points, rule)
+    with np.errstate(under="ignore"):
+        spacing: FloatArray = length**exponent
+    return spacing
+
+
+def _power(points: FloatArray, alpha: float, rule: str) -> FloatArray:
+    spacing = relative_spacing(points, alpha, rule)
+    parameters = np.zeros(len(points))
+    np.cumsum(spacing, out=parameters[1:])
+    parameters /= parameters[-1]
+    _check_increasing(parameters, f"{rule} parameters cannot tell these points apart: parameters")
+    return parameters
+
+
+def _relative_distances(points: FloatArray, rule: str) -> FloatArray:
+    """Return the distances of consecutive points over the largest distance."""
+    # Halves, because the difference of two finite coordinates may overflow.
+    step = np.abs(np.diff(0.5 * points, axis=0)) if np.abs(points).max() > 1e300 else np.abs(np.diff(points, axis=0))
+    largest = step.max(axis=1)
+    if not largest.all():
+        i = int(np.argmin(largest))
+        raise CurveError(
+            f"points {i} and {i + 1} coincide; {rule} parameters need distinct consecutive points", (i, i + 1)
+        )
+    # Dividing each row by its own largest entry keeps every square in range.
+    with np.errstate(under="ignore"):
+        norm = np.sqrt(np.square(step / largest[:, None]).sum(axis=1))
+        relative: FloatArray = (largest / largest.max()) * norm
+    return relative / relative.max()
+
+
+def _check_increasing(parameters: FloatArray, what: str) -> None:
+    increasing = parameters[1:] > parameters[:-1]
+    if not increasing.all():
+        i = int(np.argmin(increasing))
+        raise CurveError(f"{what} {i} and {i + 1} would be equal in double precision", (i, i + 1))

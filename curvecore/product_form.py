@@ -1,0 +1,297 @@
+"""Lagrange basis functions as products, accurate for any distinct nodes.
+
+With l(t) = prod (t - t_j) and w_i = 1 / prod_(j != i) (t_i - t_j), the basis
+function is L_i(t) = l(t) w_i / (t - t_i). Every factor is one subtraction of
+the given numbers, so l, w_i and L_i have small *relative* errors however the
+nodes lie [1]_. The second barycentric form divides by a sum that cancels, and
+lacks this property.
+
+Three things keep the products in range. The nodes are scaled, by a power of
+two and hence without error, to an interval of length about 4, whose capacity
+is 1, so that n factors have a product near 1 for well spread nodes. Products
+run over blocks of rows that provably cannot leave the range. Between blocks,
+mantissas and exponents are kept apart.
+
+Derivatives multiply truncated power series (t - t_j) + y in place of
+numbers. There the factor t - t_i is left out by a running product from the
+left times one from the right, not by a division: next to a node the quotient
+of the two series would cancel.
+
+References
+----------
+.. [1] N. J. Higham, "The numerical stability of barycentric Lagrange
+   interpolation", IMA J. Numer. Anal. 24 (2004) 547-556, theorem 3.1.
+.. [2] J.-P. Berrut and L. N. Trefethen, "Barycentric Lagrange
+   interpolation", SIAM Review 46 (2004) 501-517; section 7 on scaling.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from curvecore.arrays import FloatArray, IntArray
+from curvecore.scaling import Scaled, ScaledRows, normalise
+
+__all__ = ["BasisPart", "Hits", "Nodes"]
+
+_CHUNK = 1 << 16  # entries of one working array: half a megabyte stays in the second-level cache
+_SERIES_CHUNK = 1 << 21  # larger, because a series costs a Python loop over the nodes for each chunk
+_BLOCK_BITS = 500.0  # a block of factors may reach 2**+-500, which leaves room for its neighbours
+_TINY = 2.0**-340  # scaled distances below need exponents of their own
+_FAR = 2.0**60  # so do those above
+
+
+class Hits(NamedTuple):
+    """Where parameters equal nodes: t[columns] == node[nodes]."""
+
+    columns: IntArray
+    nodes: IntArray
+
+
+class BasisPart(NamedTuple):
+    """Basis functions for a slice of the parameters.
+
+    Attributes
+    ----------
+    where : slice
+        Which parameters.
+    rows : ScaledRows
+        L_i, or a derivative of it, in row i.
+    hits : Hits
+        Columns are counted within the slice.
+    """
+
+    where: slice
+    rows: ScaledRows
+    hits: Hits
+
+
+class Nodes(NamedTuple):
+    """What the basis functions need to know about the parameters.
+
+    Attributes
+    ----------
+    given : ndarray, shape (n,)
+        The parameters.
+    scaled : ndarray, shape (n,)
+        ``given * 2**shift``, spanning a length of about 4.
+    shift : int
+        See `scaled`.
+    least_bits : float
+        -log2 of half the least gap in `scaled`: no node but the nearest to
+        some t is closer to it than ``2**-least_bits``.
+    weights : Scaled
+        w_i for the scaled nodes.
+    plain_weights : ndarray, shape (n,), or None
+        ``w_i / 2**plain_exponent`` if these fit in 2**+-450.
+    plain_exponent : int
+        See `plain_weights`.
+    """
+
+    given: FloatArray
+    scaled: FloatArray
+    shift: int
+    least_bits: float
+    weights: Scaled
+    plain_weights: FloatArray | None
+    plain_exponent: int
+
+    @classmethod
+    def of(cls, parameters: FloatArray) -> Nodes:
+        """Prepare checked parameters; O(n**2) operations, O(n) memory."""
+        mantissa, exponent = math.frexp(float(parameters[-1]) - float(parameters[0]))
+        shift = (3 if mantissa < math.sqrt(0.5) else 2) - exponent
+        with np.errstate(under="ignore"):
+            scaled = np.ldexp(parameters, shift)
+        gap = float(np.diff(parameters).min())
+        least_bits = 1.0 - math.log2(gap) - shift
+        weights = _weights(scaled, least_bits) if least_bits < _BLOCK_BITS else _weights_far_apart(parameters, shift)
+        low, high = int(weights.exponent.min()), int(weights.exponent.max())
+        middle = (low + high) // 2
+        plain = None
+        # Nodes that are all but zero relative to the length are left to the general method.
+        if high - low <= 800 and not _has_tiny(scaled):
+            plain = np.ldexp(weights.mantissa, (weights.exponent - middle).astype(np.intc))
+        return cls(parameters, scaled, shift, least_bits, weights, plain, middle)
+
+    def basis_parts(self, t: FloatArray, order: int, out: FloatArray | None = None) -> Iterator[BasisPart]:
+        """Yield all basis functions at t, a slice of the parameters at a time.
+
+        Parameters
+        ----------
+        t : ndarray, shape (m,)
+            Finite.
+        order : int
+            Order of the derivative with respect to t.
+        out : ndarray, shape (n, m), optional
+            Where plain values may be put; without it, the arrays of one
+            part are overwritten by the next.
+        """
+        with np.errstate(under="ignore", over="ignore"):
+            x = np.ldexp(t, self.shift)
+            reach = _reach(x, self.scaled) if t.size else 1.0
+            plain = self.plain_weights is not None and reach < _FAR and not _has_tiny(x)
+            n = len(self.given)
+            size = max(1, (_SERIES_CHUNK // (order + 1) if order else _CHUNK) // n)
+            buffer = np.empty((n, min(size, t.size))) if out is None and plain and not order else None
+            for start in range(0, t.size, size):
+                where = slice(start, min(start + size, t.size))
+                hits = self._hits(t[where])
+                if order:
+                    rows = self._series(t[where], order)
+                elif plain:
+                    into = out[:, where] if out is not None else buffer[:, : where.stop - start]  # type: ignore[index]
+                    rows = self._plain(x[where], hits, reach, into)
+                else:
+                    rows = self._general(t[where], hits)
+                yield BasisPart(where, rows, hits)
+
+    def _hits(self, t: FloatArray) -> Hits:
+        nearest = np.searchsorted(self.given[:-1], t)
+        columns = np.flatnonzero(self.given[nearest] == t)
+        return Hits(columns, nearest[columns])
+
+    def _plain(self, x: FloatArray, hits: Hits, reach: float, out: FloatArray) -> ScaledRows:
+        """Order 0 where all quantities of one column fit in one double."""
+        assert self.plain_weights is not None
+        difference = np.subtract(x, self.scaled[:, None], out=out)
+        difference[hits.nodes, hits.columns] = 1.0
+        total = _column_product(difference, _block(max(math.log2(reach), self.least_bits)))
+        # sum |L_i| >= 1 bounds this exponent from below by about -900.
+        exponent = total.exponent + self.plain_exponent
+        if exponent.size and int(exponent.max()) > _BLOCK_BITS:
+            return self._general(np.ldexp(x, -self.shift), hits)
+        values = np.divide(self.plain_weights[:, None], difference, out=out)
+        values *= np.ldexp(total.mantissa, exponent.astype(np.intc))
+        _put_units(values, hits)
+        return ScaledRows(values, None)
+
+    def _general(self, t: FloatArray, hits: Hits) -> ScaledRows:
+        """Order 0 with an exponent for every factor."""
+        difference = _scaled_differences(t, self.given, self.shift)
+        difference.mantissa[hits.nodes, hits.columns] = 0.5
+        difference.exponent[hits.nodes, hits.columns] = 1
+        total = _column_product(difference.mantissa, _block(1.0))
+        exponent = total.exponent + difference.exponent.sum(axis=0)
+        values = (self.weights.mantissa[:, None] / difference.mantissa) * total.mantissa
+        rows = normalise(Scaled(values, self.weights.exponent[:, None] - difference.exponent + exponent))
+        _put_units(rows.values, hits)
+        assert rows.exponent is not None
+        rows.exponent[hits.columns] = 0
+        return rows
+
+    def _series(self, t: FloatArray, order: int) -> ScaledRows:
+        """Derivatives of order >= 1."""
+        n = len(self.given)
+        if order >= n:
+            return ScaledRows(np.zeros((n, t.size)), None)
+        with np.errstate(over="ignore"):
+            difference = _scaled_differences(t, self.given, self.shift)
+        left = _running_series(difference, order)
+        right = _running_series(Scaled(difference.mantissa[::-1], difference.exponent[::-1]), order)
+        # Coefficient `order` of left times right.
+        values = np.einsum("nkm,nkm->nm", left.values, right.values[::-1, ::-1])
+        values *= self.weights.mantissa[:, None] * math.factorial(order)
+        exponent = left.exponent + right.exponent[::-1] + self.weights.exponent[:, None] + order * self.shift
+        return normalise(Scaled(values, exponent))
+
+
+class _RunningSeries(NamedTuple):
+    """Products of the factors before each node, truncated after y**order.
+
+    ``values[i, k] * 2**exponent[i]`` is the coefficient of y**k of
+    prod_(j < i) (t - t_j + y).
+    """
+
+    values: FloatArray
+    exponent: NDArray[np.int64]
+
+
+def _running_series(difference: Scaled, order: int) -> _RunningSeries:
+    n, m = difference.mantissa.shape
+    values = np.empty((n, order + 1, m))
+    exponent = np.empty((n, m), dtype=np.int64)
+    values[0] = 0.0
+    values[0, 0] = 1.0
+    exponent[0] = 0
+    with np.errstate(under="ignore"):
+        factors = np.ldexp(difference.mantissa, np.clip(difference.exponent, -1000, 1000).astype(np.intc))
+    for i in range(1, n):
+        product = np.multiply(values[i - 1], factors[i - 1], out=values[i])
+        product[1:] += values[i - 1, :-1]
+        _, extra = np.frexp(np.abs(product).max(axis=0))
+        np.ldexp(product, -extra, out=product)
+        np.add(exponent[i - 1], extra, out=exponent[i])
+    return _RunningSeries(values, exponent)
+
+
+def _column_product(factors: FloatArray, block: int) -> Scaled:
+    """Multiply the rows, `block` at a time."""
+    mantissa, extra = np.frexp(np.multiply.reduce(factors[:block], axis=0))
+    exponent = extra.astype(np.int64)
+    for start in range(block, len(factors), block):
+        mantissa, extra = np.frexp(mantissa * np.multiply.reduce(factors[start : start + block], axis=0))
+        exponent += extra
+    return Scaled(mantissa, exponent)
+
+
+def _block(bits: float) -> int:
+    """Return how many factors of at most 2**+-bits one block may hold."""
+    return max(1, int(_BLOCK_BITS / max(bits, 1.0)))
+
+
+def _weights(scaled: FloatArray, least_bits: float) -> Scaled:
+    n = len(scaled)
+    mantissa = np.empty(n)
+    exponent = np.empty(n, dtype=np.int64)
+    size = max(1, _CHUNK // n)
+    block = _block(max(3.0, least_bits))
+    for start in range(0, n, size):
+        where = slice(start, min(start + size, n))
+        difference = scaled[where] - scaled[:, None]
+        columns = np.arange(where.stop - start)
+        difference[start + columns, columns] = 1.0
+        product = _column_product(difference, block)
+        mantissa[where] = 1.0 / product.mantissa
+        exponent[where] = -product.exponent
+    return Scaled(mantissa, exponent)
+
+
+def _weights_far_apart(parameters: FloatArray, shift: int) -> Scaled:
+    """Weights with an exponent for every factor."""
+    n = len(parameters)
+    mantissa = np.empty(n)
+    exponent = np.empty(n, dtype=np.int64)
+    for i in range(n):
+        difference = _scaled_differences(parameters[i : i + 1], np.delete(parameters, i), shift)
+        product = _column_product(difference.mantissa, _block(1.0))
+        mantissa[i] = 1.0 / product.mantissa[0]
+        exponent[i] = -(product.exponent[0] + difference.exponent.sum())
+    return Scaled(mantissa, exponent)
+
+
+def _scaled_differences(t: FloatArray, nodes: FloatArray, shift: int) -> Scaled:
+    """Return (t - node) * 2**shift, shape (n, m)."""
+    mantissa, exponent = np.frexp(t - nodes[:, None])
+    return Scaled(mantissa, exponent.astype(np.int64) + shift)
+
+
+def _reach(x: FloatArray, scaled: FloatArray) -> float:
+    """Return at least the largest distance of any x from any node."""
+    low, high = float(x.min()), float(x.max())
+    return max(high - float(scaled[0]), float(scaled[-1]) - low, 4.0)
+
+
+def _has_tiny(x: FloatArray) -> bool:
+    size = np.abs(x)
+    return bool(size.size) and float(size.min()) < _TINY and bool(((size < _TINY) & (x != 0.0)).any())
+
+
+def _put_units(values: FloatArray, hits: Hits) -> None:
+    values[:, hits.columns] = 0.0
+    values[hits.nodes, hits.columns] = 1.0

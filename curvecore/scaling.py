@@ -1,0 +1,62 @@
+"""Numbers kept as mantissa and power of two, so that products stay in range."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from curvecore.arrays import FloatArray
+
+__all__ = ["LARGEST", "Scaled", "ScaledRows", "normalise", "scale_by_power", "unscaled"]
+
+LARGEST = float(np.finfo(np.float64).max)
+
+
+class Scaled(NamedTuple):
+    """Numbers ``mantissa * 2**exponent``, both arrays of one shape."""
+
+    mantissa: FloatArray
+    exponent: NDArray[np.int64]
+
+
+class ScaledRows(NamedTuple):
+    """An array with one power of two for each column.
+
+    Attributes
+    ----------
+    values : ndarray, shape (n, m)
+        Entries of at most moderate size.
+    exponent : ndarray of int, shape (m,), or None
+        Column k stands for ``values[:, k] * 2**exponent[k]``; None is 0.
+    """
+
+    values: FloatArray
+    exponent: NDArray[np.int64] | None
+
+
+def normalise(numbers: Scaled) -> ScaledRows:
+    """Give each column of scaled numbers, shape (n, m), one common exponent."""
+    mantissa, extra = np.frexp(numbers.mantissa)
+    exponent = numbers.exponent + extra
+    # A zero has no exponent of its own and must not decide the column's.
+    common = np.where(mantissa != 0.0, exponent, np.iinfo(np.int64).min // 2).max(axis=0)
+    return ScaledRows(scale_by_power(mantissa, exponent - common), common)
+
+
+def scale_by_power(values: FloatArray, exponent: NDArray[np.int64] | int) -> FloatArray:
+    """Return ``values * 2**exponent``, limited to the largest finite number.
+
+    A result that no double can hold becomes the largest double of its sign,
+    so that drawing code never meets an infinity.
+    """
+    # numpy's ldexp takes C ints; beyond +-5000 every double over- or underflows anyway.
+    with np.errstate(over="ignore", under="ignore"):
+        result = np.ldexp(values, np.clip(exponent, -5000, 5000).astype(np.intc))
+    return np.clip(result, -LARGEST, LARGEST, out=result)
+
+
+def unscaled(rows: ScaledRows) -> FloatArray:
+    """Return the plain array, shape (n, m), that scaled rows stand for."""
+    return rows.values if rows.exponent is None else scale_by_power(rows.values, rows.exponent)
