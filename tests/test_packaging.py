@@ -1,0 +1,151 @@
+"""What ships: one version, every icon in its place, the licences, nothing that pins a machine."""
+
+from __future__ import annotations
+
+import ast
+import re
+import tomllib
+from pathlib import Path
+
+import pytest
+
+import app
+from app.resources import resource
+
+ROOT = Path(__file__).resolve().parent.parent
+PROJECT = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))
+ICONS = {path.stem: path for path in (ROOT / "resources/icons").glob("*.svg")}
+
+# Drawn, but not shown yet: one family is easier to draw at once than icon by icon.
+SPARE = {
+    "add", "basis", "close", "copy", "cut", "delete", "export", "eye", "eye-off", "fit", "flag",
+    "grid", "help", "hermite", "history", "image", "lagrange", "lock", "magnet", "new", "open",
+    "panel-bottom", "panel-right", "paste", "pause", "play", "plus", "presentation", "quintic",
+    "quit", "recent", "redo", "reset", "save", "save-as", "search", "select", "select-all",
+    "settings", "spline", "table", "theme", "undo", "unlock", "warning", "zoom-in", "zoom-out",
+}  # fmt: skip
+
+
+def trees():
+    return [ast.parse(path.read_text(encoding="utf-8")) for path in sorted((ROOT / "app").rglob("*.py"))]
+
+
+def text_of(name):
+    return (ROOT / name).read_text(encoding="utf-8")
+
+
+def test_the_version_stands_in_one_place():
+    assert PROJECT["tool"]["hatch"]["version"]["path"] == "app/__init__.py"
+    assert "version" in PROJECT["project"]["dynamic"]
+    assert "version" not in PROJECT["project"]
+    assert re.fullmatch(r"\d+\.\d+\.\d+", app.__version__)
+
+
+def test_the_changelog_has_room_for_what_comes_next():
+    assert "## [Unreleased]" in text_of("CHANGELOG.md")
+
+
+def called_icons():
+    """Names given as constants: ``icon("save", …)`` and ``icon="save"``."""
+    for tree in trees():
+        for node in ast.walk(tree):
+            if not isinstance(node, ast.Call):
+                continue
+            called = getattr(node.func, "attr", getattr(node.func, "id", ""))
+            names = [word.value for word in node.keywords if word.arg == "icon"]
+            names += node.args[:1] if called == "icon" else []
+            for name in names:
+                if isinstance(name, ast.Constant) and isinstance(name.value, str):
+                    yield name.value
+
+
+def test_every_icon_named_in_code_exists():
+    assert {name for name in called_icons() if name not in ICONS} == set()
+
+
+def test_every_icon_is_used_or_listed():
+    words = {
+        node.value
+        for tree in trees()
+        for node in ast.walk(tree)
+        if isinstance(node, ast.Constant) and isinstance(node.value, str)
+    }
+    assert set(ICONS) - words - {"app"} - SPARE == set()
+    assert set(ICONS) >= SPARE
+
+
+@pytest.mark.parametrize("name", sorted(set(ICONS) - {"app"}))
+def test_icons_are_one_family(name):
+    drawing = ICONS[name].read_text(encoding="utf-8")
+    assert 'viewBox="0 0 24 24"' in drawing
+    assert 'stroke="currentColor" stroke-width="1.5"' in drawing
+    assert drawing.count("stroke-width") == 1
+    colours = set(re.findall(r'(?:fill|stroke)="([^"]*)"', drawing))
+    assert colours <= {"none", "currentColor"}
+
+
+def test_icons_refer_to_nothing_outside():
+    for path in ICONS.values():
+        drawing = path.read_text(encoding="utf-8").replace('xmlns="http://www.w3.org/2000/svg"', "")
+        assert not re.search(r"href|://|<script|<style|<image", drawing), path.name
+
+
+def test_licences_are_there_and_name_their_owners():
+    for name in PROJECT["project"]["license-files"]:
+        assert (ROOT / name).is_file()
+    assert "Curvebench contributors" in text_of("LICENSE")
+    icons = resource("icons", "LICENSE").read_text(encoding="utf-8")
+    assert "Lucide" in icons
+    assert "ISC License" in icons
+
+
+def test_the_wheel_carries_the_resources():
+    assert PROJECT["tool"]["hatch"]["build"]["targets"]["wheel"]["force-include"] == {
+        "resources": "app/resources"
+    }
+
+
+@pytest.mark.parametrize("kind", ["editor", "test"])
+def test_the_readme_has_the_commands_that_ci_runs(kind):
+    blocks = re.findall(rf"<!-- command: {kind} -->\n```sh\n(.+)\n```\n", text_of("README.md"))
+    assert len(blocks) == 1
+    assert blocks[0].startswith("python3 -m venv .venv && .venv/bin/pip install -q -e ")
+
+
+def test_the_readme_opens_an_example_that_exists():
+    named = re.findall(r"resources/examples/[\w.]+", text_of("README.md"))
+    assert named
+    assert all((ROOT / name).is_file() for name in named)
+
+
+# In two parts, so that this file does not name them itself.
+HOSTS = [
+    "py" + "pi.org",
+    "python" + "hosted.org",
+    "npm" + "js.",
+    "ana" + "conda.",
+    "un" + "pkg.",
+    "jsdelivr" + ".net",
+]
+LOCKS = ["*.lock", "*lock.json", "*-lock.yaml", "requirements*.txt"]
+SKIPPED = {"build", "dist", "__pycache__"}
+
+
+def shipped_files():
+    folders = [ROOT]
+    while folders:
+        for path in folders.pop().iterdir():
+            hidden = path.name.startswith(".") and path.name not in {".ci", ".gitignore"}
+            if hidden or path.name in SKIPPED or path.name.endswith(".egg-info"):
+                continue
+            if path.is_dir():
+                folders.append(path)
+            else:
+                yield path
+
+
+def test_no_file_names_a_package_host_or_locks_versions():
+    for path in shipped_files():
+        assert not any(path.match(pattern) for pattern in LOCKS), path
+        text = path.read_bytes().decode("utf-8", errors="ignore")
+        assert not [host for host in HOSTS if host in text], path
