@@ -16,8 +16,10 @@ from numpy.typing import ArrayLike, NDArray
 from curvecore.errors import CurveError
 
 __all__ = [
+    "BoolArray",
     "FloatArray",
     "IntArray",
+    "IntArray32",
     "Parameters",
     "box_edges",
     "data_array",
@@ -33,6 +35,8 @@ __all__ = [
 
 FloatArray: TypeAlias = NDArray[np.float64]
 IntArray: TypeAlias = NDArray[np.intp]
+IntArray32: TypeAlias = NDArray[np.intc]  # what ldexp takes
+BoolArray: TypeAlias = NDArray[np.bool_]
 
 
 class Parameters(NamedTuple):
@@ -61,11 +65,9 @@ def _as_floats(values: ArrayLike, name: str) -> FloatArray:
     """Copy `values` into a new C-ordered float64 array."""
     try:
         array: NDArray[Any] = np.asarray(values)
-        if array.dtype.kind in "OUSmMVc":
-            # A table with a hole in it, text and complex numbers arrive with these kinds; only
-            # objects that are numbers themselves (Fraction, Decimal) can be converted.
-            if array.dtype.kind != "O":
-                raise TypeError(array.dtype)
+        # Text would be parsed and complex numbers cut down; objects may be Fractions or Decimals.
+        if array.dtype.kind in "USmMVc":
+            raise TypeError(array.dtype)
         return np.array(array, dtype=np.float64, order="C")
     except (TypeError, ValueError, OverflowError):
         raise CurveError(f"{name} must be a regular array of real numbers") from None

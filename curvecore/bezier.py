@@ -15,12 +15,12 @@ from typing import NamedTuple
 
 import numpy as np
 
-from curvecore.arrays import FloatArray, tolerance_value
+from curvecore.arrays import FloatArray, IntArray, tolerance_value
 from curvecore.curve import Curve
 from curvecore.errors import CurveError
 from curvecore.hermite import HermiteCurve, QuinticHermiteCurve
 
-__all__ = ["MAX_PIECES", "CubicPath", "bezier_segments", "cubic_path"]
+__all__ = ["MAX_PIECES", "CubicPath", "bezier_segments", "cubic_path", "spread"]
 
 MAX_PIECES = 1 << 12
 """`cubic_path` never returns more pieces than this, or one a segment if there are more segments."""
@@ -142,7 +142,7 @@ def _quintic_path(curve: QuinticHermiteCurve, tolerance: float) -> CubicPath:
     return CubicPath(_pieces(curve, parameters), parameters, float((bound / count**4.0).max()))
 
 
-def spread(joints: FloatArray, count: np.ndarray[tuple[int], np.dtype[np.intp]]) -> FloatArray:
+def spread(joints: FloatArray, count: IntArray) -> FloatArray:
     """Divide segment i into count[i] equal pieces; drop what is not distinct."""
     segment = np.repeat(np.arange(len(count)), count)
     first = np.cumsum(count) - count
@@ -172,7 +172,9 @@ def _measured_deviation(curve: Curve, parameters: FloatArray, pieces: FloatArray
     weights = np.stack(((1 - s) ** 3, 3 * s * (1 - s) ** 2, 3 * s**2 * (1 - s), s**3))
     t = parameters[:-1, None] + np.diff(parameters)[:, None] * s
     exact = curve.evaluate(t.ravel()).reshape(len(pieces), len(s), -1)
-    return _lengths(np.einsum("ks,pkd->psd", weights, pieces) - np.clip(exact, -_LIMIT, _LIMIT)).max(axis=1)
+    approximate = np.einsum("ks,pkd->psd", weights, pieces)
+    worst: FloatArray = _lengths(approximate - np.clip(exact, -_LIMIT, _LIMIT)).max(axis=1)
+    return worst
 
 
 def _lengths(vectors: FloatArray) -> FloatArray:
@@ -180,5 +182,5 @@ def _lengths(vectors: FloatArray) -> FloatArray:
     largest = np.abs(vectors).max(axis=-1)
     divisor = np.where(largest > 0.0, largest, 1.0)[..., None]
     with np.errstate(under="ignore", over="ignore"):
-        lengths = largest * np.sqrt(np.square(vectors / divisor).sum(axis=-1))
+        lengths: FloatArray = largest * np.sqrt(np.square(vectors / divisor).sum(axis=-1))
     return np.minimum(lengths, 1e308)

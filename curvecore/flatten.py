@@ -21,7 +21,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
-from curvecore.arrays import FloatArray, IntArray, box_edges, read_only, tolerance_value
+from curvecore.arrays import BoolArray, FloatArray, IntArray, box_edges, read_only, tolerance_value
 from curvecore.bezier import bezier_segments
 from curvecore.curve import Curve
 from curvecore.errors import CurveError
@@ -140,7 +140,9 @@ class _Arcs(NamedTuple):
     length: FloatArray
 
 
-def _bezier_pieces(curve: HermiteCurve | QuinticHermiteCurve, tolerance: float, box: FloatArray | None) -> _Pieces:
+def _bezier_pieces(
+    curve: HermiteCurve | QuinticHermiteCurve, tolerance: float, box: FloatArray | None
+) -> _Pieces:
     controls = bezier_segments(curve)
     n = len(controls)
     arcs = _Arcs(controls, np.arange(n, dtype=np.float64), np.ones(n))
@@ -197,10 +199,11 @@ def _chord_bound(controls: FloatArray) -> FloatArray:
     return bound
 
 
-def _may_enter(points: FloatArray, box: FloatArray) -> np.ndarray[tuple[int], np.dtype[np.bool_]]:
+def _may_enter(points: FloatArray, box: FloatArray) -> BoolArray:
     """Tell whose hulls, from points of shape (k, j, 2), touch the box."""
     low, high = points.min(axis=1), points.max(axis=1)
-    return ((high >= box[:2]) & (low <= box[2:])).all(axis=1)
+    touches: BoolArray = ((high >= box[:2]) & (low <= box[2:])).all(axis=1)
+    return touches
 
 
 def _split(arcs: _Arcs) -> _Arcs:
@@ -253,7 +256,12 @@ def _first_samples(curve: Curve) -> FloatArray:
 
 
 def _measure(
-    curve: Curve, t: FloatArray, todo: IntArray, deviation: FloatArray, tolerance: float, box: FloatArray | None
+    curve: Curve,
+    t: FloatArray,
+    todo: IntArray,
+    deviation: FloatArray,
+    tolerance: float,
+    box: FloatArray | None,
 ) -> IntArray:
     """Fill in the deviation of the pieces `todo`; return how many pieces each needs."""
     start, end = t[todo], t[todo + 1]
@@ -269,7 +277,8 @@ def _measure(
         outside = ~_may_enter(_inflated(ends, samples), box)
         need[outside] = 1.0
         deviation[todo[outside]] = np.inf
-    return need.astype(np.intp)
+    pieces: IntArray = need.astype(np.intp)
+    return pieces
 
 
 def _inflated(ends: FloatArray, samples: FloatArray) -> FloatArray:
@@ -280,8 +289,8 @@ def _inflated(ends: FloatArray, samples: FloatArray) -> FloatArray:
 
 
 def _refine(
-    t: FloatArray, count: IntArray, accepted: np.ndarray[tuple[int], np.dtype[np.bool_]], deviation: FloatArray
-) -> tuple[FloatArray, np.ndarray[tuple[int], np.dtype[np.bool_]], FloatArray]:
+    t: FloatArray, count: IntArray, accepted: BoolArray, deviation: FloatArray
+) -> tuple[FloatArray, BoolArray, FloatArray]:
     piece = np.repeat(np.arange(count.size), count)
     step = np.arange(piece.size) - (np.cumsum(count) - count)[piece]
     inner = t[piece] + (t[piece + 1] - t[piece]) * (step / count[piece])

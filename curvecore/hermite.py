@@ -76,7 +76,7 @@ class _PiecewiseHermite:
     @property
     def degree(self) -> int:
         """The degree of each piece: 2 R - 1."""
-        return 2 * self._jets.shape[1] - 1
+        return len(self._functions) - 1
 
     def evaluate(self, t: ArrayLike, order: int = 0) -> FloatArray:
         """Return the curve, or a derivative with respect to t.
@@ -111,7 +111,7 @@ class _PiecewiseHermite:
                     left[:, k] *= h
                     right[:, k] *= h
             pair = np.stack((left, right), axis=1)[local.segment]
-            curve = np.einsum("mek,mekd->md", local.values, pair)
+            curve: FloatArray = np.einsum("mek,mekd->md", local.values, pair)
             for _ in range(rank):
                 curve /= h[local.segment]
             if not np.isfinite(curve).all():

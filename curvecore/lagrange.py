@@ -93,7 +93,7 @@ class LagrangeCurve:
 
     @property
     def degree(self) -> int:
-        """n - 1."""
+        """The degree n - 1."""
         return len(self._parameters) - 1
 
     def evaluate(self, t: ArrayLike, order: int = 0) -> FloatArray:
@@ -123,10 +123,10 @@ class LagrangeCurve:
         points = np.ldexp(self.points, -exponent)
         result = np.empty((points.shape[1], at.values.size))
         for part in self._nodes.basis_parts(at.values, rank):
-            value = scale_by_power(points.T @ part.rows.values, exponent[:, None]) if part.rows.exponent is None else (
-                scale_by_power(points.T @ part.rows.values, exponent[:, None] + part.rows.exponent)
+            scale = (
+                exponent[:, None] if part.rows.exponent is None else exponent[:, None] + part.rows.exponent
             )
-            result[:, part.where] = value
+            result[:, part.where] = scale_by_power(points.T @ part.rows.values, scale)
             if rank == 0:
                 result[:, part.where.start + part.hits.columns] = self.points[part.hits.nodes].T
         curve = np.ascontiguousarray(result.T)

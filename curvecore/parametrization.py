@@ -163,7 +163,8 @@ def _power(points: FloatArray, alpha: float, rule: str) -> FloatArray:
 def _relative_distances(points: FloatArray, rule: str) -> FloatArray:
     """Return the distances of consecutive points over the largest distance."""
     # Halves, because the difference of two finite coordinates may overflow.
-    step = np.abs(np.diff(0.5 * points, axis=0)) if np.abs(points).max() > 1e300 else np.abs(np.diff(points, axis=0))
+    halved = 0.5 * points if np.abs(points).max() > 1e300 else points
+    step = np.abs(np.diff(halved, axis=0))
     largest = step.max(axis=1)
     if not largest.all():
         i = int(np.argmin(largest))
@@ -174,7 +175,8 @@ def _relative_distances(points: FloatArray, rule: str) -> FloatArray:
     with np.errstate(under="ignore"):
         norm = np.sqrt(np.square(step / largest[:, None]).sum(axis=1))
         relative: FloatArray = (largest / largest.max()) * norm
-    return relative / relative.max()
+    relative /= relative.max()
+    return relative
 
 
 def _check_increasing(parameters: FloatArray, what: str) -> None:

@@ -12,10 +12,7 @@ is 1, so that n factors have a product near 1 for well spread nodes. Products
 run over blocks of rows that provably cannot leave the range. Between blocks,
 mantissas and exponents are kept apart.
 
-Derivatives multiply truncated power series (t - t_j) + y in place of
-numbers. There the factor t - t_i is left out by a running product from the
-left times one from the right, not by a division: next to a node the quotient
-of the two series would cancel.
+Derivatives are the business of `product_series`.
 
 References
 ----------
@@ -32,15 +29,14 @@ from collections.abc import Iterator
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
 from curvecore.arrays import FloatArray, IntArray
+from curvecore.product_series import leave_one_out
 from curvecore.scaling import Scaled, ScaledRows, normalise
 
 __all__ = ["BasisPart", "Hits", "Nodes"]
 
 _CHUNK = 1 << 16  # entries of one working array: half a megabyte stays in the second-level cache
-_SERIES_CHUNK = 1 << 21  # larger, because a series costs a Python loop over the nodes for each chunk
 _BLOCK_BITS = 500.0  # a block of factors may reach 2**+-500, which leaves room for its neighbours
 _TINY = 2.0**-340  # scaled distances below need exponents of their own
 _FAR = 2.0**60  # so do those above
@@ -110,12 +106,15 @@ class Nodes(NamedTuple):
             scaled = np.ldexp(parameters, shift)
         gap = float(np.diff(parameters).min())
         least_bits = 1.0 - math.log2(gap) - shift
-        weights = _weights(scaled, least_bits) if least_bits < _BLOCK_BITS else _weights_far_apart(parameters, shift)
+        if least_bits < _BLOCK_BITS:
+            weights = _weights(scaled, least_bits)
+        else:
+            weights = _weights_far_apart(parameters, shift)
         low, high = int(weights.exponent.min()), int(weights.exponent.max())
         middle = (low + high) // 2
         plain = None
         # Nodes that are all but zero relative to the length are left to the general method.
-        if high - low <= 800 and not _has_tiny(scaled):
+        if high - low <= 800 and not _has_tiny(scaled, parameters):
             plain = np.ldexp(weights.mantissa, (weights.exponent - middle).astype(np.intc))
         return cls(parameters, scaled, shift, least_bits, weights, plain, middle)
 
@@ -135,15 +134,16 @@ class Nodes(NamedTuple):
         with np.errstate(under="ignore", over="ignore"):
             x = np.ldexp(t, self.shift)
             reach = _reach(x, self.scaled) if t.size else 1.0
-            plain = self.plain_weights is not None and reach < _FAR and not _has_tiny(x)
+            plain = self.plain_weights is not None and reach < _FAR and not _has_tiny(x, t)
             n = len(self.given)
-            size = max(1, (_SERIES_CHUNK // (order + 1) if order else _CHUNK) // n)
+            # A series costs a Python loop over the nodes for each slice: not too few columns.
+            size = max(64, _CHUNK // (n * (order + 1))) if order else max(1, _CHUNK // n)
             buffer = np.empty((n, min(size, t.size))) if out is None and plain and not order else None
             for start in range(0, t.size, size):
                 where = slice(start, min(start + size, t.size))
                 hits = self._hits(t[where])
                 if order:
-                    rows = self._series(t[where], order)
+                    rows = self._derivatives(t[where], order)
                 elif plain:
                     into = out[:, where] if out is not None else buffer[:, : where.stop - start]  # type: ignore[index]
                     rows = self._plain(x[where], hits, reach, into)
@@ -185,49 +185,15 @@ class Nodes(NamedTuple):
         rows.exponent[hits.columns] = 0
         return rows
 
-    def _series(self, t: FloatArray, order: int) -> ScaledRows:
-        """Derivatives of order >= 1."""
+    def _derivatives(self, t: FloatArray, order: int) -> ScaledRows:
+        """Return the functions' derivatives of an order from 1 on."""
         n = len(self.given)
         if order >= n:
             return ScaledRows(np.zeros((n, t.size)), None)
-        with np.errstate(over="ignore"):
-            difference = _scaled_differences(t, self.given, self.shift)
-        left = _running_series(difference, order)
-        right = _running_series(Scaled(difference.mantissa[::-1], difference.exponent[::-1]), order)
-        # Coefficient `order` of left times right.
-        values = np.einsum("nkm,nkm->nm", left.values, right.values[::-1, ::-1])
-        values *= self.weights.mantissa[:, None] * math.factorial(order)
-        exponent = left.exponent + right.exponent[::-1] + self.weights.exponent[:, None] + order * self.shift
+        coefficient = leave_one_out(t, self.given, self.shift, order)
+        values = coefficient.mantissa * (self.weights.mantissa[:, None] * math.factorial(order))
+        exponent = coefficient.exponent + self.weights.exponent[:, None] + order * self.shift
         return normalise(Scaled(values, exponent))
-
-
-class _RunningSeries(NamedTuple):
-    """Products of the factors before each node, truncated after y**order.
-
-    ``values[i, k] * 2**exponent[i]`` is the coefficient of y**k of
-    prod_(j < i) (t - t_j + y).
-    """
-
-    values: FloatArray
-    exponent: NDArray[np.int64]
-
-
-def _running_series(difference: Scaled, order: int) -> _RunningSeries:
-    n, m = difference.mantissa.shape
-    values = np.empty((n, order + 1, m))
-    exponent = np.empty((n, m), dtype=np.int64)
-    values[0] = 0.0
-    values[0, 0] = 1.0
-    exponent[0] = 0
-    with np.errstate(under="ignore"):
-        factors = np.ldexp(difference.mantissa, np.clip(difference.exponent, -1000, 1000).astype(np.intc))
-    for i in range(1, n):
-        product = np.multiply(values[i - 1], factors[i - 1], out=values[i])
-        product[1:] += values[i - 1, :-1]
-        _, extra = np.frexp(np.abs(product).max(axis=0))
-        np.ldexp(product, -extra, out=product)
-        np.add(exponent[i - 1], extra, out=exponent[i])
-    return _RunningSeries(values, exponent)
 
 
 def _column_product(factors: FloatArray, block: int) -> Scaled:
@@ -287,9 +253,10 @@ def _reach(x: FloatArray, scaled: FloatArray) -> float:
     return max(high - float(scaled[0]), float(scaled[-1]) - low, 4.0)
 
 
-def _has_tiny(x: FloatArray) -> bool:
-    size = np.abs(x)
-    return bool(size.size) and float(size.min()) < _TINY and bool(((size < _TINY) & (x != 0.0)).any())
+def _has_tiny(x: FloatArray, t: FloatArray) -> bool:
+    """Tell whether some t is not 0 but x, t scaled, is as good as 0."""
+    small = np.abs(x) < _TINY
+    return bool(small.any()) and bool((small & (t != 0.0)).any())
 
 
 def _put_units(values: FloatArray, hits: Hits) -> None:

@@ -2,15 +2,16 @@
 
 from __future__ import annotations
 
-from typing import NamedTuple
+from typing import NamedTuple, TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
 
 from curvecore.arrays import FloatArray
 
-__all__ = ["LARGEST", "Scaled", "ScaledRows", "normalise", "scale_by_power", "unscaled"]
+__all__ = ["LARGEST", "ExponentArray", "Scaled", "ScaledRows", "normalise", "scale_by_power", "unscaled"]
 
+ExponentArray: TypeAlias = NDArray[np.int64]
 LARGEST = float(np.finfo(np.float64).max)
 
 
@@ -18,7 +19,7 @@ class Scaled(NamedTuple):
     """Numbers ``mantissa * 2**exponent``, both arrays of one shape."""
 
     mantissa: FloatArray
-    exponent: NDArray[np.int64]
+    exponent: ExponentArray
 
 
 class ScaledRows(NamedTuple):
@@ -33,7 +34,7 @@ class ScaledRows(NamedTuple):
     """
 
     values: FloatArray
-    exponent: NDArray[np.int64] | None
+    exponent: ExponentArray | None
 
 
 def normalise(numbers: Scaled) -> ScaledRows:
@@ -45,7 +46,7 @@ def normalise(numbers: Scaled) -> ScaledRows:
     return ScaledRows(scale_by_power(mantissa, exponent - common), common)
 
 
-def scale_by_power(values: FloatArray, exponent: NDArray[np.int64] | int) -> FloatArray:
+def scale_by_power(values: FloatArray, exponent: ExponentArray | int) -> FloatArray:
     """Return ``values * 2**exponent``, limited to the largest finite number.
 
     A result that no double can hold becomes the largest double of its sign,

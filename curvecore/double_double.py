@@ -1,0 +1,88 @@
+"""Arithmetic on unevaluated sums hi + lo of two doubles, about 106 bits.
+
+Error-free transformations need a round-to-nearest double and no overflow
+above 2**996; the callers' numbers are scaled to lie near 1.
+
+References
+----------
+.. [1] T. J. Dekker, "A floating-point technique for extending the available
+   precision", Numerische Mathematik 18 (1971) 224-242.
+.. [2] T. Ogita, S. M. Rump and S. Oishi, "Accurate sum and dot product", SIAM
+   J. Sci. Comput. 26 (2005) 1955-1988, algorithms 3.1 to 3.3.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+from curvecore.arrays import FloatArray, IntArray32
+
+__all__ = ["DoubleDouble", "add", "difference", "multiply", "rescaled"]
+
+_SPLITTER = 134217729.0  # 2**27 + 1
+
+
+class DoubleDouble(NamedTuple):
+    """The numbers ``high + low``, |low| at most half an ulp of high (or little more)."""
+
+    high: FloatArray
+    low: FloatArray
+
+
+def difference(a: FloatArray, b: FloatArray) -> DoubleDouble:
+    """Return a - b without any error."""
+    return _two_sum(a, -b)
+
+
+def add(a: DoubleDouble, b: DoubleDouble) -> DoubleDouble:
+    """Return a + b.
+
+    The error is about 2**-104 (|a| + |b|), hence not relative to a sum that
+    cancels; that is what the callers' bounds ask for.
+    """
+    total, rest = _two_sum(a.high, b.high)
+    rest += a.low
+    rest += b.low
+    return _renormalised(total, rest)
+
+
+def multiply(a: DoubleDouble, b: DoubleDouble) -> DoubleDouble:
+    """Return a b with a relative error of about 2**-103."""
+    product = a.high * b.high
+    a_high, a_low = _split(a.high)
+    b_high, b_low = _split(b.high)
+    rest = a_high * b_high
+    rest -= product
+    rest += a_high * b_low
+    rest += a_low * b_high
+    rest += a_low * b_low
+    rest += a.high * b.low
+    rest += a.low * b.high
+    return _renormalised(product, rest)
+
+
+def rescaled(a: DoubleDouble, exponent: IntArray32) -> DoubleDouble:
+    """Return a 2**exponent."""
+    return DoubleDouble(np.ldexp(a.high, exponent), np.ldexp(a.low, exponent))
+
+
+def _two_sum(a: FloatArray, b: FloatArray) -> DoubleDouble:
+    total = a + b
+    b_part = total - a
+    rest = a - (total - b_part)
+    rest += b - b_part
+    return DoubleDouble(total, rest)
+
+
+def _renormalised(high: FloatArray, low: FloatArray) -> DoubleDouble:
+    total = high + low
+    return DoubleDouble(total, low - (total - high))
+
+
+def _split(a: FloatArray) -> tuple[FloatArray, FloatArray]:
+    """Return two halves of 26 bits each, whose products are exact."""
+    scaled = a * _SPLITTER
+    high = scaled - (scaled - a)
+    return high, a - high

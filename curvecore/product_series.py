@@ -1,0 +1,101 @@
+"""Derivatives of the Lagrange basis: products of truncated power series.
+
+With y the distance from t, prod_(j != i) (t - t_j + y) has L_i's derivatives as
+its coefficients, but for factorials and the weight. The factor t - t_i is
+left out by a running product from the left times one from the right, not by a
+division: next to a node the quotient of two series would cancel.
+
+A coefficient is a sum of products of both signs. On unevenly spaced nodes it
+can be thousands of times smaller than its terms, and for all i at once, so
+the series run in double-double arithmetic; what remains is the error of the
+weights.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+from curvecore.arrays import FloatArray
+from curvecore.double_double import DoubleDouble, add, difference, multiply, rescaled
+from curvecore.scaling import ExponentArray, Scaled
+
+__all__ = ["leave_one_out"]
+
+
+class _RunningProducts(NamedTuple):
+    """Products of the factors before each node, from both sides.
+
+    Attributes
+    ----------
+    series : DoubleDouble, shape (n, 2, order + 1, m)
+        ``[i, 0]`` is the series of the factors 0 .. i - 1 and ``[i, 1]`` that
+        of the last i factors; the third axis is the power of y.
+    exponent : ndarray of int, shape (n, 2, m)
+        Powers of two that the series are to be multiplied by.
+    """
+
+    series: DoubleDouble
+    exponent: ExponentArray
+
+
+def leave_one_out(t: FloatArray, nodes: FloatArray, shift: int, order: int) -> Scaled:
+    """Return the coefficients of y**order of prod_(j != i) (x - x_j + y).
+
+    Parameters
+    ----------
+    t : ndarray, shape (m,)
+        Parameters; x = ``t * 2**shift``.
+    nodes : ndarray, shape (n,)
+        t_j; x_j = ``t_j * 2**shift`` span a length of about 4.
+    shift : int
+        See above.
+    order : int
+        From 1 to n - 1.
+
+    Returns
+    -------
+    Scaled, shape (n, m)
+    """
+    factors = _scaled_differences(t, nodes, shift)
+    running = _running_products(factors, order)
+    high, low = running.series
+    # Row i of the left products meets row n - 1 - i of the right ones.
+    total = None
+    for k in range(order + 1):
+        term = multiply(
+            DoubleDouble(high[:, 0, k], low[:, 0, k]),
+            DoubleDouble(high[::-1, 1, order - k], low[::-1, 1, order - k]),
+        )
+        total = term if total is None else add(total, term)
+    assert total is not None
+    return Scaled(total.high + total.low, running.exponent[:, 0] + running.exponent[::-1, 1])
+
+
+def _scaled_differences(t: FloatArray, nodes: FloatArray, shift: int) -> DoubleDouble:
+    exact = difference(t, nodes[:, None])
+    return rescaled(exact, np.asarray(shift, dtype=np.intc))
+
+
+def _running_products(factors: DoubleDouble, order: int) -> _RunningProducts:
+    n, m = factors.high.shape
+    high = np.zeros((n, 2, order + 1, m))
+    low = np.zeros((n, 2, order + 1, m))
+    exponent = np.zeros((n, 2, m), dtype=np.int64)
+    state = DoubleDouble(high[0], low[0])
+    state.high[:, 0] = 1.0
+    for i in range(1, n):
+        # The next factor from the left beside the next from the right.
+        pair = DoubleDouble(factors.high[[i - 1, n - i], None], factors.low[[i - 1, n - i], None])
+        product = multiply(state, pair)
+        raised = add(
+            DoubleDouble(product.high[:, 1:], product.low[:, 1:]),
+            DoubleDouble(state.high[:, :-1], state.low[:, :-1]),
+        )
+        product.high[:, 1:], product.low[:, 1:] = raised
+        _, extra = np.frexp(np.abs(product.high).max(axis=1))
+        high[i], low[i] = rescaled(product, -extra[:, None])
+        np.add(exponent[i - 1], extra, out=exponent[i])
+        state = DoubleDouble(high[i], low[i])
+    return _RunningProducts(DoubleDouble(high, low), exponent)
