@@ -19,7 +19,7 @@ import numpy as np
 
 from curvecore.arrays import FloatArray, IntArray32
 
-__all__ = ["DoubleDouble", "add", "difference", "multiply", "rescaled"]
+__all__ = ["DoubleDouble", "add", "difference", "multiply", "rescaled", "times"]
 
 _SPLITTER = 134217729.0  # 2**27 + 1
 
@@ -61,6 +61,13 @@ def multiply(a: DoubleDouble, b: DoubleDouble) -> DoubleDouble:
     rest += a.high * b.low
     rest += a.low * b.high
     return _renormalised(product, rest)
+
+
+def times(a: DoubleDouble, factor: float) -> DoubleDouble:
+    """Return a times a small integer."""
+    if abs(factor) in (1.0, 2.0, 4.0, 8.0):
+        return DoubleDouble(a.high * factor, a.low * factor)
+    return multiply(a, DoubleDouble(np.array(factor), np.array(0.0)))
 
 
 def rescaled(a: DoubleDouble, exponent: IntArray32) -> DoubleDouble:

@@ -18,7 +18,7 @@ from curvecore.arrays import (
     point_array,
     read_only,
 )
-from curvecore.hermite_basis import CUBIC, QUINTIC, LeftFunctions
+from curvecore.hermite_basis import CUBIC, QUINTIC, LeftFunctions, local_coordinates
 from curvecore.scaling import LARGEST
 
 __all__ = ["HermiteCurve", "LocalBasis", "QuinticHermiteCurve"]
@@ -198,13 +198,12 @@ class _PiecewiseHermite:
         values = np.zeros((t.size, 2, width))
         if order > self.degree:
             return LocalBasis(segment, values)
+        outside = t.size > 0 and (t.min() < joints[0] or t.max() > joints[-1])
         with np.errstate(over="ignore", under="ignore", invalid="ignore"):
-            start, end = joints[segment], joints[segment + 1]
-            h = end - start
-            s, r = (t - start) / h, (end - t) / h
-            for k, function in enumerate(self._functions[order](s, r)):
+            at = local_coordinates(t, joints[segment], joints[segment + 1], order > 0 or bool(outside))
+            for k, function in enumerate(self._functions[order](at)):
                 values[:, 0, k] = function
-            for k, function in enumerate(self._functions[order](r, s)):
+            for k, function in enumerate(self._functions[order](at.mirrored())):
                 np.multiply(function, (-1.0) ** (k + order), out=values[:, 1, k])
         return LocalBasis(segment, values)
 
