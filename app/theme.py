@@ -106,7 +106,7 @@ LIGHT: Final = _theme(
 DARK: Final = _theme(
     "dark",
     paper="#15181c",
-    surface="#1d2126",
+    surface="#22272d",
     ink="#e6e8ea",
     muted="#9aa3ad",
     accent="#6ea8fe",
@@ -209,7 +209,7 @@ def palette_of(theme: Theme) -> QPalette:
 
 def _role_colours(theme: Theme) -> dict[QPalette.ColorRole, QColor]:
     role = QPalette.ColorRole
-    raised = mix(theme.ink, theme.paper, 0.06) if theme.name == "dark" else theme.paper
+    raised = mix(theme.ink, theme.surface, 0.1) if theme.name == "dark" else theme.paper
     return {
         role.Window: theme.surface,
         role.WindowText: theme.ink,
@@ -255,6 +255,13 @@ QHeaderView::section, QTableCornerButton::section {
     background: $surface; color: $muted; border: none; border-bottom: 1px solid $line; padding: 5px 8px
 }
 QTableView { border: none; gridline-color: $fine }
+QTableView, QListView, QTreeView { selection-background-color: $chosen; selection-color: $ink }
+QTabWidget::pane { border: none; border-top: 1px solid $line }
+QTabBar::tab { background: none; border: 2px solid transparent; padding: 5px 10px; color: $muted }
+QTabBar::tab:hover { color: $ink }
+QTabBar::tab:top:selected { color: $ink; border-bottom-color: $accent }
+QTabBar::tab:bottom:selected { color: $ink; border-top-color: $accent }
+QTabBar::tab:selected:focus { color: $accent }
 QStatusBar { background: $surface; border-top: 1px solid $line; color: $muted }
 QStatusBar::item { border: none }
 QStatusBar QLabel { color: $muted; padding: 2px 6px }
@@ -272,6 +279,7 @@ def style_sheet_of(theme: Theme) -> str:
         "$hover": mix(theme.ink, theme.surface, 0.07),
         "$pressed": mix(theme.ink, theme.surface, 0.14),
         "$checked": mix(theme.accent, theme.surface, 0.14),
+        "$chosen": mix(theme.accent, theme.paper, 0.22),
         "$accent": theme.accent,
         "$muted": theme.muted,
         "$pale": mix(theme.ink, theme.surface, 0.38),
