@@ -131,12 +131,19 @@ class _SystemFollower(QObject):
         super().__init__(app)
         self.setObjectName("themeFollower")
         self.mode = ThemeMode.SYSTEM
+        # Made before the first palette of ours, so this one is still the system's.
+        self.before = theme_of(app.palette())
         app.styleHints().colorSchemeChanged.connect(self._follow)
 
     def _follow(self) -> None:
         app = self.parent()
         if self.mode is ThemeMode.SYSTEM and isinstance(app, QApplication):
-            _dress(app, _system_theme(app))
+            _dress(app, self.system_theme(app))
+
+    def system_theme(self, app: QApplication) -> Theme:
+        """Return what the system wants; where it does not say, what its palette was at the start."""
+        scheme = app.styleHints().colorScheme()
+        return {Qt.ColorScheme.Dark: DARK, Qt.ColorScheme.Light: LIGHT}.get(scheme, self.before)
 
 
 def apply_theme(app: QApplication, mode: ThemeMode) -> Theme:
@@ -161,7 +168,7 @@ def apply_theme(app: QApplication, mode: ThemeMode) -> Theme:
     follower = app.findChild(_SystemFollower, "themeFollower") or _SystemFollower(app)
     follower.mode = mode
     _set_native_scheme(app, mode)
-    theme = {ThemeMode.LIGHT: LIGHT, ThemeMode.DARK: DARK}.get(mode) or _system_theme(app)
+    theme = {ThemeMode.LIGHT: LIGHT, ThemeMode.DARK: DARK}.get(mode) or follower.system_theme(app)
     _dress(app, theme)
     return theme
 
@@ -175,20 +182,14 @@ def _set_native_scheme(app: QApplication, mode: ThemeMode) -> None:
         hints.setColorScheme(Qt.ColorScheme.Dark if mode is ThemeMode.DARK else Qt.ColorScheme.Light)
 
 
-def _system_theme(app: QApplication) -> Theme:
-    scheme = app.styleHints().colorScheme()
-    if scheme is Qt.ColorScheme.Unknown:
-        app.setPalette(QPalette())  # forgets ours, so that the platform's own shows through
-        return theme_of(app.palette())
-    return DARK if scheme is Qt.ColorScheme.Dark else LIGHT
-
-
 def _dress(app: QApplication, theme: Theme) -> None:
-    fusion = QStyleFactory.create("Fusion")
+    palette, sheet = palette_of(theme), style_sheet_of(theme)
+    if app.palette() == palette and app.styleSheet() == sheet:
+        return  # every widget would be polished again, for nothing
     if app.style().name().lower() != "fusion":
-        app.setStyle(fusion)
-    app.setPalette(palette_of(theme))
-    app.setStyleSheet(style_sheet_of(theme))
+        app.setStyle(QStyleFactory.create("Fusion"))
+    app.setPalette(palette)
+    app.setStyleSheet(sheet)
 
 
 def palette_of(theme: Theme) -> QPalette:

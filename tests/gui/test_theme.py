@@ -5,7 +5,8 @@ import time
 
 import numpy as np
 import pytest
-from PySide6.QtCore import QEvent, QSize, Qt
+import shiboken6
+from PySide6.QtCore import QEvent, QObject, QSize, Qt
 from PySide6.QtGui import QColor, QIcon, QPalette
 from PySide6.QtWidgets import QMainWindow, QWidget
 
@@ -72,7 +73,7 @@ def contrast(one, other):
     return (light + 0.05) / (dark + 0.05)
 
 
-def test_the_contrast_formula_of_this_test():
+def test_the_contrast_formula_of_this_file():
     assert contrast("black", "white") == pytest.approx(21.0)
     # Hand check from the WCAG literature: #767676 is the lightest grey that passes 4.5 on white.
     assert contrast("#767676", "white") == pytest.approx(4.54, abs=0.005)
@@ -184,12 +185,19 @@ def test_the_style_sheet_has_no_colour_left_open(theme):
     assert "$" not in style_sheet_of(theme)
 
 
+def forget_the_system(app):
+    """As if no theme had been applied in this process."""
+    follower = app.findChild(QObject, "themeFollower")
+    if follower is not None:
+        shiboken6.delete(follower)
+
+
 @pytest.fixture
 def dressed(qapp):
     """The application, undressed again afterwards."""
     style, palette, sheet = qapp.style().name(), qapp.palette(), qapp.styleSheet()
     yield qapp
-    apply_theme(qapp, ThemeMode.SYSTEM)
+    forget_the_system(qapp)
     qapp.setStyleSheet(sheet)
     qapp.setStyle(style)
     qapp.setPalette(palette)
@@ -228,6 +236,23 @@ def test_following_the_system_forgets_what_was_chosen_before(dressed):
     own = apply_theme(dressed, ThemeMode.SYSTEM)
     apply_theme(dressed, ThemeMode.DARK if own is LIGHT else ThemeMode.LIGHT)
     assert apply_theme(dressed, ThemeMode.SYSTEM) is own
+
+
+def test_a_system_that_does_not_say_is_judged_by_its_palette(dressed):
+    for theme in (DARK, LIGHT):
+        forget_the_system(dressed)
+        dressed.setPalette(palette_of(theme))
+        assert apply_theme(dressed, ThemeMode.SYSTEM) is theme
+
+
+def test_applying_the_same_again_leaves_the_widgets_alone(dressed, qtbot):
+    canvas = Canvas()
+    qtbot.addWidget(canvas)
+    apply_theme(dressed, ThemeMode.DARK)
+    canvas.show()
+    canvas.told.clear()
+    apply_theme(dressed, ThemeMode.DARK)
+    assert canvas.told == []
 
 
 def test_a_change_of_the_system_is_followed_only_when_asked_for(dressed):
