@@ -1,0 +1,268 @@
+"""Numbers as people type them: ``0.5``, ``1/3``, ``sqrt(2)/2``, with a decimal comma where that is usual.
+
+The text is read by a grammar of our own (numbers, a closed list of names, + - * / ^ and parentheses) before
+simpleeval computes it, so nothing else ever reaches the evaluator. Every number is a float: no power makes
+it work for minutes. What is refused is refused with a sentence for the person.
+"""
+
+from __future__ import annotations
+
+import ast
+import math
+import operator
+import re
+from collections.abc import Callable
+from dataclasses import dataclass
+from itertools import pairwise
+from typing import NoReturn
+
+from simpleeval import InvalidExpression, SimpleEval
+
+from app.document.model import MAX_MAGNITUDE
+
+MAX_LENGTH = 200
+"""Characters of the longest text that is read; it bounds the work, and the depth of nesting."""
+
+
+class ExpressionError(ValueError):
+    """A text that is not a number a document may hold; the message tells the person why."""
+
+
+def parse_number(text: str, locale_decimal: str = ".") -> float:
+    """Return the number that `text` means.
+
+    Parameters
+    ----------
+    text
+        A number or an expression of numbers, ``pi``, ``e``, ``tau``, the functions in `FUNCTIONS` and
+        + - * / ^ ( ). The real minus sign and × · ÷ are read, too. Arguments are separated by ``;``, or by
+        ``,`` where that is not the decimal mark.
+    locale_decimal
+        The decimal mark of the person's locale. A point is always a decimal mark, a comma only where this
+        is one; there are no group separators, so that 1.234 never becomes 1234.
+
+    Returns
+    -------
+    float
+        Finite, and of a magnitude that a document may hold.
+
+    Raises
+    ------
+    ExpressionError
+        In every other case.
+    """
+    if len(text) > MAX_LENGTH:
+        raise ExpressionError(f"This is too long to be a number; {MAX_LENGTH} characters are read at most.")
+    text = text.translate(_SIGNS).strip().removeprefix("=")
+    tokens = _tokens(text, decimal_comma=locale_decimal == ",")
+    _check_grammar(tokens)
+    value = _evaluate(" ".join(token.code for token in tokens))
+    if not abs(value) <= MAX_MAGNITUDE:
+        raise ExpressionError("A number here must lie between −1e12 and 1e12.")
+    return value
+
+
+# Functions and operators: each gives a finite float or says why not.
+
+
+@dataclass(frozen=True)
+class _Function:
+    """A function that takes from `least` to `most` arguments."""
+
+    name: str
+    compute: Callable[..., float]
+    least: int = 1
+    most: int = 1
+
+    def __call__(self, *arguments: float) -> float:
+        if not self.least <= len(arguments) <= self.most:
+            raise ExpressionError(f"{self.name} takes {self._count()}.")
+        try:
+            return _finite(float(self.compute(*arguments)))
+        except ValueError:
+            shown = "; ".join(f"{value:g}" for value in arguments).replace("-", "−")
+            raise ExpressionError(f"{self.name}({shown}) is not a real number.") from None
+
+    def _count(self) -> str:
+        if self.least == self.most == 1:
+            return "one number"
+        if self.most == 2:
+            return "two numbers" if self.least == 2 else "one or two numbers"
+        return "two numbers or more"
+
+
+_ONE = ("sqrt", "sin", "cos", "tan", "asin", "acos", "atan", "sinh", "cosh", "tanh", "exp", "log10", "log2")
+
+FUNCTIONS: dict[str, _Function] = {
+    **{name: _Function(name, getattr(math, name)) for name in (*_ONE, "degrees", "radians")},
+    "abs": _Function("abs", abs),
+    "log": _Function("log", math.log, 1, 2),
+    "ln": _Function("ln", math.log),
+    "atan2": _Function("atan2", math.atan2, 2, 2),
+    "hypot": _Function("hypot", math.hypot, 2, 2),
+    "min": _Function("min", min, 2, MAX_LENGTH),
+    "max": _Function("max", max, 2, MAX_LENGTH),
+}
+
+CONSTANTS = {"pi": math.pi, "e": math.e, "tau": math.tau}
+
+
+def _finite(value: float) -> float:
+    if not math.isfinite(value):
+        raise OverflowError
+    return value
+
+
+def _checked(compute: Callable[..., float]) -> Callable[..., float]:
+    return lambda *operands: _finite(compute(*operands))
+
+
+def _power(base: float, exponent: float) -> float:
+    # math.pow, because ** makes complex numbers of negative bases.
+    try:
+        return math.pow(base, exponent)
+    except ValueError:
+        if base == 0:
+            raise ZeroDivisionError from None
+        raise ExpressionError("A negative number has no real power with a fraction as exponent.") from None
+
+
+_OPERATORS = {
+    ast.Add: _checked(operator.add),
+    ast.Sub: _checked(operator.sub),
+    ast.Mult: _checked(operator.mul),
+    ast.Div: _checked(operator.truediv),
+    ast.Pow: _checked(_power),
+    ast.UAdd: operator.pos,
+    ast.USub: operator.neg,
+}
+
+
+def _evaluate(code: str) -> float:
+    try:
+        value = SimpleEval(operators=_OPERATORS, functions=FUNCTIONS, names=CONSTANTS).eval(code)
+    except ZeroDivisionError:
+        raise ExpressionError("Division by zero has no value.") from None
+    except OverflowError:
+        raise ExpressionError("The result is too large.") from None
+    except (RecursionError, MemoryError):
+        raise ExpressionError("This is nested too deeply.") from None
+    except (SyntaxError, InvalidExpression, TypeError):
+        raise ExpressionError("This is not a complete number or expression.") from None
+    if not isinstance(value, float):
+        raise ExpressionError("This is not a single number.")
+    return value
+
+
+# From text to vetted tokens
+
+
+@dataclass(frozen=True)
+class _Token:
+    """A piece of the text: its kind, as typed, and as Python writes it."""
+
+    kind: str
+    text: str
+    code: str
+
+    @property
+    def ends_operand(self) -> bool:
+        return self.kind in {"number", "constant"} or self.text == ")"
+
+    @property
+    def starts_operand(self) -> bool:
+        return self.kind in {"number", "constant", "function"} or self.text == "("
+
+
+_SIGNS = str.maketrans({"−": "-", "–": "-", "×": "*", "·": "*", "⋅": "*", "÷": "/", "π": "pi", "τ": "tau"})
+_SYMBOL = r"(?P<name>[A-Za-z_][A-Za-z0-9_]*)|(?P<symbol>\*\*|[-+*/^(),;])|(?P<space>\s+)|(?P<other>.)"
+_POINT = r"[0-9]+(?:\.[0-9]*)?|\.[0-9]+"
+_COMMA = r"[0-9]*,[0-9]+"  # with digits after it: "max(1, 5)" has none
+_EXPONENT = r"(?:[eE][-+]?[0-9]+)?"
+_WITH_POINT = re.compile(rf"(?P<number>(?:{_POINT}){_EXPONENT})|{_SYMBOL}", re.DOTALL)
+_WITH_COMMA = re.compile(rf"(?P<number>(?:{_COMMA}|{_POINT}){_EXPONENT})|{_SYMBOL}", re.DOTALL)
+
+
+def _tokens(text: str, *, decimal_comma: bool) -> list[_Token]:
+    pattern = _WITH_COMMA if decimal_comma else _WITH_POINT
+    found = [
+        _token(str(match.lastgroup), match.group())
+        for match in pattern.finditer(text)
+        if match.lastgroup != "space"
+    ]
+    if not found:
+        raise ExpressionError("A number is missing.")
+    return found
+
+
+def _token(kind: str, text: str) -> _Token:
+    if kind == "number":
+        return _Token(kind, text, _float_code(text))
+    if kind == "name":
+        if text in FUNCTIONS:
+            return _Token("function", text, text)
+        if text in CONSTANTS:
+            return _Token("constant", text, text)
+        raise ExpressionError(f"“{_short(text)}” is not a number, nor a function or constant known here.")
+    if kind == "other":
+        raise ExpressionError(f"“{text}” has no place in a number.")
+    return _Token(kind, text, {"^": "**", ";": ","}.get(text, text))
+
+
+def _float_code(text: str) -> str:
+    """Return a literal that Python reads as the same float, never as an integer: 007, 1e400 and 9…9 too."""
+    value = float(text.replace(",", "."))
+    if not math.isfinite(value):
+        raise ExpressionError("A number here must lie between −1e12 and 1e12.")
+    return repr(value)
+
+
+def _check_grammar(tokens: list[_Token]) -> None:
+    """Refuse, with the reason, what Python would read in another way than people do."""
+    _check_commas(tokens)
+    for before, after in pairwise(tokens):
+        if before.kind == "function":
+            if after.text != "(":
+                _refuse_bare(before)
+        elif before.ends_operand and after.starts_operand:
+            _refuse_neighbours(before, after)
+    if tokens[-1].kind == "function":
+        _refuse_bare(tokens[-1])
+
+
+def _check_commas(tokens: list[_Token]) -> None:
+    """Refuse commas outside of a function: they are somebody's decimal commas or group separators."""
+    inside_call = [False]
+    for index, token in enumerate(tokens):
+        if token.text == "(":
+            inside_call.append(index > 0 and tokens[index - 1].kind == "function")
+        elif token.text == ")" and len(inside_call) > 1:
+            inside_call.pop()
+        elif token.code == "," and not inside_call[-1]:
+            _refuse_comma(tokens, index)
+
+
+def _refuse_comma(tokens: list[_Token], index: int) -> NoReturn:
+    around = tokens[max(index - 1, 0) : index + 2]
+    if tokens[index].text == "," and [token.kind for token in around] == ["number", "symbol", "number"]:
+        whole, fraction = around[0].text, around[2].text
+        typed = _short(f"{whole},{fraction}")
+        if "." in whole + fraction:
+            raise ExpressionError(f"“{typed}”: write the number without group separators.")
+        raise ExpressionError(f"“{typed}” is unclear; write {_short(f'{whole}.{fraction}')} with a point.")
+    raise ExpressionError(f"“{tokens[index].text}” separates the numbers of a function, such as max(1; 2).")
+
+
+def _refuse_bare(function: _Token) -> NoReturn:
+    raise ExpressionError(f"{function.text} needs its number in parentheses, {function.text}(2).")
+
+
+def _refuse_neighbours(before: _Token, after: _Token) -> NoReturn:
+    if before.kind == after.kind == "number":
+        pair = f"“{_short(before.text)}” and “{_short(after.text)}”"
+        raise ExpressionError(f"{pair} are two numbers; write one, without group separators.")
+    raise ExpressionError(f"Write * between “{_short(before.text)}” and “{_short(after.text)}” to multiply.")
+
+
+def _short(text: str) -> str:
+    return text if len(text) <= 20 else text[:19] + "…"

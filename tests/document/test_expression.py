@@ -1,0 +1,199 @@
+"""Typed numbers: what is read, what is refused, and that neither takes long."""
+
+import contextlib
+import math
+import sys
+import time
+
+import pytest
+from hypothesis import example, given
+from hypothesis import strategies as st
+
+from app.document.expression import CONSTANTS, FUNCTIONS, ExpressionError, parse_number
+from app.document.model import MAX_MAGNITUDE
+
+
+@pytest.mark.parametrize(
+    ("text", "value"),
+    [
+        ("0", 0.0),
+        ("1/3", 1 / 3),
+        ("sqrt(2)/2", math.sqrt(2) / 2),
+        ("pi", math.pi),
+        ("π/2", math.pi / 2),
+        ("2*sin(pi/6)", 2 * math.sin(math.pi / 6)),
+        ("1e-3", 1e-3),
+        ("-0.5", -0.5),
+        ("−0.5", -0.5),
+        ("  .5 ", 0.5),
+        ("=1+2", 3.0),
+        ("007", 7.0),
+        ("2^10", 1024.0),
+        ("2**-1", 0.5),
+        ("-2^2", -4.0),
+        ("3×(1+1)÷4", 1.5),
+        ("max(1, 5, 3)", 5.0),
+        ("max(1; 5)", 5.0),
+        ("hypot(3,4)", 5.0),
+        ("atan2(1, 1)", math.atan2(1, 1)),
+        ("log(8, 2)", 3.0),
+        ("degrees(tau)", 360.0),
+        ("abs(-2)", 2.0),
+        ("1e12", 1e12),
+        ("1.234", 1.234),
+        ("0.1", 0.1),
+        ("1e-300", 1e-300),
+    ],
+)
+def test_it_reads(text, value):
+    assert parse_number(text) == value
+
+
+@pytest.mark.parametrize(
+    ("text", "value"),
+    [
+        ("1,5", 1.5),
+        ("-,5", -0.5),
+        ("1,5e-3", 1.5e-3),
+        ("1.234", 1.234),
+        ("0.5", 0.5),
+        ("max(1,5; 2)", 2.0),
+        ("1,5*2,5", 3.75),
+        ("max(1, 5)", 5.0),
+    ],
+)
+def test_with_a_decimal_comma(text, value):
+    assert parse_number(text, ",") == value
+
+
+@pytest.mark.parametrize(
+    ("text", "decimal", "word"),
+    [
+        ("", ".", "missing"),
+        ("abc", ".", "“abc” is not a number"),
+        ("1,5", ".", "1.5 with a point"),
+        ("1,234,567", ".", "1,234"),
+        ("1,234.5", ".", "group separators"),
+        ("1.234,5", ",", "group separators"),
+        ("1.234.567", ",", "group separators"),
+        ("1 234", ".", "group separators"),
+        ("1\u202f234", ".", "group separators"),
+        ("1'234", ".", "no place"),
+        ("1_000", ".", "not a number"),
+        ("max(1,5)", ",", "takes two numbers or more"),
+        ("1,", ",", "separates"),
+        ("1/0", ".", "Division by zero"),
+        ("0^-1", ".", "Division by zero"),
+        ("sqrt(-1)", ".", "sqrt(−1) is not a real number"),
+        ("asin(2)", ".", "not a real number"),
+        ("(-8)^(1/3)", ".", "no real power"),
+        ("abs((-8)**(1/3))", ".", "no real power"),
+        ("9**9**9", ".", "too large"),
+        ("1/(1e308*10)", ".", "too large"),
+        ("exp(1000)", ".", "too large"),
+        ("1e400", ".", "1e12"),
+        ("1.1e12", ".", "1e12"),
+        ("nan", ".", "“nan”"),
+        ("inf", ".", "“inf”"),
+        ("True", ".", "“True”"),
+        ("2j", ".", "“j”"),
+        ("0x10", ".", "“x10”"),
+        ("2pi", ".", "Write * between “2” and “pi”"),
+        ("2(3)", ".", "Write *"),
+        ("sqrt", ".", "parentheses"),
+        ("sqrt 2", ".", "parentheses"),
+        ("sqrt()", ".", "takes one number"),
+        ("sin(1, 2)", ".", "takes one number"),
+        ("hypot(1)", ".", "takes two numbers"),
+        ("(1, 2)", ".", "unclear"),
+        ("1 +", ".", "not a complete"),
+        ("()", ".", "not a complete"),
+        ("pi()", ".", "Write *"),
+        ("1//2", ".", "not a complete"),
+        ("1 if 1 else 2", ".", "“if”"),
+        ("1 < 2", ".", "“<” has no place"),
+        ("'a'", ".", "no place"),
+        ("a.b", ".", "“a”"),
+        ("(1).real", ".", "“.” has no place"),
+        ("__import__('os')", ".", "“__import__”"),
+        ("[1 for _ in (1, 2)]", ".", "no place"),
+        ("lambda: 1", ".", "“lambda”"),
+        ("1; 2", ".", "separates"),
+        ("1\n2", ".", "two numbers"),
+        ("1 # one", ".", "“#” has no place"),
+        ("9" * 1_000_000, ".", "too long"),
+        ("(" * 100 + "1" + ")" * 99, ".", "not a complete"),
+        ("½", ".", "no place"),
+        ("\x00", ".", "no place"),
+    ],
+)
+def test_it_refuses_with_a_sentence(text, decimal, word):
+    start = time.perf_counter()
+    with pytest.raises(ExpressionError) as refused:
+        parse_number(text, decimal)
+    assert time.perf_counter() - start < 0.5
+    assert word in str(refused.value)
+    assert str(refused.value).endswith(".")
+    assert len(str(refused.value)) < 120
+
+
+def test_a_shown_value_comes_back_bit_for_bit():
+    for value in (1 / 3, 0.1, -1e-17, 123456.789, 5e-324, 1e12):
+        assert parse_number(repr(value)) == value
+        assert parse_number(repr(value).replace(".", ","), ",") == value
+
+
+def test_deep_nesting_is_no_crash():
+    for text in ("-" * 199 + "1", "(" * 99 + "1" + ")" * 99, "sin(" * 39 + "1" + ")" * 39):
+        with contextlib.suppress(ExpressionError):  # where little of the stack is left
+            assert abs(parse_number(text)) <= 1
+
+
+def test_little_stack_left_is_a_refusal():
+    def at_depth(remaining):
+        return parse_number("-" * 190 + "1") if remaining == 0 else at_depth(remaining - 1)
+
+    room = sys.getrecursionlimit() - 250
+    with pytest.raises(ExpressionError, match="deeply"):
+        at_depth(room)
+
+
+def test_the_same_answer_as_python_for_every_function():
+    for name, function in FUNCTIONS.items():
+        arguments = (0.5, 0.25)[: function.least]
+        text = f"{name}({'; '.join(map(repr, arguments))})"
+        assert parse_number(text) == function.compute(*arguments)
+    for name, value in CONSTANTS.items():
+        assert parse_number(name) == value
+
+
+WORDS = st.sampled_from(
+    [
+        *FUNCTIONS,
+        *CONSTANTS,
+        *"0123456789.,;()+-*/^ eEjx_'\"[]{}:=<>#\n",
+        "**",
+        "9999",
+        "e308",
+        "if",
+        "__",
+        "−",
+    ]
+)
+
+
+@given(st.one_of(st.text(max_size=60), st.lists(WORDS, max_size=30).map("".join)), st.sampled_from(".,"))
+@example("9**9**9**9", ".")
+@example("e**e**e**e**e", ".")
+def test_any_text_is_a_finite_number_or_a_sentence(text, decimal):
+    start = time.perf_counter()
+    with contextlib.suppress(ExpressionError):
+        value = parse_number(text, decimal)
+        assert type(value) is float
+        assert abs(value) <= MAX_MAGNITUDE
+    assert time.perf_counter() - start < 0.5
+
+
+@given(st.floats(-MAX_MAGNITUDE, MAX_MAGNITUDE))
+def test_every_float_survives_its_own_text(value):
+    assert parse_number(repr(value)) == value
