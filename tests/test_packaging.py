@@ -148,3 +148,11 @@ def test_no_file_names_a_package_host_or_locks_versions():
         assert not any(path.match(pattern) for pattern in LOCKS), path
         text = path.read_bytes().decode("utf-8", errors="ignore")
         assert not [host for host in HOSTS if host in text], path
+
+
+def test_the_readme_example_of_the_core_runs(capsys):
+    code = re.search(r"```python\n(import numpy.+?)```", text_of("README.md"), re.DOTALL)
+    assert code is not None
+    exec(code[1], {})
+    # Runge's function, interpolated; the weights of the points add up to one.
+    assert float(capsys.readouterr().out.split()[-1]) == pytest.approx(1.0, abs=1e-14)
