@@ -1,0 +1,181 @@
+"""What there is to know about each curve of a document, in numbers."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import NamedTuple
+
+import numpy as np
+
+from app.document.model import Curve, Document, Family, Parametrization
+from app.exchange.drawing import ExchangeError, Floats, drawing_of, extent_of
+from app.view_model.curve_view import CoreCurve, view_of
+from curvecore import LagrangeCurve
+
+LENGTH_TOLERANCE = 1e-9
+"""Relative error that the arc length aims at."""
+
+AMPLIFICATION_WORTH_A_WORD = 100.0
+"""Lebesgue constant from which the growth of errors is mentioned."""
+
+_NODES, _WEIGHTS = np.polynomial.legendre.leggauss(16)
+_MOST_POINTS_EXAMINED = 500
+_MOST_INTERVALS = 1 << 16
+_DEEPEST = 30
+
+
+class Length(NamedTuple):
+    """An arc length, and about how wrong it may be."""
+
+    value: float
+    error: float
+
+
+@dataclass(frozen=True)
+class CurveFacts:
+    """Facts about one curve; those that need a curve are None where there is none.
+
+    Attributes
+    ----------
+    name, family, parametrization
+        As in the document.
+    points
+        Number of points.
+    degree
+        Of the polynomial, or of each piece.
+    domain
+        First and last parameter.
+    length
+        Arc length over the domain, numerically. None too where it is beyond all floats, and for
+        Lagrange curves of so many points that it would take minutes.
+    box
+        Left, bottom, right and top edge of the curve; about, within `RELATIVE_TOLERANCE` of its size.
+    warnings
+        Sentences.
+    """
+
+    name: str
+    family: Family
+    parametrization: Parametrization
+    points: int
+    degree: int | None = None
+    domain: tuple[float, float] | None = None
+    length: Length | None = None
+    box: tuple[float, float, float, float] | None = None
+    warnings: tuple[str, ...] = ()
+
+
+def facts_of(document: Document) -> tuple[CurveFacts, ...]:
+    """Return the facts about every curve of a document."""
+    return tuple(_curve_facts(curve) for curve in document.curves)
+
+
+def _curve_facts(curve: Curve) -> CurveFacts:
+    view = view_of(curve)
+    core = view.curve
+    if core is None:
+        return CurveFacts(
+            curve.name,
+            curve.family,
+            curve.parametrization,
+            len(curve.nodes),
+            warnings=(view.problem,),
+        )
+    box, warnings = _box(curve)
+    return CurveFacts(
+        name=curve.name,
+        family=curve.family,
+        parametrization=curve.parametrization,
+        points=len(curve.nodes),
+        degree=core.degree,
+        domain=core.domain,
+        length=_length(core),
+        box=box,
+        warnings=(*warnings, *_amplification(core)),
+    )
+
+
+def _box(curve: Curve) -> tuple[tuple[float, float, float, float] | None, tuple[str, ...]]:
+    """Return the edges of the curve and nothing to say, or no edges and the reason."""
+    try:
+        (outline,) = drawing_of(Document((curve,))).outlines
+    except ExchangeError as problem:
+        return None, (str(problem),)
+    (left, bottom), (right, top) = extent_of(outline.control_points).tolist()
+    return (left, bottom, right, top), ()
+
+
+def _length(core: CoreCurve) -> Length | None:
+    if _is_slow(core):
+        return None
+    length = arc_length(core, LENGTH_TOLERANCE)
+    return length if np.isfinite(length.value) else None
+
+
+def _is_slow(core: CoreCurve) -> bool:
+    """Whether each of the many evaluations that a fact takes is itself a long sum."""
+    return isinstance(core, LagrangeCurve) and len(core.points) > _MOST_POINTS_EXAMINED
+
+
+def _amplification(core: CoreCurve) -> tuple[str, ...]:
+    """Return a warning if small errors in the points grow along the curve.
+
+    The Lebesgue constant, sampled: the largest sum of |B_i0(t)|, which is what errors of size one in the
+    points can become. It is one for the Hermite families.
+    """
+    if not isinstance(core, LagrangeCurve) or _is_slow(core):
+        return ()
+    t = core.parameters
+    between = t[:-1, None] + np.diff(t)[:, None] * np.linspace(0, 1, 9)[1:-1]
+    with np.errstate(over="ignore"):
+        largest = float(np.abs(core.basis(between.ravel())[:, :, 0]).sum(axis=1).max())
+    if largest < AMPLIFICATION_WORTH_A_WORD:
+        return ()
+    growth = f"up to {largest:.2g}-fold" if np.isfinite(largest) else "beyond all bounds"
+    return (f"Errors in the points grow {growth} along the curve (Lebesgue constant).",)
+
+
+def arc_length(core: CoreCurve, tolerance: float) -> Length:
+    """Return the arc length of a curve over its domain.
+
+    Gauss-Legendre quadrature with 16 nodes on every segment, halved where the halves disagree with the
+    whole. At a cusp the speed has a kink, and the bounded number of halvings is what limits the accuracy;
+    the error says so.
+
+    Parameters
+    ----------
+    core
+        A curve in the plane.
+    tolerance
+        Relative error aimed at.
+    """
+    low, high = core.parameters[:-1], core.parameters[1:]
+    most = max(_MOST_INTERVALS, 4 * len(low))
+    whole = _quadrature(core, low, high)
+    total = error = 0.0
+    for halvings_left in reversed(range(_DEEPEST)):
+        middle = low + (high - low) / 2
+        halves = np.stack([_quadrature(core, low, middle), _quadrature(core, middle, high)])
+        better = halves.sum(axis=0)
+        with np.errstate(invalid="ignore"):
+            difference = np.abs(better - whole)
+        rough = difference > tolerance * (total + better.sum()) / max(len(better), 64)
+        if halvings_left == 0 or 2 * np.count_nonzero(rough) > most:
+            rough[:] = False
+        total += float(better[~rough].sum())
+        error += float(difference[~rough].sum())
+        if not rough.any():
+            break
+        low, high = np.concatenate([low[rough], middle[rough]]), np.concatenate([middle[rough], high[rough]])
+        whole = halves[:, rough].ravel()
+    return Length(total, error)
+
+
+def _quadrature(core: CoreCurve, low: Floats, high: Floats) -> Floats:
+    """Return the integral of the speed over every interval (k,)."""
+    half = (high - low) / 2
+    t = (low + half)[:, None] + half[:, None] * _NODES
+    velocity = core.evaluate(t.ravel(), 1)
+    with np.errstate(over="ignore", under="ignore"):
+        speed = np.hypot(velocity[:, 0], velocity[:, 1]).reshape(t.shape)
+        return np.asarray(half * (speed @ _WEIGHTS))

@@ -1,0 +1,156 @@
+"""Documents as SVG, written from the core: cubic Hermite curves exactly, others within a tolerance."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass
+from decimal import ROUND_UP, Context
+from xml.sax.saxutils import escape
+
+from app import __version__
+from app.document.model import Document
+from app.exchange.drawing import Drawing, Floats, Frame, drawing_of
+
+STROKE = 0.003
+"""Width of the curve against the picture's longer side."""
+
+POINT_RADIUS = 0.006
+"""Radius of the discs at the points, likewise."""
+
+NOMINAL_SIDE = 800
+"""Longer side, in CSS pixels, of a picture whose size nobody asked for."""
+
+# XML 1.0 has no way at all to write these.
+_NOT_IN_XML = re.compile("[^\t\n\r\x20-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")
+
+# A bound that was rounded to the nearest would not be one.
+_ROUNDING_UP = Context(prec=3, rounding=ROUND_UP)
+
+
+@dataclass(frozen=True)
+class Style:
+    """The colours of a picture; without `paper` its background is transparent."""
+
+    ink: str
+    paper: str | None = None
+
+
+INK = Style("#1f2328")
+LIGHT = Style("#1f2328", "#fafafa")
+DARK = Style("#e6e8ea", "#15181c")
+
+
+def svg_of(
+    document: Document,
+    *,
+    tolerance: float | None = None,
+    style: Style = INK,
+    points: bool = False,
+    width: float | None = None,
+) -> str:
+    """Return a document as SVG.
+
+    Coordinates are the document's own with y negated, in full precision: a piece of a cubic Hermite
+    curve is exactly one ``C`` of the path. Lagrange and quintic Hermite curves become as many cubics as
+    the tolerance takes; the largest deviation stands in a comment and in the description.
+
+    Parameters
+    ----------
+    document
+        A document with at least one curve that can be drawn.
+    tolerance
+        Largest deviation allowed, in the document's unit; by default a hundred-thousandth of the
+        drawing's longer side.
+    style
+        Colours.
+    points
+        Whether to draw the points as discs, in a group of their own.
+    width
+        Nominal width in CSS pixels; by default the longer side is `NOMINAL_SIDE`.
+
+    Raises
+    ------
+    ExchangeError
+        If nothing can be drawn, or if the coordinates are beyond what a picture can hold.
+    """
+    drawing = drawing_of(document, tolerance)
+    shown = NOMINAL_SIDE * drawing.frame.width / drawing.frame.side if width is None else width
+    return svg_text(drawing, style=style, points=points, width=shown)
+
+
+def svg_text(drawing: Drawing, *, style: Style, points: bool, width: float) -> str:
+    """Return a drawing as SVG with the nominal `width` in CSS pixels."""
+    frame = drawing.frame
+    height = width * frame.height / frame.width
+    box = " ".join(_number(value) for value in (frame.left, -frame.top, frame.width, frame.height))
+    parts = [
+        '<?xml version="1.0" encoding="UTF-8"?>',
+        f"<!-- Curvebench {__version__}. {accuracy_of(drawing)} -->",
+        f'<svg xmlns="http://www.w3.org/2000/svg" width="{width:.6g}" height="{height:.6g}" viewBox="{box}">',
+        f"  <desc>{_text(' '.join([accuracy_of(drawing), *drawing.remarks]))}</desc>",
+        *([_paper(frame, style.paper)] if style.paper else []),
+        *_curves(drawing, style),
+        *(_points(drawing, style) if points else []),
+        "</svg>",
+    ]
+    return "\n".join(parts) + "\n"
+
+
+def accuracy_of(drawing: Drawing) -> str:
+    """Return a sentence with the largest deviation of the drawing from the true curves."""
+    bound = _ROUNDING_UP.create_decimal_from_float(drawing.deviation)
+    missed = "" if drawing.deviation <= drawing.tolerance else ", which was out of reach"
+    return (
+        f"Largest deviation from the true curves: {float(bound):g} "
+        f"(tolerance {drawing.tolerance:g}{missed}), in the unit of the document."
+    )
+
+
+def _paper(frame: Frame, colour: str) -> str:
+    x, y, width, height = (_number(v) for v in (frame.left, -frame.top, frame.width, frame.height))
+    return f'  <rect id="paper" x="{x}" y="{y}" width="{width}" height="{height}" fill="{colour}"/>'
+
+
+def _curves(drawing: Drawing, style: Style) -> list[str]:
+    stroke = _number(STROKE * drawing.frame.side)
+    group = (
+        f'  <g id="curves" fill="none" stroke="{style.ink}" stroke-width="{stroke}" '
+        'stroke-linecap="round" stroke-linejoin="round">'
+    )
+    paths = [
+        f'    <path d="{_path_data(outline.control_points)}"><title>{_text(outline.name)}</title></path>'
+        for outline in drawing.outlines
+    ]
+    return [group, *paths, "  </g>"]
+
+
+def _path_data(control_points: Floats) -> str:
+    """Return the pieces (k, 4, 2) as path data, y negated, one piece per line."""
+    start, *_ = control_points[0].tolist()
+    pieces = (" ".join(_pair(point) for point in piece[1:]) for piece in control_points.tolist())
+    return "\n      ".join([f"M {_pair(start)}", *(f"C {piece}" for piece in pieces)])
+
+
+def _points(drawing: Drawing, style: Style) -> list[str]:
+    radius = _number(POINT_RADIUS * drawing.frame.side)
+    discs = [
+        f'    <circle cx="{_number(x)}" cy="{_number(-y)}" r="{radius}"/>'
+        for outline in drawing.outlines
+        for x, y in outline.nodes.tolist()
+    ]
+    return [f'  <g id="points" fill="{style.ink}">', *discs, "  </g>"]
+
+
+def _pair(point: list[float]) -> str:
+    x, y = point
+    return f"{_number(x)} {_number(-y)}"
+
+
+def _number(value: float) -> str:
+    """Return the shortest text that reads back as the same float; adding zero turns -0.0 into 0.0."""
+    return repr(value + 0.0).removesuffix(".0")
+
+
+def _text(text: str) -> str:
+    """Return text as XML may hold it."""
+    return escape(_NOT_IN_XML.sub("\ufffd", text))

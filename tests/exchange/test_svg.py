@@ -1,0 +1,207 @@
+"""SVG: well-formed, exact where it can be, within the stated deviation elsewhere."""
+
+import re
+import xml.etree.ElementTree as ET
+
+import numpy as np
+import pytest
+
+from app import theme
+from app.document.model import (
+    Curve,
+    Document,
+    Family,
+    Node,
+    Parametrization,
+    ParametrizationKind,
+    make_curve,
+)
+from app.exchange import DARK, INK, LIGHT, ExchangeError, svg_of
+from app.exchange.drawing import RELATIVE_TOLERANCE
+from app.view_model.curve_view import view_of
+from curvecore.bezier import bezier_segments, cubic_path
+
+SVG = "{http://www.w3.org/2000/svg}"
+
+
+def paths(text):
+    """Every path as pieces (k, 4, 2), y as in the file."""
+    found = []
+    for element in ET.fromstring(text.encode()).iter(f"{SVG}path"):
+        start, *pieces = re.split("[MC]", element.get("d"))[1:]
+        values = [[float(v) for v in piece.split()] for piece in (start, *pieces)]
+        pen, control = values[0], []
+        for piece in values[1:]:
+            control.append(np.array([*pen, *piece]).reshape(4, 2))
+            pen = piece[4:]
+        found.append(np.array(control))
+    return found
+
+
+def upright(pieces):
+    return pieces * [1, -1]
+
+
+def stated(text):
+    """The deviation in the comment, which is also in the description, and the tolerance."""
+    pattern = r"Largest deviation from the true curves: (\S+) \(tolerance ([^,)]+)"
+    comment, description = re.findall(pattern, text)
+    assert comment == description
+    return tuple(map(float, comment))
+
+
+def core(document):
+    return view_of(document.curves[0]).curve
+
+
+def measured(pieces, curve, parameters, samples=40):
+    """The largest distance at equal parameters."""
+    s = np.linspace(0, 1, samples)
+    weights = np.stack([(1 - s) ** 3, 3 * s * (1 - s) ** 2, 3 * s**2 * (1 - s), s**3])
+    on_path = np.einsum("ks,pkd->psd", weights, pieces).reshape(-1, 2)
+    t = (parameters[:-1, None] + np.diff(parameters)[:, None] * s).ravel()
+    return np.hypot(*(on_path - curve.evaluate(t)).T).max()
+
+
+@pytest.mark.parametrize("tolerance", [1e-1, 1e-3, 1e-5, 1e-7])
+def test_the_path_stays_within_the_stated_deviation(sketch, tolerance):
+    text = svg_of(sketch, tolerance=tolerance)
+    (pieces,) = paths(text)
+    curve = core(sketch)
+    deviation, said_tolerance = stated(text)
+    assert said_tolerance == tolerance
+    parameters = cubic_path(curve, tolerance).parameters
+    assert len(pieces) == len(parameters) - 1
+    size = np.abs(pieces).max()
+    assert measured(upright(pieces), curve, parameters) <= deviation + 20 * 2**-53 * size
+    assert deviation <= tolerance * 1.01
+
+
+def test_the_default_tolerance_is_relative_to_the_size(example):
+    text = svg_of(example)
+    deviation, tolerance = stated(text)
+    (pieces,) = paths(text)
+    size = np.ptp(pieces.reshape(-1, 2), axis=0).max()
+    assert 0.5 * RELATIVE_TOLERANCE * size < tolerance < 2 * RELATIVE_TOLERANCE * size
+    assert deviation <= tolerance * 1.01
+
+
+def test_a_cubic_hermite_curve_is_written_bit_for_bit():
+    document = Document((make_curve([(0.1, 1 / 3), (2.0, -0.7), (3.3, 1e-7)], family=Family.HERMITE),))
+    text = svg_of(document)
+    (pieces,) = paths(text)
+    np.testing.assert_array_equal(upright(pieces), bezier_segments(core(document)))
+    assert stated(text)[0] == 0
+
+
+def test_the_stated_deviation_is_never_rounded_down(sketch):
+    if sketch.curves[0].family is Family.HERMITE:
+        return
+    exact = cubic_path(core(sketch), 1e-3).deviation
+    assert exact <= stated(svg_of(sketch, tolerance=1e-3))[0] <= 1.01 * exact
+
+
+def view_box(text):
+    return [float(v) for v in ET.fromstring(text.encode()).get("viewBox").split()]
+
+
+def test_the_view_box_holds_the_curve_with_a_margin(example):
+    text = svg_of(example)
+    left, top, width, height = view_box(text)
+    (pieces,) = paths(text)
+    t = np.linspace(*core(example).domain, 4001)
+    on_curve = core(example).evaluate(t) * [1, -1]
+    for low, size, values in ((left, width, on_curve[:, 0]), (top, height, on_curve[:, 1])):
+        margin = 0.05 * max(width, height)
+        assert low + margin < values.min()
+        assert values.max() < low + size - margin
+    assert min(width, height) >= 0.19 * max(width, height)
+    assert len(pieces)
+
+
+def test_the_nominal_size_keeps_the_shape(sketch):
+    for keywords in ({}, {"width": 300}):
+        root = ET.fromstring(svg_of(sketch, **keywords).encode())
+        _, _, width, height = map(float, root.get("viewBox").split())
+        assert float(root.get("width")) / float(root.get("height")) == pytest.approx(width / height, rel=1e-4)
+    assert root.get("width") == "300"
+
+
+def test_points_are_discs_in_a_group_of_their_own(sketch):
+    assert "circle" not in svg_of(sketch)
+    root = ET.fromstring(svg_of(sketch, points=True).encode())
+    (group,) = [each for each in root.iter(f"{SVG}g") if each.get("id") == "points"]
+    centres = [(float(each.get("cx")), -float(each.get("cy"))) for each in group]
+    assert centres == [node.position for node in sketch.curves[0].nodes]
+
+
+def test_names_are_titles_and_harmless():
+    name = "a<b>&\"'\x00\x1b\ud800]]>--> ‖c′‖"
+    curve = make_curve([(0, 0), (1, 1)], name=name)
+    root = ET.fromstring(svg_of(Document((curve, curve))).encode())
+    titles = [each.text for each in root.iter(f"{SVG}title")]
+    assert titles == ["a<b>&\"'\ufffd\ufffd\ufffd]]>--> ‖c′‖"] * 2
+
+
+def test_curves_that_cannot_be_drawn_are_mentioned(half_drawn):
+    text = svg_of(half_drawn)
+    assert len(paths(text)) == 1
+    description = ET.fromstring(text.encode()).find(f"{SVG}desc").text
+    assert "“begun <&>”: A curve needs at least two points." in description
+
+
+def test_the_colours_are_those_of_the_window():
+    for style, window in ((LIGHT, theme.LIGHT), (DARK, theme.DARK)):
+        assert (style.ink, style.paper) == (window.ink.name(), window.paper.name())
+    assert (INK.ink, INK.paper) == (LIGHT.ink, None)
+
+
+def test_paper_covers_the_view_box(sketch):
+    assert 'id="paper"' not in svg_of(sketch)
+    text = svg_of(sketch, style=DARK)
+    (paper,) = ET.fromstring(text.encode()).iter(f"{SVG}rect")
+    assert [float(paper.get(key)) for key in ("x", "y", "width", "height")] == view_box(text)
+    assert paper.get("fill") == "#15181c"
+
+
+@pytest.mark.parametrize("scale", [1e-28, 1e-9, 1.0, 1e11])
+def test_every_size_in_reach_is_drawn(scale):
+    points = (np.random.default_rng(3).normal(size=(5, 2)) * scale).tolist()
+    text = svg_of(Document((make_curve(points),)))
+    assert np.abs(paths(text)[0]).max() < 100 * scale
+    assert "nan" not in text
+
+
+def refusal(document, **keywords):
+    with pytest.raises(ExchangeError) as caught:
+        svg_of(document, **keywords)
+    return str(caught.value)
+
+
+def test_what_no_picture_can_hold_is_refused(nothing):
+    wild = make_curve([(i, (-1) ** i) for i in range(150)], name="wild")
+    assert refusal(Document((wild,))).startswith("“wild” swings beyond 1e+30 between its points")
+    tiny = Document((make_curve([(0, 0), (1e-200, 1e-200)]),))
+    assert refusal(tiny) == "The drawing is 1e-200 across; a picture can hold 1e-30 to 1e+30."
+    far = Document((make_curve([(1e12, 0), (1e12 + 0.001, 0)]),))
+    assert refusal(far).endswith("from the origin: too small for a picture.")
+    assert refusal(nothing).startswith("There is nothing to draw. “dot”: ")
+    assert "Error" not in refusal(nothing)
+
+
+def test_points_in_one_place_at_the_origin_are_refused():
+    rule = Parametrization(ParametrizationKind.UNIFORM)
+    document = Document((Curve("", Family.HERMITE, rule, (Node(0.0, 0.0), Node(0.0, 0.0))),))
+    assert refusal(document) == "There is nothing to draw: all points coincide."
+
+
+@pytest.mark.parametrize("tolerance", [0.0, -1.0, float("nan"), float("inf")])
+def test_the_tolerance_is_positive(sketch, tolerance):
+    assert refusal(sketch, tolerance=tolerance) == "The tolerance must be a positive number."
+
+
+def test_a_tolerance_out_of_reach_is_said():
+    points = np.random.default_rng(5).normal(size=(30, 2)).tolist()
+    text = svg_of(Document((make_curve(points),)), tolerance=1e-17)
+    assert "which was out of reach" in text
+    assert stated(text)[0] > 1e-17
