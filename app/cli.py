@@ -1,0 +1,248 @@
+"""The command line: open the editor, render a document without a display, print facts about it."""
+
+from __future__ import annotations
+
+import argparse
+import io
+import json
+import os
+import sys
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Any
+
+from app import __version__
+from app.document.format import FormatError
+from app.document.model import Document, Family
+from app.document.storage import StorageError, load
+from app.exchange import DARK, LIGHT, SUFFIXES, ExchangeError, export
+from app.exchange.facts import CurveFacts, facts_of
+
+FAMILY_NAMES = {
+    Family.LAGRANGE: "Lagrange",
+    Family.HERMITE: "cubic Hermite",
+    Family.QUINTIC_HERMITE: "quintic Hermite",
+}
+
+_INTERRUPTED = 130
+"""What a shell expects of a program that Ctrl+C ended."""
+
+_COMMANDS = ("render", "info")
+_STYLES = {"light": LIGHT, "dark": DARK}
+
+_DESCRIPTION = """\
+Sketch parametric polynomial curves and see why they go where they go.
+
+  curvebench [FILE ...]            open the editor, one window for each file
+  curvebench render FILE -o OUT    write a picture of FILE, without a display
+  curvebench info FILE             print facts about the curves in FILE
+"""
+_EPILOG = "A file that is called “render” or “info” opens as ./render or ./info."
+
+
+class _UnusableFileError(Exception):
+    """A file holds no document; the text says which, and where in it."""
+
+
+def main(arguments: Sequence[str] | None = None) -> int:
+    """Run the command line and return its exit code: 0, or 1 with one line on stderr.
+
+    Parameters
+    ----------
+    arguments
+        What follows the program's name; by default that of this process.
+
+    Raises
+    ------
+    SystemExit
+        With code 2 for wrong usage, 0 after ``--help`` and ``--version``.
+    """
+    words = list(sys.argv[1:] if arguments is None else arguments)
+    if isinstance(sys.stdout, io.TextIOWrapper):
+        # A terminal that knows no α shall still show the rest.
+        sys.stdout.reconfigure(errors="backslashreplace")
+    try:
+        code = _run(words)
+        print(end="", flush=True)
+    except BrokenPipeError:
+        return _leave_closed_pipe()
+    except KeyboardInterrupt:
+        return _INTERRUPTED
+    except (_UnusableFileError, ExchangeError, StorageError) as problem:
+        message = str(problem)
+    except OSError as problem:
+        message = f"The output cannot be written ({problem.strerror})."
+    else:
+        return code
+    print(f"curvebench: {_one_line(message)}", file=sys.stderr)
+    return 1
+
+
+def _run(words: list[str]) -> int:
+    if words and words[0] in _COMMANDS:
+        options = _command_parser().parse_args(words)
+        return _render(options) if options.command == "render" else _info(options)
+    return _edit(_editor_parser().parse_args(words).files)
+
+
+def _editor_parser() -> argparse.ArgumentParser:
+    parser = argparse.ArgumentParser(
+        "curvebench",
+        usage="curvebench [FILE ...]  |  curvebench render …  |  curvebench info …",
+        description=_DESCRIPTION,
+        epilog=_EPILOG,
+        formatter_class=argparse.RawDescriptionHelpFormatter,
+    )
+    parser.add_argument("--version", action="version", version=f"curvebench {__version__}")
+    parser.add_argument("files", nargs="*", metavar="FILE", help="documents to open (*.curve.json)")
+    return parser
+
+
+def _command_parser() -> argparse.ArgumentParser:
+    parser = argparse.ArgumentParser("curvebench")
+    commands = parser.add_subparsers(dest="command", required=True)
+    render = commands.add_parser(
+        "render", help="write a picture", description="Write a picture of a document."
+    )
+    render.add_argument("file", metavar="FILE")
+    render.add_argument(
+        "-o", "--output", required=True, metavar="OUT", help=f"the picture; ends in {', '.join(SUFFIXES)}"
+    )
+    render.add_argument(
+        "--width", type=_width, metavar="N", help="in pixels; in points of 1/72 inch for a PDF"
+    )
+    render.add_argument(
+        "--tolerance",
+        type=_tolerance,
+        metavar="X",
+        help="largest deviation from the true curve, in the document's unit (default: 1e-5 of its size)",
+    )
+    render.add_argument(
+        "--theme", choices=_STYLES, help="colours, paper included (default: light; no paper in SVG and PDF)"
+    )
+    render.add_argument("--points", action="store_true", help="draw the points too")
+    info = commands.add_parser(
+        "info", help="print facts", description="Print facts about a document's curves."
+    )
+    info.add_argument("file", metavar="FILE")
+    info.add_argument("--json", action="store_true", help="as JSON")
+    return parser
+
+
+def _width(text: str) -> int:
+    return int(_positive(text, int))
+
+
+def _tolerance(text: str) -> float:
+    return _positive(text, float)
+
+
+def _positive(text: str, kind: type[int] | type[float]) -> float:
+    try:
+        value = kind(text)
+    except ValueError:
+        value = 0
+    if not 0 < value < float("inf"):
+        raise argparse.ArgumentTypeError(f"“{text}” is not a positive number")
+    return value
+
+
+def _load(path: str) -> Document:
+    try:
+        return load(path)
+    except FormatError as problem:
+        raise _UnusableFileError(f"“{path}” cannot be read: {problem}") from None
+
+
+def _edit(files: Sequence[str]) -> int:
+    """Open a window for every file, or one with the first sketch; return when the last is closed."""
+    for path in files:
+        _load(path)  # Says what is wrong before any window opens.
+    # The editor and Qt take a while to import, and the other commands do without.
+    from PySide6.QtWidgets import QApplication  # noqa: PLC0415
+
+    from app.main_window import MainWindow  # noqa: PLC0415
+    from app.session import Session  # noqa: PLC0415
+
+    application = QApplication.instance() or QApplication([sys.argv[0]])
+    sessions = [Session() for _ in files or [""]]
+    for session, path in zip(sessions, files, strict=False):
+        session.open(Path(path))
+    windows = [MainWindow(session) for session in sessions]
+    for window in windows:
+        window.show()
+    return int(application.exec())
+
+
+def _render(options: argparse.Namespace) -> int:
+    style = _STYLES[options.theme] if options.theme else None
+    export(
+        _load(options.file),
+        options.output,
+        width=options.width,
+        tolerance=options.tolerance,
+        style=style,
+        points=options.points,
+    )
+    return 0
+
+
+def _info(options: argparse.Namespace) -> int:
+    facts = facts_of(_load(options.file))
+    if options.json:
+        content = {"file": options.file, "curves": [_as_json(each) for each in facts]}
+        print(json.dumps(content, indent=2, ensure_ascii=False, allow_nan=False))
+    else:
+        print("\n\n".join(_as_text(each) for each in facts))
+    return 0
+
+
+def _as_json(facts: CurveFacts) -> dict[str, Any]:
+    """Return the facts as plain values; what is not known is null."""
+    rule = facts.parametrization
+    box = dict(zip(("left", "bottom", "right", "top"), facts.box, strict=True)) if facts.box else None
+    length = {"about": facts.length.value, "error": facts.length.error} if facts.length else None
+    return {
+        "name": facts.name,
+        "family": facts.family,
+        "degree": facts.degree,
+        "points": facts.points,
+        "parametrization": {"kind": rule.kind, "alpha": rule.alpha, "start": rule.start, "end": rule.end},
+        "domain": facts.domain,
+        "length": length,
+        "box": box,
+        "warnings": facts.warnings,
+    }
+
+
+def _as_text(facts: CurveFacts) -> str:
+    rows = [("family", FAMILY_NAMES[facts.family])]
+    if facts.degree is not None:
+        rows.append(("degree", f"{facts.degree}" + (" on every segment" if facts.family.derivatives else "")))
+    rows += [("points", str(facts.points)), ("parametrization", _rule_text(facts))]
+    if facts.domain is not None:
+        rows.append(("domain", f"{facts.domain[0]:g} to {facts.domain[1]:g}"))
+    if facts.length is not None:
+        rows.append(("length", f"about {facts.length.value:.9g} (error about {facts.length.error:.1g})"))
+    if facts.box is not None:
+        left, bottom, right, top = facts.box
+        rows.append(("box", f"about x {left:.6g} to {right:.6g}, y {bottom:.6g} to {top:.6g}"))
+    rows += [("warning", warning) for warning in facts.warnings]
+    return "\n".join([_one_line(facts.name), *(f"  {key:<16} {value}" for key, value in rows)])
+
+
+def _rule_text(facts: CurveFacts) -> str:
+    kind = facts.parametrization.kind.replace("_", " ")
+    return f"{kind}, α = {facts.parametrization.alpha:g}" if kind == "power" else kind
+
+
+def _one_line(text: str) -> str:
+    """Return text on one line, without characters that would steer a terminal."""
+    return "".join(character if character.isprintable() else " " for character in text)
+
+
+def _leave_closed_pipe() -> int:
+    """Leave quietly when the reader of the output is gone (``| head``), as Unix programs do."""
+    # Otherwise the interpreter would try to flush, and complain, once more on its way out.
+    os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+    return 0

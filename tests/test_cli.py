@@ -1,0 +1,236 @@
+"""The command line: what it prints, what it writes, and how it fails."""
+
+import io
+import json
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from app import __version__
+from app.cli import main
+from app.document.model import Document, make_curve
+from app.document.storage import save
+
+ROOT = Path(__file__).parents[1]
+EXAMPLES = ROOT / "resources" / "examples"
+LETTER = str(EXAMPLES / "letter_s.curve.json")
+
+
+def run(*words, code="import sys; from app.cli import main; sys.exit(main())", **keywords):
+    """The command line in a process of its own, with no display and no hint for Qt."""
+    hidden = {"DISPLAY", "WAYLAND_DISPLAY", "QT_QPA_PLATFORM"}
+    environment = {key: value for key, value in os.environ.items() if key not in hidden}
+    environment |= {"PYTHONPATH": str(ROOT), **keywords.pop("env", {})}
+    return subprocess.run(
+        [sys.executable, "-W", "error", "-c", code, *words],
+        capture_output=True,
+        text=True,
+        env=environment,
+        timeout=60,
+        check=False,
+        **keywords,
+    )
+
+
+def refusal(capsys, *words):
+    """The one line on stderr of a command that fails."""
+    assert main(list(words)) == 1
+    output = capsys.readouterr()
+    assert output.out == ""
+    assert output.err.count("\n") == 1
+    assert output.err.startswith("curvebench: ")
+    assert "Traceback" not in output.err
+    return output.err.removeprefix("curvebench: ").rstrip()
+
+
+def test_info_prints_the_facts(capsys):
+    assert main(["info", LETTER]) == 0
+    lines = capsys.readouterr().out.splitlines()
+    assert lines[0] == "Letter S"
+    rows = {line[2:18].rstrip(): line[19:] for line in lines[1:]}
+    assert rows["family"] == "cubic Hermite"
+    assert rows["degree"] == "3 on every segment"
+    assert rows["points"] == "9"
+    assert rows["parametrization"] == "chord length"
+    assert rows["domain"] == "0 to 1"
+    assert rows["length"].startswith("about 23.0")
+    assert rows["box"].startswith("about x 0.35 to 5.99")
+    assert "warning" not in rows
+
+
+def test_info_as_json(capsys):
+    assert main(["info", LETTER, "--json"]) == 0
+    content = json.loads(capsys.readouterr().out)
+    assert content["file"] == LETTER
+    (curve,) = content["curves"]
+    assert curve["name"] == "Letter S"
+    assert curve["family"] == "hermite"
+    assert curve["degree"] == 3
+    assert curve["parametrization"] == {"kind": "chord_length", "alpha": 0.5, "start": 0.0, "end": 1.0}
+    assert curve["domain"] == [0.0, 1.0]
+    assert curve["length"]["about"] == pytest.approx(23.0, abs=0.1)
+    assert curve["box"]["left"] == pytest.approx(0.35)
+    assert curve["warnings"] == []
+
+
+def test_info_of_a_sketch_just_begun(tmp_path, capsys):
+    path = tmp_path / "begun.curve.json"
+    save(path, Document((make_curve([(1, 2)], name="two\nlines \x1b[31m"), make_curve([(0, 0), (1, 1)]))))
+    assert main(["info", str(path)]) == 0
+    text = capsys.readouterr().out
+    assert text.startswith("two lines  [31m\n")
+    assert "warning          A curve needs at least two points." in text
+    assert main(["info", "--json", str(path)]) == 0
+    assert json.loads(capsys.readouterr().out)["curves"][0]["length"] is None
+
+
+@pytest.mark.parametrize("suffix", ["svg", "png", "pdf"])
+@pytest.mark.usefixtures("qapp")
+def test_render_writes_every_format(suffix, tmp_path, capsys):
+    out = tmp_path / f"a.{suffix}"
+    words = ["render", LETTER, "-o", str(out), "--width", "90", "--tolerance", "0.01", "--points"]
+    assert main([*words, "--theme", "dark"]) == 0
+    assert capsys.readouterr() == ("", "")
+    start = {"svg": b"<?xml", "png": b"\x89PNG", "pdf": b"%PDF"}[suffix]
+    assert out.read_bytes().startswith(start)
+
+
+def test_render_uses_its_options(tmp_path):
+    out = tmp_path / "a.svg"
+    main(["render", LETTER, "-o", str(out), "--width", "90", "--tolerance", "0.25", "--theme", "dark"])
+    text = out.read_text(encoding="utf-8")
+    assert 'width="90"' in text
+    assert "(tolerance 0.25)" in text
+    assert "#15181c" in text
+    assert "circle" not in text
+
+
+def test_bad_files_are_refused_in_one_line(tmp_path, capsys):
+    bad = tmp_path / "bad.curve.json"
+    for command in (["info"], ["render", "-o", str(tmp_path / "a.svg")], []):
+        bad.write_text('{"format": "curvebench",\n "version": 1, "curves": 3}', encoding="utf-8")
+        line = refusal(capsys, *command, str(bad))
+        assert line == f"“{bad}” cannot be read: curves must be a list, not a whole number"
+        line = refusal(capsys, *command, str(tmp_path / "gone"))
+        assert line.startswith("There is no file “")
+        assert refusal(capsys, *command, str(tmp_path)).endswith("is a folder. Choose a file.")
+    assert list(tmp_path.iterdir()) == [bad]
+
+
+def test_impossible_renders_are_refused_in_one_line(tmp_path, capsys):
+    empty = tmp_path / "empty.curve.json"
+    save(empty, Document((make_curve(()),)))
+    assert "known format" in refusal(capsys, "render", LETTER, "-o", str(tmp_path / "a.gif"))
+    assert "nothing to draw" in refusal(capsys, "render", str(empty), "-o", str(tmp_path / "a.svg"))
+    assert "does not exist" in refusal(capsys, "render", LETTER, "-o", str(tmp_path / "no" / "a.svg"))
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        ["render", LETTER],
+        ["render", LETTER, "-o", "a.svg", "--width", "0"],
+        ["render", LETTER, "-o", "a.svg", "--width", "1" * 5000],
+        ["render", LETTER, "-o", "a.svg", "--tolerance", "nan"],
+        ["render", LETTER, "-o", "a.svg", "--theme", "pink"],
+        ["info"],
+        ["--surprise"],
+    ],
+)
+def test_wrong_usage_ends_with_code_2(words, capsys):
+    with pytest.raises(SystemExit) as end:
+        main(words)
+    assert end.value.code == 2
+    assert "usage: curvebench" in capsys.readouterr().err
+
+
+def test_version_and_help(capsys):
+    with pytest.raises(SystemExit) as end:
+        main(["--version"])
+    assert end.value.code == 0
+    assert capsys.readouterr().out == f"curvebench {__version__}\n"
+    with pytest.raises(SystemExit):
+        main(["--help"])
+    text = capsys.readouterr().out
+    assert "curvebench render FILE -o OUT" in text
+    assert "./render" in text
+
+
+def test_a_terminal_without_greek_still_shows_the_facts(monkeypatch):
+    raw = io.BytesIO()
+    monkeypatch.setattr(sys, "stdout", io.TextIOWrapper(raw, "ascii"))
+    assert main(["info", LETTER]) == 0
+    sys.stdout.flush()
+    assert raw.getvalue().startswith(b"Letter S")
+
+
+@pytest.mark.skipif(not Path("/dev/full").exists(), reason="a device that is always full")
+def test_output_that_cannot_be_written_is_said():
+    with Path("/dev/full").open("w") as full:
+        done = subprocess.run(
+            [sys.executable, "-m", "app", "info", LETTER],
+            stdout=full,
+            stderr=subprocess.PIPE,
+            cwd=ROOT,
+            timeout=60,
+            check=False,
+            text=True,
+        )
+    assert done.returncode == 1
+    assert done.stderr == "curvebench: The output cannot be written (No space left on device).\n"
+
+
+def test_ctrl_c_is_quiet(monkeypatch, capsys):
+    def interrupted(_path):
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr("app.cli.load", interrupted)
+    assert main(["info", LETTER]) == 130
+    assert capsys.readouterr() == ("", "")
+
+
+WITHOUT_QT = """
+import sys
+from app.cli import main
+code = main()
+assert not [name for name in sys.modules if name.startswith(("PySide6", "pyqtgraph"))]
+sys.exit(code)
+"""
+
+
+def test_info_and_svg_do_without_qt(tmp_path):
+    for words in (["info", LETTER], ["render", LETTER, "-o", str(tmp_path / "a.svg")]):
+        done = run(*words, code=WITHOUT_QT)
+        assert (done.returncode, done.stderr) == (0, "")
+
+
+def test_pictures_need_no_display(tmp_path):
+    for name in ("a.png", "a.pdf"):
+        done = run("render", LETTER, "-o", str(tmp_path / name), "--width", "200")
+        assert (done.returncode, done.stdout, done.stderr) == (0, "", "")
+        assert (tmp_path / name).stat().st_size > 1000
+
+
+def test_the_package_runs_as_a_module():
+    done = run("--version", code="import runpy; runpy.run_module('app', run_name='__main__')")
+    assert done.stdout == f"curvebench {__version__}\n"
+
+
+def test_a_closed_pipe_is_quiet():
+    reader, writer = os.pipe()
+    os.close(reader)
+    try:
+        done = subprocess.run(
+            [sys.executable, "-m", "app", "info", LETTER],
+            stdout=writer,
+            stderr=subprocess.PIPE,
+            cwd=ROOT,
+            timeout=60,
+            check=False,
+        )
+    finally:
+        os.close(writer)
+    assert (done.returncode, done.stderr) == (0, b"")
