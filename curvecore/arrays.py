@@ -31,6 +31,7 @@ __all__ = [
     "point_array",
     "read_only",
     "tolerance_value",
+    "unit_values",
 ]
 
 FloatArray: TypeAlias = NDArray[np.float64]
@@ -189,6 +190,19 @@ def parameter_values(t: ArrayLike) -> Parameters:
         raise CurveError(f"t must be a number or have the shape (m,), not {array.shape}")
     _check_finite(array, "t")
     return Parameters(array.reshape(-1), array.ndim == 0)
+
+
+def unit_values(values: ArrayLike, name: str) -> FloatArray:
+    """Check relative places of shape (k,), all in [0, 1]."""
+    array = _as_floats(values, name)
+    if array.ndim != 1:
+        raise CurveError(f"{name} must have the shape (k,), not {array.shape}")
+    _check_finite(array, name)
+    outside = (array < 0.0) | (array > 1.0)
+    if outside.any():
+        k = int(np.argmax(outside))
+        raise CurveError(f"{name}[{k}] is {array[k]}; it must lie between 0 and 1", (k,))
+    return array
 
 
 def integer(value: object, name: str, least: int) -> int:

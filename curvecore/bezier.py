@@ -16,6 +16,7 @@ from typing import NamedTuple
 import numpy as np
 
 from curvecore.arrays import FloatArray, IntArray, tolerance_value
+from curvecore.bernstein import control_points
 from curvecore.curve import Curve
 from curvecore.errors import CurveError
 from curvecore.hermite import HermiteCurve, QuinticHermiteCurve
@@ -75,18 +76,7 @@ def bezier_segments(curve: HermiteCurve | QuinticHermiteCurve) -> FloatArray:
     """
     if not isinstance(curve, (HermiteCurve, QuinticHermiteCurve)):
         raise CurveError("curve must be a HermiteCurve or a QuinticHermiteCurve to have Bezier segments")
-    jets, degree = curve.jets, curve.degree
-    h = np.diff(curve.parameters)[:, None]
-    controls = np.empty((len(h), degree + 1, jets.shape[2]))
-    with np.errstate(over="ignore", under="ignore", invalid="ignore"):
-        for ends, step, column in ((jets[:-1], h, 0), (jets[1:], -h, degree)):
-            inward = 1 if column == 0 else -1
-            reach = step * ends[:, 1]
-            controls[:, column] = ends[:, 0]
-            controls[:, column + inward] = ends[:, 0] + reach / degree
-            if degree == 5:
-                bend = step * (step * ends[:, 2]) / 20.0
-                controls[:, column + 2 * inward] = ends[:, 0] + (0.4 * reach + bend)
+    controls = control_points(curve.jets, curve.parameters)
     np.nan_to_num(controls, copy=False, nan=_LIMIT)
     return np.clip(controls, -_LIMIT, _LIMIT, out=controls)
 

@@ -17,11 +17,22 @@ from curvecore.arrays import (
     parameter_values,
     point_array,
     read_only,
+    unit_values,
+)
+from curvecore.bernstein import (
+    bernstein_weights,
+    control_points,
+    evaluate_inside,
+    weighted_columns,
 )
 from curvecore.hermite_basis import CUBIC, QUINTIC, LeftFunctions, local_coordinates
 from curvecore.scaling import LARGEST
 
 __all__ = ["HermiteCurve", "LocalBasis", "QuinticHermiteCurve"]
+
+
+_SAFE = 1e300
+_MANY = 10_000  # parameters from which on it pays to ask whether they ascend
 
 
 class LocalBasis(NamedTuple):
@@ -46,12 +57,13 @@ class _PiecewiseHermite:
     ends, B_ik = h**k f_k(s, r), and each derivative divides by h once more.
     """
 
-    __slots__ = ("_jets", "_parameters")
+    __slots__ = ("_columns", "_jets", "_parameters")
 
     _functions: ClassVar[tuple[LeftFunctions, ...]]
 
     _jets: FloatArray
     _parameters: FloatArray
+    _columns: FloatArray | None  # weighted control points, made when first needed
 
     @property
     def points(self) -> FloatArray:
@@ -102,20 +114,14 @@ class _PiecewiseHermite:
         """
         at = parameter_values(t)
         rank = integer(order, "order", 0)
-        local = self._scaled_basis(at.values, rank)
-        with np.errstate(over="ignore", under="ignore", invalid="ignore"):
-            h = np.diff(self._parameters)[:, None]
-            left, right = self._jets[:-1].copy(), self._jets[1:].copy()
-            for k in range(1, self._jets.shape[1]):
-                for _ in range(k):
-                    left[:, k] *= h
-                    right[:, k] *= h
-            pair = np.stack((left, right), axis=1)[local.segment]
-            curve: FloatArray = np.einsum("mek,mekd->md", local.values, pair)
-            for _ in range(rank):
-                curve /= h[local.segment]
-            if not np.isfinite(curve).all():
-                np.nan_to_num(curve, copy=False, nan=LARGEST)
+        if rank == 0 and self._is_inside(at.values):
+            columns = self._weighted_controls()
+            # Near the end of the floating point range the general method is the safe one.
+            if np.abs(columns).max() < _SAFE:
+                segment = self._segments(at.values)
+                curve = evaluate_inside(at.values, segment, self._parameters, columns)
+                return curve[0] if at.is_scalar else curve
+        curve = self._evaluate_anywhere(at.values, rank)
         return curve[0] if at.is_scalar else curve
 
     def local_basis(self, t: ArrayLike, order: int = 0) -> LocalBasis:
@@ -188,19 +194,88 @@ class _PiecewiseHermite:
         curve = object.__new__(type(self))
         curve._jets = read_only(jet_array(jets, self._jets.shape[:2]))
         curve._parameters = self._parameters
+        curve._columns = None
+        return curve
+
+    def evaluate_segments(self, s: ArrayLike) -> FloatArray:
+        """Return the curve at the same relative places of every segment.
+
+        The fastest way to sample a long curve: no parameter has to be
+        located, and all segments are one matrix product.
+
+        Parameters
+        ----------
+        s : array_like, shape (k,)
+            Places in [0, 1], which stand for t_i + s (t_(i+1) - t_i).
+
+        Returns
+        -------
+        ndarray, shape (n - 1, k, dim)
+            At s = 0 and s = 1 exactly the points.
+
+        Raises
+        ------
+        CurveError
+            If s is not finite, has another shape or leaves [0, 1].
+        """
+        places = unit_values(s, "s")
+        columns = self._weighted_controls()
+        weights = np.stack(bernstein_weights(places, 1.0 - places, self.degree), axis=1)
+        with np.errstate(over="ignore", under="ignore", invalid="ignore"):
+            curve = weights @ columns.reshape(len(columns), -1)
+        if not np.isfinite(curve).all():
+            np.nan_to_num(curve, copy=False, nan=LARGEST)
+        return curve.reshape(places.size, columns.shape[1], -1).transpose(2, 0, 1)
+
+    def _weighted_controls(self) -> FloatArray:
+        if self._columns is None:
+            with np.errstate(over="ignore", under="ignore", invalid="ignore"):
+                columns = weighted_columns(control_points(self._jets, self._parameters))
+            self._columns = read_only(np.nan_to_num(columns, copy=False, nan=LARGEST))
+        return self._columns
+
+    def _is_inside(self, t: FloatArray) -> bool:
+        return t.size == 0 or bool(t.min() >= self._parameters[0] and t.max() <= self._parameters[-1])
+
+    def _segments(self, t: FloatArray) -> IntArray:
+        """Return the index of the segment that holds each t."""
+        inner = self._parameters[1:-1]
+        if t.size > 4 * inner.size and t.size > _MANY and bool((t[1:] >= t[:-1]).all()):
+            # Few joints sought among many ascending parameters, not the reverse.
+            count = np.diff(np.searchsorted(t, inner), prepend=0, append=t.size)
+            return np.repeat(np.arange(count.size), count)
+        return np.searchsorted(inner, t, side="right")
+
+    def _evaluate_anywhere(self, t: FloatArray, order: int) -> FloatArray:
+        """Sum the basis functions times the data, both free of powers of h."""
+        local = self._scaled_basis(t, order)
+        with np.errstate(over="ignore", under="ignore", invalid="ignore"):
+            h = np.diff(self._parameters)[local.segment, None]
+            curve = np.zeros((t.size, self._jets.shape[2]))
+            for end in (0, 1):
+                data = self._jets[local.segment + end]
+                for k in range(data.shape[1]):
+                    term = data[:, k]
+                    for _ in range(k):
+                        term = term * h
+                    curve += local.values[:, end, k, None] * term
+            for _ in range(order):
+                curve /= h
+        if not np.isfinite(curve).all():
+            np.nan_to_num(curve, copy=False, nan=LARGEST)
         return curve
 
     def _scaled_basis(self, t: FloatArray, order: int) -> LocalBasis:
         """Return the functions of the local s, without the powers of h."""
         joints = self._parameters
         width = self._jets.shape[1]
-        segment = np.searchsorted(joints[1:-1], t, side="right")
+        segment = self._segments(t)
         values = np.zeros((t.size, 2, width))
         if order > self.degree:
             return LocalBasis(segment, values)
-        outside = t.size > 0 and (t.min() < joints[0] or t.max() > joints[-1])
+        exact = order > 0 or not self._is_inside(t)
         with np.errstate(over="ignore", under="ignore", invalid="ignore"):
-            at = local_coordinates(t, joints[segment], joints[segment + 1], order > 0 or bool(outside))
+            at = local_coordinates(t, joints[segment], joints[segment + 1], exact)
             for k, function in enumerate(self._functions[order](at)):
                 values[:, 0, k] = function
             for k, function in enumerate(self._functions[order](at.mirrored())):
@@ -256,6 +331,7 @@ class HermiteCurve(_PiecewiseHermite):
         velocity = data_array(velocities, "velocities", position.shape)
         self._parameters = read_only(parameter_array(parameters, len(position)))
         self._jets = read_only(np.stack((position, velocity), axis=1))
+        self._columns = None
 
 
 class QuinticHermiteCurve(_PiecewiseHermite):
@@ -313,3 +389,4 @@ class QuinticHermiteCurve(_PiecewiseHermite):
         acceleration = data_array(accelerations, "accelerations", position.shape)
         self._parameters = read_only(parameter_array(parameters, len(position)))
         self._jets = read_only(np.stack((position, velocity, acceleration), axis=1))
+        self._columns = None
