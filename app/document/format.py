@@ -22,6 +22,7 @@ VERSION = 1
 
 _BYTE_ORDER_MARK = b"\xef\xbb\xbf"
 _LONGEST_QUOTE = 40
+_LAST_CONCEIVABLE_VERSION = 10**6
 
 
 class FormatError(ValueError):
@@ -148,6 +149,8 @@ def _check_header(header: _Header) -> None:
         raise FormatError(
             f'not a Curvebench document: format must be "{FORMAT}", not {_quoted(header.format)}'
         )
+    if header.version > _LAST_CONCEIVABLE_VERSION:
+        raise FormatError(f"version must be {VERSION}, not a number of many digits")
     if header.version > VERSION:
         raise FormatError(
             "This file was written by a newer version of Curvebench "

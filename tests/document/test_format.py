@@ -183,6 +183,7 @@ REFUSED_VALUES = [
         "This file was written by a newer version of Curvebench (format version 7; this program reads 1)",
     ),
     (("version",), 0, "version must be 1, not 0"),
+    (("version",), 10**400, "version must be 1, not a number of many digits"),
     (("version",), True, "version must be a whole number, not true or false"),
     (("version",), "1", "version must be a whole number, not text"),
     (("curves",), ..., "curves is missing"),
