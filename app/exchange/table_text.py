@@ -1,0 +1,110 @@
+"""Blocks of numbers as text: what spreadsheets put on the clipboard, and take from it."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Sequence
+
+from app.document.expression import ExpressionError, parse_number
+
+MAX_ROWS = 10_000
+"""Rows of the largest block that is read."""
+
+_TITLES = {"#", "t", "x", "y", "vx", "vy", "ax", "ay"}
+_GROUPED = re.compile(r"[-+−]?[0-9]{1,3}(,[0-9]{3})+")
+_DECIMAL_COMMA = re.compile(r"[0-9]*,[0-9]+")
+
+
+class TableTextError(ValueError):
+    """A text that is not a block of numbers; the message names the row and the column."""
+
+
+def write_block(rows: Iterable[Sequence[str]]) -> str:
+    """Return cells as tab-separated text, as spreadsheets take it."""
+    return "\n".join("\t".join(row) for row in rows)
+
+
+def read_block(text: str, mark: str = ".") -> list[list[float]]:
+    """Return the numbers of a block of text, row by row.
+
+    Parameters
+    ----------
+    text
+        Rows as lines; cells separated by tabs, semicolons, commas or spaces. A first row of the table's own
+        titles is skipped.
+    mark
+        The decimal mark of the person's locale. A comma between cells that something else separates is read
+        as a decimal comma wherever it cannot be a group separator.
+
+    Raises
+    ------
+    TableTextError
+        If a cell is no number, is missing, or could mean two numbers. Rows and columns count from 1.
+    """
+    lines = text.replace("\r\n", "\n").replace("\r", "\n").split("\n")
+    while lines and not lines[-1].strip():
+        lines.pop()
+    if len(lines) > MAX_ROWS:
+        raise TableTextError(f"These are {len(lines)} rows; {MAX_ROWS} can be pasted at once.")
+    if not lines:
+        raise TableTextError("There are no numbers on the clipboard.")
+    separator, comma = _separator(lines, mark)
+    cells = [_split(line, separator) for line in lines]
+    skipped = 1 if len(cells) > 1 and all(cell.lower() in _TITLES for cell in cells[0]) else 0
+    numbers = [
+        [_number(cell, row, column, "," if comma else mark) for column, cell in enumerate(line, start=1)]
+        for row, line in enumerate(cells[skipped:], start=1 + skipped)
+    ]
+    _refuse_ragged(numbers, skipped)
+    return numbers
+
+
+def _separator(lines: list[str], mark: str) -> tuple[str, bool]:
+    """Return what separates the cells, and whether commas are decimal commas."""
+    text = "\n".join(lines)
+    for separator in ("\t", ";"):
+        if separator in text:
+            return separator, _has_decimal_commas(text, mark)
+    if "," not in text:
+        return " ", False
+    spaced = all(re.search(r"\S\s+\S", line) for line in lines) and not re.search(r",\s", text)
+    if spaced and "." not in text:
+        return " ", _has_decimal_commas(text, mark)
+    single = mark == "," and all(_DECIMAL_COMMA.fullmatch(line.strip().lstrip("-+−")) for line in lines)
+    return (" ", True) if single else (",", False)
+
+
+def _has_decimal_commas(text: str, mark: str) -> bool:
+    """Whether commas within cells are decimal commas: nothing in the text suggests groups of thousands."""
+    if mark == ",":
+        return True
+    cells = [cell for cell in re.split(r"[\t;\s]+", text) if "," in cell]
+    return bool(cells) and "." not in text and not all(_GROUPED.fullmatch(cell) for cell in cells)
+
+
+def _split(line: str, separator: str) -> list[str]:
+    if separator == " ":
+        return line.split()
+    cells = [cell.strip() for cell in line.split(separator)]
+    # "1; 2;" ends its row with a separator.
+    return cells[:-1] if separator != "\t" and len(cells) > 1 and not cells[-1] else cells
+
+
+def _number(cell: str, row: int, column: int, mark: str) -> float:
+    where = f"Row {row}, column {column}"
+    if not cell:
+        raise TableTextError(f"{where} is empty.")
+    try:
+        return parse_number(cell, mark)
+    except ExpressionError as reason:
+        if not any(character.isdigit() for character in cell):
+            shown = cell if len(cell) <= 20 else cell[:19] + "…"
+            raise TableTextError(f"{where}: “{shown}” is not a number.") from None
+        raise TableTextError(f"{where}: {reason}") from None
+
+
+def _refuse_ragged(numbers: list[list[float]], skipped: int) -> None:
+    width = len(numbers[0])
+    for row, line in enumerate(numbers, start=1 + skipped):
+        if len(line) != width:
+            raise TableTextError(f"Row {row} has {len(line)} numbers where the first has {width}.")

@@ -1,0 +1,244 @@
+"""The active curve's name, interval and rules, and what there is to know about it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from enum import StrEnum
+from typing import TypeVar
+
+from PySide6.QtCore import QEvent, QSize, Qt
+from PySide6.QtGui import QShowEvent
+from PySide6.QtWidgets import QComboBox, QFormLayout, QHBoxLayout, QLabel, QToolButton, QVBoxLayout, QWidget
+
+from app.document import edits
+from app.document.edits import EditError
+from app.document.expression import ExpressionError, parse_number
+from app.document.model import Curve, Document, Family
+from app.panels.field_edit import FieldEdit
+from app.panels.number_text import decimal_mark, exact_text, rounded_text
+from app.panels.point_table_edits import explicit_orders
+from app.panels.words import ACCELERATION_RULES, VELOCITY_RULES, count_of
+from app.session import Session
+from app.theme import icon, theme_of
+from app.view_model.curve_view import CurveView
+
+Rule = TypeVar("Rule", bound=StrEnum)
+
+
+class CurveSettings(QWidget):
+    """A form; what is typed or chosen becomes an edit, what is shown comes from the view."""
+
+    def __init__(self, session: Session, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setObjectName("curveSettings")
+        self._session = session
+        self._view = session.active_view
+        self._refusal = ""
+        self.name_edit = FieldEdit("curveName", "Name of the curve", "Name of the curve (Enter to set)")
+        self.start_edit = self._interval_edit(
+            "intervalStart", "Start of the interval", "t of the first point"
+        )
+        self.end_edit = self._interval_edit("intervalEnd", "End of the interval", "t of the last point")
+        self.velocity_box = _rule_box("velocityRule", "Velocity rule", list(VELOCITY_RULES.values()))
+        self.acceleration_box = _rule_box(
+            "accelerationRule", "Acceleration rule", list(ACCELERATION_RULES.values())
+        )
+        self.reset_button = _reset_button()
+        self._facts = _note("curveFacts")
+        self._problem = _note("curveProblem")
+        self._lay_out()
+        self._connect()
+        self._render_theme()
+        self._render()
+
+    @staticmethod
+    def _interval_edit(name: str, label: str, what: str) -> FieldEdit:
+        tip = f"{label}, the {what}; the curve keeps its shape (a number or an expression, Enter to set)"
+        return FieldEdit(name, label, tip)
+
+    def _lay_out(self) -> None:
+        interval = QHBoxLayout()
+        interval.setSpacing(6)
+        interval.addWidget(self.start_edit, 1)
+        interval.addWidget(QLabel("to"))
+        interval.addWidget(self.end_edit, 1)
+        self._form = QFormLayout()
+        self._form.setFieldGrowthPolicy(QFormLayout.FieldGrowthPolicy.AllNonFixedFieldsGrow)
+        self._form.setLabelAlignment(Qt.AlignmentFlag.AlignLeft)
+        self._form.setHorizontalSpacing(12)
+        self._form.setVerticalSpacing(8)
+        self._form.addRow("Name", self.name_edit)
+        self._form.addRow("Interval of t", interval)
+        self._form.addRow("Velocities", self.velocity_box)
+        self._form.addRow("Accelerations", self.acceleration_box)
+        layout = QVBoxLayout(self)
+        layout.setContentsMargins(12, 12, 12, 12)
+        layout.setSpacing(10)
+        layout.addLayout(self._form)
+        layout.addWidget(self.reset_button, 0, Qt.AlignmentFlag.AlignLeft)
+        layout.addWidget(self._problem)
+        layout.addWidget(self._facts)
+        layout.addStretch(1)
+
+    def _connect(self) -> None:
+        self.name_edit.committed.connect(self._rename)
+        self.start_edit.committed.connect(lambda text: self._set_interval(self.start_edit, text))
+        self.end_edit.committed.connect(lambda text: self._set_interval(self.end_edit, text))
+        for edit in (self.name_edit, self.start_edit, self.end_edit):
+            edit.left.connect(self._forget_refusal)
+        self.velocity_box.activated.connect(self._choose_velocity_rule)
+        self.acceleration_box.activated.connect(self._choose_acceleration_rule)
+        self.reset_button.clicked.connect(self._reset_all)
+
+    # Rendering: nothing here writes back
+
+    def render_view(self, view: CurveView) -> None:
+        """Show `view`; hidden, when shown again."""
+        self._view = view
+        if self.isVisible():
+            self._render()
+
+    def showEvent(self, event: QShowEvent) -> None:
+        super().showEvent(event)
+        self._view = self._session.active_view
+        self._render()
+
+    def _render(self) -> None:
+        curve, mark = self._view.source, decimal_mark()
+        start, end = edits.interval(curve)
+        self.name_edit.show_text(curve.name)
+        self.start_edit.show_text(exact_text(start, mark))
+        self.end_edit.show_text(exact_text(end, mark))
+        self.velocity_box.setCurrentIndex(list(VELOCITY_RULES).index(curve.velocity_rule))
+        self.acceleration_box.setCurrentIndex(list(ACCELERATION_RULES).index(curve.acceleration_rule))
+        derivatives = curve.family.derivatives
+        self._form.setRowVisible(self.velocity_box, derivatives > 0)
+        self._form.setRowVisible(self.acceleration_box, derivatives > 1)
+        self.reset_button.setVisible(bool(_explicit(curve)))
+        self._facts.setText(_facts(self._view))
+        self._render_problem()
+
+    def _render_problem(self) -> None:
+        text = self._refusal or self._view.problem
+        self._problem.setText(f"⚠ {text}" if text else "")
+        self._problem.setVisible(bool(text))
+
+    def _render_theme(self) -> None:
+        theme = theme_of(self.palette())
+        self._facts.setStyleSheet(f"color: {theme.muted.name()}")
+        self._problem.setStyleSheet(f"color: {theme.warning.name()}")
+        self.reset_button.setIcon(icon("reset", theme))
+
+    def changeEvent(self, event: QEvent) -> None:
+        super().changeEvent(event)
+        if event.type() == QEvent.Type.PaletteChange and hasattr(self, "_form"):
+            self._render_theme()
+
+    # What the person did
+
+    def _rename(self, text: str) -> None:
+        name = text.strip()
+        if name:
+            self._commit(lambda document, index: edits.rename_curve(document, index, name), "Rename curve")
+        else:
+            self._refuse("A curve needs a name.", self.name_edit, text)
+        self._render()
+
+    def _set_interval(self, edit: FieldEdit, text: str) -> None:
+        start, end = edits.interval(self._session.active_curve)
+        try:
+            value = parse_number(text, decimal_mark())
+            start, end = (value, end) if edit is self.start_edit else (start, value)
+            self._commit(
+                lambda document, index: edits.set_interval(document, index, start, end), "Set interval"
+            )
+        except (EditError, ExpressionError) as reason:
+            self._refuse(str(reason), edit, text)
+        self._render()
+
+    def _choose_velocity_rule(self, row: int) -> None:
+        rule = list(VELOCITY_RULES)[row]
+        self._commit(
+            lambda document, index: edits.set_velocity_rule(document, index, rule), "Choose velocity rule"
+        )
+
+    def _choose_acceleration_rule(self, row: int) -> None:
+        rule = list(ACCELERATION_RULES)[row]
+        self._commit(
+            lambda document, index: edits.set_acceleration_rule(document, index, rule),
+            "Choose acceleration rule",
+        )
+
+    def _reset_all(self) -> None:
+        curve = self._session.active_curve
+        orders = _explicit(curve)
+        everyone = range(len(curve.nodes))
+        self._commit(
+            lambda document, index: edits.estimate_derivatives(document, index, everyone, orders),
+            "Reset all to estimated",
+        )
+
+    def _commit(self, edit: Callable[[Document, int], Document], text: str) -> None:
+        session = self._session
+        document = edit(session.document, session.active_index)
+        self._forget_refusal()
+        session.commit(document, text)
+
+    def _refuse(self, reason: str, edit: FieldEdit, typed: str) -> None:
+        """Say why, and leave the text to be mended while the cursor is there."""
+        self._refusal = reason
+        if edit.hasFocus():
+            edit.keep(typed)
+        else:
+            edit.revert()
+        self._session.say(reason)
+
+    def _forget_refusal(self) -> None:
+        self._refusal = ""
+        self._render_problem()
+
+
+def _explicit(curve: Curve) -> set[int]:
+    """Return which of the derivatives that the family has were set by the person somewhere."""
+    orders = range(1, curve.family.derivatives + 1)
+    return explicit_orders(curve.nodes, range(len(curve.nodes)), orders)
+
+
+def _facts(view: CurveView) -> str:
+    curve = view.source
+    facts = [count_of(len(curve.nodes), "point")]
+    if view.is_current and view.curve is not None:
+        of = "one polynomial" if curve.family is Family.LAGRANGE else count_of(len(curve.nodes) - 1, "piece")
+        facts += [f"degree {view.curve.degree}", of]
+        start, end = (rounded_text(t, decimal_mark()) for t in view.curve.domain)
+        facts.append(f"t from {start} to {end}")
+    return " · ".join(facts)
+
+
+def _rule_box(name: str, label: str, items: list[str]) -> QComboBox:
+    box = QComboBox()
+    box.setObjectName(name)
+    box.setAccessibleName(label)
+    box.setToolTip(f"{label}: how those that nobody set are estimated")
+    box.addItems(items)
+    box.setMinimumContentsLength(8)
+    box.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon)
+    return box
+
+
+def _reset_button() -> QToolButton:
+    button = QToolButton()
+    button.setObjectName("resetAllToEstimated")
+    button.setText("Reset all to estimated")
+    button.setAccessibleName("Reset all velocities and accelerations to estimated")
+    button.setToolTip("Let the rules estimate every velocity and acceleration again")
+    button.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
+    button.setIconSize(QSize(16, 16))
+    return button
+
+
+def _note(name: str) -> QLabel:
+    label = QLabel()
+    label.setObjectName(name)
+    label.setWordWrap(True)
+    return label

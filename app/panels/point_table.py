@@ -1,0 +1,257 @@
+"""The points as numbers: a table to read, type into, copy from and paste into."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import numpy as np
+from PySide6.QtCore import QSize, Qt, QTimer
+from PySide6.QtGui import QAction, QGuiApplication, QKeySequence, QShowEvent
+from PySide6.QtWidgets import QHBoxLayout, QLabel, QToolButton, QVBoxLayout, QWidget
+
+from app.document import edits
+from app.document.edits import EditError
+from app.exchange.table_text import TableTextError, read_block, write_block
+from app.panels.number_text import decimal_mark, exact_text
+from app.panels.point_table_edits import T, X, explicit_orders, paste_block, reset_name
+from app.panels.point_table_model import PointTableModel
+from app.panels.point_table_view import PointTableView
+from app.panels.words import count_of
+from app.session import Session
+from app.theme import Theme, icon, theme_of
+from app.view_model.curve_view import CurveView
+
+INTERVAL_MS = 60
+"""The table follows a drag at this pace; the canvas is what the eye is on."""
+
+_LEGEND = "<i>Italic</i>: estimated"
+
+
+class PointTable(QWidget):
+    """The panel with the point table.
+
+    Attributes
+    ----------
+    view
+        The QTableView.
+    model
+        Its model.
+    """
+
+    def __init__(self, session: Session, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setObjectName("pointTablePanel")
+        self._session = session
+        self._pending: CurveView | None = None
+        self._rendering = False
+        self._refusal = ""
+        self.model = PointTableModel(session, self)
+        self.view = PointTableView(self.model, self)
+        self._message = QLabel()
+        self._message.setObjectName("pointTableMessage")
+        self._message.setWordWrap(True)
+        self._reset_button = self._make_reset_button()
+        self._timer = QTimer(self, singleShot=True, interval=INTERVAL_MS)
+        self._add_actions()
+        self._lay_out()
+        self._connect()
+        self.set_theme(theme_of(self.palette()))
+        self._show_now(session.active_view)
+
+    # Building
+
+    def _make_reset_button(self) -> QToolButton:
+        button = QToolButton()
+        button.setObjectName("resetToEstimated")
+        button.setText("Reset to estimated")
+        button.setAccessibleName("Reset to estimated")
+        button.setToolTip("Let the rules estimate the selected velocities and accelerations again (Del)")
+        button.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
+        button.setIconSize(QSize(16, 16))
+        button.setAutoRaise(True)
+        return button
+
+    def _add_actions(self) -> None:
+        self._copy = self._action("copyCells", "Copy", "Copy the selected cells", self.copy)
+        self._copy.setShortcut(QKeySequence.StandardKey.Copy)
+        self._paste = self._action(
+            "pasteCells", "Paste", "Paste numbers from the current cell on", self.paste
+        )
+        self._paste.setShortcut(QKeySequence.StandardKey.Paste)
+        tip = self._reset_button.toolTip()
+        self._reset = self._action(
+            "resetCellsToEstimated", "Reset to Estimated", tip, self.reset_to_estimated
+        )
+
+    def _action(self, name: str, text: str, tip: str, handler: Callable[[], None]) -> QAction:
+        action = QAction(text, self.view)
+        action.setObjectName(name)
+        action.setToolTip(tip)
+        action.setStatusTip(tip)
+        # The canvas and the fields of other panels copy and paste things of their own.
+        action.setShortcutContext(Qt.ShortcutContext.WidgetShortcut)
+        action.triggered.connect(lambda _checked=False: handler())
+        self.view.addAction(action)
+        return action
+
+    def _lay_out(self) -> None:
+        self._footer = QWidget()
+        footer = QHBoxLayout(self._footer)
+        footer.setContentsMargins(10, 4, 6, 4)
+        footer.addWidget(self._message, 1)
+        footer.addWidget(self._reset_button, 0, Qt.AlignmentFlag.AlignTop)
+        layout = QVBoxLayout(self)
+        layout.setContentsMargins(0, 0, 0, 0)
+        layout.setSpacing(0)
+        layout.addWidget(self.view, 1)
+        layout.addWidget(self._footer)
+
+    def _connect(self) -> None:
+        self._timer.timeout.connect(self._show_pending)
+        self._session.history_changed.connect(self._show_committed)
+        self._session.opened.connect(self._show_committed)
+        self._reset_button.clicked.connect(self.reset_to_estimated)
+        self.model.refused.connect(self._refuse)
+        self.view.cell_delegate.edit_began.connect(self._forget_refusal)
+        self.view.reset_requested.connect(self.reset_to_estimated)
+        self.view.selectionModel().selectionChanged.connect(self._report_selection)
+
+    # Rendering: nothing here writes back
+
+    def render_view(self, view: CurveView) -> None:
+        """Show `view`: at once if nothing was shown for a while, else soon; hidden, when shown again."""
+        self._pending = view
+        if self.isVisible() and not self._timer.isActive():
+            self._show_pending()
+            self._timer.start()
+
+    def _show_pending(self) -> None:
+        if self._pending is not None:
+            self._timer.start()
+            self._show_now(self._pending)
+
+    def _show_committed(self) -> None:
+        # A step of the history is no stream: who reads the table after it finds the present numbers.
+        self._show_now(self._session.active_view)
+
+    def _show_now(self, view: CurveView) -> None:
+        self._pending = None
+        self._rendering = True
+        self.model.show_view(view)
+        self.view.select_rows(self._session.selection)
+        self._rendering = False
+        self._forget_refusal()
+
+    def set_selection(self, selection: frozenset[int]) -> None:
+        """Select the rows of these points."""
+        self._rendering = True
+        self.view.select_rows(selection)
+        self._rendering = False
+        self._render_footer()
+
+    def set_theme(self, theme: Theme) -> None:
+        """Take the colours of `theme`."""
+        self._theme = theme
+        self.model.set_theme(theme)
+        self.view.cell_delegate.set_theme(theme)
+        self._copy.setIcon(icon("copy", theme))
+        self._paste.setIcon(icon("paste", theme))
+        self._reset.setIcon(icon("reset", theme))
+        self._reset_button.setIcon(icon("reset", theme))
+        self._render_footer()
+        self.view.viewport().update()
+
+    def _render_footer(self) -> None:
+        has_derivatives = self._session.active_curve.family.derivatives > 0
+        colour = self._theme.warning if self._refusal else self._theme.muted
+        self._message.setStyleSheet(f"color: {colour.name()}")
+        self._message.setTextFormat(Qt.TextFormat.PlainText if self._refusal else Qt.TextFormat.RichText)
+        self._message.setText(f"⚠ {self._refusal}" if self._refusal else _LEGEND)
+        self._message.setAccessibleName(self._refusal)
+        self._reset_button.setVisible(has_derivatives)
+        for each in (self._reset_button, self._reset):
+            each.setEnabled(has_derivatives and bool(self._orders_to_reset()))
+        self._reset.setVisible(has_derivatives)
+        self._footer.setVisible(has_derivatives or bool(self._refusal))
+
+    def showEvent(self, event: QShowEvent) -> None:
+        super().showEvent(event)
+        self._show_pending()
+
+    # What the person did
+
+    def _report_selection(self) -> None:
+        if not self._rendering:
+            self._session.select(self.view.selected_rows())
+        self._render_footer()
+
+    def _refuse(self, reason: str) -> None:
+        self._refusal = reason
+        self._render_footer()
+        self._session.say(reason)
+
+    def _forget_refusal(self) -> None:
+        self._refusal = ""
+        self._render_footer()
+
+    def _orders_to_reset(self) -> set[int]:
+        """Return which derivatives of the selected points a reset would change.
+
+        Those whose cells are selected; both where none is.
+        """
+        rows, columns = self.view.selected_rows(), {column for _, column in self.view.selected_cells()}
+        shown = self.model.columns
+        orders = {shown[column].order for column in columns if shown[column].is_derivative}
+        orders = orders or {column.order for column in shown if column.is_derivative}
+        return explicit_orders(self._session.active_curve.nodes, rows, orders)
+
+    def reset_to_estimated(self) -> None:
+        """Leave the selected velocities and accelerations to the rules again."""
+        session, rows, orders = self._session, self.view.selected_rows(), self._orders_to_reset()
+        if not orders:
+            return
+        document = edits.estimate_derivatives(session.document, session.active_index, rows, orders)
+        session.commit(document, reset_name(rows, orders))
+
+    def copy(self) -> None:
+        """Put the selected cells on the clipboard, whole numbers and tab-separated."""
+        cells = self.view.selected_cells()
+        if not cells:
+            return
+        columns = sorted({column for _, column in cells})
+        mark = decimal_mark()
+        rows = [
+            [exact_text(self.model.values[row, c], mark) if (row, c) in cells else "" for c in columns]
+            for row in sorted({row for row, _ in cells})
+        ]
+        QGuiApplication.clipboard().setText(write_block(rows))
+        self._session.say(f"Copied {count_of(len(rows), 'row')}.")
+
+    def paste(self) -> None:
+        """Put the numbers on the clipboard into the cells from the current one on; all or none."""
+        try:
+            block = np.array(read_block(QGuiApplication.clipboard().text(), decimal_mark()), dtype=float)
+            self._paste_block(block)
+        except (TableTextError, EditError) as reason:
+            self._refuse(str(reason))
+
+    def _paste_block(self, block: np.ndarray) -> None:
+        session, view = self._session, self._session.active_view
+        height, width = block.shape
+        top, left = self._paste_corner(width)
+        columns = self.model.columns[left : left + width]
+        if len(columns) < width:
+            room = count_of(len(columns), "column")
+            raise EditError(f"These are {width} columns; from {columns[0].name} on there is room for {room}.")
+        document = paste_block(session.document, session.active_index, view, top, columns, block)
+        whole = left <= X and left + width > X + 1
+        text = count_of(height, "point") if whole else count_of(height * width, "value")
+        session.commit(document, f"Paste {text}")
+        session.select(range(top, top + height))
+
+    def _paste_corner(self, width: int) -> tuple[int, int]:
+        """Return row and column of the cell where a block of `width` columns begins."""
+        current = self.view.currentIndex()
+        if current.isValid():
+            return current.row(), current.column()
+        return self.model.rowCount(), (X if width == 2 else T)

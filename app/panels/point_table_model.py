@@ -1,0 +1,251 @@
+"""The numbers of the active curve as a Qt table model."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import numpy as np
+from PySide6.QtCore import QAbstractTableModel, QModelIndex, QObject, QPersistentModelIndex, Qt, Signal
+from PySide6.QtGui import QColor, QFont, QPainter, QPixmap
+
+from app.document import edits
+from app.document.edits import EditError
+from app.document.expression import ExpressionError, parse_number
+from app.panels.number_text import decimal_mark, exact_text, rounded_text
+from app.panels.point_table_edits import Column, TableValues, columns_of, set_cell, table_values
+from app.panels.words import ACCELERATION_ESTIMATES, VELOCITY_ESTIMATES
+from app.session import Session
+from app.theme import LIGHT, Theme, point_colours
+from app.view_model.curve_view import CurveView
+
+Index = QModelIndex | QPersistentModelIndex
+_NO_INDEX = QModelIndex()
+_SWATCH = 9
+_RIGHT = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
+_EMPTY = TableValues(np.empty((0, 3)), np.empty((0, 3), dtype=bool))
+
+
+class PointTableModel(QAbstractTableModel):
+    """Rows are points, columns what `columns_of` the family gives.
+
+    ``EditRole`` is the exact number, ``DisplayRole`` a rounded text. `setData` takes a number or the text of
+    an expression; what is refused changes nothing.
+
+    Signals
+    -------
+    refused
+        Why a number was not taken, as a sentence.
+
+    Attributes
+    ----------
+    values
+        The numbers shown, (n, columns).
+    estimated
+        Which of them a rule estimates.
+    version
+        Grows with every change of what is shown.
+    """
+
+    refused = Signal(str)
+
+    def __init__(self, session: Session, parent: QObject | None = None) -> None:
+        super().__init__(parent)
+        self.setObjectName("pointTableModel")
+        self._session = session
+        self._view: CurveView | None = None
+        self._shown = _EMPTY
+        self.columns: tuple[Column, ...] = columns_of(session.active_curve.family)
+        self._theme = LIGHT
+        self._swatches: list[QPixmap] = []
+        self.version = 0
+        self._answers: dict[int, Callable[[int, int], object]] = {
+            Qt.ItemDataRole.DisplayRole: self._rounded,
+            Qt.ItemDataRole.EditRole: lambda row, column: float(self.values[row, column]),
+            Qt.ItemDataRole.ToolTipRole: self._describe,
+            Qt.ItemDataRole.StatusTipRole: self._describe,
+            Qt.ItemDataRole.AccessibleTextRole: self._read_aloud,
+        }
+
+    @property
+    def values(self) -> np.ndarray:
+        return self._shown.values
+
+    @property
+    def estimated(self) -> np.ndarray:
+        return self._shown.estimated
+
+    # What is shown
+
+    def show_view(self, view: CurveView) -> None:
+        """Show the numbers of `view`; only what changed is announced."""
+        if view is self._view:
+            return
+        self._view = view
+        self.version += 1
+        columns, new = columns_of(view.source.family), table_values(view)
+        if columns != self.columns:
+            self.beginResetModel()
+            self.columns, self._shown = columns, new
+            self.endResetModel()
+            return
+        self._announce_rows(new)
+        changed = self._changed_rows(new)
+        self._shown = new
+        if len(changed):
+            last = self.index(int(changed[-1]), len(columns) - 1)
+            self.dataChanged.emit(self.index(int(changed[0]), 0), last)
+
+    def _announce_rows(self, new: TableValues) -> None:
+        """Add or take rows at the end until there are as many as in `new`."""
+        old_count, count = len(self.values), len(new.values)
+        if count > old_count:
+            self.beginInsertRows(QModelIndex(), old_count, count - 1)
+            grown = np.vstack([self.values, new.values[old_count:]])
+            self._shown = TableValues(grown, np.vstack([self.estimated, new.estimated[old_count:]]))
+            self.endInsertRows()
+        elif count < old_count:
+            self.beginRemoveRows(QModelIndex(), count, old_count - 1)
+            self._shown = TableValues(self.values[:count], self.estimated[:count])
+            self.endRemoveRows()
+        if count != old_count:
+            self._swatches = []
+            self.headerDataChanged.emit(Qt.Orientation.Vertical, 0, max(count - 1, 0))
+
+    def _changed_rows(self, new: TableValues) -> np.ndarray:
+        same = (self.values == new.values) | (np.isnan(self.values) & np.isnan(new.values))
+        return np.flatnonzero(~(same & (self.estimated == new.estimated)).all(axis=1))
+
+    def set_theme(self, theme: Theme) -> None:
+        """Take the colours of `theme`."""
+        self._theme = theme
+        self._swatches = []
+        if self.rowCount():
+            self.headerDataChanged.emit(Qt.Orientation.Vertical, 0, self.rowCount() - 1)
+
+    # What Qt asks
+
+    def rowCount(self, parent: Index = _NO_INDEX) -> int:
+        return 0 if parent.isValid() else len(self.values)
+
+    def columnCount(self, parent: Index = _NO_INDEX) -> int:
+        return 0 if parent.isValid() else len(self.columns)
+
+    def flags(self, index: Index) -> Qt.ItemFlag:
+        return super().flags(index) | Qt.ItemFlag.ItemIsEditable if index.isValid() else super().flags(index)
+
+    def data(self, index: Index, role: int = Qt.ItemDataRole.DisplayRole) -> object:
+        if not index.isValid():
+            return None
+        row, column = index.row(), index.column()
+        answer = self._answers.get(role)
+        if answer is not None:
+            return answer(row, column)
+        if role == Qt.ItemDataRole.TextAlignmentRole:
+            return _RIGHT
+        return self._estimate_style(role) if self.estimated[row, column] else None
+
+    def _estimate_style(self, role: int) -> object:
+        if role == Qt.ItemDataRole.FontRole:
+            font = QFont()
+            font.setItalic(True)
+            return font
+        return self._theme.muted if role == Qt.ItemDataRole.ForegroundRole else None
+
+    def headerData(
+        self, section: int, orientation: Qt.Orientation, role: int = Qt.ItemDataRole.DisplayRole
+    ) -> object:
+        if orientation == Qt.Orientation.Horizontal:
+            return self._column_header(self.columns[section], role) if section < len(self.columns) else None
+        match role:
+            case Qt.ItemDataRole.DisplayRole:
+                return str(section)
+            case Qt.ItemDataRole.DecorationRole:
+                return self._swatch(section)
+            case Qt.ItemDataRole.TextAlignmentRole:
+                return _RIGHT
+            case Qt.ItemDataRole.ToolTipRole:
+                return f"Point {section}; click to select it"
+        return None
+
+    @staticmethod
+    def _column_header(column: Column, role: int) -> object:
+        match role:
+            case Qt.ItemDataRole.DisplayRole:
+                return column.name
+            case Qt.ItemDataRole.TextAlignmentRole:
+                return _RIGHT
+            case Qt.ItemDataRole.ToolTipRole:
+                return column.meaning
+        return None
+
+    def setData(self, index: Index, value: object, role: int = Qt.ItemDataRole.EditRole) -> bool:
+        if role != Qt.ItemDataRole.EditRole or not index.isValid():
+            return False
+        try:
+            self._set_number(index.row(), index.column(), value)
+        except (EditError, ExpressionError) as reason:
+            self.refused.emit(f"{self.label(index.row(), index.column())}: {reason}")
+            return False
+        return True
+
+    # Words and colours
+
+    def label(self, row: int, column: int) -> str:
+        """Return what a cell holds, as "x of point 3"."""
+        return f"{self.columns[column].name} of point {row}"
+
+    def _rounded(self, row: int, column: int) -> str:
+        return rounded_text(float(self.values[row, column]), decimal_mark())
+
+    def _read_aloud(self, row: int, column: int) -> str:
+        return f"{self.label(row, column)}: {self._rounded(row, column)}"
+
+    def _describe(self, row: int, column: int) -> str:
+        exact = exact_text(float(self.values[row, column]), decimal_mark()).replace("-", "−")
+        text = f"{self.label(row, column)} = {exact}" if exact else f"{self.label(row, column)}: none now"
+        return f"{text}\n{self._estimate(column)}" if self.estimated[row, column] else text
+
+    def _estimate(self, column: int) -> str:
+        curve = self._session.active_curve
+        if self.columns[column].order == 1:
+            return VELOCITY_ESTIMATES[curve.velocity_rule]
+        return ACCELERATION_ESTIMATES[curve.acceleration_rule]
+
+    def _swatch(self, row: int) -> QPixmap | None:
+        if len(self._swatches) != len(self.values):
+            self._swatches = [_disc(colour) for colour in point_colours(len(self.values), self._theme)]
+        return self._swatches[row] if row < len(self._swatches) else None
+
+    # Edits
+
+    def _set_number(self, row: int, column: int, given: object) -> None:
+        number = _number(given)
+        if number == self.values[row, column] and not self.estimated[row, column]:
+            return
+        session = self._session
+        document = set_cell(
+            session.document, session.active_index, session.active_view, row, self.columns[column], number
+        )
+        session.commit(document, f"Set {self.label(row, column)}")
+
+
+def _number(given: object) -> float:
+    if isinstance(given, str):
+        return parse_number(given, decimal_mark())
+    if isinstance(given, int | float | np.floating | np.integer) and not isinstance(given, bool):
+        return edits.checked(float(given), "It")
+    raise ExpressionError("This is not a number.")
+
+
+def _disc(colour: QColor) -> QPixmap:
+    """Return a small disc, drawn for sharp screens too."""
+    pixmap = QPixmap(2 * _SWATCH, 2 * _SWATCH)
+    pixmap.setDevicePixelRatio(2)
+    pixmap.fill(Qt.GlobalColor.transparent)
+    painter = QPainter(pixmap)
+    painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+    painter.setPen(Qt.PenStyle.NoPen)
+    painter.setBrush(colour)
+    painter.drawEllipse(0, 0, _SWATCH, _SWATCH)
+    painter.end()
+    return pixmap
