@@ -99,20 +99,21 @@ def evaluate_inside(
     curve = np.empty((t.size, dim))
     gathered = np.empty(min(_CHUNK, t.size))
     total = np.empty_like(gathered)
-    for first in range(0, t.size, _CHUNK):
-        where = segment[first : first + _CHUNK]
-        x = t[first : first + _CHUNK]
-        start, end = parameters.take(where), parameters[1:].take(where)
-        h = end - start
-        weights = bernstein_weights((x - start) / h, (end - x) / h, count - 1)
-        column, value = gathered[: x.size], total[: x.size]
-        for d in range(dim):
-            # mode="clip" is numpy's only gather into a given array that does not buffer.
-            np.take(columns[0, d], where, out=value, mode="clip")
-            value *= weights[0]
-            for k in range(1, count):
-                np.take(columns[k, d], where, out=column, mode="clip")
-                column *= weights[k]
-                value += column
-            curve[first : first + x.size, d] = value
+    with np.errstate(under="ignore"):
+        for first in range(0, t.size, _CHUNK):
+            where = segment[first : first + _CHUNK]
+            x = t[first : first + _CHUNK]
+            start, end = parameters.take(where), parameters[1:].take(where)
+            h = end - start
+            weights = bernstein_weights((x - start) / h, (end - x) / h, count - 1)
+            column, value = gathered[: x.size], total[: x.size]
+            for d in range(dim):
+                # mode="clip" is numpy's only gather into a given array that does not buffer.
+                np.take(columns[0, d], where, out=value, mode="clip")
+                value *= weights[0]
+                for k in range(1, count):
+                    np.take(columns[k, d], where, out=column, mode="clip")
+                    column *= weights[k]
+                    value += column
+                curve[first : first + x.size, d] = value
     return curve

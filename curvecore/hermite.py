@@ -114,14 +114,14 @@ class _PiecewiseHermite:
         """
         at = parameter_values(t)
         rank = integer(order, "order", 0)
-        if rank == 0 and self._is_inside(at.values):
-            columns = self._weighted_controls()
-            # Near the end of the floating point range the general method is the safe one.
-            if np.abs(columns).max() < _SAFE:
-                segment = self._segments(at.values)
-                curve = evaluate_inside(at.values, segment, self._parameters, columns)
-                return curve[0] if at.is_scalar else curve
-        curve = self._evaluate_anywhere(at.values, rank)
+        if rank or self._is_inside(at.values):
+            curve = self._evaluate_one_side(at.values, rank)
+        else:
+            # Apart, because only the control points give p_i itself at t_i.
+            inside = (at.values >= self._parameters[0]) & (at.values <= self._parameters[-1])
+            curve = np.empty((at.values.size, self._jets.shape[2]))
+            for part in (inside, ~inside):
+                curve[part] = self._evaluate_one_side(at.values[part], rank)
         return curve[0] if at.is_scalar else curve
 
     def local_basis(self, t: ArrayLike, order: int = 0) -> LocalBasis:
@@ -245,6 +245,15 @@ class _PiecewiseHermite:
             count = np.diff(np.searchsorted(t, inner), prepend=0, append=t.size)
             return np.repeat(np.arange(count.size), count)
         return np.searchsorted(inner, t, side="right")
+
+    def _evaluate_one_side(self, t: FloatArray, order: int) -> FloatArray:
+        """Evaluate where all t lie in the domain, or none, or order is not 0."""
+        if order == 0 and self._is_inside(t):
+            columns = self._weighted_controls()
+            # Near the end of the floating point range the general method is the safe one.
+            if np.abs(columns).max() < _SAFE:
+                return evaluate_inside(t, self._segments(t), self._parameters, columns)
+        return self._evaluate_anywhere(t, order)
 
     def _evaluate_anywhere(self, t: FloatArray, order: int) -> FloatArray:
         """Sum the basis functions times the data, both free of powers of h."""

@@ -15,7 +15,7 @@ from curvecore.arrays import (
     read_only,
 )
 from curvecore.product_form import Nodes
-from curvecore.scaling import scale_by_power, unscaled
+from curvecore.scaling import Scaled, normalise, scale_by_power
 
 __all__ = ["LagrangeCurve"]
 
@@ -53,8 +53,9 @@ class LagrangeCurve:
     Notes
     -----
     With u = 2**-53, values and derivatives differ from the exact ones by at
-    most c u sum |L_i^(order)(t)| |p_i|, c about 10 to 50 for n <= 60 and
-    growing like the square root of n, for any distinct parameters. That
+    most c u sum |L_i^(order)(t)| |p_i|, c about 10 to 50 for n <= 60, then at
+    most n / 4 (n <= 1024), or of the size of 5 sqrt(n), for any distinct
+    parameters. That
     says nothing about the sum itself: on many uniform parameters it is huge,
     and no method can do better with points given to 53 bits.
 
@@ -123,10 +124,11 @@ class LagrangeCurve:
         points = np.ldexp(self.points, -exponent)
         result = np.empty((points.shape[1], at.values.size))
         for part in self._nodes.basis_parts(at.values, rank):
-            scale = (
-                exponent[:, None] if part.rows.exponent is None else exponent[:, None] + part.rows.exponent
-            )
-            result[:, part.where] = scale_by_power(points.T @ part.rows.values, scale)
+            values, scale = part.values, exponent[:, None]
+            if part.exponent is not None:
+                values, common = normalise(Scaled(values, part.exponent))
+                scale = scale + common
+            result[:, part.where] = scale_by_power(points.T @ values, scale)
             if rank == 0:
                 result[:, part.where.start + part.hits.columns] = self.points[part.hits.nodes].T
         curve = np.ascontiguousarray(result.T)
@@ -151,10 +153,8 @@ class LagrangeCurve:
         rank = integer(order, "order", 0)
         result = np.empty((len(self._parameters), at.values.size))
         for part in self._nodes.basis_parts(at.values, rank, result):
-            if part.rows.exponent is not None:
-                result[:, part.where] = unscaled(part.rows)
-            elif not np.shares_memory(part.rows.values, result):
-                result[:, part.where] = part.rows.values
+            if part.exponent is not None:
+                result[:, part.where] = scale_by_power(part.values, part.exponent)
         return result.T[:, :, None]
 
     def with_jets(self, jets: ArrayLike) -> LagrangeCurve:

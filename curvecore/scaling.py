@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from curvecore.arrays import FloatArray
 
-__all__ = ["LARGEST", "ExponentArray", "Scaled", "ScaledRows", "normalise", "scale_by_power", "unscaled"]
+__all__ = ["LARGEST", "ExponentArray", "Scaled", "ScaledRows", "normalise", "scale_by_power"]
 
 ExponentArray: TypeAlias = NDArray[np.int64]
 LARGEST = float(np.finfo(np.float64).max)
@@ -29,12 +29,12 @@ class ScaledRows(NamedTuple):
     ----------
     values : ndarray, shape (n, m)
         Entries of at most moderate size.
-    exponent : ndarray of int, shape (m,), or None
-        Column k stands for ``values[:, k] * 2**exponent[k]``; None is 0.
+    exponent : ndarray of int, shape (m,)
+        Column k stands for ``values[:, k] * 2**exponent[k]``.
     """
 
     values: FloatArray
-    exponent: ExponentArray | None
+    exponent: ExponentArray
 
 
 def normalise(numbers: Scaled) -> ScaledRows:
@@ -56,8 +56,3 @@ def scale_by_power(values: FloatArray, exponent: ExponentArray | int) -> FloatAr
     with np.errstate(over="ignore", under="ignore"):
         result = np.ldexp(values, np.clip(exponent, -5000, 5000).astype(np.intc))
     return np.clip(result, -LARGEST, LARGEST, out=result)
-
-
-def unscaled(rows: ScaledRows) -> FloatArray:
-    """Return the plain array, shape (n, m), that scaled rows stand for."""
-    return rows.values if rows.exponent is None else scale_by_power(rows.values, rows.exponent)

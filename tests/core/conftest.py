@@ -1,0 +1,147 @@
+"""The oracle: Lagrange and Hermite curves in exact rational arithmetic."""
+
+import math
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+from flint import fmpq
+
+UNIT_ROUNDOFF = 2.0**-53
+
+
+def rational(x):
+    numerator, denominator = float(x).as_integer_ratio()
+    return fmpq(numerator, denominator)
+
+
+def lagrange_terms(t, parameters, order):
+    """The exact order-th derivatives of all L_i at t."""
+    differences = [t - node for node in parameters]
+
+    def times_factor(series, factor):
+        return [a * factor + (series[k - 1] if k else 0) for k, a in enumerate(series)]
+
+    one = [fmpq(1)] + [fmpq(0)] * order
+    left, right = [one], [one]
+    for factor in differences[:-1]:
+        left.append(times_factor(left[-1], factor))
+    for factor in differences[:0:-1]:
+        right.append(times_factor(right[-1], factor))
+    right.reverse()
+    coefficients = [
+        sum((a[k] * b[order - k] for k in range(order + 1)), fmpq(0))
+        for a, b in zip(left, right, strict=True)
+    ]
+    return [c * math.factorial(order) for c in coefficients]
+
+
+def lagrange_weights(parameters):
+    weights = []
+    for i, node in enumerate(parameters):
+        product = fmpq(1)
+        for j, other in enumerate(parameters):
+            if j != i:
+                product *= node - other
+        weights.append(1 / product)
+    return weights
+
+
+HALF = fmpq(1, 2)
+# Power coefficients in s of the cardinal functions, [end][derivative]; written out
+# independently of the factored forms under test.
+CARDINAL = {
+    2: [[[1, 0, -3, 2], [0, 1, -2, 1]], [[0, 0, 3, -2], [0, 0, -1, 1]]],
+    3: [
+        [[1, 0, 0, -10, 15, -6], [0, 1, 0, -6, 8, -3], [0, 0, HALF, -3 * HALF, 3 * HALF, -HALF]],
+        [[0, 0, 0, 10, -15, 6], [0, 0, 0, -4, 7, -3], [0, 0, 0, HALF, -1, HALF]],
+    ],
+}
+
+
+def hermite_terms(t, parameters, width, order):
+    """The segment of t, and the exact B_ir of its two ends, [end][r]."""
+    n = len(parameters)
+    segment = max((i for i in range(n - 1) if parameters[i] <= t), default=0)
+    h = parameters[segment + 1] - parameters[segment]
+    s = (t - parameters[segment]) / h
+    values = []
+    for end in CARDINAL[width]:
+        row = []
+        for r, polynomial in enumerate(end):
+            coefficients = list(polynomial)
+            for _ in range(order):
+                coefficients = [k * c for k, c in enumerate(coefficients)][1:]
+            value = sum((c * s**k for k, c in enumerate(coefficients)), fmpq(0))
+            row.append(value * h**r / h**order)
+        values.append(row)
+    return segment, values
+
+
+def worst_constant(computed, terms):
+    """|computed - sum of terms| in units of u times the sum of their sizes; None if out of range."""
+    scale = sum((abs(x) for x in terms), fmpq(0))
+    if scale == 0:
+        return 0.0 if computed == 0 else math.inf
+    if not fmpq(1, 10**285) < scale < fmpq(10) ** 305:
+        return None  # no double holds the result to full precision
+    ratio = abs(rational(computed) - sum(terms, fmpq(0))) / scale
+    return int(ratio.p) / int(ratio.q) / UNIT_ROUNDOFF
+
+
+def parameter_sets(n, rng):
+    """The parameters that issue 2 names, for n points."""
+    k = np.arange(n)
+    uniform = k / (n - 1)
+    near = min(6, n)
+    return {
+        "uniform": uniform,
+        "random": np.sort(rng.random(n)),
+        "clustered": np.sort(np.concatenate((rng.random(n - near), 0.4 + 1e-3 * rng.random(near)))),
+        "geometric": 2.0 ** -k[::-1],
+        "shifted": 1e6 + uniform,
+        "small": 1e-150 * uniform,
+        "large": 1e150 * uniform,
+        "chebyshev": np.sin(k * (np.pi / (2 * (n - 1)))) ** 2,
+    }
+
+
+def probes(parameters, rng, count):
+    """Parameters at, one ulp beside, between and outside some t_i."""
+    i = rng.integers(0, len(parameters) - 1, count)
+    first, last = parameters[0], parameters[-1]
+    at = np.concatenate((parameters[i], [first, last]))
+    # Next to 0 lie subnormals, whose products no format holds; the smallest normal stands for them.
+    tiny = np.finfo(float).tiny
+    with np.errstate(under="ignore"):
+        above, below = np.nextafter(at, np.inf), np.nextafter(at, -np.inf)
+    above[above < tiny], below[np.abs(below) < tiny] = np.maximum(above[above < tiny], tiny), -tiny
+    between = first + (last - first) * rng.random(count)
+    middle = 0.5 * (parameters[i] + parameters[i + 1])
+    outside = [first - 0.1 * (last - first), last + 0.3 * (last - first)]
+    return np.concatenate((at, above, below, between, middle, outside))
+
+
+@pytest.fixture(scope="session")
+def exact():
+    return SimpleNamespace(
+        rational=rational,
+        lagrange_terms=lagrange_terms,
+        lagrange_weights=lagrange_weights,
+        hermite_terms=hermite_terms,
+        worst_constant=worst_constant,
+        parameter_sets=parameter_sets,
+        probes=probes,
+    )
+
+
+@pytest.fixture
+def rng():
+    return np.random.default_rng(20240229)
+
+
+@pytest.fixture(autouse=True)
+def floating_point_errors_raise():
+    """No operation of the core may overflow, underflow or be invalid, even unseen."""
+    with np.errstate(all="raise"):
+        yield

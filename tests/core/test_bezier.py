@@ -1,0 +1,108 @@
+from fractions import Fraction
+
+import numpy as np
+import pytest
+
+from curvecore import (
+    CurveError,
+    HermiteCurve,
+    LagrangeCurve,
+    QuinticHermiteCurve,
+    bezier_segments,
+    chebyshev,
+    cubic_path,
+    uniform,
+)
+
+T = np.array([0.0, 0.25, 1.0, 1.5])
+
+
+def de_casteljau(controls, s):
+    level = [[Fraction(float(x)) for x in point] for point in controls]
+    while len(level) > 1:
+        level = [[(1 - s) * a + s * b for a, b in zip(p, q, strict=True)] for p, q in zip(level, level[1:])]
+    return np.array([float(x) for x in level[0]])
+
+
+def curves(rng):
+    data = [rng.standard_normal((4, 2)) for _ in range(3)]
+    return HermiteCurve(*data[:2], T), QuinticHermiteCurve(*data, T)
+
+
+def test_control_points_make_the_curve(rng):
+    for curve in curves(rng):
+        controls = bezier_segments(curve)
+        assert controls.shape == (3, curve.degree + 1, 2)
+        for i in range(3):
+            for s in (Fraction(0), Fraction(1, 4), Fraction(1, 2), Fraction(7, 8), Fraction(1)):
+                t = float(Fraction(T[i]) + s * Fraction(T[i + 1] - T[i]))
+                assert de_casteljau(controls[i], s) == pytest.approx(curve.evaluate(t), abs=1e-14)
+
+
+def test_published_formulas():
+    points, velocities, accelerations = np.array([[0.0], [1.0]]), np.array([[3.0], [5.0]]), np.array([[2.0], [4.0]])
+    h = 0.5
+    cubic = bezier_segments(HermiteCurve(points, velocities, [0.0, h]))[0, :, 0]
+    assert cubic == pytest.approx([0.0, h * 3 / 3, 1 - h * 5 / 3, 1.0], abs=1e-15)
+    quintic = bezier_segments(QuinticHermiteCurve(points, velocities, accelerations, [0.0, h]))[0, :, 0]
+    ahead = [0.0, h * 3 / 5, 2 * h * 3 / 5 + h * h * 2 / 20]
+    behind = [1 - 2 * h * 5 / 5 + h * h * 4 / 20, 1 - h * 5 / 5, 1.0]
+    assert quintic == pytest.approx([*ahead, *behind], abs=1e-15)
+
+
+def test_lagrange_has_no_segments():
+    with pytest.raises(CurveError, match="must be a HermiteCurve or a QuinticHermiteCurve"):
+        bezier_segments(LagrangeCurve([[0.0], [1.0]], [0.0, 1.0]))
+
+
+def deviation(curve, path):
+    s = np.linspace(0.0, 1.0, 65)
+    weights = np.stack(((1 - s) ** 3, 3 * s * (1 - s) ** 2, 3 * s**2 * (1 - s), s**3), axis=1)
+    t = path.parameters[:-1, None] + np.diff(path.parameters)[:, None] * s
+    exact = curve.evaluate(t.ravel()).reshape(*t.shape, -1)
+    return np.linalg.norm(np.einsum("sk,pkd->psd", weights, path.control_points) - exact, axis=-1).max()
+
+
+def test_cubic_path_of_a_cubic_is_exact(rng):
+    curve = curves(rng)[0]
+    path = cubic_path(curve, 1e-30)
+    assert path.deviation == 0.0
+    assert (path.control_points == bezier_segments(curve)).all()
+
+
+@pytest.mark.parametrize("tolerance", [1e-1, 1e-3, 1e-5, 1e-7])
+def test_cubic_path_keeps_the_tolerance(rng, tolerance):
+    points = rng.standard_normal((12, 2))
+    for curve in (
+        curves(rng)[1],
+        LagrangeCurve(points, chebyshev(12)),
+        LagrangeCurve(points, uniform(12)),
+    ):
+        path = cubic_path(curve, tolerance)
+        measured = deviation(curve, path)
+        assert measured <= path.deviation <= tolerance
+        controls = path.control_points
+        assert (controls[1:, 0] == controls[:-1, 3]).all()
+        assert (controls[0, 0] == curve.points[0]).all()
+        assert (controls[-1, 3] == curve.points[-1]).all()
+        # Smooth: the handles on both sides of a joint point the same way.
+        ahead, behind = controls[1:, 1] - controls[1:, 0], controls[:-1, 3] - controls[:-1, 2]
+        cross = ahead[:, 0] * behind[:, 1] - ahead[:, 1] * behind[:, 0]
+        size = np.linalg.norm(ahead, axis=1) * np.linalg.norm(behind, axis=1)
+        # Control points carry an error of u |p|, handles may be as short as 1e-3 |p|.
+        assert (np.abs(cross) <= 1e-9 * size + 1e-15 * np.abs(controls).max() * np.sqrt(size)).all()
+
+
+def test_pieces_grow_like_the_fourth_root(rng):
+    """Cubic interpolation is of fourth order: a 10,000th of the tolerance, ten times the pieces."""
+    curve = curves(rng)[1]
+    counts = [len(cubic_path(curve, tolerance).control_points) for tolerance in (1e-4, 1e-8)]
+    assert 8 <= counts[1] / counts[0] <= 12
+
+
+def test_a_wild_curve_gives_an_honest_deviation(rng):
+    points = 1e12 * rng.standard_normal((40, 2))
+    path = cubic_path(LagrangeCurve(points, uniform(40)), 1e-3)
+    assert np.isfinite(path.control_points).all()
+    assert len(path.control_points) <= 4096
+    assert path.deviation > 1e-3

@@ -1,0 +1,266 @@
+"""What holds for every family: the contract of `Curve`."""
+
+import numpy as np
+import pytest
+
+from curvecore import HermiteCurve, LagrangeCurve, QuinticHermiteCurve, chebyshev, uniform
+
+PARAMETERS = np.array([-1.0, -0.5, 0.25, 1.0, 3.0])
+T = np.linspace(-1.2, 3.3, 41)
+U = 2.0**-53
+
+
+def build(family, rng, n=5, parameters=PARAMETERS, dim=2):
+    data = [rng.standard_normal((n, dim)) for _ in range(3)]
+    if family == "lagrange":
+        return LagrangeCurve(data[0], parameters)
+    if family == "hermite":
+        return HermiteCurve(data[0], data[1], parameters)
+    return QuinticHermiteCurve(*data, parameters)
+
+
+FAMILIES = {"lagrange": (1, 4), "hermite": (2, 3), "quintic_hermite": (3, 5)}
+every_family = pytest.mark.parametrize("family", FAMILIES)
+
+
+@every_family
+def test_attributes(family, rng):
+    curve = build(family, rng)
+    width, degree = FAMILIES[family]
+    assert curve.points.shape == (5, 2)
+    assert curve.jets.shape == (5, width, 2)
+    assert (curve.jets[:, 0] == curve.points).all()
+    assert curve.domain == (-1.0, 3.0)
+    assert curve.degree == degree
+    for array in (curve.points, curve.parameters, curve.jets):
+        assert not array.flags.writeable
+
+
+@every_family
+def test_inputs_are_copied(family, rng):
+    parameters = PARAMETERS.copy()
+    curve = build(family, rng, parameters=parameters)
+    before = curve.evaluate(T)
+    parameters[0] = -7.0
+    assert (curve.evaluate(T) == before).all()
+
+
+@every_family
+def test_goes_through_its_points_exactly(family, rng):
+    for parameters in (PARAMETERS, PARAMETERS * 1e150, PARAMETERS * 1e-150, 1e6 + PARAMETERS, PARAMETERS / 3):
+        curve = build(family, rng, parameters=parameters)
+        assert (curve.evaluate(parameters) == curve.points).all()
+        assert (curve.evaluate(np.append(parameters, parameters[-1] + 1.0))[:-1] == curve.points).all()
+        assert (curve.evaluate(parameters[2]) == curve.points[2]).all()
+
+
+@every_family
+@pytest.mark.parametrize("size", [1e-300, 1e300, 1.7e308])
+def test_goes_through_extreme_points_exactly(family, size):
+    points = size * np.array([[1.0, -1.0], [1.0, 1.0], [1.0, -0.25], [1.0, 0.5], [1.0, 0.0]])
+    zero = np.zeros_like(points)
+    data = {"lagrange": (points,), "hermite": (points, zero), "quintic_hermite": (points, zero, zero)}[family]
+    curve = {"lagrange": LagrangeCurve, "hermite": HermiteCurve, "quintic_hermite": QuinticHermiteCurve}[
+        family
+    ](*data, PARAMETERS)
+    assert (curve.evaluate(PARAMETERS) == points).all()
+    for order in range(4):
+        assert np.isfinite(curve.evaluate(T, order)).all()
+
+
+@every_family
+def test_shapes(family, rng):
+    curve = build(family, rng)
+    width = FAMILIES[family][0]
+    assert curve.evaluate(0.3).shape == (2,)
+    assert curve.evaluate([0.3]).shape == (1, 2)
+    assert curve.evaluate([]).shape == (0, 2)
+    assert curve.evaluate(T).shape == (41, 2)
+    assert curve.evaluate(T).flags.c_contiguous
+    assert curve.basis(T).shape == (41, 5, width)
+    assert curve.basis(0.3).shape == (1, 5, width)
+    assert curve.basis([]).shape == (0, 5, width)
+    assert build(family, rng, dim=1).evaluate(T).shape == (41, 1)
+    assert build(family, rng, dim=4).evaluate(T).shape == (41, 4)
+
+
+@every_family
+@pytest.mark.parametrize("order", range(7))
+def test_basis_times_data_is_the_curve(family, rng, order):
+    curve = build(family, rng)
+    basis = curve.basis(T, order)
+    expected = np.einsum("mir,ird->md", basis, curve.jets)
+    scale = np.einsum("mir,ird->md", np.abs(basis), np.abs(curve.jets))
+    # Both sides obey the accuracy bound with c <= 10 for these five points.
+    assert (np.abs(curve.evaluate(T, order) - expected) <= 20.0 * U * scale).all()
+    if order > curve.degree:
+        assert not basis.any()
+        assert not curve.evaluate(T, order).any()
+
+
+@every_family
+@pytest.mark.parametrize("order", range(4))
+def test_partition_of_unity(family, rng, order):
+    basis = build(family, rng).basis(T, order)[:, :, 0]
+    expected = 1.0 if order == 0 else 0.0
+    assert (np.abs(basis.sum(axis=1) - expected) <= 20.0 * U * np.abs(basis).sum(axis=1)).all()
+
+
+@every_family
+def test_end_conditions(family, rng):
+    curve = build(family, rng)
+    width = FAMILIES[family][0]
+    for order in range(width):
+        basis = curve.basis(PARAMETERS, order)
+        for r in range(width):
+            expected = np.eye(5) if r == order else np.zeros((5, 5))
+            # Powers of h are at most 2 here; each function is that accurate relative to 1.
+            assert np.abs(basis[:, :, r] - expected).max() <= 20.0 * U
+
+
+@every_family
+def test_affine_invariance(family, rng):
+    """A x + b of the points (A x of the derivatives) moves the curve likewise."""
+    curve = build(family, rng)
+    matrix, shift = rng.standard_normal((2, 2)), rng.standard_normal(2)
+    jets = curve.jets @ matrix.T
+    jets[:, 0] += shift
+    moved = curve.with_jets(jets)
+    size = np.einsum("mir,ird->md", np.abs(curve.basis(T)), np.abs(curve.jets)) @ np.abs(matrix.T)
+    size += np.abs(shift) * np.abs(curve.basis(T)[:, :, 0]).sum(axis=1)[:, None]
+    expected = curve.evaluate(T) @ matrix.T + shift
+    assert (np.abs(moved.evaluate(T) - expected) <= 40.0 * U * size).all()
+
+
+@every_family
+def test_reproduces_polynomials(family):
+    """Data of a cubic give that cubic, outside the domain too."""
+    cubic = np.polynomial.Polynomial([1.0, -2.0, 0.5, 0.25])
+    jets = np.stack([cubic.deriv(r)(PARAMETERS) if r else cubic(PARAMETERS) for r in range(3)], axis=1)[
+        ..., None
+    ]
+    width = FAMILIES[family][0]
+    curve = {"lagrange": LagrangeCurve, "hermite": HermiteCurve, "quintic_hermite": QuinticHermiteCurve}[
+        family
+    ](*(jets[:, r] for r in range(width)), PARAMETERS)
+    for order in range(4):
+        scale = np.einsum("mir,ird->md", np.abs(curve.basis(T, order)), np.abs(curve.jets))[:, 0]
+        expected = (cubic.deriv(order) if order else cubic)(T)
+        assert (np.abs(curve.evaluate(T, order)[:, 0] - expected) <= 40.0 * U * scale + 1e-14).all()
+
+
+@every_family
+def test_derivatives_are_derivatives(family, rng):
+    """Central differences converge with order 2: a tenth of the step, a hundredth of the error."""
+    curve = build(family, rng)
+    t = np.array([-0.8, -0.2, 0.6, 2.2])
+    for order in range(3):
+        errors = []
+        for step in (1e-2, 1e-3):
+            slope = (curve.evaluate(t + step, order) - curve.evaluate(t - step, order)) / (2.0 * step)
+            errors.append(np.abs(slope - curve.evaluate(t, order + 1)).max())
+        assert errors[1] <= 0.011 * errors[0] + 1e-10
+
+
+@every_family
+def test_with_jets(family, rng):
+    curve = build(family, rng)
+    other = build(family, rng)
+    replaced = curve.with_jets(other.jets)
+    assert type(replaced) is type(curve)
+    assert replaced.parameters is curve.parameters
+    assert (replaced.evaluate(T) == other.evaluate(T)).all()
+    assert (replaced.evaluate(T, 1) == other.evaluate(T, 1)).all()
+    assert not replaced.jets.flags.writeable
+
+
+@every_family
+def test_unordered_and_repeated_parameters(family, rng):
+    curve = build(family, rng)
+    t = rng.permutation(np.concatenate((T, T)))
+    single = np.array([curve.evaluate(x) for x in t])
+    scale = np.einsum("mir,ird->md", np.abs(curve.basis(t)), np.abs(curve.jets))
+    assert (np.abs(curve.evaluate(t) - single) <= 20.0 * U * scale).all()
+
+
+def test_many_ascending_parameters_take_the_same_segments(rng):
+    parameters = np.sort(rng.random(300))
+    curve = build("hermite", rng, 300, parameters)
+    ascending = np.sort(np.concatenate((rng.uniform(parameters[0], parameters[-1], 20_000), parameters)))
+    shuffled = rng.permutation(ascending.size)
+    assert (curve.evaluate(ascending)[shuffled] == curve.evaluate(ascending[shuffled])).all()
+    expected = np.clip(np.searchsorted(parameters, ascending, side="right") - 1, 0, 298)
+    assert (curve.local_basis(ascending).segment == expected).all()
+
+
+def test_a_joint_belongs_to_the_segment_on_its_right():
+    curve = HermiteCurve([[0.0], [1.0], [0.0]], [[1.0], [1.0], [1.0]], [0.0, 1.0, 3.0])
+    # c'' = 6 (p1 - p0) / h**2 - (4 v0 + 2 v1) / h at the left end of a segment
+    assert curve.evaluate(1.0, 2)[0] == pytest.approx(-6.0 / 4.0 - 6.0 / 2.0, abs=1e-14)
+    # and -6 (p1 - p0) / h**2 + (2 v0 + 4 v1) / h at the right end of the last
+    assert curve.evaluate(3.0, 2)[0] == pytest.approx(6.0 / 4.0 + 6.0 / 2.0, abs=1e-14)
+
+
+@pytest.mark.parametrize("family", ["hermite", "quintic_hermite"])
+def test_local_basis_is_the_dense_one(family, rng):
+    curve = build(family, rng)
+    for order in range(4):
+        dense = curve.basis(T, order)
+        local = curve.local_basis(T, order)
+        for k in range(T.size):
+            i = local.segment[k]
+            assert (dense[k, i : i + 2] == local.values[k]).all()
+            assert np.count_nonzero(dense[k]) <= local.values[k].size
+
+
+@pytest.mark.parametrize("family", ["hermite", "quintic_hermite"])
+def test_segments_are_sampled_alike(family, rng):
+    curve = build(family, rng)
+    s = np.array([0.0, 0.25, 0.5, 1.0])
+    sampled = curve.evaluate_segments(s)
+    assert sampled.shape == (4, 4, 2)
+    assert (sampled[:, 0] == curve.points[:-1]).all()
+    assert (sampled[:, -1] == curve.points[1:]).all()
+    t = PARAMETERS[:-1, None] + np.diff(PARAMETERS)[:, None] * s
+    # These t are exact; values are of size 10 at most, c <= 20.
+    assert np.abs(sampled.reshape(-1, 2) - curve.evaluate(t.ravel())).max() < 40 * U * 10
+
+
+def test_scipy_agrees_on_cubics(rng):
+    from scipy.interpolate import CubicHermiteSpline
+
+    curve = build("hermite", rng)
+    reference = CubicHermiteSpline(PARAMETERS, curve.points, curve.jets[:, 1])
+    for order in range(4):
+        # SciPy's power form loses digits at the right ends; 1e-12 is far below any wrong factor.
+        assert curve.evaluate(T, order) == pytest.approx(reference(T, order), rel=1e-12, abs=1e-12)
+
+
+def test_scipy_agrees_on_quintics(rng):
+    from scipy.interpolate import BPoly
+
+    curve = build("quintic_hermite", rng)
+    reference = BPoly.from_derivatives(PARAMETERS, curve.jets)
+    for order in range(4):
+        assert curve.evaluate(T, order) == pytest.approx(reference(T, order), rel=1e-11, abs=1e-11)
+
+
+def test_scipy_agrees_on_chebyshev_lagrange(rng):
+    from scipy.interpolate import BarycentricInterpolator
+
+    parameters = chebyshev(30)
+    curve = build("lagrange", rng, 30, parameters)
+    reference = BarycentricInterpolator(parameters, curve.points)
+    t = np.linspace(0.0, 1.0, 101)
+    # The second barycentric form is accurate on Chebyshev points.
+    assert curve.evaluate(t) == pytest.approx(reference(t), rel=1e-12, abs=1e-12)
+
+
+def test_rank_one_update_is_a_drag(rng):
+    curve = build("lagrange", rng, 8, uniform(8))
+    t = np.linspace(0.0, 1.0, 50)
+    jets = curve.jets.copy()
+    jets[3, 0] += [0.5, -0.25]
+    expected = curve.evaluate(t) + curve.basis(t)[:, 3] * [0.5, -0.25]
+    scale = np.abs(curve.basis(t)[:, :, 0]) @ np.abs(jets[:, 0]) + 1.0
+    assert (np.abs(curve.with_jets(jets).evaluate(t) - expected) <= 40 * U * scale).all()

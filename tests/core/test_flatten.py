@@ -1,0 +1,179 @@
+"""The polyline is within the tolerance, tested at far more parameters than it has."""
+
+import numpy as np
+import pytest
+
+from curvecore import (
+    MAX_VERTICES,
+    HermiteCurve,
+    LagrangeCurve,
+    QuinticHermiteCurve,
+    chebyshev,
+    chord_length,
+    flatten,
+    flatten_parameters,
+    natural_spline_accelerations,
+    natural_spline_velocities,
+    uniform,
+)
+
+
+def distances(curve, parameters, box=None, samples=40):
+    """Distances from curve points inside the box to their own chord."""
+    s = (np.arange(samples) + 0.5) / samples
+    t = parameters[:-1, None] + np.diff(parameters)[:, None] * s
+    points = curve.evaluate(t.ravel()).reshape(*t.shape, 2)
+    polyline = curve.evaluate(parameters)
+    start, chord = polyline[:-1, None], np.diff(polyline, axis=0)[:, None]
+    length = np.maximum(np.hypot(chord[..., 0], chord[..., 1]), 1e-300)
+    unit = chord / length[..., None]
+    along = np.clip(((points - start) * unit).sum(axis=-1), 0.0, length)
+    rest = points - start - along[..., None] * unit
+    distance = np.hypot(rest[..., 0], rest[..., 1])
+    if box is not None:
+        inside = ((points >= box[:2]) & (points <= box[2:])).all(axis=-1)
+        distance = np.where(inside, distance, 0.0)
+    return distance.max()
+
+
+def family(name, points, parameters):
+    if name == "lagrange":
+        return LagrangeCurve(points, parameters)
+    velocities = natural_spline_velocities(points, parameters)
+    if name == "hermite":
+        return HermiteCurve(points, velocities, parameters)
+    return QuinticHermiteCurve(points, velocities, natural_spline_accelerations(points, parameters), parameters)
+
+
+every_family = pytest.mark.parametrize("name", ["lagrange", "hermite", "quintic_hermite"])
+
+
+@every_family
+@pytest.mark.parametrize("tolerance", [1.0, 1e-1, 1e-2, 1e-3, 1e-4])
+@pytest.mark.parametrize("n", [2, 3, 8, 20])
+def test_within_tolerance(rng, name, tolerance, n):
+    points = rng.standard_normal((n, 2))
+    curve = family(name, points, chord_length(points))
+    t = flatten_parameters(curve, tolerance)
+    if t.size < MAX_VERTICES // 2:
+        assert distances(curve, t) <= tolerance
+    assert (np.diff(t) > 0.0).all()
+    assert (t[0], t[-1]) == curve.domain
+    assert (flatten(curve, tolerance) == curve.evaluate(t)).all()
+
+
+@every_family
+@pytest.mark.parametrize("box", [(-0.3, -0.3, 0.3, 0.3), (0.0, 0.0, 1e-3, 1e-3), (5.0, 5.0, 6.0, 6.0)])
+def test_box(rng, name, box):
+    points = rng.standard_normal((12, 2))
+    points[4] = [5e-4, 5e-4]
+    curve = family(name, points, chebyshev(12))
+    tolerance = (box[2] - box[0]) / 2000
+    t = flatten_parameters(curve, tolerance, box)
+    assert distances(curve, t, box, 400) <= tolerance
+    full = flatten_parameters(curve, tolerance)
+    assert t.size < full.size
+
+
+@every_family
+def test_outside_chords_stay_outside(rng, name):
+    """No chord crosses the box by more than the tolerance where the curve does not."""
+    angle = np.linspace(0.0, 2.0 * np.pi, 9)
+    points = np.stack((np.cos(angle), np.sin(angle)), axis=1)
+    curve = family(name, points, uniform(9))
+    polyline = flatten(curve, 1e-3, (-0.6, -0.6, 0.6, 0.6))
+    s = np.linspace(0.0, 1.0, 200)
+    dense = (polyline[:-1, None] + np.diff(polyline, axis=0)[:, None] * s[:, None]).reshape(-1, 2)
+    assert np.abs(dense).max(axis=1).min() > 0.6
+
+
+@every_family
+def test_a_straight_line_needs_two_vertices(name):
+    t = np.array([0.0, 0.1, 0.2, 0.5, 0.6, 0.9, 1.0])
+    points = np.outer(t, [3.0, 1.0]) + [1.0, -2.0]
+    assert flatten_parameters(family(name, points, t), 1e-6).tolist() == [0.0, 1.0]
+
+
+def test_a_line_run_at_changing_speed_needs_few_vertices():
+    curve = HermiteCurve([[0.0, 0.0], [1.0, 1.0]], [[5.0, 5.0], [0.0, 0.0]], [0.0, 1.0])
+    assert len(flatten(curve, 1e-4)) <= 6  # it turns back once
+    curve = HermiteCurve([[0.0, 0.0], [1.0, 1.0]], [[0.0, 0.0], [0.0, 0.0]], [0.0, 1.0])
+    assert len(flatten(curve, 1e-4)) == 2
+
+
+def test_one_point_repeated():
+    curve = HermiteCurve(np.ones((5, 2)), np.zeros((5, 2)), uniform(5))
+    assert len(flatten(curve, 0.1)) == 2
+
+
+@every_family
+def test_few_vertices_on_smooth_curves(name):
+    """A circle needs pi / acos(1 - tolerance) chords; three times as many are spent at most."""
+    angle = np.linspace(0.0, 2.0 * np.pi, 33)
+    points = np.stack((np.cos(angle), np.sin(angle)), axis=1)
+    curve = family(name, points, chebyshev(33) if name == "lagrange" else uniform(33))
+    if name == "lagrange":
+        angle = 2.0 * np.pi * chebyshev(33)
+        curve = LagrangeCurve(np.stack((np.cos(angle), np.sin(angle)), axis=1), chebyshev(33))
+    for tolerance in (1e-3, 1e-4, 1e-5):
+        ideal = np.pi / np.arccos(1.0 - tolerance)
+        assert len(flatten(curve, tolerance)) <= 3.0 * ideal + 2
+
+
+def test_a_cusp_is_not_cut_off():
+    curve = HermiteCurve([[0.0, 0.0], [1.0, 0.0]], [[9.0, 9.0], [9.0, -9.0]], [0.0, 1.0])
+    assert distances(curve, flatten_parameters(curve, 1e-4), samples=400) <= 1e-4
+
+
+@pytest.mark.parametrize("n", [20, 40, 60])
+def test_narrow_oscillation_is_not_missed(n):
+    """Runge: between the first two of n uniform parameters the polynomial leaves the picture."""
+    t = uniform(n)
+    points = np.stack((t, 1.0 / (1.0 + 25.0 * (2.0 * t - 1.0) ** 2)), axis=1)
+    curve = LagrangeCurve(points, t)
+    box = np.array([-0.2, -1.0, 1.2, 2.0])
+    parameters = flatten_parameters(curve, 1e-3, box)
+    assert distances(curve, parameters, box, 100) <= 1e-3
+    assert parameters.size < 2000
+
+
+@every_family
+@pytest.mark.parametrize("size", [1e12, 1e100, 1e300])
+def test_bounded_work_for_wild_curves(rng, name, size):
+    points = size * rng.standard_normal((20, 2)).clip(-1, 1)
+    points[7:9] = 0.0
+    curve = family(name, points, uniform(20))
+    for box in (None, (-1.0, -1.0, 1.0, 1.0)):
+        polyline = flatten(curve, 0.25 / 500, box)
+        assert len(polyline) <= MAX_VERTICES
+        assert np.isfinite(polyline).all()
+
+
+@pytest.mark.parametrize("name", ["hermite", "quintic_hermite"])
+def test_a_box_around_a_joint_of_a_huge_curve(rng, name):
+    """Segments of 1e6 times the box: only what is near the box is divided finely."""
+    points = 1e6 * rng.standard_normal((20, 2))
+    points[9] = [0.3, 0.2]
+    curve = family(name, points, uniform(20))
+    box = np.array([0.0, 0.0, 1.0, 1.0])
+    t = flatten_parameters(curve, 1e-3, box)
+    assert t.size < 3000
+    near = np.sort(np.concatenate([t[(t > 0.45) & (t < 0.5)], [curve.parameters[9]]]))
+    assert distances(curve, np.unique(near), box, 200) <= 1e-3
+
+
+def test_many_joints(rng):
+    t = uniform(3000)
+    points = np.stack((np.cos(40 * t), np.sin(30 * t)), axis=1)
+    curve = family("hermite", points, t)
+    parameters = flatten_parameters(curve, 1e-3)
+    assert parameters.size < 1500
+    assert distances(curve, parameters) <= 1e-3
+
+
+def test_joints_next_to_each_other(rng):
+    """Parameters one ulp apart leave no room for vertices between them."""
+    t = np.array([0.0, 0.5, np.nextafter(0.5, 1.0), 1.0])
+    curve = HermiteCurve(rng.standard_normal((4, 2)), rng.standard_normal((4, 2)), t)
+    parameters = flatten_parameters(curve, 1e-4)
+    assert (np.diff(parameters) > 0.0).all()

@@ -1,0 +1,99 @@
+import math
+from fractions import Fraction
+
+import numpy as np
+import pytest
+
+from curvecore import CurveError, centripetal, chebyshev, chord_length, power, uniform
+
+POINTS = np.array([[0.0, 0.0], [3.0, 4.0], [3.0, 5.0], [12.0, 5.0]])  # distances 5, 1, 9
+
+
+def check(parameters, n):
+    assert parameters.shape == (n,)
+    assert parameters[0] == 0.0
+    assert parameters[-1] == 1.0
+    assert (np.diff(parameters) > 0.0).all()
+
+
+@pytest.mark.parametrize("n", [2, 3, 4, 5, 50, 51, 9999, 10_000])
+def test_point_free_rules(n):
+    check(uniform(n), n)
+    check(chebyshev(n), n)
+    assert (uniform(n) == [float(Fraction(i, n - 1)) for i in range(n)]).all()
+
+
+@pytest.mark.parametrize("n", [2, 3, 8, 9, 5000])
+def test_chebyshev_is_symmetric_and_accurate_next_to_both_ends(n):
+    parameters = chebyshev(n)
+    assert np.abs(parameters + parameters[::-1] - 1.0).max() <= 2.0**-53
+    expected = [math.sin(math.pi * i / (2 * (n - 1))) ** 2 for i in range(n)]
+    assert np.abs(parameters - expected).max() <= 4 * 2.0**-53
+    assert parameters[1] == pytest.approx(expected[1], rel=1e-15)
+
+
+def test_values_of_the_power_family():
+    assert chord_length(POINTS) == pytest.approx([0.0, 5 / 15, 6 / 15, 1.0], rel=1e-15)
+    root = math.sqrt(5)
+    assert centripetal(POINTS) == pytest.approx(
+        [0.0, root / (root + 4), (root + 1) / (root + 4), 1.0], rel=1e-15
+    )
+    assert (power(POINTS, 1.0) == chord_length(POINTS)).all()
+    assert (power(POINTS, 0.5) == centripetal(POINTS)).all()
+    assert (power(POINTS, 0.0) == uniform(4)).all()
+
+
+@pytest.mark.parametrize("scale", [1e-300, 1e-150, 1.0, 1e150, 1e307])
+@pytest.mark.parametrize("alpha", [0.0, 0.25, 0.5, 1.0, 2.0])
+def test_scale_does_not_matter(scale, alpha):
+    parameters = power(scale * POINTS, alpha)
+    check(parameters, 4)
+    assert parameters == pytest.approx(power(POINTS, alpha), rel=1e-14)
+
+
+def test_differences_beyond_the_range():
+    check(chord_length([[-1.7e308, 0.0], [1.7e308, 1e308], [1.0, 1.7e308]]), 3)
+
+
+def test_coincident_points():
+    points = [[0.0, 0.0], [1.0, 1.0], [1.0, 1.0], [2.0, 0.0]]
+    assert (power(points, 0.0) == uniform(4)).all()
+    message = "points 1 and 2 coincide; chord-length parameters need distinct consecutive points"
+    with pytest.raises(CurveError, match=message) as caught:
+        chord_length(points)
+    assert caught.value.indices == (1, 2)
+    with pytest.raises(CurveError, match="points 1 and 2 coincide; centripetal"):
+        centripetal(points)
+
+
+def test_points_too_close_for_doubles():
+    points = [[0.0], [1.0], [1.0 + 2**-52], [3.0]]
+    check(centripetal(points), 4)
+    with pytest.raises(CurveError, match="parameters 1 and 2 would be equal in double precision") as caught:
+        power([[0.0], [1.0], [1.0 + 2**-52], [3.0]], 2.0)
+    assert caught.value.indices == (1, 2)
+    with pytest.raises(CurveError, match="parameters 0 and 1 would be equal"):
+        power([[0.0], [1e-200], [1e200]], 2.0)
+
+
+@pytest.mark.parametrize("rule", [uniform, chebyshev])
+@pytest.mark.parametrize(
+    ("n", "message"), [(1, "n must be at least 2, not 1"), (2.5, "n must be an integer")]
+)
+def test_bad_counts(rule, n, message):
+    with pytest.raises(CurveError, match=message):
+        rule(n)
+
+
+@pytest.mark.parametrize(
+    ("alpha", "message"),
+    [
+        (-0.5, "alpha must be at least 0, not -0.5"),
+        (math.nan, "alpha is nan; every value must be finite"),
+        ("x", "alpha must be a regular array of real numbers"),
+        ([1.0], "alpha must be a single number"),
+    ],
+)
+def test_bad_alpha(alpha, message):
+    with pytest.raises(CurveError, match=message):
+        power(POINTS, alpha)

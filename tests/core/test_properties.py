@@ -1,0 +1,76 @@
+"""Statements that hold for every input, on inputs that hypothesis makes up."""
+
+import numpy as np
+from hypothesis import assume, given, settings
+from hypothesis import strategies as st
+
+from curvecore import (
+    HermiteCurve,
+    LagrangeCurve,
+    QuinticHermiteCurve,
+    flatten_parameters,
+    natural_spline_velocities,
+    power,
+)
+
+profile = settings(derandomize=True, deadline=None, max_examples=40)
+numbers = st.floats(-1e6, 1e6, allow_subnormal=False)
+
+
+@st.composite
+def curves(draw):
+    n = draw(st.integers(2, 9))
+    rows = [draw(st.lists(numbers, min_size=2 * n, max_size=2 * n)) for _ in range(3)]
+    data = [np.array(row).reshape(n, 2) for row in rows]
+    gaps = np.array(draw(st.lists(st.floats(1e-9, 1e3), min_size=n - 1, max_size=n - 1)))
+    parameters = draw(st.floats(-1e3, 1e3)) + np.concatenate(([0.0], np.cumsum(gaps)))
+    assume((np.diff(parameters) > 0.0).all())
+    kind = draw(st.sampled_from([LagrangeCurve, HermiteCurve, QuinticHermiteCurve]))
+    count = {LagrangeCurve: 1, HermiteCurve: 2, QuinticHermiteCurve: 3}[kind]
+    return kind(*data[:count], parameters)
+
+
+@profile
+@given(curves(), st.lists(st.floats(-0.5, 1.5), min_size=1, max_size=9), st.integers(0, 3))
+def test_the_curve_is_the_sum_of_its_functions(curve, places, order):
+    first, last = curve.domain
+    t = first + (last - first) * np.array(places)
+    basis = curve.basis(t, order)
+    scale = np.einsum("mir,ird->md", np.abs(basis), np.abs(curve.jets))
+    gap = np.abs(np.einsum("mir,ird->md", basis, curve.jets) - curve.evaluate(t, order))
+    # c <= 20 on each side for n <= 9, and the sum's own 27 roundings.
+    assert (gap <= 70.0 * 2.0**-53 * scale + 1e-290).all()
+
+
+@profile
+@given(curves())
+def test_points_are_met_exactly(curve):
+    assert (curve.evaluate(curve.parameters) == curve.points).all()
+
+
+@profile
+@given(curves(), st.lists(st.floats(-0.2, 1.2), min_size=1, max_size=9))
+def test_position_functions_sum_to_one(curve, places):
+    first, last = curve.domain
+    basis = curve.basis(first + (last - first) * np.array(places))[:, :, 0]
+    assert (np.abs(basis.sum(axis=1) - 1.0) <= 40.0 * 2.0**-53 * np.abs(basis).sum(axis=1)).all()
+
+
+@profile
+@given(curves(), st.floats(1e-6, 1e3))
+def test_flattening_is_ordered_and_bounded(curve, tolerance):
+    t = flatten_parameters(curve, tolerance)
+    assert t.size <= 2**14
+    assert (np.diff(t) > 0.0).all()
+    assert (t[0], t[-1]) == curve.domain
+
+
+@profile
+@given(st.lists(st.tuples(numbers, numbers), min_size=2, max_size=9, unique=True), st.floats(0.0, 1.0))
+def test_power_parameters_increase(points, alpha):
+    steps = np.hypot(*np.diff(np.array(points), axis=0).T)
+    assume(steps.min() > 1e-9 * steps.max())
+    t = power(points, alpha)
+    assert (t[0], t[-1]) == (0.0, 1.0)
+    assert (np.diff(t) > 0.0).all()
+    assert np.isfinite(natural_spline_velocities(points, t)).all()
