@@ -40,8 +40,8 @@ Sketch parametric polynomial curves and see why they go where they go.
 _EPILOG = "A file that is called “render” or “info” opens as ./render or ./info."
 
 
-class _UnusableFileError(Exception):
-    """A file holds no document; the text says which, and where in it."""
+class _RefusalError(Exception):
+    """What was asked cannot be done; the text says why."""
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
@@ -68,7 +68,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
         return _leave_closed_pipe()
     except KeyboardInterrupt:
         return _INTERRUPTED
-    except (_UnusableFileError, ExchangeError, StorageError) as problem:
+    except (_RefusalError, ExchangeError, StorageError) as problem:
         message = str(problem)
     except OSError as problem:
         message = f"The output cannot be written ({problem.strerror})."
@@ -151,13 +151,17 @@ def _load(path: str) -> Document:
     try:
         return load(path)
     except FormatError as problem:
-        raise _UnusableFileError(f"“{path}” cannot be read: {problem}") from None
+        raise _RefusalError(f"“{path}” cannot be read: {problem}") from None
 
 
 def _edit(files: Sequence[str]) -> int:
     """Open a window for every file, or one with the first sketch; return when the last is closed."""
     for path in files:
         _load(path)  # Says what is wrong before any window opens.
+    if not _has_display():
+        raise _RefusalError(
+            "There is no display to open a window on. “curvebench render” and “curvebench info” need none."
+        )
     # The editor and Qt take a while to import, and the other commands do without.
     from PySide6.QtWidgets import QApplication  # noqa: PLC0415
 
@@ -172,6 +176,12 @@ def _edit(files: Sequence[str]) -> int:
     for window in windows:
         window.show()
     return int(application.exec())
+
+
+def _has_display() -> bool:
+    """Whether Qt will find a screen; without one it would abort the process."""
+    names = ("DISPLAY", "WAYLAND_DISPLAY", "QT_QPA_PLATFORM")
+    return sys.platform != "linux" or any(os.environ.get(name) for name in names)
 
 
 def _render(options: argparse.Namespace) -> int:

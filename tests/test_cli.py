@@ -8,6 +8,8 @@ import sys
 from pathlib import Path
 
 import pytest
+from PySide6.QtCore import QTimer
+from PySide6.QtWidgets import QMainWindow
 
 from app import __version__
 from app.cli import main
@@ -214,6 +216,14 @@ def test_pictures_need_no_display(tmp_path):
         assert (tmp_path / name).stat().st_size > 1000
 
 
+@pytest.mark.skipif(sys.platform != "linux", reason="elsewhere there is always a display")
+def test_the_editor_without_a_display_says_what_works_instead():
+    done = run(LETTER)
+    assert done.returncode == 1
+    assert done.stderr.startswith("curvebench: There is no display to open a window on.")
+    assert done.stderr.count("\n") == 1
+
+
 def test_the_package_runs_as_a_module():
     done = run("--version", code="import runpy; runpy.run_module('app', run_name='__main__')")
     assert done.stdout == f"curvebench {__version__}\n"
@@ -234,3 +244,19 @@ def test_a_closed_pipe_is_quiet():
     finally:
         os.close(writer)
     assert (done.returncode, done.stderr) == (0, b"")
+
+
+def test_the_editor_opens_a_window_for_every_file(qapp, capsys):
+    seen = []
+
+    def look_and_close():
+        windows = [widget for widget in qapp.topLevelWidgets() if isinstance(widget, QMainWindow)]
+        for window in windows:
+            seen.append((window.session.document.curves[0].name, window.isVisible()))
+            window.close()
+            window.deleteLater()
+
+    QTimer.singleShot(0, look_and_close)
+    assert main([LETTER, str(EXAMPLES / "robot_move.curve.json")]) == 0
+    assert sorted(seen) == [("Letter S", True), ("Robot move", True)]
+    assert capsys.readouterr() == ("", "")
