@@ -6,9 +6,13 @@ The layers, top to bottom; a module imports only from its own layer and those ab
 - ``view_model``: a document's curve turned into arrays to draw. No Qt; calls ``curvecore``.
 - ``gestures``: press, move and release turned into edits. No Qt.
 - ``exchange``: files in and out. Qt only in ``image``.
+- ``resources``, ``examples``: what comes with the program.
 - ``session``: the one mutable owner of the current document, its history and the selection.
-- ``plot``, ``canvas``, ``panels``: draw a value and report what the person did.
-- ``actions``, ``theme``, ``preferences``, ``main_window``: build, dock, connect.
+- ``theme``, ``preferences``: colours and icons; what is remembered between starts.
+- ``plot``: what canvas and basis panel share: a pixel map, fast drawing, pan and zoom.
+- ``canvas``, ``panels``: draw a value and report what the person did. They never call each other.
+- ``actions``, ``file_commands``, ``commands``: what can be done, and what it does.
+- ``toolbar``, ``main_window``: build, dock, connect.
 - ``cli``: the command line.  ``testing``: a driver for pytest-qt.
 """
 

@@ -1,0 +1,253 @@
+"""The one registry of actions: menus, toolbar, shortcut list and tooltips are made from it."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+from PySide6.QtGui import QAction, QActionGroup, QKeySequence
+from PySide6.QtWidgets import QWidget
+
+from app.theme import Theme, icon
+
+
+@dataclass(frozen=True)
+class ActionSpec:
+    """What an action is called, how it is reached and where it stands.
+
+    Attributes
+    ----------
+    name
+        The action's objectName.
+    text
+        Menu text, without mnemonic.
+    menu
+        The menu it stands in.
+    shortcut
+        One or more key sequences, comma separated; empty for none.
+    icon
+        A file of resources/icons, without suffix; empty for none.
+    tip
+        What it does, for tooltip and status line; the text itself where empty.
+    group
+        Name of the exclusive group it belongs to; makes it checkable.
+    checkable
+        Whether it is a switch of its own.
+    separated
+        Whether a separator stands before it in its menu.
+    """
+
+    name: str
+    text: str
+    menu: str
+    shortcut: str = ""
+    icon: str = ""
+    tip: str = ""
+    group: str = ""
+    checkable: bool = False
+    separated: bool = False
+
+
+MENUS = ("File", "Edit", "Curve", "View", "Help")
+
+SPECS = (
+    ActionSpec("newDocument", "New", "File", "Ctrl+N", "new", "Start an empty document"),
+    ActionSpec("openDocument", "Open…", "File", "Ctrl+O", "open", "Open a document"),
+    ActionSpec("saveDocument", "Save", "File", "Ctrl+S", "save", "Save the document", separated=True),
+    ActionSpec(
+        "saveDocumentAs",
+        "Save As…",
+        "File",
+        "Ctrl+Shift+S",
+        "save-as",
+        "Save the document under another name",
+    ),
+    ActionSpec("exportPicture", "Export…", "File", "Ctrl+E", "export", "Export a picture: PNG, SVG or PDF"),
+    ActionSpec("quit", "Quit", "File", "Ctrl+Q", "quit", "Close the window", separated=True),
+    ActionSpec("undo", "Undo", "Edit", "Ctrl+Z", "undo", "Take the last step back"),
+    ActionSpec("redo", "Redo", "Edit", "Ctrl+Shift+Z, Ctrl+Y", "redo", "Do the step again"),
+    ActionSpec(
+        "selectTool",
+        "Select",
+        "Edit",
+        "V",
+        "select",
+        "Select and drag points and handles",
+        "tool",
+        separated=True,
+    ),
+    ActionSpec(
+        "addTool", "Add Points", "Edit", "P", "add", "Click to add points; drag to set a velocity", "tool"
+    ),
+    ActionSpec(
+        "selectAll", "Select All", "Edit", "Ctrl+A", "select-all", "Select all points", separated=True
+    ),
+    ActionSpec("deleteSelection", "Delete", "Edit", "Del, Backspace", "delete", "Delete the selected points"),
+    ActionSpec(
+        "familyLagrange", "Lagrange", "Curve", "1", "lagrange", "One polynomial through all points", "family"
+    ),
+    ActionSpec(
+        "familyHermite", "Hermite", "Curve", "2", "hermite", "Cubic pieces with given velocities", "family"
+    ),
+    ActionSpec(
+        "familyQuinticHermite",
+        "Quintic Hermite",
+        "Curve",
+        "3",
+        "quintic",
+        "Quintic pieces with given velocities and accelerations",
+        "family",
+    ),
+    ActionSpec(
+        "freezeParameters",
+        "Freeze Parameters",
+        "Curve",
+        "",
+        "lock",
+        "Keep the parameters as they are: make them manual",
+        separated=True,
+    ),
+    ActionSpec(
+        "resetVelocities",
+        "Reset Derivatives to Estimated",
+        "Curve",
+        "",
+        "reset",
+        "Let the rules estimate the velocities and accelerations of the selected points again",
+    ),
+    ActionSpec("fitView", "Fit", "View", "F", "fit", "Show the whole curve"),
+    ActionSpec("zoomIn", "Zoom In", "View", "+, =", "zoom-in", "Zoom in on the canvas"),
+    ActionSpec("zoomOut", "Zoom Out", "View", "-", "zoom-out", "Zoom out on the canvas"),
+    ActionSpec(
+        "toggleGrid",
+        "Grid",
+        "View",
+        "Ctrl+'",
+        "grid",
+        "Show or hide the grid",
+        checkable=True,
+        separated=True,
+    ),
+    ActionSpec(
+        "toggleScrub",
+        "Scrub Line",
+        "View",
+        "T",
+        "spline",
+        "Show a point running along the curve and the weight of every point",
+        checkable=True,
+    ),
+    ActionSpec(
+        "toggleBasis",
+        "Basis Functions",
+        "View",
+        "F8",
+        "panel-bottom",
+        "Show or hide the basis functions",
+        checkable=True,
+    ),
+    ActionSpec(
+        "toggleSidePanel",
+        "Side Panel",
+        "View",
+        "F9",
+        "panel-right",
+        "Show or hide the panels at the side",
+        checkable=True,
+    ),
+    ActionSpec(
+        "enlarge",
+        "Larger Drawing",
+        "View",
+        "Ctrl+=, Ctrl++",
+        "plus",
+        "Enlarge points, lines and type, for a projector",
+        separated=True,
+    ),
+    ActionSpec("shrink", "Smaller Drawing", "View", "Ctrl+-", "", "Make points, lines and type smaller"),
+    ActionSpec(
+        "presentation",
+        "Presentation",
+        "View",
+        "F11",
+        "presentation",
+        "Hide everything but canvas and basis functions",
+        checkable=True,
+    ),
+    ActionSpec(
+        "themeSystem",
+        "Theme: as the System",
+        "View",
+        "",
+        "",
+        "Light or dark, as the system is",
+        "theme",
+        separated=True,
+    ),
+    ActionSpec("themeLight", "Theme: Light", "View", "", "", "Light colours", "theme"),
+    ActionSpec("themeDark", "Theme: Dark", "View", "", "", "Dark colours", "theme"),
+    ActionSpec("showShortcuts", "Keys and Mouse", "Help", "F1", "help", "Show what keys and mouse do"),
+    ActionSpec("about", "About Curvebench", "Help", "", "", "Version and licence"),
+)
+
+
+class Actions:
+    """The QActions of one window, by name."""
+
+    def __init__(self, window: QWidget) -> None:
+        self._actions: dict[str, QAction] = {}
+        self._groups: dict[str, QActionGroup] = {}
+        for spec in SPECS:
+            self._actions[spec.name] = self._make(spec, window)
+
+    def _make(self, spec: ActionSpec, window: QWidget) -> QAction:
+        action = QAction(spec.text, window)
+        action.setObjectName(spec.name)
+        action.setShortcuts(_sequences(spec.shortcut))
+        action.setStatusTip(spec.tip or spec.text)
+        action.setToolTip(tooltip(spec))
+        action.setCheckable(spec.checkable or bool(spec.group))
+        if spec.group:
+            group = self._groups.setdefault(spec.group, QActionGroup(window))
+            group.addAction(action)
+        return action
+
+    def __getitem__(self, name: str) -> QAction:
+        return self._actions[name]
+
+    def of_menu(self, menu: str) -> Iterator[tuple[ActionSpec, QAction]]:
+        """Yield the actions that stand in `menu`."""
+        for spec in SPECS:
+            if spec.menu == menu:
+                yield spec, self._actions[spec.name]
+
+    def shortcuts(self) -> list[tuple[str, str]]:
+        """Return (keys, what they do) of the actions that can be used now."""
+        rows = []
+        for spec in SPECS:
+            action = self._actions[spec.name]
+            keys = [_native(key) for key in action.shortcuts()]
+            if keys and action.isEnabled():
+                rows.append((" or ".join(keys), spec.tip or spec.text))
+        return rows
+
+    def set_theme(self, theme: Theme) -> None:
+        """Tint the icons for `theme`."""
+        for spec in SPECS:
+            if spec.icon:
+                self._actions[spec.name].setIcon(icon(spec.icon, theme))
+
+
+def tooltip(spec: ActionSpec) -> str:
+    """Return the tooltip of an action: what it does, and its first shortcut."""
+    keys = _sequences(spec.shortcut)
+    suffix = f" ({_native(keys[0])})" if keys else ""
+    return f"{spec.tip or spec.text}{suffix}"
+
+
+def _sequences(shortcut: str) -> list[QKeySequence]:
+    return [QKeySequence(part) for part in shortcut.split(", ")] if shortcut else []
+
+
+def _native(key: QKeySequence) -> str:
+    return key.toString(QKeySequence.SequenceFormat.NativeText)

@@ -1,0 +1,87 @@
+"""The curve itself, and the fading ghost of the curve as it was before a rule changed."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import QAbstractAnimation, Qt, QVariantAnimation
+from PySide6.QtGui import QColor, QPainter, QPen
+
+from app.plot.drawing import Stroke
+from app.plot.pixel_map import Floats, PixelMap
+from app.plot.plot_widget import Layer, PlotWidget
+from app.theme import Theme
+from app.view_model.curve_view import CurveView, Polyline
+
+TOLERANCE = 0.1
+"""Largest distance between the curve and what is drawn of it, in pixels; a quarter can be seen as corners."""
+
+_GHOST_MS = 900
+
+
+class CurveLayer:
+    """Draws the active curve within a tenth of a pixel."""
+
+    def __init__(self, plot: PlotWidget, theme: Theme) -> None:
+        self.theme = theme
+        self.scale = 1.0
+        self._view: CurveView | None = None
+        self._stroke, self._ghost_stroke = Stroke(), Stroke()
+        self._drawn: tuple[CurveView | None, PixelMap | None] = (None, None)
+        self._ghost: Floats | None = None
+        self._fade = QVariantAnimation(plot, startValue=1.0, endValue=0.0, duration=_GHOST_MS)
+        self._layer: Layer = plot.add_layer(self.paint, z=0)
+        self._fade.valueChanged.connect(lambda _value: self._layer.update())
+        self._fade.finished.connect(self._drop_ghost)
+
+    def render(self, view: CurveView) -> None:
+        """Draw `view` from the next paint on."""
+        self._view = view
+        self._layer.update()
+
+    def show_ghost(self, points: Floats) -> None:
+        """Let a curve, as a polyline of the plane, stand behind the present one and fade."""
+        self._ghost = points
+        self._fade.stop()
+        self._fade.start()
+
+    def _drop_ghost(self) -> None:
+        self._ghost = None
+        self._layer.update()
+
+    def polyline(self, shown: PixelMap) -> Polyline | None:
+        """Return the curve as it is drawn, None without one."""
+        if self._view is None or self._view.curve is None:
+            return None
+        return self._view.flattened(TOLERANCE / max(shown.sx, shown.sy), shown.box)
+
+    def paint(self, painter: QPainter, shown: PixelMap) -> None:
+        """Draw ghost and curve."""
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing, True)
+        if self._ghost is not None and self._fade.state() == QAbstractAnimation.State.Running:
+            self._paint_ghost(painter, shown, self._ghost)
+        if self._view is not self._drawn[0] or shown is not self._drawn[1]:
+            self._fill(shown)
+        painter.setPen(self._pen())
+        self._stroke.draw(painter)
+
+    def _fill(self, shown: PixelMap) -> None:
+        polyline = self.polyline(shown)
+        if polyline is None:
+            self._stroke = Stroke()
+        else:
+            self._stroke.fill(shown.points(polyline.points), shown.width, shown.height)
+        self._drawn = (self._view, shown)
+
+    def _pen(self) -> QPen:
+        pen = QPen(self.theme.curve, 2.0 * self.scale)
+        pen.setCapStyle(Qt.PenCapStyle.RoundCap)
+        if self._view is not None and not self._view.is_current:
+            # The last good curve, of nodes or rules that are no more.
+            pen.setColor(self.theme.ghost)
+        return pen
+
+    def _paint_ghost(self, painter: QPainter, shown: PixelMap, points: Floats) -> None:
+        self._ghost_stroke.fill(shown.points(points), shown.width, shown.height)
+        colour = QColor(self.theme.ghost)
+        colour.setAlphaF(float(self._fade.currentValue()))
+        painter.setPen(QPen(colour, 1.5 * self.scale))
+        self._ghost_stroke.draw(painter)

@@ -1,0 +1,55 @@
+"""The grid behind the drawing: at the ticks of the axes, so that lines and labels agree."""
+
+from __future__ import annotations
+
+import numpy as np
+from PySide6.QtGui import QPainter, QPen
+
+from app.plot.drawing import Segments
+from app.plot.pixel_map import Floats, PixelMap
+from app.plot.plot_widget import PlotWidget
+from app.theme import Theme
+
+
+class GridLayer:
+    """Fine and coarse lines that adapt to the zoom."""
+
+    def __init__(self, plot: PlotWidget, theme: Theme) -> None:
+        self._plot = plot
+        self.theme = theme
+        self.visible = True
+        self._shown: PixelMap | None = None
+        self._fine, self._coarse = Segments(), Segments()
+        plot.add_layer(self.paint, z=-10)
+
+    def paint(self, painter: QPainter, shown: PixelMap) -> None:
+        """Draw the lines; they are computed anew when another part of the plane is visible."""
+        if not self.visible:
+            return
+        if shown is not self._shown:
+            self._compute(shown)
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing, False)
+        for lines, colour in ((self._fine, self.theme.grid_fine), (self._coarse, self.theme.grid_coarse)):
+            painter.setPen(QPen(colour, 1))
+            lines.draw(painter)
+
+    def _compute(self, shown: PixelMap) -> None:
+        self._shown = shown
+        x_min, y_min, x_max, y_max = shown.box
+        x_levels = self._plot.getAxis("bottom").tickValues(x_min, x_max, shown.width)
+        y_levels = self._plot.getAxis("left").tickValues(y_min, y_max, shown.height)
+        for lines, level in ((self._coarse, 0), (self._fine, 1)):
+            across = [shown.x(_values(x_levels, level)), shown.y(_values(y_levels, level))]
+            lines.fill(_lines(across[0], across[1], shown))
+
+
+def _values(levels: list[tuple[float, list[float]]], level: int) -> Floats:
+    return np.array(levels[level][1] if level < len(levels) else [], dtype=float)
+
+
+def _lines(x: Floats, y: Floats, shown: PixelMap) -> Floats:
+    """Return vertical lines at `x` and horizontal lines at `y`, on whole pixels so that they stay crisp."""
+    x, y = np.round(x), np.round(y)
+    vertical = np.column_stack([x, np.zeros_like(x), x, np.full_like(x, shown.height)])
+    horizontal = np.column_stack([np.zeros_like(y), y, np.full_like(y, shown.width), y])
+    return np.vstack([vertical, horizontal])

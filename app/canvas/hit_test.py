@@ -1,0 +1,97 @@
+"""What lies under the pointer on the canvas."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from app.document.model import Vector
+from app.gestures.pointer import Hit, Part
+from app.plot.pixel_map import Floats, PixelMap
+from app.view_model.curve_view import CurveView, Polyline
+from app.view_model.handles import Handle
+
+POINT_REACH = 10.0
+"""Pixels from the pointer within which a point or a handle is grabbed."""
+
+CURVE_REACH = 8.0
+
+_PARTS = {1: Part.VELOCITY_HANDLE, 2: Part.ACCELERATION_HANDLE}
+
+
+def hit_test(
+    pixel: Vector,
+    shown: PixelMap,
+    view: CurveView,
+    polyline: Polyline | None,
+    selection: frozenset[int],
+    handles: Sequence[Handle],
+) -> Hit | None:
+    """Return what lies under `pixel`: a selected point before its handles, then points, then the curve."""
+    selected = _nearest_point(pixel, shown, view, sorted(selection))
+    handle = _nearest_handle(pixel, shown, handles, selection)
+    if selected is not None and (handle is None or selected[1] <= handle[1]):
+        return selected[0]
+    if handle is not None:
+        return handle[0]
+    point = _nearest_point(pixel, shown, view, range(len(view.points)))
+    if point is not None:
+        return point[0]
+    return _on_curve(pixel, shown, view, polyline) if polyline is not None else None
+
+
+def _nearest_point(
+    pixel: Vector, shown: PixelMap, view: CurveView, indices: Sequence[int]
+) -> tuple[Hit, float] | None:
+    if not len(indices):
+        return None
+    candidates = np.asarray(indices)
+    away = shown.points(view.points[candidates]) - pixel
+    distances = np.hypot(away[:, 0], away[:, 1])
+    # Of coincident points the last wins: it is drawn on top.
+    best = len(distances) - 1 - int(np.argmin(distances[::-1]))
+    if distances[best] > POINT_REACH:
+        return None
+    index = int(candidates[best])
+    return Hit(Part.POINT, index, view.source.nodes[index].position), float(distances[best])
+
+
+def _nearest_handle(
+    pixel: Vector, shown: PixelMap, handles: Sequence[Handle], selection: frozenset[int]
+) -> tuple[Hit, float] | None:
+    best: tuple[Hit, float] | None = None
+    for handle in handles:
+        x, y = shown.point(*handle.position)
+        distance = float(np.hypot(x - pixel[0], y - pixel[1]))
+        if distance <= POINT_REACH and (best is None or distance < best[1]):
+            index = next(iter(selection))
+            best = Hit(_PARTS[handle.kind], index, handle.position, ahead=handle.ahead), distance
+    return best
+
+
+def _on_curve(pixel: Vector, shown: PixelMap, view: CurveView, polyline: Polyline) -> Hit | None:
+    if view.curve is None or not view.is_current or len(polyline.points) < 2:
+        return None
+    segment, share, distance = nearest_on_polyline(shown.points(polyline.points), pixel)
+    if distance > CURVE_REACH:
+        return None
+    t0, t1 = polyline.parameters[segment : segment + 2]
+    t = float(t0 + share * (t1 - t0))
+    x, y = view.curve.evaluate(t)
+    index = int(np.searchsorted(view.parameters, t))
+    return Hit(Part.CURVE, max(index, 1), (float(x), float(y)), t=t)
+
+
+def nearest_on_polyline(points: Floats, pixel: Vector) -> tuple[int, float, float]:
+    """Return (segment, share of its length, distance) of the point of a polyline nearest to `pixel`."""
+    # Far away vertices would overflow when squared; beyond this nobody points at them.
+    points = np.clip(points, -1e9, 1e9)
+    start, along = points[:-1], np.diff(points, axis=0)
+    away = np.asarray(pixel) - start
+    squared = (along**2).sum(axis=1)
+    shares = np.clip((away * along).sum(axis=1) / np.where(squared > 0, squared, 1.0), 0.0, 1.0)
+    gaps = away - shares[:, None] * along
+    distances = np.hypot(gaps[:, 0], gaps[:, 1])
+    best = int(np.argmin(distances))
+    return best, float(shares[best]), float(distances[best])

@@ -1,0 +1,278 @@
+"""Edits: pure functions ``(Document, …) -> Document``.
+
+An edit knows nothing of gestures, selections or screens. `curve` is the curve's index in the document,
+`index` a node's index in the curve. Parameters that a rule gives are not in the document; an edit that needs
+them takes them as `parameters`. What cannot be done raises `EditError` with a sentence for the person.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Collection, Iterable, Sequence
+from itertools import pairwise
+
+from msgspec.structs import replace
+
+from app.document.model import (
+    MAX_MAGNITUDE,
+    AccelerationRule,
+    Curve,
+    Document,
+    Family,
+    Node,
+    ParametrizationKind,
+    Vector,
+    VelocityRule,
+)
+
+
+class EditError(ValueError):
+    """An edit that cannot be done; the message tells the person why."""
+
+
+def checked(value: float, what: str) -> float:
+    """Return `value` if a document may hold it."""
+    if not math.isfinite(value):
+        raise EditError(f"{what} must be a finite number.")
+    if abs(value) > MAX_MAGNITUDE:
+        raise EditError(f"{what} must lie between −1e12 and 1e12.")
+    return float(value)
+
+
+def _checked_vector(vector: Vector, what: str) -> Vector:
+    return (checked(vector[0], f"The x of {what}"), checked(vector[1], f"The y of {what}"))
+
+
+def _with_nodes(document: Document, curve: int, nodes: Iterable[Node]) -> Document:
+    return document.with_curve(curve, replace(document.curves[curve], nodes=tuple(nodes)))
+
+
+def _with_node(document: Document, curve: int, index: int, node: Node) -> Document:
+    nodes = document.curves[curve].nodes
+    return _with_nodes(document, curve, (*nodes[:index], node, *nodes[index + 1 :]))
+
+
+# Points
+
+
+def insert_nodes(document: Document, curve: int, index: int, nodes: Sequence[Node]) -> Document:
+    """Insert `nodes` before node `index`; `index` equal to the number of nodes appends."""
+    for node in nodes:
+        _checked_vector(node.position, "the point")
+    old = document.curves[curve].nodes
+    return _with_nodes(document, curve, (*old[:index], *nodes, *old[index:]))
+
+
+def append_node(document: Document, curve: int, node: Node, *, squeeze: float = 1.0) -> Document:
+    """Append `node`; derivatives set before are rescaled so that the shape drawn so far stays.
+
+    Under an automatic rule the parameters of the old points are squeezed into a part of the interval when
+    a point is appended. `squeeze` is that factor, dt_new / dt_old; a velocity per unit of t grows by
+    1/squeeze, an acceleration by its square, and the handles stay where the person put them.
+    """
+    _checked_vector(node.position, "the point")
+    old = (_stretched(each, squeeze) for each in document.curves[curve].nodes)
+    return _with_nodes(document, curve, (*old, node))
+
+
+def move_nodes(document: Document, curve: int, indices: Collection[int], by: Vector) -> Document:
+    """Move the nodes at `indices` by the vector `by`; their derivatives stay."""
+    moved = [
+        _moved(node, by) if index in indices else node
+        for index, node in enumerate(document.curves[curve].nodes)
+    ]
+    return _with_nodes(document, curve, moved)
+
+
+def _moved(node: Node, by: Vector) -> Node:
+    x, y = _checked_vector((node.x + by[0], node.y + by[1]), "the point")
+    return replace(node, x=x, y=y)
+
+
+def set_position(document: Document, curve: int, index: int, position: Vector) -> Document:
+    """Put node `index` at `position`."""
+    x, y = _checked_vector(position, f"point {index}")
+    return _with_node(document, curve, index, replace(document.curves[curve].nodes[index], x=x, y=y))
+
+
+def delete_nodes(document: Document, curve: int, indices: Collection[int]) -> Document:
+    """Remove the nodes at `indices`."""
+    kept = [node for i, node in enumerate(document.curves[curve].nodes) if i not in indices]
+    return _with_nodes(document, curve, kept)
+
+
+def set_velocity(document: Document, curve: int, index: int, velocity: Vector | None) -> Document:
+    """Fix the velocity of node `index`, per unit of t, or leave it to the rule (None)."""
+    if velocity is not None:
+        velocity = _checked_vector(velocity, f"the velocity of point {index}")
+    return _with_node(document, curve, index, replace(document.curves[curve].nodes[index], velocity=velocity))
+
+
+def set_acceleration(document: Document, curve: int, index: int, acceleration: Vector | None) -> Document:
+    """Fix the acceleration of node `index`, per unit of t squared, or leave it to the rule (None)."""
+    if acceleration is not None:
+        acceleration = _checked_vector(acceleration, f"the acceleration of point {index}")
+    node = replace(document.curves[curve].nodes[index], acceleration=acceleration)
+    return _with_node(document, curve, index, node)
+
+
+def reset_derivatives(document: Document, curve: int, indices: Collection[int]) -> Document:
+    """Let the rules estimate the derivatives of the nodes at `indices` again."""
+    nodes = [
+        replace(node, velocity=None, acceleration=None) if index in indices else node
+        for index, node in enumerate(document.curves[curve].nodes)
+    ]
+    return _with_nodes(document, curve, nodes)
+
+
+# Rules
+
+
+def set_family(document: Document, curve: int, family: Family) -> Document:
+    """Draw the same nodes with another family."""
+    return document.with_curve(curve, replace(document.curves[curve], family=family))
+
+
+def set_velocity_rule(document: Document, curve: int, rule: VelocityRule) -> Document:
+    """Choose how velocities that nobody set are estimated."""
+    return document.with_curve(curve, replace(document.curves[curve], velocity_rule=rule))
+
+
+def set_acceleration_rule(document: Document, curve: int, rule: AccelerationRule) -> Document:
+    """Choose how accelerations that nobody set are estimated."""
+    return document.with_curve(curve, replace(document.curves[curve], acceleration_rule=rule))
+
+
+def set_alpha(document: Document, curve: int, alpha: float) -> Document:
+    """Use the power rule Δt = |Δp|^alpha."""
+    if not 0 <= alpha <= 1:
+        raise EditError("α must lie between 0 (uniform) and 1 (chord length).")
+    old = document.curves[curve]
+    rule = replace(old.parametrization, kind=ParametrizationKind.POWER, alpha=float(alpha))
+    return document.with_curve(curve, replace(old, parametrization=rule))
+
+
+def set_parametrization(
+    document: Document, curve: int, kind: ParametrizationKind, parameters: Sequence[float]
+) -> Document:
+    """Choose the rule for the parameters.
+
+    Going to manual brings back the manual parameters the points had, if every point still has one, and
+    otherwise starts from `parameters`, those in force now.
+    """
+    old = document.curves[curve]
+    if kind is ParametrizationKind.MANUAL and any(node.t is None for node in old.nodes):
+        return freeze_parameters(document, curve, parameters)
+    return document.with_curve(curve, replace(old, parametrization=replace(old.parametrization, kind=kind)))
+
+
+def freeze_parameters(document: Document, curve: int, parameters: Sequence[float]) -> Document:
+    """Make `parameters` the manual parameters."""
+    old = document.curves[curve]
+    nodes = tuple(replace(node, t=float(t)) for node, t in zip(old.nodes, parameters, strict=True))
+    rule = replace(old.parametrization, kind=ParametrizationKind.MANUAL)
+    return document.with_curve(curve, replace(old, nodes=nodes, parametrization=rule))
+
+
+def set_parameter(
+    document: Document, curve: int, index: int, t: float, parameters: Sequence[float]
+) -> Document:
+    """Give node `index` the parameter `t` and freeze the others at `parameters`; the order is kept."""
+    t = checked(t, f"The t of point {index}")
+    if index > 0 and not t > (before := parameters[index - 1]):
+        raise EditError(
+            f"The t of point {index} must be greater than {before:g}, the t of point {index - 1}."
+        )
+    if index < len(parameters) - 1 and not t < (after := parameters[index + 1]):
+        raise EditError(f"The t of point {index} must be less than {after:g}, the t of point {index + 1}.")
+    return freeze_parameters(document, curve, [*parameters[:index], t, *parameters[index + 1 :]])
+
+
+def set_interval(document: Document, curve: int, start: float, end: float) -> Document:
+    """Let the parameters span [start, end]; the curve keeps its shape and is run through faster or slower.
+
+    Manual parameters are mapped along, and derivatives that the person set are rescaled, so that the
+    handles stay.
+    """
+    start, end = checked(start, "The start of the interval"), checked(end, "The end of the interval")
+    if not start < end:
+        raise EditError(f"The interval must end after it starts; {end:g} is not greater than {start:g}.")
+    old = document.curves[curve]
+    old_start, old_end = interval(old)
+    factor = (end - start) / (old_end - old_start)
+    nodes = tuple(
+        _stretched(_shifted(node, (old_start, old_end), (start, end)), factor) for node in old.nodes
+    )
+    rule = replace(old.parametrization, start=start, end=end)
+    result = replace(old, nodes=nodes, parametrization=rule)
+    _refuse_equal_parameters(result)
+    return document.with_curve(curve, result)
+
+
+def interval(curve: Curve) -> tuple[float, float]:
+    """Return the interval that the parameters of `curve` span."""
+    rule = curve.parametrization
+    if curve.is_manual and len(curve.nodes) > 1:
+        first, last = curve.nodes[0].t, curve.nodes[-1].t
+        if first is not None and last is not None:
+            return (first, last)
+    return (rule.start, rule.end)
+
+
+def _shifted(node: Node, old: tuple[float, float], new: tuple[float, float]) -> Node:
+    """Map a manual parameter from interval `old` to `new`, the ends exactly."""
+    if node.t is None:
+        return node
+    s = (node.t - old[0]) / (old[1] - old[0])
+    return replace(node, t=new[1] if node.t == old[1] else new[0] + s * (new[1] - new[0]))
+
+
+def _stretched(node: Node, factor: float) -> Node:
+    """Rescale derivatives for a time that runs `factor` times as long."""
+    if factor == 1 or (node.velocity is None and node.acceleration is None):
+        return node
+    velocity, acceleration = node.velocity, node.acceleration
+    if velocity is not None:
+        velocity = (velocity[0] / factor, velocity[1] / factor)
+    if acceleration is not None:
+        acceleration = (acceleration[0] / factor**2, acceleration[1] / factor**2)
+    return replace(node, velocity=velocity, acceleration=acceleration)
+
+
+def _refuse_equal_parameters(curve: Curve) -> None:
+    given = [node.t for node in curve.nodes if node.t is not None]
+    if any(not b > a for a, b in pairwise(given)):
+        raise EditError("The interval is too short to keep the parameters apart.")
+
+
+# Numbers typed and pasted
+
+
+def rename_curve(document: Document, curve: int, name: str) -> Document:
+    """Give the curve a name."""
+    return document.with_curve(curve, replace(document.curves[curve], name=name))
+
+
+def set_nodes(document: Document, curve: int, nodes: Iterable[Node]) -> Document:
+    """Put `nodes` in the place of all nodes; every number is checked."""
+    nodes = tuple(nodes)
+    for index, node in enumerate(nodes):
+        _checked_vector(node.position, f"point {index}")
+        for vector, what in ((node.velocity, "velocity"), (node.acceleration, "acceleration")):
+            if vector is not None:
+                _checked_vector(vector, f"the {what} of point {index}")
+    return _with_nodes(document, curve, nodes)
+
+
+def estimate_derivatives(
+    document: Document, curve: int, indices: Collection[int], orders: Collection[int] = (1, 2)
+) -> Document:
+    """Leave the velocities (order 1) and accelerations (order 2) of the nodes at `indices` to the rules."""
+    names = {1: "velocity", 2: "acceleration"}
+    cleared = dict.fromkeys(names[order] for order in orders)
+    nodes = document.curves[curve].nodes
+    return _with_nodes(
+        document,
+        curve,
+        (replace(node, **cleared) if index in indices else node for index, node in enumerate(nodes)),
+    )

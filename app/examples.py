@@ -1,0 +1,24 @@
+"""The sketch that the first window shows, and the examples that come with the program."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from app.document.model import Document, make_curve
+from app.resources import resource
+
+_S_SKETCH = (
+    (3.03, 3.34), (2.65, 3.81), (1.39, 3.83), (1.14, 2.38),
+    (2.95, 1.62), (2.67, 0.17), (1.29, 0.19), (0.86, 0.66),
+)  # fmt: skip
+"""Denser towards the ends, as a polynomial likes it: the curve is calm, its basis functions stay low."""
+
+
+def first_sketch() -> Document:
+    """Return the document that a window without a file starts with: an S-shaped sketch."""
+    return Document((make_curve(_S_SKETCH, name="Sketch"),))
+
+
+def example_paths() -> list[Path]:
+    """Return the documents of File > Examples."""
+    return sorted(resource("examples").glob("*.curve.json"))

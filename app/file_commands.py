@@ -1,0 +1,144 @@
+"""Open, save, export: the dialogs and questions around files."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+
+from PySide6.QtWidgets import QFileDialog, QMessageBox, QWidget
+
+from app.document.format import FormatError
+from app.document.storage import StorageError
+from app.exchange import ExchangeError, export
+from app.preferences import Preferences
+from app.session import Session
+
+SUFFIX = ".curve.json"
+_DOCUMENTS = f"Curvebench documents (*{SUFFIX});;All files (*)"
+_PICTURES = "PNG picture (*.png);;SVG drawing (*.svg);;PDF document (*.pdf)"
+
+
+class FileCommands:
+    """What the File menu does.
+
+    Parameters
+    ----------
+    window
+        Parent of the dialogs.
+    warn
+        Shows why something could not be done.
+    """
+
+    def __init__(
+        self, session: Session, preferences: Preferences, window: QWidget, warn: Callable[[str], None]
+    ) -> None:
+        self._session, self._preferences = session, preferences
+        self._window, self._warn = window, warn
+
+    def new(self) -> None:
+        """Start an empty document, after asking about unsaved changes."""
+        if self.may_discard():
+            self._session.new()
+
+    def ask_and_open(self) -> None:
+        """Let the person choose a document and open it."""
+        folder = str(self._preferences.last_folder)
+        name, _ = QFileDialog.getOpenFileName(self._window, "Open", folder, _DOCUMENTS)
+        if name:
+            self.open(Path(name))
+
+    def open(self, path: Path) -> None:
+        """Open the document at `path`, after asking about unsaved changes."""
+        self._open(path, self._session.open, remember=True)
+
+    def open_example(self, path: Path) -> None:
+        """Open a copy of an example; saving it asks for a name."""
+        self._open(path, self._session.open_copy, remember=False)
+
+    def _open(self, path: Path, opener: Callable[[Path], None], *, remember: bool) -> None:
+        if not self.may_discard():
+            return
+        try:
+            opener(path)
+        except (FormatError, StorageError) as problem:
+            self._warn(f"{path.name} was not opened. {problem}")
+            return
+        if remember:
+            self._remember(path)
+
+    def save(self) -> bool:
+        """Save to the document's file, or ask for one; return whether it was saved."""
+        if self._session.path is None:
+            return self.ask_and_save()
+        return self._save(self._session.path)
+
+    def ask_and_save(self) -> bool:
+        """Let the person choose a file and save there."""
+        start = self._session.path or self._preferences.last_folder / f"curve{SUFFIX}"
+        name, _ = QFileDialog.getSaveFileName(self._window, "Save As", str(start), _DOCUMENTS)
+        return bool(name) and self._save(with_suffix(Path(name)))
+
+    def _save(self, path: Path) -> bool:
+        try:
+            self._session.save(path)
+        except (FormatError, StorageError) as problem:
+            self._warn(f"{path.name} was not saved. {problem}")
+            return False
+        self._remember(path)
+        self._session.say(f"Saved {path.name}.")
+        return True
+
+    def ask_and_export(self) -> None:
+        """Let the person choose a picture file and write it."""
+        stem = self._session.path.name.removesuffix(SUFFIX) if self._session.path else "curve"
+        start = self._preferences.last_folder / f"{stem}.png"
+        name, chosen = QFileDialog.getSaveFileName(self._window, "Export", str(start), _PICTURES)
+        if name:
+            path = Path(name)
+            self.export(path if path.suffix else path.with_suffix(_suffix_of(chosen)))
+
+    def export(self, path: Path) -> None:
+        """Write a picture of the document."""
+        try:
+            export(self._session.document, path)
+        except (ExchangeError, StorageError, FormatError) as problem:
+            self._warn(f"{path.name} was not written. {problem}")
+            return
+        self._preferences.last_folder = path.parent
+        self._session.say(f"Wrote {path.name}.")
+
+    def _remember(self, path: Path) -> None:
+        self._preferences.add_recent_file(path)
+        self._preferences.last_folder = path.parent
+
+    def may_discard(self) -> bool:
+        """Ask what to do with unsaved changes; return whether the document may be replaced."""
+        self._session.cancel()
+        if not self._session.is_modified:
+            return True
+        answer = self._ask_about_changes()
+        if answer == QMessageBox.StandardButton.Save:
+            return self.save()
+        return answer == QMessageBox.StandardButton.Discard
+
+    def _ask_about_changes(self) -> int:
+        name = self._session.path.name if self._session.path else "the sketch"
+        question = QMessageBox(self._window)
+        question.setObjectName("saveChanges")
+        question.setWindowTitle("Curvebench")
+        question.setIcon(QMessageBox.Icon.Question)
+        question.setText(f"Save the changes to {name}?")
+        question.setInformativeText("Without saving they are lost.")
+        buttons = QMessageBox.StandardButton
+        question.setStandardButtons(buttons.Save | buttons.Discard | buttons.Cancel)
+        question.setDefaultButton(buttons.Save)
+        return question.exec()
+
+
+def with_suffix(path: Path) -> Path:
+    """Return `path` with the documents' suffix if it has none."""
+    return path if path.suffix else path.with_name(path.name + SUFFIX)
+
+
+def _suffix_of(name_filter: str) -> str:
+    return name_filter.partition("(*")[2].rstrip(")")

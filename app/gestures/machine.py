@@ -1,0 +1,147 @@
+"""The state machine that all drags share."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Collection
+from dataclasses import dataclass
+from typing import Protocol
+
+from app.document.edits import EditError
+from app.document.model import Document, Vector
+from app.gestures.pointer import Pointer
+from app.view_model.curve_view import CurveView
+
+THRESHOLD = 3.0
+"""Pixels the pointer must travel before a press becomes a drag."""
+
+
+class Host(Protocol):
+    """What a gesture needs of the session."""
+
+    active_index: int
+    selection: frozenset[int]
+
+    @property
+    def document(self) -> Document:
+        """The current document."""
+
+    @property
+    def active_view(self) -> CurveView:
+        """The view of the active curve."""
+
+    def preview(self, document: Document) -> None:
+        """Show a document for the length of the gesture."""
+
+    def commit(self, document: Document, text: str) -> None:
+        """Make it a step of the history."""
+
+    def cancel(self) -> None:
+        """Drop the preview."""
+
+    def select(self, indices: Collection[int]) -> None:
+        """Select nodes."""
+
+    def set_hovered(self, index: int) -> None:
+        """Say which node the pointer is over."""
+
+    def set_scrub(self, t: float | None) -> None:
+        """Move the scrub line."""
+
+    def say(self, text: str) -> None:
+        """Show a sentence in the status line."""
+
+
+class Drag(Protocol):
+    """What a drag makes of the document it began with."""
+
+    @property
+    def name(self) -> str:
+        """The name of the step in the history."""
+
+    def document_at(self, pointer: Pointer) -> Document:
+        """Return the document for this position, computed from the press, never from the last move."""
+
+
+@dataclass
+class _Press:
+    pixel: Vector
+    drag: Drag | None
+    on_click: Callable[[], None] | None
+    moving: bool
+    last: Document | None = None
+
+
+class DragMachine:
+    """Turns press, move and release into preview, commit and cancel.
+
+    A press becomes a drag after `THRESHOLD` pixels; before that a release is a click.
+    """
+
+    def __init__(self, host: Host) -> None:
+        self._host = host
+        self._press: _Press | None = None
+
+    @property
+    def is_pressed(self) -> bool:
+        """Whether a gesture is in flight."""
+        return self._press is not None
+
+    @property
+    def is_moving(self) -> bool:
+        """Whether the gesture in flight has become a drag."""
+        return self._press is not None and self._press.moving
+
+    def press(self, pointer: Pointer, drag: Drag | None, on_click: Callable[[], None] | None = None) -> None:
+        """Begin: `drag` takes over past the threshold, `on_click` is called if there is no drag."""
+        self._press = _Press(pointer.pixel, drag, on_click, moving=False)
+
+    def press_at_once(self, pointer: Pointer, drag: Drag) -> None:
+        """Begin a drag that shows its effect at the press (a new point) and commits without any move."""
+        self._press = _Press(pointer.pixel, drag, None, moving=True)
+        self._step(pointer)
+
+    def move(self, pointer: Pointer) -> None:
+        """Follow the pointer."""
+        press = self._press
+        if press is None or press.drag is None:
+            return
+        if not press.moving:
+            press.moving = math.dist(pointer.pixel, press.pixel) >= THRESHOLD
+        if press.moving:
+            self._step(pointer)
+
+    def _step(self, pointer: Pointer) -> None:
+        press = self._press
+        assert press is not None
+        assert press.drag is not None
+        try:
+            document = press.drag.document_at(pointer)
+        except EditError as reason:
+            self._host.say(str(reason))
+            return
+        press.last = document
+        self._host.preview(document)
+
+    def release(self, pointer: Pointer) -> None:
+        """End: commit what the drag made, or click."""
+        self.move(pointer)
+        press, self._press = self._press, None
+        if press is None:
+            return
+        if press.moving and press.drag is not None and press.last is not None:
+            self._host.commit(press.last, press.drag.name)
+        elif not press.moving and press.on_click is not None:
+            press.on_click()
+
+    def cancel(self) -> bool:
+        """Drop the gesture in flight and everything it showed; return whether there was one."""
+        was_pressed = self._press is not None
+        self.forget()
+        if was_pressed:
+            self._host.cancel()
+        return was_pressed
+
+    def forget(self) -> None:
+        """Drop the gesture in flight without touching the document: somebody else has replaced it."""
+        self._press = None

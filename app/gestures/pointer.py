@@ -1,0 +1,80 @@
+"""Where the pointer is, and what lies under it."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from enum import Enum, auto
+
+from app.document.model import Vector
+
+
+class Part(Enum):
+    """A part of the drawing that can be hit."""
+
+    POINT = auto()
+    VELOCITY_HANDLE = auto()
+    ACCELERATION_HANDLE = auto()
+    CURVE = auto()
+    TICK = auto()
+    FUNCTION = auto()
+    SCRUB = auto()
+
+
+@dataclass(frozen=True)
+class Hit:
+    """What lies under the pointer.
+
+    Attributes
+    ----------
+    part
+        Which kind of thing.
+    index
+        The node it belongs to; for the curve, the node before which a new one would be inserted.
+    position
+        Where exactly the thing lies, in the plane (on the curve: the nearest point of it).
+    ahead
+        For a handle: whether it lies on the segment after the node.
+    t
+        For the curve: the parameter there.
+    kind
+        For a basis function: 0 position, 1 velocity, 2 acceleration.
+    """
+
+    part: Part
+    index: int
+    position: Vector
+    ahead: bool = True
+    t: float = 0.0
+    kind: int = 0
+
+
+@dataclass(frozen=True)
+class Pointer:
+    """One press, move or release.
+
+    Attributes
+    ----------
+    position
+        In the plane of the plot: (x, y) on the canvas, (t, value) in the basis panel.
+    pixel
+        In pixels of the plot area.
+    hit
+        What lies under it; only a press and a hover need it.
+    shift, ctrl, alt
+        Modifier keys.
+    """
+
+    position: Vector
+    pixel: Vector
+    hit: Hit | None = None
+    shift: bool = False
+    ctrl: bool = False
+    alt: bool = False
+
+
+@dataclass(frozen=True)
+class Hint:
+    """What a press here would do: a sentence, and whether something can be grabbed."""
+
+    text: str = ""
+    grab: bool = False

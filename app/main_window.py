@@ -1,0 +1,293 @@
+"""The window: builds, docks and connects. Nothing else."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from PySide6.QtCore import QEvent, Qt
+from PySide6.QtGui import QAction, QCloseEvent, QDragEnterEvent, QDropEvent, QKeyEvent
+from PySide6.QtWidgets import (
+    QApplication,
+    QDockWidget,
+    QMainWindow,
+    QMenu,
+    QSplitter,
+    QWidget,
+)
+
+from app.actions import MENUS, Actions
+from app.canvas.canvas import Canvas
+from app.commands import Commands
+from app.examples import example_paths
+from app.file_commands import FileCommands
+from app.gestures.rail import RailTool
+from app.gestures.tools import CanvasTool
+from app.panels.basis_pane import BasisPane
+from app.panels.basis_panel import BasisPanel
+from app.panels.curve_settings import CurveSettings
+from app.panels.history import HistoryPanel
+from app.panels.message_bar import MessageBar
+from app.panels.parametrization_bar import ParametrizationBar
+from app.panels.point_table import PointTable
+from app.panels.status_line import StatusLine
+from app.preferences import Preferences
+from app.session import Session
+from app.theme import ThemeMode, app_icon, apply_theme, theme_of
+from app.toolbar import Toolbar
+
+
+class MainWindow(QMainWindow):
+    """One document in one window.
+
+    Attributes
+    ----------
+    canvas, basis_panel
+        The two plots.
+    point_table
+        The QTableView with the numbers.
+    """
+
+    def __init__(self, session: Session, preferences: Preferences | None = None) -> None:
+        super().__init__()
+        self.session = session
+        self.preferences = preferences or Preferences()
+        self.setWindowIcon(app_icon())
+        self.setAcceptDrops(True)
+        self.actions_by_name = Actions(self)
+        self._build_plots()
+        self._build_docks()
+        self._build_bars()
+        self._files = FileCommands(session, self.preferences, self, self.message_bar.warn)
+        self._commands = Commands(self, self._files)
+        self._connect()
+        self._restore_layout()
+        self._apply_theme_mode()
+        self._render_document()
+        self._render_file()
+        self.canvas.fit()
+        self.basis_pane.fit()
+        self._commands.greet()
+
+    # Building
+
+    def _build_plots(self) -> None:
+        self.canvas = Canvas(CanvasTool(self.session))
+        self.basis_panel = BasisPanel(RailTool(self.session))
+        self.basis_pane = BasisPane(self.basis_panel)
+        self.message_bar = MessageBar(self.canvas)
+        self.splitter = QSplitter(Qt.Orientation.Vertical)
+        self.splitter.setObjectName("drawingSplitter")
+        self.splitter.addWidget(self.canvas)
+        self.splitter.addWidget(self.basis_pane)
+        self.splitter.setStretchFactor(0, 2)
+        self.splitter.setStretchFactor(1, 1)
+        self.splitter.setSizes([560, 280])
+        self.splitter.setChildrenCollapsible(False)
+        self.setCentralWidget(self.splitter)
+
+    def _build_docks(self) -> None:
+        self.table_panel = PointTable(self.session)
+        self.point_table = self.table_panel.view
+        self.curve_settings = CurveSettings(self.session)
+        self.history = HistoryPanel(self.session)
+        points = self._add_dock("pointsDock", "Points", self.table_panel)
+        curve = self._add_dock("curveDock", "Curve", self.curve_settings)
+        history = self._add_dock("historyDock", "History", self.history)
+        self.tabifyDockWidget(curve, history)
+        curve.raise_()
+        self.docks = (points, curve, history)
+        self.resizeDocks([points], [340], Qt.Orientation.Horizontal)
+        self.resizeDocks([points, curve], [480, 300], Qt.Orientation.Vertical)
+
+    def _add_dock(self, name: str, title: str, content: QWidget) -> QDockWidget:
+        dock = QDockWidget(title, self)
+        dock.setObjectName(name)
+        dock.setWidget(content)
+        dock.setAllowedAreas(Qt.DockWidgetArea.LeftDockWidgetArea | Qt.DockWidgetArea.RightDockWidgetArea)
+        self.addDockWidget(Qt.DockWidgetArea.RightDockWidgetArea, dock)
+        return dock
+
+    def _build_bars(self) -> None:
+        self.parametrization_bar = ParametrizationBar(self.session)
+        self.status_line = StatusLine(self)
+        self.setStatusBar(self.status_line)
+        for title in MENUS:
+            self._build_menu(title)
+        self.toolbar = Toolbar(self.actions_by_name, self.parametrization_bar, self)
+        self.addToolBar(self.toolbar)
+
+    def _build_menu(self, title: str) -> None:
+        menu = self.menuBar().addMenu(title)
+        for spec, action in self.actions_by_name.of_menu(title):
+            if spec.separated:
+                menu.addSeparator()
+            menu.addAction(action)
+            if spec.name == "openDocument":
+                self.recent_menu = menu.addMenu("Open Recent")
+                self.examples_menu = menu.addMenu("Examples")
+        if title == "Curve":
+            self.parameters_menu = menu.addMenu("Parameters")
+
+    # Connecting
+
+    def _connect(self) -> None:
+        session = self.session
+        session.document_changed.connect(self._render_document)
+        session.selection_changed.connect(self._render_selection)
+        session.hovered_changed.connect(self.canvas.set_hovered)
+        session.hovered_changed.connect(self.basis_panel.set_hovered)
+        session.scrub_changed.connect(self._render_scrub)
+        session.file_changed.connect(self._render_file)
+        session.interrupted.connect(self.canvas.forget_gesture)
+        session.interrupted.connect(self.basis_panel.forget_gesture)
+        session.opened.connect(self._fit)
+        session.said.connect(self.status_line.say)
+        for plot in (self.canvas, self.basis_panel):
+            plot.hint_changed.connect(self.status_line.show_hint)
+        self.canvas.pointed_at.connect(self.status_line.show_place)
+        self.basis_panel.pointed_at.connect(self.status_line.show_t)
+        self.recent_menu.aboutToShow.connect(self._fill_recent_menu)
+        self._fill_examples_menu()
+        self._commands.connect_actions()
+
+    def _fill_recent_menu(self) -> None:
+        self.recent_menu.clear()
+        for path in self.preferences.recent_files:
+            self._add_file(self.recent_menu, path, path.name, str(path)).triggered.connect(
+                lambda _checked=False, path=path: self._files.open(path)
+            )
+        self.recent_menu.setEnabled(True)
+        if self.recent_menu.isEmpty():
+            self.recent_menu.addAction("No files yet").setEnabled(False)
+
+    def _fill_examples_menu(self) -> None:
+        for path in example_paths():
+            name = path.name.removesuffix(".curve.json")
+            title = name.replace("_", " ").capitalize()
+            self._add_file(self.examples_menu, path, title, f"example_{name}").triggered.connect(
+                lambda _checked=False, path=path: self._files.open_example(path)
+            )
+
+    @staticmethod
+    def _add_file(menu: QMenu, path: Path, title: str, name: str) -> QAction:
+        action = menu.addAction(title)
+        action.setObjectName(name)
+        action.setStatusTip(f"Open {path.name}")
+        return action
+
+    # Rendering: from values to widgets, never back
+
+    def _render_document(self) -> None:
+        view = self.session.active_view
+        self.canvas.render_view(view)
+        self.basis_pane.render_view(view)
+        self.table_panel.render_view(view)
+        self.curve_settings.render_view(view)
+        self.parametrization_bar.render_view(view)
+        self.status_line.show_lebesgue(self.basis_panel.basis)
+        self._commands.render(view)
+
+    def _render_selection(self, selection: frozenset[int]) -> None:
+        self.canvas.set_selection(selection)
+        self.basis_panel.set_selection(selection)
+        self.table_panel.set_selection(selection)
+        self._commands.render(self.session.active_view)
+
+    def _render_scrub(self, t: float | None) -> None:
+        self.canvas.set_scrub(t)
+        self.basis_panel.set_scrub(t)
+        self.status_line.show_t(t)
+        self.actions_by_name["toggleScrub"].setChecked(t is not None)
+
+    def _render_file(self) -> None:
+        path = self.session.path
+        name = path.name if path is not None else "Untitled"
+        self.setWindowFilePath(str(path) if path is not None else "")
+        self.setWindowTitle(f"{name}[*] – Curvebench")
+        self.setWindowModified(self.session.is_modified)
+
+    def _fit(self) -> None:
+        self.canvas.fit()
+        self.basis_pane.fit()
+
+    # Theme and layout
+
+    def _apply_theme_mode(self) -> None:
+        app = QApplication.instance()
+        assert isinstance(app, QApplication)
+        mode = self.preferences.theme_mode
+        apply_theme(app, mode)
+        names = {ThemeMode.SYSTEM: "themeSystem", ThemeMode.LIGHT: "themeLight", ThemeMode.DARK: "themeDark"}
+        self.actions_by_name[names[mode]].setChecked(True)
+        self._render_theme()
+
+    def open_file(self, path: Path) -> None:
+        """Open a document, or say why not."""
+        self._files.open(path)
+
+    def export_file(self, path: Path) -> None:
+        """Write a picture, or say why not."""
+        self._files.export(path)
+
+    def set_theme_mode(self, mode: ThemeMode) -> None:
+        """Use light or dark colours, or follow the system, from now on."""
+        self.preferences.theme_mode = mode
+        self._apply_theme_mode()
+
+    def _render_theme(self) -> None:
+        theme = theme_of(self.palette())
+        self.actions_by_name.set_theme(theme)
+        for part in (self.canvas, self.basis_panel, self.basis_pane, self.table_panel, self.message_bar):
+            part.set_theme(theme)
+
+    def changeEvent(self, event: QEvent) -> None:
+        super().changeEvent(event)
+        if event.type() == QEvent.Type.PaletteChange and hasattr(self, "message_bar"):
+            self._render_theme()
+
+    def _restore_layout(self) -> None:
+        self.resize(1280, 860)
+        if not self.preferences.window_geometry.isEmpty():
+            self.restoreGeometry(self.preferences.window_geometry)
+            self.restoreState(self.preferences.window_state)
+        if not self.preferences.splitter_state.isEmpty():
+            self.splitter.restoreState(self.preferences.splitter_state)
+
+    def _remember_layout(self) -> None:
+        self._commands.leave_presentation()
+        self.preferences.window_geometry = self.saveGeometry()
+        self.preferences.window_state = self.saveState()
+        self.preferences.splitter_state = self.splitter.saveState()
+
+    # Qt's events
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        if event.key() == Qt.Key.Key_Escape:
+            self._commands.escape()
+            return
+        super().keyPressEvent(event)
+
+    def dragEnterEvent(self, event: QDragEnterEvent) -> None:
+        if _dropped_file(event) is not None:
+            event.acceptProposedAction()
+
+    def dropEvent(self, event: QDropEvent) -> None:
+        path = _dropped_file(event)
+        if path is not None:
+            event.acceptProposedAction()
+            self._files.open(path)
+
+    def closeEvent(self, event: QCloseEvent) -> None:
+        if not self._files.may_discard():
+            event.ignore()
+            return
+        self._remember_layout()
+        event.accept()
+
+
+def _dropped_file(event: QDropEvent) -> Path | None:
+    """Return the first local file of a drop, None without one."""
+    for url in event.mimeData().urls():
+        if url.isLocalFile():
+            return Path(url.toLocalFile())
+    return None

@@ -1,0 +1,133 @@
+"""The basis panel with its header: which kinds are shown, how they are scaled, how far they reach."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import QSize, Qt
+from PySide6.QtGui import QIcon, QPainter, QPen, QPixmap
+from PySide6.QtWidgets import QHBoxLayout, QLabel, QToolButton, QVBoxLayout, QWidget
+
+from app.panels.basis_layers import KIND_STYLES
+from app.panels.basis_panel import BasisPanel
+from app.theme import LIGHT, Theme
+from app.view_model.basis_view import basis_formulas
+from app.view_model.curve_view import CurveView
+
+_NAMES = ("position", "velocity", "acceleration")
+
+
+class BasisPane(QWidget):
+    """The lower third of the window."""
+
+    def __init__(self, panel: BasisPanel, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setObjectName("basisPane")
+        self._panel = panel
+        self._title = QLabel("Basis functions")
+        self._title.setObjectName("basisTitle")
+        self._kinds = [self._kind_button(kind) for kind in range(3)]
+        self._scaling = QLabel()
+        self._scaling.setObjectName("basisScaling")
+        self._extent = QLabel()
+        self._extent.setObjectName("basisExtent")
+        self._fit = self._fit_button()
+        self._lay_out()
+        self.set_theme(LIGHT)
+        panel.extent_changed.connect(self._show_extent)
+        self._show_extent(None)
+
+    def _kind_button(self, kind: int) -> QToolButton:
+        button = QToolButton()
+        button.setObjectName(f"{_NAMES[kind]}Functions")
+        button.setCheckable(True)
+        button.setChecked(True)
+        button.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
+        button.setIconSize(QSize(26, 12))
+        button.setAccessibleName(f"Show {_NAMES[kind]} functions")
+        button.setToolTip(f"Show or hide the {_NAMES[kind]} functions")
+        button.clicked.connect(self._choose_kinds)
+        return button
+
+    def _fit_button(self) -> QToolButton:
+        button = QToolButton()
+        button.setObjectName("fitBasis")
+        button.setCheckable(True)
+        button.setText("Fit")
+        button.setAccessibleName("Fit the basis functions")
+        button.setToolTip("Show the functions from their least to their greatest value")
+        button.clicked.connect(self._fit_or_calm)
+        return button
+
+    def _lay_out(self) -> None:
+        header = QHBoxLayout()
+        header.setContentsMargins(10, 4, 8, 2)
+        header.setSpacing(6)
+        header.addWidget(self._title)
+        header.addSpacing(8)
+        for button in self._kinds:
+            header.addWidget(button)
+        header.addWidget(self._scaling)
+        header.addStretch(1)
+        header.addWidget(self._extent)
+        header.addWidget(self._fit)
+        layout = QVBoxLayout(self)
+        layout.setContentsMargins(0, 0, 0, 0)
+        layout.setSpacing(0)
+        layout.addLayout(header)
+        layout.addWidget(self._panel, 1)
+
+    def render_view(self, view: CurveView) -> None:
+        """Show the functions of `view`, and the legend that goes with its family."""
+        self._panel.render_view(view)
+        formulas, note = basis_formulas(view.source.family, self._panel.basis)
+        for kind, button in enumerate(self._kinds):
+            button.setVisible(kind < len(formulas) and len(formulas) > 1)
+            if kind < len(formulas):
+                button.setText(f"{_NAMES[kind]}  {formulas[kind]}")
+        self._scaling.setText(note)
+
+    @property
+    def extent_text(self) -> str:
+        """The note that functions leave the range; empty when they do not."""
+        return "" if self._extent.isHidden() else self._extent.text()
+
+    def set_theme(self, theme: Theme) -> None:
+        """Take the colours of `theme`."""
+        for kind, button in enumerate(self._kinds):
+            button.setIcon(_line_icon(KIND_STYLES[kind], theme))
+        self._scaling.setStyleSheet(f"color: {theme.muted.name()}")
+        self._extent.setStyleSheet(f"color: {theme.warning.name()}")
+
+    def fit(self) -> None:
+        """Show the whole interval and the usual range of values."""
+        self._fit.setChecked(False)
+        self._panel.calm_values()
+        self._panel.fit_domain()
+
+    def _choose_kinds(self) -> None:
+        self._panel.set_kinds(frozenset(k for k, button in enumerate(self._kinds) if button.isChecked()))
+
+    def _fit_or_calm(self, fitted: bool) -> None:
+        if fitted:
+            self._panel.fit_values()
+        else:
+            self._panel.calm_values()
+
+    def _show_extent(self, extent: tuple[float, float] | None) -> None:
+        if extent is not None:
+            self._extent.setText(f"⚠ The functions reach from {extent[0]:.3g} to {extent[1]:.3g}")
+        self._extent.setVisible(extent is not None)
+        self._fit.setVisible(extent is not None or self._fit.isChecked())
+
+
+def _line_icon(style: Qt.PenStyle, theme: Theme) -> QIcon:
+    """Return a short line in the style that a kind of function is drawn in."""
+    pixmap = QPixmap(52, 24)
+    pixmap.setDevicePixelRatio(2)
+    pixmap.fill(Qt.GlobalColor.transparent)
+    painter = QPainter(pixmap)
+    pen = QPen(theme.ink, 1.5)
+    pen.setStyle(style)
+    painter.setPen(pen)
+    painter.drawLine(1, 6, 25, 6)
+    painter.end()
+    return QIcon(pixmap)

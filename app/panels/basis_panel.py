@@ -1,0 +1,270 @@
+"""The basis panel: every basis function over t, the t-rail at its foot, and the scrub line."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+from PySide6.QtCore import QPointF, Qt, Signal
+from PySide6.QtGui import QKeyEvent
+from PySide6.QtWidgets import QWidget
+
+from app.gestures.pointer import Hit, Part, Pointer
+from app.gestures.rail import RailTool
+from app.panels.basis_layers import RAIL_HEIGHT, FunctionLayer, RailLayer
+from app.plot.plot_widget import PlotWidget
+from app.theme import LIGHT, Theme
+from app.view_model.basis_view import BasisView, basis_view
+from app.view_model.curve_view import CoreCurve, CurveView
+
+TICK_REACH = 10.0
+"""Pixels to either side of a tick within which it is grabbed."""
+
+FUNCTION_REACH = 10.0
+
+_CALM_RANGE = (-0.5, 1.2)
+_PADDING = 0.035
+
+
+class BasisPanel(PlotWidget):
+    """Draws all basis functions of the active curve; x axis t.
+
+    Signals
+    -------
+    hint_changed
+        What a press here would do (a sentence).
+    pointed_at
+        The parameter t under the pointer, or None when it has left.
+    extent_changed
+        (least, greatest) value of the functions if they leave the visible range, else None.
+    """
+
+    hint_changed = Signal(str)
+    pointed_at = Signal(object)
+    extent_changed = Signal(object)
+
+    def __init__(self, tool: RailTool, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setObjectName("basisPanel")
+        self.setAccessibleName("Basis functions")
+        self.setAccessibleDescription("The basis functions over t; drag a tick at the foot to change t.")
+        self._tool = tool
+        self._view: CurveView | None = None
+        self._basis: BasisView | None = None
+        self._values: tuple[float, float] = _CALM_RANGE
+        self._functions = FunctionLayer(self, LIGHT)
+        self._rail = RailLayer(self, LIGHT)
+        self.getViewBox().sigResized.connect(self._show_values)
+
+    # What is shown
+
+    def render_view(self, view: CurveView) -> None:
+        """Show the functions of `view`; they are sampled again only if a parameter or the family changed."""
+        self._view = view
+        curve = view.curve if view.is_current else None
+        if curve is not None and self._basis is not None and _same_basis(curve, self._basis.curve):
+            return
+        old = self._basis
+        self._basis = basis_view(curve) if curve is not None else None
+        self._functions.render(self._basis)
+        self._rail.render(curve.parameters.tolist() if curve is not None else ())
+        moved = self._basis is not None and (old is None or old.curve.domain != self._basis.curve.domain)
+        if moved and not self._tool.is_pressed:
+            self.fit_domain()
+        self._report_extent()
+
+    @property
+    def emphasised(self) -> frozenset[int]:
+        """The points whose functions are drawn thick."""
+        return self._functions.emphasised
+
+    @property
+    def kinds(self) -> frozenset[int]:
+        """The kinds of functions that are shown."""
+        return self._functions.kinds
+
+    @property
+    def basis(self) -> BasisView | None:
+        """The functions on screen, None without a curve."""
+        return self._basis
+
+    def set_theme(self, theme: Theme) -> None:
+        """Take the colours of `theme`."""
+        self._functions.theme = self._rail.theme = theme
+        super().set_theme(theme)
+
+    def set_scale(self, scale: float) -> None:
+        """Enlarge lines, ticks and numbers, for a projector."""
+        self._functions.scale = self._rail.scale = scale
+        self.viewport().update()
+
+    def set_selection(self, selection: frozenset[int]) -> None:
+        """Draw the functions of these points thick."""
+        self._rail.selection = selection
+        self._emphasise()
+
+    def set_hovered(self, index: int) -> None:
+        """Draw the functions of this point thick, too (−1 for none)."""
+        self._rail.hovered = index
+        self._emphasise()
+
+    def _emphasise(self) -> None:
+        hovered = self._rail.hovered
+        self._functions.emphasised = self._rail.selection | ({hovered} if hovered >= 0 else frozenset())
+        self._functions.refresh()
+        self._rail.refresh()
+
+    def set_scrub(self, t: float | None) -> None:
+        """Move the scrub line, or put it away (None)."""
+        self._rail.scrub = t
+        self._rail.refresh()
+
+    def set_kinds(self, kinds: frozenset[int]) -> None:
+        """Show these kinds of functions: 0 position, 1 velocity, 2 acceleration."""
+        self._functions.kinds = kinds
+        self._functions.refresh()
+        self._report_extent()
+
+    # Ranges
+
+    def fit_domain(self) -> None:
+        """Show the whole interval of t."""
+        if self._basis is not None:
+            start, end = self._basis.curve.domain
+            padding = _PADDING * (end - start)
+            self.getViewBox().setXRange(start - padding, end + padding, padding=0)
+        self._show_values()
+
+    def fit_values(self) -> None:
+        """Show the functions from their least to their greatest value."""
+        if self._basis is not None:
+            low, high = self._basis.extent(self._functions.kinds)
+            margin = 0.05 * (high - low)
+            self._values = (min(low - margin, _CALM_RANGE[0]), max(high + margin, _CALM_RANGE[1]))
+            self._show_values()
+
+    def calm_values(self) -> None:
+        """Show the usual range again, −0.5 to 1.2."""
+        self._values = _CALM_RANGE
+        self._show_values()
+
+    def _show_values(self) -> None:
+        """Map the range of values to the part of the plot area above the rail."""
+        low, high = self._values
+        height = self.getViewBox().rect().height()
+        share = RAIL_HEIGHT / max(height - RAIL_HEIGHT, 1.0)
+        self.getViewBox().setYRange(low - share * (high - low), high, padding=0)
+        self._report_extent()
+
+    def _report_extent(self) -> None:
+        extent = self._basis.extent(self._functions.kinds) if self._basis is not None else None
+        low, high = self._values
+        inside = extent is None or (extent[0] >= low and extent[1] <= high)
+        self.extent_changed.emit(None if inside else extent)
+
+    def zoom(self, factor: float, pixel: QPointF) -> None:
+        """Zoom along t."""
+        t, _ = self.to_plane(pixel)
+        start, _, end, _ = self.pixel_map.box
+        self.getViewBox().setXRange(t + (start - t) / factor, t + (end - t) / factor, padding=0)
+
+    def pan(self, dx: float, dy: float) -> None:
+        """Move along t."""
+        start, _, end, _ = self.pixel_map.box
+        by = -dx / self.pixel_map.sx
+        self.getViewBox().setXRange(start + by, end + by, padding=0)
+
+    def rail_pixel(self, t: float) -> QPointF:
+        """Return where in the viewport the tick at `t` is grabbed."""
+        shown = self.pixel_map
+        area = QPointF(shown.point(t, 0.0)[0], shown.height - RAIL_HEIGHT + 8)
+        return self._area_origin() + area
+
+    # Gestures
+
+    @property
+    def is_dragging(self) -> bool:
+        """Whether a gesture is in flight."""
+        return self._tool.is_pressed
+
+    def cancel_gesture(self) -> bool:
+        """Drop the gesture in flight; return whether there was one."""
+        return self._tool.cancel()
+
+    def forget_gesture(self) -> None:
+        """Drop the gesture in flight; the document is another one."""
+        self._tool.forget()
+
+    def pressed(self, pointer: Pointer) -> None:
+        self._tool.press(replace(pointer, hit=self._hit(pointer)), self._rail.scrub)
+
+    def moved(self, pointer: Pointer) -> None:
+        self._tool.move(pointer)
+        self.pointed_at.emit(pointer.position[0])
+
+    def released(self, pointer: Pointer) -> None:
+        self._tool.release(pointer)
+
+    def hovered_at(self, pointer: Pointer) -> None:
+        hint = self._tool.hover(replace(pointer, hit=self._hit(pointer)))
+        shape = Qt.CursorShape.SizeHorCursor if hint.grab else Qt.CursorShape.ArrowCursor
+        self.viewport().setCursor(shape)
+        self.hint_changed.emit(hint.text)
+        self.pointed_at.emit(pointer.position[0])
+
+    def left(self) -> None:
+        if not self._tool.is_pressed:
+            self._tool.hover(Pointer((np.inf, np.inf), (np.inf, np.inf)))
+            self.hint_changed.emit("")
+            self.pointed_at.emit(None)
+
+    def _hit(self, pointer: Pointer) -> Hit | None:
+        if self._basis is None:
+            return None
+        if pointer.pixel[1] > self.pixel_map.height - RAIL_HEIGHT - 2:
+            return self._hit_tick(pointer)
+        scrub = self._rail.scrub
+        if scrub is not None and abs(self.pixel_map.point(scrub, 0)[0] - pointer.pixel[0]) <= 4:
+            return Hit(Part.SCRUB, -1, (scrub, 0.0))
+        return self._hit_function(pointer)
+
+    def _hit_tick(self, pointer: Pointer) -> Hit | None:
+        assert self._basis is not None
+        parameters = self._basis.curve.parameters
+        distances = np.abs(self.pixel_map.x(parameters) - pointer.pixel[0])
+        # A selected tick wins over its neighbours.
+        for index in [i for i in self._rail.selection if i < len(distances)]:
+            if distances[index] <= TICK_REACH:
+                distances[index] = -1.0
+        index = int(np.argmin(distances))
+        if distances[index] > TICK_REACH:
+            return None
+        return Hit(Part.TICK, index, (float(parameters[index]), 0.0))
+
+    def _hit_function(self, pointer: Pointer) -> Hit | None:
+        assert self._basis is not None
+        t, shown = pointer.position[0], self.pixel_map
+        start, end = self._basis.curve.domain
+        if not start <= t <= end:
+            return None
+        best: tuple[float, Hit] | None = None
+        for kind in sorted(self._functions.kinds & set(range(len(self._basis.scales)))):
+            values = self._basis.value_at(t, kind)
+            distances = np.abs(shown.y(values) - pointer.pixel[1])
+            # Functions that are zero here lie on top of each other; none of them is meant.
+            distances[values == 0] = np.inf
+            index = int(np.argmin(distances))
+            if distances[index] <= FUNCTION_REACH and (best is None or distances[index] < best[0]):
+                hit = Hit(Part.FUNCTION, index, (t, float(values[index])), kind=kind)
+                best = (float(distances[index]), hit)
+        return best[1] if best is not None else None
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        if event.key() == Qt.Key.Key_Escape and self.cancel_gesture():
+            event.accept()
+            return
+        super().keyPressEvent(event)
+
+
+def _same_basis(curve: CoreCurve, other: CoreCurve) -> bool:
+    return type(curve) is type(other) and np.array_equal(curve.parameters, other.parameters)

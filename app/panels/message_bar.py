@@ -1,0 +1,106 @@
+"""One line on top of the canvas for what the person must know now, instead of a dialog."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import QEvent, QObject, QSize, Signal
+from PySide6.QtWidgets import QFrame, QHBoxLayout, QLabel, QSizePolicy, QToolButton, QWidget
+
+from app.theme import LIGHT, Theme, icon, mix
+
+
+_TOP, _SIDE, _WIDEST = 10, 56, 720
+
+
+class MessageBar(QFrame):
+    """A sentence with a sign; hidden while there is nothing to say.
+
+    It lies on top of its parent and takes no room from it: a drawing that moved when a message appears would
+    move under the hand.
+
+    Signals
+    -------
+    closed
+        The person has read it.
+    """
+
+    closed = Signal()
+
+    def __init__(self, parent: QWidget) -> None:
+        super().__init__(parent)
+        self.setObjectName("messageBar")
+        parent.installEventFilter(self)
+        self._theme = LIGHT
+        self._is_warning = False
+        self._sign = QLabel()
+        self._text = QLabel()
+        self._text.setObjectName("messageText")
+        self._text.setWordWrap(True)
+        self._text.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Preferred)
+        self._close = QToolButton()
+        self._close.setObjectName("closeMessage")
+        self._close.setAutoRaise(True)
+        self._close.setToolTip("Put this message away")
+        self._close.setAccessibleName("Put this message away")
+        self._close.clicked.connect(self._put_away)
+        layout = QHBoxLayout(self)
+        layout.setContentsMargins(12, 6, 8, 6)
+        layout.addWidget(self._sign)
+        layout.addWidget(self._text, 1)
+        layout.addWidget(self._close)
+        self.hide()
+
+    @property
+    def text(self) -> str:
+        """The sentence on screen, empty while the bar is hidden."""
+        return "" if self.isHidden() else self._text.text()
+
+    def warn(self, text: str) -> None:
+        """Show what is wrong and what to do."""
+        self._show(text, warning=True)
+
+    def tell(self, text: str) -> None:
+        """Show a hint."""
+        self._show(text, warning=False)
+
+    def _show(self, text: str, *, warning: bool) -> None:
+        if self.text == text:
+            return
+        self._is_warning = warning
+        self._text.setText(text)
+        self._paint_sign()
+        self._place()
+        self.show()
+        self.raise_()
+
+    def _place(self) -> None:
+        """Lie at the top, in the middle, as wide as the sentence needs."""
+        room = self.parentWidget().width() - 2 * _SIDE
+        needed = self._text.fontMetrics().horizontalAdvance(self._text.text()) + 90
+        width = max(min(needed, room, _WIDEST), 120)
+        height = max(self.heightForWidth(width), self.minimumSizeHint().height())
+        self.setGeometry((self.parentWidget().width() - width) // 2, _TOP, width, height)
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        if event.type() == QEvent.Type.Resize and not self.isHidden():
+            self._place()
+        return super().eventFilter(watched, event)
+
+    def _put_away(self) -> None:
+        self.hide()
+        self.closed.emit()
+
+    def set_theme(self, theme: Theme) -> None:
+        """Take the colours of `theme`."""
+        self._theme = theme
+        self._close.setIcon(icon("close", theme))
+        line = mix(theme.ink, theme.paper, 0.14).name()
+        self.setStyleSheet(
+            f"#messageBar {{ background: {theme.surface.name()}; border: 1px solid {line}; border-radius: 8px }}"
+        )
+        self._paint_sign()
+
+    def _paint_sign(self) -> None:
+        colour = (self._theme.warning if self._is_warning else self._theme.muted).name()
+        size = QSize(16, 16)
+        self._sign.setPixmap(icon("warning" if self._is_warning else "help", self._theme).pixmap(size))
+        self._text.setStyleSheet(f"color: {colour}")

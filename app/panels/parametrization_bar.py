@@ -1,0 +1,142 @@
+"""The rule for the parameters in the toolbar: a box and the exponent α."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import Qt, Signal
+from PySide6.QtGui import QKeyEvent
+from PySide6.QtWidgets import QAbstractSlider, QComboBox, QHBoxLayout, QLabel, QSizePolicy, QSlider, QWidget
+
+from app.document import edits
+from app.document.model import Curve, ParametrizationKind
+from app.session import Session
+from app.view_model.curve_view import CurveView
+
+KIND_NAMES = {
+    ParametrizationKind.UNIFORM: "Uniform",
+    ParametrizationKind.CHORD_LENGTH: "Chord length",
+    ParametrizationKind.CENTRIPETAL: "Centripetal",
+    ParametrizationKind.POWER: "Power α",
+    ParametrizationKind.CHEBYSHEV: "Chebyshev",
+    ParametrizationKind.MANUAL: "Manual",
+}
+
+_STEPS = 100
+_SLIDER_WIDTH, _COMPACT_SLIDER_WIDTH = 96, 64
+
+_ALPHAS = {
+    ParametrizationKind.UNIFORM: 0.0,
+    ParametrizationKind.CENTRIPETAL: 0.5,
+    ParametrizationKind.CHORD_LENGTH: 1.0,
+}
+"""Three of the rules are members of the power family; the slider shows where they stand."""
+
+
+class _AlphaSlider(QSlider):
+    """A slider whose drag can be cancelled with Escape."""
+
+    cancelled = Signal()
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        if event.key() == Qt.Key.Key_Escape and self.isSliderDown():
+            self.cancelled.emit()
+            return
+        super().keyPressEvent(event)
+
+
+class ParametrizationBar(QWidget):
+    """Chooses the rule that gives the t_i."""
+
+    def __init__(self, session: Session, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._session = session
+        self._cancelled = False
+        self.box = QComboBox()
+        self.box.setObjectName("parametrizationBox")
+        self.box.setAccessibleName("Parametrization")
+        self.box.setToolTip("The rule that gives the parameters t")
+        self.box.addItems(list(KIND_NAMES.values()))
+        self.box.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToContents)
+        self._label = QLabel("Parameters")
+        self._slider = self._make_slider()
+        self._alpha = QLabel()
+        self._alpha.setObjectName("alphaValue")
+        self._alpha.setMinimumWidth(self._alpha.fontMetrics().horizontalAdvance("α 0.00"))
+        self._lay_out()
+        self.box.activated.connect(self._choose_kind)
+
+    def _make_slider(self) -> _AlphaSlider:
+        slider = _AlphaSlider(Qt.Orientation.Horizontal)
+        slider.setObjectName("alphaSlider")
+        slider.setAccessibleName("Exponent α of the power rule")
+        slider.setToolTip("Δt = |Δp|^α: 0 uniform, ½ centripetal, 1 chord length")
+        slider.setRange(0, _STEPS)
+        slider.setFixedWidth(_SLIDER_WIDTH)
+        slider.actionTriggered.connect(self._move_slider)
+        slider.sliderReleased.connect(self._release_slider)
+        slider.cancelled.connect(self._cancel_slider)
+        return slider
+
+    def _lay_out(self) -> None:
+        layout = QHBoxLayout(self)
+        layout.setContentsMargins(4, 0, 4, 0)
+        layout.setSpacing(6)
+        layout.addWidget(self._label)
+        layout.addWidget(self.box)
+        layout.addWidget(self._slider)
+        layout.addWidget(self._alpha)
+        self.setSizePolicy(QSizePolicy.Policy.Fixed, QSizePolicy.Policy.Preferred)
+
+    def set_compact(self, compact: bool) -> None:
+        """Take less room in a narrow window."""
+        self._label.setVisible(not compact)
+        self._slider.setFixedWidth(_COMPACT_SLIDER_WIDTH if compact else _SLIDER_WIDTH)
+
+    def render_view(self, view: CurveView) -> None:
+        """Show the rule of `view`."""
+        rule = view.source.parametrization
+        self.box.setCurrentIndex(list(KIND_NAMES).index(rule.kind))
+        alpha = _ALPHAS.get(rule.kind, rule.alpha)
+        if not self._slider.isSliderDown():
+            self._slider.setValue(round(alpha * _STEPS))
+        has_alpha = rule.kind in _ALPHAS or rule.kind is ParametrizationKind.POWER
+        self._slider.setEnabled(has_alpha)
+        self._alpha.setEnabled(has_alpha)
+        self._alpha.setText(f"α {alpha:.2f}")
+
+    def _choose_kind(self, index: int) -> None:
+        kind = list(KIND_NAMES)[index]
+        session = self._session
+        parameters = session.active_view.parameters.tolist()
+        if kind is ParametrizationKind.MANUAL and not session.active_view.is_current:
+            session.say("There are no parameters to start from; mend the points first.")
+            self.render_view(session.active_view)
+            return
+        document = edits.set_parametrization(session.document, session.active_index, kind, parameters)
+        session.commit(document, f"Use {KIND_NAMES[kind].lower()} parameters")
+
+    def _move_slider(self, action: int) -> None:
+        """Follow a drag live; a step by key, wheel or click is a change of its own."""
+        session = self._session
+        alpha = self._slider.sliderPosition() / _STEPS
+        document = edits.set_alpha(session.document, session.active_index, alpha)
+        if action == QAbstractSlider.SliderAction.SliderMove.value and self._slider.isSliderDown():
+            if not self._cancelled:
+                session.preview(document)
+        elif _alpha_of(session.active_curve) != alpha:
+            session.commit(document, f"Set α to {alpha:.2f}")
+
+    def _release_slider(self) -> None:
+        session = self._session
+        if not self._cancelled:
+            session.commit(session.document, f"Set α to {self._slider.sliderPosition() / _STEPS:.2f}")
+        self._cancelled = False
+        self.render_view(session.active_view)
+
+    def _cancel_slider(self) -> None:
+        self._cancelled = True
+        self._session.cancel()
+
+
+def _alpha_of(curve: Curve) -> float | None:
+    rule = curve.parametrization
+    return rule.alpha if rule.kind is ParametrizationKind.POWER else _ALPHAS.get(rule.kind)

@@ -1,0 +1,73 @@
+"""The status line: what a press would do at the left, where the pointer is at the right."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import QTimer
+from PySide6.QtWidgets import QLabel, QSizePolicy, QStatusBar, QWidget
+
+from app.document.model import Vector
+from app.view_model.basis_view import BasisView
+
+_SAID_MS = 6000
+
+
+class StatusLine(QStatusBar):
+    """Shows hints, sentences, the pointer's place and the Lebesgue constant."""
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setObjectName("statusLine")
+        self.setSizeGripEnabled(False)
+        self._label = QLabel()
+        self._label.setObjectName("hint")
+        # A long hint is cut, it never widens the window.
+        self._label.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
+        self._place, self._t, self._lebesgue = QLabel(), QLabel(), QLabel()
+        self._place.setObjectName("pointerPlace")
+        self._t.setObjectName("pointerT")
+        self._lebesgue.setObjectName("lebesgueConstant")
+        self._lebesgue.setToolTip("Lebesgue constant: how much errors in the points can grow on the curve")
+        self.addWidget(self._label, 1)
+        for label in (self._place, self._t, self._lebesgue):
+            self.addPermanentWidget(label)
+        self._hint = self._said = ""
+        self._timer = QTimer(self, singleShot=True, interval=_SAID_MS)
+        self._timer.timeout.connect(self._forget_said)
+
+    @property
+    def text(self) -> str:
+        """The sentence at the left."""
+        return self._label.text()
+
+    @property
+    def hint(self) -> str:
+        """What a press at the pointer would do, whatever has been said since."""
+        return self._hint
+
+    def show_hint(self, text: str) -> None:
+        """Show what a press would do; a sentence just said stays in front."""
+        self._hint = text
+        if not self._said:
+            self._label.setText(text)
+
+    def say(self, text: str) -> None:
+        """Show a sentence for some seconds."""
+        self._said = text
+        self._label.setText(text)
+        self._timer.start()
+
+    def _forget_said(self) -> None:
+        self._said = ""
+        self._label.setText(self._hint)
+
+    def show_place(self, place: Vector | None) -> None:
+        """Show where the pointer is on the canvas."""
+        self._place.setText("" if place is None else f"x {place[0]:.4g}   y {place[1]:.4g}".replace("-", "−"))
+
+    def show_t(self, t: float | None) -> None:
+        """Show the t under the pointer or the scrub line."""
+        self._t.setText("" if t is None else f"t {t:.4g}".replace("-", "−"))
+
+    def show_lebesgue(self, basis: BasisView | None) -> None:
+        """Show the Lebesgue constant of the functions on screen."""
+        self._lebesgue.setText("" if basis is None else f"Λ {basis.lebesgue_constant:.3g}")

@@ -1,0 +1,6 @@
+"""What the canvas and the basis panel share.
+
+- ``pixel_map``: plane to pixels and back.
+- ``drawing``: polylines, discs and text drawn fast; nothing unsafe reaches Qt.
+- ``plot_widget``: a pyqtgraph plot with our own painting, pan, zoom and mouse handling.
+"""

@@ -1,0 +1,129 @@
+"""Drawing straight from arrays.
+
+Why not ``drawPath``: with antialiasing Qt strokes a long path wider than one pixel as a whole, which costs
+many times the time of the same path in short pieces. Numbers reach Qt as arrays, never one by one.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+import numpy.typing as npt
+from pyqtgraph.functions import create_qpolygonf, ndarray_from_qpolygonf
+from pyqtgraph.Qt.internals import PrimitiveArray
+from PySide6.QtCore import QLineF
+from PySide6.QtGui import QPainter, QPolygonF
+
+Floats = npt.NDArray[np.float64]
+Flags = npt.NDArray[np.bool_]
+
+_PIECE = 64
+"""Segments in one piece of a stroke."""
+
+MARGIN = 50.0
+"""Pixels beyond the area to which lines are cut, so that no cap or joint shows at the edge."""
+
+
+def visible_segments(points: Floats, width: float, height: float) -> Floats:
+    """Cut a polyline (k, 2) in pixels to its segments (m, 4) = x1, y1, x2, y2 near the visible area.
+
+    Curves may reach 1e300 pixels; what is passed to Qt stays within the area and a small margin.
+    """
+    starts, ends = points[:-1], points[1:]
+    low, high = np.minimum(starts, ends), np.maximum(starts, ends)
+    limit = np.array([width + MARGIN, height + MARGIN])
+    near = np.all((high >= -MARGIN) & (low <= limit), axis=1)
+    segments = np.hstack([starts[near], ends[near]])
+    is_long = np.any((segments < -MARGIN) | (segments > np.tile(limit, 2)), axis=1)
+    if is_long.any():
+        kept = np.ones(len(segments), dtype=bool)
+        segments[is_long], kept[is_long] = _clipped(segments[is_long], limit)
+        segments = segments[kept]
+    return segments
+
+
+def _clipped(segments: Floats, limit: Floats) -> tuple[Floats, Flags]:
+    """Cut segments (m, 4) to the box from −MARGIN to `limit`, and tell which of them meet it.
+
+    Liang and Barsky, ACM Transactions on Graphics 3 (1984) 1–22.
+    """
+    start, end = segments[:, :2], segments[:, 2:]
+    # Halved, because the difference of two huge numbers must not overflow.
+    half = end / 2 - start / 2
+    with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
+        to_low = (-MARGIN - start) / half / 2
+        to_high = (limit - start) / half / 2
+    inside = (start >= -MARGIN) & (start <= limit)
+    parallel = half == 0
+    enter = np.where(parallel, np.where(inside, 0.0, np.inf), np.minimum(to_low, to_high))
+    leave = np.where(parallel, np.where(inside, 1.0, -np.inf), np.maximum(to_low, to_high))
+    first = np.clip(enter.max(axis=1), 0.0, 1.0)
+    last = np.clip(leave.min(axis=1), 0.0, 1.0)
+    meets = enter.max(axis=1) <= np.minimum(leave.min(axis=1), 1.0)
+    cut = np.hstack([start + 2 * first[:, None] * half, start + 2 * last[:, None] * half])
+    # Rounding at 1e300 may leave the box; what is left of it must not.
+    return np.clip(cut, -MARGIN, np.tile(limit, 2)), meets & (leave.min(axis=1) >= 0)
+
+
+class Stroke:
+    """A polyline drawn in pieces, wide and smooth.
+
+    Within a piece Qt joins the segments, so that no joint shows; the pieces are short, because the time Qt's
+    stroker takes for one polyline grows faster than its length.
+    """
+
+    def __init__(self) -> None:
+        self._pieces: list[QPolygonF] = []
+
+    def fill(self, points: Floats, width: float, height: float) -> None:
+        """Take the polyline (k, 2) in pixels, of which only what lies near the area will be drawn."""
+        segments = visible_segments(points, width, height)
+        self._pieces = [_chain(piece) for piece in _pieces(segments)]
+
+    def draw(self, painter: QPainter) -> None:
+        """Draw with the painter's pen."""
+        for piece in self._pieces:
+            painter.drawPolyline(piece)
+
+
+def _pieces(segments: Floats) -> list[Floats]:
+    """Split segments where they do not continue each other, and after every `_PIECE` of them."""
+    if not len(segments):
+        return []
+    breaks = np.flatnonzero(np.any(segments[1:, :2] != segments[:-1, 2:], axis=1)) + 1
+    runs = np.split(segments, breaks)
+    return [run[i : i + _PIECE] for run in runs for i in range(0, len(run), _PIECE)]
+
+
+def _chain(segments: Floats) -> QPolygonF:
+    """Return the vertices of segments that continue each other."""
+    result: QPolygonF = create_qpolygonf(len(segments) + 1)
+    view = ndarray_from_qpolygonf(result)
+    view[:-1] = segments[:, :2]
+    view[-1] = segments[-1, 2:]
+    return result
+
+
+class Segments:
+    """Many separate line segments, drawn in one call."""
+
+    def __init__(self) -> None:
+        self._lines = PrimitiveArray(QLineF, 4)
+
+    def fill(self, segments: Floats) -> None:
+        """Take segments (m, 4)."""
+        self._lines.resize(len(segments))
+        self._lines.ndarray()[:] = segments
+
+    def draw(self, painter: QPainter) -> None:
+        """Draw with the painter's pen."""
+        if len(self._lines):
+            painter.drawLines(*self._lines.drawargs())
+
+
+def polygon(x: Floats, y: Floats) -> QPolygonF:
+    """Return a QPolygonF with the given coordinates."""
+    result: QPolygonF = create_qpolygonf(len(x))
+    view = ndarray_from_qpolygonf(result)
+    view[:, 0] = x
+    view[:, 1] = y
+    return result

@@ -1,0 +1,71 @@
+"""Plane to pixels of a plot area and back."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+import numpy.typing as npt
+
+Floats = npt.NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class PixelMap:
+    """An axis-aligned map from the plane to the pixels of a plot area; y points up in the plane.
+
+    Attributes
+    ----------
+    x0, y0
+        The plane's coordinates at the left and the upper edge.
+    sx, sy
+        Pixels per unit, both positive.
+    width, height
+        Size of the area in pixels.
+    """
+
+    x0: float
+    y0: float
+    sx: float
+    sy: float
+    width: float
+    height: float
+
+    @classmethod
+    def of_ranges(
+        cls, x_range: tuple[float, float], y_range: tuple[float, float], width: float, height: float
+    ) -> PixelMap:
+        """Return the map that shows the two ranges in an area of width × height pixels."""
+        width, height = max(width, 1.0), max(height, 1.0)
+        sx, sy = width / (x_range[1] - x_range[0]), height / (y_range[1] - y_range[0])
+        return cls(x_range[0], y_range[1], sx, sy, width, height)
+
+    def x(self, values: Floats) -> Floats:
+        """Return horizontal pixels of plane coordinates x."""
+        return (values - self.x0) * self.sx
+
+    def y(self, values: Floats) -> Floats:
+        """Return vertical pixels of plane coordinates y."""
+        return (self.y0 - values) * self.sy
+
+    def points(self, points: Floats) -> Floats:
+        """Return the pixels (k, 2) of points (k, 2) of the plane."""
+        return np.column_stack([self.x(points[:, 0]), self.y(points[:, 1])])
+
+    def point(self, x: float, y: float) -> tuple[float, float]:
+        """Return the pixel of one point."""
+        return ((x - self.x0) * self.sx, (self.y0 - y) * self.sy)
+
+    def plane(self, pixel_x: float, pixel_y: float) -> tuple[float, float]:
+        """Return the point of the plane at a pixel."""
+        return (self.x0 + pixel_x / self.sx, self.y0 - pixel_y / self.sy)
+
+    @property
+    def box(self) -> tuple[float, float, float, float]:
+        """The visible part of the plane, (x_min, y_min, x_max, y_max)."""
+        return (
+            self.x0,
+            self.y0 - self.height / self.sy,
+            self.x0 + self.width / self.sx,
+            self.y0,
+        )

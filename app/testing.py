@@ -1,0 +1,342 @@
+"""A driver for pytest-qt: real mouse and key events on a real window, and the waiting that goes with them.
+
+A stranger's ``conftest.py`` needs three lines::
+
+    @pytest.fixture
+    def editor(qtbot):
+        return Editor(qtbot)
+
+and a test reads as what a person does::
+
+    def test_dragging_moves_the_point(editor):
+        editor.new()
+        editor.add_point(0, 0)
+        editor.add_point(2, 1)
+        editor.drag_point(1, to=(3, 2))
+        assert editor.point(1) == pytest.approx((3, 2), abs=editor.pixel)
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from pathlib import Path
+from typing import Protocol
+
+from PySide6.QtCore import QEvent, QPoint, QPointF, Qt
+from PySide6.QtGui import QAction, QGuiApplication, QImage, QMouseEvent, QWheelEvent
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QApplication, QWidget
+
+from app.document.model import Curve, Family, ParametrizationKind, Vector
+from app.main_window import MainWindow
+from app.plot.plot_widget import PlotWidget
+from app.preferences import Preferences
+from app.session import Session
+from app.view_model.handles import Handle
+
+_FAMILY_ACTIONS = {
+    Family.LAGRANGE: "familyLagrange",
+    Family.HERMITE: "familyHermite",
+    Family.QUINTIC_HERMITE: "familyQuinticHermite",
+}
+_STEPS = 6
+_NO_KEYS = Qt.KeyboardModifier.NoModifier
+_LEFT = Qt.MouseButton.LeftButton
+
+
+class QtBot(Protocol):
+    """What the driver needs of pytest-qt's ``qtbot``."""
+
+    def addWidget(  # noqa: N802
+        self, widget: QWidget, *, before_close_func: Callable[[QWidget], None] | None = None
+    ) -> None:
+        """Close `widget` after the test."""
+
+    def waitExposed(self, widget: QWidget) -> object:  # noqa: N802
+        """Wait until the window is shown."""
+
+
+class Editor:
+    """One window of the editor, driven by real events.
+
+    Parameters
+    ----------
+    qtbot
+        pytest-qt's fixture.
+    session
+        What to edit; by default a new session with the sketch of the first start.
+    preferences
+        Where settings are kept; by default the user's (redirect them in your tests).
+    size
+        Size of the window in pixels.
+
+    Attributes
+    ----------
+    session, window
+        The objects that ``curvebench`` opens.
+    """
+
+    def __init__(
+        self,
+        qtbot: QtBot,
+        session: Session | None = None,
+        preferences: Preferences | None = None,
+        size: tuple[int, int] = (1200, 800),
+    ) -> None:
+        self.session = session or Session()
+        self.window = MainWindow(self.session, preferences)
+        qtbot.addWidget(self.window, before_close_func=lambda _window: self._discard_changes())
+        self.window.resize(*size)
+        with qtbot.waitExposed(self.window):  # type: ignore[attr-defined]
+            self.window.show()
+        self.fit()
+
+    def _discard_changes(self) -> None:
+        # Else closing asks whether to save, and the test run waits for an answer.
+        self.session.undo_stack.setClean()
+
+    # What is there
+
+    @property
+    def curve(self) -> Curve:
+        """The active curve of the document."""
+        return self.session.active_curve
+
+    def point(self, index: int) -> Vector:
+        """Return the position of a point."""
+        return self.curve.nodes[index].position
+
+    @property
+    def parameters(self) -> list[float]:
+        """The parameters t_i in force."""
+        return [float(t) for t in self.session.active_view.parameters]
+
+    @property
+    def pixel(self) -> float:
+        """The size of a pixel of the canvas in the plane: what a mouse can be expected to hit."""
+        return 1.0 / self.window.canvas.pixel_map.sx
+
+    def action(self, name: str) -> QAction:
+        """Return the action with this objectName."""
+        action = self.window.findChild(QAction, name)
+        if action is None:
+            raise LookupError(f"There is no action called {name!r}.")
+        return action
+
+    @property
+    def message(self) -> str:
+        """The sentence above the canvas; empty when there is none."""
+        return self.window.message_bar.text
+
+    @property
+    def status(self) -> str:
+        """The sentence at the left of the status line."""
+        return self.window.status_line.text
+
+    # What a person does
+
+    def new(self) -> None:
+        """Start an empty document with the view from (−0.5, −0.5) on, adding points."""
+        self.session.undo_stack.setClean()
+        self.trigger("newDocument")
+
+    def trigger(self, name: str) -> None:
+        """Trigger an action."""
+        self.action(name).trigger()
+        self.settle()
+
+    def fit(self) -> None:
+        """Show the whole curve."""
+        self.trigger("fitView")
+
+    def choose_family(self, family: Family) -> None:
+        """Switch the family."""
+        self.trigger(_FAMILY_ACTIONS[Family(family)])
+
+    def choose_parametrization(self, kind: ParametrizationKind) -> None:
+        """Choose the rule for the parameters in the toolbar's box, by keyboard."""
+        box = self.window.parametrization_bar.box
+        box.setFocus()
+        QTest.keyClick(box, Qt.Key.Key_Home)
+        for _ in range(list(ParametrizationKind).index(ParametrizationKind(kind))):
+            QTest.keyClick(box, Qt.Key.Key_Down)
+        self.settle()
+
+    def add_point(self, x: float, y: float, velocity_handle: Vector | None = None) -> None:
+        """Click with the Add tool at (x, y), or press there and drag to `velocity_handle`."""
+        self.trigger("addTool")
+        if velocity_handle is None:
+            self.click((x, y))
+        else:
+            self.drag((x, y), velocity_handle)
+        self.trigger("selectTool")
+
+    def select_point(self, index: int) -> None:
+        """Click on a point."""
+        self.click(self.point(index))
+
+    def drag_point(self, index: int, to: Vector, *, keys: Qt.KeyboardModifier = _NO_KEYS) -> None:
+        """Drag a point."""
+        self.drag(self.point(index), to, keys=keys)
+
+    def handle(self, kind: int = 1, *, ahead: bool = True) -> Handle:
+        """Return a handle of the selected point: kind 1 velocity, 2 acceleration."""
+        for handle in self.window.canvas.handles:
+            if handle.kind == kind and handle.ahead == ahead:
+                return handle
+        raise LookupError("The selected point has no such handle.")
+
+    def drag_handle(self, to: Vector, kind: int = 1, *, ahead: bool = True) -> None:
+        """Drag a handle of the selected point."""
+        self.drag(self.handle(kind, ahead=ahead).position, to)
+
+    def drag_parameter(self, index: int, to: float) -> None:
+        """Drag the tick of point `index` along the t-rail."""
+        panel = self.window.basis_panel
+        self.drag_pixels(panel, panel.rail_pixel(self.parameters[index]), panel.rail_pixel(to))
+
+    def scrub(self, t: float) -> None:
+        """Drag the scrub line to t."""
+        panel = self.window.basis_panel
+        start, _ = self.session.active_view.parameters[[0, -1]]
+        height = 0.5
+        self.drag_pixels(panel, panel.to_pixel(start, height), panel.to_pixel(t, height))
+
+    def click(self, at: Vector, *, keys: Qt.KeyboardModifier = _NO_KEYS) -> None:
+        """Click on the canvas."""
+        self.press(at, keys=keys)
+        self.release(at, keys=keys)
+
+    def drag(self, start: Vector, to: Vector, *, keys: Qt.KeyboardModifier = _NO_KEYS) -> None:
+        """Press at `start`, move and release at `to`, on the canvas."""
+        canvas = self.window.canvas
+        self.drag_pixels(canvas, canvas.to_pixel(*start), canvas.to_pixel(*to), keys=keys)
+
+    def press(self, at: Vector, *, keys: Qt.KeyboardModifier = _NO_KEYS) -> None:
+        """Move to a place on the canvas and press the left button."""
+        canvas = self.window.canvas
+        self.send(canvas, QEvent.Type.MouseMove, canvas.to_pixel(*at), held=False, keys=keys)
+        self.send(canvas, QEvent.Type.MouseButtonPress, canvas.to_pixel(*at), keys=keys)
+        self.settle()
+
+    def move(self, to: Vector, *, held: bool = True, keys: Qt.KeyboardModifier = _NO_KEYS) -> None:
+        """Move to a place on the canvas."""
+        canvas = self.window.canvas
+        self.send(canvas, QEvent.Type.MouseMove, canvas.to_pixel(*to), held=held, keys=keys)
+        self.settle()
+
+    def release(self, at: Vector, *, keys: Qt.KeyboardModifier = _NO_KEYS) -> None:
+        """Release the left button on the canvas."""
+        canvas = self.window.canvas
+        self.send(canvas, QEvent.Type.MouseButtonRelease, canvas.to_pixel(*at), held=False, keys=keys)
+        self.settle()
+
+    def hover(self, at: Vector) -> None:
+        """Move over the canvas with no button down."""
+        self.move(at, held=False)
+
+    def key(self, key: Qt.Key, keys: Qt.KeyboardModifier = _NO_KEYS) -> None:
+        """Press a key with the canvas in focus."""
+        self.window.canvas.setFocus()
+        QTest.keyClick(self.window.canvas, key, keys)
+        self.settle()
+
+    def hold_space(self) -> None:
+        """Press Space over the canvas: a drag pans."""
+        self.window.canvas.setFocus()
+        QTest.keyPress(self.window.canvas, Qt.Key.Key_Space)
+
+    def release_space(self) -> None:
+        """Release Space."""
+        QTest.keyRelease(self.window.canvas, Qt.Key.Key_Space)
+
+    def escape(self) -> None:
+        """Press Escape."""
+        self.key(Qt.Key.Key_Escape)
+
+    def wheel(self, at: Vector, notches: int) -> None:
+        """Turn the wheel on the canvas."""
+        canvas = self.window.canvas
+        place = QPointF(canvas.to_pixel(*at))
+        event = QWheelEvent(
+            place,
+            canvas.viewport().mapToGlobal(place),
+            QPoint(),
+            QPoint(0, 120 * notches),
+            Qt.MouseButton.NoButton,
+            _NO_KEYS,
+            Qt.ScrollPhase.NoScrollPhase,
+            False,
+        )
+        QApplication.sendEvent(canvas.viewport(), event)
+        self.settle()
+
+    # How it is done
+
+    def drag_pixels(
+        self,
+        plot: PlotWidget,
+        start: QPoint | QPointF,
+        to: QPoint | QPointF,
+        *,
+        keys: Qt.KeyboardModifier = _NO_KEYS,
+        button: Qt.MouseButton = _LEFT,
+    ) -> None:
+        """Drag between two pixels of a plot's viewport."""
+        start, to = QPointF(start), QPointF(to)
+        self.send(plot, QEvent.Type.MouseMove, start, held=False, keys=keys)
+        self.send(plot, QEvent.Type.MouseButtonPress, start, keys=keys, button=button)
+        for step in range(1, _STEPS + 1):
+            between = start + (to - start) * (step / _STEPS)
+            self.send(plot, QEvent.Type.MouseMove, between, keys=keys, button=button)
+        self.send(plot, QEvent.Type.MouseButtonRelease, to, held=False, keys=keys, button=button)
+        self.settle()
+
+    def send(
+        self,
+        plot: PlotWidget,
+        kind: QEvent.Type,
+        pixel: QPoint | QPointF,
+        *,
+        held: bool = True,
+        keys: Qt.KeyboardModifier = _NO_KEYS,
+        button: Qt.MouseButton = _LEFT,
+    ) -> None:
+        """Send one mouse event to a plot's viewport."""
+        place = QPointF(pixel)
+        nothing = Qt.MouseButton.NoButton
+        event = QMouseEvent(
+            kind,
+            place,
+            plot.viewport().mapToGlobal(place),
+            nothing if kind == QEvent.Type.MouseMove else button,
+            button if held else nothing,
+            keys,
+        )
+        QApplication.sendEvent(plot.viewport(), event)
+
+    def type_text(self, widget: QWidget, text: str) -> None:
+        """Type into a widget."""
+        QTest.keyClicks(widget, text)
+
+    def settle(self) -> None:
+        """Let Qt deliver what is pending and paint."""
+        for _ in range(2):
+            QGuiApplication.processEvents()
+
+    def screenshot(self, path: str | Path | None = None) -> QImage:
+        """Return a picture of the window, and write it to `path` if one is given."""
+        self.settle()
+        image = self.window.grab().toImage()
+        if path is not None:
+            image.save(str(path))
+        return image
+
+    def paste_text(self, text: str) -> None:
+        """Put text on the clipboard."""
+        QGuiApplication.clipboard().setText(text)
+
+    def select(self, indices: Sequence[int]) -> None:
+        """Select points."""
+        self.session.select(indices)
+        self.settle()

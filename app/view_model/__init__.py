@@ -1,0 +1,5 @@
+"""Documents turned into arrays to draw. No Qt; with ``exchange`` the only place in app that calls curvecore.
+
+- ``curve_view``: a document's curve as a core curve, its polyline, its handles, or why it cannot be made.
+- ``basis_view``: the basis functions sampled for the basis panel, and the weights at one parameter.
+"""

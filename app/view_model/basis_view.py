@@ -1,0 +1,126 @@
+"""The basis functions of a curve, sampled for the basis panel."""
+
+from __future__ import annotations
+
+from collections.abc import Collection
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+
+from app.document.model import Family
+from app.view_model.curve_view import CoreCurve, Floats
+from curvecore import LagrangeCurve
+
+SAMPLES = 500
+"""Samples over the domain; one per two or three pixels of a wide panel."""
+
+_PEAK = (1.0, 3.0, 30.0)
+"""What makes B_0, B_1/h and B_2/h² of the cubic and the quintic peak near one half or one."""
+
+
+@dataclass(frozen=True, eq=False)
+class BasisView:
+    """Basis functions B_ir(t) as the panel draws them.
+
+    Attributes
+    ----------
+    curve
+        The core's curve they belong to.
+    t
+        Sample parameters, (m,).
+    values
+        Scaled functions: (m, n, R) for a Lagrange curve; for the piecewise families (m, 2, R), the functions
+        of the node before and the node after each sample, all the others being zero there.
+    first
+        For the piecewise families the index of the first sample of each segment and the end, (n,).
+    scales
+        What B_ir was multiplied with, one factor for each r.
+    """
+
+    curve: CoreCurve
+    t: Floats
+    values: Floats
+    first: np.ndarray | None
+    scales: tuple[float, ...]
+
+    @property
+    def count(self) -> int:
+        """Number of nodes n."""
+        return len(self.curve.parameters)
+
+    def function(self, index: int, kind: int) -> tuple[Floats, Floats]:
+        """Return (t, scaled B) of node `index` and derivative `kind`, where it is not zero."""
+        if self.first is None:
+            return self.t, self.values[:, index, kind]
+        here = self.first[index]
+        start = self.first[max(index - 1, 0)]
+        end = self.first[min(index + 1, self.count - 1)]
+        behind = self.values[start:here, 1, kind]
+        ahead = self.values[here:end, 0, kind]
+        return self.t[start:end], np.concatenate([behind, ahead])
+
+    def extent(self, kinds: Collection[int]) -> tuple[float, float]:
+        """Return the least and the greatest value of the functions of these kinds; (0, 0) for none."""
+        drawn = self.values[:, :, [kind for kind in range(len(self.scales)) if kind in kinds]]
+        return (float(drawn.min()), float(drawn.max())) if drawn.size else (0.0, 0.0)
+
+    @cached_property
+    def lebesgue_constant(self) -> float:
+        """The largest sum of |B_i0| over the samples: the Lebesgue constant as far as can be drawn."""
+        return float(np.abs(self.values[:, :, 0]).sum(axis=1).max())
+
+    def value_at(self, t: float, kind: int) -> Floats:
+        """Return the scaled functions of one kind at `t`, (n,)."""
+        return weights_at(self.curve, t)[:, kind] * self.scales[kind]
+
+
+def basis_view(curve: CoreCurve) -> BasisView:
+    """Sample all basis functions of `curve` over its domain."""
+    scales = basis_scales(curve)
+    if isinstance(curve, LagrangeCurve):
+        t = np.linspace(*curve.domain, SAMPLES)
+        return BasisView(curve, t, curve.basis(t) * np.array(scales), None, scales)
+    return _piecewise_view(curve, scales)
+
+
+def _piecewise_view(curve: CoreCurve, scales: tuple[float, ...]) -> BasisView:
+    """Sample every segment alike, ends included, so that joints are drawn as sharp as they are."""
+    knots = curve.parameters
+    per_segment = int(np.clip(SAMPLES // (len(knots) - 1), 9, 65))
+    s = np.linspace(0.0, 1.0, per_segment)
+    t = knots[:-1, None] + s * np.diff(knots)[:, None]
+    # The last sample of a segment lies a hair before the joint, so that it is counted to that segment.
+    t[:, -1] = np.nextafter(knots[1:], knots[:-1])
+    t[-1, -1] = knots[-1]
+    local = curve.local_basis(t.ravel())  # type: ignore[union-attr]
+    first = np.arange(len(knots)) * per_segment
+    return BasisView(curve, t.ravel(), local.values * np.array(scales), first, scales)
+
+
+def basis_scales(curve: CoreCurve) -> tuple[float, ...]:
+    """Return the factors that make functions of all kinds readable on one axis.
+
+    Velocity functions are in proportion to the spacing h, acceleration functions to h²; the mean spacing
+    stands for h, so that dragging an inner parameter does not change the scale under the hand.
+    """
+    start, end = curve.domain
+    h = (end - start) / (len(curve.parameters) - 1)
+    return tuple(_PEAK[r] / h**r for r in range(curve.jets.shape[1]))
+
+
+def basis_formulas(family: Family, basis: BasisView | None) -> tuple[tuple[str, ...], str]:
+    """Return what is drawn of each kind, as formulas, and what stands for h in them."""
+    if family is Family.LAGRANGE:
+        return ("Lᵢ(t)",), ""
+    formulas = ("B₀", "3·B₁ ∕ h", "30·B₂ ∕ h²")[: family.derivatives + 1]
+    if basis is None:
+        return formulas, ""
+    start, end = basis.curve.domain
+    return formulas, f"h = {(end - start) / (basis.count - 1):.3g}, the mean spacing"
+
+
+def weights_at(curve: CoreCurve, t: float) -> Floats:
+    """Return the weight B_ir(t) of every datum at `t`, (n, R)."""
+    weights: Floats = curve.basis(np.array([t]))[0]
+    return weights

@@ -1,0 +1,94 @@
+"""Handles: the Bézier control points beside a node, which a person drags to set its derivatives.
+
+On a segment of length h the cubic has its control points at p ± h·v/3; the quintic has them at p ± h·v/5
+and p ± 2h·v/5 + h²·a/20 (plus ahead of the node, minus behind it, with the h of the segment on that side).
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from app.document.model import Family, Vector
+from app.view_model.curve_view import CurveView
+
+
+@dataclass(frozen=True)
+class Handle:
+    """One handle of a node.
+
+    Attributes
+    ----------
+    kind
+        1 for a velocity, 2 for an acceleration.
+    ahead
+        Whether it belongs to the segment after the node.
+    position
+        Where it lies in the plane.
+    anchor
+        Where the line to it begins: the node, or the velocity handle.
+    explicit
+        Whether the person set the value; otherwise a rule estimates it.
+    """
+
+    kind: int
+    ahead: bool
+    position: Vector
+    anchor: Vector
+    explicit: bool
+
+
+def handles_of(view: CurveView, index: int) -> list[Handle]:
+    """Return the handles of node `index`; none for Lagrange, or while there is no curve."""
+    handles: list[Handle] = []
+    for ahead in (True, False):
+        handles += _handles_on_one_side(view, index, ahead=ahead)
+    return handles
+
+
+def _handles_on_one_side(view: CurveView, index: int, *, ahead: bool) -> list[Handle]:
+    velocity, h = view.velocity_of(index), _signed_spacing(view, index, ahead=ahead)
+    if velocity is None or h is None:
+        return []
+    node = view.source.nodes[index]
+    p = node.position
+    tip = _along(p, velocity, h / _degree(view))
+    handles = [Handle(1, ahead, tip, p, node.velocity is not None)]
+    acceleration = view.acceleration_of(index)
+    if acceleration is not None:
+        second = _along(_along(p, velocity, 2 * h / 5), acceleration, h * h / 20)
+        handles.append(Handle(2, ahead, second, tip, node.acceleration is not None))
+    return handles
+
+
+def velocity_from_handle(view: CurveView, index: int, position: Vector, *, ahead: bool) -> Vector:
+    """Return the velocity whose handle lies at `position`."""
+    p, h = view.source.nodes[index].position, _signed_spacing(view, index, ahead=ahead)
+    if h is None:
+        # A point that stands alone: the interval it is going to open stands for h.
+        rule = view.source.parametrization
+        h = rule.end - rule.start
+    factor = _degree(view) / h
+    return ((position[0] - p[0]) * factor, (position[1] - p[1]) * factor)
+
+
+def acceleration_from_handle(view: CurveView, index: int, position: Vector, *, ahead: bool) -> Vector:
+    """Return the acceleration whose handle lies at `position`, the velocity staying what it is."""
+    velocity, h = view.velocity_of(index), _signed_spacing(view, index, ahead=ahead)
+    if velocity is None or h is None:
+        return (0.0, 0.0)
+    base = _along(view.source.nodes[index].position, velocity, 2 * h / 5)
+    factor = 20 / (h * h)
+    return ((position[0] - base[0]) * factor, (position[1] - base[1]) * factor)
+
+
+def _signed_spacing(view: CurveView, index: int, *, ahead: bool) -> float | None:
+    h = view.spacing(index, ahead=ahead)
+    return h if h is None or ahead else -h
+
+
+def _degree(view: CurveView) -> int:
+    return 5 if view.source.family is Family.QUINTIC_HERMITE else 3
+
+
+def _along(p: Vector, direction: Vector, factor: float) -> Vector:
+    return (p[0] + factor * direction[0], p[1] + factor * direction[1])

@@ -1,0 +1,94 @@
+"""A synthetic drag with the time from each mouse move to the end of painting."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from PySide6.QtCore import QEvent, QPointF, Qt
+from PySide6.QtGui import QMouseEvent
+from PySide6.QtWidgets import QApplication, QWidget
+
+_WARM = 20
+
+
+class Paints:
+    """Counts finished paints by name."""
+
+    def __init__(self) -> None:
+        self.count: dict[str, int] = {}
+
+    def counter(self, name: str) -> Callable[[], None]:
+        """Return what to call at the end of a paint."""
+        self.count[name] = 0
+
+        def painted() -> None:
+            self.count[name] += 1
+
+        return painted
+
+
+@dataclass(frozen=True)
+class Times:
+    """Milliseconds per frame."""
+
+    median: float
+    p95: float
+
+    def __str__(self) -> str:
+        return f"median {self.median:6.2f} ms, p95 {self.p95:6.2f} ms"
+
+
+def send(widget: QWidget, kind: QEvent.Type, place: QPointF, *, held: bool) -> None:
+    """Send one mouse event with the left button."""
+    nothing = Qt.MouseButton.NoButton
+    button = nothing if kind == QEvent.Type.MouseMove else Qt.MouseButton.LeftButton
+    buttons = Qt.MouseButton.LeftButton if held else nothing
+    event = QMouseEvent(
+        kind, place, widget.mapToGlobal(place), button, buttons, Qt.KeyboardModifier.NoModifier
+    )
+    QApplication.sendEvent(widget, event)
+
+
+def pump(seconds: float) -> None:
+    """Run the event loop."""
+    end = time.perf_counter() + seconds
+    while time.perf_counter() < end:
+        QApplication.processEvents()
+
+
+def drag(
+    widget: QWidget,
+    start: QPointF,
+    paints: Paints,
+    awaited: Sequence[str],
+    *,
+    moves: int = 150,
+    horizontal: bool = False,
+    reach: int = 40,
+) -> Times:
+    """Press at `start`, move back to back, and time each move to the end of all awaited paints."""
+    send(widget, QEvent.Type.MouseMove, start, held=False)
+    send(widget, QEvent.Type.MouseButtonPress, start, held=True)
+    # Past the threshold below which a press is still a click.
+    send(widget, QEvent.Type.MouseMove, start + QPointF(6, 6), held=True)
+    pump(0.1)
+    seconds = []
+    for step in range(_WARM + moves):
+        # A triangle wave, in whole pixels, that never rests.
+        away = abs((step + 6) % (2 * reach) - reach) - reach // 2
+        place = start + (QPointF(away, 0) if horizontal else QPointF(step % 3 - 1, away))
+        before = dict(paints.count)
+        began = time.perf_counter()
+        send(widget, QEvent.Type.MouseMove, place, held=True)
+        while any(paints.count[name] == before[name] for name in awaited):
+            QApplication.processEvents()
+            if time.perf_counter() - began > 5:
+                raise TimeoutError(f"no paint of {awaited} after a move")
+        seconds.append(time.perf_counter() - began)
+    send(widget, QEvent.Type.MouseButtonRelease, start, held=False)
+    pump(0.05)
+    milliseconds = 1e3 * np.array(seconds[_WARM:])
+    return Times(float(np.median(milliseconds)), float(np.percentile(milliseconds, 95)))

@@ -1,0 +1,156 @@
+"""The basis panel: functions, t-rail and scrub line, with real mouse events."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from PySide6.QtCore import QEvent, QPointF, Qt
+from PySide6.QtWidgets import QToolButton
+
+from app.document.model import Family, ParametrizationKind
+
+
+@pytest.fixture
+def panel(editor):
+    return editor.window.basis_panel
+
+
+def test_dragging_a_tick_changes_t_and_makes_the_parameters_manual(editor, panel):
+    old = editor.parameters
+    target = (old[3] + old[4]) / 2
+    editor.drag_parameter(3, to=target)
+    assert editor.parameters[3] == pytest.approx(target, abs=1.5 / panel.pixel_map.sx)
+    assert editor.parameters[:3] + editor.parameters[4:] == old[:3] + old[4:]
+    assert editor.curve.parametrization.kind is ParametrizationKind.MANUAL
+    assert editor.session.undo_stack.undoText() == "Change t of point 3"
+    assert editor.session.undo_stack.count() == 1
+    editor.trigger("undo")
+    assert editor.parameters == old
+    assert editor.curve.parametrization.kind is ParametrizationKind.CHORD_LENGTH
+
+
+def test_a_tick_stops_before_its_neighbours(editor):
+    editor.drag_parameter(3, to=0.95)
+    t = editor.parameters
+    assert t[2] < t[3] < t[4]
+    editor.drag_parameter(3, to=0.01)
+    t = editor.parameters
+    assert t[2] < t[3] < t[4]
+
+
+def test_the_curve_follows_a_tick_live_and_escape_puts_it_back(editor, panel):
+    document, curve = editor.session.document, editor.session.active_view.curve
+    start = panel.rail_pixel(editor.parameters[3])
+    editor.send(panel, QEvent.Type.MouseButtonPress, start)
+    editor.send(panel, QEvent.Type.MouseMove, start + QPointF(15, 0))
+    assert not np.array_equal(editor.session.active_view.curve.parameters, curve.parameters)
+    editor.key(Qt.Key.Key_Escape)
+    editor.send(panel, QEvent.Type.MouseMove, start + QPointF(20, 0))
+    editor.send(panel, QEvent.Type.MouseButtonRelease, start + QPointF(20, 0), held=False)
+    assert editor.session.document is document
+    assert editor.session.undo_stack.count() == 0
+
+
+def test_the_functions_shown_are_those_of_the_curve(editor, panel):
+    for family in Family:
+        editor.choose_family(family)
+        basis, curve = panel.basis, editor.session.active_view.curve
+        assert basis.curve.degree == curve.degree
+        for index in range(8):
+            for kind, scale in enumerate(basis.scales):
+                t, values = basis.function(index, kind)
+                exact = curve.basis(t)[:, index, kind] * scale
+                assert values == pytest.approx(exact, abs=1e-9)
+
+
+def test_at_a_parameter_only_its_own_function_is_one(editor, panel):
+    basis = panel.basis
+    for index, t in enumerate(editor.parameters):
+        assert basis.value_at(t, 0) == pytest.approx(np.eye(8)[index], abs=1e-14)
+
+
+def test_hovering_a_function_lights_its_point_and_a_click_selects_it(editor, panel):
+    t = editor.parameters[2]
+    pixel = panel.to_pixel(t, 1.0)
+    editor.send(panel, QEvent.Type.MouseMove, pixel, held=False)
+    assert editor.session.hovered == 2
+    editor.send(panel, QEvent.Type.MouseButtonPress, pixel)
+    editor.send(panel, QEvent.Type.MouseButtonRelease, pixel, held=False)
+    assert editor.session.selection == {2}
+
+
+def test_hovering_a_point_of_the_canvas_lights_its_tick(editor, panel):
+    editor.hover(editor.point(5))
+    assert panel.emphasised == {5}
+    editor.hover((-1.0, -0.2))
+    assert panel.emphasised == frozenset()
+
+
+def test_scrubbing_shows_the_weights_that_add_up_to_one(editor):
+    editor.scrub(0.37)
+    canvas = editor.window.canvas
+    assert editor.session.scrub == pytest.approx(0.37, abs=2e-3)
+    assert canvas.weights.sum() == pytest.approx(1.0, abs=1e-12)
+    exact = editor.session.active_view.curve.evaluate(editor.session.scrub)
+    assert canvas.scrub_point == pytest.approx(tuple(exact))
+    assert editor.session.undo_stack.count() == 0
+    editor.escape()
+    assert editor.session.scrub is None
+    assert canvas.weights is None
+
+
+def test_the_weights_follow_when_a_point_is_dragged_under_the_scrub_line(editor):
+    editor.scrub(0.37)
+    before = editor.window.canvas.weights.copy()
+    editor.drag_point(2, to=(0.2, 4.5))
+    assert not np.allclose(editor.window.canvas.weights, before)
+
+
+def test_the_scrub_line_stays_on_the_curve(editor, panel):
+    editor.scrub(0.5)
+    editor.drag_pixels(panel, panel.to_pixel(0.5, 0.5), panel.to_pixel(1.02, 0.5))
+    assert editor.session.scrub == 1.0
+
+
+def test_kinds_can_be_switched(editor, panel):
+    editor.choose_family(Family.QUINTIC_HERMITE)
+    for name, kind in (("velocityFunctions", 1), ("accelerationFunctions", 2)):
+        button = editor.window.findChild(QToolButton, name)
+        assert button.isVisible()
+        button.click()
+        assert kind not in panel.kinds
+        button.click()
+        assert kind in panel.kinds
+    editor.choose_family(Family.LAGRANGE)
+    assert not editor.window.findChild(QToolButton, "velocityFunctions").isVisible()
+
+
+def test_functions_that_leave_the_range_are_reported_and_fit_shows_them(editor, panel):
+    editor.drag_parameter(3, to=editor.parameters[4] - 0.02)
+    note = editor.window.basis_pane.extent_text
+    assert "reach from" in note
+    fit = editor.window.findChild(QToolButton, "fitBasis")
+    assert fit.isVisible()
+    fit.click()
+    editor.settle()
+    low, high = panel.basis.extent((0,))
+    _, y_min, _, y_max = panel.pixel_map.box
+    assert y_min < low
+    assert high < y_max
+    assert editor.window.basis_pane.extent_text == ""
+
+
+def test_a_point_dragged_at_frozen_parameters_leaves_the_functions_alone(editor, panel):
+    editor.trigger("freezeParameters")
+    basis = panel.basis
+    editor.drag_point(2, to=(0.2, 4.5))
+    assert panel.basis is basis
+
+
+def test_wheel_zooms_along_t_alone(editor, panel):
+    _, y_min, _, y_max = panel.pixel_map.box
+    panel.zoom(2.0, QPointF(panel.to_pixel(0.5, 0.5)))
+    editor.settle()
+    x_min, new_y_min, x_max, new_y_max = panel.pixel_map.box
+    assert x_max - x_min < 0.6
+    assert (new_y_min, new_y_max) == pytest.approx((y_min, y_max))

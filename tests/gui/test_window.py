@@ -1,0 +1,284 @@
+"""Families, parametrizations, history, files and the window itself."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from PySide6.QtCore import QMimeData, QPoint, QPointF, Qt, QTimer, QUrl
+from PySide6.QtGui import QAction, QDragEnterEvent, QDropEvent
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QAbstractButton, QApplication, QMessageBox, QSlider, QWidget
+
+from app.document.edits import set_velocity
+from app.document.format import encode
+from app.document.model import Family, ParametrizationKind
+from app.document.storage import load
+from app.main_window import MainWindow
+from app.session import Session
+from app.testing import Editor
+from app.theme import ThemeMode
+
+
+def test_the_first_start_shows_a_curve_and_a_hint(editor):
+    assert len(editor.curve.nodes) == 8
+    assert editor.session.active_view.is_current
+    assert "F1" in editor.message
+    assert not editor.session.is_modified
+
+
+def test_switching_families_brings_the_same_curve_back(editor):
+    editor.choose_family(Family.HERMITE)
+    editor.session.commit(set_velocity(editor.session.document, 0, 2, (3.0, -1.0)), "Set velocity")
+    nodes = editor.curve.nodes
+    jets = editor.session.active_view.curve.jets
+    for family in (Family.LAGRANGE, Family.QUINTIC_HERMITE, Family.HERMITE):
+        editor.choose_family(family)
+        assert editor.curve.nodes == nodes
+    assert np.array_equal(editor.session.active_view.curve.jets, jets)
+
+
+def test_switching_parametrizations_brings_the_same_curve_back(editor):
+    editor.drag_parameter(3, to=0.5)
+    manual, nodes = editor.parameters, editor.curve.nodes
+    for kind in ParametrizationKind:
+        editor.choose_parametrization(kind)
+        assert editor.curve.parametrization.kind is kind
+        assert editor.curve.nodes == nodes
+    assert editor.parameters == manual
+
+
+@pytest.mark.parametrize(
+    ("key", "family"),
+    [("1", Family.LAGRANGE), ("2", Family.HERMITE), ("3", Family.QUINTIC_HERMITE)],
+)
+def test_number_keys_switch_the_family(editor, key, family):
+    editor.choose_family(Family.HERMITE if family is Family.LAGRANGE else Family.LAGRANGE)
+    QTest.keyClicks(editor.window.canvas, key)
+    assert editor.curve.family is family
+    assert editor.action(
+        {"1": "familyLagrange", "2": "familyHermite", "3": "familyQuinticHermite"}[key]
+    ).isChecked()
+
+
+def test_choosing_what_is_already_chosen_is_no_step(editor):
+    editor.choose_family(Family.LAGRANGE)
+    editor.choose_parametrization(ParametrizationKind.CHORD_LENGTH)
+    assert editor.curve.parametrization.kind is ParametrizationKind.CHORD_LENGTH
+    editor.session.undo_stack.setClean()
+    count = editor.session.undo_stack.count()
+    editor.choose_family(Family.LAGRANGE)
+    assert editor.session.undo_stack.count() == count
+
+
+def test_the_alpha_slider_is_live_one_step_and_cancellable(editor):
+    slider = editor.window.findChild(QSlider, "alphaSlider")
+    document = editor.session.document
+    slider.setSliderDown(True)
+    slider.setSliderPosition(70)
+    assert editor.curve.parametrization.kind is ParametrizationKind.POWER
+    assert editor.curve.parametrization.alpha == pytest.approx(0.7)
+    QTest.keyClick(slider, Qt.Key.Key_Escape)
+    slider.setSliderDown(False)
+    assert editor.session.document is document
+    slider.setSliderDown(True)
+    slider.setSliderPosition(60)
+    slider.setSliderPosition(30)
+    slider.setSliderDown(False)
+    assert editor.session.undo_stack.count() == 1
+    assert editor.session.undo_stack.undoText() == "Set α to 0.30"
+
+
+def test_undo_and_redo_go_through_every_state(editor):
+    states = [editor.session.document]
+    editor.drag_point(2, to=(0.5, 4.2))
+    states.append(editor.session.document)
+    editor.choose_family(Family.HERMITE)
+    states.append(editor.session.document)
+    editor.drag_parameter(3, to=0.5)
+    states.append(editor.session.document)
+    for state in reversed(states[:-1]):
+        editor.trigger("undo")
+        assert editor.session.document is state
+    for state in states[1:]:
+        editor.trigger("redo")
+        assert editor.session.document is state
+
+
+def test_save_and_open_again(editor, tmp_path):
+    path = tmp_path / "curve.curve.json"
+    editor.drag_point(2, to=(0.5, 4.2))
+    assert editor.window.isWindowModified()
+    editor.session.save(path)
+    assert not editor.window.isWindowModified()
+    assert path.name in editor.window.windowTitle()
+    saved = editor.session.document
+    editor.new()
+    editor.session.open(path)
+    assert editor.session.document == saved
+    assert editor.session.undo_stack.count() == 0
+
+
+def test_a_bad_file_is_explained_and_the_open_document_stays(editor, tmp_path):
+    path = tmp_path / "bad.curve.json"
+    path.write_text('{"format": "curvebench", "version": 1, "curves": [{"name": 3}]}')
+    document = editor.session.document
+    editor.window.open_file(path)
+    assert "bad.curve.json was not opened" in editor.message
+    assert "curves[0]" in editor.message
+    assert editor.session.document is document
+
+
+def test_a_dropped_file_is_opened(editor, tmp_path):
+    path = tmp_path / "dropped.curve.json"
+    editor.drag_point(2, to=(0.5, 4.2))
+    path.write_bytes(encode(editor.session.document))
+    document = editor.session.document
+    editor.trigger("undo")
+    editor.session.undo_stack.setClean()
+    mime = QMimeData()
+    mime.setUrls([QUrl.fromLocalFile(str(path))])
+    for kind, place in ((QDragEnterEvent, QPoint(300, 300)), (QDropEvent, QPointF(300, 300))):
+        event = kind(
+            place,
+            Qt.DropAction.CopyAction,
+            mime,
+            Qt.MouseButton.LeftButton,
+            Qt.KeyboardModifier.NoModifier,
+        )
+        QApplication.sendEvent(editor.window, event)
+    assert editor.session.document == document
+    assert editor.session.path == path
+
+
+@pytest.mark.parametrize(("button", "closes"), [("Discard", True), ("Cancel", False)])
+def test_closing_asks_about_changes(editor, button, closes):
+    editor.drag_point(2, to=(0.5, 4.2))
+    asked = []
+
+    def answer():
+        box = editor.window.findChild(QMessageBox, "saveChanges")
+        asked.append(box.text())
+        box.button(getattr(QMessageBox.StandardButton, button)).click()
+
+    QTimer.singleShot(0, answer)
+    assert editor.window.close() is closes
+    assert asked == ["Save the changes to the sketch?"]
+
+
+def test_examples_open_as_copies_without_a_file(editor):
+    names = [a.objectName() for a in editor.window.examples_menu.actions()]
+    assert len(names) >= 5
+    for name in names:
+        editor.trigger(name)
+        assert editor.session.path is None
+        assert editor.session.active_view.is_current
+        assert editor.message == ""
+
+
+def test_recent_files_are_listed(editor, tmp_path):
+    path = tmp_path / "mine.curve.json"
+    editor.session.save(path)
+    editor.window.open_file(path)
+    editor.window.recent_menu.aboutToShow.emit()
+    assert editor.window.recent_menu.actions()[0].text() == "mine.curve.json"
+
+
+@pytest.mark.parametrize("suffix", [".png", ".svg", ".pdf"])
+def test_pictures_are_exported(editor, tmp_path, suffix):
+    path = tmp_path / f"curve{suffix}"
+    editor.window.export_file(path)
+    assert path.stat().st_size > 500
+    assert path.name in editor.status
+
+
+def test_an_export_that_cannot_be_written_is_explained(editor, tmp_path):
+    editor.window.export_file(tmp_path / "no such folder" / "curve.png")
+    assert "was not written" in editor.message
+
+
+def test_light_and_dark(editor):
+    for mode, dark in ((ThemeMode.DARK, True), (ThemeMode.LIGHT, False)):
+        editor.window.set_theme_mode(mode)
+        image = editor.screenshot()
+        corner = editor.window.canvas.mapTo(editor.window, editor.window.canvas.to_pixel(-1, 4))
+        assert (image.pixelColor(corner).lightnessF() < 0.5) is dark
+    editor.window.set_theme_mode(ThemeMode.SYSTEM)
+
+
+def test_presentation_hides_everything_but_the_drawing(editor):
+    editor.trigger("presentation")
+    window = editor.window
+    assert not window.toolbar.isVisible()
+    assert not any(dock.isVisible() for dock in window.docks)
+    assert window.canvas.isVisible()
+    assert window.basis_panel.isVisible()
+    editor.escape()
+    assert window.toolbar.isVisible()
+    assert window.docks[0].isVisible()
+
+
+def test_the_side_panel_folds_away_with_one_key(editor):
+    QTest.keyClick(editor.window, Qt.Key.Key_F9)
+    assert not any(dock.isVisible() for dock in editor.window.docks)
+    QTest.keyClick(editor.window, Qt.Key.Key_F9)
+    assert editor.window.docks[0].isVisible()
+
+
+def test_the_layout_is_remembered(qtbot):
+    first = Editor(qtbot, size=(1100, 760))
+    first.window.splitter.setSizes([300, 400])
+    sizes = first.window.splitter.sizes()
+    assert first.window.close()
+    second = MainWindow(Session())
+    qtbot.addWidget(second)
+    with qtbot.waitExposed(second):
+        second.show()
+    assert second.splitter.sizes() == pytest.approx(sizes, abs=3)
+
+
+def test_nothing_is_cut_off_in_a_small_window(qtbot):
+    editor = Editor(qtbot, size=(1024, 700))
+    assert editor.window.size().width() <= 1024
+    assert editor.window.size().height() <= 700
+    for name in ("familyQuinticHermite", "fitView", "toggleScrub"):
+        button = editor.window.toolbar.widgetForAction(editor.action(name))
+        assert button.isVisible()
+
+
+def test_every_action_and_widget_can_be_found_and_heard(editor):
+    for action in editor.window.findChildren(QAction):
+        if action.objectName() and action.text() and not action.isSeparator():
+            assert action.toolTip(), action.objectName()
+    interactive = (QAbstractButton, QSlider)
+    for widget in editor.window.findChildren(QWidget):
+        if isinstance(widget, interactive) and widget.parent() and _is_ours(widget):
+            assert widget.objectName(), widget
+            assert widget.accessibleName() or widget.text(), widget.objectName()
+            assert widget.toolTip(), widget.objectName()
+
+
+def _is_ours(widget):
+    """Leave out what Qt makes inside its own widgets: tool bar buttons, corner buttons, dock titles."""
+    return (
+        not widget.objectName().startswith(("qt_", "Scroll"))
+        and type(widget).__name__ in {"QToolButton", "_AlphaSlider"}
+        and (widget.defaultAction() is None if hasattr(widget, "defaultAction") else True)
+    )
+
+
+def test_help_lists_the_keys_without_stopping_work(editor):
+    editor.trigger("showShortcuts")
+    sheet = editor.window.findChild(QWidget, "shortcutSheet")
+    assert sheet.isVisible()
+    assert not sheet.isModal()
+    editor.trigger("showShortcuts")
+    assert not sheet.isVisible()
+
+
+def test_save_writes_what_is_committed_not_a_preview(editor, tmp_path):
+    document = editor.session.document
+    editor.press(editor.point(2))
+    editor.move((0.2, 4))
+    editor.session.save(tmp_path / "a.curve.json")
+    assert load(tmp_path / "a.curve.json") == document
+    editor.release((0.2, 4))
