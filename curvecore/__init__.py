@@ -10,9 +10,12 @@ parametrization     rules for the t_i: `uniform`, `chebyshev`,
 curve               the protocol `Curve` that all families satisfy
 lagrange            `LagrangeCurve`, one polynomial of degree n - 1
 product_form        the Lagrange basis as products, accurate on any nodes
+product_series      its derivatives, as products of power series
 scaling             numbers with separate exponents
+double_double       numbers of 106 bits, where plain ones would cancel
 hermite             `HermiteCurve` and `QuinticHermiteCurve`, piecewise
 hermite_basis       their cardinal polynomials, factored
+bernstein           their control points, and fast evaluation from these
 tangents            velocities and accelerations estimated from points
 bezier              exact and approximate Bezier control points
 flatten             polylines within a tolerance

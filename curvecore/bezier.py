@@ -107,9 +107,10 @@ def cubic_path(curve: Curve, tolerance: float) -> CubicPath:
     limit = tolerance_value(tolerance)
     if isinstance(curve, HermiteCurve):
         return CubicPath(bezier_segments(curve), curve.parameters.copy(), 0.0)
-    if isinstance(curve, QuinticHermiteCurve):
-        return _quintic_path(curve, limit)
-    return _measured_path(curve, limit)
+    with np.errstate(over="ignore", under="ignore", invalid="ignore"):
+        if isinstance(curve, QuinticHermiteCurve):
+            return _quintic_path(curve, limit)
+        return _measured_path(curve, limit)
 
 
 def _pieces(curve: Curve, parameters: FloatArray) -> FloatArray:
@@ -171,6 +172,5 @@ def _lengths(vectors: FloatArray) -> FloatArray:
     """Return Euclidean lengths along the last axis, with no overflow below 1e300."""
     largest = np.abs(vectors).max(axis=-1)
     divisor = np.where(largest > 0.0, largest, 1.0)[..., None]
-    with np.errstate(under="ignore", over="ignore"):
-        lengths: FloatArray = largest * np.sqrt(np.square(vectors / divisor).sum(axis=-1))
+    lengths: FloatArray = largest * np.sqrt(np.square(vectors / divisor).sum(axis=-1))
     return np.minimum(lengths, 1e308)

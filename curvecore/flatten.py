@@ -117,11 +117,12 @@ def flatten_parameters(curve: Curve, tolerance: float, box: ArrayLike | None = N
     if curve.points.shape[1] != 2:
         raise CurveError(f"curve must be plane (dim 2) to be flattened, not of dim {curve.points.shape[1]}")
     edges = None if box is None else box_edges(box)
-    if isinstance(curve, (HermiteCurve, QuinticHermiteCurve)):
-        pieces = _bezier_pieces(curve, limit, edges)
-    else:
-        pieces = _sampled_pieces(curve, limit, edges)
-    return _merged(curve, pieces, limit)
+    with np.errstate(over="ignore", under="ignore", invalid="ignore"):
+        if isinstance(curve, (HermiteCurve, QuinticHermiteCurve)):
+            pieces = _bezier_pieces(curve, limit, edges)
+        else:
+            pieces = _sampled_pieces(curve, limit, edges)
+        return _merged(curve, pieces, limit)
 
 
 class _Arcs(NamedTuple):
@@ -241,9 +242,14 @@ def _sampled_pieces(curve: Curve, tolerance: float, box: FloatArray | None) -> _
         accepted[todo] = need == 1
         finer = np.ones(accepted.size, dtype=np.intp)
         finer[todo] = need
-        if not (need > 1).any() or t.size + int(finer.sum()) > MAX_VERTICES:
+        if not (need > 1).any():
             break
+        wanted, room = int((finer - 1).sum()), MAX_VERTICES - t.size
+        if wanted > room:
+            finer = 1 + (finer - 1) * max(room, 0) // wanted
         t, accepted, deviation = _refine(t, finer, accepted, deviation)
+        if wanted > room:
+            break
     return _Pieces(t, deviation)
 
 
@@ -323,8 +329,7 @@ def _merged(curve: Curve, pieces: _Pieces, tolerance: float) -> FloatArray:
     while failures < 2 and t.size > 2:
         middle = np.arange(1 + offset, t.size - 1, 2)
         joined = np.maximum(deviation[middle - 1], deviation[middle])
-        with np.errstate(invalid="ignore"):
-            joined = joined + _segment_distance(points[middle], points[middle - 1], points[middle + 1])
+        joined = joined + _segment_distance(points[middle], points[middle - 1], points[middle + 1])
         dropped = joined <= tolerance
         if dropped.any():
             failures = 0

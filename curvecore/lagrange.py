@@ -121,16 +121,18 @@ class LagrangeCurve:
         rank = integer(order, "order", 0)
         # Bringing the points near 1 keeps a sum of large terms that cancel in range.
         _, exponent = np.frexp(np.abs(self.points).max(axis=0))
-        points = np.ldexp(self.points, -exponent)
+        with np.errstate(under="ignore"):
+            points = np.ldexp(self.points, -exponent)
         result = np.empty((points.shape[1], at.values.size))
-        for part in self._nodes.basis_parts(at.values, rank):
-            values, scale = part.values, exponent[:, None]
-            if part.exponent is not None:
-                values, common = normalise(Scaled(values, part.exponent))
-                scale = scale + common
-            result[:, part.where] = scale_by_power(points.T @ values, scale)
-            if rank == 0:
-                result[:, part.where.start + part.hits.columns] = self.points[part.hits.nodes].T
+        with np.errstate(over="ignore", under="ignore"):
+            for part in self._nodes.basis_parts(at.values, rank):
+                values, scale = part.values, exponent[:, None]
+                if part.exponent is not None:
+                    values, common = normalise(Scaled(values, part.exponent))
+                    scale = scale + common
+                result[:, part.where] = scale_by_power(points.T @ values, scale)
+                if rank == 0:
+                    result[:, part.where.start + part.hits.columns] = self.points[part.hits.nodes].T
         curve = np.ascontiguousarray(result.T)
         return curve[0] if at.is_scalar else curve
 
@@ -152,9 +154,10 @@ class LagrangeCurve:
         at = parameter_values(t)
         rank = integer(order, "order", 0)
         result = np.empty((len(self._parameters), at.values.size))
-        for part in self._nodes.basis_parts(at.values, rank, result):
-            if part.exponent is not None:
-                result[:, part.where] = scale_by_power(part.values, part.exponent)
+        with np.errstate(over="ignore", under="ignore"):
+            for part in self._nodes.basis_parts(at.values, rank, result):
+                if part.exponent is not None:
+                    result[:, part.where] = scale_by_power(part.values, part.exponent)
         return result.T[:, :, None]
 
     def with_jets(self, jets: ArrayLike) -> LagrangeCurve:

@@ -134,27 +134,31 @@ class Nodes(NamedTuple):
         out : ndarray, shape (n, m), optional
             Where plain values may be put; without it, the arrays of one
             part are overwritten by the next.
+
+        Notes
+        -----
+        Numbers may over- and underflow on the way: the caller sets
+        `numpy.errstate`, which a generator cannot without leaking it.
         """
-        with np.errstate(under="ignore", over="ignore"):
-            x = np.ldexp(t, self.shift)
-            reach = _reach(x, self.scaled) if t.size else 1.0
-            plain = self.plain_weights is not None and reach < _FAR and not _has_tiny(x, t)
-            n = len(self.given)
-            # A series costs a Python loop over the nodes for each slice: not too few columns.
-            size = max(64, _CHUNK // (n * (order + 1))) if order else max(1, _CHUNK // n)
-            buffer = np.empty((n, min(size, t.size))) if out is None and plain and not order else None
-            for start in range(0, t.size, size):
-                where = slice(start, min(start + size, t.size))
-                hits = self._hits(t[where])
-                values, exponent = None, None
-                if order:
-                    values, exponent = self._derivatives(t[where], order)
-                elif plain:
-                    into = out[:, where] if out is not None else buffer[:, : where.stop - start]  # type: ignore[index]
-                    values = self._plain(x[where], hits, reach, into)
-                if values is None:
-                    values, exponent = self._general(t[where], hits)
-                yield BasisPart(where, values, exponent, hits)
+        x = np.ldexp(t, self.shift)
+        reach = _reach(x, self.scaled) if t.size else 1.0
+        plain = self.plain_weights is not None and reach < _FAR and not _has_tiny(x, t)
+        n = len(self.given)
+        # A series costs a Python loop over the nodes for each slice: not too few columns.
+        size = max(64, _CHUNK // (n * (order + 1))) if order else max(1, _CHUNK // n)
+        buffer = np.empty((n, min(size, t.size))) if out is None and plain and not order else None
+        for start in range(0, t.size, size):
+            where = slice(start, min(start + size, t.size))
+            hits = self._hits(t[where])
+            values, exponent = None, None
+            if order:
+                values, exponent = self._derivatives(t[where], order)
+            elif plain:
+                into = out[:, where] if out is not None else buffer[:, : where.stop - start]  # type: ignore[index]
+                values = self._plain(x[where], hits, reach, into)
+            if values is None:
+                values, exponent = self._general(t[where], hits)
+            yield BasisPart(where, values, exponent, hits)
 
     def _hits(self, t: FloatArray) -> Hits:
         nearest = np.searchsorted(self.given[:-1], t)

@@ -16,12 +16,15 @@ References
 
 from __future__ import annotations
 
-from typing import NamedTuple
+from collections.abc import Callable
+from functools import wraps
+from typing import NamedTuple, ParamSpec
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from curvecore.arrays import FloatArray, parameter_array, point_array
+from curvecore.errors import CurveError
 from curvecore.parametrization import relative_spacing
 
 __all__ = [
@@ -32,6 +35,28 @@ __all__ = [
     "natural_spline_velocities",
     "zero_accelerations",
 ]
+
+
+_Arguments = ParamSpec("_Arguments")
+
+
+def _in_range(rule: Callable[_Arguments, FloatArray]) -> Callable[_Arguments, FloatArray]:
+    """Make a rule refuse to return what no double can hold."""
+
+    @wraps(rule)
+    def checked(*args: _Arguments.args, **kwargs: _Arguments.kwargs) -> FloatArray:
+        with np.errstate(over="ignore", under="ignore", invalid="ignore"):
+            estimates = rule(*args, **kwargs)
+        if not np.isfinite(estimates).all():
+            i = int(np.argmin(np.isfinite(estimates).all(axis=1)))
+            raise CurveError(
+                f"points around {i} lie too far apart for parameters so close: "
+                "the derivative there exceeds the largest number",
+                (i,),
+            )
+        return estimates
+
+    return checked
 
 
 class _Steps(NamedTuple):
@@ -59,6 +84,7 @@ def _differences(points: FloatArray, spacing: FloatArray) -> _Steps:
     return _Steps(h, np.diff(points, axis=0) / h)
 
 
+@_in_range
 def finite_difference_velocities(points: ArrayLike, parameters: ArrayLike) -> FloatArray:
     """Return the mean of the slopes of the two neighbouring chords.
 
@@ -92,6 +118,7 @@ def finite_difference_velocities(points: ArrayLike, parameters: ArrayLike) -> Fl
     return velocities
 
 
+@_in_range
 def bessel_velocities(points: ArrayLike, parameters: ArrayLike) -> FloatArray:
     """Return the velocities of the parabolas through three neighbouring points.
 
@@ -133,6 +160,7 @@ def _parabola_velocities(steps: _Steps) -> FloatArray:
     return velocities
 
 
+@_in_range
 def catmull_rom_velocities(points: ArrayLike, parameters: ArrayLike, alpha: float = 0.5) -> FloatArray:
     """Return Catmull-Rom velocities with knots spaced by distance ** alpha.
 
@@ -140,8 +168,8 @@ def catmull_rom_velocities(points: ArrayLike, parameters: ArrayLike, alpha: floa
     (k_(i+1) - k_(i-1)) / (t_(i+1) - t_(i-1)). Hence alpha = 0 gives the
     classical (p_(i+1) - p_(i-1)) / (t_(i+1) - t_(i-1)), and with parameters
     of the same power rule the result is that of `bessel_velocities`.
-    The literature leaves the ends open: here the parabola through the three
-    points there, on the knots.
+    The literature leaves the ends open: here the parabola with the end chord
+    and the neighbour's velocity.
 
     Parameters
     ----------
@@ -168,12 +196,16 @@ def catmull_rom_velocities(points: ArrayLike, parameters: ArrayLike, alpha: floa
     # Distances that underflow would divide by zero; the smallest normal number stands for them.
     knots = np.maximum(relative_spacing(data, alpha, "Catmull-Rom"), np.finfo(np.float64).tiny)
     velocities = _parabola_velocities(_differences(data, knots))
-    velocities[0] *= knots[0] / h[0]
-    velocities[-1] *= knots[-1] / h[-1]
     velocities[1:-1] *= ((knots[:-1] + knots[1:]) / (h[:-1] + h[1:]))[:, None]
+    slope = _differences(data, h).slope
+    # For two points these are the only velocities, and both are the slope.
+    neighbours = velocities[1:-1] if len(slope) > 1 else slope
+    velocities[0] = 2.0 * slope[0] - neighbours[0]
+    velocities[-1] = 2.0 * slope[-1] - neighbours[-1]
     return velocities
 
 
+@_in_range
 def natural_spline_velocities(points: ArrayLike, parameters: ArrayLike) -> FloatArray:
     """Return the velocities of the natural cubic spline.
 
@@ -210,6 +242,7 @@ def natural_spline_velocities(points: ArrayLike, parameters: ArrayLike) -> Float
     return _solve_dominant(before, after, right_side)
 
 
+@_in_range
 def natural_spline_accelerations(points: ArrayLike, parameters: ArrayLike) -> FloatArray:
     """Return the second derivatives of the natural cubic spline at the joints.
 

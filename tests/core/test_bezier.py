@@ -1,4 +1,5 @@
 from fractions import Fraction
+from itertools import pairwise
 
 import numpy as np
 import pytest
@@ -20,7 +21,7 @@ T = np.array([0.0, 0.25, 1.0, 1.5])
 def de_casteljau(controls, s):
     level = [[Fraction(float(x)) for x in point] for point in controls]
     while len(level) > 1:
-        level = [[(1 - s) * a + s * b for a, b in zip(p, q, strict=True)] for p, q in zip(level, level[1:])]
+        level = [[(1 - s) * a + s * b for a, b in zip(p, q, strict=True)] for p, q in pairwise(level)]
     return np.array([float(x) for x in level[0]])
 
 
@@ -40,7 +41,11 @@ def test_control_points_make_the_curve(rng):
 
 
 def test_published_formulas():
-    points, velocities, accelerations = np.array([[0.0], [1.0]]), np.array([[3.0], [5.0]]), np.array([[2.0], [4.0]])
+    points, velocities, accelerations = (
+        np.array([[0.0], [1.0]]),
+        np.array([[3.0], [5.0]]),
+        np.array([[2.0], [4.0]]),
+    )
     h = 0.5
     cubic = bezier_segments(HermiteCurve(points, velocities, [0.0, h]))[0, :, 0]
     assert cubic == pytest.approx([0.0, h * 3 / 3, 1 - h * 5 / 3, 1.0], abs=1e-15)

@@ -42,7 +42,9 @@ def family(name, points, parameters):
     velocities = natural_spline_velocities(points, parameters)
     if name == "hermite":
         return HermiteCurve(points, velocities, parameters)
-    return QuinticHermiteCurve(points, velocities, natural_spline_accelerations(points, parameters), parameters)
+    return QuinticHermiteCurve(
+        points, velocities, natural_spline_accelerations(points, parameters), parameters
+    )
 
 
 every_family = pytest.mark.parametrize("name", ["lagrange", "hermite", "quintic_hermite"])
@@ -55,7 +57,8 @@ def test_within_tolerance(rng, name, tolerance, n):
     points = rng.standard_normal((n, 2))
     curve = family(name, points, chord_length(points))
     t = flatten_parameters(curve, tolerance)
-    if t.size < MAX_VERTICES // 2:
+    if np.abs(curve.evaluate(np.linspace(0.0, 1.0, 999))).max() < 1e4:
+        # Values of 1e4 and a tolerance of 1e-4 are what MAX_VERTICES is enough for.
         assert distances(curve, t) <= tolerance
     assert (np.diff(t) > 0.0).all()
     assert (t[0], t[-1]) == curve.domain
@@ -90,7 +93,7 @@ def test_outside_chords_stay_outside(rng, name):
 @every_family
 def test_a_straight_line_needs_two_vertices(name):
     t = np.array([0.0, 0.1, 0.2, 0.5, 0.6, 0.9, 1.0])
-    points = np.outer(t, [3.0, 1.0]) + [1.0, -2.0]
+    points = np.outer(t, [3.0, 1.0]) + np.array([1.0, -2.0])
     assert flatten_parameters(family(name, points, t), 1e-6).tolist() == [0.0, 1.0]
 
 

@@ -31,9 +31,10 @@ def test_two_points_give_the_line(rule):
     assert (rule([[0.0, 1.0], [3.0, 5.0]], [1.0, 3.0]) == [[1.5, 2.0], [1.5, 2.0]]).all()
 
 
-@every_rule
+@pytest.mark.parametrize("rule", VELOCITIES[:4])
 def test_straight_lines_at_constant_velocity(rule):
-    points = np.outer(T, [3.0, -2.0]) + [1.0, 1.0]
+    """Catmull-Rom with knots other than the parameters keeps the direction only."""
+    points = np.outer(T, [3.0, -2.0]) + np.array([1.0, 1.0])
     assert rule(points, T) == pytest.approx(np.tile([3.0, -2.0], (6, 1)), rel=1e-13)
 
 
@@ -125,3 +126,9 @@ def test_unusable_input(rule):
         rule([[0.0], [1.0], [2.0]], [0.0, 1.0, 1.0])
     with pytest.raises(CurveError, match="points must have at least 2 rows"):
         rule([[0.0]], [0.0])
+
+
+@every_rule
+def test_derivatives_beyond_the_range(rule):
+    with pytest.raises(CurveError, match="exceeds the largest number"):
+        rule([[0.0], [1e300], [0.0]], [0.0, 1e-150, 2e-150])

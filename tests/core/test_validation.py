@@ -23,7 +23,11 @@ def lagrange(points=POINTS, parameters=T):
 @pytest.mark.parametrize(
     ("arguments", "message", "indices"),
     [
-        ({"points": [[0.0, math.nan], [1.0, 1.0], [2.0, 0.0]]}, "points[0, 1] is nan; every value must be finite", (0,)),
+        (
+            {"points": [[0.0, math.nan], [1.0, 1.0], [2.0, 0.0]]},
+            "points[0, 1] is nan; every value must be finite",
+            (0,),
+        ),
         ({"points": [[0.0, 0.0], [1.0, 1.0], [math.inf, 0.0]]}, "points[2, 0] is inf", (2,)),
         ({"points": [0.0, 1.0, 2.0]}, "points must have the shape (n, dim), not (3,)", ()),
         ({"points": np.zeros((3, 0))}, "points must have the shape (n, dim), not (3, 0)", ()),
@@ -39,7 +43,8 @@ def lagrange(points=POINTS, parameters=T):
         ({"parameters": [0.0, math.nan, 1.0]}, "parameters[1] is nan", (1,)),
         (
             {"parameters": [0.0, 0.5, 0.5]},
-            "parameters must be strictly increasing, but parameters[2] = 0.5 does not exceed parameters[1] = 0.5",
+            "parameters must be strictly increasing, but parameters[2] = 0.5 "
+            "does not exceed parameters[1] = 0.5",
             (1, 2),
         ),
         ({"parameters": [0.0, 2.0, 1.0]}, "parameters must be strictly increasing", (1, 2)),
@@ -54,10 +59,12 @@ def test_bad_data(arguments, message, indices):
 
 
 def test_derivatives_need_the_shape_of_the_points():
-    with pytest.raises(CurveError, match=re.escape("velocities must have the shape of the points, (3, 2), not (2, 2)")):
+    with pytest.raises(
+        CurveError, match=re.escape("velocities must have the shape of the points, (3, 2), not (2, 2)")
+    ):
         HermiteCurve(POINTS, POINTS[:2], T)
     with pytest.raises(CurveError, match=re.escape("accelerations must have the shape of the points")):
-        QuinticHermiteCurve(POINTS, POINTS, [1.0], T)
+        QuinticHermiteCurve(POINTS, POINTS, [[1.0], [2.0], [3.0]], T)
     with pytest.raises(CurveError, match=re.escape("accelerations[1, 0] is -inf")):
         QuinticHermiteCurve(POINTS, POINTS, [[0, 0], [-math.inf, 0], [0, 0]], T)
     with pytest.raises(CurveError, match=re.escape("jets must have the shape (3, 2, dim), not (3, 1, 2)")):
@@ -102,7 +109,9 @@ def test_bad_tolerances_and_boxes():
         flatten(lagrange(), 0.1, (0.0, 1.0))
     with pytest.raises(CurveError, match="xmin <= xmax"):
         flatten(lagrange(), 0.1, (1.0, 0.0, 0.0, 1.0))
-    with pytest.raises(CurveError, match=re.escape("curve must be plane (dim 2) to be flattened, not of dim 3")):
+    with pytest.raises(
+        CurveError, match=re.escape("curve must be plane (dim 2) to be flattened, not of dim 3")
+    ):
         flatten(lagrange(np.eye(3)), 0.1)
 
 
