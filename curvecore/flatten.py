@@ -47,12 +47,15 @@ class _Pieces(NamedTuple):
     ----------
     parameters : ndarray, shape (k + 1,)
         Their ends.
+    points : ndarray, shape (k + 1, 2)
+        The curve there, limited to +-1e300.
     deviation : ndarray, shape (k,)
         Bounds of the distance from each to its chord; infinite for pieces
         outside the box, which must not be merged with others.
     """
 
     parameters: FloatArray
+    points: FloatArray
     deviation: FloatArray
 
 
@@ -122,7 +125,7 @@ def flatten_parameters(curve: Curve, tolerance: float, box: ArrayLike | None = N
             pieces = _bezier_pieces(curve, limit, edges)
         else:
             pieces = _sampled_pieces(curve, limit, edges)
-        return _merged(curve, pieces, limit)
+        return _merged(pieces, limit)
 
 
 class _Arcs(NamedTuple):
@@ -166,13 +169,14 @@ def _bezier_pieces(
         arcs = _split(_Arcs(arcs.controls[~fine], arcs.start[~fine], arcs.length[~fine]))
     start, length, need, bound = (np.concatenate(column) for column in zip(*done, strict=True))
     order = np.argsort(start, kind="stable")
-    return _uniform_pieces(curve.parameters, start[order], length[order], need[order], bound[order])
+    return _uniform_pieces(curve, start[order], length[order], need[order], bound[order])
 
 
 def _uniform_pieces(
-    joints: FloatArray, start: FloatArray, length: FloatArray, need: FloatArray, bound: FloatArray
+    curve: Curve, start: FloatArray, length: FloatArray, need: FloatArray, bound: FloatArray
 ) -> _Pieces:
     """Divide each arc into as many equal pieces as it needs."""
+    joints = curve.parameters
     room = max(MAX_VERTICES, 4 * len(joints)) - 1
     if need.sum() > room:
         need = np.maximum(1.0, np.floor(need * ((room - need.size) / need.sum())))
@@ -189,7 +193,7 @@ def _uniform_pieces(
     if not distinct.all():
         t = np.append(t[:-1][distinct], t[-1])
         deviation = deviation[distinct]
-    return _Pieces(t, deviation)
+    return _Pieces(t, _points(curve, t), deviation)
 
 
 def _chord_bound(controls: FloatArray) -> FloatArray:
@@ -234,23 +238,26 @@ def _split_weights(degree: int) -> FloatArray:
 def _sampled_pieces(curve: Curve, tolerance: float, box: FloatArray | None) -> _Pieces:
     """Sample for the degree, then refine the pieces that leave their chords."""
     t = _first_samples(curve)
-    accepted = np.zeros(t.size - 1, dtype=bool)
+    points = _points(curve, t)
     deviation = np.zeros(t.size - 1)
+    todo = np.arange(t.size - 1)
     for _ in range(_ROUNDS):
-        todo = np.flatnonzero(~accepted)
-        need = _measure(curve, t, todo, deviation, tolerance, box)
-        accepted[todo] = need == 1
-        finer = np.ones(accepted.size, dtype=np.intp)
-        finer[todo] = need
-        if not (need > 1).any():
-            break
-        wanted, room = int((finer - 1).sum()), MAX_VERTICES - t.size
+        count = np.ones(t.size - 1, dtype=np.intp)
+        deviation[todo], count[todo] = _measure(curve, t, points, todo, tolerance, box)
+        wanted, room = int((count - 1).sum()), MAX_VERTICES - t.size
         if wanted > room:
-            finer = 1 + (finer - 1) * max(room, 0) // wanted
-        t, accepted, deviation = _refine(t, finer, accepted, deviation)
+            count = 1 + (count - 1) * max(room, 0) // wanted
+        if count.max() == 1:
+            break
+        t, points, deviation, todo = _refine(curve, t, points, deviation, count)
         if wanted > room:
             break
-    return _Pieces(t, deviation)
+    return _Pieces(t, points, deviation)
+
+
+def _points(curve: Curve, t: FloatArray) -> FloatArray:
+    """Return points of the curve whose differences are finite."""
+    return np.clip(curve.evaluate(t), -_LIMIT, _LIMIT)
 
 
 def _first_samples(curve: Curve) -> FloatArray:
@@ -261,48 +268,66 @@ def _first_samples(curve: Curve) -> FloatArray:
     return np.unique(np.concatenate((curve.parameters, first + (last - first) * s)))
 
 
+class _Measured(NamedTuple):
+    """What samples tell of pieces: bounds of the distance to the chord, and pieces needed."""
+
+    deviation: FloatArray
+    pieces: IntArray
+
+
 def _measure(
     curve: Curve,
     t: FloatArray,
+    points: FloatArray,
     todo: IntArray,
-    deviation: FloatArray,
     tolerance: float,
     box: FloatArray | None,
-) -> IntArray:
-    """Fill in the deviation of the pieces `todo`; return how many pieces each needs."""
+) -> _Measured:
+    """Compare the pieces `todo` with their chords."""
     start, end = t[todo], t[todo + 1]
     inner = start[:, None] + (end - start)[:, None] * _SAMPLES
-    ends = np.clip(curve.evaluate(np.append(start, end)), -_LIMIT, _LIMIT).reshape(2, -1, 2)
-    samples = np.clip(curve.evaluate(inner.ravel()), -_LIMIT, _LIMIT).reshape(-1, _SAMPLES.size, 2)
-    distance = _MARGIN * _segment_distance(samples, ends[0][:, None], ends[1][:, None]).max(axis=1)
-    need = np.clip(np.ceil(np.sqrt(distance / tolerance)), 1.0, 16.0)
+    samples = _points(curve, inner.ravel()).reshape(-1, _SAMPLES.size, 2)
+    before, after = points[todo][:, None], points[todo + 1][:, None]
+    deviation = _MARGIN * _segment_distance(samples, before, after).max(axis=1)
+    need = np.clip(np.ceil(np.sqrt(deviation / tolerance)), 1.0, 16.0)
     # No parameter fits between: the piece is as short as it can be.
-    need[(inner[:, 0] <= start) | (inner[:, 2] >= end)] = 1.0
-    deviation[todo] = distance
+    need[(inner[:, 0] <= start) | (inner[:, -1] >= end)] = 1.0
     if box is not None:
-        outside = ~_may_enter(_inflated(ends, samples), box)
+        outside = ~_may_enter(_inflated(np.concatenate((before, samples, after), axis=1)), box)
         need[outside] = 1.0
-        deviation[todo[outside]] = np.inf
-    pieces: IntArray = need.astype(np.intp)
-    return pieces
+        deviation[outside] = np.inf
+    return _Measured(deviation, need.astype(np.intp))
 
 
-def _inflated(ends: FloatArray, samples: FloatArray) -> FloatArray:
-    """Points whose hull holds a piece: the samples, and as far again as they bend."""
-    shape = np.concatenate((ends[0][:, None], samples, ends[1][:, None]), axis=1)
+def _inflated(shape: FloatArray) -> FloatArray:
+    """Points whose hull holds a piece: its samples, and as far again as they bend."""
     bend = np.abs(shape[:, 2:] - 2.0 * shape[:, 1:-1] + shape[:, :-2]).max(axis=1, keepdims=True)
     return np.concatenate((shape - 2.0 * bend, shape + 2.0 * bend), axis=1)
 
 
+class _Refined(NamedTuple):
+    """Pieces as in `_Pieces`, and the indices of those that are new."""
+
+    parameters: FloatArray
+    points: FloatArray
+    deviation: FloatArray
+    todo: IntArray
+
+
 def _refine(
-    t: FloatArray, count: IntArray, accepted: BoolArray, deviation: FloatArray
-) -> tuple[FloatArray, BoolArray, FloatArray]:
+    curve: Curve, t: FloatArray, points: FloatArray, deviation: FloatArray, count: IntArray
+) -> _Refined:
+    """Divide piece i into count[i] equal ones."""
     piece = np.repeat(np.arange(count.size), count)
     step = np.arange(piece.size) - (np.cumsum(count) - count)[piece]
-    inner = t[piece] + (t[piece + 1] - t[piece]) * (step / count[piece])
-    finer = np.append(inner, t[-1])
+    finer = np.append(t[piece] + (t[piece + 1] - t[piece]) * (step / count[piece]), t[-1])
     distinct = finer[1:] > finer[:-1]
-    return np.append(inner[distinct], t[-1]), accepted[piece[distinct]], deviation[piece[distinct]]
+    if not distinct.all():
+        finer, piece, step = np.append(finer[:-1][distinct], t[-1]), piece[distinct], step[distinct]
+    fresh = step > 0
+    located = np.append(points[piece], points[-1:], axis=0)
+    located[:-1][fresh] = _points(curve, finer[:-1][fresh])
+    return _Refined(finer, located, deviation[piece], np.flatnonzero(count[piece] > 1))
 
 
 def _segment_distance(points: FloatArray, start: FloatArray, end: FloatArray) -> FloatArray:
@@ -317,27 +342,24 @@ def _segment_distance(points: FloatArray, start: FloatArray, end: FloatArray) ->
     return distance
 
 
-def _merged(curve: Curve, pieces: _Pieces, tolerance: float) -> FloatArray:
+def _merged(pieces: _Pieces, tolerance: float) -> FloatArray:
     """Leave out the vertices that the tolerance does not need.
 
     A chord of two pieces is at most as far from the curve as the worse of
     their own chords is, plus the middle vertex's distance from it.
     """
-    t, deviation = pieces
-    points = np.clip(curve.evaluate(t), -_LIMIT, _LIMIT)
-    failures, offset = 0, 0
-    while failures < 2 and t.size > 2:
+    t, points, deviation = pieces
+    idle, offset = 0, 0
+    while idle < 2 and t.size > 2:
         middle = np.arange(1 + offset, t.size - 1, 2)
         joined = np.maximum(deviation[middle - 1], deviation[middle])
-        joined = joined + _segment_distance(points[middle], points[middle - 1], points[middle + 1])
+        joined += _segment_distance(points[middle], points[middle - 1], points[middle + 1])
         dropped = joined <= tolerance
-        if dropped.any():
-            failures = 0
-            deviation[middle[dropped] - 1] = joined[dropped]
-            t = np.delete(t, middle[dropped])
-            points = np.delete(points, middle[dropped], axis=0)
-            deviation = np.delete(deviation, middle[dropped])
-        else:
-            failures += 1
+        deviation[middle[dropped] - 1] = joined[dropped]
+        # Straight parts halve in every round; a few vertices more are not worth another one.
+        idle = 0 if 32 * np.count_nonzero(dropped) > t.size else idle + 1
+        kept = np.ones(t.size, dtype=bool)
+        kept[middle[dropped]] = False
+        t, points, deviation = t[kept], points[kept], deviation[kept[:-1]]
         offset = 1 - offset
     return t
