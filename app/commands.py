@@ -2,26 +2,30 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from typing import TYPE_CHECKING
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
 
 from PySide6.QtCore import QObject, QPointF
-from PySide6.QtWidgets import QMessageBox
+from PySide6.QtWidgets import QDockWidget, QMainWindow, QMenu, QMessageBox, QToolBar
 
 from app import __version__
+from app.actions import Actions
+from app.canvas.canvas import Canvas
 from app.document import edits
 from app.document.edits import EditError
 from app.document.model import Document, Family, ParametrizationKind
 from app.file_commands import FileCommands
 from app.gestures.tools import ToolKind
+from app.panels.basis_pane import BasisPane
+from app.panels.basis_panel import BasisPanel
+from app.panels.message_bar import MessageBar
 from app.panels.parametrization_bar import KIND_NAMES
 from app.panels.shortcut_sheet import ShortcutSheet
+from app.panels.status_line import StatusLine
 from app.plot.plot_widget import ZOOM_STEP
+from app.session import Session
 from app.theme import ThemeMode
 from app.view_model.curve_view import CurveView
-
-if TYPE_CHECKING:
-    from app.main_window import MainWindow
 
 _FAMILY_ACTIONS = {
     Family.LAGRANGE: "familyLagrange",
@@ -36,15 +40,35 @@ _EMPTY = "Click on the canvas to add points; two of them make a curve."
 _SCALES = (0.75, 1.0, 1.25, 1.5, 2.0, 2.5, 3.0)
 
 
+@dataclass(frozen=True)
+class Parts:
+    """The parts of a window that commands act on."""
+
+    window: QMainWindow
+    session: Session
+    actions: Actions
+    canvas: Canvas
+    basis_panel: BasisPanel
+    basis_pane: BasisPane
+    message_bar: MessageBar
+    status_line: StatusLine
+    toolbar: QToolBar
+    docks: Sequence[QDockWidget]
+    parameters_menu: QMenu
+
+
 class Commands(QObject):
     """Connects the actions of a window to what they do, and keeps their state in step."""
 
-    def __init__(self, window: MainWindow, files: FileCommands) -> None:
-        super().__init__(window)
-        self._window = window
-        self._session = window.session
+    def __init__(
+        self, parts: Parts, files: FileCommands, set_theme_mode: Callable[[ThemeMode], None]
+    ) -> None:
+        super().__init__(parts.window)
+        self._parts = parts
+        self._session = parts.session
         self._files = files
-        self._actions = window.actions_by_name
+        self._set_theme_mode = set_theme_mode
+        self._actions = parts.actions
         self._scale = 1.0
         self._greeting = ""
         self._before_presentation = b""
@@ -63,14 +87,14 @@ class Commands(QObject):
         self._render_history()
 
     def _handlers(self) -> dict[str, Callable[[], object]]:
-        files, window = self._files, self._window
+        files = self._files
         return {
             "newDocument": self._new,
             "openDocument": files.ask_and_open,
             "saveDocument": files.save,
             "saveDocumentAs": files.ask_and_save,
             "exportPicture": files.ask_and_export,
-            "quit": window.close,
+            "quit": self._parts.window.close,
             "undo": self._undo,
             "redo": self._session.undo_stack.redo,
             "selectTool": lambda: self._use_tool(ToolKind.SELECT),
@@ -92,16 +116,16 @@ class Commands(QObject):
             "enlarge": lambda: self._change_scale(1),
             "shrink": lambda: self._change_scale(-1),
             "presentation": self._toggle_presentation,
-            "themeSystem": lambda: window.set_theme_mode(ThemeMode.SYSTEM),
-            "themeLight": lambda: window.set_theme_mode(ThemeMode.LIGHT),
-            "themeDark": lambda: window.set_theme_mode(ThemeMode.DARK),
+            "themeSystem": lambda: self._set_theme_mode(ThemeMode.SYSTEM),
+            "themeLight": lambda: self._set_theme_mode(ThemeMode.LIGHT),
+            "themeDark": lambda: self._set_theme_mode(ThemeMode.DARK),
             "showShortcuts": self._show_shortcuts,
             "about": self._about,
         }
 
     def _fill_parameters_menu(self) -> None:
         for kind, name in KIND_NAMES.items():
-            action = self._window.parameters_menu.addAction(name)
+            action = self._parts.parameters_menu.addAction(name)
             action.setObjectName(f"parameters_{kind}")
             action.triggered.connect(lambda _checked=False, kind=kind: self._use_parametrization(kind))
 
@@ -121,7 +145,7 @@ class Commands(QObject):
         self._render_message(view)
 
     def _render_message(self, view: CurveView) -> None:
-        bar = self._window.message_bar
+        bar = self._parts.message_bar
         if len(view.points) < 2:
             bar.tell(_EMPTY)
         elif view.problem:
@@ -134,7 +158,7 @@ class Commands(QObject):
     def greet(self) -> None:
         """Show the hint of the first start, until it is put away or something has been done."""
         self._greeting = _GREETING
-        self._window.message_bar.closed.connect(self._forget_greeting)
+        self._parts.message_bar.closed.connect(self._forget_greeting)
         self._session.opened.connect(self._forget_greeting)
         self._render_message(self._session.active_view)
 
@@ -170,7 +194,7 @@ class Commands(QObject):
 
     def _undo(self) -> None:
         # Undo in the middle of a drag takes the drag back, not the step before it.
-        if not (self._window.canvas.cancel_gesture() or self._window.basis_panel.cancel_gesture()):
+        if not (self._parts.canvas.cancel_gesture() or self._parts.basis_panel.cancel_gesture()):
             self._session.undo_stack.undo()
 
     def _use_family(self, family: Family) -> None:
@@ -223,14 +247,14 @@ class Commands(QObject):
     # View
 
     def _use_tool(self, kind: ToolKind) -> None:
-        self._window.canvas.set_tool(kind)
+        self._parts.canvas.set_tool(kind)
         if kind is ToolKind.ADD:
             self._session.say("Click to add points. V or Escape goes back to selecting.")
 
     def escape(self) -> None:
         """Step back: the gesture in flight, the adding, the scrub line, the presentation, the selection."""
-        window, session = self._window, self._session
-        if window.canvas.cancel_gesture() or window.basis_panel.cancel_gesture():
+        parts, session = self._parts, self._session
+        if parts.canvas.cancel_gesture() or parts.basis_panel.cancel_gesture():
             return
         if self._actions["addTool"].isChecked():
             self._actions["selectTool"].trigger()
@@ -242,15 +266,15 @@ class Commands(QObject):
             session.select([])
 
     def _fit(self) -> None:
-        self._window.canvas.fit()
-        self._window.basis_pane.fit()
+        self._parts.canvas.fit()
+        self._parts.basis_pane.fit()
 
     def _zoom(self, factor: float) -> None:
-        canvas = self._window.canvas
+        canvas = self._parts.canvas
         canvas.zoom(factor, QPointF(canvas.centre()))
 
     def _toggle_grid(self) -> None:
-        self._window.canvas.set_grid_visible(self._actions["toggleGrid"].isChecked())
+        self._parts.canvas.set_grid_visible(self._actions["toggleGrid"].isChecked())
 
     def _toggle_scrub(self) -> None:
         session = self._session
@@ -263,30 +287,30 @@ class Commands(QObject):
         session.say("Drag the scrub line in the basis panel; every point shows its weight there.")
 
     def _toggle_basis(self) -> None:
-        self._window.basis_pane.setVisible(self._actions["toggleBasis"].isChecked())
+        self._parts.basis_pane.setVisible(self._actions["toggleBasis"].isChecked())
 
     def _toggle_side_panel(self) -> None:
-        for dock in self._window.docks:
+        for dock in self._parts.docks:
             dock.setVisible(self._actions["toggleSidePanel"].isChecked())
 
     def _change_scale(self, step: int) -> None:
         index = max(0, min(_SCALES.index(self._scale) + step, len(_SCALES) - 1))
         self._scale = _SCALES[index]
-        self._window.canvas.set_scale(self._scale)
-        self._window.basis_panel.set_scale(self._scale)
+        self._parts.canvas.set_scale(self._scale)
+        self._parts.basis_panel.set_scale(self._scale)
         self._session.say(f"Drawing at {self._scale:.0%}.")
 
     def _toggle_presentation(self) -> None:
-        window = self._window
+        parts, window = self._parts, self._parts.window
         if self._actions["presentation"].isChecked():
             self._before_presentation = bytes(window.saveState().data())
-            for part in (window.toolbar, window.menuBar(), window.status_line, *window.docks):
+            for part in (parts.toolbar, window.menuBar(), parts.status_line, *parts.docks):
                 part.hide()
             window.showFullScreen()
             return
         window.showNormal()
         window.menuBar().show()
-        window.status_line.show()
+        parts.status_line.show()
         window.restoreState(self._before_presentation)
 
     def leave_presentation(self) -> None:
@@ -298,11 +322,11 @@ class Commands(QObject):
 
     def _show_shortcuts(self) -> None:
         if self._sheet is None:
-            self._sheet = ShortcutSheet(self._actions.shortcuts(), self._window)
+            self._sheet = ShortcutSheet(self._actions.shortcuts(), self._parts.window)
         self._sheet.setVisible(not self._sheet.isVisible())
 
     def _about(self) -> None:
-        box = QMessageBox(self._window)
+        box = QMessageBox(self._parts.window)
         box.setObjectName("aboutBox")
         box.setWindowTitle("About Curvebench")
         box.setText(f"Curvebench {__version__}")

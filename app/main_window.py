@@ -17,7 +17,7 @@ from PySide6.QtWidgets import (
 
 from app.actions import MENUS, Actions
 from app.canvas.canvas import Canvas
-from app.commands import Commands
+from app.commands import Commands, Parts
 from app.examples import example_paths
 from app.file_commands import FileCommands
 from app.gestures.rail import RailTool
@@ -58,7 +58,7 @@ class MainWindow(QMainWindow):
         self._build_docks()
         self._build_bars()
         self._files = FileCommands(session, self.preferences, self, self.message_bar.warn)
-        self._commands = Commands(self, self._files)
+        self._commands = Commands(self._parts(), self._files, self.set_theme_mode)
         self._connect()
         self._restore_layout()
         self._apply_theme_mode()
@@ -127,6 +127,21 @@ class MainWindow(QMainWindow):
                 self.examples_menu = menu.addMenu("Examples")
         if title == "Curve":
             self.parameters_menu = menu.addMenu("Parameters")
+
+    def _parts(self) -> Parts:
+        return Parts(
+            window=self,
+            session=self.session,
+            actions=self.actions_by_name,
+            canvas=self.canvas,
+            basis_panel=self.basis_panel,
+            basis_pane=self.basis_pane,
+            message_bar=self.message_bar,
+            status_line=self.status_line,
+            toolbar=self.toolbar,
+            docks=self.docks,
+            parameters_menu=self.parameters_menu,
+        )
 
     # Connecting
 

@@ -233,9 +233,10 @@ def _stretched(node: Node, factor: float) -> Node:
         return node
     velocity, acceleration = node.velocity, node.acceleration
     if velocity is not None:
-        velocity = (velocity[0] / factor, velocity[1] / factor)
+        velocity = _checked_vector((velocity[0] / factor, velocity[1] / factor), "a velocity")
     if acceleration is not None:
-        acceleration = (acceleration[0] / factor**2, acceleration[1] / factor**2)
+        scaled = (acceleration[0] / factor**2, acceleration[1] / factor**2)
+        acceleration = _checked_vector(scaled, "an acceleration")
     return replace(node, velocity=velocity, acceleration=acceleration)
 
 

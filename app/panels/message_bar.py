@@ -7,7 +7,6 @@ from PySide6.QtWidgets import QFrame, QHBoxLayout, QLabel, QSizePolicy, QToolBut
 
 from app.theme import LIGHT, Theme, icon, mix
 
-
 _TOP, _SIDE, _WIDEST = 10, 56, 720
 
 
@@ -28,6 +27,7 @@ class MessageBar(QFrame):
     def __init__(self, parent: QWidget) -> None:
         super().__init__(parent)
         self.setObjectName("messageBar")
+        self._below = parent
         parent.installEventFilter(self)
         self._theme = LIGHT
         self._is_warning = False
@@ -74,11 +74,11 @@ class MessageBar(QFrame):
 
     def _place(self) -> None:
         """Lie at the top, in the middle, as wide as the sentence needs."""
-        room = self.parentWidget().width() - 2 * _SIDE
+        room = self._below.width() - 2 * _SIDE
         needed = self._text.fontMetrics().horizontalAdvance(self._text.text()) + 90
         width = max(min(needed, room, _WIDEST), 120)
         height = max(self.heightForWidth(width), self.minimumSizeHint().height())
-        self.setGeometry((self.parentWidget().width() - width) // 2, _TOP, width, height)
+        self.setGeometry((self._below.width() - width) // 2, _TOP, width, height)
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         if event.type() == QEvent.Type.Resize and not self.isHidden():
@@ -93,9 +93,9 @@ class MessageBar(QFrame):
         """Take the colours of `theme`."""
         self._theme = theme
         self._close.setIcon(icon("close", theme))
-        line = mix(theme.ink, theme.paper, 0.14).name()
+        surface, line = theme.surface.name(), mix(theme.ink, theme.paper, 0.14).name()
         self.setStyleSheet(
-            f"#messageBar {{ background: {theme.surface.name()}; border: 1px solid {line}; border-radius: 8px }}"
+            f"#messageBar {{ background: {surface}; border: 1px solid {line}; border-radius: 8px }}"
         )
         self._paint_sign()
 
