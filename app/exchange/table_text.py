@@ -107,4 +107,4 @@ def _refuse_ragged(numbers: list[list[float]], skipped: int) -> None:
     width = len(numbers[0])
     for row, line in enumerate(numbers, start=1 + skipped):
         if len(line) != width:
-            raise TableTextError(f"Row {row} has {len(line)} numbers where the first has {width}.")
+            raise TableTextError(f"The rows differ in length: row {row} has {len(line)}, the first {width}.")

@@ -107,8 +107,8 @@ class CurveSettings(QWidget):
         curve, mark = self._view.source, decimal_mark()
         start, end = edits.interval(curve)
         self.name_edit.show_text(curve.name)
-        self.start_edit.show_text(exact_text(start, mark))
-        self.end_edit.show_text(exact_text(end, mark))
+        self.start_edit.show_text(exact_text(start, mark).removesuffix(f"{mark}0"))
+        self.end_edit.show_text(exact_text(end, mark).removesuffix(f"{mark}0"))
         self.velocity_box.setCurrentIndex(list(VELOCITY_RULES).index(curve.velocity_rule))
         self.acceleration_box.setCurrentIndex(list(ACCELERATION_RULES).index(curve.acceleration_rule))
         derivatives = curve.family.derivatives
@@ -211,8 +211,9 @@ def _facts(view: CurveView) -> str:
         of = "one polynomial" if curve.family is Family.LAGRANGE else count_of(len(curve.nodes) - 1, "piece")
         facts += [f"degree {view.curve.degree}", of]
         start, end = (rounded_text(t, decimal_mark()) for t in view.curve.domain)
-        facts.append(f"t from {start} to {end}")
-    return " · ".join(facts)
+        facts.append(f"{start} ≤ t ≤ {end}")
+    # A fact is not torn apart at the end of a line.
+    return " · ".join(fact.replace(" ", "\N{NO-BREAK SPACE}") for fact in facts)
 
 
 def _rule_box(name: str, label: str, items: list[str]) -> QComboBox:

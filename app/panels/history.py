@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import QModelIndex, QPersistentModelIndex
+from PySide6.QtCore import QModelIndex, QPersistentModelIndex, QSize
 from PySide6.QtGui import QPalette
 from PySide6.QtWidgets import (
     QStyledItemDelegate,
@@ -35,6 +35,10 @@ class _StepDelegate(QStyledItemDelegate):
             palette.setColor(QPalette.ColorRole.Text, theme.muted)
             option.font.setItalic(True)
         option.palette = palette
+
+    def sizeHint(self, option: QStyleOptionViewItem, index: QModelIndex | QPersistentModelIndex) -> QSize:
+        size = super().sizeHint(option, index)
+        return QSize(size.width(), option.fontMetrics.height() + 8)
 
 
 class HistoryPanel(QWidget):

@@ -24,8 +24,6 @@ from app.view_model.curve_view import CurveView
 INTERVAL_MS = 60
 """The table follows a drag at this pace; the canvas is what the eye is on."""
 
-_LEGEND = "<i>Italic</i>: estimated"
-
 
 class PointTable(QWidget):
     """The panel with the point table.
@@ -50,6 +48,8 @@ class PointTable(QWidget):
         self._message = QLabel()
         self._message.setObjectName("pointTableMessage")
         self._message.setWordWrap(True)
+        self._legend = QLabel("<i>Italic</i>: estimated")
+        self._legend.setObjectName("pointTableLegend")
         self._reset_button = self._make_reset_button()
         self._timer = QTimer(self, singleShot=True, interval=INTERVAL_MS)
         self._add_actions()
@@ -95,15 +95,17 @@ class PointTable(QWidget):
         return action
 
     def _lay_out(self) -> None:
+        self._message.setContentsMargins(10, 6, 10, 6)
         self._footer = QWidget()
         footer = QHBoxLayout(self._footer)
         footer.setContentsMargins(10, 4, 6, 4)
-        footer.addWidget(self._message, 1)
-        footer.addWidget(self._reset_button, 0, Qt.AlignmentFlag.AlignTop)
+        footer.addWidget(self._legend, 1)
+        footer.addWidget(self._reset_button)
         layout = QVBoxLayout(self)
         layout.setContentsMargins(0, 0, 0, 0)
         layout.setSpacing(0)
         layout.addWidget(self.view, 1)
+        layout.addWidget(self._message)
         layout.addWidget(self._footer)
 
     def _connect(self) -> None:
@@ -141,6 +143,7 @@ class PointTable(QWidget):
         self.view.select_rows(self._session.selection)
         self._rendering = False
         self._forget_refusal()
+        self._render_footer()
 
     def set_selection(self, selection: frozenset[int]) -> None:
         """Select the rows of these points."""
@@ -151,28 +154,27 @@ class PointTable(QWidget):
 
     def set_theme(self, theme: Theme) -> None:
         """Take the colours of `theme`."""
-        self._theme = theme
         self.model.set_theme(theme)
         self.view.cell_delegate.set_theme(theme)
         self._copy.setIcon(icon("copy", theme))
         self._paste.setIcon(icon("paste", theme))
         self._reset.setIcon(icon("reset", theme))
         self._reset_button.setIcon(icon("reset", theme))
-        self._render_footer()
+        self._legend.setStyleSheet(f"color: {theme.muted.name()}")
+        self._message.setStyleSheet(f"color: {theme.warning.name()}")
         self.view.viewport().update()
 
     def _render_footer(self) -> None:
         has_derivatives = self._session.active_curve.family.derivatives > 0
-        colour = self._theme.warning if self._refusal else self._theme.muted
-        self._message.setStyleSheet(f"color: {colour.name()}")
-        self._message.setTextFormat(Qt.TextFormat.PlainText if self._refusal else Qt.TextFormat.RichText)
-        self._message.setText(f"⚠ {self._refusal}" if self._refusal else _LEGEND)
-        self._message.setAccessibleName(self._refusal)
-        self._reset_button.setVisible(has_derivatives)
-        for each in (self._reset_button, self._reset):
-            each.setEnabled(has_derivatives and bool(self._orders_to_reset()))
+        self._footer.setVisible(has_derivatives)
         self._reset.setVisible(has_derivatives)
-        self._footer.setVisible(has_derivatives or bool(self._refusal))
+        can_reset = has_derivatives and bool(self._orders_to_reset())
+        self._reset_button.setEnabled(can_reset)
+        self._reset.setEnabled(can_reset)
+
+    def _render_message(self) -> None:
+        self._message.setText(f"⚠ {self._refusal}" if self._refusal else "")
+        self._message.setVisible(bool(self._refusal))
 
     def showEvent(self, event: QShowEvent) -> None:
         super().showEvent(event)
@@ -187,12 +189,12 @@ class PointTable(QWidget):
 
     def _refuse(self, reason: str) -> None:
         self._refusal = reason
-        self._render_footer()
+        self._render_message()
         self._session.say(reason)
 
     def _forget_refusal(self) -> None:
         self._refusal = ""
-        self._render_footer()
+        self._render_message()
 
     def _orders_to_reset(self) -> set[int]:
         """Return which derivatives of the selected points a reset would change.

@@ -26,8 +26,8 @@ from app.panels.number_text import column_decimals, column_text, decimal_mark, e
 from app.panels.point_table_model import PointTableModel
 from app.theme import LIGHT, Theme, mix
 
-_PADDING = 6
-_LEAST_DIGITS, _MOST_DIGITS = 3, 7
+_PADDING = 5
+_LEAST_DIGITS, _MOST_DIGITS = 3, 6
 _ENTER = (Qt.Key.Key_Return, Qt.Key.Key_Enter)
 _LEAVING = (*_ENTER, Qt.Key.Key_Tab, Qt.Key.Key_Backtab)
 
@@ -109,9 +109,11 @@ class PointTableDelegate(QStyledItemDelegate):
         key = (self._model.version, width)
         known = self._formats.get(column)
         if known is None or known[0] != key:
-            room = (width - 2 * _PADDING) // max(metrics.horizontalAdvance("0"), 1)
-            digits = min(max(room - 2, _LEAST_DIGITS), _MOST_DIGITS)  # room for minus and decimal mark
-            known = (key, digits, column_decimals(self._model.values[:, column], digits))
+            values = self._model.values[:, column]
+            signs = metrics.horizontalAdvance("−." if (values < 0).any() else ".")
+            room = (width - 2 * _PADDING - signs) // max(metrics.horizontalAdvance("0"), 1)
+            digits = min(max(room, _LEAST_DIGITS), _MOST_DIGITS)
+            known = (key, digits, column_decimals(values, digits))
             self._formats[column] = known
         return known[1], known[2]
 

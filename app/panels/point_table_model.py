@@ -5,12 +5,21 @@ from __future__ import annotations
 from collections.abc import Callable
 
 import numpy as np
-from PySide6.QtCore import QAbstractTableModel, QModelIndex, QObject, QPersistentModelIndex, Qt, Signal
+from PySide6.QtCore import (
+    QAbstractTableModel,
+    QModelIndex,
+    QObject,
+    QPersistentModelIndex,
+    QRectF,
+    Qt,
+    Signal,
+)
 from PySide6.QtGui import QColor, QFont, QPainter, QPixmap
 
 from app.document import edits
 from app.document.edits import EditError
 from app.document.expression import ExpressionError, parse_number
+from app.document.model import Family
 from app.panels.number_text import decimal_mark, exact_text, rounded_text
 from app.panels.point_table_edits import Column, TableValues, columns_of, set_cell, table_values
 from app.panels.words import ACCELERATION_ESTIMATES, VELOCITY_ESTIMATES
@@ -20,7 +29,7 @@ from app.view_model.curve_view import CurveView
 
 Index = QModelIndex | QPersistentModelIndex
 _NO_INDEX = QModelIndex()
-_SWATCH = 9
+_SWATCH, _SWATCH_CANVAS = 9, 16
 _RIGHT = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
 _EMPTY = TableValues(np.empty((0, 3)), np.empty((0, 3), dtype=bool))
 
@@ -54,7 +63,7 @@ class PointTableModel(QAbstractTableModel):
         self._session = session
         self._view: CurveView | None = None
         self._shown = _EMPTY
-        self.columns: tuple[Column, ...] = columns_of(session.active_curve.family)
+        self.columns: tuple[Column, ...] = columns_of(Family.LAGRANGE)
         self._theme = LIGHT
         self._swatches: list[QPixmap] = []
         self.version = 0
@@ -184,7 +193,8 @@ class PointTableModel(QAbstractTableModel):
         try:
             self._set_number(index.row(), index.column(), value)
         except (EditError, ExpressionError) as reason:
-            self.refused.emit(f"{self.label(index.row(), index.column())}: {reason}")
+            label, text = self.label(index.row(), index.column()), str(reason)
+            self.refused.emit(text if label in text else f"{label}: {text}")
             return False
         return True
 
@@ -238,14 +248,15 @@ def _number(given: object) -> float:
 
 
 def _disc(colour: QColor) -> QPixmap:
-    """Return a small disc, drawn for sharp screens too."""
-    pixmap = QPixmap(2 * _SWATCH, 2 * _SWATCH)
+    """Return a small disc; the header scales what is smaller than its icons are."""
+    pixmap = QPixmap(2 * _SWATCH_CANVAS, 2 * _SWATCH_CANVAS)
     pixmap.setDevicePixelRatio(2)
     pixmap.fill(Qt.GlobalColor.transparent)
     painter = QPainter(pixmap)
     painter.setRenderHint(QPainter.RenderHint.Antialiasing)
     painter.setPen(Qt.PenStyle.NoPen)
     painter.setBrush(colour)
-    painter.drawEllipse(0, 0, _SWATCH, _SWATCH)
+    margin = (_SWATCH_CANVAS - _SWATCH) / 2
+    painter.drawEllipse(QRectF(margin, margin, _SWATCH, _SWATCH))
     painter.end()
     return pixmap

@@ -63,6 +63,7 @@ class PointTableView(QTableView):
         down.setSectionResizeMode(QHeaderView.ResizeMode.Fixed)
         down.setDefaultSectionSize(self.fontMetrics().height() + 8)
         down.setHighlightSections(False)
+        down.setStyleSheet("QHeaderView::section { padding: 0 6px 0 2px; border: none }")
         corner = self.findChild(QAbstractButton)
         if corner is not None:
             corner.setObjectName("selectAllPoints")

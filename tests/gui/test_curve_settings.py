@@ -1,0 +1,292 @@
+"""The curve's form: name, interval, rules and facts, with real keys and clicks."""
+
+import numpy as np
+import pytest
+from PySide6.QtCore import QLocale, Qt
+from PySide6.QtTest import QSignalSpy
+from PySide6.QtWidgets import QComboBox, QLabel, QLineEdit, QToolButton, QWidget
+
+from app.document import edits
+from app.document.model import AccelerationRule, Family, ParametrizationKind, VelocityRule, make_curve
+from app.panels.curve_settings import CurveSettings
+from app.session import Session
+from app.theme import ThemeMode, apply_theme
+
+POINTS = ((3.1, 3.35), (2.2, 4), (1.1, 3.5), (1.25, 2.5), (2.35, 1.95), (2.9, 1), (2, 0.1), (0.75, 0.6))
+
+
+class Form:
+    """The form, connected as the window connects it, and hands for it."""
+
+    def __init__(self, qtbot, family=Family.LAGRANGE, points=POINTS):
+        self.qtbot = qtbot
+        self.session = Session()
+        curve = make_curve(points, name="Letter", family=family)
+        self.session.commit(self.session.document.with_curve(0, curve), "Curve")
+        self.panel = CurveSettings(self.session)
+        self.session.document_changed.connect(
+            lambda _document: self.panel.render_view(self.session.active_view)
+        )
+        qtbot.addWidget(self.panel)
+        self.panel.resize(320, 300)
+        with qtbot.waitActive(self.panel):
+            self.panel.show()
+            self.panel.activateWindow()
+
+    @property
+    def curve(self):
+        return self.session.active_curve
+
+    def __getitem__(self, name):
+        return self.panel.findChild(QWidget, name)
+
+    @property
+    def message(self):
+        label = self.panel.findChild(QLabel, "curveProblem")
+        return label.text() if label.isVisible() else ""
+
+    def type(self, name, text, key=Qt.Key.Key_Return):
+        field = self[name]
+        field.setFocus()
+        field.selectAll()
+        self.qtbot.keyClicks(field, text)
+        if key is not None:
+            self.qtbot.keyClick(field, key)
+
+    def choose(self, name, row):
+        box = self[name]
+        box.setFocus()
+        self.qtbot.keyClick(box, Qt.Key.Key_Home)
+        for _ in range(row):
+            self.qtbot.keyClick(box, Qt.Key.Key_Down)
+
+
+@pytest.fixture(autouse=True)
+def point_locale():
+    before = QLocale()
+    QLocale.setDefault(QLocale.c())
+    yield
+    QLocale.setDefault(before)
+
+
+@pytest.fixture
+def form(qtbot):
+    return Form(qtbot)
+
+
+@pytest.fixture
+def quintic(qtbot):
+    return Form(qtbot, Family.QUINTIC_HERMITE)
+
+
+def test_it_shows_the_curve(form):
+    assert form["curveName"].text() == "Letter"
+    assert (form["intervalStart"].text(), form["intervalEnd"].text()) == ("0", "1")
+    facts = form["curveFacts"].text().replace("\N{NO-BREAK SPACE}", " ")
+    assert facts == "8 points · degree 7 · one polynomial · 0 ≤ t ≤ 1"
+    assert form.message == ""
+
+
+@pytest.mark.parametrize(
+    ("family", "shown"),
+    [
+        (Family.LAGRANGE, []),
+        (Family.HERMITE, ["velocityRule"]),
+        (Family.QUINTIC_HERMITE, ["velocityRule", "accelerationRule"]),
+    ],
+)
+def test_the_rules_are_those_of_the_family(qtbot, family, shown):
+    form = Form(qtbot, family)
+    rules = ("velocityRule", "accelerationRule")
+    assert [name for name in rules if form[name].isVisible()] == shown
+
+
+# The name
+
+
+def test_renaming(form):
+    form.type("curveName", "  Swan ")
+    assert form.curve.name == "Swan"
+    assert form["curveName"].text() == "Swan"
+    assert form.session.undo_stack.undoText() == "Rename curve"
+    form.session.undo_stack.undo()
+    assert form["curveName"].text() == "Letter"
+
+
+def test_a_curve_keeps_its_name_when_nothing_is_typed(form):
+    steps = form.session.undo_stack.count()
+    form.type("curveName", "Letter")
+    form.qtbot.keyClick(form["curveName"], Qt.Key.Key_Tab)
+    assert form.session.undo_stack.count() == steps
+    form.type("curveName", " ")
+    assert form.curve.name == "Letter"
+    assert "needs a name" in form.message
+
+
+# The interval
+
+
+def test_an_interval_is_typed_as_an_expression_and_keeps_the_shape(quintic):
+    document = edits.set_velocity(quintic.session.document, 0, 2, (3.0, 4.0))
+    quintic.session.commit(edits.set_acceleration(document, 0, 2, (5.0, 6.0)), "Set")
+    s = np.linspace(0, 1, 50)
+    before = quintic.session.active_view.curve.evaluate(s)
+    quintic.type("intervalEnd", "5/2")
+    view = quintic.session.active_view
+    assert view.curve.domain == (0.0, 2.5)
+    np.testing.assert_allclose(view.curve.evaluate(2.5 * s), before, rtol=1e-12, atol=1e-12)
+    assert quintic.session.undo_stack.undoText() == "Set interval"
+    assert quintic["intervalEnd"].text() == "2.5"
+    quintic.session.undo_stack.undo()
+    assert quintic["intervalEnd"].text() == "1"
+
+
+def test_the_interval_of_manual_parameters(form):
+    document = edits.freeze_parameters(form.session.document, 0, [*range(1, 8), 8.5])
+    form.session.commit(document, "Freeze")
+    assert (form["intervalStart"].text(), form["intervalEnd"].text()) == ("1", "8.5")
+    form.type("intervalStart", "-2")
+    assert form.curve.nodes[0].t == -2.0
+    assert form.curve.nodes[-1].t == 8.5
+    assert form.curve.parametrization.kind is ParametrizationKind.MANUAL
+
+
+def test_an_interval_that_was_not_touched_is_not_rounded(form):
+    form.session.commit(edits.set_interval(form.session.document, 0, 1 / 3, 0.1 + 0.9), "Set")
+    before, steps = form.session.document, form.session.undo_stack.count()
+    assert form["intervalStart"].text() == repr(1 / 3)
+    form.type("intervalStart", repr(1 / 3))
+    assert form.session.document is before
+    assert form.session.undo_stack.count() == steps
+
+
+@pytest.mark.parametrize(
+    ("name", "text", "words"),
+    [
+        ("intervalEnd", "abc", "“abc” is not a number"),
+        ("intervalEnd", "0", "must end after it starts"),
+        ("intervalStart", "2", "must end after it starts"),
+        ("intervalEnd", "1e13", "1e12"),
+        ("intervalEnd", "", "missing"),
+    ],
+)
+def test_a_bad_interval_is_explained_and_can_be_mended(form, name, text, words):
+    before = form.session.document
+    said = QSignalSpy(form.session.said)
+    form.type(name, "1")
+    form[name].selectAll()
+    form.qtbot.keyClick(form[name], Qt.Key.Key_Backspace)
+    form.type(name, text)
+    assert form.session.document.curves[0].nodes == before.curves[0].nodes
+    assert words in form.message
+    assert form.message.startswith("⚠ ")
+    assert form[name].text() == text
+    assert said.count() >= 1
+    form.qtbot.keyClick(form[name], Qt.Key.Key_Escape)
+    assert form.message == ""
+    assert form[name].text() == {"intervalStart": "0", "intervalEnd": "1"}[name]
+    assert form.session.document == before
+
+
+def test_leaving_the_field_with_a_bad_text_brings_the_number_back(form):
+    form.type("intervalEnd", "1/0", Qt.Key.Key_Tab)
+    assert form["intervalEnd"].text() == "1"
+    assert "Division by zero" in form.message
+
+
+def test_escape_takes_back_what_was_typed(form):
+    steps = form.session.undo_stack.count()
+    form.type("intervalEnd", "7", Qt.Key.Key_Escape)
+    assert form["intervalEnd"].text() == "1"
+    form.qtbot.keyClick(form["intervalEnd"], Qt.Key.Key_Return)
+    assert form.session.undo_stack.count() == steps
+
+
+def test_what_is_being_typed_survives_a_change_of_the_curve(form):
+    form.type("intervalEnd", "4", None)
+    form.session.commit(edits.move_nodes(form.session.document, 0, [0], (1.0, 0.0)), "Move point 0")
+    assert form["intervalEnd"].text() == "4"
+    form.qtbot.keyClick(form["intervalEnd"], Qt.Key.Key_Return)
+    assert form.session.active_view.curve.domain == (0.0, 4.0)
+
+
+def test_an_interval_with_a_decimal_comma(form):
+    QLocale.setDefault(QLocale("de_DE"))
+    form.type("intervalEnd", "2,5")
+    assert form.session.active_view.curve.domain == (0.0, 2.5)
+    assert form["intervalEnd"].text() == "2,5"
+
+
+# Rules
+
+
+def test_choosing_rules(quintic):
+    names = [quintic["velocityRule"].itemText(row) for row in range(4)]
+    assert names == ["Natural C² spline", "Bessel (parabola)", "Finite difference", "Catmull–Rom"]
+    for row, rule in enumerate(VelocityRule):
+        quintic.choose("velocityRule", row)
+        assert quintic.curve.velocity_rule is rule
+    quintic.choose("accelerationRule", 1)
+    assert quintic.curve.acceleration_rule is AccelerationRule.ZERO
+    assert quintic.session.undo_stack.undoText() == "Choose acceleration rule"
+    quintic.session.undo_stack.undo()
+    assert quintic["accelerationRule"].currentText() == "From the C² spline"
+
+
+def test_reset_all_to_estimated(quintic):
+    button = quintic.panel.findChild(QToolButton, "resetAllToEstimated")
+    assert not button.isVisible()
+    document = edits.set_velocity(quintic.session.document, 0, 2, (3.0, 4.0))
+    quintic.session.commit(edits.set_acceleration(document, 0, 5, (5.0, 6.0)), "Set")
+    assert button.isVisible()
+    quintic.qtbot.mouseClick(button, Qt.MouseButton.LeftButton)
+    assert all(node.velocity is None and node.acceleration is None for node in quintic.curve.nodes)
+    assert quintic.session.undo_stack.undoText() == "Reset all to estimated"
+    assert not button.isVisible()
+
+
+def test_a_reset_leaves_alone_what_the_family_does_not_show(qtbot):
+    form = Form(qtbot, Family.HERMITE)
+    document = edits.set_velocity(form.session.document, 0, 2, (3.0, 4.0))
+    form.session.commit(edits.set_acceleration(document, 0, 2, (5.0, 6.0)), "Set")
+    qtbot.mouseClick(form["resetAllToEstimated"], Qt.MouseButton.LeftButton)
+    assert form.curve.nodes[2].velocity is None
+    assert form.curve.nodes[2].acceleration == (5.0, 6.0)
+
+
+# What is wrong
+
+
+def test_a_problem_is_told_with_a_sign(form):
+    form.session.commit(edits.set_position(form.session.document, 0, 1, POINTS[0]), "Move")
+    assert form.message == f"⚠ {form.session.active_view.problem}"
+    assert form["curveFacts"].text() == "8\N{NO-BREAK SPACE}points"
+    form.session.undo_stack.undo()
+    assert form.message == ""
+
+
+def test_rendering_commits_nothing_and_a_hidden_form_rests(quintic):
+    steps = quintic.session.undo_stack.count()
+    quintic.panel.hide()
+    quintic.session.preview(edits.set_interval(quintic.session.document, 0, 0.0, 3.0))
+    assert quintic["intervalEnd"].text() == "1"
+    quintic.panel.show()
+    assert quintic["intervalEnd"].text() == "3"
+    quintic.session.cancel()
+    assert quintic["intervalEnd"].text() == "1"
+    assert quintic.session.undo_stack.count() == steps
+
+
+@pytest.mark.parametrize("mode", [ThemeMode.DARK, ThemeMode.LIGHT])
+def test_notes_follow_the_theme(form, qapp, mode):
+    theme = apply_theme(qapp, mode)
+    assert theme.muted.name() in form["curveFacts"].styleSheet()
+    assert theme.warning.name() in form["curveProblem"].styleSheet()
+
+
+def test_everything_has_a_name_and_a_tooltip(quintic):
+    for kind in (QLineEdit, QComboBox, QToolButton):
+        for widget in quintic.panel.findChildren(kind):
+            assert widget.objectName()
+            assert widget.toolTip()
+            assert widget.accessibleName()

@@ -1,0 +1,114 @@
+"""The history as a list that goes where it is clicked."""
+
+import pytest
+from PySide6.QtCore import Qt
+
+from app.document import edits, storage
+from app.document.model import make_curve
+from app.panels.history import HistoryPanel
+from app.session import Session
+from app.theme import ThemeMode, apply_theme
+
+
+@pytest.fixture
+def history(qtbot):
+    session = Session()
+    panel = HistoryPanel(session)
+    qtbot.addWidget(panel)
+    for index in (1, 2, 3):
+        document = edits.move_nodes(session.document, 0, [index], (0.5, 0.0))
+        session.commit(document, f"Move point {index}")
+    panel.resize(300, 240)
+    with qtbot.waitExposed(panel):
+        panel.show()
+    return session, panel
+
+
+def entries(view):
+    model = view.model()
+    return [model.data(model.index(row, 0)) for row in range(model.rowCount())]
+
+
+def click(qtbot, view, row):
+    place = view.visualRect(view.model().index(row, 0)).center()
+    qtbot.mouseClick(view.viewport(), Qt.MouseButton.LeftButton, pos=place)
+
+
+def test_it_lists_the_steps(history):
+    session, panel = history
+    view = panel.view
+    first = f"Opened {session.active_curve.name}"
+    assert entries(view) == [first, "Move point 1", "Move point 2", "Move point 3"]
+    assert view.currentIndex().row() == 3
+
+
+def test_a_click_goes_there_and_back(qtbot, history):
+    session, panel = history
+    view = panel.view
+    last = session.document
+    click(qtbot, view, 1)
+    assert session.undo_stack.index() == 1
+    assert session.undo_stack.undoText() == "Move point 1"
+    assert session.document != last
+    click(qtbot, view, 0)
+    assert not session.undo_stack.canUndo()
+    click(qtbot, view, 3)
+    assert session.document is last
+
+
+def test_arrow_keys_go_through_it(qtbot, history):
+    session, panel = history
+    view = panel.view
+    view.setFocus()
+    qtbot.keyClick(view, Qt.Key.Key_Up)
+    assert session.undo_stack.index() == 2
+    qtbot.keyClick(view, Qt.Key.Key_Down)
+    assert session.undo_stack.index() == 3
+
+
+def test_it_follows_undo_and_redo(history):
+    session, panel = history
+    view = panel.view
+    session.undo_stack.undo()
+    assert view.currentIndex().row() == 2
+    session.undo_stack.redo()
+    assert view.currentIndex().row() == 3
+
+
+def test_the_beginning_is_named_after_what_was_opened(history, tmp_path):
+    session, panel = history
+    view = panel.view
+    path = tmp_path / "swan.curve.json"
+    document = session.document.with_curve(0, make_curve([(0.0, 0.0), (1.0, 1.0)], name="Swan"))
+    storage.save(path, document)
+    session.open(path)
+    assert entries(view) == ["Opened swan.curve.json"]
+    session.open_copy(path)
+    assert entries(view) == ["Opened Swan"]
+    session.new()
+    assert entries(view) == ["New document"]
+
+
+@pytest.mark.parametrize("mode", [ThemeMode.DARK, ThemeMode.LIGHT])
+def test_steps_taken_back_are_muted(history, qapp, mode):
+    theme = apply_theme(qapp, mode)
+    session, panel = history
+    view = panel.view
+    session.undo_stack.setIndex(1)
+    image = view.viewport().grab().toImage()
+
+    def inks(row):
+        place = view.visualRect(view.model().index(row, 0))
+        return {
+            image.pixel(x, y) for x in range(place.left(), 200) for y in range(place.top(), place.bottom())
+        }
+
+    assert theme.ink.rgb() in inks(0)
+    assert theme.ink.rgb() not in inks(2)
+
+
+def test_it_has_a_name_and_a_tooltip(history):
+    view = history[1].view
+    assert view.objectName() == "historyView"
+    assert view.accessibleName()
+    assert view.toolTip()

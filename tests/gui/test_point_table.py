@@ -1,0 +1,716 @@
+"""The point table: typed into, copied from, pasted into, with real keys and clicks."""
+
+import time
+
+import numpy as np
+import pytest
+from PySide6.QtCore import QLocale, QPoint, Qt
+from PySide6.QtGui import QAction, QGuiApplication, QKeySequence, QShortcut
+from PySide6.QtTest import QSignalSpy
+from PySide6.QtWidgets import QLabel, QLineEdit, QMainWindow, QToolButton
+
+from app.document import edits
+from app.document.model import Family, ParametrizationKind, VelocityRule, make_curve
+from app.panels.point_table import INTERVAL_MS, PointTable
+from app.panels.point_table_delegate import CellEditor
+from app.session import Session
+from app.theme import DARK, LIGHT, ThemeMode, apply_theme, point_colours
+
+Role = Qt.ItemDataRole
+T, X, Y, VX, VY, AX, AY = range(7)
+POINTS = ((3.1, 3.35), (2.2, 4), (1.1, 3.5), (1.25, 2.5), (2.35, 1.95), (2.9, 1), (2, 0.1), (0.75, 0.6))
+
+
+@pytest.fixture(autouse=True)
+def point_locale():
+    """Decimal points, whatever the machine's locale is."""
+    before = QLocale()
+    QLocale.setDefault(QLocale.c())
+    yield
+    QLocale.setDefault(before)
+
+
+class Table:
+    """A point table connected as the window connects it, and hands for it."""
+
+    def __init__(self, qtbot, family=Family.LAGRANGE, points=POINTS):
+        self.qtbot = qtbot
+        self.session = Session()
+        self.session.commit(self.session.document.with_curve(0, make_curve(points, family=family)), "Points")
+        self.window = QMainWindow()
+        self.panel = PointTable(self.session)
+        self.window.setCentralWidget(self.panel)
+        self.session.document_changed.connect(
+            lambda _document: self.panel.render_view(self.session.active_view)
+        )
+        self.session.selection_changed.connect(self.panel.set_selection)
+        self.view, self.model = self.panel.view, self.panel.view.model()
+        qtbot.addWidget(self.window)
+        self.window.resize(360, 400)
+        with qtbot.waitActive(self.window):
+            self.window.show()
+            self.window.activateWindow()
+        self.view.setFocus()
+
+    @property
+    def node(self):
+        return self.session.active_curve.nodes.__getitem__
+
+    @property
+    def message(self):
+        label = self.panel.findChild(QLabel, "pointTableMessage")
+        return label.text() if label.isVisible() else ""
+
+    @property
+    def editor(self):
+        # One that was closed lives on, unseen, until the event loop deletes it.
+        open_editors = [each for each in self.view.findChildren(CellEditor) if each.isVisible()]
+        return open_editors[0] if open_editors else None
+
+    def value(self, row, column):
+        return self.model.data(self.model.index(row, column), Role.EditRole)
+
+    def shown(self, row, column):
+        return self.model.data(self.model.index(row, column), Role.DisplayRole)
+
+    def click(self, row, column, modifier=Qt.KeyboardModifier.NoModifier, *, double=False):
+        place = self.view.visualRect(self.model.index(row, column)).center()
+        self.qtbot.mouseClick(self.view.viewport(), Qt.MouseButton.LeftButton, modifier, place)
+        if double:
+            self.qtbot.mouseDClick(self.view.viewport(), Qt.MouseButton.LeftButton, modifier, place)
+
+    def edit(self, row, column):
+        self.click(row, column)
+        self.qtbot.keyClick(self.view, Qt.Key.Key_F2)
+        return self.editor
+
+    def type(self, row, column, text, key=Qt.Key.Key_Return):
+        editor = self.edit(row, column)
+        editor.selectAll()
+        self.qtbot.keyClicks(editor, text)
+        self.qtbot.keyClick(editor, key)
+        return editor
+
+    def copy(self):
+        self.qtbot.keyClick(self.view, Qt.Key.Key_C, Qt.KeyboardModifier.ControlModifier)
+        return QGuiApplication.clipboard().text()
+
+    def paste(self, text):
+        QGuiApplication.clipboard().setText(text)
+        self.qtbot.keyClick(self.view, Qt.Key.Key_V, Qt.KeyboardModifier.ControlModifier)
+
+
+@pytest.fixture
+def table(qtbot):
+    return Table(qtbot)
+
+
+@pytest.fixture
+def hermite(qtbot):
+    return Table(qtbot, Family.HERMITE)
+
+
+@pytest.fixture
+def quintic(qtbot):
+    return Table(qtbot, Family.QUINTIC_HERMITE)
+
+
+# What is shown
+
+
+@pytest.mark.parametrize(
+    ("family", "names"),
+    [
+        (Family.LAGRANGE, "t x y"),
+        (Family.HERMITE, "t x y vx vy"),
+        (Family.QUINTIC_HERMITE, "t x y vx vy ax ay"),
+    ],
+)
+def test_the_columns_are_those_of_the_family(qtbot, family, names):
+    model = Table(qtbot, family).model
+    shown = [model.headerData(column, Qt.Orientation.Horizontal) for column in range(model.columnCount())]
+    assert shown == names.split()
+
+
+def test_it_holds_the_numbers_of_the_view_exactly(quintic):
+    view = quintic.session.active_view
+    for row in range(len(view.points)):
+        numbers = [quintic.value(row, column) for column in range(7)]
+        assert numbers == [view.parameters[row], *view.curve.jets[row].ravel()]
+
+
+def test_a_panel_that_was_never_shown_holds_the_numbers_too(qtbot):
+    session = Session()
+    panel = PointTable(session)
+    qtbot.addWidget(panel)
+    assert panel.view.model().rowCount() == 8
+    session.commit(edits.delete_nodes(session.document, 0, {0}), "Delete point 0")
+    assert panel.view.model().rowCount() == 7
+
+
+def test_numbers_are_rounded_for_the_eye_only(table):
+    table.session.commit(edits.set_position(table.session.document, 0, 0, (1 / 3, -2 / 3)), "Move")
+    assert (table.shown(0, X), table.shown(0, Y)) == ("0.333333", "−0.666667")
+    assert (table.value(0, X), table.value(0, Y)) == (1 / 3, -2 / 3)
+    assert "0.3333333333333333" in table.model.data(table.model.index(0, X), Role.ToolTipRole)
+
+
+@pytest.mark.parametrize("theme", [LIGHT, DARK])
+def test_rows_bear_the_colours_of_their_points(table, theme):
+    table.panel.set_theme(theme)
+    colours = point_colours(8, theme)
+    for row, colour in enumerate(colours):
+        image = table.model.headerData(row, Qt.Orientation.Vertical, Role.DecorationRole).toImage()
+        assert image.pixelColor(image.rect().center()) == colour
+        assert table.model.headerData(row, Qt.Orientation.Vertical) == str(row)
+
+
+def test_without_a_curve_there_are_no_parameters_but_the_points_stay(table):
+    table.session.commit(edits.set_position(table.session.document, 0, 1, (3.1, 3.35)), "Move")
+    assert table.session.active_view.problem
+    assert table.shown(3, T) == "–"
+    assert table.shown(1, X) == "3.1"
+    assert not table.model.setData(table.model.index(3, T), 0.5)
+    assert "no parameters" in table.message
+
+
+def test_estimated_numbers_are_muted_italic_and_say_by_which_rule(hermite):
+    index = hermite.model.index(2, VX)
+    assert hermite.model.data(index, Role.FontRole).italic()
+    assert hermite.model.data(index, Role.ForegroundRole) == LIGHT.muted
+    assert "estimated by the natural spline rule" in hermite.model.data(index, Role.ToolTipRole)
+    document = edits.set_velocity_rule(hermite.session.document, 0, VelocityRule.BESSEL)
+    hermite.session.commit(document, "Rule")
+    assert "Bessel" in hermite.model.data(index, Role.ToolTipRole)
+    document = edits.set_velocity(hermite.session.document, 0, 2, (1.0, 2.0))
+    hermite.session.commit(document, "Set velocity")
+    assert hermite.model.data(index, Role.FontRole) is None
+    assert "estimated" not in hermite.model.data(index, Role.ToolTipRole)
+
+
+def test_t_x_y_and_velocities_fit_in_a_narrow_dock(hermite):
+    hermite.window.resize(320, 300)
+    hermite.qtbot.wait(1)
+    assert hermite.view.horizontalHeader().length() <= hermite.view.viewport().width()
+
+
+@pytest.mark.parametrize("mode", [ThemeMode.LIGHT, ThemeMode.DARK])
+def test_it_is_drawn_in_both_themes(qtbot, qapp, mode):
+    theme = apply_theme(qapp, mode)
+    table = Table(qtbot, Family.HERMITE)
+    table.session.select([2])
+    image = table.view.viewport().grab().toImage()
+    place = table.view.visualRect(table.model.index(5, X))
+    assert image.pixelColor(place.topLeft() + QPoint(3, 3)) == theme.paper
+    chosen = table.view.visualRect(table.model.index(2, X)).topLeft() + QPoint(3, 3)
+    assert image.pixelColor(chosen) not in (theme.paper, theme.accent)
+    apply_theme(qapp, ThemeMode.LIGHT)
+
+
+# Typing
+
+
+def test_an_expression_is_typed_and_committed_with_enter(table):
+    table.type(3, X, "sqrt(2)/2")
+    assert table.node(3).x == 2**0.5 / 2
+    assert table.node(3).y == 2.5
+    assert table.session.undo_stack.undoText() == "Set x of point 3"
+    assert table.view.currentIndex().row() == 4
+    table.session.undo_stack.undo()
+    assert table.value(3, X) == 1.25
+
+
+def test_typing_a_digit_begins_to_edit_even_if_the_digit_is_a_shortcut(table):
+    QShortcut(QKeySequence("1"), table.window, lambda: pytest.fail("the shortcut took the key"))
+    table.click(2, Y)
+    table.qtbot.keyClick(table.view, Qt.Key.Key_1)
+    assert table.editor.text() == "1"
+    table.qtbot.keyClicks(table.editor, "/4")
+    table.qtbot.keyClick(table.editor, Qt.Key.Key_Tab)
+    assert table.node(2).y == 0.25
+
+
+def test_enter_edits_and_enter_goes_down(table):
+    table.click(0, X)
+    for text in ("1", "2", "3"):
+        table.qtbot.keyClick(table.view, Qt.Key.Key_Return)
+        table.qtbot.keyClicks(table.editor, text)
+        table.qtbot.keyClick(table.editor, Qt.Key.Key_Return)
+    assert [table.node(row).x for row in range(3)] == [1.0, 2.0, 3.0]
+    assert table.view.currentIndex().row() == 3
+
+
+def test_tab_commits_and_edits_the_next_cell(table):
+    table.type(1, X, "7", Qt.Key.Key_Tab)
+    assert table.node(1).x == 7.0
+    assert table.view.currentIndex().column() == Y
+    table.qtbot.keyClick(table.editor, Qt.Key.Key_Escape)
+
+
+def test_a_bad_number_stays_open_and_says_why(table):
+    before = table.session.document
+    said = QSignalSpy(table.session.said)
+    editor = table.type(3, X, "2*")
+    assert table.session.document is before
+    assert editor.isVisible()
+    assert editor.text() == "2*"
+    assert "⚠ x of point 3: This is not a complete number" in table.message
+    assert said.count() == 1
+    editor.setCursorPosition(2)
+    table.qtbot.keyClick(editor, Qt.Key.Key_4)
+    assert table.message == ""
+    table.qtbot.keyClick(editor, Qt.Key.Key_Return)
+    assert table.node(3).x == 8.0
+
+
+def test_a_bad_number_gives_way_when_the_editor_is_left(table):
+    before = table.session.document
+    editor = table.edit(3, X)
+    table.qtbot.keyClicks(editor, "abc")
+    table.click(5, Y)
+    assert table.session.document is before
+    assert table.shown(3, X) == "1.25"
+    assert "abc" in table.message
+
+
+def test_half_typed_numbers_do_not_reach_the_curve(table):
+    before = table.session.document
+    editor = table.edit(3, X)
+    table.qtbot.keyClicks(editor, "12.5e")
+    assert table.session.document is before
+    table.qtbot.keyClick(editor, Qt.Key.Key_Escape)
+    assert table.session.document is before
+    assert table.session.undo_stack.count() == 1
+    assert table.shown(3, X) == "1.25"
+
+
+def test_an_unchanged_text_is_no_edit(table):
+    # 0.1 + 0.2 has 17 digits; 1/3 has more than the table shows.
+    table.session.commit(edits.set_position(table.session.document, 0, 0, (1 / 3, 0.1 + 0.2)), "Move")
+    steps, before = table.session.undo_stack.count(), table.session.document
+    for column, exact in ((X, 1 / 3), (Y, 0.1 + 0.2)):
+        editor = table.edit(0, column)
+        assert editor.text() == repr(exact)
+        table.qtbot.keyClick(editor, Qt.Key.Key_Return)
+    table.type(0, X, repr(1 / 3))
+    assert table.session.undo_stack.count() == steps
+    assert table.session.document is before
+
+
+def test_leaving_an_estimated_cell_untouched_keeps_it_estimated(hermite):
+    editor = hermite.edit(2, VX)
+    hermite.qtbot.keyClick(editor, Qt.Key.Key_Return)
+    assert hermite.node(2).velocity is None
+
+
+def test_what_is_being_typed_survives_a_change_of_the_curve(table):
+    editor = table.edit(3, X)
+    table.qtbot.keyClicks(editor, "42")
+    table.session.commit(edits.move_nodes(table.session.document, 0, [3], (1.0, 1.0)), "Move point 3")
+    assert editor.text() == "42"
+    table.qtbot.keyClick(editor, Qt.Key.Key_Return)
+    assert table.node(3).position == (42.0, 3.5)
+
+
+def test_the_editor_grows_with_its_text(table):
+    table.session.commit(edits.set_position(table.session.document, 0, 0, (-1 / 3e-7, 0.0)), "Move")
+    editor = table.edit(0, X)
+    assert editor.width() > editor.fontMetrics().horizontalAdvance(editor.text())
+    assert editor.geometry().right() <= table.view.viewport().rect().right()
+    table.qtbot.keyClick(editor, Qt.Key.Key_Escape)
+
+
+def test_numbers_with_a_decimal_comma(table):
+    QLocale.setDefault(QLocale("de_DE"))
+    table.type(3, X, "1,5")
+    assert table.node(3).x == 1.5
+    assert table.shown(3, X) == "1,5"
+    table.type(3, X, "1.234,5")
+    assert table.node(3).x == 1.5
+    assert "group separators" in table.message
+    table.qtbot.keyClick(table.editor, Qt.Key.Key_Escape)
+    table.type(3, X, "1.234")
+    assert table.node(3).x == 1.234
+
+
+def test_set_data_takes_numbers_and_expressions(table):
+    index = table.model.index(4, Y)
+    assert table.model.setData(index, 0.5)
+    assert table.node(4).y == 0.5
+    assert table.model.setData(index, "1/3")
+    assert table.node(4).y == 1 / 3
+    before = table.session.document
+    for bad in (float("nan"), float("inf"), 1e13, "x", "", None, True, "9**9**9"):
+        assert not table.model.setData(index, bad)
+        assert table.message.startswith("⚠ ")
+    assert table.session.document is before
+    assert not table.model.setData(index, "1", Role.DisplayRole)
+
+
+# Parameters
+
+
+def test_typing_t_makes_the_parameters_manual(table):
+    others = [table.value(row, T) for row in range(8)]
+    table.type(2, T, "1/4")
+    others[2] = 0.25
+    curve = table.session.active_curve
+    assert curve.parametrization.kind is ParametrizationKind.MANUAL
+    assert [node.t for node in curve.nodes] == others
+    assert table.session.undo_stack.undoText() == "Set t of point 2"
+
+
+def test_the_order_of_the_parameters_is_kept(table):
+    before = table.session.document
+    table.type(2, T, "0.9")
+    assert table.session.document is before
+    assert "must be less than" in table.message
+    assert table.message.count("point 2") == 1
+    table.qtbot.keyClick(table.editor, Qt.Key.Key_Escape)
+    table.type(2, T, "0")
+    assert table.session.document is before
+    assert "must be greater than" in table.message
+
+
+# Velocities and accelerations
+
+
+def test_one_component_makes_the_pair_explicit(quintic):
+    velocity, acceleration = (quintic.session.active_view.curve.jets[2, order] for order in (1, 2))
+    quintic.type(2, VY, "1.5")
+    assert quintic.node(2).velocity == (velocity[0], 1.5)
+    assert quintic.session.undo_stack.undoText() == "Set vy of point 2"
+    quintic.type(2, AX, "-2")
+    assert quintic.node(2).acceleration == (-2.0, acceleration[1])
+
+
+def set_derivatives(table, *indices):
+    document = table.session.document
+    for index in indices:
+        document = edits.set_velocity(document, 0, index, (1.0, 2.0))
+        document = edits.set_acceleration(document, 0, index, (3.0, 4.0))
+    table.session.commit(document, "Set")
+
+
+def test_delete_resets_the_selected_derivatives(quintic):
+    QShortcut(QKeySequence("Del"), quintic.window, lambda: pytest.fail("the shortcut took the key"))
+    set_derivatives(quintic, 2, 3)
+    quintic.click(2, VX)
+    quintic.qtbot.keyClick(quintic.view, Qt.Key.Key_Delete)
+    assert quintic.node(2).velocity is None
+    assert quintic.node(2).acceleration == (3.0, 4.0)
+    assert quintic.node(3).velocity == (1.0, 2.0)
+    assert quintic.session.undo_stack.undoText() == "Reset velocity of point 2"
+
+
+def test_delete_elsewhere_is_left_to_the_window(hermite):
+    heard = []
+    QShortcut(QKeySequence("Del"), hermite.window, lambda: heard.append("Del"))
+    set_derivatives(hermite, 2)
+    hermite.click(2, X)
+    hermite.qtbot.keyClick(hermite.view, Qt.Key.Key_Delete)
+    assert heard == ["Del"]
+    assert hermite.node(2).velocity == (1.0, 2.0)
+
+
+def test_the_button_resets_the_selected_points(quintic):
+    button = quintic.panel.findChild(QToolButton, "resetToEstimated")
+    set_derivatives(quintic, 2, 3, 5)
+    quintic.session.select([1])
+    assert not button.isEnabled()
+    quintic.session.select([2, 3])
+    assert button.isEnabled()
+    quintic.qtbot.mouseClick(button, Qt.MouseButton.LeftButton)
+    assert [quintic.node(i).velocity for i in (2, 3, 5)] == [None, None, (1.0, 2.0)]
+    assert [quintic.node(i).acceleration for i in (2, 3, 5)] == [None, None, (3.0, 4.0)]
+    assert quintic.session.undo_stack.undoText() == "Reset derivatives of 2 points"
+    assert not button.isEnabled()
+
+
+def test_the_reset_is_offered_only_where_there_is_something_to_estimate(table):
+    assert not table.panel.findChild(QToolButton, "resetToEstimated").isVisible()
+    assert not table.panel.findChild(QAction, "resetCellsToEstimated").isVisible()
+
+
+# Selection
+
+
+def test_clicking_rows_selects_their_points(table):
+    table.click(2, X)
+    assert table.session.selection == {2}
+    table.click(4, Y, Qt.KeyboardModifier.ShiftModifier)
+    assert table.session.selection == {2, 3, 4}
+    table.click(6, X, Qt.KeyboardModifier.ControlModifier)
+    assert table.session.selection == {2, 3, 4, 6}
+    table.qtbot.keyClick(table.view, Qt.Key.Key_Down)
+    assert table.session.selection == {7}
+
+
+def test_the_row_header_selects_the_whole_row(table):
+    header = table.view.verticalHeader()
+    place = QPoint(5, header.sectionViewportPosition(3) + 4)
+    table.qtbot.mouseClick(header.viewport(), Qt.MouseButton.LeftButton, pos=place)
+    assert table.session.selection == {3}
+    assert table.view.selected_cells() == {(3, T), (3, X), (3, Y)}
+
+
+def test_selecting_points_selects_their_rows(table):
+    changes = QSignalSpy(table.session.selection_changed)
+    table.session.select([1, 2, 5])
+    assert table.view.selected_rows() == {1, 2, 5}
+    table.session.select([])
+    assert table.view.selected_rows() == frozenset()
+    assert changes.count() == 2  # no echo
+
+
+def test_cells_chosen_by_hand_stay_chosen(table):
+    table.click(2, X)
+    assert table.view.selected_cells() == {(2, X)}
+
+
+def test_a_new_selected_point_is_selected_as_soon_as_its_row_is_there(table):
+    document = edits.insert_nodes(table.session.document, 0, 8, [make_curve([(5.0, 5.0)]).nodes[0]])
+    table.session.select([8])
+    table.session.commit(document, "Add point 8")
+    assert table.view.selected_rows() == {8}
+    assert table.session.selection == {8}
+
+
+def test_deleting_points_never_writes_a_selection_back(table):
+    table.session.select([6, 7])
+    changes = QSignalSpy(table.session.selection_changed)
+    table.session.commit(edits.delete_nodes(table.session.document, 0, {6, 7}), "Delete points")
+    assert table.view.selected_rows() == frozenset()
+    assert changes.count() == 1  # the session's own
+
+
+def test_another_family_keeps_the_selection(table):
+    table.session.select([3])
+    table.session.commit(edits.set_family(table.session.document, 0, Family.HERMITE), "Family")
+    assert table.model.columnCount() == 5
+    assert table.view.selected_rows() == {3}
+    assert table.session.selection == {3}
+
+
+# Copy and paste
+
+
+def test_copied_cells_are_whole_numbers_with_tabs_between(table):
+    table.session.commit(edits.set_position(table.session.document, 0, 1, (1 / 3, -2.0)), "Move")
+    table.click(0, X)
+    table.click(1, Y, Qt.KeyboardModifier.ShiftModifier)
+    assert table.copy() == "3.1\t3.35\n0.3333333333333333\t-2.0"
+
+
+def test_what_is_copied_comes_back_bit_for_bit(hermite):
+    before = hermite.session.active_view.curve.jets
+    hermite.session.select(range(8))
+    text = hermite.copy()
+    hermite.click(0, T)
+    hermite.paste(text)
+    assert (hermite.session.active_view.curve.jets == before).all()
+
+
+def test_paste_writes_a_block_as_one_step(table):
+    steps = table.session.undo_stack.count()
+    table.click(2, X)
+    table.paste("10\t11\n12\t13\n14,5\t15")
+    assert [table.node(row).position for row in (2, 3, 4)] == [(10, 11), (12, 13), (14.5, 15)]
+    assert table.session.undo_stack.undoText() == "Paste 3 points"
+    assert table.session.selection == {2, 3, 4}
+    assert table.session.undo_stack.count() == steps + 1
+
+
+def test_paste_beyond_the_end_appends_points(table):
+    table.click(7, X)
+    table.paste("1 2\n3 4\n5 6\n")
+    curve = table.session.active_curve
+    assert [node.position for node in curve.nodes[7:]] == [(1, 2), (3, 4), (5, 6)]
+    assert table.model.rowCount() == 10
+    assert curve.parametrization.kind is ParametrizationKind.CHORD_LENGTH
+
+
+def test_paste_with_parameters_makes_them_manual(table):
+    table.click(6, T)
+    table.paste("t\tx\ty\n2\t1\t1\n3\t2\t2\n4\t3\t3\n")
+    curve = table.session.active_curve
+    assert [node.t for node in curve.nodes[6:]] == [2, 3, 4]
+    assert [node.position for node in curve.nodes[6:]] == [(1, 1), (2, 2), (3, 3)]
+    assert curve.is_manual
+    assert table.session.undo_stack.undoText() == "Paste 3 points"
+
+
+def test_paste_appends_to_manual_parameters_at_their_pace(table):
+    document = edits.freeze_parameters(table.session.document, 0, list(range(8)))
+    table.session.commit(document, "Freeze")
+    table.click(7, X)
+    table.paste("1 1\n2 2\n3 3")
+    times = [node.t for node in table.session.active_curve.nodes]
+    assert times == sorted(times)
+    assert table.session.active_view.is_current
+
+
+def test_pasted_points_leave_the_handles_of_the_others_alone(hermite):
+    document = edits.set_velocity(hermite.session.document, 0, 2, (3.0, 4.0))
+    hermite.session.commit(document, "Set")
+
+    def handle():
+        view = hermite.session.active_view
+        return np.multiply(view.spacing(2, ahead=True), view.velocity_of(2))
+
+    before = handle()
+    hermite.click(7, X)
+    hermite.paste("0.75 0.6\n3 4\n5 6")
+    np.testing.assert_allclose(handle(), before, rtol=1e-13)
+
+
+def test_paste_into_an_empty_table(qtbot):
+    table = Table(qtbot, points=[])
+    table.paste("0 0\n1 1\n2 0\n")
+    assert [node.position for node in table.session.active_curve.nodes] == [(0, 0), (1, 1), (2, 0)]
+    table = Table(qtbot, Family.HERMITE, points=[])
+    table.paste("0;0;0;1;1\n2;1;1;1;0\n")
+    assert [node.t for node in table.session.active_curve.nodes] == [0, 2]
+    assert table.node(1).velocity == (1, 0)
+
+
+def test_paste_velocities(hermite):
+    kept = hermite.session.active_view.velocity_of(3)
+    hermite.click(3, VX)
+    hermite.paste("5\n6")
+    assert hermite.node(3).velocity == (5.0, kept[1])
+    assert hermite.node(4).velocity[0] == 6.0
+    assert hermite.session.undo_stack.undoText() == "Paste 2 values"
+
+
+@pytest.mark.parametrize(
+    ("cell", "text", "words"),
+    [
+        ((0, X), "1\t2\n3\t4\n5\tabc", "Row 3, column 2: “abc” is not a number."),
+        ((0, X), "1\t2\n3\t", "Row 2, column 2 is empty."),
+        ((0, X), "1\t2\n3", "The rows differ in length: row 2 has 1, the first 2."),
+        ((0, X), "1\t1/0", "Row 1, column 2: Division by zero has no value."),
+        ((0, X), "1\t2e12", "Row 1, column 2: A number here must lie between"),
+        ((0, X), "1,234\t1,000", "Row 1, column 1: “1,234” is unclear"),
+        ((0, X), "1,234.5\t1", "group separators"),
+        ((0, X), "1\t2\t3", "These are 3 columns; from x on there is room for 2 columns."),
+        ((7, T), "5\n6", "rows that make new points need x and y"),
+        ((0, T), "0\n0", "The t of point 1 must be greater than 0"),
+        ((0, X), "", "no numbers on the clipboard"),
+        ((0, X), "hello", "“hello” is not a number"),
+    ],
+)
+def test_a_bad_paste_changes_nothing_and_says_why(table, cell, text, words):
+    before, steps = table.session.document, table.session.undo_stack.count()
+    table.click(*cell)
+    table.paste(text)
+    assert words in table.message
+    assert table.session.document is before
+    assert table.session.undo_stack.count() == steps
+
+
+def test_new_points_need_whole_vectors(hermite):
+    hermite.click(7, X)
+    hermite.paste("1 2 3\n4 5 6")
+    assert "vx stands alone" in hermite.message
+
+
+def test_copy_and_paste_belong_to_the_table_only_while_it_has_the_focus(table):
+    field = QLineEdit(table.window)
+    field.show()
+    field.setFocus()
+    table.session.select([0])
+    QGuiApplication.clipboard().setText("kept")
+    table.qtbot.keyClick(field, Qt.Key.Key_C, Qt.KeyboardModifier.ControlModifier)
+    assert QGuiApplication.clipboard().text() == "kept"
+
+
+# Pace
+
+
+def many_points(count):
+    x = np.linspace(0, 10, count)
+    return list(zip(x, np.sin(x), strict=True))
+
+
+def test_a_thousand_rows_are_updated_and_not_reset(qtbot):
+    table = Table(qtbot, Family.HERMITE, many_points(1000))
+    document = edits.freeze_parameters(table.session.document, 0, list(range(1000)))
+    table.session.commit(document, "Freeze")
+    resets, changes = QSignalSpy(table.model.modelReset), QSignalSpy(table.model.dataChanged)
+    rows = QSignalSpy(table.model.rowsInserted)
+    document = edits.set_velocity_rule(document, 0, VelocityRule.FINITE_DIFFERENCE)
+    table.session.commit(document, "Rule")
+    changed = changes.count()
+    table.session.commit(edits.move_nodes(table.session.document, 0, [500], (0.0, 1.0)), "Move point 500")
+    # Finite differences reach as far as the neighbours.
+    assert (changes.at(changed)[0].row(), changes.at(changed)[1].row()) == (499, 501)
+    assert changes.count() == changed + 1
+    assert resets.count() == rows.count() == 0
+
+
+def test_a_thousand_rows_are_quick(qtbot):
+    table = Table(qtbot, Family.HERMITE, many_points(1000))
+    best = float("inf")
+    for step in range(5):
+        document = edits.move_nodes(table.session.document, 0, [500], (0.0, 0.01 * step + 0.01))
+        table.session.preview(document)
+        view = table.session.active_view
+        start = time.perf_counter()
+        table.model.show_view(view)
+        best = min(best, time.perf_counter() - start)
+    assert best < 0.03  # measured: 1 ms
+
+
+def test_a_stream_of_previews_is_followed_at_a_pace_and_ends_on_the_last(qtbot):
+    table = Table(qtbot)
+    qtbot.wait(2 * INTERVAL_MS)
+    changes = QSignalSpy(table.model.dataChanged)
+    before = table.session.document
+    for step in range(1, 51):
+        table.session.preview(edits.move_nodes(before, 0, [3], (0.01 * step, 0.0)))
+    assert changes.count() < 10
+    qtbot.waitUntil(lambda: table.value(3, X) == 1.25 + 0.5, timeout=1000)
+    table.session.preview(edits.move_nodes(before, 0, [3], (1.0, 0.0)))
+    table.session.commit(table.session.document, "Move point 3")
+    assert table.value(3, X) == 2.25  # a step of the history does not wait
+
+
+def test_a_cancelled_drag_leaves_the_old_numbers(qtbot):
+    table = Table(qtbot)
+    for step in range(5):
+        table.session.preview(edits.move_nodes(table.session.document, 0, [3], (0.1 * step, 0.0)))
+    table.session.cancel()
+    qtbot.waitUntil(lambda: table.value(3, X) == 1.25, timeout=1000)
+
+
+def test_a_hidden_table_rests_until_it_is_shown(qtbot):
+    table = Table(qtbot)
+    table.panel.hide()
+    changes = QSignalSpy(table.model.dataChanged)
+    table.session.preview(edits.move_nodes(table.session.document, 0, [3], (1.0, 0.0)))
+    qtbot.wait(2 * INTERVAL_MS)
+    assert changes.count() == 0
+    table.panel.show()
+    assert table.value(3, X) == 2.25
+
+
+def test_rendering_commits_nothing(quintic):
+    steps = quintic.session.undo_stack.count()
+    for family in Family:
+        quintic.session.preview(edits.set_family(quintic.session.document, 0, family))
+        quintic.qtbot.wait(INTERVAL_MS + 10)
+    quintic.session.cancel()
+    assert quintic.session.undo_stack.count() == steps
+
+
+def test_everything_has_a_name_and_a_tooltip(hermite):
+    for kind in (QToolButton, QAction):
+        for widget in hermite.panel.findChildren(kind):
+            assert widget.objectName()
+            assert widget.toolTip()
+    editor = hermite.edit(2, VX)
+    assert editor.accessibleName() == "vx of point 2"
+    assert "1/3" in editor.toolTip()
+    hermite.qtbot.keyClick(editor, Qt.Key.Key_Escape)
+    assert hermite.view.accessibleName() == "Points"
