@@ -135,9 +135,7 @@ def empty_document() -> Document:
     return Document((make_curve(()),))
 
 
-def make_curve(
-    points: Sequence[Vector], *, name: str = "Curve 1", family: Family = Family.LAGRANGE
-) -> Curve:
+def make_curve(points: Sequence[Vector], *, name: str = "Curve 1", family: Family = Family.LAGRANGE) -> Curve:
     """Return a curve through `points` under the default rules."""
     nodes = tuple(Node(float(x), float(y)) for x, y in points)
     return Curve(name, family, Parametrization(), nodes)
