@@ -56,10 +56,19 @@ def parse_number(text: str, locale_decimal: str = ".") -> float:
     text = text.translate(_SIGNS).strip().removeprefix("=")
     tokens = _tokens(text, decimal_comma=locale_decimal == ",")
     _check_grammar(tokens)
-    value = _evaluate(" ".join(token.code for token in tokens))
+    value = _plain_number(tokens)
+    if value is None:
+        value = _evaluate(" ".join(token.code for token in tokens))
     if not abs(value) <= MAX_MAGNITUDE:
         raise ExpressionError("A number here must lie between −1e12 and 1e12.")
     return value
+
+
+def _plain_number(tokens: list[_Token]) -> float | None:
+    """Return the number that stands there by itself; a pasted block has thousands, and no expression."""
+    if tokens[-1].kind == "number" and (len(tokens) == 1 or (len(tokens) == 2 and tokens[0].text == "-")):
+        return float("".join(token.code for token in tokens))
+    return None
 
 
 # Functions and operators: each gives a finite float or says why not.

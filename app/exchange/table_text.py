@@ -8,7 +8,8 @@ from collections.abc import Iterable, Sequence
 from app.document.expression import ExpressionError, parse_number
 
 MAX_ROWS = 10_000
-"""Rows of the largest block that is read."""
+MAX_COLUMNS = 16
+"""Rows and columns of the largest block that is read."""
 
 _TITLES = {"#", "t", "x", "y", "vx", "vy", "ax", "ay"}
 _GROUPED = re.compile(r"[-+−]?[0-9]{1,3}(,[0-9]{3})+")
@@ -50,6 +51,10 @@ def read_block(text: str, mark: str = ".") -> list[list[float]]:
         raise TableTextError("There are no numbers on the clipboard.")
     separator, comma = _separator(lines, mark)
     cells = [_split(line, separator) for line in lines]
+    if max(map(len, cells)) > MAX_COLUMNS:
+        raise TableTextError(
+            f"These are {max(map(len, cells))} columns; {MAX_COLUMNS} can be pasted at once."
+        )
     skipped = 1 if len(cells) > 1 and all(cell.lower() in _TITLES for cell in cells[0]) else 0
     numbers = [
         [_number(cell, row, column, "," if comma else mark) for column, cell in enumerate(line, start=1)]
