@@ -53,9 +53,8 @@ class LagrangeCurve:
     Notes
     -----
     With u = 2**-53, values and derivatives differ from the exact ones by at
-    most c u sum |L_i^(order)(t)| |p_i|, c about 10 to 50 for n <= 60, then at
-    most n / 4 (n <= 1024), or of the size of 5 sqrt(n), for any distinct
-    parameters. That
+    most c u sum |L_i^(order)(t)| |p_i|, c at most about 25 for n <= 60 and of
+    the size of 2 sqrt(n) above, for any distinct parameters. That
     says nothing about the sum itself: on many uniform parameters it is huge,
     and no method can do better with points given to 53 bits.
 

@@ -38,7 +38,7 @@ __all__ = ["BasisPart", "Hits", "Nodes"]
 
 _CHUNK = 1 << 18  # entries of one working array: 2 MB, so that a slice is worth its dozen calls
 _BLOCK_BITS = 500.0  # a block of factors may reach 2**+-500, which leaves room for its neighbours
-_MANY = 1024  # nodes, above which roundings that do not average out are worth a third more time
+_MANY = 64  # nodes, above which roundings that do not average out are worth half the time again
 _TINY = 2.0**-340  # scaled distances below need exponents of their own
 _FAR = 2.0**60  # so do those above
 
