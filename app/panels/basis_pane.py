@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from PySide6.QtCore import QSize, Qt
 from PySide6.QtGui import QIcon, QPainter, QPen, QPixmap
-from PySide6.QtWidgets import QHBoxLayout, QLabel, QToolButton, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QHBoxLayout, QLabel, QSizePolicy, QToolButton, QVBoxLayout, QWidget
 
 from app.panels.basis_layers import KIND_STYLES
 from app.panels.basis_panel import BasisPanel
@@ -65,9 +65,11 @@ class BasisPane(QWidget):
         header.addSpacing(8)
         for button in self._kinds:
             header.addWidget(button)
-        header.addWidget(self._scaling)
-        header.addStretch(1)
-        header.addWidget(self._extent)
+        # Both notes give way before they widen the window.
+        for note, share in ((self._scaling, 1), (self._extent, 2)):
+            note.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
+            header.addWidget(note, share)
+        self._extent.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
         header.addWidget(self._fit)
         layout = QVBoxLayout(self)
         layout.setContentsMargins(0, 0, 0, 0)
@@ -88,7 +90,7 @@ class BasisPane(QWidget):
     @property
     def extent_text(self) -> str:
         """The note that functions leave the range; empty when they do not."""
-        return "" if self._extent.isHidden() else self._extent.text()
+        return self._extent.text()
 
     def set_theme(self, theme: Theme) -> None:
         """Take the colours of `theme`."""
@@ -114,8 +116,12 @@ class BasisPane(QWidget):
 
     def _show_extent(self, extent: tuple[float, float] | None) -> None:
         if extent is not None:
-            self._extent.setText(f"⚠ The functions reach from {extent[0]:.3g} to {extent[1]:.3g}")
-        self._extent.setVisible(extent is not None)
+            reach = f"from {extent[0]:.3g} to {extent[1]:.3g}".replace("-", "−")
+            self._extent.setText(f"⚠ The functions reach {reach}")
+            self._extent.setToolTip(self._extent.text())
+        # Emptied, not hidden: hidden it would leave its room to the other note.
+        if extent is None:
+            self._extent.clear()
         self._fit.setVisible(extent is not None or self._fit.isChecked())
 
 

@@ -129,6 +129,7 @@ def test_functions_that_leave_the_range_are_reported_and_fit_shows_them(editor, 
     editor.drag_parameter(3, to=editor.parameters[4] - 0.02)
     note = editor.window.basis_pane.extent_text
     assert "reach from" in note
+    assert editor.window.width() == 1200
     fit = editor.window.findChild(QToolButton, "fitBasis")
     assert fit.isVisible()
     fit.click()
