@@ -114,14 +114,9 @@ class _PiecewiseHermite:
         """
         at = parameter_values(t)
         rank = integer(order, "order", 0)
-        if rank or self._is_inside(at.values):
-            curve = self._evaluate_one_side(at.values, rank)
-        else:
-            # Apart, because only the control points give p_i itself at t_i.
-            inside = (at.values >= self._parameters[0]) & (at.values <= self._parameters[-1])
-            curve = np.empty((at.values.size, self._jets.shape[2]))
-            for part in (inside, ~inside):
-                curve[part] = self._evaluate_one_side(at.values[part], rank)
+        curve = self._evaluate_inside(at.values) if rank == 0 else None
+        if curve is None:
+            curve = self._evaluate_anywhere(at.values, rank)
         return curve[0] if at.is_scalar else curve
 
     def local_basis(self, t: ArrayLike, order: int = 0) -> LocalBasis:
@@ -143,14 +138,15 @@ class _PiecewiseHermite:
         rank = integer(order, "order", 0)
         local = self._scaled_basis(at.values, rank)
         values = local.values
-        with np.errstate(over="ignore", under="ignore"):
+        with np.errstate(over="ignore", under="ignore", invalid="ignore"):
             h = np.diff(self._parameters)[local.segment, None]
             for k in range(values.shape[2]):
                 for _ in range(k - rank):
                     values[:, :, k] *= h
                 for _ in range(rank - k):
                     values[:, :, k] /= h
-        np.clip(values, -LARGEST, LARGEST, out=values)
+        if not np.isfinite(values).all():
+            np.nan_to_num(values, copy=False, nan=LARGEST)
         return local
 
     def basis(self, t: ArrayLike, order: int = 0) -> FloatArray:
@@ -246,14 +242,15 @@ class _PiecewiseHermite:
             return np.repeat(np.arange(count.size), count)
         return np.searchsorted(inner, t, side="right")
 
-    def _evaluate_one_side(self, t: FloatArray, order: int) -> FloatArray:
-        """Evaluate where all t lie in the domain, or none, or order is not 0."""
-        if order == 0 and self._is_inside(t):
-            columns = self._weighted_controls()
-            # Near the end of the floating point range the general method is the safe one.
-            if np.abs(columns).max() < _SAFE:
-                return evaluate_inside(t, self._segments(t), self._parameters, columns)
-        return self._evaluate_anywhere(t, order)
+    def _evaluate_inside(self, t: FloatArray) -> FloatArray | None:
+        """Evaluate through the control points, where that is possible."""
+        if not self._is_inside(t):
+            return None
+        columns = self._weighted_controls()
+        # Near the end of the floating point range the general method is the safe one.
+        if np.abs(columns).max() >= _SAFE:
+            return None
+        return evaluate_inside(t, self._segments(t), self._parameters, columns)
 
     def _evaluate_anywhere(self, t: FloatArray, order: int) -> FloatArray:
         """Sum the basis functions times the data, both free of powers of h."""
@@ -272,6 +269,10 @@ class _PiecewiseHermite:
                 curve /= h
         if not np.isfinite(curve).all():
             np.nan_to_num(curve, copy=False, nan=LARGEST)
+        if order == 0:
+            joint = local.segment + (t == self._parameters[local.segment + 1])
+            hit = t == self._parameters[joint]
+            curve[hit] = self.points[joint[hit]]
         return curve
 
     def _scaled_basis(self, t: FloatArray, order: int) -> LocalBasis:

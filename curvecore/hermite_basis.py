@@ -56,18 +56,27 @@ class LocalCoordinates(NamedTuple):
 
     def linear(self, x: float, y: float) -> FloatArray:
         """Return x r + y s for small integers."""
+        plain = x * self.r + y * self.s
         if self.from_left is None or self.from_right is None:
-            return x * self.r + y * self.s
-        return add(times(self.from_right, x), times(self.from_left, y)).high / self.length
+            return plain
+        exact = add(times(self.from_right, x), times(self.from_left, y)).high / self.length
+        return _finite(exact, plain)
 
     def quadratic(self, x: float, y: float, z: float) -> FloatArray:
         """Return x r**2 + y r s + z s**2 for small integers."""
+        plain = x * self.r * self.r + y * (self.r * self.s) + z * self.s * self.s
         if self.from_left is None or self.from_right is None:
-            return x * self.r * self.r + y * (self.r * self.s) + z * self.s * self.s
+            return plain
         # (x r + y s) r + z s s
-        inner = add(times(self.from_right, x), times(self.from_left, y))
-        total = add(multiply(inner, self.from_right), times(multiply(self.from_left, self.from_left), z))
-        return total.high / self.length / self.length
+        inner = multiply(add(times(self.from_right, x), times(self.from_left, y)), self.from_right)
+        exact = add(inner, times(multiply(self.from_left, self.from_left), z)).high
+        return _finite(exact / self.length / self.length, plain)
+
+
+def _finite(exact: FloatArray, plain: FloatArray) -> FloatArray:
+    """Return `exact`, but `plain` far outside, where splitting overflows and nothing cancels."""
+    finite = np.isfinite(exact)
+    return exact if finite.all() else np.where(finite, exact, plain)
 
 
 def local_coordinates(t: FloatArray, start: FloatArray, end: FloatArray, exact: bool) -> LocalCoordinates:
