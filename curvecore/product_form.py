@@ -278,8 +278,15 @@ def _weights_far_apart(parameters: FloatArray, shift: int) -> Scaled:
 
 def _scaled_differences(t: FloatArray, nodes: FloatArray, shift: int) -> Scaled:
     """Return (t - node) * 2**shift, shape (n, m)."""
-    mantissa, exponent = np.frexp(t - nodes[:, None])
-    return Scaled(mantissa, exponent.astype(np.int64) + shift)
+    difference = t - nodes[:, None]
+    mantissa, size = np.frexp(difference)
+    exponent = size.astype(np.int64) + shift
+    overflow = np.isinf(difference)
+    if overflow.any():
+        halved, size = np.frexp(0.5 * t - 0.5 * nodes[:, None])
+        mantissa = np.where(overflow, halved, mantissa)
+        exponent = np.where(overflow, size.astype(np.int64) + (shift + 1), exponent)
+    return Scaled(mantissa, exponent)
 
 
 def _reach(x: FloatArray, scaled: FloatArray) -> float:

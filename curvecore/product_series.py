@@ -17,11 +17,14 @@ from typing import NamedTuple
 
 import numpy as np
 
-from curvecore.arrays import FloatArray
+from curvecore.arrays import FloatArray, IntArray32
 from curvecore.double_double import DoubleDouble, add, difference, multiply, rescaled
 from curvecore.scaling import ExponentArray, Scaled
 
 __all__ = ["leave_one_out"]
+
+
+_FAR_BITS = 60
 
 
 class _RunningProducts(NamedTuple):
@@ -58,7 +61,14 @@ def leave_one_out(t: FloatArray, nodes: FloatArray, shift: int, order: int) -> S
     -------
     Scaled, shape (n, m)
     """
-    factors = _scaled_differences(t, nodes, shift)
+    with np.errstate(over="ignore", invalid="ignore"):
+        exact = difference(t, nodes[:, None])
+    halved = np.isinf(exact.high).any(axis=0)
+    if halved.any():
+        # A difference of this size loses nothing that counts.
+        exact.high[:, halved], exact.low[:, halved] = difference(0.5 * t[halved], 0.5 * nodes[:, None])
+    own = _own_shift(exact.high, shift)
+    factors = rescaled(exact, own)
     running = _running_products(factors, order)
     high, low = running.series
     # Row i of the left products meets row n - 1 - i of the right ones.
@@ -70,12 +80,16 @@ def leave_one_out(t: FloatArray, nodes: FloatArray, shift: int, order: int) -> S
         )
         total = term if total is None else add(total, term)
     assert total is not None
-    return Scaled(total.high + total.low, running.exponent[:, 0] + running.exponent[::-1, 1])
+    exponent = running.exponent[:, 0] + running.exponent[::-1, 1]
+    # The coefficient has n - 1 - order factors.
+    exponent += (shift - own.astype(np.int64) + halved) * (len(nodes) - 1 - order)
+    return Scaled(total.high + total.low, exponent)
 
 
-def _scaled_differences(t: FloatArray, nodes: FloatArray, shift: int) -> DoubleDouble:
-    exact = difference(t, nodes[:, None])
-    return rescaled(exact, np.asarray(shift, dtype=np.intc))
+def _own_shift(differences: FloatArray, shift: int) -> IntArray32:
+    """Return the powers of two that bring the columns near 1: `shift`, but for t far outside."""
+    _, size = np.frexp(np.abs(differences).max(axis=0))
+    return np.where(size + shift > _FAR_BITS, -size, shift).astype(np.intc)
 
 
 def _running_products(factors: DoubleDouble, order: int) -> _RunningProducts:

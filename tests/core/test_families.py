@@ -264,3 +264,32 @@ def test_rank_one_update_is_a_drag(rng):
     expected = curve.evaluate(t) + curve.basis(t)[:, 3] * [0.5, -0.25]
     scale = np.abs(curve.basis(t)[:, :, 0]) @ np.abs(jets[:, 0]) + 1.0
     assert (np.abs(curve.with_jets(jets).evaluate(t) - expected) <= 40 * U * scale).all()
+
+
+EXTREME_PARAMETERS = [
+    [0.0, 5e-324, 1.0],
+    [0.0, 1e-310, 1e-309],
+    [-1e308, 0.0, 7e307],
+    [1e300, np.nextafter(1e300, 2e300), 1.1e300],
+    [0.0, 1e-200, 1e-100, 1.0, 1e100, 1e200],
+    [-8e307, -1e-300, 0.0, 1e-300, 8e307],
+    list(1e-320 * np.array([1.0, 2.0, 3.0, 7.0])),
+]
+
+
+@every_family
+@pytest.mark.parametrize("size", [1e-300, 1.0, 1e300, 1.7e308])
+@pytest.mark.parametrize("parameters", EXTREME_PARAMETERS)
+def test_nothing_is_ever_infinite_or_nan(family, parameters, size, rng):
+    t = np.array(
+        [0.0, 5e-324, -1e-310, 1e-200, 0.5, -1.0, 1e10, 1e150, -1e200, 1.7e308, -1.7e308, *parameters]
+    )
+    n = len(parameters)
+    with np.errstate(under="ignore"):
+        data = [size * rng.choice([-1.0, 1.0, 0.5, 0.0], (n, 2)) for _ in range(FAMILIES[family][0])]
+    classes = {"lagrange": LagrangeCurve, "hermite": HermiteCurve, "quintic_hermite": QuinticHermiteCurve}
+    curve = classes[family](*data, parameters)
+    assert (curve.evaluate(t)[-n:] == curve.points).all()
+    for order in range(5):
+        assert np.isfinite(curve.evaluate(t, order)).all()
+        assert np.isfinite(curve.basis(t, order)).all()
