@@ -19,17 +19,11 @@ from curvecore.arrays import (
     read_only,
     unit_values,
 )
-from curvecore.bernstein import (
-    bernstein_weights,
-    control_points,
-    evaluate_inside,
-    weighted_columns,
-)
+from curvecore.bernstein import bernstein_weights, control_points, evaluate_inside, weighted_columns
 from curvecore.hermite_basis import CUBIC, QUINTIC, LeftFunctions, local_coordinates
 from curvecore.scaling import LARGEST
 
 __all__ = ["HermiteCurve", "LocalBasis", "QuinticHermiteCurve"]
-
 
 _SAFE = 1e300
 _MANY = 10_000  # parameters from which on it pays to ask whether they ascend
@@ -168,10 +162,11 @@ class _PiecewiseHermite:
         local = self.local_basis(t, order)
         m, _, width = local.values.shape
         n = len(self._parameters)
-        result = np.zeros((m, n * width))
+        result = np.zeros(m * n * width)
         # B_i and B_(i+1) lie side by side in a row.
-        columns = (local.segment * width)[:, None] + np.arange(2 * width)
-        result[np.arange(m)[:, None], columns] = local.values.reshape(m, 2 * width)
+        first = np.arange(0, m * n * width, n * width) + local.segment * width
+        for column, values in enumerate(local.values.reshape(m, 2 * width).T):
+            result[first + column] = values
         return result.reshape(m, n, width)
 
     def with_jets(self, jets: ArrayLike) -> Self:
