@@ -17,7 +17,8 @@ from PySide6.QtWidgets import (
 
 from app.actions import MENUS, Actions
 from app.canvas.canvas import Canvas
-from app.commands import Commands, Parts
+from app.commands.connect import Commands
+from app.commands.parts import Parts
 from app.examples import example_paths
 from app.file_commands import FileCommands
 from app.gestures.rail import RailTool
@@ -58,7 +59,7 @@ class MainWindow(QMainWindow):
         self._build_docks()
         self._build_bars()
         self._files = FileCommands(session, self.preferences, self, self.message_bar.warn)
-        self._commands = Commands(self._parts(), self._files, self.set_theme_mode)
+        self._commands = Commands(self._parts())
         self._connect()
         self._restore_layout()
         self._apply_theme_mode()
@@ -66,7 +67,7 @@ class MainWindow(QMainWindow):
         self._render_file()
         self.canvas.fit()
         self.basis_pane.fit()
-        self._commands.greet()
+        self._commands.messages.greet()
 
     # Building
 
@@ -133,6 +134,7 @@ class MainWindow(QMainWindow):
             window=self,
             session=self.session,
             actions=self.actions_by_name,
+            files=self._files,
             canvas=self.canvas,
             basis_panel=self.basis_panel,
             basis_pane=self.basis_pane,
@@ -141,6 +143,7 @@ class MainWindow(QMainWindow):
             toolbar=self.toolbar,
             docks=self.docks,
             parameters_menu=self.parameters_menu,
+            set_theme_mode=self.set_theme_mode,
         )
 
     # Connecting
@@ -148,6 +151,7 @@ class MainWindow(QMainWindow):
     def _connect(self) -> None:
         session = self.session
         session.document_changed.connect(self._render_document)
+        session.active_changed.connect(self._render_document)
         session.selection_changed.connect(self._render_selection)
         session.hovered_changed.connect(self.canvas.set_hovered)
         session.hovered_changed.connect(self.basis_panel.set_hovered)
@@ -163,7 +167,6 @@ class MainWindow(QMainWindow):
         self.basis_panel.pointed_at.connect(self.status_line.show_t)
         self.recent_menu.aboutToShow.connect(self._fill_recent_menu)
         self._fill_examples_menu()
-        self._commands.connect_actions()
 
     def _fill_recent_menu(self) -> None:
         self.recent_menu.clear()
@@ -269,7 +272,7 @@ class MainWindow(QMainWindow):
             self.splitter.restoreState(self.preferences.splitter_state)
 
     def _remember_layout(self) -> None:
-        self._commands.leave_presentation()
+        self._commands.view.leave_presentation()
         self.preferences.window_geometry = self.saveGeometry()
         self.preferences.window_state = self.saveState()
         self.preferences.splitter_state = self.splitter.saveState()
@@ -278,7 +281,7 @@ class MainWindow(QMainWindow):
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         if event.key() == Qt.Key.Key_Escape:
-            self._commands.escape()
+            self._commands.view.escape()
             return
         super().keyPressEvent(event)
 

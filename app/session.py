@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Collection
+from dataclasses import dataclass
 from pathlib import Path
 
 from PySide6.QtCore import QObject, Signal
@@ -15,10 +16,18 @@ from app.examples import first_sketch
 from app.view_model.curve_view import CurveView, view_of
 
 
-class _Change(QUndoCommand):
-    """A step from one document to the next; the values are computed before it is made."""
+@dataclass(frozen=True)
+class _State:
+    """What undo brings back: a document, and which of its curves was edited."""
 
-    def __init__(self, session: Session, before: Document, after: Document, text: str) -> None:
+    document: Document
+    active: int
+
+
+class _Change(QUndoCommand):
+    """A step from one state to the next; the values are computed before it is made."""
+
+    def __init__(self, session: Session, before: _State, after: _State, text: str) -> None:
         super().__init__(text)
         self._session, self._before, self._after = session, before, after
 
@@ -36,6 +45,8 @@ class Session(QObject):
     -------
     document_changed
         The document shown is another one: a preview, a commit, undo, redo, open or new.
+    active_changed
+        Another curve is edited.
     selection_changed
         Another set of nodes is selected.
     hovered_changed
@@ -55,6 +66,7 @@ class Session(QObject):
     """
 
     document_changed = Signal(object)
+    active_changed = Signal(int)
     selection_changed = Signal(object)
     hovered_changed = Signal(int)
     scrub_changed = Signal(object)
@@ -76,7 +88,8 @@ class Session(QObject):
         self.scrub: float | None = None
         self._committed = first_sketch()
         self._shown = self._committed
-        self._view: CurveView | None = None
+        self._views: list[CurveView] = []
+        self._views_of: tuple[Curve, ...] = ()
 
     def _report_clean(self, _clean: bool) -> None:
         self.file_changed.emit()
@@ -97,11 +110,31 @@ class Session(QObject):
         return self._shown.curves[self.active_index]
 
     @property
+    def views(self) -> list[CurveView]:
+        """The view-models of all curves; made anew only for curves that are other values than before."""
+        curves = self._shown.curves
+        if self._views_of is not curves:
+            known = {id(view.source): view for view in self._views}
+            # A curve that was changed takes its last good shape from its place in the list.
+            same_places = len(curves) == len(self._views)
+            self._views = [
+                known.get(id(curve)) or view_of(curve, self._views[place] if same_places else None)
+                for place, curve in enumerate(curves)
+            ]
+            self._views_of = curves
+        return self._views
+
+    @property
     def active_view(self) -> CurveView:
-        """The view-model of the active curve, made when it is first asked for."""
-        if self._view is None or self._view.source is not self.active_curve:
-            self._view = view_of(self.active_curve, self._view)
-        return self._view
+        """The view-model of the active curve."""
+        return self.views[self.active_index]
+
+    def activate(self, index: int) -> None:
+        """Edit another curve; nothing of it is selected yet."""
+        if index != self.active_index:
+            self.select([])
+            self.active_index = index
+            self.active_changed.emit(index)
 
     @property
     def selected(self) -> int | None:
@@ -120,22 +153,30 @@ class Session(QObject):
         if document is not self._shown:
             self._show(document)
 
-    def commit(self, document: Document, text: str) -> None:
-        """Make `document` the current one, as one step of the history called `text`."""
+    def commit(self, document: Document, text: str, *, active: int | None = None) -> None:
+        """Make `document` the current one, as one step of the history called `text`.
+
+        `active` is the curve to edit from then on, where that changes.
+        """
         if document == self._committed:
             self.cancel()
-        else:
-            self.undo_stack.push(_Change(self, self._committed, document, text))
+            return
+        after = self.active_index if active is None else active
+        before = _State(self._committed, self.active_index)
+        self.undo_stack.push(_Change(self, before, _State(document, after), text))
 
     def cancel(self) -> None:
         """Drop the preview; nothing is left of it."""
         if self._shown is not self._committed:
             self._show(self._committed)
 
-    def _restore(self, document: Document) -> None:
+    def _restore(self, state: _State) -> None:
         self.interrupted.emit()
-        self._committed = document
-        self._show(document)
+        if state.active != self.active_index:
+            self.select([])
+            self.active_index = state.active
+        self._committed = state.document
+        self._show(state.document)
 
     def _show(self, document: Document) -> None:
         self._shown = document
@@ -203,11 +244,11 @@ class Session(QObject):
 
     def _replace(self, document: Document, path: Path | None) -> None:
         self.path = path
-        self.active_index = 0
-        self._view = None
         self.select([])
         self.set_scrub(None)
-        self._restore(document)
+        # Another document's curves are nobody's last good shape.
+        self._views, self._views_of = [], ()
+        self._restore(_State(document, 0))
         self.undo_stack.clear()
         self.undo_stack.setClean()
         self.file_changed.emit()

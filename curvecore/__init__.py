@@ -11,6 +11,7 @@ curve               the protocol `Curve` that all families satisfy
 lagrange            `LagrangeCurve`, one polynomial of degree n - 1
 product_form        the Lagrange basis as products, accurate on any nodes
 product_series      its derivatives, as products of power series
+chain               `Chain`, curves end to end: corners
 scaling             numbers with separate exponents
 double_double       numbers of 106 bits, where plain ones would cancel
 hermite             `HermiteCurve` and `QuinticHermiteCurve`, piecewise
@@ -30,6 +31,7 @@ state. Indices count from 0.
 """
 
 from curvecore.bezier import CubicPath, bezier_segments, cubic_path
+from curvecore.chain import Chain
 from curvecore.curve import Curve
 from curvecore.errors import CurveError
 from curvecore.flatten import MAX_VERTICES, flatten, flatten_parameters
@@ -47,6 +49,7 @@ from curvecore.tangents import (
 
 __all__ = [
     "MAX_VERTICES",
+    "Chain",
     "CubicPath",
     "Curve",
     "CurveError",

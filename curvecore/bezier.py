@@ -17,6 +17,7 @@ import numpy as np
 
 from curvecore.arrays import FloatArray, IntArray, tolerance_value
 from curvecore.bernstein import control_points
+from curvecore.chain import Chain
 from curvecore.curve import Curve
 from curvecore.errors import CurveError
 from curvecore.hermite import HermiteCurve, QuinticHermiteCurve
@@ -105,12 +106,23 @@ def cubic_path(curve: Curve, tolerance: float) -> CubicPath:
         If the tolerance is not a positive number.
     """
     limit = tolerance_value(tolerance)
+    if isinstance(curve, Chain):
+        return _joined([cubic_path(piece, limit) for piece in curve.pieces])
     if isinstance(curve, HermiteCurve):
         return CubicPath(bezier_segments(curve), curve.parameters.copy(), 0.0)
     with np.errstate(over="ignore", under="ignore", invalid="ignore"):
         if isinstance(curve, QuinticHermiteCurve):
             return _quintic_path(curve, limit)
         return _measured_path(curve, limit)
+
+
+def _joined(paths: list[CubicPath]) -> CubicPath:
+    parameters = [paths[0].parameters, *(path.parameters[1:] for path in paths[1:])]
+    return CubicPath(
+        np.concatenate([path.control_points for path in paths]),
+        np.concatenate(parameters),
+        max(path.deviation for path in paths),
+    )
 
 
 def _pieces(curve: Curve, parameters: FloatArray) -> FloatArray:

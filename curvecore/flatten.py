@@ -23,6 +23,7 @@ from numpy.typing import ArrayLike
 
 from curvecore.arrays import BoolArray, FloatArray, IntArray, box_edges, read_only, tolerance_value
 from curvecore.bezier import bezier_segments
+from curvecore.chain import Chain
 from curvecore.curve import Curve
 from curvecore.errors import CurveError
 from curvecore.hermite import HermiteCurve, QuinticHermiteCurve
@@ -120,6 +121,9 @@ def flatten_parameters(curve: Curve, tolerance: float, box: ArrayLike | None = N
     if curve.points.shape[1] != 2:
         raise CurveError(f"curve must be plane (dim 2) to be flattened, not of dim {curve.points.shape[1]}")
     edges = None if box is None else box_edges(box)
+    if isinstance(curve, Chain):
+        first, *others = (flatten_parameters(piece, tolerance, box) for piece in curve.pieces)
+        return np.concatenate([first, *(each[1:] for each in others)])
     with np.errstate(over="ignore", under="ignore", invalid="ignore"):
         if isinstance(curve, (HermiteCurve, QuinticHermiteCurve)):
             pieces = _bezier_pieces(curve, limit, edges)

@@ -123,7 +123,7 @@ class Canvas(PlotWidget):
             layer.weights = layer.scrub = None
             return
         x, y = view.curve.evaluate(t)
-        layer.weights = weights_at(view.curve, t)[:, 0]
+        layer.weights = weights_at(view, t)
         layer.scrub = (t, float(x), float(y))
 
     def fit(self) -> None:
@@ -237,8 +237,8 @@ class Canvas(PlotWidget):
 
     def centre(self) -> QPointF:
         """Return the middle of the plot area in viewport pixels, where the zoom actions zoom."""
-        x_min, y_min, x_max, y_max = self.pixel_map.box
-        return QPointF(self.to_pixel((x_min + x_max) / 2, (y_min + y_max) / 2))
+        shown = self.pixel_map
+        return self._area_origin() + QPointF(shown.width / 2, shown.height / 2)
 
 
 def _box_to_fit(points: Floats, polyline: Floats) -> tuple[Floats, Floats]:

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Collection, Iterable, Sequence
-from itertools import pairwise
+from itertools import count, pairwise
 
 from msgspec.structs import replace
 
@@ -23,6 +23,14 @@ from app.document.model import (
     ParametrizationKind,
     Vector,
     VelocityRule,
+    empty_document,
+)
+
+_DERIVATIVES = (
+    (1, "velocity"),
+    (2, "acceleration"),
+    (1, "velocity_after"),
+    (2, "acceleration_after"),
 )
 
 
@@ -101,28 +109,70 @@ def delete_nodes(document: Document, curve: int, indices: Collection[int]) -> Do
     return _with_nodes(document, curve, kept)
 
 
-def set_velocity(document: Document, curve: int, index: int, velocity: Vector | None) -> Document:
-    """Fix the velocity of node `index`, per unit of t, or leave it to the rule (None)."""
+def set_velocity(
+    document: Document, curve: int, index: int, velocity: Vector | None, *, ahead: bool = False
+) -> Document:
+    """Fix the velocity of node `index`, per unit of t, or leave it to the rule (None).
+
+    At a corner the one before the node, or the one `ahead` of it.
+    """
     if velocity is not None:
         velocity = _checked_vector(velocity, f"the velocity of point {index}")
-    return _with_node(document, curve, index, replace(document.curves[curve].nodes[index], velocity=velocity))
+    node = document.curves[curve].nodes[index]
+    if node.corner and ahead:
+        return _with_node(document, curve, index, replace(node, velocity_after=velocity))
+    return _with_node(document, curve, index, replace(node, velocity=velocity))
 
 
-def set_acceleration(document: Document, curve: int, index: int, acceleration: Vector | None) -> Document:
-    """Fix the acceleration of node `index`, per unit of t squared, or leave it to the rule (None)."""
+def set_acceleration(
+    document: Document, curve: int, index: int, acceleration: Vector | None, *, ahead: bool = False
+) -> Document:
+    """Fix the acceleration of node `index`, per unit of t squared, or leave it to the rule (None).
+
+    At a corner the one before the node, or the one `ahead` of it.
+    """
     if acceleration is not None:
         acceleration = _checked_vector(acceleration, f"the acceleration of point {index}")
-    node = replace(document.curves[curve].nodes[index], acceleration=acceleration)
-    return _with_node(document, curve, index, node)
+    node = document.curves[curve].nodes[index]
+    if node.corner and ahead:
+        return _with_node(document, curve, index, replace(node, acceleration_after=acceleration))
+    return _with_node(document, curve, index, replace(node, acceleration=acceleration))
 
 
-def reset_derivatives(document: Document, curve: int, indices: Collection[int]) -> Document:
-    """Let the rules estimate the derivatives of the nodes at `indices` again."""
-    nodes = [
-        replace(node, velocity=None, acceleration=None) if index in indices else node
-        for index, node in enumerate(document.curves[curve].nodes)
-    ]
-    return _with_nodes(document, curve, nodes)
+def make_corner(
+    document: Document, curve: int, index: int, before: Vector | None, after: Vector | None
+) -> Document:
+    """Let the curve have a corner at node `index`, with these velocities (None: estimated)."""
+    node = document.curves[curve].nodes[index]
+    corner = replace(
+        node, corner=True, velocity=before, velocity_after=after, acceleration_after=node.acceleration
+    )
+    return _with_node(document, curve, index, corner)
+
+
+def make_smooth(document: Document, curve: int, index: int, velocity: Vector | None) -> Document:
+    """Give node `index` one velocity on both sides (None: estimated)."""
+    node = document.curves[curve].nodes[index]
+    smooth = replace(node, corner=False, velocity=velocity, velocity_after=None, acceleration_after=None)
+    return _with_node(document, curve, index, smooth)
+
+
+def set_closed(document: Document, curve: int, closed: bool) -> Document:
+    """Let the curve return to its first point, or not."""
+    old = document.curves[curve]
+    if closed and old.family is Family.LAGRANGE:
+        raise EditError(
+            "A Lagrange curve is one polynomial, and a polynomial that is not constant cannot repeat itself "
+            "smoothly; choose Hermite or quintic Hermite to close the curve."
+        )
+    if closed and len(old.nodes) < 3:
+        raise EditError("A closed curve needs at least three points.")
+    rule = old.parametrization
+    if closed and old.is_manual and old.nodes[-1].t is not None and not rule.end > old.nodes[-1].t:
+        # The segment that closes takes as long as the others do on average.
+        start, end = interval(old)
+        rule = replace(rule, end=end + (end - start) / (len(old.nodes) - 1))
+    return document.with_curve(curve, replace(old, closed=closed, parametrization=rule))
 
 
 # Rules
@@ -167,10 +217,13 @@ def set_parametrization(
 
 
 def freeze_parameters(document: Document, curve: int, parameters: Sequence[float]) -> Document:
-    """Make `parameters` the manual parameters."""
+    """Make `parameters` the manual parameters; a closed curve has one more, where it returns to its start."""
     old = document.curves[curve]
-    nodes = tuple(replace(node, t=float(t)) for node, t in zip(old.nodes, parameters, strict=True))
+    own, closing = parameters[: len(old.nodes)], parameters[len(old.nodes) :]
+    nodes = tuple(replace(node, t=float(t)) for node, t in zip(old.nodes, own, strict=True))
     rule = replace(old.parametrization, kind=ParametrizationKind.MANUAL)
+    if closing:
+        rule = replace(rule, start=min(rule.start, float(parameters[0])), end=float(closing[0]))
     return document.with_curve(curve, replace(old, nodes=nodes, parametrization=rule))
 
 
@@ -215,7 +268,7 @@ def interval(curve: Curve) -> tuple[float, float]:
     if curve.is_manual and len(curve.nodes) > 1:
         first, last = curve.nodes[0].t, curve.nodes[-1].t
         if first is not None and last is not None:
-            return (first, last)
+            return (first, rule.end if curve.is_closed else last)
     return (rule.start, rule.end)
 
 
@@ -229,15 +282,14 @@ def _shifted(node: Node, old: tuple[float, float], new: tuple[float, float]) -> 
 
 def _stretched(node: Node, factor: float) -> Node:
     """Rescale derivatives for a time that runs `factor` times as long."""
-    if factor == 1 or (node.velocity is None and node.acceleration is None):
+    if factor == 1:
         return node
-    velocity, acceleration = node.velocity, node.acceleration
-    if velocity is not None:
-        velocity = _checked_vector((velocity[0] / factor, velocity[1] / factor), "a velocity")
-    if acceleration is not None:
-        scaled = (acceleration[0] / factor**2, acceleration[1] / factor**2)
-        acceleration = _checked_vector(scaled, "an acceleration")
-    return replace(node, velocity=velocity, acceleration=acceleration)
+    changed = {
+        name: _checked_vector((vector[0] / factor**order, vector[1] / factor**order), "a derivative")
+        for order, name in _DERIVATIVES
+        if (vector := getattr(node, name)) is not None
+    }
+    return replace(node, **changed) if changed else node
 
 
 def _refuse_equal_parameters(curve: Curve) -> None:
@@ -269,11 +321,86 @@ def estimate_derivatives(
     document: Document, curve: int, indices: Collection[int], orders: Collection[int] = (1, 2)
 ) -> Document:
     """Leave the velocities (order 1) and accelerations (order 2) of the nodes at `indices` to the rules."""
-    names = {1: "velocity", 2: "acceleration"}
-    cleared = dict.fromkeys(names[order] for order in orders)
+    cleared = dict.fromkeys(name for order, name in _DERIVATIVES if order in orders)
     nodes = document.curves[curve].nodes
     return _with_nodes(
         document,
         curve,
         (replace(node, **cleared) if index in indices else node for index, node in enumerate(nodes)),
     )
+
+
+# Several curves
+
+
+def add_curve(document: Document, index: int, curve: Curve) -> Document:
+    """Insert `curve` before curve `index`; `index` equal to the number of curves appends."""
+    return Document((*document.curves[:index], curve, *document.curves[index:]))
+
+
+def remove_curve(document: Document, curve: int) -> Document:
+    """Remove a curve; the last one leaves an empty curve behind."""
+    rest = (*document.curves[:curve], *document.curves[curve + 1 :])
+    return Document(rest) if rest else empty_document()
+
+
+def move_curve(document: Document, curve: int, to: int) -> Document:
+    """Give a curve another place in the order; later curves are drawn over earlier ones."""
+    curves = list(document.curves)
+    curves.insert(to, curves.pop(curve))
+    return Document(tuple(curves))
+
+
+def free_name(document: Document) -> str:
+    """Return a name for a new curve that no other has."""
+    taken = {curve.name for curve in document.curves}
+    return next(name for number in count(1) if (name := f"Curve {number}") not in taken)
+
+
+def set_visible(document: Document, curve: int, visible: bool) -> Document:
+    """Show or hide a curve."""
+    return document.with_curve(curve, replace(document.curves[curve], visible=visible))
+
+
+def set_locked(document: Document, curve: int, locked: bool) -> Document:
+    """Keep a curve safe from changes, or free it."""
+    return document.with_curve(curve, replace(document.curves[curve], locked=locked))
+
+
+def set_colour(document: Document, curve: int, colour: str) -> Document:
+    """Draw a curve in a colour, "#rrggbb"; empty for the ink of the theme."""
+    return document.with_curve(curve, replace(document.curves[curve], colour=colour))
+
+
+def reverse_curve(document: Document, curve: int, parameters: Sequence[float]) -> Document:
+    """Run through a curve the other way; its shape stays.
+
+    `parameters` are those in force: a manual t becomes start + end − t.
+    """
+    old = document.curves[curve]
+    start, end = interval(old)
+    nodes = [_reversed(node, start + end) for node in reversed(old.nodes)]
+    if old.is_closed:
+        # A closed curve goes on beginning where it began.
+        nodes = [nodes[-1], *nodes[:-1]]
+    result = document.with_curve(curve, replace(old, nodes=tuple(nodes)))
+    if not old.is_manual:
+        return result
+    return freeze_parameters(result, curve, [start + end - t for t in reversed(parameters)])
+
+
+def _reversed(node: Node, turn: float) -> Node:
+    first, second = (node.velocity, node.velocity_after) if node.corner else (node.velocity,) * 2
+    before, after = (node.acceleration, node.acceleration_after) if node.corner else (node.acceleration,) * 2
+    return replace(
+        node,
+        t=None if node.t is None else turn - node.t,
+        velocity=_negated(second),
+        velocity_after=_negated(first) if node.corner else None,
+        acceleration=after,
+        acceleration_after=before if node.corner else None,
+    )
+
+
+def _negated(vector: Vector | None) -> Vector | None:
+    return None if vector is None else (-vector[0], -vector[1])

@@ -15,7 +15,7 @@ from typing import Literal
 
 import msgspec
 
-from app.document.model import MAX_MAGNITUDE, Curve, Document, Node, ParametrizationKind, Value
+from app.document.model import MAX_MAGNITUDE, Curve, Document, Node, ParametrizationKind, Value, Vector
 
 FORMAT = "curvebench"
 VERSION = 1
@@ -213,6 +213,10 @@ def _validate_curve(curve: Curve, place: str) -> None:
         raise FormatError(
             f"{place}.parametrization.end must be greater than {rule.start!r}, the start, not {rule.end!r}"
         )
+    if curve.colour and not re.fullmatch("#[0-9a-f]{6}", curve.colour):
+        raise FormatError(
+            f'{place}.colour must be written as "#rrggbb" in lower case, not {_quoted(curve.colour)}'
+        )
     for index, node in enumerate(curve.nodes):
         _validate_node(node, f"{place}.points[{index}]")
     _validate_parameters(curve, place)
@@ -229,7 +233,8 @@ def _numbers(node: Node) -> Iterator[tuple[str, float]]:
     yield "y", node.y
     if node.t is not None:
         yield "t", node.t
-    for key, vector in (("velocity", node.velocity), ("acceleration", node.acceleration)):
+    for key in ("velocity", "acceleration", "velocity_after", "acceleration_after"):
+        vector: Vector | None = getattr(node, key)
         for index, value in enumerate(vector or ()):
             yield f"{key}[{index}]", value
 
@@ -250,6 +255,11 @@ def _validate_parameters(curve: Curve, place: str) -> None:
         raise FormatError(
             f"{place}.points[{missing}].t is missing; "
             f'under "{ParametrizationKind.MANUAL}" every point carries its parameter'
+        )
+    if curve.closed and curve.is_manual and carried and not carried[-1][1] < curve.parametrization.end:
+        raise FormatError(
+            f"{place}.parametrization.end must be greater than {carried[-1][1]!r}, the t of the last point: "
+            "there the closed curve returns to its first point"
         )
     for (before, low), (index, high) in itertools.pairwise(carried):
         if not low < high:

@@ -71,6 +71,10 @@ class Node(Value, frozen=True):
         Parameter under the manual parametrization; remembered, but not used, under any other.
     velocity, acceleration
         Derivatives per unit of t that the person set; None where a rule estimates them.
+    corner
+        Whether the curve may have a corner here: the derivatives above are then those before the point.
+    velocity_after, acceleration_after
+        The derivatives after a corner; None where a rule estimates them.
     """
 
     x: float
@@ -78,6 +82,9 @@ class Node(Value, frozen=True):
     t: float | None = None
     velocity: Vector | None = None
     acceleration: Vector | None = None
+    corner: bool = False
+    velocity_after: Vector | None = None
+    acceleration_after: Vector | None = None
 
     @property
     def position(self) -> Vector:
@@ -105,7 +112,23 @@ class Parametrization(Value, frozen=True, omit_defaults=False):
 
 
 class Curve(Value, frozen=True, rename={"nodes": "points"}):
-    """Nodes, in order, and the rules that make a curve of them."""
+    """Nodes, in order, and the rules that make a curve of them.
+
+    Attributes
+    ----------
+    name
+        What the person calls it.
+    family, parametrization, velocity_rule, acceleration_rule
+        The rules.
+    nodes
+        The points, in order.
+    closed
+        Whether a last segment leads back to the first point; a Lagrange curve stays open.
+    colour
+        "#rrggbb", or empty for the ink of the theme.
+    visible, locked
+        Whether it is drawn, and whether it is safe from changes.
+    """
 
     name: str
     family: Family
@@ -113,6 +136,15 @@ class Curve(Value, frozen=True, rename={"nodes": "points"}):
     nodes: tuple[Node, ...]
     velocity_rule: VelocityRule = VelocityRule.NATURAL_SPLINE
     acceleration_rule: AccelerationRule = AccelerationRule.NATURAL_SPLINE
+    closed: bool = False
+    colour: str = ""
+    visible: bool = True
+    locked: bool = False
+
+    @property
+    def is_closed(self) -> bool:
+        """Whether the curve returns to its first point: closed, and of a family that can."""
+        return self.closed and self.family is not Family.LAGRANGE and len(self.nodes) > 1
 
     @property
     def is_manual(self) -> bool:

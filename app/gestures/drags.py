@@ -70,9 +70,9 @@ class DragHandle:
         index, ahead = self.hit.index, self.hit.ahead
         if self.hit.part is Part.VELOCITY_HANDLE:
             velocity = velocity_from_handle(self.view, index, tip, ahead=ahead)
-            return edits.set_velocity(self.document, self.curve, index, velocity)
+            return edits.set_velocity(self.document, self.curve, index, velocity, ahead=ahead)
         acceleration = acceleration_from_handle(self.view, index, tip, ahead=ahead)
-        return edits.set_acceleration(self.document, self.curve, index, acceleration)
+        return edits.set_acceleration(self.document, self.curve, index, acceleration, ahead=ahead)
 
 
 @dataclass(frozen=True)
@@ -168,12 +168,13 @@ class DragTick:
     curve: int
     parameters: Sequence[float]
     index: int
+    node: int
     start: float
 
     @property
     def name(self) -> str:
         """The name of the step."""
-        return f"Change t of point {self.index}"
+        return f"Change t of point {self.node}"
 
     def document_at(self, pointer: Pointer) -> Document:
         """Move t by the whole way from the press, as far as the neighbours let it."""

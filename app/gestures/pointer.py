@@ -38,6 +38,8 @@ class Hit:
         For the curve: the parameter there.
     kind
         For a basis function: 0 position, 1 velocity, 2 acceleration.
+    knot
+        For a tick: the knot it stands at; a closed curve has one more knot than nodes.
     """
 
     part: Part
@@ -46,6 +48,7 @@ class Hit:
     ahead: bool = True
     t: float = 0.0
     kind: int = 0
+    knot: int = -1
 
 
 @dataclass(frozen=True)

@@ -36,7 +36,9 @@ class RailTool:
         host = self._host
         host.select([hit.index])
         parameters = host.active_view.parameters.tolist()
-        drag = DragTick(host.document, host.active_index, parameters, hit.index, pointer.position[0])
+        drag = DragTick(
+            host.document, host.active_index, parameters, hit.knot, hit.index, pointer.position[0]
+        )
         self._machine.press(pointer, drag)
 
     def move(self, pointer: Pointer) -> None:

@@ -58,14 +58,14 @@ class FunctionLayer:
             self._polygons.clear()
             self._drawn = (basis, shown)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing, True)
-        colours = point_colours(basis.count, self.theme)
-        emphasised = sorted(index for index in self.emphasised if index < basis.count)
-        opacity = _FADED if emphasised else _CALM
-        for index in range(basis.count):
-            if index not in self.emphasised:
-                self._paint_function(painter, shown, index, colours[index], 1.0, opacity)
-        for index in emphasised:
-            self._paint_function(painter, shown, index, colours[index], 2.0, 1.0)
+        colours = point_colours(max(basis.owners) + 1, self.theme)
+        opacity = _FADED if self.emphasised else _CALM
+        for knot, owner in enumerate(basis.owners):
+            if owner not in self.emphasised:
+                self._paint_function(painter, shown, knot, colours[owner], 1.0, opacity)
+        for knot, owner in enumerate(basis.owners):
+            if owner in self.emphasised:
+                self._paint_function(painter, shown, knot, colours[owner], 2.0, 1.0)
 
     def _paint_levels(self, painter: QPainter, shown: PixelMap) -> None:
         painter.setRenderHint(QPainter.RenderHint.Antialiasing, False)
@@ -113,12 +113,14 @@ class RailLayer:
         self.hovered = -1
         self.scrub: float | None = None
         self._parameters: Sequence[float] = ()
+        self._owners: Sequence[int] = ()
         self._font = QFont(plot.font())
         self._layer = plot.add_layer(self.paint, z=10)
 
-    def render(self, parameters: Sequence[float]) -> None:
-        """Draw ticks at these parameters from the next paint on."""
-        self._parameters = parameters
+    def render(self, basis: BasisView | None) -> None:
+        """Draw a tick at every knot from the next paint on."""
+        self._parameters = basis.curve.parameters.tolist() if basis is not None else ()
+        self._owners = basis.owners if basis is not None else ()
         self._layer.update()
 
     def refresh(self) -> None:
@@ -136,10 +138,10 @@ class RailLayer:
             self._paint_scrub(painter, shown, self.scrub)
 
     def _paint_ticks(self, painter: QPainter, shown: PixelMap, top: float) -> None:
-        colours = point_colours(len(self._parameters), self.theme)
-        last = frozenset(self.selection) | {self.hovered}
-        order = [i for i in range(len(self._parameters)) if i not in last]
-        order += [i for i in sorted(last) if 0 <= i < len(self._parameters)]
+        colours = point_colours(max(self._owners, default=-1) + 1, self.theme)
+        last = self.selection | {self.hovered}
+        knots = range(len(self._owners))
+        order = sorted(knots, key=lambda knot: self._owners[knot] in last)
         numbers_right_of = -np.inf
         font = QFont(self._font)
         font.setPointSizeF(max(self._font.pointSizeF() - 1.5, 7.0) * self.scale)
@@ -148,10 +150,11 @@ class RailLayer:
             x = shown.point(self._parameters[index], 0.0)[0]
             if not -20 < x < shown.width + 20:
                 continue
-            self._paint_tick(painter, x, top, index, colours[index])
-            chosen = index in last
+            owner = self._owners[index]
+            self._paint_tick(painter, x, top, owner, colours[owner])
+            chosen = owner in last
             if chosen or (len(self._parameters) <= _NUMBERED_UP_TO and x > numbers_right_of):
-                self._paint_number(painter, x, top, index, chosen=chosen)
+                self._paint_number(painter, x, top, owner, chosen=chosen)
                 numbers_right_of = x + 16 * self.scale if not chosen else numbers_right_of
 
     def _paint_tick(self, painter: QPainter, x: float, top: float, index: int, colour: QColor) -> None:

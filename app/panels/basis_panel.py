@@ -15,7 +15,7 @@ from app.panels.basis_layers import RAIL_HEIGHT, FunctionLayer, RailLayer
 from app.plot.plot_widget import PlotWidget
 from app.theme import LIGHT, Theme
 from app.view_model.basis_view import BasisView, basis_view
-from app.view_model.curve_view import CoreCurve, CurveView
+from app.view_model.curve_view import CurveView
 
 TICK_REACH = 10.0
 """Pixels to either side of a tick within which it is grabbed."""
@@ -61,13 +61,12 @@ class BasisPanel(PlotWidget):
     def render_view(self, view: CurveView) -> None:
         """Show the functions of `view`; they are sampled again only if a parameter or the family changed."""
         self._view = view
-        curve = view.curve if view.is_current else None
-        if curve is not None and self._basis is not None and _same_basis(curve, self._basis.curve):
+        if _is_of(self._basis, view):
             return
         old = self._basis
-        self._basis = basis_view(curve) if curve is not None else None
+        self._basis = basis_view(view)
         self._functions.render(self._basis)
-        self._rail.render(curve.parameters.tolist() if curve is not None else ())
+        self._rail.render(self._basis)
         moved = self._basis is not None and (old is None or old.curve.domain != self._basis.curve.domain)
         if moved and not self._tool.is_pressed:
             self.fit_domain()
@@ -233,13 +232,13 @@ class BasisPanel(PlotWidget):
         parameters = self._basis.curve.parameters
         distances = np.abs(self.pixel_map.x(parameters) - pointer.pixel[0])
         # A selected tick wins over its neighbours.
-        for index in [i for i in self._rail.selection if i < len(distances)]:
-            if distances[index] <= TICK_REACH:
-                distances[index] = -1.0
+        for index, owner in enumerate(self._basis.owners):
+            if owner in self._rail.selection and distances[index] <= TICK_REACH:
+                distances[index] -= TICK_REACH
         index = int(np.argmin(distances))
         if distances[index] > TICK_REACH:
             return None
-        return Hit(Part.TICK, index, (float(parameters[index]), 0.0))
+        return Hit(Part.TICK, self._basis.owners[index], (float(parameters[index]), 0.0), knot=index)
 
     def _hit_function(self, pointer: Pointer) -> Hit | None:
         assert self._basis is not None
@@ -255,7 +254,7 @@ class BasisPanel(PlotWidget):
             distances[values == 0] = np.inf
             index = int(np.argmin(distances))
             if distances[index] <= FUNCTION_REACH and (best is None or distances[index] < best[0]):
-                hit = Hit(Part.FUNCTION, index, (t, float(values[index])), kind=kind)
+                hit = Hit(Part.FUNCTION, self._basis.owners[index], (t, float(values[index])), kind=kind)
                 best = (float(distances[index]), hit)
         return best[1] if best is not None else None
 
@@ -266,5 +265,12 @@ class BasisPanel(PlotWidget):
         super().keyPressEvent(event)
 
 
-def _same_basis(curve: CoreCurve, other: CoreCurve) -> bool:
-    return type(curve) is type(other) and np.array_equal(curve.parameters, other.parameters)
+def _is_of(basis: BasisView | None, view: CurveView) -> bool:
+    """Tell whether these are the functions of `view`: they depend on the family and the parameters alone."""
+    if basis is None or not view.is_current or len(view.source.nodes) <= basis.owners[-1]:
+        return False
+    same_family = (
+        basis.curve.degree == view.pieces[0].degree and len(basis.scales) == view.pieces[0].jets.shape[1]
+    )
+    closes = (basis.owners[-1] == 0) is view.source.is_closed
+    return same_family and closes and np.array_equal(view.parameters, basis.curve.parameters)

@@ -75,8 +75,10 @@ def table_values(view: CurveView) -> TableValues:
     values = np.full((len(nodes), len(columns)), np.nan)
     estimated = np.zeros(values.shape, dtype=bool)
     if view.is_current and view.curve is not None:
-        values[:, T] = view.parameters
-        values[:, X:] = view.curve.jets.reshape(len(nodes), -1)
+        values[:, T] = view.parameters[: len(nodes)]
+        values[:, X : X + 2] = view.points
+        if view.sides is not None:
+            values[:, X:] = view.sides.before[: len(nodes)].reshape(len(nodes), -1)
     else:
         values[:, X : X + 2] = view.points
     for row, node in enumerate(nodes):
@@ -119,7 +121,9 @@ def _derivative(view: CurveView, index: int, order: int) -> Vector:
     """Return the derivative that is shown now: the component that is not typed keeps it."""
     node = view.source.nodes[index]
     given = node.velocity if order == 1 else node.acceleration
-    shown = given or (view.velocity_of(index) if order == 1 else view.acceleration_of(index))
+    shown = given or (
+        view.velocity_of(index, ahead=False) if order == 1 else view.acceleration_of(index, ahead=False)
+    )
     if shown is None:
         raise EditError(f"There is nothing to estimate the other component from. {view.problem}")
     return shown
@@ -128,7 +132,7 @@ def _derivative(view: CurveView, index: int, order: int) -> Vector:
 def _parameters(view: CurveView) -> list[float]:
     """Return the parameters in force, to freeze the others at."""
     if view.is_current:
-        return [float(t) for t in view.parameters]
+        return [float(t) for t in view.parameters[: len(view.source.nodes)]]
     given = [node.t for node in view.source.nodes if view.source.is_manual and node.t is not None]
     if len(given) < len(view.source.nodes):
         raise EditError(f"There are no parameters to change. {view.problem}")

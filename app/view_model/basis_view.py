@@ -9,8 +9,8 @@ from functools import cached_property
 import numpy as np
 
 from app.document.model import Family
-from app.view_model.curve_view import CoreCurve, Floats
-from curvecore import LagrangeCurve
+from app.view_model.curve_view import CurveView, Floats, SimpleCurve
+from curvecore import HermiteCurve, LagrangeCurve, QuinticHermiteCurve
 
 SAMPLES = 500
 """Samples over the domain; one per two or three pixels of a wide panel."""
@@ -26,7 +26,9 @@ class BasisView:
     Attributes
     ----------
     curve
-        The core's curve they belong to.
+        A core curve with these functions, one set for each knot.
+    owners
+        The node that each knot belongs to; the last knot of a closed curve is its first node again.
     t
         Sample parameters, (m,).
     values
@@ -38,7 +40,8 @@ class BasisView:
         What B_ir was multiplied with, one factor for each r.
     """
 
-    curve: CoreCurve
+    curve: SimpleCurve
+    owners: tuple[int, ...]
     t: Floats
     values: Floats
     first: np.ndarray | None
@@ -46,11 +49,11 @@ class BasisView:
 
     @property
     def count(self) -> int:
-        """Number of nodes n."""
+        """Number of knots."""
         return len(self.curve.parameters)
 
     def function(self, index: int, kind: int) -> tuple[Floats, Floats]:
-        """Return (t, scaled B) of node `index` and derivative `kind`, where it is not zero."""
+        """Return (t, scaled B) of knot `index` and derivative `kind`, where it is not zero."""
         if self.first is None:
             return self.t, self.values[:, index, kind]
         here = self.first[index]
@@ -71,20 +74,27 @@ class BasisView:
         return float(np.abs(self.values[:, :, 0]).sum(axis=1).max())
 
     def value_at(self, t: float, kind: int) -> Floats:
-        """Return the scaled functions of one kind at `t`, (n,)."""
-        return weights_at(self.curve, t)[:, kind] * self.scales[kind]
+        """Return the scaled functions of one kind at `t`, one for each knot."""
+        values: Floats = self.curve.basis(np.array([t]))[0, :, kind] * self.scales[kind]
+        return values
 
 
-def basis_view(curve: CoreCurve) -> BasisView:
-    """Sample all basis functions of `curve` over its domain."""
+def basis_view(view: CurveView) -> BasisView | None:
+    """Sample all basis functions of a curve over its domain; None where there is no curve."""
+    curve = view.skeleton
+    if curve is None or not view.is_current:
+        return None
     scales = basis_scales(curve)
+    owners = tuple(view.owner(knot) for knot in range(len(curve.parameters)))
     if isinstance(curve, LagrangeCurve):
         t = np.linspace(*curve.domain, SAMPLES)
-        return BasisView(curve, t, curve.basis(t) * np.array(scales), None, scales)
-    return _piecewise_view(curve, scales)
+        return BasisView(curve, owners, t, curve.basis(t) * np.array(scales), None, scales)
+    return _piecewise_view(curve, owners, scales)
 
 
-def _piecewise_view(curve: CoreCurve, scales: tuple[float, ...]) -> BasisView:
+def _piecewise_view(
+    curve: HermiteCurve | QuinticHermiteCurve, owners: tuple[int, ...], scales: tuple[float, ...]
+) -> BasisView:
     """Sample every segment alike, ends included, so that joints are drawn as sharp as they are."""
     knots = curve.parameters
     per_segment = int(np.clip(SAMPLES // (len(knots) - 1), 9, 65))
@@ -93,12 +103,12 @@ def _piecewise_view(curve: CoreCurve, scales: tuple[float, ...]) -> BasisView:
     # The last sample of a segment lies a hair before the joint, so that it is counted to that segment.
     t[:, -1] = np.nextafter(knots[1:], knots[:-1])
     t[-1, -1] = knots[-1]
-    local = curve.local_basis(t.ravel())  # type: ignore[union-attr]
+    local = curve.local_basis(t.ravel())
     first = np.arange(len(knots)) * per_segment
-    return BasisView(curve, t.ravel(), local.values * np.array(scales), first, scales)
+    return BasisView(curve, owners, t.ravel(), local.values * np.array(scales), first, scales)
 
 
-def basis_scales(curve: CoreCurve) -> tuple[float, ...]:
+def basis_scales(curve: SimpleCurve) -> tuple[float, ...]:
     """Return the factors that make functions of all kinds readable on one axis.
 
     Velocity functions are in proportion to the spacing h, acceleration functions to h²; the mean spacing
@@ -120,7 +130,7 @@ def basis_formulas(family: Family, basis: BasisView | None) -> tuple[tuple[str, 
     return formulas, f"h = {(end - start) / (basis.count - 1):.3g}, the mean spacing"
 
 
-def weights_at(curve: CoreCurve, t: float) -> Floats:
-    """Return the weight B_ir(t) of every datum at `t`, (n, R)."""
-    weights: Floats = curve.basis(np.array([t]))[0]
-    return weights
+def weights_at(view: CurveView, t: float) -> Floats:
+    """Return the weight of every node's position at `t`, (n,)."""
+    assert view.skeleton is not None
+    return view.by_node(view.skeleton.basis(np.array([t]))[0, :, 0])

@@ -5,41 +5,34 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass, field
 from functools import cached_property
+from itertools import pairwise
 
 import numpy as np
 import numpy.typing as npt
 
-from app.document.model import (
-    AccelerationRule,
-    Curve,
-    Family,
-    Node,
-    Parametrization,
-    ParametrizationKind,
-    Vector,
-    VelocityRule,
-)
+from app.document.model import Curve, Family, Node, Parametrization, ParametrizationKind, Vector
+from app.view_model.jets import Sides, explicit_sides, knots_of, sides_of
 from curvecore import (
+    Chain,
     CurveError,
     HermiteCurve,
     LagrangeCurve,
     QuinticHermiteCurve,
-    bessel_velocities,
-    catmull_rom_velocities,
     centripetal,
     chebyshev,
     chord_length,
-    finite_difference_velocities,
     flatten_parameters,
-    natural_spline_accelerations,
-    natural_spline_velocities,
     power,
     uniform,
 )
 
 Floats = npt.NDArray[np.float64]
-CoreCurve = LagrangeCurve | HermiteCurve | QuinticHermiteCurve
+Integers = npt.NDArray[np.intp]
+SimpleCurve = LagrangeCurve | HermiteCurve | QuinticHermiteCurve
+CoreCurve = SimpleCurve | Chain
 Box = tuple[float, float, float, float]
+
+TOO_FEW = "A curve needs at least two points."
 
 _PARAMETERS: dict[ParametrizationKind, Callable[[Floats, float], Floats]] = {
     ParametrizationKind.UNIFORM: lambda points, _: uniform(len(points)),
@@ -47,18 +40,6 @@ _PARAMETERS: dict[ParametrizationKind, Callable[[Floats, float], Floats]] = {
     ParametrizationKind.CENTRIPETAL: lambda points, _: centripetal(points),
     ParametrizationKind.POWER: power,
     ParametrizationKind.CHEBYSHEV: lambda points, _: chebyshev(len(points)),
-}
-
-_VELOCITIES: dict[VelocityRule, Callable[[Floats, Floats, float], Floats]] = {
-    VelocityRule.NATURAL_SPLINE: lambda points, t, _: natural_spline_velocities(points, t),
-    VelocityRule.BESSEL: lambda points, t, _: bessel_velocities(points, t),
-    VelocityRule.FINITE_DIFFERENCE: lambda points, t, _: finite_difference_velocities(points, t),
-    VelocityRule.CATMULL_ROM: catmull_rom_velocities,
-}
-
-_ACCELERATIONS: dict[AccelerationRule, Callable[[Floats, Floats], Floats]] = {
-    AccelerationRule.NATURAL_SPLINE: natural_spline_accelerations,
-    AccelerationRule.ZERO: lambda points, _: np.zeros_like(points),
 }
 
 
@@ -74,6 +55,8 @@ class Polyline:
 class CurveView:
     """One curve of the document with everything that a canvas or panel draws of it.
 
+    The knots of the curve are its nodes, and for a closed curve the first node once more at the end.
+
     Attributes
     ----------
     source
@@ -85,12 +68,15 @@ class CurveView:
         never was one.
     problem
         Why the present nodes and rules give no curve, as a sentence; empty where they do.
+    sides
+        The jets before and after each knot, where the family has derivatives and `curve` is current.
     """
 
     source: Curve
     points: Floats
     curve: CoreCurve | None
     problem: str = ""
+    sides: Sides | None = None
     _flattened: dict[tuple[float, Box | None], Polyline] = field(default_factory=dict)
 
     @property
@@ -100,8 +86,25 @@ class CurveView:
 
     @property
     def parameters(self) -> Floats:
-        """The parameters t_i of `curve`, empty without one."""
+        """The parameters of the knots of `curve`, empty without one."""
         return self.curve.parameters if self.curve is not None else np.empty(0)
+
+    @property
+    def pieces(self) -> tuple[SimpleCurve, ...]:
+        """The curves that `curve` is a chain of; one, unless it has corners."""
+        if isinstance(self.curve, Chain):
+            return self.curve.pieces  # type: ignore[return-value]
+        return (self.curve,) if self.curve is not None else ()
+
+    @cached_property
+    def skeleton(self) -> SimpleCurve | None:
+        """A curve with the basis functions of `curve`, one set for each knot: corners do not change them."""
+        if not isinstance(self.curve, Chain):
+            return self.curve
+        nothing = np.zeros((len(self.parameters), 2))
+        if self.source.family is Family.HERMITE:
+            return HermiteCurve(nothing, nothing, self.parameters)
+        return QuinticHermiteCurve(nothing, nothing, nothing, self.parameters)
 
     @cached_property
     def polyline(self) -> Floats:
@@ -119,63 +122,94 @@ class CurveView:
             self._flattened[key] = _flatten(self.curve, tolerance, box)
         return self._flattened[key]
 
-    def velocity_of(self, index: int) -> Vector | None:
-        """Return the velocity at node `index`, set or estimated; None where the family has none."""
-        return self._derivative(index, 1)
+    def owner(self, knot: int) -> int:
+        """Return the node that a knot belongs to."""
+        return knot % len(self.source.nodes)
 
-    def acceleration_of(self, index: int) -> Vector | None:
+    def by_node(self, values: Floats) -> Floats:
+        """Add up what belongs to the same node: (k, …) to (n, …)."""
+        count = len(self.source.nodes)
+        result = np.array(values[:count])
+        if len(values) > count:
+            result[0] += values[count]
+        return result
+
+    def velocity_of(self, index: int, *, ahead: bool = True) -> Vector | None:
+        """Return the velocity at node `index`, set or estimated; None where the family has none.
+
+        At a corner there are two, one before the node and one ahead of it.
+        """
+        return self._derivative(index, 1, ahead=ahead)
+
+    def acceleration_of(self, index: int, *, ahead: bool = True) -> Vector | None:
         """Return the acceleration at node `index`, set or estimated; None where the family has none."""
-        return self._derivative(index, 2)
+        return self._derivative(index, 2, ahead=ahead)
 
-    def _derivative(self, index: int, order: int) -> Vector | None:
-        if self.curve is None or not self.is_current or order > self.source.family.derivatives:
+    def _derivative(self, index: int, order: int, *, ahead: bool) -> Vector | None:
+        if self.sides is None or order > self.source.family.derivatives:
             return None
-        x, y = self.curve.jets[index, order]
+        x, y = (self.sides.after if ahead else self.sides.before)[index, order]
         return (float(x), float(y))
+
+    def is_explicit(self, index: int, order: int, *, ahead: bool = True) -> bool:
+        """Whether the person set the velocity (order 1) or acceleration (2) of node `index`."""
+        return explicit_sides(self.source.nodes[index], order)[1 if ahead else 0] is not None
 
     def spacing(self, index: int, *, ahead: bool) -> float | None:
         """Return the length in t of the segment ahead of or behind node `index`, None beyond the ends."""
         t = self.parameters
-        other = index + 1 if ahead else index - 1
-        if not self.is_current or not 0 <= other < len(t):
+        if not self.is_current:
             return None
-        return abs(float(t[other] - t[index]))
+        if index == 0 and not ahead and self.source.is_closed:
+            index = len(t) - 1
+        other = index + 1 if ahead else index - 1
+        return abs(float(t[other] - t[index])) if 0 <= other < len(t) else None
 
 
 def view_of(curve: Curve, previous: CurveView | None = None) -> CurveView:
     """Return the view of `curve`; `previous` lends the last good curve if there is none now."""
     points = np.array([(node.x, node.y) for node in curve.nodes], dtype=float).reshape(-1, 2)
     if len(points) < 2:
-        return CurveView(curve, points, None, "A curve needs at least two points.")
+        return CurveView(curve, points, None, TOO_FEW)
     try:
-        return CurveView(curve, points, _core_curve(curve, points))
+        return _good_view(curve, points)
     except CurveError as problem:
         last_good = previous.curve if previous is not None else None
         return CurveView(curve, points, last_good, _sentence(str(problem)))
 
 
-def _core_curve(curve: Curve, points: Floats) -> CoreCurve:
-    parameters = parameters_of(curve, points)
+def _good_view(curve: Curve, points: Floats) -> CurveView:
+    at_knots = np.vstack([points, points[:1]]) if curve.is_closed else points
+    parameters = parameters_of(curve, at_knots)
     if curve.family is Family.LAGRANGE:
-        return LagrangeCurve(points, parameters)
-    velocities = _with_explicit(
-        _VELOCITIES[curve.velocity_rule](points, parameters, curve.parametrization.alpha),
-        [node.velocity for node in curve.nodes],
-    )
-    if curve.family is Family.HERMITE:
-        return HermiteCurve(points, velocities, parameters)
-    accelerations = _with_explicit(
-        _ACCELERATIONS[curve.acceleration_rule](points, parameters),
-        [node.acceleration for node in curve.nodes],
-    )
-    return QuinticHermiteCurve(points, velocities, accelerations, parameters)
+        return CurveView(curve, points, LagrangeCurve(at_knots, parameters))
+    sides = sides_of(curve, at_knots, parameters)
+    return CurveView(curve, points, _hermite(curve, sides, parameters), sides=sides)
+
+
+def _hermite(curve: Curve, sides: Sides, parameters: Floats) -> CoreCurve:
+    last = len(parameters) - 1
+    corners = [index for index, node in enumerate(knots_of(curve)) if node.corner and 0 < index < last]
+    cuts = [0, *corners, last]
+    pieces = [_piece(curve.family, sides, parameters, start, end) for start, end in pairwise(cuts)]
+    return pieces[0] if len(pieces) == 1 else Chain(pieces)
+
+
+def _piece(family: Family, sides: Sides, parameters: Floats, start: int, end: int) -> SimpleCurve:
+    jets = np.array(sides.after[start : end + 1])
+    jets[-1] = sides.before[end]
+    t = parameters[start : end + 1]
+    if family is Family.HERMITE:
+        return HermiteCurve(jets[:, 0], jets[:, 1], t)
+    return QuinticHermiteCurve(jets[:, 0], jets[:, 1], jets[:, 2], t)
 
 
 def parameters_of(curve: Curve, points: Floats) -> Floats:
-    """Return the parameters t_i that the rule of `curve` gives for `points`, (n,)."""
+    """Return the parameters that the rule of `curve` gives for the points at its knots, (k,)."""
     rule = curve.parametrization
     if rule.kind is ParametrizationKind.MANUAL:
-        return np.array([np.nan if node.t is None else node.t for node in curve.nodes])
+        given = [np.nan if node.t is None else node.t for node in curve.nodes]
+        return np.array([*given, rule.end] if curve.is_closed else given)
     return _onto_interval(_PARAMETERS[rule.kind](points, rule.alpha), rule)
 
 
@@ -185,14 +219,6 @@ def _onto_interval(parameters: Floats, rule: Parametrization) -> Floats:
     mapped = rule.start + parameters * (rule.end - rule.start)
     mapped[-1] = rule.end
     return mapped
-
-
-def _with_explicit(estimated: Floats, explicit: list[Vector | None]) -> Floats:
-    result = np.array(estimated, dtype=float)
-    for index, vector in enumerate(explicit):
-        if vector is not None:
-            result[index] = vector
-    return result
 
 
 def _flatten(curve: CoreCurve | None, tolerance: float, box: Box | None) -> Polyline:

@@ -46,17 +46,16 @@ def handles_of(view: CurveView, index: int) -> list[Handle]:
 
 
 def _handles_on_one_side(view: CurveView, index: int, *, ahead: bool) -> list[Handle]:
-    velocity, h = view.velocity_of(index), _signed_spacing(view, index, ahead=ahead)
+    velocity, h = view.velocity_of(index, ahead=ahead), _signed_spacing(view, index, ahead=ahead)
     if velocity is None or h is None:
         return []
-    node = view.source.nodes[index]
-    p = node.position
+    p = view.source.nodes[index].position
     tip = _along(p, velocity, h / _degree(view))
-    handles = [Handle(1, ahead, tip, p, node.velocity is not None)]
-    acceleration = view.acceleration_of(index)
+    handles = [Handle(1, ahead, tip, p, view.is_explicit(index, 1, ahead=ahead))]
+    acceleration = view.acceleration_of(index, ahead=ahead)
     if acceleration is not None:
         second = _along(_along(p, velocity, 2 * h / 5), acceleration, h * h / 20)
-        handles.append(Handle(2, ahead, second, tip, node.acceleration is not None))
+        handles.append(Handle(2, ahead, second, tip, view.is_explicit(index, 2, ahead=ahead)))
     return handles
 
 
@@ -73,7 +72,7 @@ def velocity_from_handle(view: CurveView, index: int, position: Vector, *, ahead
 
 def acceleration_from_handle(view: CurveView, index: int, position: Vector, *, ahead: bool) -> Vector:
     """Return the acceleration whose handle lies at `position`, the velocity staying what it is."""
-    velocity, h = view.velocity_of(index), _signed_spacing(view, index, ahead=ahead)
+    velocity, h = view.velocity_of(index, ahead=ahead), _signed_spacing(view, index, ahead=ahead)
     if velocity is None or h is None:
         return (0.0, 0.0)
     base = _along(view.source.nodes[index].position, velocity, 2 * h / 5)

@@ -1,0 +1,9 @@
+"""What the actions do: each a few lines that turn a trigger into an edit or a change of view.
+
+- ``parts``: the parts of a window that commands act on, and what a set of commands is.
+- ``edit_commands``: history, points, family and parameters.
+- ``view_commands``: tools, zoom, panels, presentation, theme.
+- ``help_commands``: keys and mouse, about.
+- ``messages``: the line on the canvas.
+- ``connect``: connects the actions of a window to all of them.
+"""

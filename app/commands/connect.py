@@ -1,0 +1,45 @@
+"""Connects the actions of a window to what they do."""
+
+from __future__ import annotations
+
+from app.commands.edit_commands import EditCommands
+from app.commands.help_commands import HelpCommands
+from app.commands.messages import Messages
+from app.commands.parts import CommandSet, Handlers, Parts
+from app.commands.view_commands import ViewCommands
+from app.view_model.curve_view import CurveView
+
+
+class Commands:
+    """All commands of one window."""
+
+    def __init__(self, parts: Parts) -> None:
+        self._parts = parts
+        self.view = ViewCommands(parts)
+        self.messages = Messages(parts)
+        self._sets: tuple[CommandSet, ...] = (EditCommands(parts), self.view, HelpCommands(parts))
+        for handlers in (self._file_handlers(), *(each.handlers() for each in self._sets)):
+            for name, handler in handlers.items():
+                parts.actions[name].triggered.connect(lambda _checked=False, handler=handler: handler())
+
+    def _file_handlers(self) -> Handlers:
+        files = self._parts.files
+        return {
+            "newDocument": self._new,
+            "openDocument": files.ask_and_open,
+            "saveDocument": files.save,
+            "saveDocumentAs": files.ask_and_save,
+            "exportPicture": files.ask_and_export,
+            "quit": self._parts.window.close,
+        }
+
+    def _new(self) -> None:
+        self._parts.files.new()
+        if not self._parts.session.active_curve.nodes:
+            self._parts.actions["addTool"].trigger()
+
+    def render(self, view: CurveView) -> None:
+        """Check and enable actions, and show the line on the canvas, as `view` has it."""
+        for each in self._sets:
+            each.render(view)
+        self.messages.render(view)

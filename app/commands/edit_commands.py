@@ -1,0 +1,124 @@
+"""History, points, family and parameters."""
+
+from __future__ import annotations
+
+from app.commands.parts import Handlers, Parts
+from app.document import edits
+from app.document.model import Family, ParametrizationKind
+from app.panels.parametrization_bar import KIND_NAMES
+from app.view_model.curve_view import CurveView
+
+_FAMILY_ACTIONS = {
+    Family.LAGRANGE: "familyLagrange",
+    Family.HERMITE: "familyHermite",
+    Family.QUINTIC_HERMITE: "familyQuinticHermite",
+}
+_FAMILY_NAMES = {
+    Family.LAGRANGE: "Lagrange",
+    Family.HERMITE: "Hermite",
+    Family.QUINTIC_HERMITE: "quintic Hermite",
+}
+
+
+class EditCommands:
+    """What changes the document, or takes a change back."""
+
+    def __init__(self, parts: Parts) -> None:
+        self._parts = parts
+        self._session = parts.session
+        self._actions = parts.actions
+        self._fill_parameters_menu()
+        self._session.history_changed.connect(self._render_history)
+        self._render_history()
+
+    def handlers(self) -> Handlers:
+        """Return what each action does."""
+        return {
+            "undo": self._undo,
+            "redo": self._session.undo_stack.redo,
+            "selectAll": self._select_all,
+            "deleteSelection": self._delete_selection,
+            "familyLagrange": lambda: self._use_family(Family.LAGRANGE),
+            "familyHermite": lambda: self._use_family(Family.HERMITE),
+            "familyQuinticHermite": lambda: self._use_family(Family.QUINTIC_HERMITE),
+            "freezeParameters": self._freeze_parameters,
+            "resetVelocities": self._reset_derivatives,
+        }
+
+    def render(self, view: CurveView) -> None:
+        """Check and enable the actions."""
+        chosen = self._session.selection
+        self._actions[_FAMILY_ACTIONS[view.source.family]].setChecked(True)
+        self._actions["deleteSelection"].setEnabled(bool(chosen))
+        has_explicit = any(view.is_explicit(index, order) for index in chosen for order in (1, 2))
+        self._actions["resetVelocities"].setEnabled(has_explicit)
+        self._actions["freezeParameters"].setEnabled(view.is_current and not view.source.is_manual)
+
+    def _fill_parameters_menu(self) -> None:
+        for kind, name in KIND_NAMES.items():
+            action = self._parts.parameters_menu.addAction(name)
+            action.setObjectName(f"parameters_{kind}")
+            action.triggered.connect(lambda _checked=False, kind=kind: self._use_parametrization(kind))
+
+    def _render_history(self) -> None:
+        stack = self._session.undo_stack
+        for name, can, text in (
+            ("undo", stack.canUndo(), stack.undoText()),
+            ("redo", stack.canRedo(), stack.redoText()),
+        ):
+            verb = name.capitalize()
+            self._actions[name].setEnabled(can)
+            self._actions[name].setText(f"{verb} {text}" if text else verb)
+
+    def _undo(self) -> None:
+        # Undo in the middle of a drag takes the drag back, not the step before it.
+        if not self._parts.cancel_gesture():
+            self._session.undo_stack.undo()
+
+    def _use_family(self, family: Family) -> None:
+        session = self._session
+        self._parts.change(
+            f"Use {_FAMILY_NAMES[family]}",
+            lambda: edits.set_family(session.document, session.active_index, family),
+        )
+        # The toggle shows what is, also where nothing changed.
+        self.render(session.active_view)
+
+    def _use_parametrization(self, kind: ParametrizationKind) -> None:
+        session, view = self._session, self._session.active_view
+        if kind is ParametrizationKind.MANUAL and not view.is_current:
+            session.say("There are no parameters to start from; mend the points first.")
+            return
+        self._parts.change(
+            f"Use {KIND_NAMES[kind].lower()} parameters",
+            lambda: edits.set_parametrization(
+                session.document, session.active_index, kind, view.parameters.tolist()
+            ),
+        )
+
+    def _freeze_parameters(self) -> None:
+        session = self._session
+        parameters = session.active_view.parameters.tolist()
+        self._parts.change(
+            "Freeze parameters",
+            lambda: edits.freeze_parameters(session.document, session.active_index, parameters),
+        )
+
+    def _select_all(self) -> None:
+        self._session.select(range(len(self._session.active_curve.nodes)))
+
+    def _delete_selection(self) -> None:
+        session, chosen = self._session, self._session.selection
+        if not chosen:
+            return
+        what = f"point {next(iter(chosen))}" if len(chosen) == 1 else f"{len(chosen)} points"
+        document = edits.delete_nodes(session.document, session.active_index, chosen)
+        session.select([])
+        self._parts.change(f"Delete {what}", lambda: document)
+
+    def _reset_derivatives(self) -> None:
+        session, chosen = self._session, self._session.selection
+        self._parts.change(
+            "Reset derivatives",
+            lambda: edits.estimate_derivatives(session.document, session.active_index, chosen),
+        )

@@ -1,0 +1,46 @@
+"""Keys and mouse, and what this program is."""
+
+from __future__ import annotations
+
+from PySide6.QtWidgets import QMessageBox
+
+from app import __version__
+from app.commands.parts import Handlers, Parts
+from app.panels.shortcut_sheet import ShortcutSheet
+from app.view_model.curve_view import CurveView
+
+
+class HelpCommands:
+    """The Help menu."""
+
+    def __init__(self, parts: Parts) -> None:
+        self._parts = parts
+        self._sheet: ShortcutSheet | None = None
+
+    def handlers(self) -> Handlers:
+        """Return what each action does."""
+        return {"showShortcuts": self._show_shortcuts, "about": self._about}
+
+    def render(self, view: CurveView) -> None:
+        """Help is always there."""
+
+    def _show_shortcuts(self) -> None:
+        """Show the keys of the moment, or put the sheet away."""
+        if self._sheet is not None and self._sheet.isVisible():
+            self._sheet.close()
+            return
+        if self._sheet is not None:
+            self._sheet.deleteLater()
+        self._sheet = ShortcutSheet(self._parts.actions.shortcuts(), self._parts.window)
+        self._sheet.show()
+
+    def _about(self) -> None:
+        box = QMessageBox(self._parts.window)
+        box.setObjectName("aboutBox")
+        box.setWindowTitle("About Curvebench")
+        box.setText(f"Curvebench {__version__}")
+        box.setInformativeText(
+            "Sketch parametric polynomial curves and see why they go where they go.\n"
+            "MIT licence. Icons: Lucide, ISC licence."
+        )
+        box.open()

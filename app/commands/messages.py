@@ -1,0 +1,46 @@
+"""The line on the canvas: what is wrong, what to do first, or a greeting."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import QObject
+
+from app.commands.parts import Parts
+from app.view_model.curve_view import CurveView
+
+_GREETING = (
+    "Drag a point and watch the basis functions below. "
+    "P adds points, 1 2 3 switch the family, F1 shows all keys."
+)
+_EMPTY = "Click on the canvas to add points; two of them make a curve."
+
+
+class Messages(QObject):
+    """Keeps the line in step with the active curve."""
+
+    def __init__(self, parts: Parts) -> None:
+        super().__init__(parts.window)
+        self._bar, self._session = parts.message_bar, parts.session
+        self._greeting = ""
+
+    def greet(self) -> None:
+        """Show the hint of the first start, until it is put away or something has been done."""
+        self._greeting = _GREETING
+        self._bar.closed.connect(self._forget_greeting)
+        self._session.opened.connect(self._forget_greeting)
+        self._session.history_changed.connect(self._forget_greeting)
+        self.render(self._session.active_view)
+
+    def _forget_greeting(self) -> None:
+        self._greeting = ""
+        self.render(self._session.active_view)
+
+    def render(self, view: CurveView) -> None:
+        """Show what `view` needs said."""
+        if len(view.points) < 2:
+            self._bar.tell(_EMPTY)
+        elif view.problem:
+            self._bar.warn(view.problem)
+        elif self._greeting:
+            self._bar.tell(self._greeting)
+        else:
+            self._bar.hide()

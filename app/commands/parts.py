@@ -1,0 +1,66 @@
+"""The parts of a window that commands act on, and what a set of commands is."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Protocol
+
+from PySide6.QtWidgets import QDockWidget, QMainWindow, QMenu, QToolBar
+
+from app.actions import Actions
+from app.canvas.canvas import Canvas
+from app.document.edits import EditError
+from app.document.model import Document
+from app.file_commands import FileCommands
+from app.panels.basis_pane import BasisPane
+from app.panels.basis_panel import BasisPanel
+from app.panels.message_bar import MessageBar
+from app.panels.status_line import StatusLine
+from app.session import Session
+from app.theme import ThemeMode
+from app.view_model.curve_view import CurveView
+
+Handlers = Mapping[str, Callable[[], object]]
+
+
+@dataclass(frozen=True)
+class Parts:
+    """The parts of a window that commands act on."""
+
+    window: QMainWindow
+    session: Session
+    actions: Actions
+    files: FileCommands
+    canvas: Canvas
+    basis_panel: BasisPanel
+    basis_pane: BasisPane
+    message_bar: MessageBar
+    status_line: StatusLine
+    toolbar: QToolBar
+    docks: Sequence[QDockWidget]
+    parameters_menu: QMenu
+    set_theme_mode: Callable[[ThemeMode], None]
+
+    def change(self, text: str, edit: Callable[[], Document], *, active: int | None = None) -> bool:
+        """Commit what `edit` makes as the step `text`, or say why it cannot be done."""
+        try:
+            self.session.commit(edit(), text, active=active)
+        except EditError as reason:
+            self.session.say(str(reason))
+            return False
+        return True
+
+    def cancel_gesture(self) -> bool:
+        """Drop the gesture in flight; return whether there was one."""
+        return self.canvas.cancel_gesture() or self.basis_panel.cancel_gesture()
+
+
+class CommandSet(Protocol):
+    """Some commands that belong together."""
+
+    def handlers(self) -> Handlers:
+        """Return what each action does, by the action's name."""
+
+    def render(self, view: CurveView) -> None:
+        """Check and enable the actions as the active curve and the selection have it."""

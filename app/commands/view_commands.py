@@ -1,0 +1,121 @@
+"""Tools, zoom, panels, presentation and theme: nothing here changes the document."""
+
+from __future__ import annotations
+
+from app.commands.parts import Handlers, Parts
+from app.gestures.tools import ToolKind
+from app.plot.plot_widget import ZOOM_STEP
+from app.theme import ThemeMode
+from app.view_model.curve_view import CurveView
+
+_SCALES = (0.75, 1.0, 1.25, 1.5, 2.0, 2.5, 3.0)
+
+
+class ViewCommands:
+    """What changes how things are shown."""
+
+    def __init__(self, parts: Parts) -> None:
+        self._parts = parts
+        self._session = parts.session
+        self._actions = parts.actions
+        self._scale = 1.0
+        self._before_presentation = b""
+        for name in ("selectTool", "toggleGrid", "toggleBasis", "toggleSidePanel"):
+            self._actions[name].setChecked(True)
+
+    def handlers(self) -> Handlers:
+        """Return what each action does."""
+        set_mode = self._parts.set_theme_mode
+        return {
+            "selectTool": lambda: self._use_tool(ToolKind.SELECT),
+            "addTool": lambda: self._use_tool(ToolKind.ADD),
+            "fitView": self._fit,
+            "zoomIn": lambda: self._zoom(ZOOM_STEP),
+            "zoomOut": lambda: self._zoom(1 / ZOOM_STEP),
+            "toggleGrid": self._toggle_grid,
+            "toggleScrub": self._toggle_scrub,
+            "toggleBasis": self._toggle_basis,
+            "toggleSidePanel": self._toggle_side_panel,
+            "enlarge": lambda: self._change_scale(1),
+            "shrink": lambda: self._change_scale(-1),
+            "presentation": self._toggle_presentation,
+            "themeSystem": lambda: set_mode(ThemeMode.SYSTEM),
+            "themeLight": lambda: set_mode(ThemeMode.LIGHT),
+            "themeDark": lambda: set_mode(ThemeMode.DARK),
+        }
+
+    def render(self, view: CurveView) -> None:
+        """Enable what needs a curve."""
+        self._actions["toggleScrub"].setEnabled(view.curve is not None)
+
+    def escape(self) -> None:
+        """Step back: the gesture in flight, the adding, the presentation, the scrub line, the selection."""
+        session = self._session
+        if self._parts.cancel_gesture():
+            return
+        if self._actions["addTool"].isChecked():
+            self._actions["selectTool"].trigger()
+        elif self._actions["presentation"].isChecked():
+            self._actions["presentation"].trigger()
+        elif session.scrub is not None:
+            session.set_scrub(None)
+        else:
+            session.select([])
+
+    def _use_tool(self, kind: ToolKind) -> None:
+        self._parts.canvas.set_tool(kind)
+        if kind is ToolKind.ADD:
+            self._session.say("Click to add points. V or Escape goes back to selecting.")
+
+    def _fit(self) -> None:
+        self._parts.canvas.fit()
+        self._parts.basis_pane.fit()
+
+    def _zoom(self, factor: float) -> None:
+        canvas = self._parts.canvas
+        canvas.zoom(factor, canvas.centre())
+
+    def _toggle_grid(self) -> None:
+        self._parts.canvas.set_grid_visible(self._actions["toggleGrid"].isChecked())
+
+    def _toggle_scrub(self) -> None:
+        session = self._session
+        if session.scrub is not None or session.active_view.curve is None:
+            session.set_scrub(None)
+            self._actions["toggleScrub"].setChecked(False)
+            return
+        start, end = session.active_view.curve.domain
+        session.set_scrub(start + 0.4 * (end - start))
+        session.say("Drag the scrub line in the basis panel; every point shows its weight there.")
+
+    def _toggle_basis(self) -> None:
+        self._parts.basis_pane.setVisible(self._actions["toggleBasis"].isChecked())
+
+    def _toggle_side_panel(self) -> None:
+        for dock in self._parts.docks:
+            dock.setVisible(self._actions["toggleSidePanel"].isChecked())
+
+    def _change_scale(self, step: int) -> None:
+        index = max(0, min(_SCALES.index(self._scale) + step, len(_SCALES) - 1))
+        self._scale = _SCALES[index]
+        self._parts.canvas.set_scale(self._scale)
+        self._parts.basis_panel.set_scale(self._scale)
+        self._session.say(f"Drawing at {self._scale:.0%}.")
+
+    def _toggle_presentation(self) -> None:
+        parts, window = self._parts, self._parts.window
+        if self._actions["presentation"].isChecked():
+            self._before_presentation = bytes(window.saveState().data())
+            for part in (parts.toolbar, window.menuBar(), parts.status_line, *parts.docks):
+                part.hide()
+            window.showFullScreen()
+            return
+        window.showNormal()
+        window.menuBar().show()
+        parts.status_line.show()
+        window.restoreState(self._before_presentation)
+
+    def leave_presentation(self) -> None:
+        """Bring the panels back before the layout is remembered."""
+        if self._actions["presentation"].isChecked():
+            self._actions["presentation"].trigger()

@@ -1,0 +1,141 @@
+"""The data of a Hermite curve: what the person set, and what the rules estimate for the rest.
+
+The knots of a curve are its nodes, and for a closed curve the first node once more. A corner divides the
+curve into pieces, and each piece is estimated for itself; a closed curve without a corner is estimated as
+the periodic curve it is.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from itertools import pairwise
+
+import numpy as np
+import numpy.typing as npt
+
+from app.document.model import AccelerationRule, Curve, Node, Vector, VelocityRule
+from curvecore import (
+    bessel_velocities,
+    catmull_rom_velocities,
+    finite_difference_velocities,
+    natural_spline_accelerations,
+    natural_spline_velocities,
+    zero_accelerations,
+)
+
+Floats = npt.NDArray[np.float64]
+Estimate = Callable[[Floats, Floats], Floats]
+
+_REACH = 64
+"""Knots after which an estimate has forgotten the data: a natural spline forgets half at every knot."""
+
+
+@dataclass(frozen=True, eq=False)
+class Sides:
+    """The jets at the knots, before and after each; they differ only at corners. Shapes (k, R, 2)."""
+
+    before: Floats
+    after: Floats
+
+
+def sides_of(curve: Curve, points: Floats, parameters: Floats) -> Sides:
+    """Return the jets of `curve` at its knots, whose points (k, 2) and parameters (k,) are given."""
+    knots = knots_of(curve)
+    before = np.empty((len(knots), curve.family.derivatives + 1, 2))
+    before[:, 0] = points
+    after = before.copy()
+    corners = [index for index, node in enumerate(knots) if node.corner]
+    for order, estimate in enumerate(_estimates(curve), start=1):
+        _estimate(before[:, order], after[:, order], points, parameters, corners, estimate, curve.is_closed)
+        _set_explicit(before[:, order], after[:, order], knots, order)
+    return Sides(before, after)
+
+
+def knots_of(curve: Curve) -> tuple[Node, ...]:
+    """Return the nodes at the knots: for a closed curve, the first once more at the end."""
+    return (*curve.nodes, curve.nodes[0]) if curve.is_closed else curve.nodes
+
+
+def _estimates(curve: Curve) -> list[Estimate]:
+    alpha = curve.parametrization.alpha
+    velocities: dict[VelocityRule, Estimate] = {
+        VelocityRule.NATURAL_SPLINE: natural_spline_velocities,
+        VelocityRule.BESSEL: bessel_velocities,
+        VelocityRule.FINITE_DIFFERENCE: finite_difference_velocities,
+        VelocityRule.CATMULL_ROM: lambda points, t: catmull_rom_velocities(points, t, alpha),
+    }
+    accelerations: dict[AccelerationRule, Estimate] = {
+        AccelerationRule.NATURAL_SPLINE: natural_spline_accelerations,
+        AccelerationRule.ZERO: lambda points, _: zero_accelerations(points),
+    }
+    chosen = [velocities[curve.velocity_rule], accelerations[curve.acceleration_rule]]
+    return chosen[: curve.family.derivatives]
+
+
+def _estimate(
+    before: Floats,
+    after: Floats,
+    points: Floats,
+    parameters: Floats,
+    corners: Sequence[int],
+    estimate: Estimate,
+    closed: bool,
+) -> None:
+    if closed:
+        _estimate_closed(before, after, points, parameters, corners, estimate)
+        return
+    last = len(points) - 1
+    cuts = sorted({0, last, *corners})
+    for start, end in pairwise(cuts):
+        piece = estimate(points[start : end + 1], parameters[start : end + 1])
+        after[start:end] = piece[:-1]
+        before[start + 1 : end + 1] = piece[1:]
+    # The ends have one side only; the other is never used.
+    before[0], after[last] = after[0], before[last]
+
+
+def _estimate_closed(
+    before: Floats,
+    after: Floats,
+    points: Floats,
+    parameters: Floats,
+    corners: Sequence[int],
+    estimate: Estimate,
+) -> None:
+    """Estimate on the curve unrolled: from corner to corner, or far enough to either side without one."""
+    count, period = len(points) - 1, parameters[-1] - parameters[0]
+    corners = sorted({corner % count for corner in corners})
+    first = corners[0] if corners else -_REACH
+    last = first + count if corners else count + _REACH
+    places = np.arange(first, last + 1)
+    turns, indices = np.divmod(places, count)
+    unrolled, times = points[indices], parameters[indices] + turns * period
+    cuts = [*corners, last] if corners else [first, last]
+    for start, end in pairwise(cuts):
+        piece = estimate(unrolled[start - first : end - first + 1], times[start - first : end - first + 1])
+        for offset, place in enumerate(range(start, end + 1)):
+            if not corners and not 0 <= place < count:
+                continue
+            if offset < len(piece) - 1:
+                after[place % count] = piece[offset]
+            if offset > 0:
+                before[place % count] = piece[offset]
+    before[count], after[count] = before[0], after[0]
+
+
+def _set_explicit(before: Floats, after: Floats, knots: Sequence[Node], order: int) -> None:
+    for index, node in enumerate(knots):
+        first, second = explicit_sides(node, order)
+        if first is not None:
+            before[index] = first
+        if second is not None:
+            after[index] = second
+
+
+def explicit_sides(node: Node, order: int) -> tuple[Vector | None, Vector | None]:
+    """Return the velocity (order 1) or acceleration (2) that the person set before and after a node."""
+    first = node.velocity if order == 1 else node.acceleration
+    if not node.corner:
+        return first, first
+    return first, node.velocity_after if order == 1 else node.acceleration_after
