@@ -50,8 +50,8 @@ def test_at_a_corner_the_piece_after_it_counts():
 
 def test_with_jets_puts_new_data_on_the_same_parameters():
     chain = corner_at_two()
-    moved = chain.with_jets(chain.jets + [[[1.0, 2.0], [0.0, 0.0]]])
-    assert moved.evaluate(1.3) == pytest.approx(chain.evaluate(1.3) + [1.0, 2.0], abs=1e-14)
+    moved = chain.with_jets(chain.jets + np.array([[1.0, 2.0], [0.0, 0.0]]))
+    assert moved.evaluate(1.3) == pytest.approx(chain.evaluate(1.3) + np.array([1.0, 2.0]), abs=1e-14)
 
 
 def test_flattening_and_paths_go_through_every_corner():
