@@ -166,6 +166,9 @@ SPECS = (
     ),
     ActionSpec("shrink", "Smaller Drawing", "View", "Ctrl+-", "", "Make points, lines and type smaller"),
     ActionSpec(
+        "usualSize", "Usual Drawing", "View", "Ctrl+0", "", "Points, lines and type as they usually are"
+    ),
+    ActionSpec(
         "presentation",
         "Presentation",
         "View",
@@ -199,6 +202,8 @@ class Actions:
         self._groups: dict[str, QActionGroup] = {}
         for spec in SPECS:
             self._actions[spec.name] = self._make(spec, window)
+        # On the window itself: the keys must work while menu bar and toolbar are hidden.
+        window.addActions(list(self._actions.values()))
 
     def _make(self, spec: ActionSpec, window: QWidget) -> QAction:
         action = QAction(spec.text, window)

@@ -8,6 +8,10 @@ from app.plot.plot_widget import ZOOM_STEP
 from app.theme import ThemeMode
 from app.view_model.curve_view import CurveView
 
+_TOOL_HINTS = {
+    ToolKind.SELECT: "Drag points and handles; P adds points.",
+    ToolKind.ADD: "Click to add points; V or Escape goes back to selecting.",
+}
 _SCALES = (0.75, 1.0, 1.25, 1.5, 2.0, 2.5, 3.0)
 
 
@@ -38,6 +42,7 @@ class ViewCommands:
             "toggleSidePanel": self._toggle_side_panel,
             "enlarge": lambda: self._change_scale(1),
             "shrink": lambda: self._change_scale(-1),
+            "usualSize": lambda: self._set_scale(1.0),
             "presentation": self._toggle_presentation,
             "themeSystem": lambda: set_mode(ThemeMode.SYSTEM),
             "themeLight": lambda: set_mode(ThemeMode.LIGHT),
@@ -64,8 +69,7 @@ class ViewCommands:
 
     def _use_tool(self, kind: ToolKind) -> None:
         self._parts.canvas.set_tool(kind)
-        if kind is ToolKind.ADD:
-            self._session.say("Click to add points. V or Escape goes back to selecting.")
+        self._parts.status_line.show_hint(_TOOL_HINTS[kind])
 
     def _fit(self) -> None:
         self._parts.canvas.fit()
@@ -96,8 +100,10 @@ class ViewCommands:
             dock.setVisible(self._actions["toggleSidePanel"].isChecked())
 
     def _change_scale(self, step: int) -> None:
-        index = max(0, min(_SCALES.index(self._scale) + step, len(_SCALES) - 1))
-        self._scale = _SCALES[index]
+        self._set_scale(_SCALES[max(0, min(_SCALES.index(self._scale) + step, len(_SCALES) - 1))])
+
+    def _set_scale(self, scale: float) -> None:
+        self._scale = scale
         self._parts.canvas.set_scale(self._scale)
         self._parts.basis_panel.set_scale(self._scale)
         self._session.say(f"Drawing at {self._scale:.0%}.")

@@ -90,8 +90,8 @@ class PullVelocity:
         return f"Set velocity of point {self.index}"
 
     def document_at(self, pointer: Pointer) -> Document:
-        """Put the handle ahead of the node (behind it at the last node, mirrored) under the pointer."""
-        velocity = _velocity_pointing_at(self.view, self.index, pointer.position)
+        """Put the handle ahead of the node under the pointer."""
+        velocity = velocity_from_handle(self.view, self.index, pointer.position, ahead=True)
         return edits.set_velocity(self.document, self.curve, self.index, velocity)
 
 
@@ -119,7 +119,7 @@ class AppendPoint:
             return document
         index = len(self.view.source.nodes)
         view = view_of(document.curves[self.curve])
-        velocity = _velocity_pointing_at(view, index, pointer.position)
+        velocity = velocity_from_handle(view, index, pointer.position, ahead=True)
         return edits.set_velocity(document, self.curve, index, velocity)
 
     def _with_point(self, node: Node) -> Document:
@@ -127,14 +127,6 @@ class AppendPoint:
             node = Node(node.x, node.y, t=appended_parameter(self.view, node))
         squeeze = appended_squeeze(self.view, node)
         return edits.append_node(self.document, self.curve, node, squeeze=squeeze)
-
-
-def _velocity_pointing_at(view: CurveView, index: int, target: Vector) -> Vector:
-    """Return the velocity whose handle ahead of the node, or the mirror of the one behind, is at `target`."""
-    if view.spacing(index, ahead=True) is not None or view.spacing(index, ahead=False) is None:
-        return velocity_from_handle(view, index, target, ahead=True)
-    mirrored = velocity_from_handle(view, index, target, ahead=False)
-    return (-mirrored[0], -mirrored[1])
 
 
 @dataclass(frozen=True)

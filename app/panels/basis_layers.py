@@ -87,7 +87,7 @@ class FunctionLayer:
         colour = QColor(colour)
         colour.setAlphaF(opacity)
         pen = QPen(colour, width * self.scale)
-        for kind in range(len(self._basis.scales)):
+        for kind in range(self._basis.kinds):
             if kind in self.kinds:
                 pen.setStyle(KIND_STYLES[kind])
                 painter.setPen(pen)

@@ -4,10 +4,11 @@ from __future__ import annotations
 
 from PySide6.QtCore import QSize, Qt
 from PySide6.QtGui import QIcon, QPainter, QPen, QPixmap
-from PySide6.QtWidgets import QHBoxLayout, QLabel, QSizePolicy, QToolButton, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QHBoxLayout, QLabel, QToolButton, QVBoxLayout, QWidget
 
 from app.panels.basis_layers import KIND_STYLES
 from app.panels.basis_panel import BasisPanel
+from app.panels.elided_label import ElidedLabel
 from app.theme import LIGHT, Theme
 from app.view_model.basis_view import basis_formulas
 from app.view_model.curve_view import CurveView
@@ -25,9 +26,7 @@ class BasisPane(QWidget):
         self._title = QLabel("Basis functions")
         self._title.setObjectName("basisTitle")
         self._kinds = [self._kind_button(kind) for kind in range(3)]
-        self._scaling = QLabel()
-        self._scaling.setObjectName("basisScaling")
-        self._extent = QLabel()
+        self._extent = ElidedLabel()
         self._extent.setObjectName("basisExtent")
         self._fit = self._fit_button()
         self._lay_out()
@@ -43,7 +42,8 @@ class BasisPane(QWidget):
         button.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
         button.setIconSize(QSize(26, 12))
         button.setAccessibleName(f"Show {_NAMES[kind]} functions")
-        button.setToolTip(f"Show or hide the {_NAMES[kind]} functions")
+        scaled = "; h is the longer segment beside the point" if kind else ""
+        button.setToolTip(f"Show or hide the {_NAMES[kind]} functions{scaled}")
         button.clicked.connect(self._choose_kinds)
         return button
 
@@ -65,11 +65,8 @@ class BasisPane(QWidget):
         header.addSpacing(8)
         for button in self._kinds:
             header.addWidget(button)
-        # Both notes give way before they widen the window.
-        for note, share in ((self._scaling, 1), (self._extent, 2)):
-            note.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
-            header.addWidget(note, share)
-        self._extent.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
+        header.addStretch(1)
+        header.addWidget(self._extent)
         header.addWidget(self._fit)
         layout = QVBoxLayout(self)
         layout.setContentsMargins(0, 0, 0, 0)
@@ -80,12 +77,11 @@ class BasisPane(QWidget):
     def render_view(self, view: CurveView) -> None:
         """Show the functions of `view`, and the legend that goes with its family."""
         self._panel.render_view(view)
-        formulas, note = basis_formulas(view.source.family, self._panel.basis)
+        formulas = basis_formulas(view.source.family)
         for kind, button in enumerate(self._kinds):
             button.setVisible(kind < len(formulas) and len(formulas) > 1)
             if kind < len(formulas):
                 button.setText(f"{_NAMES[kind]}  {formulas[kind]}")
-        self._scaling.setText(note)
 
     @property
     def extent_text(self) -> str:
@@ -96,7 +92,6 @@ class BasisPane(QWidget):
         """Take the colours of `theme`."""
         for kind, button in enumerate(self._kinds):
             button.setIcon(_line_icon(KIND_STYLES[kind], theme))
-        self._scaling.setStyleSheet(f"color: {theme.muted.name()}")
         self._extent.setStyleSheet(f"color: {theme.warning.name()}")
 
     def fit(self) -> None:
@@ -117,8 +112,7 @@ class BasisPane(QWidget):
     def _show_extent(self, extent: tuple[float, float] | None) -> None:
         if extent is not None:
             reach = f"from {extent[0]:.3g} to {extent[1]:.3g}".replace("-", "−")
-            self._extent.setText(f"⚠ The functions reach {reach}")
-            self._extent.setToolTip(self._extent.text())
+            self._extent.setText(f"⚠ Functions reach {reach}")
         # Emptied, not hidden: hidden it would leave its room to the other note.
         if extent is None:
             self._extent.clear()

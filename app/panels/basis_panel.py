@@ -247,7 +247,7 @@ class BasisPanel(PlotWidget):
         if not start <= t <= end:
             return None
         best: tuple[float, Hit] | None = None
-        for kind in sorted(self._functions.kinds & set(range(len(self._basis.scales)))):
+        for kind in sorted(self._functions.kinds & set(range(self._basis.kinds))):
             values = self._basis.value_at(t, kind)
             distances = np.abs(shown.y(values) - pointer.pixel[1])
             # Functions that are zero here lie on top of each other; none of them is meant.
@@ -269,8 +269,6 @@ def _is_of(basis: BasisView | None, view: CurveView) -> bool:
     """Tell whether these are the functions of `view`: they depend on the family and the parameters alone."""
     if basis is None or not view.is_current or len(view.source.nodes) <= basis.owners[-1]:
         return False
-    same_family = (
-        basis.curve.degree == view.pieces[0].degree and len(basis.scales) == view.pieces[0].jets.shape[1]
-    )
+    same_family = basis.curve.degree == view.pieces[0].degree and basis.kinds == view.pieces[0].jets.shape[1]
     closes = (basis.owners[-1] == 0) is view.source.is_closed
     return same_family and closes and np.array_equal(view.parameters, basis.curve.parameters)

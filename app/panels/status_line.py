@@ -9,6 +9,8 @@ from app.document.model import Vector
 from app.view_model.basis_view import BasisView
 
 _SAID_MS = 6000
+_READ_MS = 1500
+"""How long a sentence stays in any case, before a new hint may take its place."""
 
 
 class StatusLine(QStatusBar):
@@ -46,8 +48,10 @@ class StatusLine(QStatusBar):
 
     def show_hint(self, text: str) -> None:
         """Show what a press would do; a sentence just said stays in front."""
-        self._hint = text
-        if not self._said:
+        is_new, self._hint = text != self._hint, text
+        could_be_read = self._timer.remainingTime() < _SAID_MS - _READ_MS
+        if not self._said or (is_new and text and could_be_read):
+            self._said = ""
             self._label.setText(text)
 
     def say(self, text: str) -> None:

@@ -9,14 +9,17 @@ from functools import cached_property
 import numpy as np
 
 from app.document.model import Family
-from app.view_model.curve_view import CurveView, Floats, SimpleCurve
+from app.view_model.curve_view import CurveView, Floats, Integers, SimpleCurve
 from curvecore import HermiteCurve, LagrangeCurve, QuinticHermiteCurve
 
 SAMPLES = 500
 """Samples over the domain; one per two or three pixels of a wide panel."""
 
-_PEAK = (1.0, 3.0, 30.0)
-"""What makes B_0, B_1/h and B_2/h² of the cubic and the quintic peak near one half or one."""
+_LEAST_SAMPLES = 17
+"""Samples of a segment, however short: its functions are at most quintic."""
+
+_PEAK = (1.0, 2.5, 25.0)
+"""What makes B_1/h and B_2/h², which peak at 0.20 and 0.017, reach almost one half."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -37,15 +40,20 @@ class BasisView:
     first
         For the piecewise families the index of the first sample of each segment and the end, (n,).
     scales
-        What B_ir was multiplied with, one factor for each r.
+        What B_ir was multiplied with, (k, R).
     """
 
     curve: SimpleCurve
     owners: tuple[int, ...]
     t: Floats
     values: Floats
-    first: np.ndarray | None
-    scales: tuple[float, ...]
+    first: Integers | None
+    scales: Floats
+
+    @property
+    def kinds(self) -> int:
+        """Number of kinds R: position, velocity, acceleration."""
+        return int(self.scales.shape[1])
 
     @property
     def count(self) -> int:
@@ -65,7 +73,7 @@ class BasisView:
 
     def extent(self, kinds: Collection[int]) -> tuple[float, float]:
         """Return the least and the greatest value of the functions of these kinds; (0, 0) for none."""
-        drawn = self.values[:, :, [kind for kind in range(len(self.scales)) if kind in kinds]]
+        drawn = self.values[:, :, [kind for kind in range(self.kinds) if kind in kinds]]
         return (float(drawn.min()), float(drawn.max())) if drawn.size else (0.0, 0.0)
 
     @cached_property
@@ -75,7 +83,7 @@ class BasisView:
 
     def value_at(self, t: float, kind: int) -> Floats:
         """Return the scaled functions of one kind at `t`, one for each knot."""
-        values: Floats = self.curve.basis(np.array([t]))[0, :, kind] * self.scales[kind]
+        values: Floats = self.curve.basis(np.array([t]))[0, :, kind] * self.scales[:, kind]
         return values
 
 
@@ -88,46 +96,48 @@ def basis_view(view: CurveView) -> BasisView | None:
     owners = tuple(view.owner(knot) for knot in range(len(curve.parameters)))
     if isinstance(curve, LagrangeCurve):
         t = np.linspace(*curve.domain, SAMPLES)
-        return BasisView(curve, owners, t, curve.basis(t) * np.array(scales), None, scales)
+        return BasisView(curve, owners, t, curve.basis(t) * scales, None, scales)
     return _piecewise_view(curve, owners, scales)
 
 
 def _piecewise_view(
-    curve: HermiteCurve | QuinticHermiteCurve, owners: tuple[int, ...], scales: tuple[float, ...]
+    curve: HermiteCurve | QuinticHermiteCurve, owners: tuple[int, ...], scales: Floats
 ) -> BasisView:
-    """Sample every segment alike, ends included, so that joints are drawn as sharp as they are."""
+    """Sample every segment, ends included, so that joints are drawn as sharp as they are."""
     knots = curve.parameters
-    per_segment = int(np.clip(SAMPLES // (len(knots) - 1), 9, 65))
-    s = np.linspace(0.0, 1.0, per_segment)
-    t = knots[:-1, None] + s * np.diff(knots)[:, None]
+    spacing = np.diff(knots)
+    counts = np.maximum(np.ceil(SAMPLES * spacing / spacing.sum()), _LEAST_SAMPLES).astype(int)
+    first = np.concatenate([[0], np.cumsum(counts)])
+    segment = np.repeat(np.arange(len(spacing)), counts)
+    s = (np.arange(first[-1]) - first[segment]) / (counts[segment] - 1)
+    t = knots[segment] + s * spacing[segment]
     # The last sample of a segment lies a hair before the joint, so that it is counted to that segment.
-    t[:, -1] = np.nextafter(knots[1:], knots[:-1])
-    t[-1, -1] = knots[-1]
-    local = curve.local_basis(t.ravel())
-    first = np.arange(len(knots)) * per_segment
-    return BasisView(curve, owners, t.ravel(), local.values * np.array(scales), first, scales)
+    t[first[1:] - 1] = np.nextafter(knots[1:], knots[:-1])
+    t[-1] = knots[-1]
+    values = curve.local_basis(t).values
+    values[:, 0] *= scales[segment]
+    values[:, 1] *= scales[segment + 1]
+    return BasisView(curve, owners, t, values, first, scales)
 
 
-def basis_scales(curve: SimpleCurve) -> tuple[float, ...]:
-    """Return the factors that make functions of all kinds readable on one axis.
+def basis_scales(curve: SimpleCurve) -> Floats:
+    """Return the factors that make functions of all kinds readable on one axis, (k, R).
 
-    Velocity functions are in proportion to the spacing h, acceleration functions to h²; the mean spacing
-    stands for h, so that dragging an inner parameter does not change the scale under the hand.
+    Velocity functions are in proportion to the spacing h, acceleration functions to h²; the longer of a
+    knot's two segments stands for h, and no function of a derivative leaves −½ … ½.
     """
-    start, end = curve.domain
-    h = (end - start) / (len(curve.parameters) - 1)
-    return tuple(_PEAK[r] / h**r for r in range(curve.jets.shape[1]))
+    spacing = np.diff(curve.parameters)
+    longer = np.maximum(np.append(spacing, 0.0), np.insert(spacing, 0, 0.0))
+    orders = np.arange(curve.jets.shape[1])
+    factors: Floats = np.array(_PEAK[: len(orders)]) / longer[:, None] ** orders
+    return factors
 
 
-def basis_formulas(family: Family, basis: BasisView | None) -> tuple[tuple[str, ...], str]:
-    """Return what is drawn of each kind, as formulas, and what stands for h in them."""
+def basis_formulas(family: Family) -> tuple[str, ...]:
+    """Return what is drawn of each kind, as formulas; h stands for the longer segment beside the point."""
     if family is Family.LAGRANGE:
-        return ("Lᵢ(t)",), ""
-    formulas = ("B₀", "3·B₁ ∕ h", "30·B₂ ∕ h²")[: family.derivatives + 1]
-    if basis is None:
-        return formulas, ""
-    start, end = basis.curve.domain
-    return formulas, f"h = {(end - start) / (basis.count - 1):.3g}, the mean spacing"
+        return ("Lᵢ(t)",)
+    return ("B₀", "2.5·B₁ ∕ h", "25·B₂ ∕ h²")[: family.derivatives + 1]
 
 
 def weights_at(view: CurveView, t: float) -> Floats:

@@ -82,6 +82,9 @@ def acceleration_from_handle(view: CurveView, index: int, position: Vector, *, a
 
 def _signed_spacing(view: CurveView, index: int, *, ahead: bool) -> float | None:
     h = view.spacing(index, ahead=ahead)
+    if h is None:
+        # An end has a handle on its free side, too: the mirror of the other, and easier to reach.
+        h = view.spacing(index, ahead=not ahead)
     return h if h is None or ahead else -h
 
 

@@ -49,6 +49,17 @@ def test_press_and_drag_sets_the_velocity_of_a_new_point(editor):
     assert editor.curve.nodes[0].velocity is None
 
 
+def test_the_handle_of_a_new_point_is_under_the_pointer(editor):
+    editor.new()
+    editor.choose_family(Family.HERMITE)
+    editor.add_point(0, 0)
+    editor.trigger("addTool")
+    editor.press((2, 2))
+    editor.move((3, 3))
+    assert editor.handle(ahead=True).position == pytest.approx((3, 3), abs=2 * editor.pixel)
+    editor.release((3, 3))
+
+
 def test_handles_stay_where_they_were_put_when_a_point_is_appended(editor):
     editor.new()
     editor.choose_family(Family.HERMITE)

@@ -217,6 +217,16 @@ def test_presentation_hides_everything_but_the_drawing(editor):
     assert window.docks[0].isVisible()
 
 
+def test_the_keys_work_in_presentation(editor):
+    """They used to be dead: the actions lived in the hidden menu bar and toolbar alone."""
+    editor.trigger("presentation")
+    QTest.keyClick(editor.window.canvas, Qt.Key.Key_2)
+    assert editor.curve.family is Family.HERMITE
+    QTest.keyClick(editor.window.canvas, Qt.Key.Key_T)
+    assert editor.session.scrub is not None
+    editor.trigger("presentation")
+
+
 def test_the_side_panel_folds_away_with_one_key(editor):
     QTest.keyClick(editor.window, Qt.Key.Key_F9)
     assert not any(dock.isVisible() for dock in editor.window.docks)
