@@ -1,4 +1,4 @@
-"""Make the README's screenshots: ``python tests/data/make_screenshots.py`` from the checkout, without a display."""
+"""Make the screenshots of the README, without a display: ``python tests/data/make_screenshots.py``."""
 
 from __future__ import annotations
 
