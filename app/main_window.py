@@ -97,7 +97,7 @@ class MainWindow(QMainWindow):
         self.tabifyDockWidget(curve, history)
         curve.raise_()
         self.docks = (points, curve, history)
-        self.resizeDocks([points], [340], Qt.Orientation.Horizontal)
+        self.resizeDocks([points], [360], Qt.Orientation.Horizontal)
         self.resizeDocks([points, curve], [480, 300], Qt.Orientation.Vertical)
 
     def _add_dock(self, name: str, title: str, content: QWidget) -> QDockWidget:
