@@ -43,7 +43,7 @@ PADDING = 3
 COMPACT_DIGITS = (4, 3)
 """Digits that a column has room for in a narrow panel, and in one that is too narrow for these."""
 
-_LEAST_DIGITS, _MOST_DIGITS = 3, 6
+_DIGITS = (6, 5, 4, 3)
 _ENTER = (Qt.Key.Key_Return, Qt.Key.Key_Enter)
 _LEAVING = (*_ENTER, Qt.Key.Key_Tab, Qt.Key.Key_Backtab)
 # Whoever looks up a number in another window, or in the editor's own menu, comes back to go on typing.
@@ -139,7 +139,7 @@ class PointTableDelegate(QStyledItemDelegate):
 
     def text(self, row: int, column: int) -> str:
         """Return a number as its column writes it."""
-        look = self._formats[column] if column < len(self._formats) else ColumnFormat(_MOST_DIGITS, 3, 0.0)
+        look = self._formats[column] if column < len(self._formats) else ColumnFormat(_DIGITS[0], 3, 0.0)
         value = float(self._model.values[row, column])
         return column_text(value, look.decimals, look.digits, decimal_mark(), negligible=look.negligible)
 
@@ -162,9 +162,9 @@ class PointTableDelegate(QStyledItemDelegate):
         self, column: int, width: int, metrics: QFontMetrics, before: Sequence[ColumnFormat]
     ) -> ColumnFormat:
         values = self._model.values[:, column]
-        signs = metrics.horizontalAdvance("−." if (values < 0).any() else ".")
-        room = (width - 2 * PADDING - signs) // max(metrics.horizontalAdvance("0"), 1)
-        digits = min(max(room, _LEAST_DIGITS), _MOST_DIGITS)
+        signs, room = "−." if (values < 0).any() else ".", width - 2 * PADDING
+        fitting = (each for each in _DIGITS if metrics.horizontalAdvance(signs + "0" * each) <= room)
+        digits = next(fitting, _DIGITS[-1])
         if not self._streaming:
             return ColumnFormat(digits, column_decimals(values, digits), NEGLIGIBLE * greatest_of(values))
         known = before[column] if column < len(before) else None
