@@ -20,6 +20,7 @@ class ViewCommands:
         self._actions = parts.actions
         self._scale = 1.0
         self._before_presentation = b""
+        self._before_folding = b""
         for name in ("selectTool", "toggleGrid", "toggleBasis", "toggleSidePanel"):
             self._actions[name].setChecked(True)
 
@@ -92,8 +93,14 @@ class ViewCommands:
         self._parts.basis_pane.setVisible(self._actions["toggleBasis"].isChecked())
 
     def _toggle_side_panel(self) -> None:
+        window, shown = self._parts.window, self._actions["toggleSidePanel"].isChecked()
+        if not shown:
+            self._before_folding = bytes(window.saveState().data())
         for dock in self._parts.docks:
-            dock.setVisible(self._actions["toggleSidePanel"].isChecked())
+            dock.setVisible(shown)
+        if shown and self._before_folding:
+            # Shown one by one, docks share the height anew and change which tab is in front.
+            window.restoreState(self._before_folding)
 
     def _change_scale(self, step: int) -> None:
         index = max(0, min(_SCALES.index(self._scale) + step, len(_SCALES) - 1))
