@@ -94,11 +94,13 @@ class ViewCommands:
 
     def _toggle_side_panel(self) -> None:
         window, shown = self._parts.window, self._actions["toggleSidePanel"].isChecked()
-        if not shown:
+        # The layout of a presentation is none to come back to.
+        keeps_layout = not self._actions["presentation"].isChecked()
+        if not shown and keeps_layout:
             self._before_folding = bytes(window.saveState().data())
         for dock in self._parts.docks:
             dock.setVisible(shown)
-        if shown and self._before_folding:
+        if shown and keeps_layout and self._before_folding:
             # Shown one by one, docks share the height anew and change which tab is in front.
             window.restoreState(self._before_folding)
 

@@ -368,6 +368,16 @@ def test_help_fits_and_lines_up_in_a_small_window(editor):
     assert area.verticalScrollBar().value() > before
 
 
+def test_the_side_panel_in_a_presentation_brings_no_bars_back(editor):
+    editor.trigger("toggleSidePanel")
+    editor.trigger("presentation")
+    editor.trigger("toggleSidePanel")
+    assert editor.window.docks[0].isVisible()
+    assert not editor.window.toolbar.isVisible()
+    editor.escape()
+    assert editor.window.toolbar.isVisible()
+
+
 # What things are called
 
 
