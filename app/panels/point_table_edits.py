@@ -150,7 +150,7 @@ def _refuse_beyond_closing(view: CurveView, index: int, t: float) -> None:
     end = view.source.parametrization.end
     if t >= end:
         raise EditError(
-            f"The t of point {index} must be less than {end:g}, where the curve returns to point 0."
+            f"The t of point {index} must be less than {end:g}, where the curve returns to its first point."
         )
 
 
@@ -170,7 +170,7 @@ def _derivative(view: CurveView, index: int, order: int) -> Vector:
 
 def _knot_parameters(view: CurveView) -> list[float]:
     """Return the parameters at the knots: of a closed curve also that of its return to the first point."""
-    own = _parameters(view)
+    own = _parameters(view)[: len(view.source.nodes)]
     return [*own, view.source.parametrization.end] if view.source.is_closed else own
 
 

@@ -963,7 +963,7 @@ def test_a_closed_curve_has_a_row_for_each_point(quintic):
     assert curve.is_manual
     assert quintic.session.active_view.parameters[-1] == 1.0
     quintic.type(7, T, "1")
-    assert "where the curve returns to point 0" in quintic.message
+    assert "where the curve returns to its first point" in quintic.message
     quintic.qtbot.keyClick(quintic.editor, Qt.Key.Key_Escape)
 
 
