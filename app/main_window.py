@@ -232,16 +232,16 @@ class MainWindow(QMainWindow):
         self.setWindowTitle(f"{name}[*] – Curvebench")
         self.setWindowModified(self.session.is_modified)
 
+    def _fit(self) -> None:
+        self.canvas.fit()
+        self.basis_pane.fit()
+
     def _show_points(self) -> None:
         """Fit the view where points of the active curve lie outside it."""
         left, bottom, right, top = self.canvas.pixel_map.box
         x, y = self.session.active_view.points.T
         if ((x < left) | (x > right) | (y < bottom) | (y > top)).any():
             self._fit()
-
-    def _fit(self) -> None:
-        self.canvas.fit()
-        self.basis_pane.fit()
 
     # Theme and layout
 

@@ -273,6 +273,15 @@ def _closing(view: CurveView, parameters: Sequence[float]) -> float:
     return end if end > last else last + (last - parameters[0]) / (len(parameters) - 1)
 
 
+def _append_to_closed(document: Document, curve: int, before: CurveView, new: Sequence[Node]) -> Document:
+    """Append points to a closed curve with manual parameters: what leads back now leads through them."""
+    times = _knot_parameters(before)
+    step = times[-1] - times[-2]
+    document = edits.insert_nodes(document, curve, len(before.source.nodes), new)
+    more = (times[-1] + step * (offset + 1) for offset in range(len(new)))
+    return edits.freeze_parameters(document, curve, [*times, *more])
+
+
 def _append(document: Document, curve: int, view: CurveView, new: Sequence[Node]) -> Document:
     """Append points; the handles that the person set stay where they are."""
     before = view_of(document.curves[curve], view)
@@ -289,15 +298,6 @@ def _append(document: Document, curve: int, view: CurveView, new: Sequence[Node]
     return edits.insert_nodes(document, curve, len(before.source.nodes) + 1, new[1:])
 
 
-def _append_to_closed(document: Document, curve: int, before: CurveView, new: Sequence[Node]) -> Document:
-    """Append points to a closed curve with manual parameters: what leads back now leads through them."""
-    times = _knot_parameters(before)
-    step = times[-1] - times[-2]
-    document = edits.insert_nodes(document, curve, len(before.source.nodes), new)
-    more = (times[-1] + step * (offset + 1) for offset in range(len(new)))
-    return edits.freeze_parameters(document, curve, [*times, *more])
-
-
 def _squeeze(before: CurveView, after: CurveView) -> float:
     """Return by which factor the parameters of the old points shrink when points are appended."""
     count = len(before.source.nodes)
@@ -312,9 +312,11 @@ def _squeeze(before: CurveView, after: CurveView) -> float:
 
 def explicit_orders(nodes: Sequence[Node], indices: Collection[int], orders: Collection[int]) -> set[int]:
     """Return which of the derivatives `orders` the person set at any of `indices`."""
-    found: set[int] = set()
+    found = set()
     for index in indices:
-        found.update(order for order in orders if explicit_sides(nodes[index], order) != (None, None))
+        for order in orders:
+            if any(side is not None for side in explicit_sides(nodes[index], order)):
+                found.add(order)
     return found
 
 
