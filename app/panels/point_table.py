@@ -139,6 +139,8 @@ class PointTable(QWidget):
         self.view.cell_delegate.closeEditor.connect(self._forget_message)
         self.view.cell_delegate.given_up.connect(self._report_given_up)
         self.view.reset_requested.connect(self.reset_to_estimated)
+        self.view.copy_requested.connect(self.copy)
+        self.view.paste_requested.connect(self.paste)
         self.view.selectionModel().selectionChanged.connect(self._report_selection)
         self.view.selectionModel().currentChanged.connect(self._forget_message)
         self._message.linkActivated.connect(self._reset_kept)

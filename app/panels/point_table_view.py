@@ -4,8 +4,16 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterator
 
-from PySide6.QtCore import QEvent, QItemSelection, QItemSelectionModel, QModelIndex, Qt, Signal
-from PySide6.QtGui import QFont, QKeyEvent, QResizeEvent
+from PySide6.QtCore import (
+    QEvent,
+    QItemSelection,
+    QItemSelectionModel,
+    QModelIndex,
+    Qt,
+    Signal,
+    SignalInstance,
+)
+from PySide6.QtGui import QFont, QKeyEvent, QKeySequence, QResizeEvent
 from PySide6.QtWidgets import QAbstractButton, QAbstractItemView, QHeaderView, QTableView, QWidget
 
 from app.panels.point_table_delegate import COMPACT_DIGITS, PADDING, PointTableDelegate
@@ -23,9 +31,13 @@ class PointTableView(QTableView):
     -------
     reset_requested
         Delete was pressed while nothing but velocities and accelerations was selected.
+    copy_requested, paste_requested
+        The keys for it were pressed.
     """
 
     reset_requested = Signal()
+    copy_requested = Signal()
+    paste_requested = Signal()
 
     def __init__(self, model: PointTableModel, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -144,15 +156,21 @@ class PointTableView(QTableView):
     # Keys
 
     def event(self, event: QEvent) -> bool:
-        # Digits and letters are shortcuts of the window; here they begin a number.
+        # Digits and letters are shortcuts of the window; here they begin a number. So may the keys for copy
+        # and paste be, and Qt does nothing at all where a shortcut of the window is also one of the widget.
         if (
             isinstance(event, QKeyEvent)
             and event.type() == QEvent.Type.ShortcutOverride
-            and (self._is_typing(event) or self._is_reset(event))
+            and (self._is_typing(event) or self._is_reset(event) or self._exchange(event) is not None)
         ):
             event.accept()
             return True
         return super().event(event)
+
+    def _exchange(self, event: QKeyEvent) -> SignalInstance | None:
+        if event.matches(QKeySequence.StandardKey.Copy):
+            return self.copy_requested
+        return self.paste_requested if event.matches(QKeySequence.StandardKey.Paste) else None
 
     def _is_reset(self, event: QKeyEvent) -> bool:
         return event.key() in _DELETE and self.only_derivatives_selected()
@@ -163,7 +181,10 @@ class PointTableView(QTableView):
         return self.currentIndex().isValid() and plain and text.isprintable() and bool(text.strip())
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
-        if event.key() in _ENTER and self.currentIndex().isValid():
+        exchange = self._exchange(event)
+        if exchange is not None:
+            exchange.emit()
+        elif event.key() in _ENTER and self.currentIndex().isValid():
             self.edit(self.currentIndex())
         elif self._is_reset(event):
             self.reset_requested.emit()

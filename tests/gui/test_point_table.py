@@ -625,6 +625,15 @@ def test_copy_and_paste_belong_to_the_table_only_while_it_has_the_focus(table):
     assert QGuiApplication.clipboard().text() == "kept"
 
 
+@pytest.mark.parametrize("key", ["Ctrl+C", "Ctrl+V"])
+def test_a_shortcut_of_the_window_does_not_take_copy_and_paste(table, key):
+    QShortcut(QKeySequence(key), table.window, lambda: pytest.fail("the shortcut took the key"))
+    table.click(0, X)
+    assert table.copy() == "3.1"
+    table.paste("7")
+    assert table.node(0).x == 7
+
+
 # Pace
 
 

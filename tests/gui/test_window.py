@@ -234,7 +234,7 @@ def test_the_side_panel_folds_away_with_one_key(editor):
 
 
 def test_the_side_panel_comes_back_as_it_was_divided(editor):
-    points, curve, history = editor.window.docks
+    points, curve, *_, history = editor.window.docks
     editor.window.resizeDocks([points, curve], [300, 360], Qt.Orientation.Vertical)
     history.raise_()
     editor.settle()
