@@ -226,11 +226,10 @@ class Actions:
             if spec.menu == menu:
                 yield spec, self._actions[spec.name]
 
-    def shortcuts(self) -> list[tuple[str, str]]:
-        """Return (keys, what they do) of the actions that can be used now."""
+    def shortcuts(self, menu: str) -> list[tuple[str, str]]:
+        """Return (keys, what they do) of the actions of `menu` that can be used now."""
         rows = []
-        for spec in SPECS:
-            action = self._actions[spec.name]
+        for spec, action in self.of_menu(menu):
             keys = [_native(key) for key in action.shortcuts()]
             if keys and action.isEnabled():
                 rows.append((" or ".join(keys), spec.tip or spec.text))

@@ -19,8 +19,8 @@ from app.actions import MENUS, Actions
 from app.canvas.canvas import Canvas
 from app.commands.connect import Commands
 from app.commands.parts import Parts
-from app.examples import example_paths
-from app.file_commands import FileCommands
+from app.examples import example_name, example_paths
+from app.file_commands import FileCommands, title_of
 from app.gestures.rail import RailTool
 from app.gestures.tools import CanvasTool
 from app.panels.basis_pane import BasisPane
@@ -97,7 +97,7 @@ class MainWindow(QMainWindow):
         self.tabifyDockWidget(curve, history)
         curve.raise_()
         self.docks = (points, curve, history)
-        self.resizeDocks([points], [340], Qt.Orientation.Horizontal)
+        self.resizeDocks([points], [360], Qt.Orientation.Horizontal)
         self.resizeDocks([points, curve], [480, 300], Qt.Orientation.Vertical)
 
     def _add_dock(self, name: str, title: str, content: QWidget) -> QDockWidget:
@@ -167,6 +167,9 @@ class MainWindow(QMainWindow):
         self.basis_panel.pointed_at.connect(self.status_line.show_t)
         self.recent_menu.aboutToShow.connect(self._fill_recent_menu)
         self._fill_examples_menu()
+        self.examples_menu.aboutToShow.connect(self._name_examples)
+        session.history_changed.connect(self._render_file)
+        self.table_panel.pasted.connect(self._show_points)
 
     def _fill_recent_menu(self) -> None:
         self.recent_menu.clear()
@@ -185,6 +188,11 @@ class MainWindow(QMainWindow):
             self._add_file(self.examples_menu, path, title, f"example_{name}").triggered.connect(
                 lambda _checked=False, path=path: self._files.open_example(path)
             )
+
+    def _name_examples(self) -> None:
+        # Only now: nobody waits at the start for files to be read that are perhaps never opened.
+        for action, path in zip(self.examples_menu.actions(), example_paths(), strict=True):
+            action.setText(example_name(path).replace("&", "&&"))
 
     @staticmethod
     def _add_file(menu: QMenu, path: Path, title: str, name: str) -> QAction:
@@ -219,7 +227,7 @@ class MainWindow(QMainWindow):
 
     def _render_file(self) -> None:
         path = self.session.path
-        name = path.name if path is not None else "Untitled"
+        name = title_of(self.session).replace("[*]", "[*][*]")
         self.setWindowFilePath(str(path) if path is not None else "")
         self.setWindowTitle(f"{name}[*] – Curvebench")
         self.setWindowModified(self.session.is_modified)
@@ -227,6 +235,13 @@ class MainWindow(QMainWindow):
     def _fit(self) -> None:
         self.canvas.fit()
         self.basis_pane.fit()
+
+    def _show_points(self) -> None:
+        """Fit the view where points of the active curve lie outside it."""
+        left, bottom, right, top = self.canvas.pixel_map.box
+        x, y = self.session.active_view.points.T
+        if ((x < left) | (x > right) | (y < bottom) | (y > top)).any():
+            self._fit()
 
     # Theme and layout
 

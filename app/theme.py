@@ -266,6 +266,7 @@ QTabBar::tab:selected:focus { color: $accent }
 QStatusBar { background: $surface; border-top: 1px solid $line; color: $muted }
 QStatusBar::item { border: none }
 QStatusBar QLabel { color: $muted; padding: 2px 6px }
+QMenu { background: $raised; border: 1px solid $edge; padding: 4px }
 QToolTip { background: $raised; color: $ink; border: 1px solid $line; padding: 4px 6px }
 """
 
@@ -276,6 +277,7 @@ def style_sheet_of(theme: Theme) -> str:
         "$surface": theme.surface,
         "$raised": _role_colours(theme)[QPalette.ColorRole.ToolTipBase],
         "$line": mix(theme.ink, theme.surface, 0.14),
+        "$edge": mix(theme.ink, theme.surface, 0.24),
         "$fine": mix(theme.ink, theme.paper, 0.07),
         "$hover": mix(theme.ink, theme.surface, 0.07),
         "$pressed": mix(theme.ink, theme.surface, 0.14),

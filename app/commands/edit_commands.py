@@ -68,7 +68,7 @@ class EditCommands:
         ):
             verb = name.capitalize()
             self._actions[name].setEnabled(can)
-            self._actions[name].setText(f"{verb} {text}" if text else verb)
+            self._actions[name].setText(f"{verb}: {text}" if text else verb)
 
     def _undo(self) -> None:
         # Undo in the middle of a drag takes the drag back, not the step before it.
@@ -78,7 +78,7 @@ class EditCommands:
     def _use_family(self, family: Family) -> None:
         session = self._session
         self._parts.change(
-            f"Use {_FAMILY_NAMES[family]}",
+            f"Switch to {_FAMILY_NAMES[family]}",
             lambda: edits.set_family(session.document, session.active_index, family),
         )
         # The toggle shows what is, also where nothing changed.

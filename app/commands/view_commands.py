@@ -24,6 +24,7 @@ class ViewCommands:
         self._actions = parts.actions
         self._scale = 1.0
         self._before_presentation = b""
+        self._before_folding = b""
         for name in ("selectTool", "toggleGrid", "toggleBasis", "toggleSidePanel"):
             self._actions[name].setChecked(True)
 
@@ -96,8 +97,16 @@ class ViewCommands:
         self._parts.basis_pane.setVisible(self._actions["toggleBasis"].isChecked())
 
     def _toggle_side_panel(self) -> None:
+        window, shown = self._parts.window, self._actions["toggleSidePanel"].isChecked()
+        # The layout of a presentation is none to come back to.
+        keeps_layout = not self._actions["presentation"].isChecked()
+        if not shown and keeps_layout:
+            self._before_folding = bytes(window.saveState().data())
         for dock in self._parts.docks:
-            dock.setVisible(self._actions["toggleSidePanel"].isChecked())
+            dock.setVisible(shown)
+        if shown and keeps_layout and self._before_folding:
+            # Shown one by one, docks share the height anew and change which tab is in front.
+            window.restoreState(self._before_folding)
 
     def _change_scale(self, step: int) -> None:
         self._set_scale(_SCALES[max(0, min(_SCALES.index(self._scale) + step, len(_SCALES) - 1))])

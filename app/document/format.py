@@ -26,7 +26,10 @@ _LAST_CONCEIVABLE_VERSION = 10**6
 
 
 class FormatError(ValueError):
-    """The bytes are no Curvebench document, or the values cannot be written as one."""
+    """The bytes are no Curvebench document, or the values cannot be written as one.
+
+    The message is a clause to follow the file's name and a colon: "it is not JSON; the file ends too early".
+    """
 
 
 class _Header(msgspec.Struct):
@@ -124,7 +127,7 @@ def decode(data: bytes) -> Document:
     except msgspec.DecodeError as problem:
         raise FormatError(_not_json(str(problem), data)) from None
     except RecursionError:
-        raise FormatError("not a Curvebench document: it is nested too deeply") from None
+        raise FormatError("it is not a Curvebench document; it is nested too deeply") from None
     _refuse_repeated_keys(data)
     document = Document(file.curves)
     validate(document)
@@ -140,20 +143,20 @@ def _refuse_other_text(data: bytes) -> None:
     try:
         data.decode("utf-8")
     except UnicodeDecodeError as problem:
-        raise FormatError(f"not UTF-8 text: {_line_and_column(data, problem.start)}") from None
+        raise FormatError(f"it is not UTF-8 text; {_line_and_column(data, problem.start)}") from None
 
 
 def _check_header(header: _Header) -> None:
     """Raise FormatError unless the file is ours and of the version that this program reads."""
     if header.format != FORMAT:
         raise FormatError(
-            f'not a Curvebench document: format must be "{FORMAT}", not {_quoted(header.format)}'
+            f'it is not a Curvebench document; format must be "{FORMAT}", not {_quoted(header.format)}'
         )
     if header.version > _LAST_CONCEIVABLE_VERSION:
         raise FormatError(f"version must be {VERSION}, not a number of many digits")
     if header.version > VERSION:
         raise FormatError(
-            "This file was written by a newer version of Curvebench "
+            "it was written by a newer version of Curvebench "
             f"(format version {header.version}; this program reads {VERSION})"
         )
     if header.version < VERSION:
@@ -319,8 +322,8 @@ def _not_json(message: str, data: bytes) -> str:
     """Return msgspec's objection to the text with its line and column."""
     match = re.fullmatch(r"JSON is malformed: (.*) \(byte (\d+)\)", message)
     if match is None:
-        return "not JSON: the file ends too early"
-    return f"not JSON: {_line_and_column(data, int(match[2]))}: {match[1]}"
+        return "it is not JSON; the file ends too early"
+    return f"it is not JSON; {_line_and_column(data, int(match[2]))}: {match[1]}"
 
 
 def _line_and_column(data: bytes, position: int) -> str:
