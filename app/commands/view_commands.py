@@ -29,6 +29,7 @@ class ViewCommands:
         return {
             "selectTool": lambda: self._use_tool(ToolKind.SELECT),
             "addTool": lambda: self._use_tool(ToolKind.ADD),
+            "measureTool": lambda: self._use_tool(ToolKind.MEASURE),
             "fitView": self._fit,
             "zoomIn": lambda: self._zoom(ZOOM_STEP),
             "zoomOut": lambda: self._zoom(1 / ZOOM_STEP),
@@ -51,9 +52,9 @@ class ViewCommands:
     def escape(self) -> None:
         """Step back: the gesture in flight, the adding, the presentation, the scrub line, the selection."""
         session = self._session
-        if self._parts.cancel_gesture():
+        if self._parts.cancel_gesture() or self._parts.canvas.put_away():
             return
-        if self._actions["addTool"].isChecked():
+        if self._actions["addTool"].isChecked() or self._actions["measureTool"].isChecked():
             self._actions["selectTool"].trigger()
         elif self._actions["presentation"].isChecked():
             self._actions["presentation"].trigger()
@@ -66,6 +67,8 @@ class ViewCommands:
         self._parts.canvas.set_tool(kind)
         if kind is ToolKind.ADD:
             self._session.say("Click to add points. V or Escape goes back to selecting.")
+        elif kind is ToolKind.MEASURE:
+            self._session.say("Drag to measure. V or Escape goes back to selecting.")
 
     def _fit(self) -> None:
         self._parts.canvas.fit()

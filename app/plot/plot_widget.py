@@ -218,6 +218,7 @@ class PlotWidget(pg.PlotWidget):  # type: ignore[misc]  # pyqtgraph has no types
             shift=bool(held & Qt.KeyboardModifier.ShiftModifier),
             ctrl=bool(held & Qt.KeyboardModifier.ControlModifier),
             alt=bool(held & Qt.KeyboardModifier.AltModifier),
+            scale=self.pixel_map.sx,
         )
 
     def mousePressEvent(self, event: QMouseEvent) -> None:
