@@ -2,15 +2,16 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Callable, Collection, Sequence
 from dataclasses import dataclass
 from decimal import Decimal
 from enum import StrEnum
 
+import numpy as np
+
 from app.document.model import Vector
 from app.gestures.pointer import Pointer
-from app.view_model.curve_view import CurveView
+from app.view_model.curve_view import CurveView, Floats, Integers
 from app.view_model.nearest import NearestPoint
 
 REACH = 8.0
@@ -60,10 +61,25 @@ class Snap:
     axes: tuple[int, ...] = (0, 1)
 
 
-@dataclass(frozen=True)
-class _Target:
-    position: Vector
-    label: str
+@dataclass(frozen=True, eq=False)
+class _Points:
+    """Points of one curve, (k, 2), with their numbers; `of` names the curve if it is another."""
+
+    positions: Floats
+    numbers: Integers
+    of: str = ""
+
+    def nearest(self, position: Vector, reach: float) -> tuple[float, Snap] | None:
+        """Return the distance of the nearest point and a snap to it, None beyond `reach`."""
+        if not len(self.positions):
+            return None
+        distances = np.hypot(*(self.positions - position).T)
+        best = int(np.argmin(distances))
+        if distances[best] > reach:
+            return None
+        x, y = self.positions[best].tolist()
+        of = f" of {self.of}" if self.of else ""
+        return float(distances[best]), Snap((x, y), f"point {self.numbers[best]}{of}")
 
 
 @dataclass(frozen=True)
@@ -89,7 +105,7 @@ class Targets:
         The other curves with their names.
     """
 
-    points: tuple[_Target, ...] = ()
+    points: tuple[_Points, ...] = ()
     neighbours: tuple[tuple[Vector, int], ...] = ()
     curves: tuple[tuple[NearestPoint, str], ...] = ()
 
@@ -116,19 +132,16 @@ def targets_of(
     points, curves = [], []
     if SnapKind.POINTS in kinds:
         # Not on a neighbour: two coincident points in a row have no distance to go by.
-        taken = {*moving, *beside}
-        points += [_Target(p, f"point {i}") for i, p in _places(own) if i not in taken]
-        points += [
-            _Target(p, f"point {i} of {view.source.name}") for view in others for i, p in _places(view)
-        ]
+        points = [_points(own, {*moving, *beside}), *(_points(view, (), view.source.name) for view in others)]
     if SnapKind.CURVES in kinds:
         curves = [(NearestPoint(view), view.source.name) for view in others]
     level = [(own.source.nodes[index].position, index) for index in beside] if SnapKind.LEVEL in kinds else []
     return Targets(tuple(points), tuple(level), tuple(curves))
 
 
-def _places(view: CurveView) -> list[tuple[int, Vector]]:
-    return [(index, node.position) for index, node in enumerate(view.source.nodes)]
+def _points(view: CurveView, without: Collection[int], of: str = "") -> _Points:
+    numbers = np.setdiff1d(np.arange(len(view.points)), np.array(sorted(without), dtype=np.intp))
+    return _Points(view.points[numbers], numbers, of)
 
 
 def _neighbours(view: CurveView, moving: Collection[int], place: int) -> list[int]:
@@ -153,27 +166,35 @@ class Magnet:
     ) -> None:
         self._settings, self._grid, self._collect = settings, grid, collect
         self._targets: Targets | None = None
+        self._asked: tuple[Vector, float, int | None, bool] | None = None
         self.caught: Snap | None = None
 
     def pull(self, position: Vector, pointer: Pointer, axis: int | None = None) -> Vector:
         """Return where `position` snaps to, itself if nothing is near; with `axis` only along that."""
-        self.caught = None
-        if self._settings().is_active(pointer):
-            self.caught = self._find(position, REACH / pointer.scale, axis)
+        question = (position, pointer.scale, axis, self._settings().is_active(pointer))
+        if question != self._asked:
+            # The same move asks more than once: for the document, and for the words about it.
+            self._asked = question
+            self.caught = self._find(position, REACH / pointer.scale, axis) if question[3] else None
         return self.caught.position if self.caught is not None else position
 
     def release(self) -> None:
         """Forget what was caught."""
-        self.caught = None
+        self.caught = self._asked = None
 
     def _find(self, position: Vector, reach: float, axis: int | None) -> Snap | None:
         if self._targets is None:
             self._targets = self._collect()
         if axis is None:
-            found = _nearest_point(self._targets.points, position, reach) or self._on_curve(position, reach)
+            found = self._on_point(position, reach) or self._on_curve(position, reach)
             if found is not None:
                 return found
         return self._on_lines(position, reach, (0, 1) if axis is None else (axis,))
+
+    def _on_point(self, position: Vector, reach: float) -> Snap | None:
+        assert self._targets is not None
+        found = [near for each in self._targets.points if (near := each.nearest(position, reach)) is not None]
+        return min(found, key=lambda each: each[0])[1] if found else None
 
     def _on_curve(self, position: Vector, reach: float) -> Snap | None:
         assert self._targets is not None
@@ -214,13 +235,6 @@ def _level(at: Vector, index: int, position: Vector, axis: int) -> _Line:
         return _Line(at[1], f"level with point {index}", at)
     side = "above" if position[1] >= at[1] else "below"
     return _Line(at[0], f"straight {side} point {index}", at)
-
-
-def _nearest_point(points: Sequence[_Target], position: Vector, reach: float) -> Snap | None:
-    best = min(points, key=lambda each: math.dist(each.position, position), default=None)
-    if best is None or math.dist(best.position, position) > reach:
-        return None
-    return Snap(best.position, best.label)
 
 
 def grid_value(value: float, spacing: float) -> float:

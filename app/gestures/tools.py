@@ -325,7 +325,7 @@ class CanvasTool:
         self._machine.press(
             pointer,
             bend,
-            on_click=lambda: host.say(f"t = {words.number(hit.t)}: the point {words.vector((x, y))}"),
+            on_click=lambda: host.say(f"t = {words.number(hit.t)} · c(t) = ({words.vector((x, y))})"),
         )
 
     def _point_drag(self, pointer: Pointer, hit: Hit) -> MovePoints | PullVelocity:
