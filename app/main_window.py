@@ -253,6 +253,10 @@ class MainWindow(QMainWindow):
         """Write a picture, or say why not."""
         self._files.export(path)
 
+    def apply_preferences(self) -> None:
+        """Take over what the preferences say about grid, unit and snapping."""
+        self._commands.snap.apply_preferences()
+
     def set_theme_mode(self, mode: ThemeMode) -> None:
         """Use light or dark colours, or follow the system, from now on."""
         self.preferences.theme_mode = mode

@@ -7,7 +7,7 @@ from dataclasses import replace
 
 import numpy as np
 from PySide6.QtCore import QEvent, QPointF, Qt, Signal
-from PySide6.QtGui import QContextMenuEvent, QKeyEvent, QMouseEvent
+from PySide6.QtGui import QContextMenuEvent, QFocusEvent, QKeyEvent, QMouseEvent
 from PySide6.QtWidgets import QWidget
 
 from app.canvas.curve_layer import CurveLayer
@@ -351,6 +351,8 @@ class Canvas(PlotWidget):
 
     def focusNextPrevChild(self, forward: bool) -> bool:
         """Let Tab walk the points; past the last one it leaves the canvas, as Tab does everywhere."""
+        if self._tool.is_pressed:
+            return True
         if not self._tool.walk(1 if forward else -1):
             return bool(super().focusNextPrevChild(forward))
         self._reveal_selected()
@@ -366,6 +368,13 @@ class Canvas(PlotWidget):
         dx, dy = _back_inside(x, shown.width), _back_inside(y, shown.height)
         if dx or dy:
             self.pan(dx, dy)
+
+    def focusOutEvent(self, event: QFocusEvent) -> None:
+        # A transform that keys drive ends with the keys; a menu or another window only borrows them.
+        borrowed = (Qt.FocusReason.PopupFocusReason, Qt.FocusReason.ActiveWindowFocusReason)
+        if self._tool.is_modal and event.reason() not in borrowed:
+            self.cancel_gesture()
+        super().focusOutEvent(event)
 
     def centre(self) -> QPointF:
         """Return the middle of the plot area in viewport pixels, where the zoom actions zoom."""

@@ -191,7 +191,8 @@ class PullVelocity:
     def document_at(self, pointer: Pointer) -> Document:
         """Put the handle ahead of the node (behind it at the last node, mirrored) under the pointer."""
         velocity = _velocity_pointing_at(self.view, self.index, pointer.position)
-        return edits.set_velocity(self.document, self.curve, self.index, velocity)
+        ahead = self.view.spacing(self.index, ahead=True) is not None
+        return edits.set_velocity(self.document, self.curve, self.index, velocity, ahead=ahead)
 
 
 def _pulled(pointer: Pointer, magnet: Magnet | None) -> Vector:

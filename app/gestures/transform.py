@@ -70,7 +70,11 @@ class Transform:
         """What keys change."""
         if self.by_grip:
             return "Shift: steps of 15°"
-        turn = "Shift: steps of 15°" if self.kind is TransformKind.ROTATE else "X or Y: one axis"
+        turn = {
+            TransformKind.MOVE: "X or Y: one axis · Ctrl: snap, or not",
+            TransformKind.SCALE: "X or Y: one axis",
+            TransformKind.ROTATE: "Shift: steps of 15°",
+        }[self.kind]
         return f"{turn} · type a number · Enter or click: done"
 
     def note_at(self, pointer: Pointer) -> str:

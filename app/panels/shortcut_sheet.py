@@ -9,9 +9,14 @@ from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QDialog, QLabel, QScrollArea, QVBoxLayout, QWidget
 
 _MOUSE = (
-    ("Drag a point", "move it; Shift keeps to one axis, Escape cancels"),
+    ("Drag a point", "move it; Shift keeps to one axis, Ctrl snaps or not, Escape cancels"),
+    ("Shift+click a point", "select it too, or no longer"),
+    ("Drag beside the curve", "select with a rubber band; Shift adds"),
+    ("Drag the curve", "bend it; Ctrl changes points only, Alt derivatives only"),
+    ("Drag a grip of the box", "scale or rotate; Shift keeps proportions, Alt the centre"),
+    ("Moving, scaling, rotating", "X or Y locks an axis, digits type the amount"),
     ("Alt+drag a point", "pull out its velocity handle"),
-    ("Drag a handle", "set velocity (square) or acceleration (diamond)"),
+    ("Drag a handle", "set velocity (square) or acceleration (diamond); Shift: 15° steps, Alt: length"),
     ("Click a curve, adding", "insert a point between its neighbours"),
     ("Press and drag, adding", "add a point and set its velocity"),
     ("Drag a tick of the t-rail", "change t; the parameters become manual"),

@@ -58,6 +58,14 @@ def test_the_grabbed_point_stays_under_the_pointer(arch, family, kind, keys):
         assert [node.position for node in arch.curve.nodes] == list(POINTS)
 
 
+def test_it_is_one_step_that_undo_takes_back(arch):
+    document, steps = arch.session.document, arch.session.undo_stack.count()
+    arch.bend(0.45, (1.5, 3.0))
+    assert arch.session.undo_stack.count() == steps + 1
+    arch.trigger("undo")
+    assert arch.session.document is document
+
+
 def test_bending_can_be_cancelled(arch):
     document = arch.session.document
     _, start = middle(arch)
@@ -219,3 +227,7 @@ def test_at_a_corner_the_handles_move_independently(hermite):
     hermite.drag_handle(to=(0, 2), ahead=False)
     assert hermite.curve.nodes[1].velocity_after == after
     assert hermite.curve.nodes[1].velocity != (4.0, 4.0)
+    before = hermite.curve.nodes[1].velocity
+    hermite.drag(hermite.point(1), (1.5, 2.5), keys=ALT)
+    assert hermite.curve.nodes[1].velocity == before
+    assert hermite.handle().position == pytest.approx((1.5, 2.5), abs=2 * hermite.pixel)

@@ -137,8 +137,7 @@ def test_g_moves_with_no_button_down_and_a_click_ends_it(arch):
 def test_a_typed_angle_rotates_exactly_about_the_centre(arch):
     arch.select([0, 1, 2, 3])
     arch.key(Key.Key_R)
-    QTest.keyClicks(arch.window.canvas, "90")
-    arch.settle()
+    arch.type_amount("90")
     assert arch.status.startswith("Rotate 90°")
     assert arch.window.canvas.overlay.note.text == "Rotate 90°"
     arch.key(Key.Key_Return)
@@ -149,7 +148,7 @@ def test_a_typed_angle_rotates_exactly_about_the_centre(arch):
 def test_digits_do_not_switch_the_family_while_they_are_typed(arch):
     arch.select([1, 2])
     arch.key(Key.Key_S)
-    QTest.keyClicks(arch.window.canvas, "23")
+    arch.type_amount("23")
     assert arch.curve.family is Family.LAGRANGE
     arch.escape()
     QTest.keyClicks(arch.window.canvas, "2")
@@ -228,6 +227,24 @@ def test_r_follows_the_pointer_and_shift_makes_steps(arch):
     assert points(arch)[1:3] == pytest.approx(np.array([(2 - away, 2 - away), (2 + away, 2 + away)]))
 
 
+def test_a_transform_ends_when_the_keys_go_elsewhere(arch):
+    arch.select([1, 2])
+    document = arch.session.document
+    arch.hover((0, 3))
+    arch.key(Key.Key_G)
+    arch.move((1, 4.5), held=False)
+    arch.window.point_table.setFocus()
+    assert arch.session.document is document
+
+
+def test_the_menu_begins_a_transform_too(arch):
+    arch.select([1, 2])
+    arch.trigger("rotateSelection")
+    arch.type_amount("180")
+    arch.key(Key.Key_Return)
+    assert points(arch).tolist() == [[0, 0], [3, 2], [1, 2], [4, 0]]
+
+
 def test_an_action_in_the_middle_of_a_transform_drops_it(arch):
     arch.select([1, 2])
     arch.hover((0, 3))
@@ -256,7 +273,7 @@ def check_rotation(arch, family, kind):
     before = arch.session.active_view.curve
     arch.select([0, 1, 2, 3])
     arch.key(Key.Key_R)
-    QTest.keyClicks(arch.window.canvas, "30")
+    arch.type_amount("30")
     arch.key(Key.Key_Return)
     t = np.linspace(0, 1, 41)
     angle = math.radians(30)
@@ -269,17 +286,9 @@ def check_rotation(arch, family, kind):
 # The box
 
 
-def grip(editor, x, y, *, rotates=False):
-    canvas = editor.window.canvas
-    for each, place in canvas.overlay.box.grips(canvas.pixel_map.sx):
-        if (each.x, each.y, each.rotates) == (x, y, rotates):
-            return place
-    raise LookupError
-
-
 def test_a_corner_grip_scales_about_the_opposite_corner(arch):
     arch.select([0, 1, 2, 3])
-    start = grip(arch, 1, 1)
+    start = arch.grip(1, 1)
     arch.drag(start, (start[0] + 2, start[1] + 1))
     assert points(arch) == pytest.approx(np.array([(0, 0), (1.5, 3), (4.5, 3), (6, 0)]), abs=3 * arch.pixel)
     assert text_of_undo(arch) == "Scale 4 points"
@@ -287,28 +296,28 @@ def test_a_corner_grip_scales_about_the_opposite_corner(arch):
 
 def test_shift_keeps_proportions_and_alt_the_centre(arch):
     arch.select([0, 1, 2, 3])
-    start = grip(arch, 1, 1)
+    start = arch.grip(1, 1)
     arch.drag(start, (start[0] + 2, start[1] + 1), keys=SHIFT)
     size = np.ptp(points(arch), axis=0)
     assert size[0] / size[1] == pytest.approx(2)
     arch.trigger("undo")
-    arch.drag(grip(arch, 1, 0), (grip(arch, 1, 0)[0] + 1, 1), keys=ALT)
+    arch.drag(arch.grip(1, 0), (arch.grip(1, 0)[0] + 1, 1), keys=ALT)
     assert points(arch)[[0, 3]] == pytest.approx(np.array([(-1, 0), (5, 0)]), abs=3 * arch.pixel)
 
 
 def test_the_round_grip_rotates(arch):
     arch.select([0, 1, 2, 3])
-    arch.drag(grip(arch, 0, 1, rotates=True), (-1, 1), keys=SHIFT)
+    arch.drag(arch.grip(), (-1, 1), keys=SHIFT)
     expected = np.array([(3, 3), (1, 2), (1, 0), (3, -1)])
     assert points(arch) == pytest.approx(expected[::-1], abs=1e-12)
     assert text_of_undo(arch) == "Rotate 4 points"
 
 
-@pytest.mark.parametrize("place", [(1, 1, False), (-1, 0, False), (0, 1, True)])
+@pytest.mark.parametrize("place", [(1, 1), (-1, 0), (0, 0)])
 def test_a_grip_can_be_let_go_with_escape(arch, place):
     arch.select([0, 1, 2, 3])
     document = arch.session.document
-    start = grip(arch, *place[:2], rotates=place[2])
+    start = arch.grip(*place)
     arch.press(start)
     arch.move((start[0] + 1.3, start[1] + 0.8))
     assert arch.session.document != document
@@ -333,10 +342,10 @@ def test_the_box_can_be_hidden_and_stays_hidden(arch):
 
 def test_grips_say_what_they_do_and_change_the_pointer(arch):
     arch.select([0, 1, 2, 3])
-    arch.hover(grip(arch, 1, 1))
+    arch.hover(arch.grip(1, 1))
     assert "scale 4 points" in arch.window.status_line.hint
     assert arch.window.canvas.viewport().cursor().shape() == Qt.CursorShape.SizeBDiagCursor
-    arch.hover(grip(arch, 0, 1, rotates=True))
+    arch.hover(arch.grip())
     assert "rotate 4 points" in arch.window.status_line.hint
     assert arch.window.canvas.viewport().cursor().shape() == Qt.CursorShape.BitmapCursor
 
