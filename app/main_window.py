@@ -123,6 +123,7 @@ class MainWindow(QMainWindow):
         for spec, action in self.actions_by_name.of_menu(title):
             if spec.submenu and spec.submenu not in submenus:
                 submenus[spec.submenu] = menu.addMenu(spec.submenu)
+                submenus[spec.submenu].setObjectName(f"{spec.submenu.lower()}Menu")
             place = submenus.get(spec.submenu, menu)
             if spec.separated:
                 place.addSeparator()

@@ -7,7 +7,7 @@ from collections.abc import Callable, Collection
 from dataclasses import replace
 from enum import Enum
 
-from app.document.model import Vector
+from app.document.model import Document, Vector
 from app.gestures import words
 from app.gestures.bend_drag import BendCurve, bend_keys
 from app.gestures.drags import AppendPoint, DragHandle, InsertPoint, MovePoints, PullVelocity, StepPoints
@@ -54,6 +54,8 @@ class CanvasTool:
         self._measuring = False
         self._note_wanted = False
         self._last: Pointer | None = None
+        # The magnet of the last hover, and what it was made for.
+        self._hovered: tuple[tuple[Document, int, int, Snapping], Magnet] | None = None
         self.kind = ToolKind.SELECT
         self.snapping = Snapping()
         self.grid: Vector = (1.0, 1.0)
@@ -298,8 +300,13 @@ class CanvasTool:
         if not puts or not self.snapping.is_active(pointer) or not math.isfinite(pointer.position[0]):
             self._magnet = None
             return
-        place = len(self._host.active_view.source.nodes) if self.kind is ToolKind.ADD else -2
-        self._magnet_for((), place).pull(pointer.position, pointer)
+        host = self._host
+        place = len(host.active_view.source.nodes) if self.kind is ToolKind.ADD else -2
+        made_for = (host.document, host.active_index, place, self.snapping)
+        if self._hovered is None or self._hovered[0] != made_for:
+            self._hovered = (made_for, self._magnet_for((), place))
+        self._magnet = self._hovered[1]
+        self._magnet.pull(pointer.position, pointer)
 
     def _press_on_part(self, pointer: Pointer, hit: Hit) -> None:
         host = self._host
@@ -314,8 +321,9 @@ class CanvasTool:
         """Select so that a drag moves what it should; return what a click would select."""
         host, before = self._host, self._host.selection
         if index not in before:
-            host.select(before | {index} if pointer.shift else [index])
-            return lambda: None
+            # Alone, for a drag with Shift moves this point along an axis; only a click adds it to the others.
+            host.select([index])
+            return lambda: host.select(before | {index} if pointer.shift else [index])
         return lambda: host.select(before - {index} if pointer.shift else [index])
 
     def _press_on_curve(self, pointer: Pointer, hit: Hit) -> None:

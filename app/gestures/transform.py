@@ -199,7 +199,7 @@ class ModalTransform:
         kinds = {"g": TransformKind.MOVE, "s": TransformKind.SCALE, "r": TransformKind.ROTATE}
         if key in kinds:
             return lambda: replace(now, kind=kinds[key], typed="")
-        if key in ("x", "y"):
+        if key in ("x", "y") and now.kind is not TransformKind.ROTATE:
             axis = "xy".index(key)
             return lambda: replace(now, axis=None if now.axis == axis else axis)
         if key == "backspace":

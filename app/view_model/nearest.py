@@ -28,10 +28,15 @@ class NearestPoint:
     def __init__(self, view: CurveView) -> None:
         self._curve = view.curve
         self._t, self._points = np.empty(0), np.empty((0, 2))
+        self._low = self._high = np.zeros(2)
         if self._curve is not None and view.is_current:
             size = max(float(np.ptp(view.points, axis=0).max()), 1e-300)
             self._t = flatten_parameters(self._curve, 1e-3 * size, None)
             self._points = self._curve.evaluate(self._t)
+            low, high = self._points.min(axis=0), self._points.max(axis=0)
+            # The curve may bulge out of its polyline by a thousandth of its size.
+            margin = 2e-3 * float((high - low).max())
+            self._low, self._high = low - margin, high + margin
 
     def within(self, place: Vector, reach: float) -> Nearest | None:
         """Return the nearest point if it is at most `reach` away.
@@ -58,9 +63,7 @@ class NearestPoint:
         return t - float(away @ first) / slope if slope > 0 else t
 
     def _is_near(self, place: Vector, reach: float) -> bool:
-        low, high = self._points.min(axis=0), self._points.max(axis=0)
-        margin = reach + 2e-3 * float((high - low).max())
-        return bool(np.all(low - margin <= place) and np.all(high + margin >= place))
+        return bool(np.all(self._low - reach <= place) and np.all(self._high + reach >= place))
 
 
 def _nearest_segment(points: Floats, place: Floats) -> tuple[int, float]:

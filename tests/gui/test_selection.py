@@ -62,6 +62,14 @@ def test_a_drag_of_one_of_several_selected_points_moves_them_all(arch):
     assert arch.session.selection == {1, 2}
 
 
+def test_a_drag_with_shift_moves_the_point_under_it_alone(arch):
+    arch.select([0])
+    arch.drag_point(1, to=(2, 2.2), keys=SHIFT)
+    assert arch.point(0) == (0.0, 0.0)
+    assert arch.point(1)[1] == 2.0
+    assert text_of_undo(arch) == "Move point 1"
+
+
 def test_the_rubber_band_selects_live(arch):
     arch.press((-1, 3))
     arch.move((2, 1))
