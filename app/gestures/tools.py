@@ -391,5 +391,7 @@ class CanvasTool:
             return Hint(f"Click to insert point {hit.index} on the curve at t = {hit.t:.4g}")
         index = len(self._host.active_view.source.nodes)
         if self._host.active_view.source.family.derivatives:
-            return Hint(f"Click to add point {index} · Press and drag to set its velocity")
-        return Hint(f"Click to add point {index} · On the curve: insert between neighbours")
+            drag = "Press and drag to set its velocity"
+        else:
+            drag = "On the curve: insert between neighbours"
+        return Hint(f"Click to add point {index} · {drag} · Ctrl: {self._snap_word()}")
