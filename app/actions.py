@@ -35,6 +35,8 @@ class ActionSpec:
         Whether it is a switch of its own.
     separated
         Whether a separator stands before it in its menu.
+    submenu
+        The submenu of `menu` it stands in; empty for the menu itself.
     """
 
     name: str
@@ -46,6 +48,7 @@ class ActionSpec:
     group: str = ""
     checkable: bool = False
     separated: bool = False
+    submenu: str = ""
 
 
 MENUS = ("File", "Edit", "Curve", "View", "Help")
@@ -80,7 +83,122 @@ SPECS = (
         "addTool", "Add Points", "Edit", "P", "add", "Click to add points; drag to set a velocity", "tool"
     ),
     ActionSpec(
+        "measureTool", "Measure", "Edit", "M", "measure", "Drag to measure a distance and an angle", "tool"
+    ),
+    ActionSpec(
         "selectAll", "Select All", "Edit", "Ctrl+A", "select-all", "Select all points", separated=True
+    ),
+    ActionSpec(
+        "moveSelection",
+        "Move",
+        "Edit",
+        "G",
+        "move",
+        "Move the selected points with the pointer; type the amount",
+        submenu="Transform",
+    ),
+    ActionSpec(
+        "scaleSelection",
+        "Scale",
+        "Edit",
+        "S",
+        "scale",
+        "Scale the selected points with the pointer; type the factor",
+        submenu="Transform",
+    ),
+    ActionSpec(
+        "rotateSelection",
+        "Rotate",
+        "Edit",
+        "R",
+        "rotate",
+        "Rotate the selected points with the pointer; type the angle",
+        submenu="Transform",
+    ),
+    ActionSpec(
+        "toggleTransformBox",
+        "Box with Grips",
+        "Edit",
+        "",
+        "transform-box",
+        "Show a box with grips around two or more selected points",
+        checkable=True,
+        separated=True,
+        submenu="Transform",
+    ),
+    ActionSpec(
+        "alignLeft",
+        "Left",
+        "Edit",
+        "",
+        "align-left",
+        "Put the selected points below the leftmost one",
+        submenu="Align",
+    ),
+    ActionSpec(
+        "alignCentre",
+        "Centre",
+        "Edit",
+        "",
+        "align-centre",
+        "Put the selected points on one vertical, halfway",
+        submenu="Align",
+    ),
+    ActionSpec(
+        "alignRight",
+        "Right",
+        "Edit",
+        "",
+        "align-right",
+        "Put the selected points below the rightmost one",
+        submenu="Align",
+    ),
+    ActionSpec(
+        "alignTop",
+        "Top",
+        "Edit",
+        "",
+        "align-top",
+        "Put the selected points level with the highest one",
+        separated=True,
+        submenu="Align",
+    ),
+    ActionSpec(
+        "alignMiddle",
+        "Middle",
+        "Edit",
+        "",
+        "align-middle",
+        "Put the selected points on one horizontal, halfway",
+        submenu="Align",
+    ),
+    ActionSpec(
+        "alignBottom",
+        "Bottom",
+        "Edit",
+        "",
+        "align-bottom",
+        "Put the selected points level with the lowest one",
+        submenu="Align",
+    ),
+    ActionSpec(
+        "distributeHorizontally",
+        "Distribute Horizontally",
+        "Edit",
+        "",
+        "distribute-horizontally",
+        "Space the selected points evenly from left to right",
+        separated=True,
+        submenu="Align",
+    ),
+    ActionSpec(
+        "distributeVertically",
+        "Distribute Vertically",
+        "Edit",
+        "",
+        "distribute-vertically",
+        "Space the selected points evenly from bottom to top",
+        submenu="Align",
     ),
     ActionSpec("deleteSelection", "Delete", "Edit", "Del, Backspace", "delete", "Delete the selected points"),
     ActionSpec(
@@ -127,6 +245,15 @@ SPECS = (
         "Show or hide the grid",
         checkable=True,
         separated=True,
+    ),
+    ActionSpec(
+        "toggleSnap",
+        "Snap",
+        "View",
+        "Shift+S",
+        "magnet",
+        "Snap to grid, points and curves; Ctrl while dragging turns it round",
+        checkable=True,
     ),
     ActionSpec(
         "toggleScrub",

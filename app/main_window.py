@@ -119,10 +119,15 @@ class MainWindow(QMainWindow):
 
     def _build_menu(self, title: str) -> None:
         menu = self.menuBar().addMenu(title)
+        submenus: dict[str, QMenu] = {}
         for spec, action in self.actions_by_name.of_menu(title):
+            if spec.submenu and spec.submenu not in submenus:
+                submenus[spec.submenu] = menu.addMenu(spec.submenu)
+                submenus[spec.submenu].setObjectName(f"{spec.submenu.lower()}Menu")
+            place = submenus.get(spec.submenu, menu)
             if spec.separated:
-                menu.addSeparator()
-            menu.addAction(action)
+                place.addSeparator()
+            place.addAction(action)
             if spec.name == "openDocument":
                 self.recent_menu = menu.addMenu("Open Recent")
                 self.examples_menu = menu.addMenu("Examples")
@@ -143,6 +148,7 @@ class MainWindow(QMainWindow):
             toolbar=self.toolbar,
             docks=self.docks,
             parameters_menu=self.parameters_menu,
+            preferences=self.preferences,
             set_theme_mode=self.set_theme_mode,
         )
 
@@ -163,6 +169,7 @@ class MainWindow(QMainWindow):
         session.said.connect(self.status_line.say)
         for plot in (self.canvas, self.basis_panel):
             plot.hint_changed.connect(self.status_line.show_hint)
+        self.canvas.progress_changed.connect(self.status_line.show_progress)
         self.canvas.pointed_at.connect(self.status_line.show_place)
         self.basis_panel.pointed_at.connect(self.status_line.show_t)
         self.recent_menu.aboutToShow.connect(self._fill_recent_menu)
@@ -261,6 +268,10 @@ class MainWindow(QMainWindow):
     def export_file(self, path: Path) -> None:
         """Write a picture, or say why not."""
         self._files.export(path)
+
+    def apply_preferences(self) -> None:
+        """Take over what the preferences say about grid, unit and snapping."""
+        self._commands.snap.apply_preferences()
 
     def set_theme_mode(self, mode: ThemeMode) -> None:
         """Use light or dark colours, or follow the system, from now on."""

@@ -190,6 +190,27 @@ class Editor:
         """Drag a handle of the selected point."""
         self.drag(self.handle(kind, ahead=ahead).position, to)
 
+    def bend(self, t: float, to: Vector, *, keys: Qt.KeyboardModifier = _NO_KEYS) -> None:
+        """Grab the curve at `t` and drag it."""
+        assert self.session.active_view.curve is not None
+        x, y = self.session.active_view.curve.evaluate(t)
+        self.drag((float(x), float(y)), to, keys=keys)
+
+    def grip(self, x: int = 0, y: int = 0) -> Vector:
+        """Return where a grip of the box around the selection lies: x, y in −1, 0, 1; 0, 0 rotates."""
+        canvas = self.window.canvas
+        if canvas.overlay.box is None:
+            raise LookupError("No box is shown; it takes two selected points.")
+        for each, place in canvas.overlay.box.grips(canvas.pixel_map.sx):
+            if each.rotates if (x, y) == (0, 0) else (each.x, each.y, each.rotates) == (x, y, False):
+                return place
+        raise LookupError("The box has no such grip.")
+
+    def type_amount(self, text: str) -> None:
+        """Type into the transform that G, S or R began."""
+        QTest.keyClicks(self.window.canvas, text)
+        self.settle()
+
     def drag_parameter(self, index: int, to: float) -> None:
         """Drag the tick of point `index` along the t-rail."""
         panel = self.window.basis_panel

@@ -2,5 +2,7 @@
 
 - ``canvas``: the widget.
 - ``curve_layer``, ``point_layer``, ``grid_layer``: what it draws.
+- ``overlay_layer``: what a gesture shows over it: rubber band, box with grips, what was snapped to, a ruler.
+- ``keys``: what keys mean, and the shapes of the pointer.
 - ``hit_test``: what lies under the pointer.
 """

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 from PySide6.QtGui import QPainter, QPen
 
@@ -9,6 +11,9 @@ from app.plot.drawing import Segments
 from app.plot.pixel_map import Floats, PixelMap
 from app.plot.plot_widget import PlotWidget
 from app.theme import Theme
+
+_LEAST_FINE, _LEAST_COARSE = 6.0, 60.0
+"""Least distance of fine and coarse lines in pixels, where the spacing of the grid is fixed."""
 
 
 class GridLayer:
@@ -20,7 +25,40 @@ class GridLayer:
         self.visible = True
         self._shown: PixelMap | None = None
         self._fine, self._coarse = Segments(), Segments()
+        self._fixed = 0.0
         plot.add_layer(self.paint, z=-10)
+        plot.map_changed.connect(self._tune_axes)
+
+    def set_spacing(self, spacing: float) -> None:
+        """Fix the distance of the lines, in units of the plane; 0 adapts it to the zoom."""
+        self._fixed, self._shown = spacing, None
+        for axis in self._axes():
+            axis.setTickSpacing()
+        self._tune_axes()
+
+    def _axes(self) -> tuple[Any, Any]:
+        return (self._plot.getAxis("bottom"), self._plot.getAxis("left"))
+
+    def spacing(self, shown: PixelMap) -> tuple[float, float]:
+        """Return the distance of the fine lines along x and y: what snapping to the grid goes by."""
+        if self._fixed:
+            return (self._fixed, self._fixed)
+        x_min, y_min, x_max, y_max = shown.box
+        along_x, along_y = self._axes()
+        return (
+            _finest(along_x.tickSpacing(x_min, x_max, shown.width)),
+            _finest(along_y.tickSpacing(y_min, y_max, shown.height)),
+        )
+
+    def _tune_axes(self) -> None:
+        """Keep lines of a fixed distance apart on the screen: of a dense grid not every line is drawn."""
+        if not self._fixed:
+            return
+        fine = _wide_enough(self._fixed, _LEAST_FINE / self._plot.pixel_map.sx)
+        coarse = _wide_enough(2 * fine, _LEAST_COARSE / self._plot.pixel_map.sx)
+        self._shown = None
+        for axis in self._axes():
+            axis.setTickSpacing(major=coarse, minor=fine)
 
     def paint(self, painter: QPainter, shown: PixelMap) -> None:
         """Draw the lines; they are computed anew when another part of the plane is visible."""
@@ -41,6 +79,17 @@ class GridLayer:
         for lines, level in ((self._coarse, 0), (self._fine, 1)):
             across = [shown.x(_values(x_levels, level)), shown.y(_values(y_levels, level))]
             lines.fill(_lines(across[0], across[1], shown))
+
+
+def _finest(levels: list[tuple[float, float]]) -> float:
+    """Return the spacing of the fine lines without the rounding of the power of ten in it."""
+    return float(f"{levels[min(1, len(levels) - 1)][0]:.12g}")
+
+
+def _wide_enough(spacing: float, least: float) -> float:
+    """Return `spacing` times 1, 2, 5, 10, 20, … so that it is at least `least`."""
+    factors = (step * 10.0**power for power in range(30) for step in (1, 2, 5))
+    return next((spacing * factor for factor in factors if spacing * factor >= least), spacing * 1e30)
 
 
 def _values(levels: list[tuple[float, list[float]]], level: int) -> Floats:

@@ -2,6 +2,8 @@
 
 - ``parts``: the parts of a window that commands act on, and what a set of commands is.
 - ``edit_commands``: history, points, family and parameters.
+- ``selection_commands``: move, scale, rotate, align and distribute the selected points.
+- ``snap_commands``: snapping, the grid's spacing and the unit, as the preferences have them.
 - ``view_commands``: tools, zoom, panels, presentation, theme.
 - ``help_commands``: keys and mouse, about.
 - ``messages``: the line on the canvas.

@@ -6,6 +6,8 @@ from app.commands.edit_commands import EditCommands
 from app.commands.help_commands import HelpCommands
 from app.commands.messages import Messages
 from app.commands.parts import CommandSet, Handlers, Parts
+from app.commands.selection_commands import SelectionCommands
+from app.commands.snap_commands import SnapCommands
 from app.commands.view_commands import ViewCommands
 from app.view_model.curve_view import CurveView
 
@@ -17,7 +19,14 @@ class Commands:
         self._parts = parts
         self.view = ViewCommands(parts)
         self.messages = Messages(parts)
-        self._sets: tuple[CommandSet, ...] = (EditCommands(parts), self.view, HelpCommands(parts))
+        self.snap = SnapCommands(parts)
+        self._sets: tuple[CommandSet, ...] = (
+            EditCommands(parts),
+            SelectionCommands(parts),
+            self.snap,
+            self.view,
+            HelpCommands(parts),
+        )
         for handlers in (self._file_handlers(), *(each.handlers() for each in self._sets)):
             for name, handler in handlers.items():
                 parts.actions[name].triggered.connect(lambda _checked=False, handler=handler: handler())

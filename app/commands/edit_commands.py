@@ -111,6 +111,7 @@ class EditCommands:
         session, chosen = self._session, self._session.selection
         if not chosen:
             return
+        self._parts.cancel_gesture()
         what = f"point {next(iter(chosen))}" if len(chosen) == 1 else f"{len(chosen)} points"
         document = edits.delete_nodes(session.document, session.active_index, chosen)
         session.select([])

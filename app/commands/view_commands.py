@@ -11,6 +11,7 @@ from app.view_model.curve_view import CurveView
 _TOOL_HINTS = {
     ToolKind.SELECT: "Drag points and handles; P adds points.",
     ToolKind.ADD: "Click to add points; V or Escape goes back to selecting.",
+    ToolKind.MEASURE: "Drag to measure; V or Escape goes back to selecting.",
 }
 _SCALES = (0.75, 1.0, 1.25, 1.5, 2.0, 2.5, 3.0)
 
@@ -34,6 +35,7 @@ class ViewCommands:
         return {
             "selectTool": lambda: self._use_tool(ToolKind.SELECT),
             "addTool": lambda: self._use_tool(ToolKind.ADD),
+            "measureTool": lambda: self._use_tool(ToolKind.MEASURE),
             "fitView": self._fit,
             "zoomIn": lambda: self._zoom(ZOOM_STEP),
             "zoomOut": lambda: self._zoom(1 / ZOOM_STEP),
@@ -57,9 +59,9 @@ class ViewCommands:
     def escape(self) -> None:
         """Step back: the gesture in flight, the adding, the presentation, the scrub line, the selection."""
         session = self._session
-        if self._parts.cancel_gesture():
+        if self._parts.cancel_gesture() or self._parts.canvas.put_away():
             return
-        if self._actions["addTool"].isChecked():
+        if self._actions["addTool"].isChecked() or self._actions["measureTool"].isChecked():
             self._actions["selectTool"].trigger()
         elif self._actions["presentation"].isChecked():
             self._actions["presentation"].trigger()

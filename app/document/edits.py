@@ -52,7 +52,24 @@ def _checked_vector(vector: Vector, what: str) -> Vector:
 
 
 def _with_nodes(document: Document, curve: int, nodes: Iterable[Node]) -> Document:
-    return document.with_curve(curve, replace(document.curves[curve], nodes=tuple(nodes)))
+    return document.with_curve(
+        curve, _with_room_to_close(replace(document.curves[curve], nodes=tuple(nodes)))
+    )
+
+
+def _with_room_to_close(curve: Curve) -> Curve:
+    """Let the interval of a closed curve with manual parameters end after the t of its last point.
+
+    A Lagrange curve stays open, but keeps the wish to be closed for the family it may get next.
+    """
+    if not (curve.closed and curve.is_manual and curve.nodes):
+        return curve
+    first, last, end = curve.nodes[0].t, curve.nodes[-1].t, curve.parametrization.end
+    if first is None or last is None or end > last:
+        return curve
+    # The segment that closes takes as long as the others do on average.
+    mean = (last - first) / (len(curve.nodes) - 1) if len(curve.nodes) > 1 else 1.0
+    return replace(curve, parametrization=replace(curve.parametrization, end=last + mean))
 
 
 def _with_node(document: Document, curve: int, index: int, node: Node) -> Document:
@@ -167,12 +184,7 @@ def set_closed(document: Document, curve: int, closed: bool) -> Document:
         )
     if closed and len(old.nodes) < 3:
         raise EditError("A closed curve needs at least three points.")
-    rule = old.parametrization
-    if closed and old.is_manual and old.nodes[-1].t is not None and not rule.end > old.nodes[-1].t:
-        # The segment that closes takes as long as the others do on average.
-        start, end = interval(old)
-        rule = replace(rule, end=end + (end - start) / (len(old.nodes) - 1))
-    return document.with_curve(curve, replace(old, closed=closed, parametrization=rule))
+    return document.with_curve(curve, _with_room_to_close(replace(old, closed=closed)))
 
 
 # Rules
@@ -213,7 +225,8 @@ def set_parametrization(
     old = document.curves[curve]
     if kind is ParametrizationKind.MANUAL and any(node.t is None for node in old.nodes):
         return freeze_parameters(document, curve, parameters)
-    return document.with_curve(curve, replace(old, parametrization=replace(old.parametrization, kind=kind)))
+    chosen = replace(old, parametrization=replace(old.parametrization, kind=kind))
+    return document.with_curve(curve, _with_room_to_close(chosen))
 
 
 def freeze_parameters(document: Document, curve: int, parameters: Sequence[float]) -> Document:
@@ -224,7 +237,7 @@ def freeze_parameters(document: Document, curve: int, parameters: Sequence[float
     rule = replace(old.parametrization, kind=ParametrizationKind.MANUAL)
     if closing:
         rule = replace(rule, start=min(rule.start, float(parameters[0])), end=float(closing[0]))
-    return document.with_curve(curve, replace(old, nodes=nodes, parametrization=rule))
+    return document.with_curve(curve, _with_room_to_close(replace(old, nodes=nodes, parametrization=rule)))
 
 
 def set_parameter(

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Collection
 from dataclasses import dataclass
-from typing import Protocol
+from typing import Protocol, runtime_checkable
 
 from app.document.edits import EditError
 from app.document.model import Document, Vector
@@ -25,6 +25,10 @@ class Host(Protocol):
     @property
     def document(self) -> Document:
         """The current document."""
+
+    @property
+    def views(self) -> list[CurveView]:
+        """The views of all curves."""
 
     @property
     def active_view(self) -> CurveView:
@@ -63,6 +67,18 @@ class Drag(Protocol):
         """Return the document for this position, computed from the press, never from the last move."""
 
 
+@runtime_checkable
+class Told(Protocol):
+    """A drag that tells its amount while it goes on."""
+
+    @property
+    def keys(self) -> str:
+        """What each modifier key would change."""
+
+    def note_at(self, pointer: Pointer) -> str:
+        """Return the amount, such as "Rotate 30°"."""
+
+
 @dataclass
 class _Press:
     pixel: Vector
@@ -70,6 +86,7 @@ class _Press:
     on_click: Callable[[], None] | None
     moving: bool
     last: Document | None = None
+    refused: str = ""
 
 
 class DragMachine:
@@ -118,10 +135,27 @@ class DragMachine:
         try:
             document = press.drag.document_at(pointer)
         except EditError as reason:
-            self._host.say(str(reason))
+            press.refused = str(reason)
+            self._host.say(press.refused)
             return
-        press.last = document
+        press.last, press.refused = document, ""
         self._host.preview(document)
+
+    def exchange(self, pointer: Pointer, drag: Drag) -> None:
+        """Go on with another drag from the same press: an axis was locked, an amount typed."""
+        if self._press is not None:
+            self._press.drag = drag
+            self._step(pointer)
+
+    def progress_at(self, pointer: Pointer) -> str:
+        """Return the amount of the drag in flight and what modifiers would change, or why it is refused."""
+        press = self._press
+        if press is None or not press.moving:
+            return ""
+        if press.refused or not isinstance(press.drag, Told):
+            return press.refused
+        parts = (press.drag.note_at(pointer), press.drag.keys, "Escape cancels")
+        return " · ".join(part for part in parts if part)
 
     def release(self, pointer: Pointer) -> None:
         """End: commit what the drag made, or click."""

@@ -65,6 +65,8 @@ class Pointer:
         What lies under it; only a press and a hover need it.
     shift, ctrl, alt
         Modifier keys.
+    scale
+        Pixels per unit of the plane, for what is measured on the screen.
     """
 
     position: Vector
@@ -73,11 +75,24 @@ class Pointer:
     shift: bool = False
     ctrl: bool = False
     alt: bool = False
+    scale: float = 1.0
+
+
+class Cursor(Enum):
+    """The shape of the pointer, where it is another than the tool's."""
+
+    MOVE = auto()
+    WIDER = auto()
+    HIGHER = auto()
+    RISING = auto()
+    FALLING = auto()
+    ROTATE = auto()
 
 
 @dataclass(frozen=True)
 class Hint:
-    """What a press here would do: a sentence, and whether something can be grabbed."""
+    """What a press here would do: a sentence, whether something can be grabbed, the shape of the pointer."""
 
     text: str = ""
     grab: bool = False
+    cursor: Cursor | None = None

@@ -54,6 +54,13 @@ class StatusLine(QStatusBar):
             self._said = ""
             self._label.setText(text)
 
+    def show_progress(self, text: str) -> None:
+        """Show how far a gesture has come, in front of whatever has been said; empty leaves it to others."""
+        if text:
+            self._timer.stop()
+            self._said = ""
+            self._label.setText(text)
+
     def say(self, text: str) -> None:
         """Show a sentence for some seconds."""
         self._said = text
