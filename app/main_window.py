@@ -27,6 +27,7 @@ from app.panels.basis_pane import BasisPane
 from app.panels.basis_panel import BasisPanel
 from app.panels.curve_settings import CurveSettings
 from app.panels.history import HistoryPanel
+from app.panels.image_panel import ImagePanel
 from app.panels.message_bar import MessageBar
 from app.panels.parametrization_bar import ParametrizationBar
 from app.panels.point_table import PointTable
@@ -96,7 +97,11 @@ class MainWindow(QMainWindow):
         history = self._add_dock("historyDock", "History", self.history)
         self.tabifyDockWidget(curve, history)
         curve.raise_()
-        self.docks = (points, curve, history)
+        self.image_panel = ImagePanel(self.session)
+        self.image_dock = self._add_dock("imageDock", "Image", self.image_panel)
+        self.tabifyDockWidget(history, self.image_dock)
+        curve.raise_()
+        self.docks = (points, curve, history, self.image_dock)
         self.resizeDocks([points], [340], Qt.Orientation.Horizontal)
         self.resizeDocks([points, curve], [480, 300], Qt.Orientation.Vertical)
 
@@ -144,6 +149,9 @@ class MainWindow(QMainWindow):
             docks=self.docks,
             parameters_menu=self.parameters_menu,
             set_theme_mode=self.set_theme_mode,
+            preferences=self.preferences,
+            image_panel=self.image_panel,
+            image_dock=self.image_dock,
         )
 
     # Connecting
@@ -163,6 +171,8 @@ class MainWindow(QMainWindow):
         session.said.connect(self.status_line.say)
         for plot in (self.canvas, self.basis_panel):
             plot.hint_changed.connect(self.status_line.show_hint)
+        self.basis_panel.drag_changed.connect(self.canvas.hold_ghost)
+        self.parametrization_bar.drag_changed.connect(self.canvas.hold_ghost)
         self.canvas.pointed_at.connect(self.status_line.show_place)
         self.basis_panel.pointed_at.connect(self.status_line.show_t)
         self.recent_menu.aboutToShow.connect(self._fill_recent_menu)

@@ -2,15 +2,25 @@
 
 from __future__ import annotations
 
+import json
+import math
+from collections.abc import Collection, Mapping
 from pathlib import Path
 from typing import Final
 
 from PySide6.QtCore import QByteArray, QSettings
 
+from app.document.model import MAX_MAGNITUDE
 from app.theme import ThemeMode
 
 _NAME: Final = "curvebench"
 _MAX_RECENT: Final = 10
+
+SNAP_KINDS: Final = frozenset({"grid", "points", "curves", "neighbours"})
+"""What points can snap to."""
+
+LONGEST_UNIT: Final = 12
+"""Letters that the name of a unit may have."""
 
 
 class Preferences:
@@ -50,6 +60,65 @@ class Preferences:
     @theme_mode.setter
     def theme_mode(self, mode: ThemeMode) -> None:
         self._settings.setValue("theme", mode.value)
+
+    @property
+    def grid_spacing(self) -> float:
+        """Distance of the grid's lines in the plane; 0 where it adapts to the zoom."""
+        stored = self._text("grid/spacing")
+        try:
+            spacing = float(stored or 0)
+        except ValueError:
+            spacing = math.nan
+        if 0 <= spacing <= MAX_MAGNITUDE:
+            return spacing
+        self._complain("grid/spacing", f"“{stored}” is not a distance")
+        return 0.0
+
+    @grid_spacing.setter
+    def grid_spacing(self, spacing: float) -> None:
+        self._settings.setValue("grid/spacing", repr(float(spacing)))
+
+    @property
+    def unit_name(self) -> str:
+        """What a length of one is called, such as mm; empty for no unit."""
+        return self._text("unit")[:LONGEST_UNIT]
+
+    @unit_name.setter
+    def unit_name(self, name: str) -> None:
+        self._settings.setValue("unit", name)
+
+    @property
+    def snap_kinds(self) -> frozenset[str]:
+        """What points snap to: a subset of `SNAP_KINDS`."""
+        stored = self._settings.value("snap/kinds")
+        if stored is None:
+            return SNAP_KINDS
+        kinds = frozenset(stored.split()) if isinstance(stored, str) else None
+        if kinds is not None and kinds <= SNAP_KINDS:
+            return kinds
+        self._complain("snap/kinds", "it names something that is not known here")
+        return SNAP_KINDS
+
+    @snap_kinds.setter
+    def snap_kinds(self, kinds: Collection[str]) -> None:
+        self._settings.setValue("snap/kinds", " ".join(sorted(kinds)))
+
+    @property
+    def shortcuts(self) -> dict[str, str]:
+        """The keys that differ from the defaults, by the action's name."""
+        stored = self._text("shortcuts")
+        try:
+            found = json.loads(stored or "{}")
+        except ValueError:
+            found = None
+        if isinstance(found, dict) and all(isinstance(keys, str) for keys in found.values()):
+            return found
+        self._complain("shortcuts", "they are not a list of keys")
+        return {}
+
+    @shortcuts.setter
+    def shortcuts(self, keys: Mapping[str, str]) -> None:
+        self._settings.setValue("shortcuts", json.dumps(dict(keys), sort_keys=True))
 
     @property
     def window_geometry(self) -> QByteArray:

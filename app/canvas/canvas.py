@@ -7,14 +7,17 @@ from dataclasses import replace
 
 import numpy as np
 from PySide6.QtCore import QPointF, Qt, Signal
-from PySide6.QtGui import QKeyEvent
+from PySide6.QtGui import QImage, QKeyEvent
 from PySide6.QtWidgets import QWidget
 
 from app.canvas.curve_layer import CurveLayer
 from app.canvas.grid_layer import GridLayer
 from app.canvas.hit_test import hit_test
+from app.canvas.image_layer import ImageLayer
 from app.canvas.point_layer import PointLayer
-from app.document.model import Vector
+from app.canvas.unit_layer import UnitLayer
+from app.document.model import ReferenceImage, Vector
+from app.gestures.image_tool import ImageTool
 from app.gestures.pointer import Hint, Pointer
 from app.gestures.tools import CanvasTool, ToolKind
 from app.plot.plot_widget import PlotWidget
@@ -56,7 +59,10 @@ class Canvas(PlotWidget):
         self._view: CurveView | None = None
         self._scrub: float | None = None
         self.getViewBox().setAspectLocked(True)
+        self._image_layer = ImageLayer(self, LIGHT)
+        self._image_tool: ImageTool | None = None
         self._grid = GridLayer(self, LIGHT)
+        self._units = UnitLayer(self, LIGHT)
         self._curve_layer = CurveLayer(self, LIGHT)
         self._point_layer = PointLayer(self, LIGHT)
 
@@ -72,6 +78,8 @@ class Canvas(PlotWidget):
 
     def _show_ghost_of_other_rules(self, view: CurveView) -> None:
         old = self._view
+        if self._curve_layer.is_ghost_held:
+            return
         if old is None or self._tool.is_pressed or not old.is_current or not view.is_current:
             return
         same_nodes = old.source.nodes == view.source.nodes
@@ -80,9 +88,18 @@ class Canvas(PlotWidget):
             if polyline is not None:
                 self._curve_layer.show_ghost(polyline.points)
 
+    def hold_ghost(self, held: bool) -> None:
+        """Keep a ghost of the curve as it is now while something is dragged elsewhere; then let it fade."""
+        if not held:
+            self._curve_layer.release_ghost()
+            return
+        polyline = self._curve_layer.polyline(self.pixel_map)
+        if polyline is not None:
+            self._curve_layer.hold_ghost(polyline.points)
+
     def set_theme(self, theme: Theme) -> None:
         """Take the colours of `theme`."""
-        for layer in (self._grid, self._curve_layer, self._point_layer):
+        for layer in (self._image_layer, self._grid, self._units, self._curve_layer, self._point_layer):
             layer.theme = theme
         super().set_theme(theme)
 
@@ -111,6 +128,38 @@ class Canvas(PlotWidget):
         """Show or hide the grid."""
         self._grid.visible = visible
         self.viewport().update()
+
+    def set_grid_spacing(self, spacing: float) -> None:
+        """Draw the grid at this distance; 0 lets it adapt to the zoom."""
+        self._grid.spacing = spacing
+        self.viewport().update()
+
+    def set_unit(self, unit: str) -> None:
+        """Write this unit at the axes."""
+        self._units.unit = unit
+
+    # The picture to trace
+
+    def set_image(self, image: ReferenceImage | None, pixels: QImage | None) -> None:
+        """Show a picture behind the curves; without `pixels` the frame where it belongs."""
+        self._image_layer.render(image, pixels)
+
+    def set_image_tool(self, tool: ImageTool | None) -> None:
+        """Let the mouse move and scale the picture, until None gives it back to the points."""
+        self.cancel_gesture()
+        self._image_tool = tool
+        self._image_layer.has_grips = tool is not None
+        self._set_cursor(grab=False)
+        self.viewport().update()
+
+    @property
+    def is_moving_image(self) -> bool:
+        """Whether the mouse moves the picture instead of the points."""
+        return self._image_tool is not None
+
+    @property
+    def _active_tool(self) -> CanvasTool | ImageTool:
+        return self._image_tool or self._tool
 
     @property
     def is_grid_visible(self) -> bool:
@@ -161,39 +210,41 @@ class Canvas(PlotWidget):
     @property
     def is_dragging(self) -> bool:
         """Whether a gesture is in flight."""
-        return self._tool.is_pressed
+        return self._active_tool.is_pressed
 
     def cancel_gesture(self) -> bool:
         """Drop the gesture in flight; return whether there was one."""
-        return self._tool.cancel()
+        return self._active_tool.cancel()
 
     def forget_gesture(self) -> None:
         """Drop the gesture in flight; the document is another one."""
-        self._tool.forget()
+        self._active_tool.forget()
 
     def pressed(self, pointer: Pointer) -> None:
-        self._tool.press(self._with_hit(pointer))
+        self._active_tool.press(self._with_hit(pointer))
 
     def moved(self, pointer: Pointer) -> None:
-        self._tool.move(pointer)
+        self._active_tool.move(pointer)
         self.pointed_at.emit(pointer.position)
 
     def released(self, pointer: Pointer) -> None:
-        self._tool.release(pointer)
+        self._active_tool.release(pointer)
         self.hovered_at(pointer)
 
     def hovered_at(self, pointer: Pointer) -> None:
-        hint = self._tool.hover(self._with_hit(pointer))
+        hint = self._active_tool.hover(self._with_hit(pointer))
         self._show_hint(hint)
         self.pointed_at.emit(pointer.position)
 
     def left(self) -> None:
-        if not self._tool.is_pressed:
-            self._tool.hover(Pointer((np.inf, np.inf), (np.inf, np.inf)))
+        if not self._active_tool.is_pressed:
+            self._active_tool.hover(Pointer((np.inf, np.inf), (np.inf, np.inf)))
             self.hint_changed.emit("")
             self.pointed_at.emit(None)
 
     def _with_hit(self, pointer: Pointer) -> Pointer:
+        if self._image_tool is not None:
+            return replace(pointer, hit=self._image_layer.hit(pointer.pixel, self.pixel_map))
         if self._view is None:
             return pointer
         shown, layer = self.pixel_map, self._point_layer
@@ -209,6 +260,8 @@ class Canvas(PlotWidget):
         if self._space_down or self._pan_from is not None:
             return
         idle = Qt.CursorShape.CrossCursor if self._tool.kind is ToolKind.ADD else Qt.CursorShape.ArrowCursor
+        if self._image_tool is not None:
+            idle = Qt.CursorShape.ArrowCursor
         self.viewport().setCursor(Qt.CursorShape.PointingHandCursor if grab else idle)
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
@@ -220,7 +273,7 @@ class Canvas(PlotWidget):
     def _nudge(self, event: QKeyEvent) -> bool:
         """Move the selected points by a pixel: with Shift ten, with Ctrl a tenth."""
         direction = _ARROWS.get(Qt.Key(event.key()))
-        if direction is None or self._tool.is_pressed:
+        if direction is None or self._active_tool.is_pressed:
             return False
         held = event.modifiers()
         step = 1.0 / self.pixel_map.sx
@@ -228,7 +281,7 @@ class Canvas(PlotWidget):
             step *= 10
         if held & Qt.KeyboardModifier.ControlModifier:
             step /= 10
-        self._tool.nudge((direction[0] * step, direction[1] * step))
+        self._active_tool.nudge((direction[0] * step, direction[1] * step))
         return True
 
     def focusNextPrevChild(self, forward: bool) -> bool:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+
 import numpy as np
 from PySide6.QtGui import QPainter, QPen
 
@@ -9,6 +11,9 @@ from app.plot.drawing import Segments
 from app.plot.pixel_map import Floats, PixelMap
 from app.plot.plot_widget import PlotWidget
 from app.theme import Theme
+
+_LEAST_GAP = 8.0
+"""Pixels between two lines of the grid, at least."""
 
 
 class GridLayer:
@@ -21,6 +26,30 @@ class GridLayer:
         self._shown: PixelMap | None = None
         self._fine, self._coarse = Segments(), Segments()
         plot.add_layer(self.paint, z=-10)
+        self._spacing, self._steps = 0.0, (0.0, 0.0)
+        plot.map_changed.connect(self._space_ticks)
+
+    @property
+    def spacing(self) -> float:
+        """Distance of the fine lines; 0 where it adapts to the zoom."""
+        return self._spacing
+
+    @spacing.setter
+    def spacing(self, spacing: float) -> None:
+        self._spacing = spacing
+        self._space_ticks()
+
+    def _space_ticks(self) -> None:
+        """Give the axes the ticks of a grid of fixed spacing, coarser where its lines would be too dense."""
+        steps = grid_steps(self._spacing, self._plot.pixel_map.sx) if self._spacing else (0.0, 0.0)
+        if steps == self._steps:
+            return
+        self._steps, self._shown = steps, None
+        for name in ("left", "bottom"):
+            if self._spacing:
+                self._plot.getAxis(name).setTickSpacing(*steps)
+            else:
+                self._plot.getAxis(name).setTickSpacing()
 
     def paint(self, painter: QPainter, shown: PixelMap) -> None:
         """Draw the lines; they are computed anew when another part of the plane is visible."""
@@ -41,6 +70,19 @@ class GridLayer:
         for lines, level in ((self._coarse, 0), (self._fine, 1)):
             across = [shown.x(_values(x_levels, level)), shown.y(_values(y_levels, level))]
             lines.fill(_lines(across[0], across[1], shown))
+
+
+def grid_steps(spacing: float, pixels_per_unit: float) -> tuple[float, float]:
+    """Return the distances of coarse and fine lines for a grid of fixed spacing.
+
+    The fine lines are `spacing` apart, or 2, 5, 10, 20, … times that where they would be denser than
+    `_LEAST_GAP` pixels.
+    """
+    needed = max(_LEAST_GAP / (spacing * pixels_per_unit), 1.0)
+    decade = 10.0 ** math.floor(math.log10(needed))
+    factor = next(step * decade for step in (1, 2, 5, 10) if step * decade >= needed * (1 - 1e-12))
+    # After 2 comes 10, so that lines of both kinds fall together.
+    return (5 if round(factor / decade) == 2 else 10) * factor * spacing, factor * spacing
 
 
 def _values(levels: list[tuple[float, list[float]]], level: int) -> Floats:

@@ -4,8 +4,11 @@ from __future__ import annotations
 
 from app.commands.edit_commands import EditCommands
 from app.commands.help_commands import HelpCommands
+from app.commands.image_commands import ImageCommands
 from app.commands.messages import Messages
 from app.commands.parts import CommandSet, Handlers, Parts
+from app.commands.rail_commands import RailCommands
+from app.commands.tool_commands import ToolCommands
 from app.commands.view_commands import ViewCommands
 from app.view_model.curve_view import CurveView
 
@@ -17,7 +20,14 @@ class Commands:
         self._parts = parts
         self.view = ViewCommands(parts)
         self.messages = Messages(parts)
-        self._sets: tuple[CommandSet, ...] = (EditCommands(parts), self.view, HelpCommands(parts))
+        self._sets: tuple[CommandSet, ...] = (
+            EditCommands(parts),
+            self.view,
+            HelpCommands(parts),
+            RailCommands(parts),
+            ImageCommands(parts, self.messages),
+            ToolCommands(parts),
+        )
         for handlers in (self._file_handlers(), *(each.handlers() for each in self._sets)):
             for name, handler in handlers.items():
                 parts.actions[name].triggered.connect(lambda _checked=False, handler=handler: handler())

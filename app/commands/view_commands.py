@@ -55,6 +55,8 @@ class ViewCommands:
             return
         if self._actions["addTool"].isChecked():
             self._actions["selectTool"].trigger()
+        elif self._actions["moveImage"].isChecked():
+            self._actions["moveImage"].trigger()
         elif self._actions["presentation"].isChecked():
             self._actions["presentation"].trigger()
         elif session.scrub is not None:
@@ -93,7 +95,8 @@ class ViewCommands:
 
     def _toggle_side_panel(self) -> None:
         for dock in self._parts.docks:
-            dock.setVisible(self._actions["toggleSidePanel"].isChecked())
+            # A dock that has nothing to show is disabled, and stays away.
+            dock.setVisible(self._actions["toggleSidePanel"].isChecked() and dock.isEnabled())
 
     def _change_scale(self, step: int) -> None:
         index = max(0, min(_SCALES.index(self._scale) + step, len(_SCALES) - 1))

@@ -6,6 +6,8 @@ So a document and its picture can be moved together, and saving elsewhere never 
 from __future__ import annotations
 
 import os.path
+from contextlib import suppress
+from pathlib import Path
 
 from msgspec.structs import replace
 
@@ -16,7 +18,7 @@ def resolved(document: Document, folder: str) -> Document:
     """Return `document`, read from a file in `folder`, with the absolute path of its image."""
     if document.image is None:
         return document
-    path = os.path.normpath(os.path.join(folder, document.image.path))
+    path = os.path.normpath(Path(folder) / document.image.path)
     return replace(document, image=replace(document.image, path=path))
 
 
@@ -25,11 +27,9 @@ def relative_to(document: Document, folder: str) -> Document:
     if document.image is None:
         return document
     path = document.image.path
-    if os.path.isabs(path):
-        try:
+    if Path(path).is_absolute():
+        with suppress(ValueError):  # another drive of Windows: only the absolute path leads there
             path = os.path.relpath(path, folder)
-        except ValueError:  # another drive of Windows: only the absolute path leads there
-            pass
     if os.sep != "/":
         path = path.replace(os.sep, "/")
     return replace(document, image=replace(document.image, path=path))

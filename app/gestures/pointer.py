@@ -18,6 +18,8 @@ class Part(Enum):
     TICK = auto()
     FUNCTION = auto()
     SCRUB = auto()
+    IMAGE = auto()
+    IMAGE_CORNER = auto()
 
 
 @dataclass(frozen=True)
@@ -39,7 +41,8 @@ class Hit:
     kind
         For a basis function: 0 position, 1 velocity, 2 acceleration.
     knot
-        For a tick: the knot it stands at; a closed curve has one more knot than nodes.
+        For a tick: the knot it stands at; a closed curve has one more knot than nodes. For a corner of the
+        picture to trace: 0 to 3, counterclockwise from the lower left.
     """
 
     part: Part
@@ -65,6 +68,8 @@ class Pointer:
         What lies under it; only a press and a hover need it.
     shift, ctrl, alt
         Modifier keys.
+    ripple
+        Whether E is held: on the t-rail, the ticks ahead go along.
     """
 
     position: Vector
@@ -73,6 +78,7 @@ class Pointer:
     shift: bool = False
     ctrl: bool = False
     alt: bool = False
+    ripple: bool = False
 
 
 @dataclass(frozen=True)

@@ -261,7 +261,7 @@ def _is_ours(widget):
     """Leave out what Qt makes inside its own widgets: tool bar buttons, corner buttons, dock titles."""
     return (
         not widget.objectName().startswith(("qt_", "Scroll"))
-        and type(widget).__name__ in {"QToolButton", "_AlphaSlider"}
+        and type(widget).__name__ in {"QToolButton", "LiveSlider"}
         and (widget.defaultAction() is None if hasattr(widget, "defaultAction") else True)
     )
 
