@@ -8,6 +8,7 @@ from PySide6.QtCore import QEvent, Qt
 from PySide6.QtGui import QAction, QCloseEvent, QDragEnterEvent, QDropEvent, QKeyEvent
 from PySide6.QtWidgets import (
     QApplication,
+    QDialog,
     QDockWidget,
     QMainWindow,
     QMenu,
@@ -18,6 +19,7 @@ from PySide6.QtWidgets import (
 from app.actions import MENUS, Actions
 from app.canvas.canvas import Canvas
 from app.commands.connect import Commands
+from app.commands.image_commands import PICTURE_SUFFIXES
 from app.commands.parts import Parts
 from app.examples import example_paths
 from app.file_commands import FileCommands
@@ -257,6 +259,14 @@ class MainWindow(QMainWindow):
         """Write a picture, or say why not."""
         self._files.export(path)
 
+    def add_image(self, path: Path) -> None:
+        """Put a picture behind the curves, to trace it, or say why not."""
+        self._commands.images.add(str(path.absolute()))
+
+    def find_image(self, path: Path) -> None:
+        """Show this picture in the place of one that is missing, or say why not."""
+        self._commands.images.find(str(path.absolute()))
+
     def set_theme_mode(self, mode: ThemeMode) -> None:
         """Use light or dark colours, or follow the system, from now on."""
         self.preferences.theme_mode = mode
@@ -303,13 +313,18 @@ class MainWindow(QMainWindow):
         path = _dropped_file(event)
         if path is not None:
             event.acceptProposedAction()
-            self._files.open(path)
+            if path.suffix.lower() in PICTURE_SUFFIXES:
+                self.add_image(path)
+            else:
+                self._files.open(path)
 
     def closeEvent(self, event: QCloseEvent) -> None:
         if not self._files.may_discard():
             event.ignore()
             return
         self._remember_layout()
+        for dialog in self.findChildren(QDialog):
+            dialog.close()
         event.accept()
 
 

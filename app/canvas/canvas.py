@@ -97,6 +97,11 @@ class Canvas(PlotWidget):
         if polyline is not None:
             self._curve_layer.hold_ghost(polyline.points)
 
+    @property
+    def ghost_opacity(self) -> float:
+        """How much of a ghost is seen: 1 while it is held, less while it fades, 0 without one."""
+        return self._curve_layer.ghost_opacity
+
     def set_theme(self, theme: Theme) -> None:
         """Take the colours of `theme`."""
         for layer in (self._image_layer, self._grid, self._units, self._curve_layer, self._point_layer):
@@ -133,6 +138,11 @@ class Canvas(PlotWidget):
         """Draw the grid at this distance; 0 lets it adapt to the zoom."""
         self._grid.spacing = spacing
         self.viewport().update()
+
+    @property
+    def grid_spacing(self) -> float:
+        """The distance of the grid's lines; 0 where it adapts to the zoom."""
+        return self._grid.spacing
 
     def set_unit(self, unit: str) -> None:
         """Write this unit at the axes."""

@@ -49,6 +49,14 @@ class CurveLayer:
         """Whether a ghost stands still for the length of a gesture."""
         return self._ghost_held
 
+    @property
+    def ghost_opacity(self) -> float:
+        """How much of the ghost is seen, from 0 to 1."""
+        if self._ghost_held:
+            return 1.0
+        fading = self._fade.state() == QAbstractAnimation.State.Running
+        return float(self._fade.currentValue()) if fading and self._ghost is not None else 0.0
+
     def hold_ghost(self, points: Floats) -> None:
         """Let a curve stand behind the present one until the ghost is released."""
         self._fade.stop()
@@ -73,8 +81,7 @@ class CurveLayer:
     def paint(self, painter: QPainter, shown: PixelMap) -> None:
         """Draw ghost and curve."""
         painter.setRenderHint(QPainter.RenderHint.Antialiasing, True)
-        fading = self._fade.state() == QAbstractAnimation.State.Running
-        if self._ghost is not None and (fading or self._ghost_held):
+        if self._ghost is not None and self.ghost_opacity > 0:
             self._paint_ghost(painter, shown, self._ghost)
         if self._view is not self._drawn[0] or shown is not self._drawn[1]:
             self._fill(shown)
@@ -100,6 +107,6 @@ class CurveLayer:
     def _paint_ghost(self, painter: QPainter, shown: PixelMap, points: Floats) -> None:
         self._ghost_stroke.fill(shown.points(points), shown.width, shown.height)
         colour = QColor(self.theme.ghost)
-        colour.setAlphaF(1.0 if self._ghost_held else float(self._fade.currentValue()))
+        colour.setAlphaF(self.ghost_opacity)
         painter.setPen(QPen(colour, 1.5 * self.scale))
         self._ghost_stroke.draw(painter)

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from PySide6.QtCore import QBuffer, QByteArray, QIODevice, QSize, Qt
+from PySide6.QtCore import QBuffer, QByteArray, QIODevice, QSize
 from PySide6.QtGui import QImage, QImageReader
 
 from app.document.storage import StorageError, read
 
-MAX_PIXELS = 100_000_000
+MAX_PIXELS = 64_000_000
 """More pixels than this are not decoded."""
 
 MAX_SIDE = 4096
@@ -17,6 +17,7 @@ MAX_SIDE = 4096
 
 _KINDS = (b"png", b"jpeg", b"jpg")
 _ALLOCATION_MB = 512
+"""Enough for `MAX_PIXELS` of eight bytes each, a PNG of 16 bits."""
 
 
 class ImageFileError(ValueError):
@@ -56,8 +57,10 @@ def _decoded(reader: QImageReader, name: str) -> QImage:
             f"{name} has {size.width()} × {size.height()} pixels; "
             f"{MAX_PIXELS // 1_000_000} million are read at most. Make it smaller first."
         )
-    if max(size.width(), size.height()) > MAX_SIDE:
-        reader.setScaledSize(size.scaled(QSize(MAX_SIDE, MAX_SIDE), Qt.AspectRatioMode.KeepAspectRatio))
+    shrink = MAX_SIDE / max(size.width(), size.height(), 1)
+    if shrink < 1:
+        width, height = round(size.width() * shrink), round(size.height() * shrink)
+        reader.setScaledSize(QSize(max(width, 1), max(height, 1)))
     image = reader.read()
     if image.isNull() or not image.width() or not image.height():
         raise ImageFileError(f"{name} is broken: it cannot be shown ({reader.errorString().rstrip('.')}).")

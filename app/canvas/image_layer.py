@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 
-from PySide6.QtCore import QPointF, QRectF, Qt
+from PySide6.QtCore import QPointF, QRectF, QSize, Qt
 from PySide6.QtGui import QImage, QPainter, QPen, QPixmap
 
 from app.document.model import ReferenceImage, Vector
@@ -32,6 +32,7 @@ class ImageLayer:
         self._pixels: QImage | None = None
         self._drawn: tuple[ReferenceImage | None, QImage | None, PixelMap | None] = (None, None, None)
         self._shot: QPixmap | None = None
+        self._levels: list[QImage] = []
         self._layer = plot.add_layer(self.paint, z=-20)
         # The grips lie over curves and points: the mouse is theirs while they show.
         self._grips = plot.add_layer(self._paint_grips, z=20)
@@ -40,6 +41,8 @@ class ImageLayer:
         """Draw this picture from the next paint on."""
         if image is not self._image or pixels is not self._pixels:
             self._image, self._pixels = image, pixels
+            if pixels is None:
+                self._shot, self._levels = None, []
             self._layer.update()
             self._grips.update()
 
@@ -67,12 +70,31 @@ class ImageLayer:
             return
         if self._drawn[0] is not image or self._drawn[1] is not self._pixels or self._drawn[2] is not shown:
             ratio = painter.device().devicePixelRatioF()
-            self._shot = _shot(self._pixels, rect, shown, ratio)
+            self._shot = _shot(self._level_for(rect, ratio), rect, shown, ratio)
             self._drawn = (image, self._pixels, shown)
         if self._shot is not None:
             painter.setOpacity(image.opacity)
             painter.drawPixmap(QPointF(0, 0), self._shot)
             painter.setOpacity(1)
+
+    def _level_for(self, rect: QRectF, ratio: float) -> QImage:
+        """Return the picture halved until it is less than twice as large as shown: smoother, and faster."""
+        assert self._pixels is not None
+        if not self._levels or self._levels[0] is not self._pixels:
+            self._levels = [self._pixels]
+        level = 0
+        while self._levels[level].width() > 2 * ratio * rect.width() and self._levels[level].width() > 1:
+            level += 1
+            if level == len(self._levels):
+                size = self._levels[-1].size() / 2
+                self._levels.append(
+                    self._levels[-1].scaled(
+                        size.expandedTo(QSize(1, 1)),
+                        Qt.AspectRatioMode.IgnoreAspectRatio,
+                        Qt.TransformationMode.SmoothTransformation,
+                    )
+                )
+        return self._levels[level]
 
     def _paint_frame(self, painter: QPainter, rect: QRectF) -> None:
         visible = rect.intersected(QRectF(-_FAR, -_FAR, 2 * _FAR, 2 * _FAR))

@@ -20,12 +20,13 @@ class Commands:
         self._parts = parts
         self.view = ViewCommands(parts)
         self.messages = Messages(parts)
+        self.images = ImageCommands(parts, self.messages)
         self._sets: tuple[CommandSet, ...] = (
             EditCommands(parts),
             self.view,
             HelpCommands(parts),
             RailCommands(parts),
-            ImageCommands(parts, self.messages),
+            self.images,
             ToolCommands(parts),
         )
         for handlers in (self._file_handlers(), *(each.handlers() for each in self._sets)):

@@ -15,6 +15,9 @@ from app.document.model import ReferenceImage
 from app.gestures.image_tool import ImageTool
 from app.view_model.curve_view import CurveView
 
+PICTURE_SUFFIXES = (".png", ".jpg", ".jpeg")
+"""How the names of files end that are pictures to trace."""
+
 _PICTURES = "Pictures (*.png *.jpg *.jpeg);;All files (*)"
 _SHARE = 0.8
 """Part of the canvas that a new picture fills."""
@@ -26,6 +29,7 @@ class ImageCommands:
     def __init__(self, parts: Parts, messages: Messages) -> None:
         self._parts, self._messages = parts, messages
         self._session, self._actions = parts.session, parts.actions
+        self._is_loaded = False
         self._loaded_path = ""
         self._pixels: QImage | None = None
         self._problem = ""
@@ -48,6 +52,9 @@ class ImageCommands:
     def render(self, view: CurveView) -> None:
         """Show the picture of the document, or say why it cannot be shown."""
         image = self._session.document.image
+        if image is self._shown and self._is_loaded:
+            return
+        self._is_loaded = True
         if image is not None and image.path != self._loaded_path:
             self._load(image.path)
         if image is None:
@@ -89,7 +96,7 @@ class ImageCommands:
             self._problem = str(problem)
 
     def _forget_file(self) -> None:
-        self._loaded_path = ""
+        self._is_loaded, self._loaded_path = False, ""
         self.render(self._session.active_view)
 
     # What the person did

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from PySide6.QtCore import QSize, Qt
-from PySide6.QtGui import QIcon, QPainter, QPen, QPixmap
+from PySide6.QtGui import QIcon, QPainter, QPen, QPixmap, QResizeEvent
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QSizePolicy, QToolButton, QVBoxLayout, QWidget
 
 from app.panels.basis_layers import KIND_STYLES
@@ -27,6 +27,9 @@ class BasisPane(QWidget):
         self._kinds = [self._kind_button(kind) for kind in range(3)]
         self._scaling = QLabel()
         self._scaling.setObjectName("basisScaling")
+        self._formulas: tuple[str, ...] = ()
+        self._mean_spacing = ""
+        self._reach: tuple[float, float] | None = None
         self._extent = QLabel()
         self._extent.setObjectName("basisExtent")
         self._fit = self._fit_button()
@@ -66,10 +69,12 @@ class BasisPane(QWidget):
         for button in self._kinds:
             header.addWidget(button)
         # Both notes give way before they widen the window.
-        for note, share in ((self._scaling, 1), (self._extent, 2)):
-            note.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
-            header.addWidget(note, share)
-        self._extent.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
+        for note in (self._scaling, self._extent):
+            note.setSizePolicy(QSizePolicy.Policy.Maximum, QSizePolicy.Policy.Preferred)
+            note.setMinimumWidth(0)
+            header.addWidget(note)
+        header.insertStretch(header.count() - 1, 1)
+        self._header = header
         header.addWidget(self._fit)
         layout = QVBoxLayout(self)
         layout.setContentsMargins(0, 0, 0, 0)
@@ -83,9 +88,25 @@ class BasisPane(QWidget):
         formulas, note = basis_formulas(view.source.family, self._panel.basis)
         for kind, button in enumerate(self._kinds):
             button.setVisible(kind < len(formulas) and len(formulas) > 1)
-            if kind < len(formulas):
-                button.setText(f"{_NAMES[kind]}  {formulas[kind]}")
-        self._scaling.setText(note)
+        self._formulas, self._mean_spacing = formulas, note
+        self._write_header()
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        super().resizeEvent(event)
+        self._write_header()
+
+    def _write_header(self) -> None:
+        """Write as much as there is room for: first the words beside the formulas go, then the notes' own."""
+        for brief in range(3):
+            for kind, formula in enumerate(self._formulas):
+                self._kinds[kind].setText(formula if brief else f"{_NAMES[kind]}  {formula}")
+            self._scaling.setText(self._mean_spacing.partition(",")[0] if brief > 1 else self._mean_spacing)
+            self._extent.setText(_reach_text(self._reach, brief=brief > 1))
+            self._header.invalidate()
+            if self._header.sizeHint().width() <= self.width():
+                break
+        self._scaling.setToolTip(self._mean_spacing)
+        self._extent.setToolTip(_reach_text(self._reach))
 
     @property
     def extent_text(self) -> str:
@@ -115,14 +136,17 @@ class BasisPane(QWidget):
             self._panel.calm_values()
 
     def _show_extent(self, extent: tuple[float, float] | None) -> None:
-        if extent is not None:
-            reach = f"from {extent[0]:.3g} to {extent[1]:.3g}".replace("-", "−")
-            self._extent.setText(f"⚠ The functions reach {reach}")
-            self._extent.setToolTip(self._extent.text())
-        # Emptied, not hidden: hidden it would leave its room to the other note.
-        if extent is None:
-            self._extent.clear()
+        self._reach = extent
         self._fit.setVisible(extent is not None or self._fit.isChecked())
+        self._write_header()
+
+
+def _reach_text(reach: tuple[float, float] | None, *, brief: bool = False) -> str:
+    """Return the note that the functions leave the range; empty where they do not."""
+    if reach is None:
+        return ""
+    span = f"{reach[0]:.3g} to {reach[1]:.3g}".replace("-", "−")
+    return f"⚠ {span}" if brief else f"⚠ The functions reach from {span}"
 
 
 def _line_icon(style: Qt.PenStyle, theme: Theme) -> QIcon:

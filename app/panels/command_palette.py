@@ -180,7 +180,7 @@ class CommandPalette(QFrame):
         sheet = (
             f"#commandPalettePanel {{ background: {theme.surface.name()}; border: 1px solid {line};"
             " border-radius: 8px }"
-            "#commandPalettePanel QListView { border: none; background: transparent }"
+            "#paletteSearch { padding: 4px 6px }"
             f"#paletteNote {{ color: {theme.muted.name()}; padding: 4px }}"
         )
         if sheet != self.styleSheet():
@@ -245,16 +245,14 @@ def _command_list() -> QListView:
     view.setToolTip("Click to do it")
     view.setFocusPolicy(Qt.FocusPolicy.NoFocus)
     view.setUniformItemSizes(True)
+    view.setFrameShape(QFrame.Shape.NoFrame)
+    view.viewport().setAutoFillBackground(False)
     view.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
     return view
 
 
 class _CommandDelegate(QStyledItemDelegate):
     """Draws icon, name, menu path and keys of a command; muted where it is of no use now."""
-
-    def __init__(self, view: QListView) -> None:
-        super().__init__(view)
-        self._view = view
 
     def sizeHint(self, option: QStyleOptionViewItem, index: QModelIndex | QPersistentModelIndex) -> QSize:
         return QSize(200, _ROW_HEIGHT)
@@ -263,7 +261,7 @@ class _CommandDelegate(QStyledItemDelegate):
         self, painter: QPainter, option: QStyleOptionViewItem, index: QModelIndex | QPersistentModelIndex
     ) -> None:
         command = index.data(_COMMAND)
-        theme = theme_of(self._view.palette())
+        theme = theme_of(QApplication.palette())
         if option.state & QStyle.StateFlag.State_Selected:
             painter.fillRect(option.rect, mix(theme.accent, theme.surface, 0.2))
         enabled = command.action.isEnabled()

@@ -24,7 +24,7 @@ from app.document.image_edits import place_image, set_image_locked, set_image_op
 from app.document.model import Document, ReferenceImage
 from app.panels.field_edit import FieldEdit
 from app.panels.live_slider import LiveSlider
-from app.panels.number_text import decimal_mark, exact_text
+from app.panels.number_text import decimal_mark, rounded_text
 from app.session import Session
 from app.theme import theme_of
 
@@ -122,7 +122,7 @@ class ImagePanel(QWidget):
             (self.width_edit, image.width),
             (self.height_edit, image.height),
         ):
-            edit.show_text(exact_text(value, mark).removesuffix(f"{mark}0"))
+            edit.show_text(rounded_text(value, mark))
             edit.setEnabled(not image.locked)
         self._file.setText(Path(image.path).name)
         self._file.setToolTip(image.path)
