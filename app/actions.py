@@ -272,6 +272,8 @@ class Actions:
         action.setObjectName(spec.name)
         action.setStatusTip(spec.tip or spec.text)
         action.setCheckable(spec.checkable or bool(spec.group))
+        # Keys of actions that stand in menus alone are dead while the menu bar is hidden (presentation).
+        window.addAction(action)
         if spec.group:
             group = self._groups.setdefault(spec.group, QActionGroup(window))
             group.addAction(action)

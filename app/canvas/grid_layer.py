@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 
 import numpy as np
 from PySide6.QtGui import QPainter, QPen
@@ -46,10 +47,14 @@ class GridLayer:
             return
         self._steps, self._shown = steps, None
         for name in ("left", "bottom"):
+            axis = self._plot.getAxis(name)
             if self._spacing:
-                self._plot.getAxis(name).setTickSpacing(*steps)
+                axis.tickStrings = tick_labels
+                axis.setTickSpacing(*steps)
             else:
-                self._plot.getAxis(name).setTickSpacing()
+                # The class's own method again.
+                axis.__dict__.pop("tickStrings", None)
+                axis.setTickSpacing()
 
     def paint(self, painter: QPainter, shown: PixelMap) -> None:
         """Draw the lines; they are computed anew when another part of the plane is visible."""
@@ -83,6 +88,16 @@ def grid_steps(spacing: float, pixels_per_unit: float) -> tuple[float, float]:
     factor = next(step * decade for step in (1, 2, 5, 10) if step * decade >= needed * (1 - 1e-12))
     # After 2 comes 10, so that lines of both kinds fall together.
     return (5 if round(factor / decade) == 2 else 10) * factor * spacing, factor * spacing
+
+
+def tick_labels(values: Sequence[float], scale: float, spacing: float) -> list[str]:
+    """Return the numbers at ticks `spacing` apart.
+
+    pyqtgraph writes as many decimals as the spacing has places: 0.75 as 0.8 where ticks are 0.25 apart.
+    """
+    # A multiple of the spacing that should be zero may be off by a rounding.
+    exact = [round(value / spacing) * spacing * scale for value in values]
+    return [f"{value:.7g}".replace("-", "−") for value in exact]
 
 
 def _values(levels: list[tuple[float, list[float]]], level: int) -> Floats:

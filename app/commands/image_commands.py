@@ -19,6 +19,7 @@ PICTURE_SUFFIXES = (".png", ".jpg", ".jpeg")
 """How the names of files end that are pictures to trace."""
 
 _PICTURES = "Pictures (*.png *.jpg *.jpeg);;All files (*)"
+_MISSING = "The reference image is not shown. {} “Find Image…” in the File menu says where it is now."
 _SHARE = 0.8
 """Part of the canvas that a new picture fills."""
 
@@ -38,6 +39,9 @@ class ImageCommands:
         parts.image_panel.add_buttons([self._actions[name] for name in names])
         # Another document may name the same file, which may have changed meanwhile.
         parts.session.opened.connect(self._forget_file)
+        # Choosing what the mouse does to points gives it back to them.
+        for name in ("selectTool", "addTool"):
+            self._actions[name].triggered.connect(self._leave_moving)
         self._show_dock(False)
 
     def handlers(self) -> Handlers:
@@ -63,7 +67,7 @@ class ImageCommands:
         self._parts.canvas.set_image(image, self._pixels)
         self._parts.image_panel.render_image(image)
         self._parts.image_panel.show_problem(self._problem)
-        self._messages.set_image_problem(self._problem and f"{self._problem} File › Find Image… mends it.")
+        self._messages.set_image_problem(self._problem and _MISSING.format(self._problem))
         self._enable(image)
         if had_one != (image is not None):
             self._show_dock(image is not None)
@@ -71,9 +75,8 @@ class ImageCommands:
     def _enable(self, image: ReferenceImage | None) -> None:
         can_move = image is not None and not image.locked
         self._actions["moveImage"].setEnabled(can_move)
-        if not can_move and self._actions["moveImage"].isChecked():
-            self._actions["moveImage"].setChecked(False)
-            self._toggle_moving()
+        if not can_move:
+            self._leave_moving()
         for name in ("findImage", "removeImage"):
             self._actions[name].setEnabled(image is not None)
 
@@ -146,6 +149,11 @@ class ImageCommands:
 
     def _remove(self) -> None:
         self._parts.change("Remove image", lambda: set_image(self._session.document, None))
+
+    def _leave_moving(self) -> None:
+        if self._actions["moveImage"].isChecked():
+            self._actions["moveImage"].setChecked(False)
+            self._toggle_moving()
 
     def _toggle_moving(self) -> None:
         moving = self._actions["moveImage"].isChecked()

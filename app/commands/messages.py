@@ -22,6 +22,11 @@ class Messages(QObject):
         self._bar, self._session = parts.message_bar, parts.session
         self._greeting = ""
         self._image_problem = ""
+        self._bar.closed.connect(self._forget_image_problem)
+
+    def _forget_image_problem(self) -> None:
+        """Say it once: the panel of the image goes on saying it."""
+        self._image_problem = ""
 
     def set_image_problem(self, text: str) -> None:
         """Say what is wrong with the picture to trace, as long as nothing more urgent is; empty: nothing."""

@@ -13,6 +13,7 @@ from PySide6.QtWidgets import (
     QFormLayout,
     QHBoxLayout,
     QLabel,
+    QSizePolicy,
     QToolButton,
     QVBoxLayout,
     QWidget,
@@ -52,10 +53,14 @@ class ImagePanel(QWidget):
         self.lock.setToolTip("Keep the image safe from being moved and scaled")
         self._file = QLabel()
         self._file.setObjectName("imageFile")
-        self._file.setWordWrap(True)
+        # A long name is cut, it never widens the window; the tooltip has it whole.
+        self._file.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
         self._problem = QLabel()
         self._problem.setObjectName("imageProblem")
         self._problem.setWordWrap(True)
+        policy = self._problem.sizePolicy()
+        policy.setHorizontalPolicy(QSizePolicy.Policy.Ignored)
+        self._problem.setSizePolicy(policy)
         self._buttons = QHBoxLayout()
         self._lay_out()
         self._connect()
@@ -139,7 +144,9 @@ class ImagePanel(QWidget):
     def _render_problem(self) -> None:
         text = self._refusal or self._problem_text
         self._problem.setStyleSheet(f"color: {theme_of(self.palette()).warning.name()}")
-        self._problem.setText(f"⚠ {text}" if text else "")
+        # Paths may be broken where folders end: else a long one would widen the window.
+        self._problem.setText(f"⚠ {text}".replace("/", "/\N{ZERO WIDTH SPACE}") if text else "")
+        self._problem.setToolTip(text)
         self._problem.setVisible(bool(text))
 
     def changeEvent(self, event: QEvent) -> None:

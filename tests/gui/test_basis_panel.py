@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+from itertools import pairwise
+
 import numpy as np
 import pytest
 from PySide6.QtCore import QEvent, QPointF, Qt
-from PySide6.QtWidgets import QToolButton
+from PySide6.QtWidgets import QToolButton, QWidget
 
 from app.document.model import Family, ParametrizationKind
+from app.testing import Editor
 
 
 @pytest.fixture
@@ -155,3 +158,21 @@ def test_wheel_zooms_along_t_alone(editor, panel):
     x_min, new_y_min, x_max, new_y_max = panel.pixel_map.box
     assert x_max - x_min < 0.6
     assert (new_y_min, new_y_max) == pytest.approx((y_min, y_max))
+
+
+@pytest.mark.parametrize("width", [1024, 1280])
+@pytest.mark.parametrize("family", list(Family))
+def test_the_header_fits_whatever_it_has_to_say(qtbot, width, family):
+    editor = Editor(qtbot, size=(width, 700))
+    editor.choose_family(family)
+    editor.drag_parameter(3, to=editor.parameters[4] - 0.02)
+    pane = editor.window.basis_pane
+    editor.settle()
+    shown = [w for w in pane.findChildren(QWidget) if w.isVisible() and w.parent() is pane]
+    header = sorted((w for w in shown if w is not editor.window.basis_panel), key=lambda w: w.x())
+    assert len(header) >= 3
+    for widget in header:
+        assert widget.width() >= widget.sizeHint().width(), widget.objectName()
+    for left, right in pairwise(header):
+        assert left.geometry().right() < right.geometry().left()
+    assert "3" in pane.extent_text or "−" in pane.extent_text

@@ -7,7 +7,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QLabel
 
-from app.canvas.grid_layer import grid_steps
+from app.canvas.grid_layer import grid_steps, tick_labels
 from app.panels.preferences_dialog import PreferencesDialog
 from app.preferences import SNAP_KINDS, Preferences
 from app.theme import ThemeMode, theme_of
@@ -113,6 +113,19 @@ def test_the_lines_lie_at_the_spacing(editor):
     assert wide[1][0] > 0.3
     canvas.set_grid_spacing(0.0)
     editor.settle()
+
+
+def test_the_labels_of_a_fixed_grid_are_exact(editor):
+    # pyqtgraph alone writes 0.2, 0.5, 0.8.
+    assert tick_labels([0.25, 0.5, 0.75, -1.25], 1.0, 0.25) == ["0.25", "0.5", "0.75", "−1.25"]
+    assert tick_labels([0.3 - 0.1 * 3, 3 * 0.1], 1.0, 0.1) == ["0", "0.3"]
+    axis = editor.window.canvas.getAxis("left")
+    own = axis.tickStrings([0.25], 1.0, 0.25)
+    editor.window.canvas.set_grid_spacing(0.25)
+    assert axis.tickStrings([0.25], 1.0, 0.25) == ["0.25"]
+    editor.settle()
+    editor.window.canvas.set_grid_spacing(0.0)
+    assert axis.tickStrings([0.25], 1.0, 0.25) == own
 
 
 @pytest.fixture

@@ -9,7 +9,7 @@ import pytest
 from PySide6.QtCore import QMimeData, QPoint, QPointF, Qt, QUrl
 from PySide6.QtGui import QColor, QDragEnterEvent, QDropEvent, QImage
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication, QLabel
+from PySide6.QtWidgets import QApplication, QLabel, QToolButton
 
 from app.canvas import image_file
 from app.canvas.image_file import ImageFileError, read_image
@@ -187,6 +187,26 @@ def test_the_hint_says_what_a_press_does(traced):
     assert "scale the image" in traced.window.status_line.hint
 
 
+@pytest.mark.parametrize("tool", ["addTool", "selectTool"])
+def test_choosing_a_tool_gives_the_mouse_back_to_the_points(traced, tool):
+    traced.trigger("moveImage")
+    traced.trigger(tool)
+    assert not traced.window.canvas.is_moving_image
+    assert not traced.action("moveImage").isChecked()
+
+
+def test_a_long_name_never_widens_the_window(qtbot, tmp_path):
+    editor = Editor(qtbot, size=(1024, 700))
+    path = picture(tmp_path / f"{'x' * 120}.png")
+    editor.window.add_image(path)
+    editor.session.save(tmp_path / "a.curve.json")
+    path.unlink()
+    editor.window.open_file(tmp_path / "a.curve.json")
+    editor.settle()
+    assert editor.window.width() == 1024
+    assert editor.window.image_dock.width() < 400
+
+
 def test_a_locked_one_stays(traced):
     traced.trigger("moveImage")
     panel_of(traced).lock.click()
@@ -297,6 +317,15 @@ def test_a_missing_file_is_explained_and_can_be_found_again(traced, tmp_path):
     assert found.height == pytest.approx(found.width / 2)
     traced.trigger("undo")
     assert "There is no file" in traced.message
+
+
+def test_the_complaint_can_be_put_away(traced, tmp_path):
+    traced.session.save(tmp_path / "a.curve.json")
+    (tmp_path / "red.png").unlink()
+    traced.window.open_file(tmp_path / "a.curve.json")
+    traced.window.message_bar.findChild(QToolButton, "closeMessage").click()
+    traced.drag_point(2, to=(0.5, 4.2))
+    assert traced.message == ""
 
 
 def test_a_dropped_picture_is_one_to_trace(editor, tmp_path):

@@ -217,6 +217,14 @@ def test_presentation_hides_everything_but_the_drawing(editor):
     assert window.docks[0].isVisible()
 
 
+def test_keys_work_in_the_presentation(editor):
+    editor.trigger("presentation")
+    QTest.keyClick(editor.window.canvas, Qt.Key.Key_2)
+    assert editor.curve.family is Family.HERMITE
+    QTest.keyClick(editor.window.canvas, Qt.Key.Key_F11)
+    assert not editor.action("presentation").isChecked()
+
+
 def test_the_side_panel_folds_away_with_one_key(editor):
     QTest.keyClick(editor.window, Qt.Key.Key_F9)
     assert not any(dock.isVisible() for dock in editor.window.docks)
