@@ -5,7 +5,17 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
-from PySide6.QtCore import QEvent, QModelIndex, QObject, QPersistentModelIndex, QPoint, QRect, QSize, Qt
+from PySide6.QtCore import (
+    QAbstractListModel,
+    QEvent,
+    QModelIndex,
+    QObject,
+    QPersistentModelIndex,
+    QPoint,
+    QRect,
+    QSize,
+    Qt,
+)
 from PySide6.QtGui import (
     QAction,
     QFocusEvent,
@@ -13,8 +23,6 @@ from PySide6.QtGui import (
     QIcon,
     QKeyEvent,
     QPainter,
-    QStandardItem,
-    QStandardItemModel,
 )
 from PySide6.QtWidgets import (
     QApplication,
@@ -36,6 +44,7 @@ from app.theme import mix, theme_of
 
 _WIDEST, _ROWS, _ROW_HEIGHT, _TOP = 560, 10, 30, 12
 _COMMAND = Qt.ItemDataRole.UserRole + 1
+_ROOT = QModelIndex()
 
 
 @dataclass(frozen=True)
@@ -73,7 +82,7 @@ class CommandPalette(QFrame):
         self.list = _command_list()
         self._note = QLabel()
         self._note.setObjectName("paletteNote")
-        self._model = QStandardItemModel(self)
+        self._model = _CommandModel(self)
         self.list.setModel(self._model)
         self.list.setItemDelegate(_CommandDelegate(self.list))
         layout = self._rows = QVBoxLayout(self)
@@ -112,16 +121,10 @@ class CommandPalette(QFrame):
     @property
     def found(self) -> list[str]:
         """The names of the commands listed now, best first."""
-        return [self._model.item(row).text() for row in range(self._model.rowCount())]
+        return [command.name for command in self._model.commands]
 
     def _look_up(self, typed: str) -> None:
-        self._model.clear()
-        for command in _ranked(self._commands, typed):
-            item = QStandardItem(command.name)
-            item.setData(command, _COMMAND)
-            item.setToolTip(command.action.statusTip())
-            item.setEditable(False)
-            self._model.appendRow(item)
+        self._model.show(_ranked(self._commands, typed))
         self._note.setText("" if self._model.rowCount() else "Nothing is called like that.")
         self._note.setVisible(bool(self._note.text()))
         self.list.setVisible(not self._note.text())
@@ -197,6 +200,31 @@ def _ranked(commands: Sequence[Command], typed: str) -> list[Command]:
         if (fit := fitness(typed, command.name, command.path, command.action.statusTip())) is not None
     ]
     return [command for _, command in sorted(rated, key=lambda pair: -pair[0])]
+
+
+class _CommandModel(QAbstractListModel):
+    """The commands found; made anew at every letter, so it holds nothing but a list."""
+
+    def __init__(self, parent: QObject) -> None:
+        super().__init__(parent)
+        self.commands: Sequence[Command] = ()
+
+    def show(self, commands: Sequence[Command]) -> None:
+        """List these commands."""
+        self.beginResetModel()
+        self.commands = commands
+        self.endResetModel()
+
+    def rowCount(self, parent: QModelIndex | QPersistentModelIndex = _ROOT) -> int:
+        return 0 if parent.isValid() else len(self.commands)
+
+    def data(self, index: QModelIndex | QPersistentModelIndex, role: int = _COMMAND) -> object:
+        command = self.commands[index.row()]
+        if role == _COMMAND:
+            return command
+        if role == Qt.ItemDataRole.DisplayRole:
+            return command.name
+        return command.action.statusTip() if role == Qt.ItemDataRole.ToolTipRole else None
 
 
 class _SearchField(QLineEdit):
