@@ -1,4 +1,4 @@
-"""The one registry of actions: menus, toolbar, shortcut list and tooltips are made from it."""
+"""The one registry of actions: menus, toolbar, palette, shortcuts and tooltips are made from it."""
 
 from __future__ import annotations
 
@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from PySide6.QtGui import QAction, QActionGroup, QKeySequence
 from PySide6.QtWidgets import QWidget
 
+from app.keymap import Binding, Keymap, keys_text
 from app.theme import Theme, icon
 
 
@@ -66,6 +67,26 @@ SPECS = (
         "Save the document under another name",
     ),
     ActionSpec("exportPicture", "Export…", "File", "Ctrl+E", "export", "Export a picture: PNG, SVG or PDF"),
+    ActionSpec(
+        "addImage",
+        "Reference Image…",
+        "File",
+        "",
+        "image",
+        "Put a PNG or JPEG picture behind the curves, to trace it",
+        separated=True,
+    ),
+    ActionSpec(
+        "moveImage",
+        "Move Image",
+        "File",
+        "",
+        "move",
+        "Drag the reference image, and scale it by its corners; points are out of reach meanwhile",
+        checkable=True,
+    ),
+    ActionSpec("findImage", "Find Image…", "File", "", "", "Say where the file of the reference image is"),
+    ActionSpec("removeImage", "Remove Image", "File", "", "", "Take the reference image out of the document"),
     ActionSpec("quit", "Quit", "File", "Ctrl+Q", "quit", "Close the window", separated=True),
     ActionSpec("undo", "Undo", "Edit", "Ctrl+Z", "undo", "Take the last step back"),
     ActionSpec("redo", "Redo", "Edit", "Ctrl+Shift+Z, Ctrl+Y", "redo", "Do the step again"),
@@ -202,6 +223,19 @@ SPECS = (
     ),
     ActionSpec("deleteSelection", "Delete", "Edit", "Del, Backspace", "delete", "Delete the selected points"),
     ActionSpec(
+        "commandPalette",
+        "Command Palette…",
+        "Edit",
+        "Ctrl+Shift+P",
+        "search",
+        "Find anything that can be done, by a few letters of its name",
+        separated=True,
+    ),
+    ActionSpec("editShortcuts", "Keyboard Shortcuts…", "Edit", "", "keyboard", "Choose which keys do what"),
+    ActionSpec(
+        "preferences", "Preferences…", "Edit", "Ctrl+,", "settings", "Theme, unit, grid, snapping and keys"
+    ),
+    ActionSpec(
         "familyLagrange", "Lagrange", "Curve", "1", "lagrange", "One polynomial through all points", "family"
     ),
     ActionSpec(
@@ -224,6 +258,36 @@ SPECS = (
         "lock",
         "Keep the parameters as they are: make them manual",
         separated=True,
+    ),
+    ActionSpec(
+        "typeParameter", "Type t…", "Curve", "", "", "Type the parameter of the selected point at its tick"
+    ),
+    ActionSpec(
+        "startUniform", "Manual, from Uniform", "Curve", "", "", "Make the parameters manual, evenly spaced"
+    ),
+    ActionSpec(
+        "startChordLength",
+        "Manual, from Chord Length",
+        "Curve",
+        "",
+        "",
+        "Make the parameters manual, spaced as the points are",
+    ),
+    ActionSpec(
+        "startCentripetal",
+        "Manual, from Centripetal",
+        "Curve",
+        "",
+        "",
+        "Make the parameters manual, spaced by the square roots of the distances",
+    ),
+    ActionSpec(
+        "startChebyshev",
+        "Manual, from Chebyshev",
+        "Curve",
+        "",
+        "",
+        "Make the parameters manual, at Chebyshev points",
     ),
     ActionSpec(
         "resetVelocities",
@@ -327,18 +391,19 @@ class Actions:
     def __init__(self, window: QWidget) -> None:
         self._actions: dict[str, QAction] = {}
         self._groups: dict[str, QActionGroup] = {}
+        self.keymap = Keymap(window)
         for spec in SPECS:
-            self._actions[spec.name] = self._make(spec, window)
-        # On the window itself: the keys must work while menu bar and toolbar are hidden.
-        window.addActions(list(self._actions.values()))
+            action = self._actions[spec.name] = self._make(spec, window)
+            keys = tuple(_sequences(spec.shortcut))
+            self.keymap.add(Binding(action, spec.text.removesuffix("…"), spec.menu, keys))
 
     def _make(self, spec: ActionSpec, window: QWidget) -> QAction:
         action = QAction(spec.text, window)
         action.setObjectName(spec.name)
-        action.setShortcuts(_sequences(spec.shortcut))
         action.setStatusTip(spec.tip or spec.text)
-        action.setToolTip(tooltip(spec))
         action.setCheckable(spec.checkable or bool(spec.group))
+        # Keys of actions that stand in menus alone are dead while the menu bar is hidden (presentation).
+        window.addAction(action)
         if spec.group:
             group = self._groups.setdefault(spec.group, QActionGroup(window))
             group.addAction(action)
@@ -357,9 +422,9 @@ class Actions:
         """Return (keys, what they do) of the actions of `menu` that can be used now."""
         rows = []
         for spec, action in self.of_menu(menu):
-            keys = [_native(key) for key in action.shortcuts()]
+            keys = keys_text(action.shortcuts())
             if keys and action.isEnabled():
-                rows.append((" or ".join(keys), spec.tip or spec.text))
+                rows.append((keys, spec.tip or spec.text))
         return rows
 
     def set_theme(self, theme: Theme) -> None:
@@ -369,16 +434,5 @@ class Actions:
                 self._actions[spec.name].setIcon(icon(spec.icon, theme))
 
 
-def tooltip(spec: ActionSpec) -> str:
-    """Return the tooltip of an action: what it does, and its first shortcut."""
-    keys = _sequences(spec.shortcut)
-    suffix = f" ({_native(keys[0])})" if keys else ""
-    return f"{spec.tip or spec.text}{suffix}"
-
-
 def _sequences(shortcut: str) -> list[QKeySequence]:
     return [QKeySequence(part) for part in shortcut.split(", ")] if shortcut else []
-
-
-def _native(key: QKeySequence) -> str:
-    return key.toString(QKeySequence.SequenceFormat.NativeText)

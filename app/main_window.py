@@ -8,6 +8,7 @@ from PySide6.QtCore import QEvent, Qt
 from PySide6.QtGui import QAction, QCloseEvent, QDragEnterEvent, QDropEvent, QKeyEvent
 from PySide6.QtWidgets import (
     QApplication,
+    QDialog,
     QDockWidget,
     QMainWindow,
     QMenu,
@@ -18,6 +19,7 @@ from PySide6.QtWidgets import (
 from app.actions import MENUS, Actions
 from app.canvas.canvas import Canvas
 from app.commands.connect import Commands
+from app.commands.image_commands import PICTURE_SUFFIXES
 from app.commands.parts import Parts
 from app.examples import example_name, example_paths
 from app.file_commands import FileCommands, title_of
@@ -27,6 +29,7 @@ from app.panels.basis_pane import BasisPane
 from app.panels.basis_panel import BasisPanel
 from app.panels.curve_settings import CurveSettings
 from app.panels.history import HistoryPanel
+from app.panels.image_panel import ImagePanel
 from app.panels.message_bar import MessageBar
 from app.panels.parametrization_bar import ParametrizationBar
 from app.panels.point_table import PointTable
@@ -96,7 +99,11 @@ class MainWindow(QMainWindow):
         history = self._add_dock("historyDock", "History", self.history)
         self.tabifyDockWidget(curve, history)
         curve.raise_()
-        self.docks = (points, curve, history)
+        self.image_panel = ImagePanel(self.session)
+        self.image_dock = self._add_dock("imageDock", "Image", self.image_panel)
+        self.tabifyDockWidget(history, self.image_dock)
+        curve.raise_()
+        self.docks = (points, curve, history, self.image_dock)
         self.resizeDocks([points], [360], Qt.Orientation.Horizontal)
         self.resizeDocks([points, curve], [480, 300], Qt.Orientation.Vertical)
 
@@ -150,6 +157,8 @@ class MainWindow(QMainWindow):
             parameters_menu=self.parameters_menu,
             preferences=self.preferences,
             set_theme_mode=self.set_theme_mode,
+            image_panel=self.image_panel,
+            image_dock=self.image_dock,
         )
 
     # Connecting
@@ -170,6 +179,8 @@ class MainWindow(QMainWindow):
         for plot in (self.canvas, self.basis_panel):
             plot.hint_changed.connect(self.status_line.show_hint)
         self.canvas.progress_changed.connect(self.status_line.show_progress)
+        self.basis_panel.drag_changed.connect(self.canvas.hold_ghost)
+        self.parametrization_bar.drag_changed.connect(self.canvas.hold_ghost)
         self.canvas.pointed_at.connect(self.status_line.show_place)
         self.basis_panel.pointed_at.connect(self.status_line.show_t)
         self.recent_menu.aboutToShow.connect(self._fill_recent_menu)
@@ -273,6 +284,14 @@ class MainWindow(QMainWindow):
         """Take over what the preferences say about grid, unit and snapping."""
         self._commands.snap.apply_preferences()
 
+    def add_image(self, path: Path) -> None:
+        """Put a picture behind the curves, to trace it, or say why not."""
+        self._commands.images.add(str(path.absolute()))
+
+    def find_image(self, path: Path) -> None:
+        """Show this picture in the place of one that is missing, or say why not."""
+        self._commands.images.find(str(path.absolute()))
+
     def set_theme_mode(self, mode: ThemeMode) -> None:
         """Use light or dark colours, or follow the system, from now on."""
         self.preferences.theme_mode = mode
@@ -319,13 +338,18 @@ class MainWindow(QMainWindow):
         path = _dropped_file(event)
         if path is not None:
             event.acceptProposedAction()
-            self._files.open(path)
+            if path.suffix.lower() in PICTURE_SUFFIXES:
+                self.add_image(path)
+            else:
+                self._files.open(path)
 
     def closeEvent(self, event: QCloseEvent) -> None:
         if not self._files.may_discard():
             event.ignore()
             return
         self._remember_layout()
+        for dialog in self.findChildren(QDialog):
+            dialog.close()
         event.accept()
 
 

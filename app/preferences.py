@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+import json
 import math
-from collections.abc import Collection
+from collections.abc import Collection, Mapping
 from pathlib import Path
 from typing import Final
 
@@ -16,6 +17,9 @@ _NAME: Final = "curvebench"
 _MAX_RECENT: Final = 10
 _SWITCHES: Final = ("off", "on")
 _LEAST_SPACING, _GREATEST_SPACING = 1e-9, 1e9
+
+LONGEST_UNIT: Final = 12
+"""Letters that the name of a unit may have."""
 
 
 class Preferences:
@@ -128,7 +132,7 @@ class Preferences:
     @property
     def unit_name(self) -> str:
         """The name of the unit of the plane, such as "mm"; empty for none."""
-        return self._text("grid/unit")
+        return self._text("grid/unit")[:LONGEST_UNIT]
 
     @unit_name.setter
     def unit_name(self, name: str) -> None:
@@ -142,6 +146,23 @@ class Preferences:
     @transform_box.setter
     def transform_box(self, value: bool) -> None:
         self._settings.setValue("view/transform_box", _SWITCHES[value])
+
+    @property
+    def shortcuts(self) -> dict[str, str]:
+        """The keys that differ from the defaults, by the action's name."""
+        stored = self._text("shortcuts")
+        try:
+            found = json.loads(stored or "{}")
+        except ValueError:
+            found = None
+        if isinstance(found, dict) and all(isinstance(keys, str) for keys in found.values()):
+            return found
+        self._complain("shortcuts", "they are not a list of keys")
+        return {}
+
+    @shortcuts.setter
+    def shortcuts(self, keys: Mapping[str, str]) -> None:
+        self._settings.setValue("shortcuts", json.dumps(dict(keys), sort_keys=True))
 
     @property
     def recent_files(self) -> list[Path]:

@@ -29,6 +29,7 @@ from PySide6.QtWidgets import QApplication, QWidget
 
 from app.document.model import Curve, Family, ParametrizationKind, Vector
 from app.main_window import MainWindow
+from app.panels.command_palette import CommandPalette
 from app.plot.plot_widget import PlotWidget
 from app.preferences import Preferences
 from app.session import Session
@@ -211,10 +212,51 @@ class Editor:
         QTest.keyClicks(self.window.canvas, text)
         self.settle()
 
-    def drag_parameter(self, index: int, to: float) -> None:
+    def drag_parameter(self, index: int, to: float, *, keys: Qt.KeyboardModifier = _NO_KEYS) -> None:
         """Drag the tick of point `index` along the t-rail."""
         panel = self.window.basis_panel
-        self.drag_pixels(panel, panel.rail_pixel(self.parameters[index]), panel.rail_pixel(to))
+        start = panel.rail_pixel(self.parameters[index])
+        self.drag_pixels(panel, start, panel.rail_pixel(to), keys=keys)
+
+    def click_parameter(self, index: int, *, keys: Qt.KeyboardModifier = _NO_KEYS) -> None:
+        """Click on the tick of point `index`."""
+        panel = self.window.basis_panel
+        place = panel.rail_pixel(self.parameters[index])
+        self.drag_pixels(panel, place, place, keys=keys)
+
+    def type_parameter(self, index: int, text: str) -> None:
+        """Double-click on the tick of point `index`, type, and press Enter."""
+        panel = self.window.basis_panel
+        place = panel.rail_pixel(self.parameters[index])
+        self.click_parameter(index)
+        self.send(panel, QEvent.Type.MouseButtonDblClick, place)
+        self.send(panel, QEvent.Type.MouseButtonRelease, place, held=False)
+        line = panel.tick_edit.line
+        line.selectAll()
+        QTest.keyClicks(line, text)
+        QTest.keyClick(line, Qt.Key.Key_Return)
+        self.settle()
+
+    def find_command(self, text: str) -> list[str]:
+        """Open the command palette, type, and return the names it finds, best first; it stays open."""
+        palette = self._palette()
+        if not palette.isVisible():
+            self.trigger("commandPalette")
+        palette.search.clear()
+        QTest.keyClicks(palette.search, text)
+        self.settle()
+        return palette.found
+
+    def run_command(self, text: str) -> None:
+        """Do what the command palette finds first."""
+        self.find_command(text)
+        QTest.keyClick(self._palette().search, Qt.Key.Key_Return)
+        self.settle()
+
+    def _palette(self) -> CommandPalette:
+        palette = self.window.findChild(CommandPalette)
+        assert palette is not None
+        return palette
 
     def scrub(self, t: float) -> None:
         """Drag the scrub line to t."""

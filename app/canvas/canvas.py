@@ -7,16 +7,19 @@ from dataclasses import replace
 
 import numpy as np
 from PySide6.QtCore import QEvent, QPointF, Qt, Signal
-from PySide6.QtGui import QContextMenuEvent, QFocusEvent, QKeyEvent, QMouseEvent
+from PySide6.QtGui import QContextMenuEvent, QFocusEvent, QImage, QKeyEvent, QMouseEvent
 from PySide6.QtWidgets import QWidget
 
 from app.canvas.curve_layer import CurveLayer
 from app.canvas.grid_layer import GridLayer
 from app.canvas.hit_test import hit_test
+from app.canvas.image_layer import ImageLayer
 from app.canvas.keys import ARROWS, cursor_of, transform_key
 from app.canvas.overlay_layer import OverlayLayer
 from app.canvas.point_layer import PointLayer
-from app.document.model import Vector
+from app.canvas.unit_layer import UnitLayer
+from app.document.model import ReferenceImage, Vector
+from app.gestures.image_tool import ImageTool
 from app.gestures.overlay import Overlay
 from app.gestures.pointer import Hint, Pointer
 from app.gestures.snapping import Snapping
@@ -60,7 +63,10 @@ class Canvas(PlotWidget):
         self._view: CurveView | None = None
         self._scrub: float | None = None
         self.getViewBox().setAspectLocked(True)
+        self._image_layer = ImageLayer(self, LIGHT)
+        self._image_tool: ImageTool | None = None
         self._grid = GridLayer(self, LIGHT)
+        self._units = UnitLayer(self, LIGHT)
         self._curve_layer = CurveLayer(self, LIGHT)
         self._point_layer = PointLayer(self, LIGHT)
         self._overlay_layer = OverlayLayer(self, LIGHT)
@@ -89,11 +95,26 @@ class Canvas(PlotWidget):
             if polyline is not None:
                 self._curve_layer.show_ghost(polyline.points)
 
+    def hold_ghost(self, held: bool) -> None:
+        """Keep a ghost of the curve as it is now while something is dragged elsewhere; then let it fade."""
+        if not held:
+            self._curve_layer.release_ghost()
+            return
+        polyline = self._curve_layer.polyline(self.pixel_map)
+        if polyline is not None:
+            self._curve_layer.hold_ghost(polyline.points)
+
+    @property
+    def ghost_opacity(self) -> float:
+        """How much of a ghost is seen: 1 while it is held, less while it fades, 0 without one."""
+        return self._curve_layer.ghost_opacity
+
     def set_theme(self, theme: Theme) -> None:
         """Take the colours of `theme`."""
         self._theme = theme
-        for layer in (self._grid, self._curve_layer, self._point_layer, self._overlay_layer):
+        for layer in (self._image_layer, self._grid, self._units, self._curve_layer, self._point_layer):
             layer.theme = theme
+        self._overlay_layer.theme = theme
         super().set_theme(theme)
 
     def set_scale(self, scale: float) -> None:
@@ -138,8 +159,9 @@ class Canvas(PlotWidget):
         self._tool.snapping = snapping
 
     def set_unit(self, name: str) -> None:
-        """Name the unit of length that measures show; empty for none."""
+        """Name the unit of length at the axes and in measures; empty for none."""
         self._tool.unit = name
+        self._units.unit = name
 
     def set_box_visible(self, visible: bool) -> None:
         """Show or hide the box with grips around two or more selected points."""
@@ -153,6 +175,29 @@ class Canvas(PlotWidget):
 
     def _show_overlay(self) -> None:
         self._overlay_layer.render(self._tool.overlay())
+
+    # The picture to trace
+
+    def set_image(self, image: ReferenceImage | None, pixels: QImage | None) -> None:
+        """Show a picture behind the curves; without `pixels` the frame where it belongs."""
+        self._image_layer.render(image, pixels)
+
+    def set_image_tool(self, tool: ImageTool | None) -> None:
+        """Let the mouse move and scale the picture, until None gives it back to the points."""
+        self.cancel_gesture()
+        self._image_tool = tool
+        self._image_layer.has_grips = tool is not None
+        self._set_cursor(Hint())
+        self.viewport().update()
+
+    @property
+    def is_moving_image(self) -> bool:
+        """Whether the mouse moves the picture instead of the points."""
+        return self._image_tool is not None
+
+    @property
+    def _active_tool(self) -> CanvasTool | ImageTool:
+        return self._image_tool or self._tool
 
     @property
     def is_grid_visible(self) -> bool:
@@ -196,7 +241,7 @@ class Canvas(PlotWidget):
 
     def set_tool(self, kind: ToolKind) -> None:
         """Choose what a press means."""
-        self._tool.cancel()
+        self._active_tool.cancel()
         self._tool.put_away()
         self._tool.kind = kind
         self._set_cursor(Hint())
@@ -205,11 +250,11 @@ class Canvas(PlotWidget):
     @property
     def is_dragging(self) -> bool:
         """Whether a gesture is in flight."""
-        return self._tool.is_pressed
+        return self._active_tool.is_pressed
 
     def cancel_gesture(self) -> bool:
         """Drop the gesture in flight; return whether there was one."""
-        cancelled = self._tool.cancel()
+        cancelled = self._active_tool.cancel()
         self._show_overlay()
         return cancelled
 
@@ -221,7 +266,7 @@ class Canvas(PlotWidget):
 
     def forget_gesture(self) -> None:
         """Drop the gesture in flight; the document is another one."""
-        self._tool.forget()
+        self._active_tool.forget()
 
     def begin_transform(self, kind: TransformKind) -> None:
         """Let the selected points follow the pointer from where it is, until Enter, a click or Escape."""
@@ -239,18 +284,18 @@ class Canvas(PlotWidget):
     def pressed(self, pointer: Pointer) -> None:
         self._pointer = pointer
         self._tool.grid = self.grid_spacing
-        self._tool.press(self._with_hit(pointer))
+        self._active_tool.press(self._with_hit(pointer))
         self._show_progress()
 
     def moved(self, pointer: Pointer) -> None:
         self._pointer = pointer
         self._tool.grid = self.grid_spacing
-        self._tool.move(pointer)
+        self._active_tool.move(pointer)
         self._show_progress()
         self.pointed_at.emit(pointer.position)
 
     def released(self, pointer: Pointer) -> None:
-        self._tool.release(pointer)
+        self._active_tool.release(pointer)
         self.hovered_at(pointer)
 
     def hovered_at(self, pointer: Pointer) -> None:
@@ -259,7 +304,7 @@ class Canvas(PlotWidget):
             return
         self._pointer = pointer
         self._tool.grid = self.grid_spacing
-        hint = self._tool.hover(self._with_hit(pointer))
+        hint = self._active_tool.hover(self._with_hit(pointer))
         self._show_hint(hint)
         self._show_overlay()
         self.pointed_at.emit(pointer.position)
@@ -269,14 +314,16 @@ class Canvas(PlotWidget):
         self.progress_changed.emit(self._tool.progress())
 
     def left(self) -> None:
-        if not self._tool.is_pressed:
+        if not self._active_tool.is_pressed:
             self._pointer = None
-            self._tool.hover(Pointer((np.inf, np.inf), (np.inf, np.inf)))
+            self._active_tool.hover(Pointer((np.inf, np.inf), (np.inf, np.inf)))
             self._show_overlay()
             self.hint_changed.emit("")
             self.pointed_at.emit(None)
 
     def _with_hit(self, pointer: Pointer) -> Pointer:
+        if self._image_tool is not None:
+            return replace(pointer, hit=self._image_layer.hit(pointer.pixel, self.pixel_map))
         if self._view is None:
             return pointer
         shown, layer = self.pixel_map, self._point_layer
@@ -291,7 +338,8 @@ class Canvas(PlotWidget):
     def _set_cursor(self, hint: Hint) -> None:
         if self._space_down or self._pan_from is not None:
             return
-        self.viewport().setCursor(cursor_of(hint, self._tool.kind, self._theme))
+        kind = ToolKind.SELECT if self._image_tool is not None else self._tool.kind
+        self.viewport().setCursor(cursor_of(hint, kind, self._theme))
 
     def mousePressEvent(self, event: QMouseEvent) -> None:
         # A right click ends a transform; it must not open a menu as well.
@@ -339,14 +387,18 @@ class Canvas(PlotWidget):
     def _nudge(self, event: QKeyEvent) -> bool:
         """Move the selected points by a pixel or a step of the grid: with Shift ten, with Ctrl a tenth."""
         direction = ARROWS.get(Qt.Key(event.key()))
-        if direction is None or self._tool.is_pressed:
+        if direction is None or self._active_tool.is_pressed:
             return False
         held = event.modifiers()
         factor = 10.0 if held & Qt.KeyboardModifier.ShiftModifier else 1.0
         if held & Qt.KeyboardModifier.ControlModifier:
             factor *= 0.1
+        pixel = 1.0 / self.pixel_map.sx
+        if self._image_tool is not None:
+            self._image_tool.nudge((direction[0] * factor * pixel, direction[1] * factor * pixel))
+            return True
         self._tool.grid = self.grid_spacing
-        self._tool.nudge(direction, 1.0 / self.pixel_map.sx, factor)
+        self._tool.nudge(direction, pixel, factor)
         return True
 
     def focusNextPrevChild(self, forward: bool) -> bool:

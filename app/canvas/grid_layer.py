@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
@@ -12,8 +14,8 @@ from app.plot.pixel_map import Floats, PixelMap
 from app.plot.plot_widget import PlotWidget
 from app.theme import Theme
 
-_LEAST_FINE, _LEAST_COARSE = 6.0, 60.0
-"""Least distance of fine and coarse lines in pixels, where the spacing of the grid is fixed."""
+_LEAST_GAP = 8.0
+"""Pixels between two lines of a grid of fixed spacing, at least."""
 
 
 class GridLayer:
@@ -33,6 +35,8 @@ class GridLayer:
         """Fix the distance of the lines, in units of the plane; 0 adapts it to the zoom."""
         self._fixed, self._shown = spacing, None
         for axis in self._axes():
+            # The class's own method again.
+            axis.__dict__.pop("tickStrings", None)
             axis.setTickSpacing()
         self._tune_axes()
 
@@ -54,10 +58,10 @@ class GridLayer:
         """Keep lines of a fixed distance apart on the screen: of a dense grid not every line is drawn."""
         if not self._fixed:
             return
-        fine = _wide_enough(self._fixed, _LEAST_FINE / self._plot.pixel_map.sx)
-        coarse = _wide_enough(2 * fine, _LEAST_COARSE / self._plot.pixel_map.sx)
+        coarse, fine = grid_steps(self._fixed, self._plot.pixel_map.sx)
         self._shown = None
         for axis in self._axes():
+            axis.tickStrings = tick_labels
             axis.setTickSpacing(major=coarse, minor=fine)
 
     def paint(self, painter: QPainter, shown: PixelMap) -> None:
@@ -86,10 +90,27 @@ def _finest(levels: list[tuple[float, float]]) -> float:
     return float(f"{levels[min(1, len(levels) - 1)][0]:.12g}")
 
 
-def _wide_enough(spacing: float, least: float) -> float:
-    """Return `spacing` times 1, 2, 5, 10, 20, … so that it is at least `least`."""
-    factors = (step * 10.0**power for power in range(30) for step in (1, 2, 5))
-    return next((spacing * factor for factor in factors if spacing * factor >= least), spacing * 1e30)
+def grid_steps(spacing: float, pixels_per_unit: float) -> tuple[float, float]:
+    """Return the distances of coarse and fine lines for a grid of fixed spacing.
+
+    The fine lines are `spacing` apart, or 2, 5, 10, 20, … times that where they would be denser than
+    `_LEAST_GAP` pixels.
+    """
+    needed = max(_LEAST_GAP / (spacing * pixels_per_unit), 1.0)
+    decade = 10.0 ** math.floor(math.log10(needed))
+    factor = next(step * decade for step in (1, 2, 5, 10) if step * decade >= needed * (1 - 1e-12))
+    # After 2 comes 10, so that lines of both kinds fall together.
+    return (5 if round(factor / decade) == 2 else 10) * factor * spacing, factor * spacing
+
+
+def tick_labels(values: Sequence[float], scale: float, spacing: float) -> list[str]:
+    """Return the numbers at ticks `spacing` apart.
+
+    pyqtgraph writes as many decimals as the spacing has places: 0.75 as 0.8 where ticks are 0.25 apart.
+    """
+    # A multiple of the spacing that should be zero may be off by a rounding.
+    exact = [round(value / spacing) * spacing * scale for value in values]
+    return [f"{value:.7g}".replace("-", "−") for value in exact]
 
 
 def _values(levels: list[tuple[float, list[float]]], level: int) -> Floats:

@@ -4,10 +4,13 @@ from __future__ import annotations
 
 from app.commands.edit_commands import EditCommands
 from app.commands.help_commands import HelpCommands
+from app.commands.image_commands import ImageCommands
 from app.commands.messages import Messages
 from app.commands.parts import CommandSet, Handlers, Parts
+from app.commands.rail_commands import RailCommands
 from app.commands.selection_commands import SelectionCommands
 from app.commands.snap_commands import SnapCommands
+from app.commands.tool_commands import ToolCommands
 from app.commands.view_commands import ViewCommands
 from app.view_model.curve_view import CurveView
 
@@ -20,12 +23,16 @@ class Commands:
         self.view = ViewCommands(parts)
         self.messages = Messages(parts)
         self.snap = SnapCommands(parts)
+        self.images = ImageCommands(parts, self.messages)
         self._sets: tuple[CommandSet, ...] = (
             EditCommands(parts),
             SelectionCommands(parts),
             self.snap,
             self.view,
             HelpCommands(parts),
+            RailCommands(parts),
+            self.images,
+            ToolCommands(parts, self.snap.apply_preferences),
         )
         for handlers in (self._file_handlers(), *(each.handlers() for each in self._sets)):
             for name, handler in handlers.items():

@@ -15,6 +15,7 @@ from app.document.model import Document
 from app.file_commands import FileCommands
 from app.panels.basis_pane import BasisPane
 from app.panels.basis_panel import BasisPanel
+from app.panels.image_panel import ImagePanel
 from app.panels.message_bar import MessageBar
 from app.panels.status_line import StatusLine
 from app.preferences import Preferences
@@ -43,6 +44,8 @@ class Parts:
     parameters_menu: QMenu
     preferences: Preferences
     set_theme_mode: Callable[[ThemeMode], None]
+    image_panel: ImagePanel
+    image_dock: QDockWidget
 
     def change(self, text: str, edit: Callable[[], Document], *, active: int | None = None) -> bool:
         """Commit what `edit` makes as the step `text`, or say why it cannot be done.

@@ -29,6 +29,7 @@ class SnapCommands:
         canvas.set_snapping(snapping)
         canvas.set_grid_spacing(preferences.grid_spacing)
         canvas.set_unit(preferences.unit_name)
+        self._parts.status_line.unit = preferences.unit_name
 
     def _toggle(self) -> None:
         on = self._parts.actions["toggleSnap"].isChecked()

@@ -63,6 +63,8 @@ class ViewCommands:
             return
         if self._actions["addTool"].isChecked() or self._actions["measureTool"].isChecked():
             self._actions["selectTool"].trigger()
+        elif self._actions["moveImage"].isChecked():
+            self._actions["moveImage"].trigger()
         elif self._actions["presentation"].isChecked():
             self._actions["presentation"].trigger()
         elif session.scrub is not None:
@@ -105,7 +107,8 @@ class ViewCommands:
         if not shown and keeps_layout:
             self._before_folding = bytes(window.saveState().data())
         for dock in self._parts.docks:
-            dock.setVisible(shown)
+            # A dock that has nothing to show is disabled, and stays away.
+            dock.setVisible(shown and dock.isEnabled())
         if shown and keeps_layout and self._before_folding:
             # Shown one by one, docks share the height anew and change which tab is in front.
             window.restoreState(self._before_folding)

@@ -15,7 +15,16 @@ from typing import Literal
 
 import msgspec
 
-from app.document.model import MAX_MAGNITUDE, Curve, Document, Node, ParametrizationKind, Value, Vector
+from app.document.model import (
+    MAX_MAGNITUDE,
+    Curve,
+    Document,
+    Node,
+    ParametrizationKind,
+    ReferenceImage,
+    Value,
+    Vector,
+)
 
 FORMAT = "curvebench"
 VERSION = 1
@@ -45,6 +54,7 @@ class _File(Value, frozen=True):
     format: Literal["curvebench"]
     version: Literal[1]
     curves: tuple[Curve, ...]
+    image: ReferenceImage | None = None
 
 
 class _Place(str):
@@ -77,8 +87,11 @@ def encode(document: Document) -> bytes:
     """
     validate(document)
     curves = b",\n".join(_curve_text(curve) for curve in document.curves)
-    head = f'{{\n  "format": "{FORMAT}",\n  "version": {VERSION},\n  "curves": [\n'
-    return head.encode() + curves + b"\n  ]\n}\n"
+    head = f'{{\n  "format": "{FORMAT}",\n  "version": {VERSION},\n'
+    image = b""
+    if document.image is not None:
+        image = b'  "image": ' + _one_line(_ENCODER.encode(document.image)) + b",\n"
+    return head.encode() + image + b'  "curves": [\n' + curves + b"\n  ]\n}\n"
 
 
 def _curve_text(curve: Curve) -> bytes:
@@ -129,7 +142,7 @@ def decode(data: bytes) -> Document:
     except RecursionError:
         raise FormatError("it is not a Curvebench document; it is nested too deeply") from None
     _refuse_repeated_keys(data)
-    document = Document(file.curves)
+    document = Document(file.curves, file.image)
     validate(document)
     return document
 
@@ -194,12 +207,30 @@ def validate(document: Document) -> None:
     A document has at least one curve. Every number is finite, its magnitude at most `MAX_MAGNITUDE`.
     A parametrization has start < end and alpha in [0, 1]. The parameters that the points carry increase
     strictly in the order of the points, also where a rule is in force and they are only remembered; under
-    the manual parametrization every point carries one. A curve may have one point or none.
+    the manual parametrization every point carries one. A curve may have one point or none. An image has a
+    path to a file of this computer, a positive size and an opacity in [0, 1].
     """
     if not document.curves:
         raise FormatError("curves must hold at least one curve")
     for index, curve in enumerate(document.curves):
         _validate_curve(curve, f"curves[{index}]")
+    if document.image is not None:
+        _validate_image(document.image)
+
+
+def _validate_image(image: ReferenceImage) -> None:
+    for key in ("x", "y", "width", "height", "opacity"):
+        _check_number(getattr(image, key), f"image.{key}")
+    for key in ("width", "height"):
+        if not getattr(image, key) > 0:
+            raise FormatError(f"image.{key} must be greater than 0, not {getattr(image, key)!r}")
+    if not 0 <= image.opacity <= 1:
+        raise FormatError(f"image.opacity must lie between 0 and 1, not {image.opacity!r}")
+    if not image.path.strip() or not image.path.isprintable():
+        raise FormatError(f"image.path must be the name of a file, not {_quoted(image.path)}")
+    if image.path.startswith(("//", "\\\\")):
+        # Opening one would knock at another computer, and on some systems with the person's password.
+        raise FormatError("image.path must lead to a file of this computer, not to one of the network")
 
 
 def _validate_curve(curve: Curve, place: str) -> None:

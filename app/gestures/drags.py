@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
 from dataclasses import dataclass
 
 from app.document import edits
@@ -256,38 +255,3 @@ class InsertPoint:
         is_manual = self.document.curves[self.curve].is_manual
         node = Node(x, y, t=self.hit.t if is_manual else None)
         return edits.insert_nodes(self.document, self.curve, self.hit.index, [node])
-
-
-@dataclass(frozen=True)
-class DragTick:
-    """Drag the parameter of a node along the t-rail; the order of the parameters is kept."""
-
-    document: Document
-    curve: int
-    parameters: Sequence[float]
-    index: int
-    node: int
-    start: float
-
-    @property
-    def name(self) -> str:
-        """The name of the step."""
-        return f"Change t of point {self.node}"
-
-    def document_at(self, pointer: Pointer) -> Document:
-        """Move t by the whole way from the press, as far as the neighbours let it."""
-        t = self.parameters[self.index] + pointer.position[0] - self.start
-        return edits.set_parameter(
-            self.document, self.curve, self.index, self._between_neighbours(t), self.parameters
-        )
-
-    def _between_neighbours(self, t: float) -> float:
-        """Keep a distance that can still be seen, and from which the curve can still be computed well."""
-        own, margin = self.parameters[self.index], 1e-3 * (self.parameters[-1] - self.parameters[0])
-        if self.index > 0:
-            before = self.parameters[self.index - 1]
-            t = max(t, before + min(margin, (own - before) / 2))
-        if self.index < len(self.parameters) - 1:
-            after = self.parameters[self.index + 1]
-            t = min(t, after - min(margin, (after - own) / 2))
-        return t

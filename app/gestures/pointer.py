@@ -18,6 +18,8 @@ class Part(Enum):
     TICK = auto()
     FUNCTION = auto()
     SCRUB = auto()
+    IMAGE = auto()
+    IMAGE_CORNER = auto()
 
 
 @dataclass(frozen=True)
@@ -39,7 +41,8 @@ class Hit:
     kind
         For a basis function: 0 position, 1 velocity, 2 acceleration.
     knot
-        For a tick: the knot it stands at; a closed curve has one more knot than nodes.
+        For a tick: the knot it stands at; a closed curve has one more knot than nodes. For a corner of the
+        picture to trace: 0 to 3, counterclockwise from the lower left.
     """
 
     part: Part
@@ -67,6 +70,8 @@ class Pointer:
         Modifier keys.
     scale
         Pixels per unit of the plane, for what is measured on the screen.
+    ripple
+        Whether E is held: on the t-rail, the ticks ahead go along.
     """
 
     position: Vector
@@ -76,6 +81,7 @@ class Pointer:
     ctrl: bool = False
     alt: bool = False
     scale: float = 1.0
+    ripple: bool = False
 
 
 class Cursor(Enum):

@@ -33,6 +33,7 @@ class StatusLine(QStatusBar):
         for label in (self._place, self._t, self._lebesgue):
             self.addPermanentWidget(label)
         self._hint = self._said = ""
+        self.unit = ""
         self._timer = QTimer(self, singleShot=True, interval=_SAID_MS)
         self._timer.timeout.connect(self._forget_said)
 
@@ -73,7 +74,9 @@ class StatusLine(QStatusBar):
 
     def show_place(self, place: Vector | None) -> None:
         """Show where the pointer is on the canvas."""
-        self._place.setText("" if place is None else f"x {place[0]:.4g}   y {place[1]:.4g}".replace("-", "−"))
+        unit = f" {self.unit}" if self.unit else ""
+        text = "" if place is None else f"x {place[0]:.4g}{unit}   y {place[1]:.4g}{unit}"
+        self._place.setText(text.replace("-", "−"))
 
     def show_t(self, t: float | None) -> None:
         """Show the t under the pointer or the scrub line."""

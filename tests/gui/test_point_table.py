@@ -1,6 +1,5 @@
 """The point table: typed into, copied from, pasted into, with real keys and clicks."""
 
-
 import numpy as np
 import pytest
 from PySide6.QtCore import QLocale, QPoint, Qt
