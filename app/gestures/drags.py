@@ -125,7 +125,7 @@ class AppendPoint:
     def _with_point(self, node: Node) -> Document:
         if self.view.source.is_manual:
             node = Node(node.x, node.y, t=appended_parameter(self.view, node))
-        squeeze = appended_squeeze(self.view, node)
+        squeeze = appended_squeeze(self.view, [node])
         return edits.append_node(self.document, self.curve, node, squeeze=squeeze)
 
 
