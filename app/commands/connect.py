@@ -2,10 +2,14 @@
 
 from __future__ import annotations
 
+from app.commands.clipboard_commands import ClipboardCommands
+from app.commands.context_menus import ContextMenus
+from app.commands.curve_commands import CurveCommands
 from app.commands.edit_commands import EditCommands
 from app.commands.help_commands import HelpCommands
 from app.commands.messages import Messages
 from app.commands.parts import CommandSet, Handlers, Parts
+from app.commands.tangent_commands import TangentCommands
 from app.commands.view_commands import ViewCommands
 from app.view_model.curve_view import CurveView
 
@@ -17,7 +21,16 @@ class Commands:
         self._parts = parts
         self.view = ViewCommands(parts)
         self.messages = Messages(parts)
-        self._sets: tuple[CommandSet, ...] = (EditCommands(parts), self.view, HelpCommands(parts))
+        curves, tangents, clipboard = CurveCommands(parts), TangentCommands(parts), ClipboardCommands(parts)
+        self._sets: tuple[CommandSet, ...] = (
+            EditCommands(parts),
+            self.view,
+            HelpCommands(parts),
+            curves,
+            tangents,
+            clipboard,
+        )
+        self.context_menus = ContextMenus(parts, curves)
         for handlers in (self._file_handlers(), *(each.handlers() for each in self._sets)):
             for name, handler in handlers.items():
                 parts.actions[name].triggered.connect(lambda _checked=False, handler=handler: handler())

@@ -15,6 +15,7 @@ from app.document.model import Document
 from app.file_commands import FileCommands
 from app.panels.basis_pane import BasisPane
 from app.panels.basis_panel import BasisPanel
+from app.panels.curve_list import CurveList
 from app.panels.message_bar import MessageBar
 from app.panels.status_line import StatusLine
 from app.session import Session
@@ -40,6 +41,7 @@ class Parts:
     toolbar: QToolBar
     docks: Sequence[QDockWidget]
     parameters_menu: QMenu
+    curve_list: CurveList
     set_theme_mode: Callable[[ThemeMode], None]
 
     def change(self, text: str, edit: Callable[[], Document], *, active: int | None = None) -> bool:

@@ -92,7 +92,7 @@ def append_node(document: Document, curve: int, node: Node, *, squeeze: float = 
     1/squeeze, an acceleration by its square, and the handles stay where the person put them.
     """
     _checked_vector(node.position, "the point")
-    old = (_stretched(each, squeeze) for each in document.curves[curve].nodes)
+    old = (stretched(each, squeeze) for each in document.curves[curve].nodes)
     return _with_nodes(document, curve, (*old, node))
 
 
@@ -184,7 +184,7 @@ def set_closed(document: Document, curve: int, closed: bool, *, squeeze: float =
         )
     if closed and len(old.nodes) < 3:
         raise EditError("A closed curve needs at least three points.")
-    nodes = tuple(_stretched(node, squeeze) for node in old.nodes)
+    nodes = tuple(stretched(node, squeeze) for node in old.nodes)
     return document.with_curve(curve, _with_way_back(replace(old, nodes=nodes, closed=closed)))
 
 
@@ -272,9 +272,7 @@ def set_interval(document: Document, curve: int, start: float, end: float) -> Do
     old = document.curves[curve]
     old_start, old_end = interval(old)
     factor = (end - start) / (old_end - old_start)
-    nodes = tuple(
-        _stretched(_shifted(node, (old_start, old_end), (start, end)), factor) for node in old.nodes
-    )
+    nodes = tuple(stretched(_shifted(node, (old_start, old_end), (start, end)), factor) for node in old.nodes)
     rule = replace(old.parametrization, start=start, end=end)
     result = replace(old, nodes=nodes, parametrization=rule)
     refuse_equal_parameters(result, "The interval is too short to keep the parameters apart.")
@@ -299,7 +297,7 @@ def _shifted(node: Node, old: tuple[float, float], new: tuple[float, float]) -> 
     return replace(node, t=new[1] if node.t == old[1] else new[0] + s * (new[1] - new[0]))
 
 
-def _stretched(node: Node, factor: float) -> Node:
+def stretched(node: Node, factor: float) -> Node:
     """Rescale derivatives for a time that runs `factor` times as long."""
     if factor == 1:
         return node

@@ -4,12 +4,15 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import cached_property
 
 from app.document import edits
+from app.document.curve_edits import replace_curve
 from app.document.model import Document, Node, Vector
 from app.gestures.pointer import Hit, Part, Pointer
 from app.view_model.curve_view import CurveView, appended_parameter, appended_squeeze, view_of
 from app.view_model.handles import acceleration_from_handle, velocity_from_handle
+from app.view_model.reshape import Reshaped, with_point_inserted
 
 
 def _minus(a: Vector, b: Vector) -> Vector:
@@ -139,10 +142,11 @@ def _velocity_pointing_at(view: CurveView, index: int, target: Vector) -> Vector
 
 @dataclass(frozen=True)
 class InsertPoint:
-    """Insert a point on the curve where it was pressed; dragging moves it."""
+    """Insert a point on the curve where it was pressed, the shape kept if possible; dragging moves it."""
 
     document: Document
     curve: int
+    view: CurveView
     hit: Hit
     press: Pointer
 
@@ -151,12 +155,17 @@ class InsertPoint:
         """The name of the step."""
         return f"Insert point {self.hit.index}"
 
+    @cached_property
+    def on_curve(self) -> Reshaped:
+        """The curve with the point where it was pressed."""
+        return with_point_inserted(self.view, self.hit.t)
+
     def document_at(self, pointer: Pointer) -> Document:
         """Return the document with the new point."""
-        dragged = max(map(abs, _minus(pointer.pixel, self.press.pixel))) >= 3
-        x, y = pointer.position if dragged else self.hit.position
+        if max(map(abs, _minus(pointer.pixel, self.press.pixel))) < 3:
+            return replace_curve(self.document, self.curve, self.on_curve.curve)
         is_manual = self.document.curves[self.curve].is_manual
-        node = Node(x, y, t=self.hit.t if is_manual else None)
+        node = Node(*pointer.position, t=self.hit.t if is_manual else None)
         return edits.insert_nodes(self.document, self.curve, self.hit.index, [node])
 
 

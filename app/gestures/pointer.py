@@ -18,6 +18,7 @@ class Part(Enum):
     TICK = auto()
     FUNCTION = auto()
     SCRUB = auto()
+    OTHER_CURVE = auto()
 
 
 @dataclass(frozen=True)
@@ -29,7 +30,8 @@ class Hit:
     part
         Which kind of thing.
     index
-        The node it belongs to; for the curve, the node before which a new one would be inserted.
+        The node it belongs to; for the curve, the node before which a new one would be inserted; for another
+        curve, its place in the document.
     position
         Where exactly the thing lies, in the plane (on the curve: the nearest point of it).
     ahead

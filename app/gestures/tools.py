@@ -9,6 +9,8 @@ from app.gestures.drags import AppendPoint, DragHandle, InsertPoint, MovePoints,
 from app.gestures.machine import DragMachine, Host
 from app.gestures.pointer import Hint, Hit, Part, Pointer
 
+_LOCKED = "“{}” is locked; unlock it in the list of curves to change it."
+
 
 class ToolKind(Enum):
     """What a press on the canvas means."""
@@ -33,7 +35,9 @@ class CanvasTool:
     def press(self, pointer: Pointer) -> None:
         """Begin a gesture."""
         hit = pointer.hit
-        if hit is not None and hit.part is not Part.CURVE:
+        if hit is not None and hit.part is Part.OTHER_CURVE:
+            self._machine.press(pointer, None, on_click=lambda: self._host.activate(hit.index))
+        elif hit is not None and hit.part is not Part.CURVE:
             self._press_on_part(pointer, hit)
         elif self.kind is ToolKind.ADD:
             self._press_to_add(pointer, hit)
@@ -81,6 +85,10 @@ class CanvasTool:
         """Return what a press here would do."""
         hit = pointer.hit
         self._host.set_hovered(hit.index if hit is not None and hit.part is Part.POINT else -1)
+        if hit is not None and hit.part is Part.OTHER_CURVE:
+            return Hint(f"Click to edit “{self._host.document.curves[hit.index].name}”", grab=True)
+        if self._host.active_view.source.locked and (hit is not None or self.kind is ToolKind.ADD):
+            return Hint(_LOCKED.format(self._host.active_view.source.name))
         if hit is not None and hit.part is not Part.CURVE:
             return self._hint_for(hit)
         if self.kind is ToolKind.ADD:
@@ -105,15 +113,33 @@ class CanvasTool:
 
     def _press_to_add(self, pointer: Pointer, hit: Hit | None) -> None:
         host = self._host
+        if host.active_view.source.locked:
+            host.say(_LOCKED.format(host.active_view.source.name))
+            return
         if hit is not None:
-            insert = InsertPoint(host.document, host.active_index, hit, pointer)
-            self._machine.press_at_once(pointer, insert)
-            host.select([hit.index])
+            self._insert(pointer, hit)
             return
         index = len(host.active_view.source.nodes)
         append = AppendPoint(host.document, host.active_index, host.active_view, pointer)
         self._machine.press_at_once(pointer, append)
         host.select([index])
+
+    def _insert(self, pointer: Pointer, hit: Hit) -> None:
+        host = self._host
+        insert = InsertPoint(host.document, host.active_index, host.active_view, hit, pointer)
+        count = len(host.active_view.source.nodes)
+        self._machine.press_at_once(pointer, insert, on_done=lambda: self._say_outcome(insert))
+        if len(host.active_view.source.nodes) > count:
+            host.select([hit.index])
+
+    def _say_outcome(self, insert: InsertPoint) -> None:
+        made = insert.on_curve
+        if self._host.active_view.source != made.curve:
+            return  # dragged off the curve: the change is what was wanted
+        if made.parameters_moved:
+            self._host.offer(made.sentence, "freezeParameters")
+        else:
+            self._host.say(made.sentence)
 
     def _click_beside(self, hit: Hit | None) -> None:
         if hit is None:

@@ -13,7 +13,7 @@ import numpy as np
 from msgspec.structs import replace
 
 from app.document.curve_edits import reverse_curve
-from app.document.edits import EditError, freeze_parameters
+from app.document.edits import EditError, freeze_parameters, stretched
 from app.document.model import Curve, Document, Node, Vector
 from app.view_model.curve_view import CurveView, Floats, view_of
 from app.view_model.jets import Sides
@@ -40,6 +40,14 @@ class Reshaped:
     curve: Curve
     residual: float
     parameters_moved: bool = False
+
+    @property
+    def sentence(self) -> str:
+        """What became of the shape."""
+        change = f"largest change {self.residual:.2g}"
+        if self.parameters_moved:
+            return f"The parameters moved: {change} · Freeze parameters first to keep the shape"
+        return f"Shape kept, {change}."
 
 
 def baked(view: CurveView) -> Curve:
@@ -150,7 +158,7 @@ def _stretched_along(before: CurveView, grown: Curve, index: int, t: float) -> C
     refuse_without_curve(after)
     factors = np.diff(after.parameters) / np.diff(np.insert(before.parameters, index, t))
     nodes = [
-        _stretched(node, _factor_at(factors, place, index, is_closed=grown.is_closed))
+        stretched(node, _factor_at(factors, place, index, is_closed=grown.is_closed))
         for place, node in enumerate(grown.nodes)
     ]
     return replace(grown, nodes=tuple(nodes))
@@ -164,16 +172,6 @@ def _factor_at(factors: Floats, place: int, inserted: int, *, is_closed: bool) -
     beside = [segment for segment in beside if 0 <= segment < len(factors)]
     whole = [segment for segment in beside if segment not in (inserted - 1, inserted)]
     return float(np.mean(factors[whole or beside]))
-
-
-def _stretched(node: Node, factor: float) -> Node:
-    changed = {}
-    for order, name in enumerate(("velocity", "acceleration"), start=1):
-        for each in (name, f"{name}_after"):
-            vector: Vector | None = getattr(node, each)
-            if vector is not None:
-                changed[each] = (vector[0] / factor**order, vector[1] / factor**order)
-    return replace(node, **changed) if changed else node
 
 
 def _change(before: CurveView, after: CurveView, old_knots: Floats) -> float:
