@@ -61,6 +61,8 @@ class CurveList(QWidget):
             button.setAccessibleName(action.text())
             button.setAutoRaise(True)
             button.setIconSize(QSize(16, 16))
+            # The icons come with the theme, later; docks laid out anew by then would forget their widths.
+            button.setFixedSize(26, 26)
             self._buttons.insertWidget(place, button)
 
     def render_document(self, document: Document, active: int) -> None:

@@ -33,6 +33,7 @@ from app.theme import curve_colour, icon, mix, theme_of
 Index = QModelIndex | QPersistentModelIndex
 
 _ICON, _PAD, _SWATCH = 16, 8, 12
+_RENAME = (Qt.Key.Key_F2, Qt.Key.Key_Return, Qt.Key.Key_Enter)
 _STEPS = {Qt.Key.Key_Up: -1, Qt.Key.Key_Down: 1}
 
 
@@ -270,7 +271,7 @@ class CurveListView(QListView):
             self._end_drag()
         elif step is not None and not event.modifiers() & ~Qt.KeyboardModifier.KeypadModifier:
             self.activated_row.emit(max(0, min(self.active + step, self.curves.rowCount() - 1)))
-        elif event.key() in (Qt.Key.Key_F2, Qt.Key.Key_Return, Qt.Key.Key_Enter):
+        elif event.key() in _RENAME and self.state() != QAbstractItemView.State.EditingState:
             self.edit_name(self.active)
         else:
             # Everything else is for the window's shortcuts; the list's own search by letters would eat them.
