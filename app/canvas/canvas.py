@@ -240,17 +240,17 @@ class Canvas(PlotWidget):
         event.accept()
         if self._tool.is_pressed:
             return
-        place = QPointF(event.pos())
-        if event.reason() == QContextMenuEvent.Reason.Keyboard:
-            place = self._selected_place()
-        pointer = self._with_hit(self.pointer_at(place))
-        self.menu_requested.emit(pointer.hit, self.viewport().mapToGlobal(place.toPoint()))
+        by_key = event.reason() == QContextMenuEvent.Reason.Keyboard
+        place = self._selected_place() if by_key else QPointF(event.pos())
+        hit = self._with_hit(self.pointer_at(place)).hit if place is not None else None
+        corner = (place or self.centre()).toPoint()
+        self.menu_requested.emit(hit, self.viewport().mapToGlobal(corner))
 
-    def _selected_place(self) -> QPointF:
-        """Return where the first selected point lies in the viewport, the middle without one."""
+    def _selected_place(self) -> QPointF | None:
+        """Return where the first selected point lies in the viewport."""
         chosen = sorted(self._point_layer.selection)
         if self._view is None or not chosen or chosen[0] >= len(self._view.points):
-            return self.centre()
+            return None
         return QPointF(self.to_pixel(*self._view.points[chosen[0]].tolist()))
 
     def keyPressEvent(self, event: QKeyEvent) -> None:

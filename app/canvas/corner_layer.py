@@ -9,6 +9,7 @@ from app.plot.pixel_map import PixelMap
 from app.plot.plot_widget import PlotWidget
 from app.theme import Theme, point_colours
 from app.view_model.curve_view import CurveView
+from app.view_model.jets import corners_of
 
 _HALF = 5.0
 _FAR = 1e5
@@ -27,7 +28,7 @@ class CornerLayer:
     def render(self, view: CurveView) -> None:
         """Draw the corners of `view` from the next paint on."""
         self._view = view
-        self._corners = corners_of(view)
+        self._corners = corners_of(view.source)
         self._layer.setVisible(bool(self._corners))
         self._layer.update()
 
@@ -44,16 +45,3 @@ class CornerLayer:
             if max(abs(x), abs(y)) < _FAR:
                 painter.setBrush(colours[index])
                 painter.drawRect(QRectF(x - half, y - half, 2 * half, 2 * half))
-
-
-def corners_of(view: CurveView) -> list[int]:
-    """Return the nodes at which the curve has a corner; the ends of an open curve have one side only."""
-    curve = view.source
-    if not curve.family.derivatives:
-        return []
-    last = len(curve.nodes) - 1
-    return [
-        index
-        for index, node in enumerate(curve.nodes)
-        if node.corner and (curve.is_closed or 0 < index < last)
-    ]
