@@ -189,7 +189,7 @@ def _without_parameters(nodes: Sequence[Node]) -> list[Node]:
 
 def _on_clipboard() -> _Pasted:
     """Return the points on the clipboard, as they were copied here or read from text."""
-    data = QGuiApplication.clipboard().mimeData()
+    data = QGuiApplication.clipboard().mimeData() or QMimeData()  # None where nothing was ever copied
     if data.hasFormat(POINTS):
         try:
             (curve, *_) = decode(bytes(data.data(POINTS).data())).curves
@@ -205,7 +205,7 @@ def _on_clipboard() -> _Pasted:
 
 
 def _derivatives_on_clipboard() -> Node | None:
-    data = QGuiApplication.clipboard().mimeData()
+    data = QGuiApplication.clipboard().mimeData() or QMimeData()
     if not data.hasFormat(DERIVATIVES):
         return None
     try:
