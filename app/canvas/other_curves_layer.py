@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import dataclass
+from time import perf_counter
 
 import numpy as np
-from PySide6.QtCore import Qt
+from PySide6.QtCore import QRectF, Qt, QTimer
 from PySide6.QtGui import QColor, QPainter, QPen, QPixmap
 
 from app.canvas.curve_layer import TOLERANCE
@@ -21,6 +23,11 @@ from app.view_model.curve_view import CurveView
 _WIDTH = 1.5
 _OPACITY = 0.62
 
+_SLOW = 0.008
+"""Seconds above which the picture is not made anew for every step of a pan or a zoom."""
+
+_REST_MS = 80
+
 
 class OtherCurvesLayer:
     """Draws all visible curves but the active one, and tells which of them a pixel is on.
@@ -33,8 +40,11 @@ class OtherCurvesLayer:
         self.theme = theme
         self.scale = 1.0
         self._views: list[tuple[int, CurveView]] = []
-        self._picture: QPixmap | None = None
-        self._picture_of: tuple[object, ...] = ()
+        self._picture: _Picture | None = None
+        self._seconds = 0.0
+        self._is_resting = False
+        self._rest = QTimer(plot, singleShot=True, interval=_REST_MS)
+        self._rest.timeout.connect(self._make_anew)
         self._outline: _Outline | None = None
         self._layer = plot.add_layer(self.paint, z=-1)
 
@@ -52,15 +62,37 @@ class OtherCurvesLayer:
         self._layer.update()
 
     def paint(self, painter: QPainter, shown: PixelMap) -> None:
-        """Draw the picture; it is made anew when another part of the plane is visible."""
+        """Draw the picture; it is made anew when another part of the plane is visible.
+
+        Where that takes long, the old one is moved along while the view moves, and made anew when it rests.
+        """
         if not self._views:
             return
         device = painter.device()
         ratio = device.devicePixelRatio() if device is not None else 1.0
-        key = (shown, self.theme, self.scale, ratio)
-        if self._picture is None or key != self._picture_of:
-            self._picture, self._picture_of = self._painted(shown, ratio), key
-        painter.drawPixmap(0, 0, self._picture)
+        key = (self.theme, self.scale, ratio)
+        picture = self._picture
+        if picture is not None and picture.key == key and picture.shown != shown and self._may_wait(shown):
+            self._rest.start()
+            painter.setRenderHint(QPainter.RenderHint.SmoothPixmapTransform, True)
+            painter.drawPixmap(picture.place_in(shown), picture.pixmap, QRectF(picture.pixmap.rect()))
+            return
+        if picture is None or picture.key != key or picture.shown != shown:
+            began = perf_counter()
+            picture = self._picture = _Picture(self._painted(shown, ratio), shown, key)
+            self._seconds = perf_counter() - began
+            self._is_resting = False
+        painter.drawPixmap(0, 0, picture.pixmap)
+
+    def _may_wait(self, shown: PixelMap) -> bool:
+        """Whether the picture is slow to make, and good enough for a view that is moving."""
+        assert self._picture is not None
+        magnified = shown.sx / self._picture.shown.sx
+        return self._seconds > _SLOW and not self._is_resting and 0.25 < magnified < 4
+
+    def _make_anew(self) -> None:
+        self._is_resting = True
+        self._layer.update()
 
     def _painted(self, shown: PixelMap, ratio: float) -> QPixmap:
         picture = QPixmap(int(np.ceil(shown.width * ratio)), int(np.ceil(shown.height * ratio)))
@@ -91,6 +123,21 @@ class OtherCurvesLayer:
         if self._outline is None or self._outline.shown is not shown:
             self._outline = _Outline(self._views, shown)
         return self._outline.hit(pixel)
+
+
+@dataclass(frozen=True, eq=False)
+class _Picture:
+    """The curves as painted for one part of the plane, and for one theme and size of lines."""
+
+    pixmap: QPixmap
+    shown: PixelMap
+    key: tuple[Theme, float, float]
+
+    def place_in(self, shown: PixelMap) -> QRectF:
+        """Return where the picture lies when another part of the plane is visible."""
+        old = self.shown
+        x, y = shown.point(old.x0, old.y0)
+        return QRectF(x, y, old.width * shown.sx / old.sx, old.height * shown.sy / old.sy)
 
 
 class _Outline:

@@ -517,6 +517,22 @@ def test_the_others_are_drawn_in_their_colours_and_repainted_only_when_something
     assert layer._picture is not picture
 
 
+def test_many_curves_are_moved_along_while_the_view_moves_and_painted_when_it_rests(three, qtbot):
+    canvas = three.window.canvas
+    layer = canvas._other_curves
+    layer._seconds = 1.0  # as if painting had taken a second
+    picture = layer._picture
+    canvas.zoom(1.2, canvas.centre())
+    canvas.pan(30, 10)
+    three.settle()
+    assert layer._picture is picture
+    shown, place = canvas.pixel_map, picture.place_in(canvas.pixel_map)
+    x, y = picture.shown.plane(100, 50)
+    assert shown.point(x, y) == pytest.approx((place.x() + 120, place.y() + 60))
+    qtbot.waitUntil(lambda: layer._picture is not picture, timeout=2000)
+    assert layer._picture.shown == shown
+
+
 def test_a_corner_is_marked(three):
     three.select([1])
     three.trigger("tangentCorner")
