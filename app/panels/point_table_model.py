@@ -26,6 +26,7 @@ from app.panels.words import ACCELERATION_ESTIMATES, VELOCITY_ESTIMATES
 from app.session import Session
 from app.theme import LIGHT, Theme, point_colours
 from app.view_model.curve_view import CurveView
+from app.view_model.jets import corners_of
 
 Index = QModelIndex | QPersistentModelIndex
 _NO_INDEX = QModelIndex()
@@ -213,7 +214,11 @@ class PointTableModel(QAbstractTableModel):
     def _describe(self, row: int, column: int) -> str:
         exact = exact_text(float(self.values[row, column]), decimal_mark()).replace("-", "−")
         text = f"{self.label(row, column)} = {exact}" if exact else f"{self.label(row, column)}: none now"
-        return f"{text}\n{self._estimate(column)}" if self.estimated[row, column] else text
+        text = f"{text}\n{self._estimate(column)}" if self.estimated[row, column] else text
+        at_corner = self.columns[column].is_derivative and row in corners_of(self._session.active_curve)
+        return (
+            f"{text}\nbefore the corner; the handle ahead of it has a value of its own" if at_corner else text
+        )
 
     def _estimate(self, column: int) -> str:
         curve = self._session.active_curve

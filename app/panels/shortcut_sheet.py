@@ -18,6 +18,8 @@ _MOUSE = (
     ("Drag in the basis panel", "scrub: every point shows its weight at t"),
     ("Wheel", "zoom at the pointer"),
     ("Middle button, Space+drag", "pan"),
+    ("Click another curve", "edit it"),
+    ("Right button, Menu key", "what can be done there"),
 )
 
 

@@ -105,6 +105,15 @@ def test_the_settings_tell_closed_and_corners(wave):
     assert "4 pieces · closed · 1 corner" in facts
 
 
+def test_the_table_tells_which_side_of_a_corner_it_shows(wave):
+    wave.select_point(1)
+    wave.trigger("tangentCorner")
+    model = wave.window.point_table.model()
+    tip = model.data(model.index(1, 3), Qt.ItemDataRole.ToolTipRole)
+    assert "before the corner" in tip
+    assert "before the corner" not in model.data(model.index(2, 3), Qt.ItemDataRole.ToolTipRole)
+
+
 def test_a_corner_s_own_side_counts_as_set_by_the_person(wave):
     wave.select_point(1)
     wave.trigger("tangentCorner")
