@@ -168,6 +168,14 @@ SPECS = (
         "Insert a point on the curve; under manual parameters its shape stays",
     ),
     ActionSpec(
+        "keepShape",
+        "Freeze and Keep the Shape",
+        "Curve",
+        "",
+        "lock",
+        "Take the insertion back, freeze the parameters and insert the point again: the shape stays",
+    ),
+    ActionSpec(
         "newCurve",
         "New Curve",
         "Curve",

@@ -238,6 +238,7 @@ class MainWindow(QMainWindow):
         self.setWindowModified(self.session.is_modified)
 
     def _offer(self, text: str, action: str) -> None:
+        self._commands.render(self.session.active_view)
         self.status_line.offer(text, self.actions_by_name[action])
 
     def _fit(self) -> None:

@@ -90,6 +90,7 @@ class Session(QObject):
         self.selection: frozenset[int] = frozenset()
         self.hovered = -1
         self.scrub: float | None = None
+        self.offered_at: float | None = None
         self._committed = first_sketch()
         self._shown = self._committed
         self._views: list[CurveView] = []
@@ -99,6 +100,7 @@ class Session(QObject):
         self.file_changed.emit()
 
     def _report_index(self, _index: int) -> None:
+        self.offered_at = None
         self.history_changed.emit()
 
     # What is shown
@@ -245,8 +247,12 @@ class Session(QObject):
         """Show a sentence in the status line."""
         self.said.emit(text)
 
-    def offer(self, text: str, action: str) -> None:
-        """Show a sentence in the status line, and beside it a button for the action of this name."""
+    def offer(self, text: str, action: str, at: float | None = None) -> None:
+        """Show a sentence in the status line, and beside it a button for the action of this name.
+
+        `at` is the parameter that the action is about; the next step of the history makes it void.
+        """
+        self.offered_at = at
         self.offered.emit(text, action)
 
     # Files

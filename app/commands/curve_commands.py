@@ -11,7 +11,7 @@ from app.commands.parts import Handlers, Parts
 from app.document import curve_edits, edits
 from app.document.edits import EditError
 from app.document.model import Curve, Document
-from app.view_model.curve_view import CurveView, squeeze_of
+from app.view_model.curve_view import CurveView, squeeze_of, view_of
 from app.view_model.reshape import Reshaped, reversed_curve, with_point_inserted
 from app.view_model.split_join import joined, split
 
@@ -28,11 +28,14 @@ class CurveCommands:
         self._parts = parts
         self._session = parts.session
         self._actions = parts.actions
+        # The step is known to the history only after the document has been shown.
+        self._session.history_changed.connect(lambda: self.render(self._session.active_view))
 
     def handlers(self) -> Handlers:
         """Return what each action does."""
         return {
             "insertPoint": lambda: self._at_scrub(self.insert_at),
+            "keepShape": self._keep_shape,
             "newCurve": self._new,
             "duplicateCurve": self._duplicate,
             "deleteCurve": self._delete,
@@ -59,6 +62,7 @@ class CurveCommands:
         actions["curveLocked"].setChecked(curve.locked)
         for name in ("splitCurve", "insertPoint"):
             actions[name].setEnabled(view.is_current and not curve.locked)
+        actions["keepShape"].setEnabled(self._session.offered_at is not None)
         actions["joinCurve"].setEnabled(view.is_current and count > 1)
         actions["reverseCurve"].setEnabled(len(curve.nodes) > 1)
         actions["raiseCurve"].setEnabled(index > 0)
@@ -128,6 +132,20 @@ class CurveCommands:
         made = self._reshape(f"Insert point {index}", lambda: with_point_inserted(view, t))
         if made is not None:
             self._session.select([index])
+            if made.parameters_moved:
+                self._session.offer(made.sentence, "keepShape", t)
+
+    def _keep_shape(self) -> None:
+        """Do the insertion again that has just moved the parameters, with the parameters frozen before it."""
+        session, t = self._session, self._session.offered_at
+        if t is None:
+            return
+        session.undo_stack.undo()
+        view, index = session.active_view, int(np.searchsorted(session.active_view.parameters, t))
+        frozen = edits.freeze_parameters(session.document, session.active_index, view.parameters.tolist())
+        fixed = view_of(frozen.curves[session.active_index])
+        if self._reshape(f"Freeze and insert point {index}", lambda: with_point_inserted(fixed, t)):
+            session.select([index])
 
     def split_at(self, t: float) -> None:
         """Split the active curve at `t`."""
@@ -232,10 +250,7 @@ class CurveCommands:
             text, lambda: then(curve_edits.replace_curve(document, index, made.curve)), active=active
         ):
             return None
-        if made.parameters_moved:
-            session.offer(made.sentence, "freezeParameters")
-        else:
-            session.say(made.sentence)
+        session.say(made.sentence)
         return made
 
     # Looks

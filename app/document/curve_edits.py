@@ -16,7 +16,7 @@ from app.document.model import Curve, Document, Node, Vector, empty_document
 
 def add_curve(document: Document, index: int, curve: Curve) -> Document:
     """Insert `curve` before curve `index`; `index` equal to the number of curves appends."""
-    return Document((*document.curves[:index], curve, *document.curves[index:]))
+    return replace(document, curves=(*document.curves[:index], curve, *document.curves[index:]))
 
 
 def replace_curve(document: Document, curve: int, new: Curve) -> Document:
@@ -27,14 +27,14 @@ def replace_curve(document: Document, curve: int, new: Curve) -> Document:
 def remove_curve(document: Document, curve: int) -> Document:
     """Remove a curve; the last one leaves an empty curve behind."""
     rest = (*document.curves[:curve], *document.curves[curve + 1 :])
-    return Document(rest) if rest else empty_document()
+    return replace(document, curves=rest or empty_document().curves)
 
 
 def move_curve(document: Document, curve: int, to: int) -> Document:
     """Give a curve another place in the order; later curves are drawn over earlier ones."""
     curves = list(document.curves)
     curves.insert(to, curves.pop(curve))
-    return Document(tuple(curves))
+    return replace(document, curves=tuple(curves))
 
 
 def free_name(document: Document) -> str:

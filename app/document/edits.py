@@ -51,21 +51,24 @@ def _checked_vector(vector: Vector, what: str) -> Vector:
 
 
 def _with_nodes(document: Document, curve: int, nodes: Iterable[Node]) -> Document:
-    return document.with_curve(curve, _with_way_back(replace(document.curves[curve], nodes=tuple(nodes))))
+    return document.with_curve(
+        curve, _with_room_to_close(replace(document.curves[curve], nodes=tuple(nodes)))
+    )
 
 
-def _with_way_back(curve: Curve) -> Curve:
-    """Let a closed curve return to its start after its last manual parameter, whatever that is now.
+def _with_room_to_close(curve: Curve) -> Curve:
+    """Let the interval of a closed curve with manual parameters end after the t of its last point.
 
-    The segment that closes takes as long as the others do on average.
+    A Lagrange curve stays open, but keeps the wish to be closed for the family it may get next.
     """
-    rule, last = curve.parametrization, curve.nodes[-1].t if curve.nodes else None
-    if not (curve.closed and curve.is_manual) or last is None or rule.end > last:
+    if not (curve.closed and curve.is_manual and curve.nodes):
         return curve
-    first, others = curve.nodes[0].t, len(curve.nodes) - 1
-    mean = (last - first) / others if others and first is not None else 1.0
-    end = checked(last + mean, "The t where the closed curve returns")
-    return replace(curve, parametrization=replace(rule, start=min(rule.start, last), end=end))
+    first, last, end = curve.nodes[0].t, curve.nodes[-1].t, curve.parametrization.end
+    if first is None or last is None or end > last:
+        return curve
+    # The segment that closes takes as long as the others do on average.
+    mean = (last - first) / (len(curve.nodes) - 1) if len(curve.nodes) > 1 else 1.0
+    return replace(curve, parametrization=replace(curve.parametrization, end=last + mean))
 
 
 def _with_node(document: Document, curve: int, index: int, node: Node) -> Document:
@@ -185,7 +188,7 @@ def set_closed(document: Document, curve: int, closed: bool, *, squeeze: float =
     if closed and len(old.nodes) < 3:
         raise EditError("A closed curve needs at least three points.")
     nodes = tuple(stretched(node, squeeze) for node in old.nodes)
-    return document.with_curve(curve, _with_way_back(replace(old, nodes=nodes, closed=closed)))
+    return document.with_curve(curve, _with_room_to_close(replace(old, nodes=nodes, closed=closed)))
 
 
 # Rules
@@ -226,8 +229,8 @@ def set_parametrization(
     old = document.curves[curve]
     if kind is ParametrizationKind.MANUAL and any(node.t is None for node in old.nodes):
         return freeze_parameters(document, curve, parameters)
-    ruled = replace(old, parametrization=replace(old.parametrization, kind=kind))
-    return document.with_curve(curve, _with_way_back(ruled))
+    chosen = replace(old, parametrization=replace(old.parametrization, kind=kind))
+    return document.with_curve(curve, _with_room_to_close(chosen))
 
 
 def freeze_parameters(document: Document, curve: int, parameters: Sequence[float]) -> Document:
@@ -238,7 +241,7 @@ def freeze_parameters(document: Document, curve: int, parameters: Sequence[float
     rule = replace(old.parametrization, kind=ParametrizationKind.MANUAL)
     if closing:
         rule = replace(rule, start=min(rule.start, float(parameters[0])), end=float(closing[0]))
-    return document.with_curve(curve, _with_way_back(replace(old, nodes=nodes, parametrization=rule)))
+    return document.with_curve(curve, _with_room_to_close(replace(old, nodes=nodes, parametrization=rule)))
 
 
 def set_parameter(

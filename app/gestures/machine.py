@@ -54,8 +54,8 @@ class Host(Protocol):
     def say(self, text: str) -> None:
         """Show a sentence in the status line."""
 
-    def offer(self, text: str, action: str) -> None:
-        """Show a sentence in the status line, and beside it a button for the action of this name."""
+    def offer(self, text: str, action: str, at: float | None = None) -> None:
+        """Show a sentence in the status line, and a button for an action about the parameter `at`."""
 
 
 class Drag(Protocol):

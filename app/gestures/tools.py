@@ -137,7 +137,7 @@ class CanvasTool:
         if self._host.active_view.source != made.curve:
             return  # dragged off the curve: the change is what was wanted
         if made.parameters_moved:
-            self._host.offer(made.sentence, "freezeParameters")
+            self._host.offer(made.sentence, "keepShape", insert.hit.t)
         else:
             self._host.say(made.sentence)
 
