@@ -19,6 +19,7 @@ from PySide6.QtWidgets import (
 from app.actions import MENUS, Actions
 from app.canvas.canvas import Canvas
 from app.commands.connect import Commands
+from app.commands.curve_commands import CURVE_LIST_BUTTONS
 from app.commands.image_commands import PICTURE_SUFFIXES
 from app.commands.parts import Parts
 from app.examples import example_name, example_paths
@@ -27,6 +28,7 @@ from app.gestures.rail import RailTool
 from app.gestures.tools import CanvasTool
 from app.panels.basis_pane import BasisPane
 from app.panels.basis_panel import BasisPanel
+from app.panels.curve_list import CurveList
 from app.panels.curve_settings import CurveSettings
 from app.panels.history import HistoryPanel
 from app.panels.image_panel import ImagePanel
@@ -94,16 +96,20 @@ class MainWindow(QMainWindow):
         self.point_table = self.table_panel.view
         self.curve_settings = CurveSettings(self.session)
         self.history = HistoryPanel(self.session)
+        self.curve_list = CurveList(self.session)
+        self.curve_list.add_buttons([self.actions_by_name[name] for name in CURVE_LIST_BUTTONS])
         points = self._add_dock("pointsDock", "Points", self.table_panel)
         curve = self._add_dock("curveDock", "Curve", self.curve_settings)
+        curves = self._add_dock("curvesDock", "Curves", self.curve_list)
         history = self._add_dock("historyDock", "History", self.history)
-        self.tabifyDockWidget(curve, history)
+        self.tabifyDockWidget(curve, curves)
+        self.tabifyDockWidget(curves, history)
         curve.raise_()
         self.image_panel = ImagePanel(self.session)
         self.image_dock = self._add_dock("imageDock", "Image", self.image_panel)
         self.tabifyDockWidget(history, self.image_dock)
         curve.raise_()
-        self.docks = (points, curve, history, self.image_dock)
+        self.docks = (points, curve, curves, history, self.image_dock)
         self.resizeDocks([points], [360], Qt.Orientation.Horizontal)
         self.resizeDocks([points, curve], [480, 300], Qt.Orientation.Vertical)
 
@@ -140,6 +146,9 @@ class MainWindow(QMainWindow):
                 self.examples_menu = menu.addMenu("Examples")
         if title == "Curve":
             self.parameters_menu = menu.addMenu("Parameters")
+            self.tangent_menu = menu.addMenu("Tangent")
+            for _, action in self.actions_by_name.of_menu("Tangent"):
+                self.tangent_menu.addAction(action)
 
     def _parts(self) -> Parts:
         return Parts(
@@ -156,6 +165,7 @@ class MainWindow(QMainWindow):
             docks=self.docks,
             parameters_menu=self.parameters_menu,
             preferences=self.preferences,
+            curve_list=self.curve_list,
             set_theme_mode=self.set_theme_mode,
             image_panel=self.image_panel,
             image_dock=self.image_dock,
@@ -176,6 +186,7 @@ class MainWindow(QMainWindow):
         session.interrupted.connect(self.basis_panel.forget_gesture)
         session.opened.connect(self._fit)
         session.said.connect(self.status_line.say)
+        session.offered.connect(self._offer)
         for plot in (self.canvas, self.basis_panel):
             plot.hint_changed.connect(self.status_line.show_hint)
         self.canvas.progress_changed.connect(self.status_line.show_progress)
@@ -224,9 +235,11 @@ class MainWindow(QMainWindow):
     def _render_document(self) -> None:
         view = self.session.active_view
         self.canvas.render_view(view)
+        self.canvas.render_others(self.session.views, self.session.active_index)
         self.basis_pane.render_view(view)
         self.table_panel.render_view(view)
         self.curve_settings.render_view(view)
+        self.curve_list.render_document(self.session.document, self.session.active_index)
         self.parametrization_bar.render_view(view)
         self.status_line.show_lebesgue(self.basis_panel.basis)
         self._commands.render(view)
@@ -249,6 +262,10 @@ class MainWindow(QMainWindow):
         self.setWindowFilePath(str(path) if path is not None else "")
         self.setWindowTitle(f"{name}[*] – Curvebench")
         self.setWindowModified(self.session.is_modified)
+
+    def _offer(self, text: str, action: str) -> None:
+        self._commands.render(self.session.active_view)
+        self.status_line.offer(text, self.actions_by_name[action])
 
     def _fit(self) -> None:
         self.canvas.fit()

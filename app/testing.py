@@ -23,13 +23,14 @@ from pathlib import Path
 from typing import Protocol
 
 from PySide6.QtCore import QEvent, QPoint, QPointF, Qt
-from PySide6.QtGui import QAction, QGuiApplication, QImage, QMouseEvent, QWheelEvent
+from PySide6.QtGui import QAction, QContextMenuEvent, QGuiApplication, QImage, QMouseEvent, QWheelEvent
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication, QWidget
+from PySide6.QtWidgets import QApplication, QDockWidget, QMenu, QWidget
 
 from app.document.model import Curve, Family, ParametrizationKind, Vector
 from app.main_window import MainWindow
 from app.panels.command_palette import CommandPalette
+from app.panels.curve_list_view import Spot, spot_rect
 from app.plot.plot_widget import PlotWidget
 from app.preferences import Preferences
 from app.session import Session
@@ -377,6 +378,54 @@ class Editor:
             keys,
         )
         QApplication.sendEvent(plot.viewport(), event)
+
+    def open_menu(self, at: Vector) -> QMenu:
+        """Press the right button on the canvas and return the menu that opens."""
+        canvas = self.window.canvas
+        pixel = canvas.to_pixel(*at)
+        self.send(canvas, QEvent.Type.MouseButtonPress, pixel, button=Qt.MouseButton.RightButton)
+        return self._menu_from(canvas.viewport(), QContextMenuEvent.Reason.Mouse, pixel)
+
+    def press_menu_key(self) -> QMenu:
+        """Press the Menu key with the canvas in focus and return the menu that opens."""
+        return self._menu_from(self.window.canvas, QContextMenuEvent.Reason.Keyboard, QPoint())
+
+    def _menu_from(self, widget: QWidget, reason: QContextMenuEvent.Reason, pixel: QPoint) -> QMenu:
+        QApplication.sendEvent(widget, QContextMenuEvent(reason, pixel, widget.mapToGlobal(pixel)))
+        self.settle()
+        return self.menu()
+
+    def menu(self) -> QMenu:
+        """Return the menu that is open."""
+        menu = QApplication.activePopupWidget()
+        if not isinstance(menu, QMenu):
+            raise LookupError("There is no menu open.")
+        return menu
+
+    def choose(self, name: str) -> None:
+        """Click the entry of the open menu that has this objectName."""
+        menu = self.menu()
+        entry = next((each for each in menu.actions() if each.objectName() == name), None)
+        if entry is None:
+            raise LookupError(f"There is no entry called {name!r} in the menu.")
+        QTest.mouseClick(menu, _LEFT, pos=menu.actionGeometry(entry).center())
+        self.settle()
+
+    def click_in_list(self, row: int, spot: Spot = Spot.NAME) -> None:
+        """Click a part of a row in the list of curves."""
+        self.show_dock("curvesDock")
+        view = self.window.curve_list.view
+        QTest.mouseClick(view.viewport(), _LEFT, pos=spot_rect(view.row_rect(row), spot).center())
+        self.settle()
+
+    def show_dock(self, name: str) -> None:
+        """Bring the dock with this objectName to the front."""
+        dock = self.window.findChild(QDockWidget, name)
+        if dock is None:
+            raise LookupError(f"There is no dock called {name!r}.")
+        dock.show()
+        dock.raise_()
+        self.settle()
 
     def type_text(self, widget: QWidget, text: str) -> None:
         """Type into a widget."""

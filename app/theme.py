@@ -307,6 +307,27 @@ _OKABE_ITO: Final = {
 Okabe & Ito, "Color Universal Design" (2008); the dark theme has them as published.
 """
 
+CURVE_COLOURS: Final = {
+    "Ink": "",
+    "Blue": "#0072b2",
+    "Vermillion": "#d55e00",
+    "Bluish green": "#009e73",
+    "Reddish purple": "#cc79a7",
+    "Orange": "#e69f00",
+    "Sky blue": "#56b4e9",
+    "Yellow": "#f0e442",
+}
+"""The colours a curve can have, as a document writes them; the ink is that of the theme."""
+
+
+def curve_colour(code: str, theme: Theme) -> QColor:
+    """Return the colour of a curve in this theme: the Okabe–Ito colours are darker on light paper."""
+    published = _OKABE_ITO["dark"]
+    if code in published:
+        return QColor(_OKABE_ITO[theme.name][published.index(code)])
+    return QColor(code) if code else QColor(theme.curve)
+
+
 # OKLab to cone responses (cube roots), and those to linear RGB:
 # B. Ottosson, "A perceptual color space for image processing" (2020).
 _LAB_TO_LMS: Final = np.array(

@@ -5,20 +5,23 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 
+import msgspec
 import numpy as np
-from PySide6.QtCore import QEvent, QPointF, Qt, Signal
+from PySide6.QtCore import QEvent, QPoint, QPointF, Qt, Signal
 from PySide6.QtGui import QContextMenuEvent, QFocusEvent, QImage, QKeyEvent, QMouseEvent
 from PySide6.QtWidgets import QWidget
 
+from app.canvas.corner_layer import CornerLayer
 from app.canvas.curve_layer import CurveLayer
 from app.canvas.grid_layer import GridLayer
 from app.canvas.hit_test import hit_test
 from app.canvas.image_layer import ImageLayer
 from app.canvas.keys import ARROWS, cursor_of, transform_key
+from app.canvas.other_curves_layer import OtherCurvesLayer
 from app.canvas.overlay_layer import OverlayLayer
 from app.canvas.point_layer import PointLayer
 from app.canvas.unit_layer import UnitLayer
-from app.document.model import ReferenceImage, Vector
+from app.document.model import Curve, ReferenceImage, Vector
 from app.gestures.image_tool import ImageTool
 from app.gestures.overlay import Overlay
 from app.gestures.pointer import Hint, Pointer
@@ -48,11 +51,14 @@ class Canvas(PlotWidget):
         How far the gesture in flight has come (a sentence).
     pointed_at
         The position of the pointer in the plane, or None when it has left.
+    menu_requested
+        A menu is wanted: for what lies there (a Hit or None), at a place of the screen.
     """
 
     hint_changed = Signal(str)
     progress_changed = Signal(str)
     pointed_at = Signal(object)
+    menu_requested = Signal(object, QPoint)
 
     def __init__(self, tool: CanvasTool, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -73,6 +79,9 @@ class Canvas(PlotWidget):
         self._theme = LIGHT
         self._pointer: Pointer | None = None
         self._menu_refused = False
+        self._other_curves = OtherCurvesLayer(self, LIGHT)
+        self._corner_layer = CornerLayer(self, LIGHT)
+        self._views: Sequence[CurveView] = ()
 
     # What is shown
 
@@ -84,13 +93,19 @@ class Canvas(PlotWidget):
         self._show_weights()
         self._point_layer.render(view)
         self._show_overlay()
+        self._corner_layer.render(view)
+
+    def render_others(self, views: Sequence[CurveView], active: int) -> None:
+        """Show the other curves of the document behind the active one."""
+        self._views = views
+        self._other_curves.render(views, active)
 
     def _show_ghost_of_other_rules(self, view: CurveView) -> None:
         old = self._view
         if old is None or self._tool.is_pressed or not old.is_current or not view.is_current:
             return
         same_nodes = old.source.nodes == view.source.nodes
-        if same_nodes and old.source != view.source:
+        if same_nodes and _rules(old.source) != _rules(view.source):
             polyline = self._curve_layer.polyline(self.pixel_map)
             if polyline is not None:
                 self._curve_layer.show_ghost(polyline.points)
@@ -115,11 +130,13 @@ class Canvas(PlotWidget):
         for layer in (self._image_layer, self._grid, self._units, self._curve_layer, self._point_layer):
             layer.theme = theme
         self._overlay_layer.theme = theme
+        self._other_curves.theme = self._corner_layer.theme = theme
         super().set_theme(theme)
 
     def set_scale(self, scale: float) -> None:
         """Enlarge points, lines and numbers, for a projector."""
         self._curve_layer.scale = self._point_layer.scale = self._overlay_layer.scale = scale
+        self._other_curves.scale = self._corner_layer.scale = scale
         self.viewport().update()
 
     def set_selection(self, selection: frozenset[int]) -> None:
@@ -214,11 +231,16 @@ class Canvas(PlotWidget):
         layer.scrub = (t, float(x), float(y))
 
     def fit(self) -> None:
-        """Show the whole curve; of a wild one, its points and as much again around them."""
-        if self._view is None or not len(self._view.points):
+        """Show all visible curves and the active one; of a wild one, its points and their surroundings."""
+        views = [view for view in self._views if view.source.visible or view is self._view]
+        if self._view is not None and not any(view is self._view for view in views):
+            views.append(self._view)
+        boxes = [_box_to_fit(view.points, view.polyline) for view in views if len(view.points)]
+        if not boxes:
             self.show_box((-0.5, 4.5), (-0.5, 4.5))
             return
-        low, high = _box_to_fit(self._view.points, self._view.polyline)
+        low = np.min([box[0] for box in boxes], axis=0)
+        high = np.max([box[1] for box in boxes], axis=0)
         self.show_box((low[0], high[0]), (low[1], high[1]))
 
     @property
@@ -329,6 +351,8 @@ class Canvas(PlotWidget):
         shown, layer = self.pixel_map, self._point_layer
         polyline = self._curve_layer.polyline(shown)
         hit = hit_test(pointer.pixel, shown, self._view, polyline, layer.selection, layer.handles)
+        if hit is None and self._tool.kind is ToolKind.SELECT:
+            hit = self._other_curves.hit(pointer.pixel, shown)
         return replace(pointer, hit=hit)
 
     def _show_hint(self, hint: Hint) -> None:
@@ -348,13 +372,6 @@ class Canvas(PlotWidget):
         if not self._menu_refused:
             super().mousePressEvent(event)
 
-    def contextMenuEvent(self, event: QContextMenuEvent) -> None:
-        if self._menu_refused:
-            self._menu_refused = False
-            event.accept()
-            return
-        super().contextMenuEvent(event)
-
     def event(self, event: QEvent) -> bool:
         # While a transform is in flight, digits and letters are its own and no shortcuts.
         is_override = event.type() == QEvent.Type.ShortcutOverride and self._tool.is_modal
@@ -362,6 +379,25 @@ class Canvas(PlotWidget):
             event.accept()
             return True
         return bool(super().event(event))
+
+    def contextMenuEvent(self, event: QContextMenuEvent) -> None:
+        """Ask for a menu: for what lies under the pointer; by the Menu key, for the selected point."""
+        event.accept()
+        refused, self._menu_refused = self._menu_refused, False
+        if refused or self._active_tool.is_pressed:
+            return
+        by_key = event.reason() == QContextMenuEvent.Reason.Keyboard
+        place = self._selected_place() if by_key else QPointF(event.pos())
+        hit = self._with_hit(self.pointer_at(place)).hit if place is not None else None
+        corner = (place or self.centre()).toPoint()
+        self.menu_requested.emit(hit, self.viewport().mapToGlobal(corner))
+
+    def _selected_place(self) -> QPointF | None:
+        """Return where the first selected point lies in the viewport."""
+        chosen = sorted(self._point_layer.selection)
+        if self._view is None or not chosen or chosen[0] >= len(self._view.points):
+            return None
+        return QPointF(self.to_pixel(*self._view.points[chosen[0]].tolist()))
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         is_escape = event.key() == Qt.Key.Key_Escape
@@ -440,6 +476,11 @@ def _back_inside(pixel: float, size: float) -> float:
     if 0 <= pixel <= size:
         return 0.0
     return (margin if pixel < 0 else size - margin) - pixel
+
+
+def _rules(curve: Curve) -> Curve:
+    """Return a curve without what does not shape it."""
+    return msgspec.structs.replace(curve, name="", colour="", visible=True, locked=False)
 
 
 def _box_to_fit(points: Floats, polyline: Floats) -> tuple[Floats, Floats]:

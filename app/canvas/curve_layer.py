@@ -8,7 +8,7 @@ from PySide6.QtGui import QColor, QPainter, QPen
 from app.plot.drawing import Stroke
 from app.plot.pixel_map import Floats, PixelMap
 from app.plot.plot_widget import Layer, PlotWidget
-from app.theme import Theme
+from app.theme import Theme, curve_colour
 from app.view_model.curve_view import CurveView, Polyline
 
 TOLERANCE = 0.1
@@ -99,9 +99,11 @@ class CurveLayer:
     def _pen(self) -> QPen:
         pen = QPen(self.theme.curve, 2.0 * self.scale)
         pen.setCapStyle(Qt.PenCapStyle.RoundCap)
-        if self._view is not None and not self._view.is_current:
-            # The last good curve, of nodes or rules that are no more.
-            pen.setColor(self.theme.ghost)
+        if self._view is not None:
+            source = self._view.source
+            # Faint: the last good curve, of nodes or rules that are no more, and a hidden one that is edited.
+            is_faint = not (self._view.is_current and source.visible)
+            pen.setColor(self.theme.ghost if is_faint else curve_colour(source.colour, self.theme))
         return pen
 
     def _paint_ghost(self, painter: QPainter, shown: PixelMap, points: Floats) -> None:

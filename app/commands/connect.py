@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+from app.commands.clipboard_commands import ClipboardCommands
+from app.commands.context_menus import ContextMenus
+from app.commands.curve_commands import CurveCommands
 from app.commands.edit_commands import EditCommands
 from app.commands.help_commands import HelpCommands
 from app.commands.image_commands import ImageCommands
@@ -10,6 +13,7 @@ from app.commands.parts import CommandSet, Handlers, Parts
 from app.commands.rail_commands import RailCommands
 from app.commands.selection_commands import SelectionCommands
 from app.commands.snap_commands import SnapCommands
+from app.commands.tangent_commands import TangentCommands
 from app.commands.tool_commands import ToolCommands
 from app.commands.view_commands import ViewCommands
 from app.view_model.curve_view import CurveView
@@ -24,9 +28,13 @@ class Commands:
         self.messages = Messages(parts)
         self.snap = SnapCommands(parts)
         self.images = ImageCommands(parts, self.messages)
+        curves = CurveCommands(parts)
         self._sets: tuple[CommandSet, ...] = (
             EditCommands(parts),
             SelectionCommands(parts),
+            curves,
+            TangentCommands(parts),
+            ClipboardCommands(parts),
             self.snap,
             self.view,
             HelpCommands(parts),
@@ -34,6 +42,7 @@ class Commands:
             self.images,
             ToolCommands(parts, self.snap.apply_preferences),
         )
+        self.context_menus = ContextMenus(parts, curves)
         for handlers in (self._file_handlers(), *(each.handlers() for each in self._sets)):
             for name, handler in handlers.items():
                 parts.actions[name].triggered.connect(lambda _checked=False, handler=handler: handler())

@@ -50,7 +50,12 @@ class EditCommands:
         chosen = self._session.selection
         self._actions[_FAMILY_ACTIONS[view.source.family]].setChecked(True)
         self._actions["deleteSelection"].setEnabled(bool(chosen))
-        has_explicit = any(view.is_explicit(index, order) for index in chosen for order in (1, 2))
+        has_explicit = any(
+            view.is_explicit(index, order, ahead=ahead)
+            for index in chosen
+            for order in (1, 2)
+            for ahead in (False, True)
+        )
         self._actions["resetVelocities"].setEnabled(has_explicit)
         self._actions["freezeParameters"].setEnabled(view.is_current and not view.source.is_manual)
 

@@ -54,6 +54,8 @@ class Messages(QObject):
             self._bar.warn(view.problem)
         elif self._image_problem:
             self._bar.warn(self._image_problem)
+        elif not view.source.visible:
+            self._bar.tell(f"“{view.source.name}” is hidden; it is drawn faintly while you edit it.")
         elif self._greeting:
             self._bar.tell(self._greeting)
         else:

@@ -15,6 +15,7 @@ from app.document.model import Document
 from app.file_commands import FileCommands
 from app.panels.basis_pane import BasisPane
 from app.panels.basis_panel import BasisPanel
+from app.panels.curve_list import CurveList
 from app.panels.image_panel import ImagePanel
 from app.panels.message_bar import MessageBar
 from app.panels.status_line import StatusLine
@@ -43,6 +44,7 @@ class Parts:
     docks: Sequence[QDockWidget]
     parameters_menu: QMenu
     preferences: Preferences
+    curve_list: CurveList
     set_theme_mode: Callable[[ThemeMode], None]
     image_panel: ImagePanel
     image_dock: QDockWidget

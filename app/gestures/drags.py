@@ -4,8 +4,10 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from functools import cached_property
 
 from app.document import edits
+from app.document.curve_edits import replace_curve
 from app.document.model import Document, Node, Vector
 from app.document.transforms import decimal_product, step_nodes
 from app.gestures import words
@@ -13,6 +15,7 @@ from app.gestures.pointer import Hit, Part, Pointer
 from app.gestures.snapping import Magnet
 from app.view_model.curve_view import CurveView, appended_parameter, appended_squeeze, view_of
 from app.view_model.handles import acceleration_from_handle, velocity_from_handle
+from app.view_model.reshape import Reshaped, with_point_inserted
 
 
 def _minus(a: Vector, b: Vector) -> Vector:
@@ -229,16 +232,17 @@ class AppendPoint:
     def _with_point(self, node: Node) -> Document:
         if self.view.source.is_manual:
             node = Node(node.x, node.y, t=appended_parameter(self.view, node))
-        squeeze = appended_squeeze(self.view, node)
+        squeeze = appended_squeeze(self.view, [node])
         return edits.append_node(self.document, self.curve, node, squeeze=squeeze)
 
 
 @dataclass(frozen=True)
 class InsertPoint:
-    """Insert a point on the curve where it was pressed; dragging moves it."""
+    """Insert a point on the curve where it was pressed, the shape kept if possible; dragging moves it."""
 
     document: Document
     curve: int
+    view: CurveView
     hit: Hit
     press: Pointer
     magnet: Magnet | None = None
@@ -248,10 +252,15 @@ class InsertPoint:
         """The name of the step."""
         return f"Insert point {self.hit.index}"
 
+    @cached_property
+    def on_curve(self) -> Reshaped:
+        """The curve with the point where it was pressed."""
+        return with_point_inserted(self.view, self.hit.t)
+
     def document_at(self, pointer: Pointer) -> Document:
         """Return the document with the new point."""
-        dragged = max(map(abs, _minus(pointer.pixel, self.press.pixel))) >= 3
-        x, y = _pulled(pointer, self.magnet) if dragged else self.hit.position
+        if max(map(abs, _minus(pointer.pixel, self.press.pixel))) < 3:
+            return replace_curve(self.document, self.curve, self.on_curve.curve)
         is_manual = self.document.curves[self.curve].is_manual
-        node = Node(x, y, t=self.hit.t if is_manual else None)
+        node = Node(*_pulled(pointer, self.magnet), t=self.hit.t if is_manual else None)
         return edits.insert_nodes(self.document, self.curve, self.hit.index, [node])

@@ -49,11 +49,17 @@ class Host(Protocol):
     def set_hovered(self, index: int) -> None:
         """Say which node the pointer is over."""
 
+    def activate(self, index: int) -> None:
+        """Edit another curve."""
+
     def set_scrub(self, t: float | None) -> None:
         """Move the scrub line."""
 
     def say(self, text: str) -> None:
         """Show a sentence in the status line."""
+
+    def offer(self, text: str, action: str, at: float | None = None) -> None:
+        """Show a sentence in the status line, and a button for an action about the parameter `at`."""
 
 
 class Drag(Protocol):
@@ -87,6 +93,7 @@ class _Press:
     moving: bool
     last: Document | None = None
     refused: str = ""
+    on_done: Callable[[], None] | None = None
 
 
 class DragMachine:
@@ -113,9 +120,12 @@ class DragMachine:
         """Begin: `drag` takes over past the threshold, `on_click` is called if there is no drag."""
         self._press = _Press(pointer.pixel, drag, on_click, moving=False)
 
-    def press_at_once(self, pointer: Pointer, drag: Drag) -> None:
-        """Begin a drag that shows its effect at the press (a new point) and commits without any move."""
-        self._press = _Press(pointer.pixel, drag, None, moving=True)
+    def press_at_once(self, pointer: Pointer, drag: Drag, on_done: Callable[[], None] | None = None) -> None:
+        """Begin a drag that shows its effect at the press (a new point) and commits without any move.
+
+        `on_done` is called after the commit.
+        """
+        self._press = _Press(pointer.pixel, drag, None, moving=True, on_done=on_done)
         self._step(pointer)
 
     def move(self, pointer: Pointer) -> None:
@@ -165,6 +175,8 @@ class DragMachine:
             return
         if press.moving and press.drag is not None and press.last is not None:
             self._host.commit(press.last, press.drag.name)
+            if press.on_done is not None:
+                press.on_done()
         elif not press.moving and press.on_click is not None:
             press.on_click()
 

@@ -20,6 +20,7 @@ class Part(Enum):
     SCRUB = auto()
     IMAGE = auto()
     IMAGE_CORNER = auto()
+    OTHER_CURVE = auto()
 
 
 @dataclass(frozen=True)
@@ -31,7 +32,8 @@ class Hit:
     part
         Which kind of thing.
     index
-        The node it belongs to; for the curve, the node before which a new one would be inserted.
+        The node it belongs to; for the curve, the node before which a new one would be inserted; for another
+        curve, its place in the document.
     position
         Where exactly the thing lies, in the plane (on the curve: the nearest point of it).
     ahead

@@ -20,6 +20,8 @@ from app.gestures.snapping import Magnet, SnapKind, Snapping, targets_of
 from app.gestures.transform import ModalTransform, Transform, TransformKind
 from app.gestures.transform_box import Grip, ScaleBox, TransformBox, box_of
 
+_LOCKED = "“{}” is locked; unlock it in the list of curves to change it."
+
 
 class ToolKind(Enum):
     """What a press on the canvas means."""
@@ -83,6 +85,8 @@ class CanvasTool:
         hit, grip = pointer.hit, self._grip_at(pointer)
         if self.kind is ToolKind.MEASURE:
             self._measure, self._measuring = Measure(pointer, self._magnet_for((), -2), self.unit), True
+        elif hit is not None and hit.part is Part.OTHER_CURVE:
+            self._machine.press(pointer, None, on_click=lambda: self._host.activate(hit.index))
         elif hit is not None and hit.part is not Part.CURVE:
             self._press_on_part(pointer, hit)
         elif self.kind is ToolKind.ADD:
@@ -283,15 +287,28 @@ class CanvasTool:
             return Hint(
                 "Drag to measure a distance and an angle · Ctrl: snap, or not · V goes back to Select"
             )
-        if hit is not None and hit.part is not Part.CURVE:
+        return self._hint_beside(pointer) if hit is None else self._hint_on(pointer, hit)
+
+    def _hint_on(self, pointer: Pointer, hit: Hit) -> Hint:
+        curve = self._host.active_view.source
+        if hit.part is Part.OTHER_CURVE:
+            return Hint(f"Click to edit “{self._host.document.curves[hit.index].name}”", grab=True)
+        if curve.locked:
+            return Hint(_LOCKED.format(curve.name))
+        if hit.part is not Part.CURVE:
             return self._hint_for(hit)
         if self.kind is ToolKind.ADD:
             return self._hint_to_add(hit)
         grip = self._grip_at(pointer)
+        return self._hint_to_bend(hit) if grip is None else self._hint_for_grip(grip[1])
+
+    def _hint_beside(self, pointer: Pointer) -> Hint:
+        if self.kind is ToolKind.ADD:
+            curve = self._host.active_view.source
+            return Hint(_LOCKED.format(curve.name)) if curve.locked else self._hint_to_add(None)
+        grip = self._grip_at(pointer)
         if grip is not None:
             return self._hint_for_grip(grip[1])
-        if hit is not None:
-            return self._hint_to_bend(hit)
         return Hint("Drag to select points, Shift adds · Press P to add points · Wheel zooms · Space pans")
 
     def _preview_snap(self, pointer: Pointer) -> None:
@@ -347,17 +364,35 @@ class CanvasTool:
 
     def _press_to_add(self, pointer: Pointer, hit: Hit | None) -> None:
         host = self._host
+        if host.active_view.source.locked:
+            host.say(_LOCKED.format(host.active_view.source.name))
+            return
         if hit is not None:
-            magnet = self._magnet_for((), hit.index)
-            insert = InsertPoint(host.document, host.active_index, hit, pointer, magnet)
-            self._machine.press_at_once(pointer, insert)
-            host.select([hit.index])
+            self._insert(pointer, hit)
             return
         index = len(host.active_view.source.nodes)
         magnet = self._magnet_for((), index)
         append = AppendPoint(host.document, host.active_index, host.active_view, pointer, magnet)
         self._machine.press_at_once(pointer, append)
         host.select([index])
+
+    def _insert(self, pointer: Pointer, hit: Hit) -> None:
+        host = self._host
+        magnet = self._magnet_for((), hit.index)
+        insert = InsertPoint(host.document, host.active_index, host.active_view, hit, pointer, magnet)
+        count = len(host.active_view.source.nodes)
+        self._machine.press_at_once(pointer, insert, on_done=lambda: self._say_outcome(insert))
+        if len(host.active_view.source.nodes) > count:
+            host.select([hit.index])
+
+    def _say_outcome(self, insert: InsertPoint) -> None:
+        made = insert.on_curve
+        if self._host.active_view.source != made.curve:
+            return  # dragged off the curve: the change is what was wanted
+        if made.parameters_moved:
+            self._host.offer(made.sentence, "keepShape", insert.hit.t)
+        else:
+            self._host.say(made.sentence)
 
     def _hint_for(self, hit: Hit) -> Hint:
         if hit.part is Part.POINT:

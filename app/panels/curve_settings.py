@@ -21,6 +21,7 @@ from app.panels.words import ACCELERATION_RULES, VELOCITY_RULES, count_of
 from app.session import Session
 from app.theme import icon, theme_of
 from app.view_model.curve_view import CurveView
+from app.view_model.jets import corners_of
 
 Rule = TypeVar("Rule", bound=StrEnum)
 
@@ -213,12 +214,18 @@ def _facts(view: CurveView) -> str:
     if view.is_current and view.curve is not None:
         pieces = len(view.parameters) - 1
         of = "one polynomial" if curve.family is Family.LAGRANGE else count_of(pieces, "piece")
-        facts += [f"degree {view.curve.degree}", of]
-        facts += ["closed"] if curve.is_closed else []
+        facts += [f"degree {view.curve.degree}", of, *_shape_facts(view)]
         start, end = (rounded_text(t, decimal_mark()) for t in view.curve.domain)
         facts.append(f"{start} ≤ t ≤ {end}")
     # A fact is not torn apart at the end of a line.
     return " · ".join(fact.replace(" ", "\N{NO-BREAK SPACE}") for fact in facts)
+
+
+def _shape_facts(view: CurveView) -> list[str]:
+    """Return whether the curve is closed, and how many corners it has."""
+    facts = ["closed"] if view.source.is_closed else []
+    corners = corners_of(view.source)
+    return [*facts, count_of(len(corners), "corner")] if corners else facts
 
 
 def _rule_box(name: str, label: str, items: list[str]) -> QComboBox:

@@ -12,7 +12,7 @@ from msgspec.structs import replace
 from app.document import edits
 from app.document.edits import EditError
 from app.document.model import Document, Family, Node, Vector
-from app.view_model.curve_view import CurveView, Floats, appended_parameter, view_of
+from app.view_model.curve_view import CurveView, Floats, appended_parameter, appended_squeeze, view_of
 from app.view_model.jets import explicit_sides
 
 
@@ -175,9 +175,9 @@ def _knot_parameters(view: CurveView) -> list[float]:
 
 
 def _parameters(view: CurveView) -> list[float]:
-    """Return the parameters in force, to freeze the others at."""
+    """Return the parameters in force, to freeze the others at; of a closed curve, the return included."""
     if view.is_current:
-        return [float(t) for t in view.parameters[: len(view.source.nodes)]]
+        return [float(t) for t in view.parameters]
     given = [node.t for node in view.source.nodes if view.source.is_manual and node.t is not None]
     if len(given) < len(view.source.nodes):
         raise EditError(f"There are no parameters to change. {view.problem}")
@@ -255,7 +255,7 @@ def _field(column: Column, *, ahead: bool) -> str:
 def _with_parameters(document: Document, curve: int, view: CurveView, top: int, given: Floats) -> Document:
     """Freeze the parameters with `given` from point `top` on."""
     count = len(document.curves[curve].nodes)
-    kept = [] if len(given) == count else _parameters(view)
+    kept = [] if len(given) == count else _parameters(view)[: len(view.source.nodes)]
     parameters = [*kept[:top], *(edits.checked(float(t), "A t") for t in given), *kept[top + len(given) :]]
     for index, (before, after) in enumerate(pairwise(parameters), start=1):
         if not after > before:
@@ -292,19 +292,9 @@ def _append(document: Document, curve: int, view: CurveView, new: Sequence[Node]
         step = first - (before.source.nodes[-1].t or 0.0) if before.source.nodes else 1.0
         new = [replace(node, t=first + step * offset) for offset, node in enumerate(new)]
         return edits.insert_nodes(document, curve, len(before.source.nodes), new)
-    grown = edits.insert_nodes(document, curve, len(before.source.nodes), new)
-    squeeze = _squeeze(before, view_of(grown.curves[curve]))
+    squeeze = appended_squeeze(before, new)
     document = edits.append_node(document, curve, new[0], squeeze=squeeze)
     return edits.insert_nodes(document, curve, len(before.source.nodes) + 1, new[1:])
-
-
-def _squeeze(before: CurveView, after: CurveView) -> float:
-    """Return by which factor the parameters of the old points shrink when points are appended."""
-    count = len(before.source.nodes)
-    if count < 2 or not (before.is_current and after.is_current):
-        return 1.0
-    old, new = before.parameters, after.parameters
-    return float((new[count - 1] - new[0]) / (old[count - 1] - old[0]))
 
 
 # Back to the rules

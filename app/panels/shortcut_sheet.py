@@ -111,6 +111,8 @@ _GESTURES = (
     _Gesture("Shift+click ticks", "select several; dragging one moves all"),
     _Gesture("Double-click a tick", "type its t; right-click for more"),
     _Gesture("Drag in the basis panel", "scrub: every point shows its weight at t"),
+    _Gesture("Click another curve", "edit it", adding=False),
+    _Gesture("Right button, Menu key", "what can be done there"),
     _Gesture("Wheel", "zoom at the pointer"),
     _Gesture("Middle button, Space+drag", "pan"),
 )

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import QTimer
-from PySide6.QtWidgets import QLabel, QSizePolicy, QStatusBar, QWidget
+from PySide6.QtCore import QSize, Qt, QTimer
+from PySide6.QtGui import QAction
+from PySide6.QtWidgets import QLabel, QSizePolicy, QStatusBar, QToolButton, QWidget
 
 from app.document.model import Vector
 from app.view_model.basis_view import BasisView
@@ -29,6 +30,15 @@ class StatusLine(QStatusBar):
         self._t.setObjectName("pointerT")
         self._lebesgue.setObjectName("lebesgueConstant")
         self._lebesgue.setToolTip("Lebesgue constant: how much errors in the points can grow on the curve")
+        self._offer = QToolButton()
+        self._offer.setObjectName("offeredAction")
+        self._offer.setAccessibleName("What can be done about it")
+        self._offer.setToolTip("What can be done about it")
+        self._offer.setAutoRaise(True)
+        self._offer.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
+        self._offer.setIconSize(QSize(14, 14))
+        self._offer.hide()
+        self.addWidget(self._offer)
         self.addWidget(self._label, 1)
         for label in (self._place, self._t, self._lebesgue):
             self.addPermanentWidget(label)
@@ -66,10 +76,19 @@ class StatusLine(QStatusBar):
         """Show a sentence for some seconds."""
         self._said = text
         self._label.setText(text)
+        self._offer.hide()
         self._timer.start()
+
+    def offer(self, text: str, action: QAction) -> None:
+        """Show a sentence, and a button for what can be done about it."""
+        self.say(text)
+        self._offer.setDefaultAction(action)
+        self._offer.setAccessibleName(action.text())
+        self._offer.show()
 
     def _forget_said(self) -> None:
         self._said = ""
+        self._offer.hide()
         self._label.setText(self._hint)
 
     def show_place(self, place: Vector | None) -> None:

@@ -7,7 +7,7 @@ import math
 import pytest
 from msgspec.structs import replace
 
-from app.document import edits
+from app.document import curve_edits, edits
 from app.document.edits import EditError
 from app.document.format import FormatError, decode, encode
 from app.document.image_edits import (
@@ -103,11 +103,11 @@ def test_the_path_follows_the_document(tmp_path):
 def test_edits_of_curves_keep_the_image():
     document = with_image()
     changed = [
-        edits.add_curve(document, 0, make_curve([(5, 5)])),
-        edits.remove_curve(document, 0),
+        curve_edits.add_curve(document, 0, make_curve([(5, 5)])),
+        curve_edits.remove_curve(document, 0),
         edits.move_nodes(document, 0, {0}, (1, 1)),
         edits.set_family(document, 0, Family.HERMITE),
-        edits.move_curve(edits.add_curve(document, 0, make_curve(())), 0, 1),
+        curve_edits.move_curve(curve_edits.add_curve(document, 0, make_curve(())), 0, 1),
     ]
     assert all(each.image == document.image for each in changed)
 

@@ -254,7 +254,7 @@ def test_a_closed_curve_with_a_corner(quintic):
     document = edits.make_corner(document, 0, 3, None, (3.0, 4.0))
     quintic.session.commit(document, "Close")
     facts = quintic["curveFacts"].text().replace("\N{NO-BREAK SPACE}", " ")
-    assert facts == "8 points · degree 5 · 8 pieces · closed · 0 ≤ t ≤ 1"
+    assert facts == "8 points · degree 5 · 8 pieces · closed · 1 corner · 0 ≤ t ≤ 1"
     quintic.type("intervalEnd", "2")
     assert quintic.session.active_view.curve.domain == (0.0, 2.0)
     assert quintic.curve.nodes[3].velocity_after == (1.5, 2.0)
