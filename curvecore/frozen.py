@@ -1,0 +1,109 @@
+"""Polylines of a Lagrange curve whose points move while its parameters stay.
+
+The curve is linear in its points, so samples of it follow a moved point by
+B_i(t) times the way it went: no basis function is evaluated again. Whether
+the samples still lie close enough is read off the samples themselves. They
+start twice as close as the degree can make necessary, which is why nothing
+can hide between them.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from curvecore.arrays import FloatArray, box_edges, tolerance_value
+from curvecore.flatten import Pieces, may_enter, merged_pieces, sampled_pieces, segment_distance
+from curvecore.lagrange import LagrangeCurve
+
+__all__ = ["FrozenFlattening"]
+
+_FINER = 4.0  # of the tolerance: room for the curve to bend more before new samples are needed
+_MARGIN = 1.25  # on a measured distance, for what lies between the samples
+_LIMIT = 1e300
+_MOST_COLUMNS = 64  # moved points, above which evaluating anew is as fast
+
+
+class FrozenFlattening:
+    """Samples of one curve that serve for others with the same parameters.
+
+    Parameters
+    ----------
+    curve : LagrangeCurve
+        Of dim 2.
+    tolerance : float
+        Largest allowed distance from a curve to its polyline, above 0.
+    box : (xmin, ymin, xmax, ymax), optional
+        Where the tolerance matters; see `flatten_parameters`.
+
+    Raises
+    ------
+    CurveError
+        If tolerance or box are unusable.
+    """
+
+    def __init__(self, curve: LagrangeCurve, tolerance: float, box: ArrayLike | None = None) -> None:
+        self._tolerance = tolerance_value(tolerance)
+        self._edges = None if box is None else box_edges(box)
+        self._curve = curve
+        with np.errstate(over="ignore", under="ignore", invalid="ignore"):
+            pieces = sampled_pieces(curve, self._tolerance / _FINER, self._edges)
+        self._parameters, self._points = pieces.parameters, pieces.points
+        self._columns: dict[int, FloatArray] = {}
+
+    def follow(self, curve: LagrangeCurve) -> Pieces | None:
+        """Return the polyline of another curve with the same parameters.
+
+        Parameters
+        ----------
+        curve : LagrangeCurve
+            Of the same parameters as the curve given first.
+
+        Returns
+        -------
+        Pieces or None
+            None where the samples do not serve for this curve any more.
+        """
+        way = curve.points - self._curve.points
+        moved = np.flatnonzero(way.any(axis=1))
+        if len(moved) > _MOST_COLUMNS:
+            return None
+        points = self._points
+        with np.errstate(over="ignore", under="ignore", invalid="ignore"):
+            if len(moved):
+                columns = np.stack([self._column(index) for index in moved.tolist()], axis=1)
+                points = np.clip(points + columns @ way[moved], -_LIMIT, _LIMIT)
+            deviation = self._deviation(points)
+            if not np.isfinite(points).all() or np.any((deviation > self._tolerance) & (deviation < np.inf)):
+                return None
+            return merged_pieces(Pieces(self._parameters, points, deviation), self._tolerance)
+
+    def _column(self, index: int) -> FloatArray:
+        """Return the basis function of a point at all samples, (m,)."""
+        if index not in self._columns:
+            unit = np.zeros((len(self._curve.parameters), 1, 1))
+            unit[index] = 1.0
+            self._columns[index] = self._curve.with_jets(unit).evaluate(self._parameters)[:, 0]
+        return self._columns[index]
+
+    def _deviation(self, points: FloatArray) -> FloatArray:
+        """Estimate how far each piece leaves its chord; infinite for what stays outside the box.
+
+        A sample lies |c''| h k / 2 off the chord of its neighbours, h and k away from it in t; a piece of
+        length h leaves its own chord by |c''| h**2 / 8.
+        """
+        h = np.diff(self._parameters)
+        if len(h) < 2:
+            return np.zeros(len(h))
+        off = segment_distance(points[1:-1], points[:-2], points[2:])
+        quotient = h[1:] / h[:-1]
+        deviation = np.zeros(len(h))
+        deviation[:-1] = off / quotient
+        deviation[1:] = np.maximum(deviation[1:], off * quotient)
+        deviation *= 0.25 * _MARGIN
+        if self._edges is not None:
+            reach = np.maximum(np.append(off, 0.0), np.insert(off, 0, 0.0))[:, None]
+            low = np.minimum(points[:-1], points[1:]) - reach
+            high = np.maximum(points[:-1], points[1:]) + reach
+            deviation[~may_enter(np.stack([low, high], axis=1), self._edges)] = np.inf
+        return deviation
