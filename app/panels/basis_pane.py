@@ -8,6 +8,7 @@ from PySide6.QtWidgets import QHBoxLayout, QLabel, QSizePolicy, QToolButton, QVB
 
 from app.panels.basis_layers import KIND_STYLES
 from app.panels.basis_panel import BasisPanel
+from app.panels.function_lines import note_on_drawing
 from app.theme import LIGHT, Theme
 from app.view_model.basis_view import basis_formulas
 from app.view_model.curve_view import CurveView
@@ -85,7 +86,8 @@ class BasisPane(QWidget):
             button.setVisible(kind < len(formulas) and len(formulas) > 1)
             if kind < len(formulas):
                 button.setText(f"{_NAMES[kind]}  {formulas[kind]}")
-        self._scaling.setText(note)
+        basis = self._panel.basis
+        self._scaling.setText(" · ".join(filter(None, (note, basis and note_on_drawing(basis)))))
 
     @property
     def extent_text(self) -> str:

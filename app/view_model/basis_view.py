@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Collection
 from dataclasses import dataclass
 from functools import cached_property
+from itertools import pairwise
 
 import numpy as np
 
@@ -14,6 +15,11 @@ from curvecore import HermiteCurve, LagrangeCurve, QuinticHermiteCurve
 
 SAMPLES = 500
 """Samples over the domain; one per two or three pixels of a wide panel."""
+
+_MOST_FINE = 400
+"""Segments above which each is narrower than a few pixels, and sampled only at its ends and thirds."""
+
+_FINE = 33
 
 _PEAK = (1.0, 3.0, 30.0)
 """What makes B_0, B_1/h and B_2/h² of the cubic and the quintic peak near one half or one."""
@@ -56,6 +62,8 @@ class BasisView:
         """Return (t, scaled B) of knot `index` and derivative `kind`, where it is not zero."""
         if self.first is None:
             return self.t, self.values[:, index, kind]
+        if self.is_coarse:
+            return self._fine_function(index, kind)
         here = self.first[index]
         start = self.first[max(index - 1, 0)]
         end = self.first[min(index + 1, self.count - 1)]
@@ -63,10 +71,31 @@ class BasisView:
         ahead = self.values[here:end, 0, kind]
         return self.t[start:end], np.concatenate([behind, ahead])
 
+    @property
+    def is_coarse(self) -> bool:
+        """Whether the samples are too few to show one function by itself."""
+        return self.first is not None and self.count > _MOST_FINE
+
+    def _fine_function(self, index: int, kind: int) -> tuple[Floats, Floats]:
+        knots = self.curve.parameters[max(index - 1, 0) : index + 2]
+        t = np.unique(np.concatenate([np.linspace(*ends, _FINE) for ends in pairwise(knots)]))
+        values: Floats = self.curve.basis(t)[:, index, kind] * self.scales[kind]
+        return t, values
+
+    def envelope(self, kind: int) -> tuple[Floats, Floats]:
+        """Return the least and the greatest value of all functions of one kind at every sample, (m,) each."""
+        values = self.values[:, :, kind]
+        return values.min(axis=1), values.max(axis=1)
+
     def extent(self, kinds: Collection[int]) -> tuple[float, float]:
         """Return the least and the greatest value of the functions of these kinds; (0, 0) for none."""
-        drawn = self.values[:, :, [kind for kind in range(len(self.scales)) if kind in kinds]]
-        return (float(drawn.min()), float(drawn.max())) if drawn.size else (0.0, 0.0)
+        ends = [self._extents[kind] for kind in range(len(self.scales)) if kind in kinds]
+        return (min(low for low, _ in ends), max(high for _, high in ends)) if ends else (0.0, 0.0)
+
+    @cached_property
+    def _extents(self) -> list[tuple[float, float]]:
+        low, high = self.values.min(axis=(0, 1)), self.values.max(axis=(0, 1))
+        return list(zip(low.tolist(), high.tolist(), strict=True))
 
     @cached_property
     def lebesgue_constant(self) -> float:
@@ -85,10 +114,12 @@ def basis_view(view: CurveView) -> BasisView | None:
     if curve is None or not view.is_current:
         return None
     scales = basis_scales(curve)
-    owners = tuple(view.owner(knot) for knot in range(len(curve.parameters)))
+    count = len(view.source.nodes)
+    # The last knot of a closed curve is its first node again.
+    owners = tuple(range(count)) if len(curve.parameters) == count else (*range(count), 0)
     if isinstance(curve, LagrangeCurve):
         t = np.linspace(*curve.domain, SAMPLES)
-        return BasisView(curve, owners, t, curve.basis(t) * np.array(scales), None, scales)
+        return BasisView(curve, owners, t, curve.basis(t), None, scales)
     return _piecewise_view(curve, owners, scales)
 
 
@@ -97,7 +128,7 @@ def _piecewise_view(
 ) -> BasisView:
     """Sample every segment alike, ends included, so that joints are drawn as sharp as they are."""
     knots = curve.parameters
-    per_segment = int(np.clip(SAMPLES // (len(knots) - 1), 9, 65))
+    per_segment = int(np.clip(SAMPLES // (len(knots) - 1), 9, 65)) if len(knots) <= _MOST_FINE else 4
     s = np.linspace(0.0, 1.0, per_segment)
     t = knots[:-1, None] + s * np.diff(knots)[:, None]
     # The last sample of a segment lies a hair before the joint, so that it is counted to that segment.

@@ -1,4 +1,4 @@
-"""The numbers in a curve's nodes as arrays; made anew only for the nodes that are other values than before."""
+"""The numbers in a curve's nodes as arrays; made anew only for nodes that are other values now."""
 
 from __future__ import annotations
 
