@@ -1,10 +1,11 @@
-"""Polylines of a Lagrange curve whose points move while its parameters stay.
+"""Polylines of a Lagrange curve that changes, as under a hand that drags it.
 
-The curve is linear in its points, so samples of it follow a moved point by
-B_i(t) times the way it went: no basis function is evaluated again. Whether
-the samples still lie close enough is read off the samples themselves. They
-start twice as close as the degree can make necessary, which is why nothing
-can hide between them.
+The curve is linear in its points. While the parameters stay, samples follow
+a moved point by B_i(t) times the way it went: no basis function is evaluated
+again. When parameters move, the curve is evaluated once at the same samples,
+not sampled and refined anew. Whether the samples still lie close enough is
+read off the samples themselves. They start twice as close as the degree can
+make necessary, which is why nothing can hide between them.
 """
 
 from __future__ import annotations
@@ -21,11 +22,11 @@ __all__ = ["FrozenFlattening"]
 _FINER = 4.0  # of the tolerance: room for the curve to bend more before new samples are needed
 _MARGIN = 1.25  # on a measured distance, for what lies between the samples
 _LIMIT = 1e300
-_MOST_COLUMNS = 64  # moved points, above which evaluating anew is as fast
+_MOST_COLUMNS = 16  # moved points, above which evaluating anew is as fast
 
 
 class FrozenFlattening:
-    """Samples of one curve that serve for others with the same parameters.
+    """Samples of one curve that serve for others over the same interval.
 
     Parameters
     ----------
@@ -52,31 +53,38 @@ class FrozenFlattening:
         self._columns: dict[int, FloatArray] = {}
 
     def follow(self, curve: LagrangeCurve) -> Pieces | None:
-        """Return the polyline of another curve with the same parameters.
+        """Return the polyline of another curve.
 
         Parameters
         ----------
         curve : LagrangeCurve
-            Of the same parameters as the curve given first.
+            Of dim 2; the fewer of its data differ from those of the curve
+            given first, the sooner it is done.
 
         Returns
         -------
         Pieces or None
             None where the samples do not serve for this curve any more.
         """
-        way = curve.points - self._curve.points
-        moved = np.flatnonzero(way.any(axis=1))
-        if len(moved) > _MOST_COLUMNS:
+        if curve.domain != self._curve.domain or curve.degree > self._curve.degree:
             return None
-        points = self._points
         with np.errstate(over="ignore", under="ignore", invalid="ignore"):
-            if len(moved):
-                columns = np.stack([self._column(index) for index in moved.tolist()], axis=1)
-                points = np.clip(points + columns @ way[moved], -_LIMIT, _LIMIT)
+            points = self._samples(curve)
             deviation = self._deviation(points)
             if not np.isfinite(points).all() or np.any((deviation > self._tolerance) & (deviation < np.inf)):
                 return None
             return merged_pieces(Pieces(self._parameters, points, deviation), self._tolerance)
+
+    def _samples(self, curve: LagrangeCurve) -> FloatArray:
+        """Return the curve at all samples, (m, 2)."""
+        moved = np.flatnonzero((curve.points != self._curve.points).any(axis=1))
+        if len(moved) > _MOST_COLUMNS or not np.array_equal(curve.parameters, self._curve.parameters):
+            return np.clip(curve.evaluate(self._parameters), -_LIMIT, _LIMIT)
+        if not len(moved):
+            return self._points
+        columns = np.stack([self._column(index) for index in moved.tolist()], axis=1)
+        way = curve.points[moved] - self._curve.points[moved]
+        return np.clip(self._points + columns @ way, -_LIMIT, _LIMIT)
 
     def _column(self, index: int) -> FloatArray:
         """Return the basis function of a point at all samples, (m,)."""

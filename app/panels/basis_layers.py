@@ -93,9 +93,10 @@ class FunctionLayer:
                 continue
             fill = QColor(self.theme.ink)
             fill.setAlphaF(_FILL)
-            painter.setPen(Qt.PenStyle.NoPen)
-            painter.setBrush(fill)
-            painter.drawPolygon(self._lines.band(kind))
+            painter.setRenderHint(QPainter.RenderHint.Antialiasing, False)
+            painter.setPen(QPen(fill, 1))
+            self._lines.band(kind).draw(painter)
+            painter.setRenderHint(QPainter.RenderHint.Antialiasing, True)
             pen.setStyle(KIND_STYLES[kind])
             painter.setPen(pen)
             painter.drawPolyline(self._lines.edge(kind, upper=False))

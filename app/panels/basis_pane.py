@@ -87,7 +87,8 @@ class BasisPane(QWidget):
             if kind < len(formulas):
                 button.setText(f"{_NAMES[kind]}  {formulas[kind]}")
         basis = self._panel.basis
-        self._scaling.setText(" · ".join(filter(None, (note, basis and note_on_drawing(basis)))))
+        notes = (note, note_on_drawing(basis) if basis is not None else "")
+        self._scaling.setText(" · ".join(filter(None, notes)))
 
     @property
     def extent_text(self) -> str:

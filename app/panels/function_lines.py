@@ -53,7 +53,7 @@ class FunctionLines:
         self._y = np.clip(shown.y(basis.values), -_LIMIT, _LIMIT) if _needs_all(basis) else np.empty(0)
         self._polygons: dict[tuple[int, int], QPolygonF] = {}
         self._spans: dict[int, Segments] = {}
-        self._edges: dict[tuple[int, bool], QPolygonF] = {}
+        self._envelopes: dict[int, tuple[Floats, Floats, Floats]] = {}
 
     def are_of(self, basis: BasisView, shown: PixelMap) -> bool:
         """Tell whether these are the lines of `basis` as `shown`."""
@@ -103,32 +103,41 @@ class FunctionLines:
 
     def edge(self, kind: int, *, upper: bool) -> QPolygonF:
         """Return the upper or the lower edge of the envelope of one kind."""
-        key = (kind, upper)
-        if key not in self._edges:
-            low, high = self._basis.envelope(kind)
-            x, values = _by_column(self._x, high if upper else low, self._shown.width, upper=upper)
-            self._edges[key] = polygon(x, np.clip(self._shown.y(values), -_LIMIT, _LIMIT))
-        return self._edges[key]
+        x, *edges = self._envelope(kind)
+        return polygon(x, edges[1 if upper else 0])
 
-    def band(self, kind: int) -> QPolygonF:
-        """Return the area between the edges."""
-        low = ndarray_from_qpolygonf(self.edge(kind, upper=False))
-        high = ndarray_from_qpolygonf(self.edge(kind, upper=True))
-        both = np.concatenate([low, high[::-1]])
-        return polygon(both[:, 0], both[:, 1])
+    def band(self, kind: int) -> Segments:
+        """Return what lies between the edges as upright lines, one on every column of pixels."""
+        x, low, high = self._envelope(kind)
+        band = Segments()
+        middle = np.floor(x) + 0.5
+        band.fill(np.column_stack([middle, low, middle, high]))
+        return band
+
+    def _envelope(self, kind: int) -> tuple[Floats, Floats, Floats]:
+        """Return the columns of pixels, and the lower and upper edge at each."""
+        if kind not in self._envelopes:
+            low, high = self._basis.envelope(kind)
+            columns = np.arange(max(self._x[0], 0.0), min(self._x[-1], self._shown.width), 1.0)
+            edges = [
+                np.clip(self._shown.y(_at_columns(self._x, values, columns, reduce)), -_LIMIT, _LIMIT)
+                for values, reduce in ((low, np.minimum), (high, np.maximum))
+            ]
+            self._envelopes[kind] = (columns, edges[0], edges[1])
+        return self._envelopes[kind]
 
 
 def _needs_all(basis: BasisView) -> bool:
     return way_to_draw(basis) is not Drawing.ENVELOPE
 
 
-def _by_column(x: Floats, values: Floats, width: float, *, upper: bool) -> tuple[Floats, Floats]:
-    """Reduce samples at ascending x to the extremes of each column of pixels, where there are many."""
-    first, last = np.searchsorted(x, [-1.0, width + 1.0])
-    x, values = x[max(first - 1, 0) : last + 1], values[max(first - 1, 0) : last + 1]
-    if len(x) <= 2 * width:
-        return x, values
-    column = np.floor(x)
-    starts = np.flatnonzero(np.diff(column, prepend=column[0] - 1))
-    reduce = np.maximum if upper else np.minimum
-    return x[starts], reduce.reduceat(values, starts)
+def _at_columns(x: Floats, values: Floats, columns: Floats, reduce: np.ufunc) -> Floats:
+    """Return the extremes of samples at ascending x around each column; between samples, interpolated."""
+    result: Floats = np.interp(columns, x, values)
+    edges = np.searchsorted(x, np.append(columns - 0.5, columns[-1:] + 0.5))
+    filled = np.flatnonzero(edges[1:] > edges[:-1])
+    if len(filled):
+        # Up to the next filled column there are no other samples.
+        extremes = reduce.reduceat(values[: edges[-1]], edges[filled])
+        result[filled] = reduce(result[filled], extremes)
+    return result

@@ -60,7 +60,8 @@ class Stamps:
         data[:, 6:8] = 1.0 / ratio
         data[:, 8] = 0.0
         data[:, 9] = 1.0
-        painter.drawPixmapFragments(*self._fragments.drawargs(), self._sheet)
+        fragments, length = self._fragments.drawargs()
+        painter.drawPixmapFragments(fragments, length, self._sheet)
 
     def _prepare(self, colours: int, theme: Theme, radius: float, rim: float, ratio: float) -> None:
         wanted = (colours, theme, radius, rim, ratio)

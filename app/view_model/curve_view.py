@@ -196,7 +196,7 @@ def _good_view(curve: Curve, arrays: NodeArrays, previous: CurveView | None) -> 
     at_knots = np.vstack([points, points[:1]]) if curve.is_closed else points
     parameters = parameters_of(curve, at_knots, arrays.times)
     frozen = _same_parameters(curve, parameters, previous)
-    flattener = previous._flattener if previous is not None and frozen is not None else Flattener()
+    flattener = previous._flattener if previous is not None else Flattener()
     if curve.family is Family.LAGRANGE:
         line = _lagrange(at_knots, parameters, frozen)
         return CurveView(curve, points, line, arrays=arrays, _flattener=flattener)

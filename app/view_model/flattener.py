@@ -33,9 +33,9 @@ class Polyline:
 
 
 class Flattener:
-    """Flattens the curves that share their parameters; views of one curve hand it on from one to the next.
+    """Flattens one curve after the other; views of a curve that changes hand it on from one to the next.
 
-    A Lagrange curve that is drawn again at the same scale gets samples that follow its points. Piecewise
+    A Lagrange curve that is drawn again at the same scale gets samples that follow it. Piecewise
     curves are flattened whole: that costs no more than finding out which segments a move has reached.
     """
 
