@@ -213,15 +213,25 @@ def _chord_bound(controls: FloatArray) -> FloatArray:
     """Bound the distance between arcs and their chords: max |c''| / 8 over s in [0, 1]."""
     degree = controls.shape[1] - 1
     second = controls[:, 2:] - 2.0 * controls[:, 1:-1] + controls[:, :-2]
-    bound: FloatArray = np.hypot(second[:, :, 0], second[:, :, 1]).max(axis=1) * (degree * (degree - 1) / 8.0)
+    sizes = np.hypot(second[:, :, 0], second[:, :, 1])
+    bound: FloatArray = _along_columns(np.maximum, sizes) * (degree * (degree - 1) / 8.0)
     return bound
 
 
 def may_enter(points: FloatArray, box: FloatArray) -> BoolArray:
     """Tell whose hulls, from points of shape (k, j, 2), touch the box."""
-    low, high = points.min(axis=1), points.max(axis=1)
-    touches: BoolArray = ((high >= box[:2]) & (low <= box[2:])).all(axis=1)
+    low, high = _along_columns(np.minimum, points), _along_columns(np.maximum, points)
+    inside = (high >= box[:2]) & (low <= box[2:])
+    touches: BoolArray = inside[:, 0] & inside[:, 1]
     return touches
+
+
+def _along_columns(combine: np.ufunc, values: FloatArray) -> FloatArray:
+    """Reduce axis 1, which has a handful of entries: NumPy's reductions take ten times as long."""
+    result: FloatArray = values[:, 0]
+    for column in range(1, values.shape[1]):
+        result = combine(result, values[:, column])
+    return result
 
 
 def _split(arcs: _Arcs) -> _Arcs:

@@ -77,8 +77,10 @@ class FrozenFlattening:
 
     def _samples(self, curve: LagrangeCurve) -> FloatArray:
         """Return the curve at all samples, (m, 2)."""
+        if not np.array_equal(curve.parameters, self._curve.parameters):
+            return np.clip(curve.evaluate(self._parameters), -_LIMIT, _LIMIT)
         moved = np.flatnonzero((curve.points != self._curve.points).any(axis=1))
-        if len(moved) > _MOST_COLUMNS or not np.array_equal(curve.parameters, self._curve.parameters):
+        if len(moved) > _MOST_COLUMNS:
             return np.clip(curve.evaluate(self._parameters), -_LIMIT, _LIMIT)
         if not len(moved):
             return self._points

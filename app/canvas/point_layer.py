@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 
 import numpy as np
@@ -17,7 +18,7 @@ from app.theme import Theme
 from app.view_model.curve_view import CurveView, Integers
 from app.view_model.handles import Handle, handles_of
 
-_RADIUS, _SELECTED_RADIUS, _GROWTH = 4.5, 5.5, 1.0
+_RADIUS, _SELECTED_RADIUS, _GROWTH, _LEAST_RADIUS = 4.5, 5.5, 1.0, 2.0
 _LABELLED_UP_TO = 12
 _WEIGHED_UP_TO = 24
 _FAR = 1e5
@@ -100,13 +101,20 @@ class PointLayer:
         if len(calm) < _STAMPED_FROM:
             self._paint_discs(painter, pixels, calm.tolist(), colours)
         else:
-            rim = 1.5 * self.scale
-            radius = _RADIUS * self.scale
+            radius, rim = self._size_of_many(pixels, visible)
             self._discs.draw(painter, pixels[calm], calm, len(pixels), self.theme, radius, rim)
             hovered = calm[calm == self.hovered]
             self._paint_discs(painter, pixels, hovered.tolist(), colours)
         for index in np.intersect1d(visible, chosen).tolist():
             self._paint_selected(painter, QPointF(*pixels[index]), colours[index])
+
+    def _size_of_many(self, pixels: Floats, visible: Integers) -> tuple[float, float]:
+        """Return radius and rim of the discs: small and bare where they would cover each other."""
+        steps = np.diff(pixels[visible], axis=0)
+        # In steps, so that the discs do not swell and shrink under a drag.
+        room = math.floor(float(np.median(np.hypot(steps[:, 0], steps[:, 1])))) / 2
+        radius = min(max(room, _LEAST_RADIUS * self.scale), _RADIUS * self.scale)
+        return radius, 1.5 * self.scale if radius >= _RADIUS * self.scale else 0.0
 
     def _paint_discs(
         self, painter: QPainter, pixels: Floats, indices: Sequence[int], colours: Sequence[QColor]

@@ -138,7 +138,11 @@ class FunctionLayer:
             for kind in kinds:
                 pen.setStyle(KIND_STYLES[kind])
                 painter.setPen(pen)
-                painter.drawPolyline(self._lines.function(knot, kind))
+                if kind == 0 and pen.widthF() > 1:
+                    # Qt takes many times as long for one long line that is wide.
+                    self._lines.stroke(knot, kind).draw(painter)
+                else:
+                    painter.drawPolyline(self._lines.function(knot, kind))
 
     def _shown_kinds(self, basis: BasisView) -> list[int]:
         return [kind for kind in range(len(basis.scales)) if kind in self.kinds]
@@ -209,7 +213,7 @@ class RailLayer:
         size = 5.0 * self.scale
         places = np.column_stack([x[ticks], np.full(len(ticks), top + 1 + size)])
         owners = ticks % max(count, 1)
-        self._stamps.draw(painter, places, owners, count, self.theme, size, 1.0 * self.scale)
+        self._stamps.draw(painter, places, owners, count, self.theme, size, 0.0)
         chosen = (
             [*self.selection, self.hovered] if len(self.selection) <= _MOST_EMPHASISED else [self.hovered]
         )

@@ -87,8 +87,11 @@ class BasisPane(QWidget):
             if kind < len(formulas):
                 button.setText(f"{_NAMES[kind]}  {formulas[kind]}")
         basis = self._panel.basis
-        notes = (note, note_on_drawing(basis) if basis is not None else "")
-        self._scaling.setText(" · ".join(filter(None, notes)))
+        notes = (note_on_drawing(basis) if basis is not None else "", note)
+        text = " · ".join(filter(None, notes))
+        if text != self._scaling.text():
+            self._scaling.setText(text)
+            self._scaling.setToolTip(text)
 
     @property
     def extent_text(self) -> str:

@@ -8,7 +8,7 @@ import numpy as np
 from pyqtgraph.functions import create_qpolygonf, ndarray_from_qpolygonf
 from PySide6.QtGui import QPolygonF
 
-from app.plot.drawing import Segments, polygon
+from app.plot.drawing import Segments, Stroke, polygon
 from app.plot.pixel_map import Floats, PixelMap
 from app.view_model.basis_view import BasisView
 
@@ -39,9 +39,9 @@ def note_on_drawing(basis: BasisView) -> str:
         case Drawing.EACH:
             return ""
         case Drawing.SPANS:
-            return f"{basis.count} functions: in colour those near the selection"
+            return f"{basis.count} functions; in colour, those near the selection"
         case Drawing.ENVELOPE:
-            return f"{basis.count} functions: their envelope, and those near the selection"
+            return f"{basis.count} functions: envelope, and those near the selection"
 
 
 class FunctionLines:
@@ -52,6 +52,7 @@ class FunctionLines:
         self._x = np.clip(shown.x(basis.t), -_LIMIT, _LIMIT)
         self._y = np.clip(shown.y(basis.values), -_LIMIT, _LIMIT) if _needs_all(basis) else np.empty(0)
         self._polygons: dict[tuple[int, int], QPolygonF] = {}
+        self._fine: dict[int, tuple[Floats, Floats]] = {}
         self._spans: dict[int, Segments] = {}
         self._envelopes: dict[int, tuple[Floats, Floats, Floats]] = {}
 
@@ -69,9 +70,7 @@ class FunctionLines:
     def _make(self, index: int, kind: int) -> QPolygonF:
         first = self._basis.first
         if not _needs_all(self._basis):
-            t, values = self._basis.function(index, kind)
-            y = np.clip(self._shown.y(values), -_LIMIT, _LIMIT)
-            return polygon(np.clip(self._shown.x(t), -_LIMIT, _LIMIT), y)
+            return self._make_fine(index, kind)
         if first is None:
             return polygon(self._x, self._y[:, index, kind])
         here = first[index]
@@ -82,6 +81,24 @@ class FunctionLines:
         view[: here - start, 1] = self._y[start:here, 1, kind]
         view[here - start :, 1] = self._y[here:end, 0, kind]
         return result
+
+    def _make_fine(self, index: int, kind: int) -> QPolygonF:
+        if self._basis.first is None:
+            x, y = self._x, self._shown.y(self._basis.values[:, index, kind])
+            return polygon(x, np.clip(y, -_LIMIT, _LIMIT))
+        if index not in self._fine:
+            t, values = self._basis.fine_functions(index)
+            x = np.clip(self._shown.x(t), -_LIMIT, _LIMIT)
+            self._fine[index] = (x, np.clip(self._shown.y(values), -_LIMIT, _LIMIT))
+        x, all_kinds = self._fine[index]
+        return polygon(x, all_kinds[:, kind])
+
+    def stroke(self, index: int, kind: int) -> Stroke:
+        """Return one function to be drawn wide and solid."""
+        stroke = Stroke()
+        points = ndarray_from_qpolygonf(self.function(index, kind))
+        stroke.fill(points, self._shown.width, self._shown.height)
+        return stroke
 
     def spans(self, kind: int) -> Segments:
         """Return all functions of one kind of a piecewise curve, where they are not zero."""
@@ -117,10 +134,11 @@ class FunctionLines:
     def _envelope(self, kind: int) -> tuple[Floats, Floats, Floats]:
         """Return the columns of pixels, and the lower and upper edge at each."""
         if kind not in self._envelopes:
-            low, high = self._basis.envelope(kind)
-            columns = np.arange(max(self._x[0], 0.0), min(self._x[-1], self._shown.width), 1.0)
+            t, low, high = self._basis.envelope(kind)
+            x = self._shown.x(t)
+            columns = np.arange(max(x[0], 0.0), min(x[-1], self._shown.width), 1.0)
             edges = [
-                np.clip(self._shown.y(_at_columns(self._x, values, columns, reduce)), -_LIMIT, _LIMIT)
+                np.clip(self._shown.y(_at_columns(x, values, columns, reduce)), -_LIMIT, _LIMIT)
                 for values, reduce in ((low, np.minimum), (high, np.maximum))
             ]
             self._envelopes[kind] = (columns, edges[0], edges[1])

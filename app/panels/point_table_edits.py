@@ -81,11 +81,11 @@ def table_values(view: CurveView) -> TableValues:
             values[:, X:] = view.sides.before[: len(nodes)].reshape(len(nodes), -1)
     else:
         values[:, X : X + 2] = view.points
-    for row, node in enumerate(nodes):
-        if not view.is_current:
+    if not view.is_current:
+        for row, node in enumerate(nodes):
             _fill_given(values[row], node, manual=view.source.is_manual)
-        estimated[row, 3:5] = node.velocity is None
-        estimated[row, 5:7] = node.acceleration is None
+    missing = np.isnan(view.arrays.given[:, 0])
+    estimated[:, 3:] = missing.reshape(len(nodes), 4)[:, : len(columns) - 3]
     return TableValues(values, estimated)
 
 

@@ -74,7 +74,7 @@ class Stamps:
         self._sheet.fill(Qt.GlobalColor.transparent)
         painter = QPainter(self._sheet)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing, True)
-        painter.setPen(QPen(theme.paper, rim * ratio))
+        painter.setPen(QPen(theme.paper, rim * ratio) if rim else Qt.PenStyle.NoPen)
         for cell, colour in enumerate(point_colours(colours, theme)):
             centre = QPointF((cell % _COLUMNS + 0.5) * self._cell, (cell // _COLUMNS + 0.5) * self._cell)
             painter.setBrush(colour)

@@ -63,7 +63,8 @@ class BasisView:
         if self.first is None:
             return self.t, self.values[:, index, kind]
         if self.is_coarse:
-            return self._fine_function(index, kind)
+            t, values = self.fine_functions(index)
+            return t, values[:, kind]
         here = self.first[index]
         start = self.first[max(index - 1, 0)]
         end = self.first[min(index + 1, self.count - 1)]
@@ -76,19 +77,29 @@ class BasisView:
         """Whether the samples are too few to show one function by itself."""
         return self.first is not None and self.count > _MOST_FINE
 
-    def _fine_function(self, index: int, kind: int) -> tuple[Floats, Floats]:
+    def fine_functions(self, index: int) -> tuple[Floats, Floats]:
+        """Return (t, scaled B) of knot `index` of a piecewise curve, all kinds (m, R), sampled finely."""
+        assert not isinstance(self.curve, LagrangeCurve)
         knots = self.curve.parameters[max(index - 1, 0) : index + 2]
-        t = np.unique(np.concatenate([np.linspace(*ends, _FINE) for ends in pairwise(knots)]))
-        values: Floats = self.curve.basis(t)[:, index, kind] * self.scales[kind]
+        t = np.concatenate([np.linspace(*ends, _FINE) for ends in pairwise(knots.tolist())])
+        local = self.curve.local_basis(t)
+        behind = (local.segment < index)[:, None]
+        values: Floats = np.where(behind, local.values[:, 1], local.values[:, 0]) * np.array(self.scales)
+        # The right end of the support counts to the segment after it, where the function is zero.
+        values[local.segment > index] = 0.0
         return t, values
 
-    def envelope(self, kind: int) -> tuple[Floats, Floats]:
-        """Return the least and the greatest value of all functions of one kind at every sample, (m,) each."""
+    def envelope(self, kind: int) -> tuple[Floats, Floats, Floats]:
+        """Return (t, least, greatest value of all functions of one kind there); per segment if coarse."""
         values = self.values[:, :, kind]
-        if self.first is not None:
-            # Of two numbers at a time NumPy's reductions are many times slower.
-            return np.minimum(values[:, 0], values[:, 1]), np.maximum(values[:, 0], values[:, 1])
-        return values.min(axis=1), values.max(axis=1)
+        if self.first is None:
+            return self.t, values.min(axis=1), values.max(axis=1)
+        by_segment = values.reshape(self.count - 1, -1)
+        low, high = by_segment.min(axis=1), by_segment.max(axis=1)
+        middles = (self.curve.parameters[:-1] + self.curve.parameters[1:]) / 2
+        start, end = self.curve.domain
+        t = np.concatenate([[start], middles, [end]])
+        return t, np.pad(low, 1, mode="edge"), np.pad(high, 1, mode="edge")
 
     def extent(self, kinds: Collection[int]) -> tuple[float, float]:
         """Return the least and the greatest value of the functions of these kinds; (0, 0) for none."""

@@ -68,6 +68,8 @@ class CurveView:
         The document's value this was made from.
     points
         The nodes' positions, (n, 2).
+    arrays
+        All numbers in the nodes; the view made after this one takes from here what stays.
     curve
         The core's curve; the last good one where the present nodes and rules give none, None where there
         never was one.
@@ -75,16 +77,14 @@ class CurveView:
         Why the present nodes and rules give no curve, as a sentence; empty where they do.
     sides
         The jets before and after each knot, where the family has derivatives and `curve` is current.
-    arrays
-        The numbers in the nodes; the view made after this one takes from here what stays.
     """
 
     source: Curve
     points: Floats
+    arrays: NodeArrays
     curve: CoreCurve | None
     problem: str = ""
     sides: Sides | None = None
-    arrays: NodeArrays | None = None
     _flattener: Flattener = field(default_factory=Flattener)
     _flattened: dict[FlatteningKey, Polyline] = field(default_factory=dict)
 
@@ -183,12 +183,12 @@ def view_of(curve: Curve, previous: CurveView | None = None) -> CurveView:
     """
     arrays = arrays_of(curve.nodes, previous.arrays if previous is not None else None)
     if len(curve.nodes) < 2:
-        return CurveView(curve, arrays.points, None, TOO_FEW, arrays=arrays)
+        return CurveView(curve, arrays.points, arrays, None, TOO_FEW)
     try:
         return _good_view(curve, arrays, previous)
     except CurveError as problem:
         last_good = previous.curve if previous is not None else None
-        return CurveView(curve, arrays.points, last_good, _sentence(str(problem)), arrays=arrays)
+        return CurveView(curve, arrays.points, arrays, last_good, _sentence(str(problem)))
 
 
 def _good_view(curve: Curve, arrays: NodeArrays, previous: CurveView | None) -> CurveView:
@@ -199,10 +199,10 @@ def _good_view(curve: Curve, arrays: NodeArrays, previous: CurveView | None) -> 
     flattener = previous._flattener if previous is not None else Flattener()
     if curve.family is Family.LAGRANGE:
         line = _lagrange(at_knots, parameters, frozen)
-        return CurveView(curve, points, line, arrays=arrays, _flattener=flattener)
+        return CurveView(curve, points, arrays, line, _flattener=flattener)
     sides = sides_of(curve, at_knots, parameters, arrays)
     core = _hermite(curve, sides, parameters, arrays, frozen)
-    return CurveView(curve, points, core, sides=sides, arrays=arrays, _flattener=flattener)
+    return CurveView(curve, points, arrays, core, sides=sides, _flattener=flattener)
 
 
 def _lagrange(points: Floats, parameters: Floats, frozen: SimpleCurve | None) -> CoreCurve:

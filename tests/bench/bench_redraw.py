@@ -19,7 +19,7 @@ from app.document.model import Curve, Document, Family, Node, Parametrization, P
 from app.session import Session
 from app.testing import Editor
 
-SIZE = (1200, 900)
+SIZE = (1200, 600)
 
 
 def document(n: int, family: Family, kind: ParametrizationKind) -> Document:
@@ -57,6 +57,8 @@ def counted(editor: Editor) -> Paints:
 
 def drag_point(editor: Editor, awaited: list[str]) -> Times:
     """Drag the point in the middle."""
+    # The handles of a selected point would lie in the way.
+    editor.select([])
     canvas = editor.window.canvas
     place = QPointF(canvas.to_pixel(*editor.point(len(editor.curve.nodes) // 2)))
     return drag(canvas.viewport(), place, counted(editor), awaited)
