@@ -22,6 +22,7 @@ _RADIUS, _SELECTED_RADIUS, _GROWTH, _LEAST_RADIUS = 4.5, 5.5, 1.0, 2.0
 _LABELLED_UP_TO = 12
 _WEIGHED_UP_TO = 24
 _FAR = 1e5
+_SAMPLED = 256
 _STAMPED_FROM = 64
 """Points from which on discs are stamped, on whole pixels, in place of drawn."""
 
@@ -97,7 +98,9 @@ class PointLayer:
         self, painter: QPainter, pixels: Floats, visible: Integers, colours: Sequence[QColor]
     ) -> None:
         chosen = [index for index in self.selection if index < len(pixels)]
-        calm = visible[~np.isin(visible, chosen)] if chosen else visible
+        is_calm = np.ones(len(pixels), dtype=bool)
+        is_calm[chosen] = False
+        calm = visible[is_calm[visible]]
         if len(calm) < _STAMPED_FROM:
             self._paint_discs(painter, pixels, calm.tolist(), colours)
         else:
@@ -105,12 +108,14 @@ class PointLayer:
             self._discs.draw(painter, pixels[calm], calm, len(pixels), self.theme, radius, rim)
             hovered = calm[calm == self.hovered]
             self._paint_discs(painter, pixels, hovered.tolist(), colours)
-        for index in np.intersect1d(visible, chosen).tolist():
+        for index in visible[~is_calm[visible]].tolist():
             self._paint_selected(painter, QPointF(*pixels[index]), colours[index])
 
     def _size_of_many(self, pixels: Floats, visible: Integers) -> tuple[float, float]:
         """Return radius and rim of the discs: small and bare where they would cover each other."""
-        steps = np.diff(pixels[visible], axis=0)
+        every = max(len(visible) // _SAMPLED, 1)
+        sample = visible[:-1:every]
+        steps = pixels[sample + 1] - pixels[sample]
         # In steps, so that the discs do not swell and shrink under a drag.
         room = math.floor(float(np.median(np.hypot(steps[:, 0], steps[:, 1])))) / 2
         radius = min(max(room, _LEAST_RADIUS * self.scale), _RADIUS * self.scale)
@@ -138,7 +143,9 @@ class PointLayer:
 
     def _paint_numbers(self, painter: QPainter, pixels: Floats, visible: Integers) -> None:
         if len(pixels) > _LABELLED_UP_TO:
-            visible = np.intersect1d(visible, [*self.selection, self.hovered])
+            wanted = np.zeros(len(pixels), dtype=bool)
+            wanted[[index for index in (*self.selection, self.hovered) if 0 <= index < len(pixels)]] = True
+            visible = visible[wanted[visible]]
         chosen: list[int] = visible.tolist()
         if not chosen:
             return

@@ -126,7 +126,7 @@ class FunctionLayer:
         without: frozenset[int] = frozenset(),
     ) -> None:
         assert self._lines is not None
-        colours = colours_of(max(basis.owners) + 1, self.theme)
+        colours = colours_of(basis.node_count, self.theme)
         kinds = self._shown_kinds(basis)
         for knot in knots:
             owner = basis.owners[knot]
@@ -160,6 +160,7 @@ class RailLayer:
         self._parameters: Floats = np.empty(0)
         self._stamps = Stamps(_tick)
         self._owners: Sequence[int] = ()
+        self._count = 0
         self._font = QFont(plot.font())
         self._layer = plot.add_layer(self.paint, z=10)
 
@@ -167,6 +168,7 @@ class RailLayer:
         """Draw a tick at every knot from the next paint on."""
         self._parameters = basis.curve.parameters if basis is not None else np.empty(0)
         self._owners = basis.owners if basis is not None else ()
+        self._count = basis.node_count if basis is not None else 0
         self._layer.update()
 
     def refresh(self) -> None:
@@ -184,7 +186,7 @@ class RailLayer:
             self._paint_scrub(painter, shown, self.scrub)
 
     def _paint_ticks(self, painter: QPainter, shown: PixelMap, top: float) -> None:
-        count = max(self._owners, default=-1) + 1
+        count = self._count
         x = shown.x(self._parameters)
         visible = np.flatnonzero((x > -20) & (x < shown.width + 20))
         if len(visible) > _MARKED_ONE_BY_ONE:
@@ -208,8 +210,7 @@ class RailLayer:
         self, painter: QPainter, x: Floats, visible: Integers, count: int, top: float
     ) -> Integers:
         """Draw one of the ticks at each pixel, and return the chosen ones, which are drawn after all."""
-        _, first = np.unique(np.rint(x[visible]), return_index=True)
-        ticks = visible[first]
+        ticks = visible[np.diff(np.rint(x[visible]), prepend=-np.inf) > 0]
         size = 5.0 * self.scale
         places = np.column_stack([x[ticks], np.full(len(ticks), top + 1 + size)])
         owners = ticks % max(count, 1)
@@ -217,7 +218,7 @@ class RailLayer:
         chosen = (
             [*self.selection, self.hovered] if len(self.selection) <= _MOST_EMPHASISED else [self.hovered]
         )
-        return visible[np.isin(visible % max(count, 1), chosen)]
+        return np.array([knot for knot in chosen if 0 <= knot < count], dtype=np.intp)
 
     def _paint_tick(self, painter: QPainter, x: float, top: float, index: int, colour: QColor) -> None:
         size = (6.5 if index == self.hovered or index in self.selection else 5.0) * self.scale

@@ -39,9 +39,9 @@ def note_on_drawing(basis: BasisView) -> str:
         case Drawing.EACH:
             return ""
         case Drawing.SPANS:
-            return f"{basis.count} functions; in colour, those near the selection"
+            return f"{basis.count} functions: outlines + selection"
         case Drawing.ENVELOPE:
-            return f"{basis.count} functions: envelope, and those near the selection"
+            return f"{basis.count} functions: envelope + selection"
 
 
 class FunctionLines:

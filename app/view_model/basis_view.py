@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Collection
 from dataclasses import dataclass
-from functools import cached_property
+from functools import cached_property, reduce
 from itertools import pairwise
 
 import numpy as np
@@ -58,6 +58,11 @@ class BasisView:
         """Number of knots."""
         return len(self.curve.parameters)
 
+    @property
+    def node_count(self) -> int:
+        """Number of nodes: one less than knots, where the last knot is the first node again."""
+        return self.count - (self.owners[-1] == 0)
+
     def function(self, index: int, kind: int) -> tuple[Floats, Floats]:
         """Return (t, scaled B) of knot `index` and derivative `kind`, where it is not zero."""
         if self.first is None:
@@ -93,9 +98,14 @@ class BasisView:
         """Return (t, least, greatest value of all functions of one kind there); per segment if coarse."""
         values = self.values[:, :, kind]
         if self.first is None:
-            return self.t, values.min(axis=1), values.max(axis=1)
-        by_segment = values.reshape(self.count - 1, -1)
-        low, high = by_segment.min(axis=1), by_segment.max(axis=1)
+            low, high = values.min(axis=1), values.max(axis=1)
+            if 2 * self.count > len(self.t):
+                # The functions swing faster than they are sampled: without this the outline would, too.
+                low, high = _spread(np.minimum, low), _spread(np.maximum, high)
+            return self.t, low, high
+        by_segment = values.reshape(self.count - 1, -1).T
+        # Column by column: along a short axis NumPy's reductions take many times as long.
+        low, high = reduce(np.minimum, by_segment), reduce(np.maximum, by_segment)
         middles = (self.curve.parameters[:-1] + self.curve.parameters[1:]) / 2
         start, end = self.curve.domain
         t = np.concatenate([[start], middles, [end]])
@@ -122,6 +132,13 @@ class BasisView:
         """Return the scaled functions of one kind at `t`, one for each knot."""
         values: Floats = self.curve.basis(np.array([t]))[0, :, kind] * self.scales[kind]
         return values
+
+
+def _spread(combine: np.ufunc, values: Floats) -> Floats:
+    """Combine every sample with the two on either side of it."""
+    padded = np.pad(values, 2, mode="edge")
+    result: Floats = reduce(combine, (padded[by : by + len(values)] for by in range(5)))
+    return result
 
 
 def basis_view(view: CurveView) -> BasisView | None:
