@@ -294,7 +294,9 @@ def _first_samples(curve: Curve) -> FloatArray:
     away = np.minimum(np.abs(s - joints[after - 1]), np.abs(s - joints[after]))
     room = np.diff(np.concatenate(([first], s, [last])))
     s = s[away > 0.05 * np.minimum(room[:-1], room[1:])]
-    return np.unique(np.concatenate((joints, s)))
+    t = np.sort(np.concatenate((joints, s)))
+    # numpy.unique would import all of numpy.ma.
+    return t[np.diff(t, prepend=-np.inf) > 0.0]
 
 
 class _Measured(NamedTuple):
