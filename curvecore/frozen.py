@@ -20,7 +20,7 @@ from curvecore.lagrange import LagrangeCurve
 __all__ = ["FrozenFlattening"]
 
 _FINER = 4.0  # of the tolerance: room for the curve to bend more before new samples are needed
-_MARGIN = 1.25  # on a measured distance, for what lies between the samples
+_MARGIN = 1.6  # on an estimate from one place for the whole of a piece
 _LIMIT = 1e300
 _MOST_COLUMNS = 16  # moved points, above which evaluating anew is as fast
 

@@ -12,7 +12,8 @@ from PySide6.QtCore import QEvent, QPointF, Qt
 from PySide6.QtGui import QMouseEvent
 from PySide6.QtWidgets import QApplication, QWidget
 
-_WARM = 20
+_WARM, _MOVES = 20, 150
+_PATIENCE = 5
 _FEWEST = 30
 """Frames that must have been undisturbed for the others to be left out."""
 
@@ -68,7 +69,7 @@ def drag(
     paints: Paints,
     awaited: Sequence[str],
     *,
-    moves: int = 150,
+    moves: int = _MOVES,
     horizontal: bool = False,
     reach: int = 40,
 ) -> Times:
@@ -79,7 +80,8 @@ def drag(
     send(widget, QEvent.Type.MouseMove, start + QPointF(6, 6), held=True)
     pump(0.1)
     seconds, preempted = [], []
-    for step in range(_WARM + moves):
+    warm = min(_WARM, moves // 4)
+    for step in range(warm + moves):
         # A triangle wave, in whole pixels, that never rests.
         away = abs((step + 6) % (2 * reach) - reach) - reach // 2
         place = start + (QPointF(away, 0) if horizontal else QPointF(step % 3 - 1, away))
@@ -88,13 +90,13 @@ def drag(
         send(widget, QEvent.Type.MouseMove, place, held=True)
         while any(paints.count[name] == before[name] for name in awaited):
             QApplication.processEvents()
-            if time.perf_counter() - began > 5:
+            if time.perf_counter() - began > _PATIENCE:
                 raise TimeoutError(f"no paint of {awaited} after a move")
         seconds.append(time.perf_counter() - began)
         preempted.append(_switches() > switches)
     send(widget, QEvent.Type.MouseButtonRelease, start, held=False)
     pump(0.05)
-    milliseconds, calm = 1e3 * np.array(seconds[_WARM:]), ~np.array(preempted[_WARM:])
+    milliseconds, calm = 1e3 * np.array(seconds[warm:]), ~np.array(preempted[warm:])
     if calm.sum() >= _FEWEST:
         milliseconds = milliseconds[calm]
     return Times(float(np.median(milliseconds)), float(np.percentile(milliseconds, 95)))
