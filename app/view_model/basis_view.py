@@ -13,8 +13,11 @@ from app.document.model import Family
 from app.view_model.curve_view import CurveView, Floats, SimpleCurve
 from curvecore import HermiteCurve, LagrangeCurve, QuinticHermiteCurve
 
-SAMPLES = 500
+SAMPLES = 400
 """Samples over the domain; one per two or three pixels of a wide panel."""
+
+_AT_ENDS = 0.5
+"""Share of the samples that crowd at the ends of a Lagrange curve's domain, where it swings most."""
 
 _MOST_FINE = 400
 """Segments above which each is narrower than a few pixels, and sampled only at its ends and thirds."""
@@ -151,9 +154,17 @@ def basis_view(view: CurveView) -> BasisView | None:
     # The last knot of a closed curve is its first node again.
     owners = tuple(range(count)) if len(curve.parameters) == count else (*range(count), 0)
     if isinstance(curve, LagrangeCurve):
-        t = np.linspace(*curve.domain, SAMPLES)
+        t = _lagrange_samples(*curve.domain)
         return BasisView(curve, owners, t, curve.basis(t), None, scales)
     return _piecewise_view(curve, owners, scales)
+
+
+def _lagrange_samples(start: float, end: float) -> Floats:
+    u = np.linspace(0.0, 1.0, SAMPLES)
+    s = (1 - _AT_ENDS) * u + _AT_ENDS * np.sin(0.5 * np.pi * u) ** 2
+    t: Floats = start + (end - start) * s
+    t[-1] = end
+    return t
 
 
 def _piecewise_view(
