@@ -9,14 +9,16 @@ import os
 import sys
 from collections.abc import Sequence
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from app import __version__
 from app.document.format import FormatError
 from app.document.model import Document, Family
 from app.document.storage import StorageError, load
 from app.exchange import DARK, LIGHT, SUFFIXES, ExchangeError, export
-from app.exchange.facts import CurveFacts, facts_of
+
+if TYPE_CHECKING:
+    from app.exchange.facts import CurveFacts
 
 FAMILY_NAMES = {
     Family.LAGRANGE: "Lagrange",
@@ -198,6 +200,9 @@ def _render(options: argparse.Namespace) -> int:
 
 
 def _info(options: argparse.Namespace) -> int:
+    # Takes modules along that the editor does without.
+    from app.exchange.facts import facts_of  # noqa: PLC0415
+
     facts = facts_of(_load(options.file))
     if options.json:
         content = {"file": options.file, "curves": [_as_json(each) for each in facts]}
