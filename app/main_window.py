@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from PySide6.QtCore import QEvent, Qt
+from PySide6.QtCore import QEvent, Qt, QTimer
 from PySide6.QtGui import QAction, QCloseEvent, QDragEnterEvent, QDropEvent, QKeyEvent
 from PySide6.QtWidgets import (
     QApplication,
@@ -42,6 +42,10 @@ from app.theme import ThemeMode, app_icon, apply_theme, theme_of
 from app.toolbar import Toolbar
 
 
+_PANELS_MS = 50
+"""How far the panels may lag behind a drag, in milliseconds; the canvas and the functions never do."""
+
+
 class MainWindow(QMainWindow):
     """One document in one window.
 
@@ -63,6 +67,8 @@ class MainWindow(QMainWindow):
         self._build_plots()
         self._build_docks()
         self._build_bars()
+        self._panels_due = QTimer(self, singleShot=True, interval=_PANELS_MS)
+        self._panels_due.timeout.connect(self._render_panels)
         self._files = FileCommands(session, self.preferences, self, self.message_bar.warn)
         self._commands = Commands(self._parts())
         self._connect()
@@ -238,6 +244,15 @@ class MainWindow(QMainWindow):
         self.canvas.render_others(self.session.views, self.session.active_index)
         self.basis_pane.render_view(view)
         self.table_panel.render_view(view)
+        if not self.session.is_previewing:
+            self._render_panels()
+        elif not self._panels_due.isActive():
+            self._panels_due.start()
+
+    def _render_panels(self) -> None:
+        """Render what need not follow a drag frame by frame."""
+        self._panels_due.stop()
+        view = self.session.active_view
         self.curve_settings.render_view(view)
         self.curve_list.render_document(self.session.document, self.session.active_index)
         self.parametrization_bar.render_view(view)

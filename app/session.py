@@ -163,6 +163,11 @@ class Session(QObject):
         return next(iter(self.selection)) if len(self.selection) == 1 else None
 
     @property
+    def is_previewing(self) -> bool:
+        """Whether a gesture in flight shows something else than the history's last state."""
+        return self._shown is not self._committed
+
+    @property
     def is_modified(self) -> bool:
         """Whether there are changes that are not in the file."""
         return not self.undo_stack.isClean()
