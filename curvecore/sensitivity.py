@@ -1,0 +1,377 @@
+"""What changes of points, velocities, accelerations and parameters do to a curve.
+
+A curve is linear in its jets, so their sensitivities are the basis functions
+themselves. Moving a parameter t_i at fixed data: e = dc/dt_i is a curve of
+the same family that keeps all other conditions, e^(r)(t_j) = 0, and from
+differentiating c^(r)(t_i) = d_ir with respect to t_i, e^(r)(t_i) =
+-c^(r+1)(t_i). Hence
+
+    dc/dt_i (t) = - sum over r of B_ir(t) c^(r+1)(t_i)
+
+with the derivatives of the segment that holds t: -L_i(t) c'(t_i) for a
+`LagrangeCurve`, -B_i0 v_i - B_i1 c''(t_i) for cubics, and so on.
+
+References
+----------
+.. [1] C. de Boor, "A Practical Guide to Splines", revised ed., Springer 2001,
+   chapter I: the interpolant as a function of its nodes (problem 8).
+.. [2] G. M. Ziegler, "Lectures on Polytopes", Springer 1995, section 7.3:
+   zonotopes, which are what errors of several parameters can reach.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from curvecore.arrays import FloatArray, integer, parameter_values
+from curvecore.chain import Chain
+from curvecore.curve import Curve
+from curvecore.derivatives import derivatives_at
+from curvecore.errors import CurveError
+from curvecore.geometry import lengths
+from curvecore.hermite import HermiteCurve, QuinticHermiteCurve
+from curvecore.lagrange import LagrangeCurve
+
+__all__ = [
+    "Band",
+    "Ensemble",
+    "acceleration_sensitivity",
+    "ensemble",
+    "parameter_sensitivity",
+    "point_sensitivity",
+    "velocity_sensitivity",
+    "worst_case_band",
+]
+
+
+class Band(NamedTuple):
+    """Half-widths of the region that errors of the data can bring c(t) to.
+
+    Attributes
+    ----------
+    distance : ndarray, shape (m,)
+        The largest distance of the disturbed c(t) from c(t).
+    across : ndarray, shape (m,)
+        Its largest component across the curve, square to c'(t); where the
+        curve rests, the distance.
+    """
+
+    distance: FloatArray
+    across: FloatArray
+
+
+class Ensemble(NamedTuple):
+    """Data with random errors.
+
+    Attributes
+    ----------
+    curves : tuple of Curve
+        Like the given one, with disturbed data.
+    jets : ndarray, shape (count, rows, R, dim)
+        Their data.
+    parameters : ndarray, shape (count, n)
+        Their parameters.
+    """
+
+    curves: tuple[Curve, ...]
+    jets: FloatArray
+    parameters: FloatArray
+
+    def evaluate(self, t: ArrayLike) -> FloatArray:
+        """Return all curves at t, shape (count, m, dim)."""
+        if (self.parameters == self.parameters[0]).all():
+            basis = self.curves[0].basis(t)
+            flat = basis.reshape(len(basis), -1)
+            with np.errstate(over="ignore", under="ignore"):
+                return flat @ self.jets.reshape(len(self.jets), flat.shape[1], -1)
+        return np.stack([curve.evaluate(np.atleast_1d(np.asarray(t))) for curve in self.curves])
+
+
+def point_sensitivity(curve: Curve, t: ArrayLike) -> FloatArray:
+    """Return dc(t)/dp_i, a factor: moving p_i by d moves c(t) by that times d.
+
+    Parameters
+    ----------
+    curve : Curve
+        Of any family.
+    t : float or array_like, shape (m,)
+        A scalar counts as m = 1.
+
+    Returns
+    -------
+    ndarray, shape (m, n)
+        B_i0(t). A `Chain` has a column for every row of its jets.
+    """
+    return curve.basis(t)[:, :, 0]
+
+
+def velocity_sensitivity(curve: Curve, t: ArrayLike) -> FloatArray:
+    """Return dc(t)/dv_i = B_i1(t), in units of t, shape (m, n); see `point_sensitivity`.
+
+    Raises
+    ------
+    CurveError
+        If the family has no velocities.
+    """
+    return _column(curve, t, 1, "velocities")
+
+
+def acceleration_sensitivity(curve: Curve, t: ArrayLike) -> FloatArray:
+    """Return dc(t)/da_i = B_i2(t), in units of t squared, shape (m, n); see `point_sensitivity`.
+
+    Raises
+    ------
+    CurveError
+        If the family has no accelerations.
+    """
+    return _column(curve, t, 2, "accelerations")
+
+
+def _column(curve: Curve, t: ArrayLike, r: int, name: str) -> FloatArray:
+    if curve.jets.shape[1] <= r:
+        raise CurveError(f"curve must be of a family with {name}")
+    return curve.basis(t)[:, :, r]
+
+
+def parameter_sensitivity(curve: Curve, t: ArrayLike) -> FloatArray:
+    """Return dc(t)/dt_i at fixed t, points, velocities and accelerations.
+
+    Parameters
+    ----------
+    curve : Curve
+        `LagrangeCurve`, `HermiteCurve`, `QuinticHermiteCurve` or `Chain` of
+        these. Velocities that a rule estimates from the t_i count as given.
+    t : float or array_like, shape (m,)
+        A scalar counts as m = 1. At a joint the segment to the right counts.
+
+    Returns
+    -------
+    ndarray, shape (m, n, dim)
+        Per unit of t; n counts ``curve.parameters``, so a joint of a chain
+        moves the ends of both its pieces.
+    """
+    at = parameter_values(t).values
+    with np.errstate(over="ignore", under="ignore", invalid="ignore"):
+        if isinstance(curve, Chain):
+            return _chain_sensitivity(curve, at)
+        if isinstance(curve, LagrangeCurve):
+            (velocity,) = derivatives_at(curve, curve.parameters, (1,))
+            result: FloatArray = -curve.basis(at)[:, :, 0, None] * velocity
+            return result
+        if isinstance(curve, (HermiteCurve, QuinticHermiteCurve)):
+            return _hermite_sensitivity(curve, at)
+    raise CurveError("curve must be of a family whose dependence on the parameters is known")
+
+
+def _hermite_sensitivity(curve: HermiteCurve | QuinticHermiteCurve, t: FloatArray) -> FloatArray:
+    local = curve.local_basis(t)
+    result = np.zeros((len(t), *curve.points.shape))
+    rows = np.arange(len(t))
+    for end in (0, 1):
+        joint = local.segment + end
+        given = curve.jets[joint][:, 1:]
+        beyond = _next_derivative(curve, end)[local.segment]
+        slopes = np.concatenate([given, beyond[:, None]], axis=1)
+        result[rows, joint] = -np.einsum("mr,mrd->md", local.values[:, end], slopes)
+    return result
+
+
+def _next_derivative(curve: HermiteCurve | QuinticHermiteCurve, end: int) -> FloatArray:
+    """Return the first derivative that is not given, at the beginnings (0) or ends (1) of segments."""
+    h = np.diff(curve.parameters)[:, None]
+    jets = curve.jets if end == 0 else curve.jets
+    near, far = (jets[1:], jets[:-1]) if end else (jets[:-1], jets[1:])
+    # Seen from an end, the other one lies at the signed distance h.
+    h = -h if end else h
+    chord = (far[:, 0] - near[:, 0]) / h
+    if curve.degree == 3:
+        result: FloatArray = (6.0 * chord - 4.0 * near[:, 1] - 2.0 * far[:, 1]) / h
+        return result
+    slope = (60.0 * chord - 36.0 * near[:, 1] - 24.0 * far[:, 1]) / h
+    result = (slope - 9.0 * near[:, 2] + 3.0 * far[:, 2]) / h
+    return result
+
+
+def _chain_sensitivity(chain: Chain, t: FloatArray) -> FloatArray:
+    result = np.zeros((len(t), *chain.points.shape))
+    starts = [piece.domain[0] for piece in chain.pieces[1:]]
+    piece_of = np.searchsorted(starts, t, side="right")
+    first = 0
+    for index, piece in enumerate(chain.pieces):
+        here = np.flatnonzero(piece_of == index)
+        count = len(piece.parameters)
+        if here.size:
+            result[here, first : first + count] = parameter_sensitivity(piece, t[here])
+        first += count - 1
+    return result
+
+
+def worst_case_band(
+    curve: Curve,
+    t: ArrayLike,
+    point_error: ArrayLike = 0.0,
+    parameter_error: ArrayLike = 0.0,
+    velocity_error: ArrayLike = 0.0,
+    acceleration_error: ArrayLike = 0.0,
+) -> Band:
+    """Return how far errors of the data may displace the curve.
+
+    Parameters
+    ----------
+    curve : Curve
+        Of any family; of any dim, but see below.
+    t : float or array_like, shape (m,)
+        A scalar counts as m = 1.
+    point_error : float or array_like, shape (n,), optional
+        Largest length of the error of every point, at least 0.
+    parameter_error : float or array_like, shape (n,), optional
+        Largest size of the error of every t_i, at least 0.
+    velocity_error, acceleration_error : float or array_like, shape (n,), optional
+        The same for velocities and accelerations, per unit of t.
+
+    Returns
+    -------
+    Band
+        Reached by some errors, hence as narrow as can be.
+
+    Raises
+    ------
+    CurveError
+        If an error is negative or of another shape.
+
+    Notes
+    -----
+    Errors of the points and of derivatives enter exactly: they add up to
+    sum_i,r |B_ir(t)| eps_ir in every direction. Errors of the parameters enter
+    to first order; what is left out is about (delta / gap)**2 times the
+    Lebesgue function. Together they reach a sum of segments, a zonotope,
+    whose farthest corner is found exactly in the plane; in space its
+    distance is bounded by the sum of the lengths. `across` is exact always.
+    """
+    at = parameter_values(t).values
+    rows, width = curve.jets.shape[:2]
+    errors = (point_error, velocity_error, acceleration_error)
+    names = ("point_error", "velocity_error", "acceleration_error")
+    with np.errstate(over="ignore", under="ignore", invalid="ignore"):
+        sizes = [_sizes(error, rows, name) for error, name in zip(errors, names, strict=True)][:width]
+        ball = np.einsum("mnr,nr->m", np.abs(curve.basis(at)), np.stack(sizes, axis=1))
+        delta = _sizes(parameter_error, len(curve.parameters), "parameter_error")
+        if not delta.any():
+            return Band(ball, ball.copy())
+        moves = parameter_sensitivity(curve, at) * delta[:, None]
+        farthest = _farthest(moves)
+        (velocity,) = derivatives_at(curve, at, (1,))
+        size = lengths(velocity)
+        rests = size == 0.0
+        unit = velocity / np.where(rests, 1.0, size)[:, None]
+        along = np.einsum("mnd,md->mn", moves, unit)
+        if moves.shape[2] == 2:
+            normal = np.abs(moves[:, :, 1] * unit[:, None, 0] - moves[:, :, 0] * unit[:, None, 1]).sum(axis=1)
+        else:
+            normal = _farthest(moves - along[:, :, None] * unit[:, None])
+        return Band(ball + farthest, ball + np.where(rests, farthest, normal))
+
+
+def _sizes(error: ArrayLike, count: int, name: str) -> FloatArray:
+    sizes = parameter_values(error).values
+    if sizes.size not in (1, count):
+        raise CurveError(f"{name} must be a number or have the shape ({count},), not ({sizes.size},)")
+    if (sizes < 0.0).any():
+        raise CurveError(f"{name} must be at least 0")
+    return np.broadcast_to(sizes, (count,)).astype(np.float64)
+
+
+def _farthest(moves: FloatArray) -> FloatArray:
+    """Return the largest length of a sum of +-moves, shape (m, n, dim) to (m,)."""
+    if moves.shape[2] != 2:
+        total: FloatArray = lengths(moves).sum(axis=1)
+        return total
+    # The corners of the zonotope: all moves turned to point up, then one after the other reversed in
+    # the order of their directions.
+    down = (moves[:, :, 1] < 0.0) | ((moves[:, :, 1] == 0.0) & (moves[:, :, 0] < 0.0))
+    up = np.where(down[:, :, None], -moves, moves)
+    order = np.argsort(np.arctan2(up[:, :, 1], up[:, :, 0]), axis=1)
+    sorted_ = np.take_along_axis(up, order[:, :, None], axis=1)
+    corners = sorted_.sum(axis=1, keepdims=True) - 2.0 * np.cumsum(sorted_, axis=1)
+    result: FloatArray = lengths(corners).max(axis=1)
+    return result
+
+
+def ensemble(
+    curve: Curve,
+    point_error: ArrayLike = 0.0,
+    parameter_error: ArrayLike = 0.0,
+    count: int = 50,
+    seed: int = 0,
+) -> Ensemble:
+    """Return curves with random errors of the data, the same ones for the same seed.
+
+    Parameters
+    ----------
+    curve : Curve
+        Of any family; for errors of the parameters one of those of
+        `parameter_sensitivity`.
+    point_error : float or array_like, shape (n,), optional
+        Every point is displaced by a vector, uniformly distributed in the
+        ball of this radius. n counts ``curve.parameters``.
+    parameter_error : float or array_like, shape (n,), optional
+        Every t_i is displaced, uniformly distributed, by up to this. Less
+        than half the smallest distance of two t_i.
+    count : int, optional
+        At least 1.
+    seed : int, optional
+        At least 0.
+
+    Returns
+    -------
+    Ensemble
+
+    Raises
+    ------
+    CurveError
+        If errors are negative, of another shape, or so large that parameters
+        might change places.
+    """
+    number = integer(count, "count", 1)
+    random = np.random.default_rng(integer(seed, "seed", 0))
+    t = curve.parameters
+    delta = _sizes(parameter_error, len(t), "parameter_error")
+    if (t[:-1] + delta[:-1] >= t[1:] - delta[1:]).any():
+        raise CurveError("parameter_error must be less than half the smallest distance of two parameters")
+    radius = _sizes(point_error, len(t), "point_error")
+    row = curve.row_of_parameter if isinstance(curve, Chain) else np.arange(len(t))
+    shifts = radius[:, None] * _in_ball(random, (number, len(t)), curve.points.shape[1])
+    jets = np.broadcast_to(curve.jets, (number, *curve.jets.shape)).copy()
+    with np.errstate(over="ignore", under="ignore"):
+        jets[:, :, 0] += shifts[:, row]
+    parameters = t + delta * random.uniform(-1.0, 1.0, (number, len(t)))
+    if not delta.any():
+        curves = tuple(curve.with_jets(each) for each in jets)
+    else:
+        curves = tuple(_rebuilt(curve, *each) for each in zip(jets, parameters, strict=True))
+    return Ensemble(curves, jets, parameters)
+
+
+def _in_ball(random: np.random.Generator, shape: tuple[int, int], dim: int) -> FloatArray:
+    direction = random.standard_normal((*shape, dim))
+    radius = random.random(shape) ** (1.0 / dim)
+    result: FloatArray = direction * (radius / lengths(direction))[..., None]
+    return result
+
+
+def _rebuilt(curve: Curve, jets: FloatArray, parameters: FloatArray) -> Curve:
+    """Return a curve of the same family with other data and other parameters."""
+    if isinstance(curve, Chain):
+        pieces: list[Curve] = []
+        row = joint = 0
+        for piece in curve.pieces:
+            count = len(piece.parameters)
+            pieces.append(_rebuilt(piece, jets[row : row + count], parameters[joint : joint + count]))
+            row, joint = row + count, joint + count - 1
+        return Chain(pieces)
+    if not isinstance(curve, (LagrangeCurve, HermiteCurve, QuinticHermiteCurve)):
+        raise CurveError("curve must be of a family whose dependence on the parameters is known")
+    return type(curve)(*jets.transpose(1, 0, 2), parameters)  # type: ignore[arg-type]
