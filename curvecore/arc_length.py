@@ -87,7 +87,8 @@ class _Arcs(NamedTuple):
     end: FloatArray
     slack: FloatArray
 
-    def __getitem__(self, chosen: BoolArray | IntArray) -> _Arcs:  # type: ignore[override]
+    def taken(self, chosen: BoolArray | IntArray) -> _Arcs:
+        """Return some of the arcs."""
         return _Arcs(self.slopes[chosen], self.start[chosen], self.end[chosen], self.slack[chosen])
 
 
@@ -180,7 +181,9 @@ class ArcLength:
         return result[0] if at.is_scalar else result
 
 
-def arc_length(curve: Curve, tolerance: float, start: float | None = None, end: float | None = None) -> Length:
+def arc_length(
+    curve: Curve, tolerance: float, start: float | None = None, end: float | None = None
+) -> Length:
     """Return the arc length of a curve, or of a part of it.
 
     Parameters
@@ -286,15 +289,15 @@ def _accurate(arcs: _Arcs, tolerance: float) -> tuple[_Arcs, FloatArray]:
         count += int(fine.sum())
         if step == _ROUNDS - 1 or count + 2 * int((~fine).sum()) > _MOST:
             fine[:] = True
-        done.append(arcs[fine])
+        done.append(arcs.taken(fine))
         errors.append(bound[fine])
         if fine.all():
             break
-        arcs = _halved(arcs[~fine])
+        arcs = _halved(arcs.taken(~fine))
         share *= 0.5
     order = np.argsort(np.concatenate([each.start for each in done]), kind="stable")
     together = _Arcs(*(np.concatenate(column) for column in zip(*done, strict=True)))
-    return together[order], np.concatenate(errors)[order]
+    return together.taken(order), np.concatenate(errors)[order]
 
 
 def _halved(arcs: _Arcs) -> _Arcs:

@@ -90,7 +90,8 @@ def derivative(coefficients: FloatArray) -> FloatArray:
     degree = coefficients.shape[1] - 1
     if degree == 0:
         return np.zeros_like(coefficients)
-    return degree * np.diff(coefficients, axis=1)
+    result: FloatArray = degree * np.diff(coefficients, axis=1)
+    return result
 
 
 def product(first: FloatArray, second: FloatArray) -> FloatArray:
@@ -209,9 +210,7 @@ def _variations(coefficients: FloatArray, noise: FloatArray) -> IntArray:
     return count
 
 
-def _polished(
-    coefficients: FloatArray, found: list[tuple[IntArray, FloatArray, FloatArray]]
-) -> PieceRoots:
+def _polished(coefficients: FloatArray, found: list[tuple[IntArray, FloatArray, FloatArray]]) -> PieceRoots:
     if not found:
         return PieceRoots(np.zeros(0, dtype=np.intp), np.zeros(0))
     piece, start, size = (np.concatenate(column) for column in zip(*found, strict=True))

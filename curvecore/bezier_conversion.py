@@ -80,7 +80,8 @@ def elevate_degree(control_points: ArrayLike, by: int = 1) -> FloatArray:
     """
     controls = data_array(control_points, "control_points")
     with np.errstate(under="ignore"):
-        return elevated(controls[None], integer(by, "by", 0))[0]
+        result: FloatArray = elevated(controls[None], integer(by, "by", 0))[0]
+    return result
 
 
 def lagrange_to_bezier(curve: LagrangeCurve) -> LagrangeBezier:
@@ -141,7 +142,7 @@ def bezier_stretch(curve: Curve, start: float, end: float) -> FloatArray:
     if jets.shape[1] > 1:
         i = min(int(np.searchsorted(nodes, low, side="right")) - 1, len(nodes) - 2)
         if high > nodes[i + 1]:
-            raise CurveError(f"there must be no joint inside the stretch, but parameters[{i + 1}] is", (i + 1,))
+            raise CurveError(f"parameters[{i + 1}] is inside the stretch; no joint must be", (i + 1,))
         nodes, jets = nodes[i : i + 2], jets[i : i + 2]
     if len(nodes) > MOST:
         raise CurveError(f"curve must have at most {MOST} points to be converted, not {len(nodes)}")

@@ -15,7 +15,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from curvecore.arrays import FloatArray, tolerance_value
+from curvecore.arrays import BoolArray, FloatArray, tolerance_value
 from curvecore.chain import Chain
 from curvecore.curve import Curve
 from curvecore.geometry import curvature_of, lengths
@@ -31,7 +31,7 @@ class Joint(NamedTuple):
 
     Attributes
     ----------
-    index : int
+    joint : int
         Of the joint in ``curve.parameters``; 0 for the joint of a closed curve.
     parameter : float
         t_i.
@@ -53,7 +53,7 @@ class Joint(NamedTuple):
         point at rest never more.
     """
 
-    index: int
+    joint: int
     parameter: float
     point_jump: FloatArray
     velocity_jump: FloatArray
@@ -110,7 +110,7 @@ def joint_report(curve: Curve, tolerance: float = 1e-9, closed: bool = False) ->
         acceleration's terms over |c'|**2.
     closed : bool, optional
         Whether the curve is meant to be closed, so that its end and its
-        beginning are a joint too, reported last with index 0.
+        beginning are a joint too, reported last as joint 0.
 
     Returns
     -------
@@ -189,7 +189,9 @@ def _measured(
             Joint(
                 index,
                 float(parameters[index]),
-                *jumps[row],
+                jumps[row, 0],
+                jumps[row, 1],
+                jumps[row, 2],
                 float(angle[row]),
                 float(signed[0][row]),
                 float(signed[1][row]),
@@ -201,7 +203,7 @@ def _measured(
     return report
 
 
-def _order(holds: np.ndarray) -> int:
+def _order(holds: BoolArray) -> int:
     """Return how many hold from the first on, less one."""
     return int(np.argmin(np.append(holds, False))) - 1
 

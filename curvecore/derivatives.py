@@ -67,9 +67,8 @@ def _at_nodes(curve: LagrangeCurve, orders: tuple[int, ...]) -> list[FloatArray]
     np.fill_diagonal(matrix, 0.0)
     row_sum = matrix.sum(axis=1)
     results = [curve.points]
-    for order in range(1, max(orders) + 1):
+    for _ in range(max(orders)):
         previous = results[-1]
         # The row's own entry is minus the sum of the others: constants have derivative 0.
         results.append((matrix @ previous - row_sum[:, None] * previous) / half)
-        del order
     return [results[order] for order in orders]

@@ -174,7 +174,8 @@ def lengths(vectors: FloatArray) -> FloatArray:
     divisor = np.where(largest > 0.0, largest, 1.0)
     with np.errstate(over="ignore", under="ignore"):
         result = largest * np.sqrt(np.square(vectors / divisor[..., None]).sum(axis=-1))
-    return np.minimum(result, LARGEST)
+    limited: FloatArray = np.minimum(result, LARGEST)
+    return limited
 
 
 def bounding_box(curve: Curve) -> Box:

@@ -119,17 +119,10 @@ def _extent(controls: FloatArray) -> FloatArray:
     return extent
 
 
-def _turns_little(slopes: FloatArray) -> BoolArray:
-    """Tell whether all directions of each row lie within 60 degrees of their mean."""
-    mean = slopes.sum(axis=1, keepdims=True)
-    return (slopes * mean).sum(axis=2).min(axis=1) > 0.5 * lengths(mean)[:, 0] * lengths(slopes).max(axis=1) * (
-        lengths(slopes).min(axis=1) / lengths(slopes).max(axis=1)
-    )
-
-
 def _within_half_plane(slopes: FloatArray) -> BoolArray:
     mean = (slopes / np.maximum(lengths(slopes), np.finfo(float).tiny)[..., None]).sum(axis=1, keepdims=True)
-    return (slopes * mean).sum(axis=2).min(axis=1) > 0.0
+    within: BoolArray = (slopes * mean).sum(axis=2).min(axis=1) > 0.0
+    return within
 
 
 def _simple_arcs(arcs: _Arcs, small: float) -> tuple[_Arcs, bool]:
@@ -187,11 +180,12 @@ def _shrunk(arcs: _Arcs, first: IntArray, second: IntArray, small: float) -> tup
         pairs = _chosen(pairs, ~fine)
         if not len(pairs.first.start):
             return _together(done), True
-        if 4 * len(pairs.first.start) > 4 * _PAIRS:
+        if len(pairs.first.start) > _PAIRS:
             break
         left, right = _halved(pairs.first), _halved(pairs.second)
-        k = np.arange(len(pairs.first.start))
-        a, b = np.repeat(2 * k, 4) + np.tile([0, 0, 1, 1], len(k)), np.repeat(2 * k, 4) + np.tile([0, 1, 0, 1], len(k))
+        first_half = 2 * np.repeat(np.arange(len(pairs.first.start)), 4)
+        a = first_half + np.tile([0, 0, 1, 1], len(pairs.first.start))
+        b = first_half + np.tile([0, 1, 0, 1], len(pairs.first.start))
         pairs = _Pairs(_take(left, a), _take(right, b))
     return _together([*done, _chosen(pairs, ~_adjoining(pairs))]), False
 
@@ -218,7 +212,8 @@ def _may_meet(pairs: _Pairs) -> BoolArray:
     a, b = pairs.first.controls, pairs.second.controls
     boxes = ((a.min(axis=1) <= b.max(axis=1)) & (b.min(axis=1) <= a.max(axis=1))).all(axis=1)
     slopes = np.concatenate([derivative(a), derivative(b)], axis=1)
-    return boxes & ~(_adjoining(pairs) & _within_half_plane(slopes))
+    meet: BoolArray = boxes & ~(_adjoining(pairs) & _within_half_plane(slopes))
+    return meet
 
 
 def _finished(curve: Curve, pairs: _Pairs, tolerance: float) -> FloatArray:

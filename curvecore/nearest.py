@@ -110,7 +110,9 @@ class _Place(NamedTuple):
     bound: float
 
 
-def _search(controls: FloatArray, start: FloatArray, end: FloatArray, tolerance: float, slack: float) -> _Place:
+def _search(
+    controls: FloatArray, start: FloatArray, end: FloatArray, tolerance: float, slack: float
+) -> _Place:
     """Return where the controls come nearest to 0, and a lower bound of their distance."""
     best, parameter = _nearest_end(controls, start, end)
     bound = np.inf

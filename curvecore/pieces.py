@@ -200,4 +200,4 @@ def _to_bernstein(degree: int) -> FloatArray:
     """Return the matrix from Chebyshev to Bernstein coefficients, shape (degree + 1, degree + 1)."""
     s = np.linspace(0.0, 1.0, degree + 1)
     chebyshev = np.cos(np.arange(degree + 1) * np.arccos(np.clip(2.0 * s - 1.0, -1.0, 1.0))[:, None])
-    return read_only(np.linalg.solve(weights(s, degree), chebyshev))
+    return read_only(np.asarray(np.linalg.solve(weights(s, degree), chebyshev), dtype=np.float64))

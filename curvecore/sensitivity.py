@@ -26,7 +26,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
-from curvecore.arrays import FloatArray, integer, parameter_values
+from curvecore.arrays import FloatArray, IntArray, integer, parameter_values
 from curvecore.chain import Chain
 from curvecore.curve import Curve
 from curvecore.derivatives import derivatives_at
@@ -45,6 +45,8 @@ __all__ = [
     "velocity_sensitivity",
     "worst_case_band",
 ]
+
+_UNKNOWN = "curve must be of a family whose dependence on the parameters is known"
 
 
 class Band(NamedTuple):
@@ -163,26 +165,36 @@ def parameter_sensitivity(curve: Curve, t: ArrayLike) -> FloatArray:
             return result
         if isinstance(curve, (HermiteCurve, QuinticHermiteCurve)):
             return _hermite_sensitivity(curve, at)
-    raise CurveError("curve must be of a family whose dependence on the parameters is known")
+    raise CurveError(_UNKNOWN)
 
 
 def _hermite_sensitivity(curve: HermiteCurve | QuinticHermiteCurve, t: FloatArray) -> FloatArray:
-    local = curve.local_basis(t)
+    segment, moves = _local_sensitivity(curve, t)
     result = np.zeros((len(t), *curve.points.shape))
     rows = np.arange(len(t))
     for end in (0, 1):
-        joint = local.segment + end
-        given = curve.jets[joint][:, 1:]
+        result[rows, segment + end] = moves[:, end]
+    return result
+
+
+def _local_sensitivity(
+    curve: HermiteCurve | QuinticHermiteCurve, t: FloatArray
+) -> tuple[IntArray, FloatArray]:
+    """Return the segments, and what their two ends do, shape (m, 2, dim)."""
+    local = curve.local_basis(t)
+    moves = np.empty((len(t), 2, curve.points.shape[1]))
+    for end in (0, 1):
+        given = curve.jets[local.segment + end][:, 1:]
         beyond = _next_derivative(curve, end)[local.segment]
         slopes = np.concatenate([given, beyond[:, None]], axis=1)
-        result[rows, joint] = -np.einsum("mr,mrd->md", local.values[:, end], slopes)
-    return result
+        moves[:, end] = -np.einsum("mr,mrd->md", local.values[:, end], slopes)
+    return local.segment, moves
 
 
 def _next_derivative(curve: HermiteCurve | QuinticHermiteCurve, end: int) -> FloatArray:
     """Return the first derivative that is not given, at the beginnings (0) or ends (1) of segments."""
     h = np.diff(curve.parameters)[:, None]
-    jets = curve.jets if end == 0 else curve.jets
+    jets = curve.jets
     near, far = (jets[1:], jets[:-1]) if end else (jets[:-1], jets[1:])
     # Seen from an end, the other one lies at the signed distance h.
     h = -h if end else h
@@ -191,8 +203,8 @@ def _next_derivative(curve: HermiteCurve | QuinticHermiteCurve, end: int) -> Flo
         result: FloatArray = (6.0 * chord - 4.0 * near[:, 1] - 2.0 * far[:, 1]) / h
         return result
     slope = (60.0 * chord - 36.0 * near[:, 1] - 24.0 * far[:, 1]) / h
-    result = (slope - 9.0 * near[:, 2] + 3.0 * far[:, 2]) / h
-    return result
+    jerk: FloatArray = (slope - 9.0 * near[:, 2] + 3.0 * far[:, 2]) / h
+    return jerk
 
 
 def _chain_sensitivity(chain: Chain, t: FloatArray) -> FloatArray:
@@ -257,11 +269,11 @@ def worst_case_band(
     names = ("point_error", "velocity_error", "acceleration_error")
     with np.errstate(over="ignore", under="ignore", invalid="ignore"):
         sizes = [_sizes(error, rows, name) for error, name in zip(errors, names, strict=True)][:width]
-        ball = np.einsum("mnr,nr->m", np.abs(curve.basis(at)), np.stack(sizes, axis=1))
+        ball = _ball(curve, at, np.stack(sizes, axis=1))
         delta = _sizes(parameter_error, len(curve.parameters), "parameter_error")
         if not delta.any():
             return Band(ball, ball.copy())
-        moves = parameter_sensitivity(curve, at) * delta[:, None]
+        moves = _moves(curve, at, delta)
         farthest = _farthest(moves)
         (velocity,) = derivatives_at(curve, at, (1,))
         size = lengths(velocity)
@@ -273,6 +285,26 @@ def worst_case_band(
         else:
             normal = _farthest(moves - along[:, :, None] * unit[:, None])
         return Band(ball + farthest, ball + np.where(rests, farthest, normal))
+
+
+def _ball(curve: Curve, t: FloatArray, sizes: FloatArray) -> FloatArray:
+    """Return the sum of |B_ir| times the sizes of the errors."""
+    if isinstance(curve, (HermiteCurve, QuinticHermiteCurve)):
+        local = curve.local_basis(t)
+        both = np.stack((sizes[local.segment], sizes[local.segment + 1]), axis=1)
+        result: FloatArray = (np.abs(local.values) * both).sum(axis=(1, 2))
+        return result
+    basis = np.abs(curve.basis(t))
+    ball: FloatArray = basis.reshape(len(basis), -1) @ sizes.ravel()
+    return ball
+
+
+def _moves(curve: Curve, t: FloatArray, delta: FloatArray) -> FloatArray:
+    """Return what parameters do that change by delta, without those that do nothing by construction."""
+    if isinstance(curve, (HermiteCurve, QuinticHermiteCurve)):
+        segment, moves = _local_sensitivity(curve, t)
+        return moves * np.stack((delta[segment], delta[segment + 1]), axis=1)[:, :, None]
+    return parameter_sensitivity(curve, t) * delta[:, None]
 
 
 def _sizes(error: ArrayLike, count: int, name: str) -> FloatArray:
@@ -372,6 +404,10 @@ def _rebuilt(curve: Curve, jets: FloatArray, parameters: FloatArray) -> Curve:
             pieces.append(_rebuilt(piece, jets[row : row + count], parameters[joint : joint + count]))
             row, joint = row + count, joint + count - 1
         return Chain(pieces)
-    if not isinstance(curve, (LagrangeCurve, HermiteCurve, QuinticHermiteCurve)):
-        raise CurveError("curve must be of a family whose dependence on the parameters is known")
-    return type(curve)(*jets.transpose(1, 0, 2), parameters)  # type: ignore[arg-type]
+    if isinstance(curve, LagrangeCurve):
+        return LagrangeCurve(jets[:, 0], parameters)
+    if isinstance(curve, HermiteCurve):
+        return HermiteCurve(jets[:, 0], jets[:, 1], parameters)
+    if isinstance(curve, QuinticHermiteCurve):
+        return QuinticHermiteCurve(jets[:, 0], jets[:, 1], jets[:, 2], parameters)
+    raise CurveError(_UNKNOWN)
