@@ -123,10 +123,12 @@ class ArcLength:
         size = max(size_of(curve.points), float(np.finfo(float).tiny))
         # Derivatives of pieces are some 100 times less accurate, and there may be 100 pieces.
         pieces = bezier_pieces(curve, min(1e-3, 1e-5 * limit / size))
-        self._scale = float(np.ldexp(1.0, max(min(pieces.exponent, 1023), -1000)))
-        slopes = derivative(pieces.controls)
+        shift = min(pieces.exponent, 1000)
+        self._scale = float(np.ldexp(1.0, shift))
+        slopes = np.ldexp(derivative(pieces.controls), pieces.exponent - shift)
+        slack = np.ldexp(pieces.slope_error, pieces.exponent - shift)
         with np.errstate(over="ignore", under="ignore", invalid="ignore"):
-            arcs = _Arcs(slopes, pieces.starts, pieces.ends, pieces.slope_error)
+            arcs = _Arcs(slopes, pieces.starts, pieces.ends, slack)
             self._arcs, error = _accurate(arcs, limit / self._scale)
             lengths = _integrals(self._arcs.slopes, np.zeros(len(error)), np.ones(len(error)))
             self._at = np.concatenate(([0.0], np.cumsum(lengths)))

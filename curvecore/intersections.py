@@ -92,10 +92,11 @@ def self_intersections(curve: Curve, tolerance: float) -> SelfIntersections:
     with np.errstate(over="ignore", under="ignore", invalid="ignore", divide="ignore"):
         size = max(size_of(curve.points), float(np.finfo(float).tiny))
         pieces = bezier_pieces(curve, min(1e-3, 0.1 * limit / size))
-        small = max(float(np.ldexp(limit, -pieces.exponent)), 2.0**-48)
+        small = max(float(np.ldexp(limit, -pieces.exponent)), 2.0**-44)
         arcs, simple = _simple_arcs(_Arcs(pieces.controls, pieces.starts, pieces.ends), small)
-        first, second, is_complete = _pairs(arcs)
-        pairs, ended = _shrunk(arcs, first, second, small)
+        margin = min(4.0 * float(pieces.error.max()), small / 8.0)
+        first, second, is_complete = _pairs(arcs, margin)
+        pairs, ended = _shrunk(arcs, first, second, small, margin)
         found = _finished(curve, pairs, limit)
     points = curve.evaluate(found[:, 0]) if len(found) else np.zeros((0, 2))
     return SelfIntersections(found, points, simple and is_complete and ended)
@@ -145,9 +146,9 @@ def _simple_arcs(arcs: _Arcs, small: float) -> tuple[_Arcs, bool]:
     return _take(together, order), is_complete
 
 
-def _pairs(arcs: _Arcs) -> tuple[IntArray, IntArray, bool]:
-    """Return the pairs of arcs whose boxes meet, first < second."""
-    low, high = arcs.controls.min(axis=1), arcs.controls.max(axis=1)
+def _pairs(arcs: _Arcs, margin: float) -> tuple[IntArray, IntArray, bool]:
+    """Return the pairs of arcs whose boxes meet or almost do, first < second."""
+    low, high = arcs.controls.min(axis=1) - margin, arcs.controls.max(axis=1)
     firsts, seconds = [], []
     total = 0
     for i in range(len(low) - 1):
@@ -168,12 +169,14 @@ class _Pairs(NamedTuple):
     second: _Arcs
 
 
-def _shrunk(arcs: _Arcs, first: IntArray, second: IntArray, small: float) -> tuple[_Pairs, bool]:
+def _shrunk(
+    arcs: _Arcs, first: IntArray, second: IntArray, small: float, margin: float
+) -> tuple[_Pairs, bool]:
     """Halve pairs until both arcs are small."""
     pairs = _Pairs(_take(arcs, first), _take(arcs, second))
     done: list[_Pairs] = []
     for _ in range(_ROUNDS):
-        pairs = _chosen(pairs, _may_meet(pairs))
+        pairs = _chosen(pairs, _may_meet(pairs, margin))
         extent = np.maximum(_extent(pairs.first.controls), _extent(pairs.second.controls))
         fine = extent <= small
         done.append(_chosen(pairs, fine & ~_adjoining(pairs)))
@@ -208,11 +211,11 @@ def _adjoining(pairs: _Pairs) -> BoolArray:
     return touching
 
 
-def _may_meet(pairs: _Pairs) -> BoolArray:
+def _may_meet(pairs: _Pairs, margin: float) -> BoolArray:
     a, b = pairs.first.controls, pairs.second.controls
-    boxes = ((a.min(axis=1) <= b.max(axis=1)) & (b.min(axis=1) <= a.max(axis=1))).all(axis=1)
+    boxes = (a.min(axis=1) - margin <= b.max(axis=1)) & (b.min(axis=1) - margin <= a.max(axis=1))
     slopes = np.concatenate([derivative(a), derivative(b)], axis=1)
-    meet: BoolArray = boxes & ~(_adjoining(pairs) & _within_half_plane(slopes))
+    meet: BoolArray = boxes.all(axis=1) & ~(_adjoining(pairs) & _within_half_plane(slopes))
     return meet
 
 
@@ -243,17 +246,37 @@ def _finished(curve: Curve, pairs: _Pairs, tolerance: float) -> FloatArray:
         best = np.where(better, distance, best)
         if not better.any():
             break
-    return _distinct(curve, np.stack((best_a, best_b), axis=1)[best <= tolerance], tolerance)
+    found = _Found(np.stack((best_a, best_b), axis=1), best, pairs.first.end - pairs.first.start)
+    return _distinct(curve, found, tolerance)
 
 
-def _distinct(curve: Curve, found: FloatArray, tolerance: float) -> FloatArray:
+class _Found(NamedTuple):
+    """Candidates: parameters (k, 2), distances (k,) and how long their arcs were (k,)."""
+
+    parameters: FloatArray
+    gap: FloatArray
+    width: FloatArray
+
+
+def _distinct(curve: Curve, found: _Found, tolerance: float) -> FloatArray:
+    """Keep the best of each cluster of candidates, and no ends of closed curves."""
     first, last = curve.domain
-    near = 1e-6 * (last - first)
-    kept: list[FloatArray] = []
-    for pair in found[np.lexsort((found[:, 1], found[:, 0]))]:
-        ends = pair[0] - first <= near and last - pair[1] <= near
-        if ends or pair[1] - pair[0] <= 1e-12 * (last - first):
-            continue
-        if not any((np.abs(pair - other) <= near).all() for other in kept[-8:]):
-            kept.append(pair)
-    return np.array(kept).reshape(-1, 2)
+    span = last - first
+    a, b = found.parameters.T
+    middle = curve.evaluate(0.5 * a + 0.5 * b)
+    # Two parameters with no loop between them are one place, and so are the ends of a closed curve.
+    usable = (found.gap <= tolerance) & (lengths(middle - curve.evaluate(a)) > 2.0 * tolerance)
+    usable &= (a - first > 1e-6 * span) | (last - b > 1e-6 * span)
+    order = np.flatnonzero(usable)[np.argsort(a[usable], kind="stable")]
+    clusters: list[list[int]] = []
+    for i in order:
+        reach = 4.0 * found.width[i] + 1e-9 * span
+        for cluster in reversed(clusters[-16:]):
+            if a[i] - a[cluster[-1]] <= reach and np.abs(b[cluster[-64:]] - b[i]).min() <= reach:
+                cluster.append(int(i))
+                break
+        else:
+            clusters.append([int(i)])
+    best = [min(cluster, key=lambda i: float(found.gap[i])) for cluster in clusters]
+    result: FloatArray = found.parameters[best].reshape(-1, 2)
+    return result[np.lexsort((result[:, 1], result[:, 0]))]

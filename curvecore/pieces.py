@@ -81,10 +81,9 @@ def bezier_pieces(curve: Curve, tolerance: float) -> BezierPieces:
             return _joined([bezier_pieces(piece, tolerance) for piece in curve.pieces])
         if isinstance(curve, (HermiteCurve, QuinticHermiteCurve)):
             controls = np.nan_to_num(control_points(curve.jets, curve.parameters))
-            pieces = controls, curve.parameters, np.zeros(len(controls)), np.zeros(len(controls))
-        else:
-            pieces = _sampled(curve, tolerance)
-        return _scaled(*pieces)
+            exact = np.zeros(len(controls))
+            return _scaled(controls, curve.parameters, exact, exact, 0)
+        return _sampled(curve, tolerance)
 
 
 def size_of(controls: FloatArray) -> float:
@@ -102,8 +101,9 @@ def parameters_at(pieces: BezierPieces, piece: np.ndarray, place: FloatArray) ->
 
 
 def _scaled(
-    controls: FloatArray, parameters: FloatArray, error: FloatArray, slope_error: FloatArray
+    controls: FloatArray, parameters: FloatArray, error: FloatArray, slope_error: FloatArray, base: int
 ) -> BezierPieces:
+    """Scale pieces, whose controls are in units of 2**base, to a size of about 1."""
     _, exponent = np.frexp(np.abs(controls).max())
     scaled = np.ldexp(controls, -exponent)
     # Each control point is a sum of a few terms of the size of the largest one.
@@ -115,7 +115,7 @@ def _scaled(
         parameters[1:],
         np.ldexp(error, -exponent) + noise,
         np.ldexp(slope_error, -exponent) + 2.0 * degree * noise,
-        int(exponent),
+        int(exponent) + base,
     )
 
 
@@ -139,11 +139,11 @@ def _joined(parts: list[BezierPieces]) -> BezierPieces:
     )
 
 
-def _sampled(curve: Curve, tolerance: float) -> tuple[FloatArray, FloatArray, FloatArray, FloatArray]:
+def _sampled(curve: Curve, tolerance: float) -> BezierPieces:
     degree = min(curve.degree, _DEGREE)
     parameters = curve.parameters
     for step in range(_ROUNDS):
-        coefficients, size = _chebyshev(curve, parameters)
+        coefficients, size, base = _chebyshev(curve, parameters)
         rest = np.linalg.norm(coefficients[:, degree + 1 :], axis=-1)
         error = rest.sum(axis=1)
         wanted = max(tolerance, 64.0 * _UNIT) * size
@@ -165,17 +165,23 @@ def _sampled(curve: Curve, tolerance: float) -> tuple[FloatArray, FloatArray, Fl
     # |T_k'| <= k**2 on an interval of length 2.
     slope_error = 2.0 * (np.maximum(rest - noise[:, None], 0.0) @ np.square(orders) + degree * noise)
     ends = curve.evaluate(parameters)
+    ends = np.ldexp(ends, -base)
     controls[:, 0], controls[:, -1] = ends[:-1], ends[1:]
-    return controls, parameters, 2.0 * error, 2.0 * slope_error
+    return _scaled(controls, parameters, 2.0 * error, 2.0 * slope_error, base)
 
 
-def _chebyshev(curve: Curve, parameters: FloatArray) -> tuple[FloatArray, float]:
-    """Return Chebyshev coefficients on every interval, shape (k, 17, dim), and the curve's size."""
+def _chebyshev(curve: Curve, parameters: FloatArray) -> tuple[FloatArray, float, int]:
+    """Return Chebyshev coefficients on every interval, shape (k, 17, dim), and the curve's size.
+
+    Both are in units of a power of two, whose exponent is returned too.
+    """
     places = _places()
     t = parameters[:-1, None] + np.diff(parameters)[:, None] * places
     t = np.minimum(t, parameters[1:, None])
     sampled = curve.evaluate(t.ravel()).reshape(*t.shape, -1)
-    return np.einsum("cp,kpd->kcd", _transform(), sampled), size_of(sampled)
+    _, base = np.frexp(np.abs(sampled).max())
+    sampled = np.ldexp(sampled, -base)
+    return np.einsum("cp,kpd->kcd", _transform(), sampled), size_of(sampled), int(base)
 
 
 @cache
