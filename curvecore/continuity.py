@@ -175,7 +175,7 @@ def _measured(
     bends = [_bends(each.values) for each in (before, after)]
     bend_jump = lengths(bends[1] - bends[0])
     signed = [_signed(each.values) for each in (before, after)]
-    if jumps.shape[2] == 2:
+    if jumps.shape[2] <= 2:
         bend_jump = signed[1] - signed[0]
     slow = np.minimum(lengths(before.values[:, 1]), lengths(after.values[:, 1]))
     bend_scale = np.maximum(np.abs(signed[0]), np.abs(signed[1])) + scale[:, 2] / slow**2

@@ -73,7 +73,7 @@ def operation_counts(method: str, n: int, dim: int = 2, derivatives: int = 0) ->
         entries = 2 * (size - 2) + sum(2 * (size - order) for order in range(1, width))
         return OperationCounts((count - 1) * (entries + _elimination(size, space)), 2 * space * (size - 1))
     if width in (2, 3) and name == "basis":
-        functions = 5 if width == 2 else 16
+        functions = 6 if width == 2 else 18
         return OperationCounts(0, 6 + 2 * functions + space * (4 * width - 1))
     raise CurveError(f"method {name!r} does not go with {width - 1} derivatives")
 

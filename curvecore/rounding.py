@@ -141,7 +141,8 @@ def evaluate_rounded(
     """
     rows = rounded_decimals(points, parameters, t, method, digits, velocities, accelerations)
     largest = Decimal(float(np.finfo(np.float64).max))
-    return np.array([[_as_float(x, largest) for x in row] for row in rows]).reshape(len(rows), -1)
+    dim = np.shape(points)[1]
+    return np.array([[_as_float(x, largest) for x in row] for row in rows]).reshape(len(rows), dim)
 
 
 def rounded_decimals(
