@@ -127,7 +127,7 @@ class ArcLength:
         self._scale = float(np.ldexp(1.0, shift))
         slopes = np.ldexp(derivative(pieces.controls), pieces.exponent - shift)
         slack = np.ldexp(pieces.slope_error, pieces.exponent - shift)
-        with np.errstate(over="ignore", under="ignore", invalid="ignore"):
+        with np.errstate(all="ignore"):
             arcs = _Arcs(slopes, pieces.starts, pieces.ends, slack)
             self._arcs, error = _accurate(arcs, limit / self._scale)
             lengths = _integrals(self._arcs.slopes, np.zeros(len(error)), np.ones(len(error)))
@@ -151,7 +151,7 @@ class ArcLength:
         """
         at = parameter_values(t)
         arc = np.clip(np.searchsorted(self._arcs.start, at.values, side="right") - 1, 0, None)
-        with np.errstate(over="ignore", under="ignore", invalid="ignore"):
+        with np.errstate(all="ignore"):
             start, end = self._arcs.start[arc], self._arcs.end[arc]
             place = np.clip((at.values - start) / (end - start), 0.0, 1.0)
             part = _integrals(self._arcs.slopes[arc], np.zeros(len(arc)), place)
@@ -174,7 +174,7 @@ class ArcLength:
             by what one unit in the last place of t makes.
         """
         at = parameter_values(length)
-        with np.errstate(over="ignore", under="ignore", invalid="ignore"):
+        with np.errstate(all="ignore"):
             wanted = np.clip(at.values / self._scale, 0.0, self._at[-1])
             arc = np.clip(np.searchsorted(self._at, wanted, side="left") - 1, 0, len(self._at) - 2)
             place = _places(self._arcs.slopes[arc], wanted - self._at[arc], np.diff(self._at)[arc])
@@ -271,7 +271,9 @@ def equal_arc_length_parameters(curve: Curve, count: int, tolerance: float) -> F
     """
     number = integer(count, "count", 2)
     table = ArcLength(curve, tolerance)
-    result = table.parameter_at(table.total.value * (np.arange(number) / (number - 1)))
+    with np.errstate(under="ignore"):
+        wanted = table.total.value * (np.arange(number) / (number - 1))
+    result = table.parameter_at(wanted)
     result[0], result[-1] = curve.domain
     return np.maximum.accumulate(result)
 

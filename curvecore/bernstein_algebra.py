@@ -159,14 +159,13 @@ def sign_changes(coefficients: FloatArray, noise: FloatArray) -> PieceRoots:
     piece = np.arange(len(coefficients))
     start, size = np.zeros(len(piece)), 1.0
     work, limit = coefficients, noise
-    found: list[tuple[IntArray, FloatArray, FloatArray]] = []
+    found: list[_Bracket] = []
     for depth in range(_DEPTH):
         count = _variations(work, limit)
-        single = count == 1
-        if depth == _DEPTH - 1:
-            single = count % 2 == 1
-        if single.any():
-            found.append((piece[single], start[single], np.full(int(single.sum()), size)))
+        single = count % 2 == 1 if depth == _DEPTH - 1 else count == 1
+        # Just inside the right end, for the polynomial may be 0 at the end itself.
+        rising = end_signs(work[single], limit[single], -1) > 0.0
+        found.append(_Bracket(piece[single], start[single], work[single], rising, size))
         rest = count > 1
         if not rest.any() or 2 * int(rest.sum()) > _MOST:
             break
@@ -175,19 +174,38 @@ def sign_changes(coefficients: FloatArray, noise: FloatArray) -> PieceRoots:
         begin = start[rest]
         start = np.stack((begin, begin + size), axis=1).ravel()
         piece, limit = np.repeat(piece[rest], 2), np.repeat(limit[rest], 2)
-        found.extend(_roots_at_cuts(piece, start, work, limit))
-    return _polished(coefficients, found)
+        found.append(_roots_at_cuts(piece, start, work, limit))
+    return _polished(found)
 
 
-def _roots_at_cuts(
-    piece: IntArray, start: FloatArray, work: FloatArray, limit: FloatArray
-) -> list[tuple[IntArray, FloatArray, FloatArray]]:
+class _Bracket(NamedTuple):
+    """Intervals with one change of sign each; of length 0 where a root is known already.
+
+    Attributes
+    ----------
+    piece : ndarray of int, shape (k,)
+    start : ndarray, shape (k,)
+    coefficients : ndarray, shape (k, d + 1)
+        On the interval.
+    rising : ndarray of bool, shape (k,)
+        Whether the polynomial is positive behind the root.
+    size : float
+        Length of the intervals.
+    """
+
+    piece: IntArray
+    start: FloatArray
+    coefficients: FloatArray
+    rising: BoolArray
+    size: float
+
+
+def _roots_at_cuts(piece: IntArray, start: FloatArray, work: FloatArray, limit: FloatArray) -> _Bracket:
     """Find roots where intervals were cut in two, which neither half has inside."""
-    zero = np.abs(work[0::2, -1]) <= limit[0::2]
-    before, after = end_signs(work[0::2], limit[0::2], -1), end_signs(work[1::2], limit[1::2], 1)
-    crossing = zero & (before * after < 0.0)
-    place = start[1::2][crossing]
-    return [(piece[0::2][crossing], place, np.zeros(len(place)))] if place.size else []
+    left, right = work[0::2], work[1::2]
+    before, after = end_signs(left, limit[0::2], -1), end_signs(right, limit[1::2], 1)
+    crossing = (np.abs(left[:, -1]) <= limit[0::2]) & (before * after < 0.0)
+    return _Bracket(piece[0::2][crossing], start[1::2][crossing], right[crossing], after[crossing] > 0.0, 0.0)
 
 
 def end_signs(coefficients: FloatArray, noise: FloatArray, direction: int) -> FloatArray:
@@ -210,24 +228,23 @@ def _variations(coefficients: FloatArray, noise: FloatArray) -> IntArray:
     return count
 
 
-def _polished(coefficients: FloatArray, found: list[tuple[IntArray, FloatArray, FloatArray]]) -> PieceRoots:
-    if not found:
-        return PieceRoots(np.zeros(0, dtype=np.intp), np.zeros(0))
-    piece, start, size = (np.concatenate(column) for column in zip(*found, strict=True))
-    place = _refined(coefficients[piece], start, start + size)
+def _polished(found: list[_Bracket]) -> PieceRoots:
+    piece = np.concatenate([each.piece for each in found])
+    place = np.concatenate([each.start + each.size * _refined(each) for each in found])
     order = np.lexsort((place, piece))
     return PieceRoots(piece[order], place[order])
 
 
-def _refined(coefficients: FloatArray, low: FloatArray, high: FloatArray) -> FloatArray:
+def _refined(bracket: _Bracket) -> FloatArray:
     """Newton's method that falls back to halving an interval with a change of sign."""
-    low, high = low.copy(), high.copy()
-    slopes = derivative(coefficients)
-    rising = values(coefficients, high) > values(coefficients, low)
-    place = 0.5 * (low + high)
+    count = len(bracket.piece)
+    if not count or not bracket.size:
+        return np.zeros(count)
+    low, high, place = np.zeros(count), np.ones(count), np.full(count, 0.5)
+    slopes = derivative(bracket.coefficients)
     for _ in range(_STEPS):
-        value, slope = values(coefficients, place), values(slopes, place)
-        above = (value > 0.0) == rising
+        value, slope = values(bracket.coefficients, place), values(slopes, place)
+        above = (value > 0.0) == bracket.rising
         high, low = np.where(above, place, high), np.where(above, low, place)
         with np.errstate(all="ignore"):
             step = place - value / slope

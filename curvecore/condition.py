@@ -185,6 +185,8 @@ def _solved(rows: list[list[Fraction]]) -> list[list[Fraction]]:
 
 def _norm(matrix: FloatArray, norm: float) -> float:
     largest = float(np.abs(matrix).max())
+    if not np.isfinite(matrix).all():
+        return LARGEST
     scaled = matrix / largest
     if norm == 2:
         return largest * float(np.linalg.norm(scaled, 2))

@@ -50,7 +50,8 @@ def derivatives_at(curve: Curve, t: FloatArray, orders: tuple[int, ...]) -> list
         if sized and last - first > 1.0 / _LIMIT and np.diff(curve.parameters).min() > 1e-9 * (last - first):
             basis = curve.basis(t)[:, :, 0]
             if np.abs(basis).sum(axis=1).max() <= _WORST:
-                return [basis @ data for data in _at_nodes(curve, orders)]
+                with np.errstate(under="ignore"):
+                    return [basis @ data for data in _at_nodes(curve, orders)]
     return [curve.evaluate(t, order) for order in orders]
 
 
@@ -61,9 +62,8 @@ def _at_nodes(curve: LagrangeCurve, orders: tuple[int, ...]) -> list[FloatArray]
     x = (curve.parameters - first) / half
     difference = x[:, None] - x
     np.fill_diagonal(difference, 1.0)
-    with np.errstate(under="ignore"):
-        weight = 1.0 / np.prod(difference, axis=1)
-        matrix = weight / weight[:, None] / difference
+    weight = 1.0 / np.prod(difference, axis=1)
+    matrix = weight / weight[:, None] / difference
     np.fill_diagonal(matrix, 0.0)
     row_sum = matrix.sum(axis=1)
     results = [curve.points]

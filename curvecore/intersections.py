@@ -31,7 +31,9 @@ __all__ = ["SelfIntersections", "self_intersections"]
 
 _ROUNDS = 48
 _ARCS = 1 << 11
-_PAIRS = 1 << 13  # where a curve runs along itself, no number is enough
+_PAIRS = 1 << 12  # at a time; where a curve runs along itself, no number is enough
+_WORK = 1 << 15  # pairs in all
+_CANDIDATES = 1 << 9
 _NEWTON = 12
 
 
@@ -83,8 +85,8 @@ def self_intersections(curve: Curve, tolerance: float) -> SelfIntersections:
 
     Notes
     -----
-    The work is bounded: at most 8192 pairs of pieces at a time, halved at
-    most 48 times.
+    The work is bounded: at most 32768 pairs of pieces are looked at, and 512
+    candidates finished.
     """
     limit = tolerance_value(tolerance)
     if curve.points.shape[1] != 2:
@@ -97,6 +99,7 @@ def self_intersections(curve: Curve, tolerance: float) -> SelfIntersections:
         margin = min(4.0 * float(pieces.error.max()), small / 8.0)
         first, second, is_complete = _pairs(arcs, margin)
         pairs, ended = _shrunk(arcs, first, second, small, margin)
+        ended &= len(pairs.first.start) <= _CANDIDATES
         found = _finished(curve, pairs, limit)
     points = curve.evaluate(found[:, 0]) if len(found) else np.zeros((0, 2))
     return SelfIntersections(found, points, simple and is_complete and ended)
@@ -121,8 +124,11 @@ def _extent(controls: FloatArray) -> FloatArray:
 
 
 def _within_half_plane(slopes: FloatArray) -> BoolArray:
-    mean = (slopes / np.maximum(lengths(slopes), np.finfo(float).tiny)[..., None]).sum(axis=1, keepdims=True)
-    within: BoolArray = (slopes * mean).sum(axis=2).min(axis=1) > 0.0
+    size = lengths(slopes)
+    mean = (slopes / np.maximum(size, np.finfo(float).tiny)[..., None]).sum(axis=1, keepdims=True)
+    # A slope of 0, at a point at rest, turns nowhere.
+    ahead = ((slopes * mean).sum(axis=2) > 0.0) | (size == 0.0)
+    within: BoolArray = ahead.all(axis=1) & (size > 0.0).any(axis=1)
     return within
 
 
@@ -175,6 +181,7 @@ def _shrunk(
     """Halve pairs until both arcs are small."""
     pairs = _Pairs(_take(arcs, first), _take(arcs, second))
     done: list[_Pairs] = []
+    work = 0
     for _ in range(_ROUNDS):
         pairs = _chosen(pairs, _may_meet(pairs, margin))
         extent = np.maximum(_extent(pairs.first.controls), _extent(pairs.second.controls))
@@ -183,7 +190,8 @@ def _shrunk(
         pairs = _chosen(pairs, ~fine)
         if not len(pairs.first.start):
             return _together(done), True
-        if len(pairs.first.start) > _PAIRS:
+        work += len(pairs.first.start)
+        if len(pairs.first.start) > _PAIRS or work > _WORK:
             break
         left, right = _halved(pairs.first), _halved(pairs.second)
         first_half = 2 * np.repeat(np.arange(len(pairs.first.start)), 4)
@@ -221,6 +229,11 @@ def _may_meet(pairs: _Pairs, margin: float) -> BoolArray:
 
 def _finished(curve: Curve, pairs: _Pairs, tolerance: float) -> FloatArray:
     """Polish candidates, keep those that meet, drop repetitions."""
+    count = len(pairs.first.start)
+    if count > _CANDIDATES:
+        chosen = np.zeros(count, dtype=bool)
+        chosen[np.linspace(0, count - 1, _CANDIDATES).astype(np.intp)] = True
+        pairs = _chosen(pairs, chosen)
     a = 0.5 * pairs.first.start + 0.5 * pairs.first.end
     b = 0.5 * pairs.second.start + 0.5 * pairs.second.end
     if not len(a):
@@ -246,7 +259,8 @@ def _finished(curve: Curve, pairs: _Pairs, tolerance: float) -> FloatArray:
         best = np.where(better, distance, best)
         if not better.any():
             break
-    found = _Found(np.stack((best_a, best_b), axis=1), best, pairs.first.end - pairs.first.start)
+    ordered = np.sort(np.stack((best_a, best_b), axis=1), axis=1)
+    found = _Found(ordered, best, pairs.first.end - pairs.first.start)
     return _distinct(curve, found, tolerance)
 
 

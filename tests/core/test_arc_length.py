@@ -1,5 +1,7 @@
 """Lengths are within their bounds of integrals that flint encloses."""
 
+from itertools import pairwise
+
 import numpy as np
 import pytest
 from flint import acb, arb, ctx, fmpq, fmpq_poly
@@ -73,7 +75,9 @@ def hermite_truth(exact, curve):
     total = 0.0
     count = curve.degree + 1
     for i in range(len(curve.parameters) - 1):
-        stretch = [[exact.rational(x) for x in row] for row in bezier_stretch(curve, *curve.parameters[i : i + 2])]
+        stretch = [
+            [exact.rational(x) for x in row] for row in bezier_stretch(curve, *curve.parameters[i : i + 2])
+        ]
         s, r = fmpq_poly([0, 1]), fmpq_poly([1, -1])
         polynomials = []
         for axis in range(curve.points.shape[1]):
@@ -133,7 +137,7 @@ def test_a_line_run_back_and_forth():
 
 
 def test_the_circle_of_quintics_is_almost_a_circle():
-    """Birkhoff and Priver (1967): |e'| <= 5**.5 h**5 M / 30000 for the speed of 2 pi, hence for the length."""
+    """Birkhoff and Priver (1967): |e'| <= 5**.5 h**5 M / 30000, which bounds the length as well."""
     for segments in (4, 8, 16, 32):
         t = uniform(segments + 1)
         angle = 2.0 * np.pi * t
@@ -173,7 +177,7 @@ def test_equal_parts(rng):
     curve = QuinticHermiteCurve(*rng.standard_normal((3, 5, 2)), uniform(5))
     t = equal_arc_length_parameters(curve, 9, 1e-10)
     assert (t[0], t[-1], t.size) == (0.0, 1.0, 9)
-    parts = [arc_length(curve, 1e-11, *pair).value for pair in zip(t[:-1], t[1:], strict=True)]
+    parts = [arc_length(curve, 1e-11, *pair).value for pair in pairwise(t)]
     assert np.ptp(parts) <= 4e-10
 
 

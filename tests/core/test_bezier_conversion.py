@@ -1,6 +1,7 @@
 """Control points of stretches of any curve, exactly."""
 
 from fractions import Fraction
+from itertools import pairwise
 
 import numpy as np
 import pytest
@@ -23,10 +24,7 @@ from curvecore import (
 def de_casteljau(controls, s):
     level = [[Fraction(float(x)) for x in point] for point in controls]
     while len(level) > 1:
-        level = [
-            [(1 - s) * a + s * b for a, b in zip(p, q, strict=True)]
-            for p, q in zip(level[:-1], level[1:], strict=True)
-        ]
+        level = [[(1 - s) * a + s * b for a, b in zip(p, q, strict=True)] for p, q in pairwise(level)]
     return np.array([float(x) for x in level[0]])
 
 
@@ -91,7 +89,9 @@ def test_hermite_segments_and_parts_of_them(rng):
             assert whole == pytest.approx(bezier_segments(curve)[i], abs=1e-15)
             part = bezier_stretch(curve, t[i] + 0.0625, t[i] + 0.125)
             assert part[0] == pytest.approx(curve.evaluate(t[i] + 0.0625), abs=1e-14)
-            assert de_casteljau(part, Fraction(1, 2)) == pytest.approx(curve.evaluate(t[i] + 0.09375), abs=1e-14)
+            assert de_casteljau(part, Fraction(1, 2)) == pytest.approx(
+                curve.evaluate(t[i] + 0.09375), abs=1e-14
+            )
 
 
 def test_pieces_of_a_chain_and_stretches_of_a_polynomial(rng):

@@ -36,7 +36,7 @@ P, V, A = np.array([2.0, 1.0]), np.array([3.0, 4.0]), np.array([-1.0, 2.0])
     ("after", "label", "parametric", "geometric"),
     [
         ((P, V, A), "C2", 2, 2),
-        ((P, V, A + [1.0, 0.0]), "C1", 1, 1),
+        ((P, V, np.add(A, [1.0, 0.0])), "C1", 1, 1),
         # An acceleration along the velocity changes the speed and not the curvature.
         ((P, V, A + 2.0 * V), "C1, G2", 1, 2),
         ((P, 2.0 * V, A), "C0, G1", 0, 1),
@@ -44,7 +44,7 @@ P, V, A = np.array([2.0, 1.0]), np.array([3.0, 4.0]), np.array([-1.0, 2.0])
         ((P, 2.0 * V, 4.0 * A), "C0, G2", 0, 2),
         ((P, [4.0, -3.0], A), "C0", 0, 0),
         ((P, -V, A), "C0", 0, 0),
-        ((P + [0.0, 0.5], V, A), "break", -1, -1),
+        ((np.add(P, [0.0, 0.5]), V, A), "break", -1, -1),
     ],
 )
 def test_the_class_that_was_built_in(after, label, parametric, geometric):

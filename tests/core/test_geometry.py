@@ -79,9 +79,7 @@ def test_curvature_in_exact_arithmetic(rng, exact, name):
             else:
                 segment, values = exact.hermite_terms(exact.rational(x), node, curve.jets.shape[1], order)
                 pairs = [
-                    (v, d)
-                    for end in (0, 1)
-                    for v, d in zip(values[end], data[segment + end], strict=True)
+                    (v, d) for end in (0, 1) for v, d in zip(values[end], data[segment + end], strict=True)
                 ]
             derivatives.append([sum(b * d[axis] for b, d in pairs) for axis in (0, 1)])
         (u, v), (a, b) = derivatives
@@ -96,7 +94,10 @@ def test_curvature_is_signed_in_the_plane_and_not_in_space():
     assert curvature(curve, 0.0) == pytest.approx(2.0, rel=1e-14)
     mirrored = LagrangeCurve(curve.points * [1.0, -1.0], curve.parameters)
     assert curvature(mirrored, 0.0) == pytest.approx(-2.0, rel=1e-14)
-    turned = LagrangeCurve(np.column_stack((curve.points[:, 0], curve.points[:, 1] * 0.6, curve.points[:, 1] * -0.8)), curve.parameters)
+    turned = LagrangeCurve(
+        np.column_stack((curve.points[:, 0], curve.points[:, 1] * 0.6, curve.points[:, 1] * -0.8)),
+        curve.parameters,
+    )
     t = np.linspace(-1.0, 2.0, 50)
     assert curvature(turned, t) == pytest.approx(2.0 / (1.0 + 4.0 * t * t) ** 1.5, rel=1e-12)
 
@@ -153,6 +154,16 @@ def test_the_box_of_a_cubic_in_closed_form():
     box = bounding_box(HermiteCurve([[0, 0], [1, 0]], [[1, 1], [1, 1]], [0, 1]))
     assert box.minimum == pytest.approx([0.0, -np.sqrt(3.0) / 18.0], abs=1e-16)
     assert box.maximum == pytest.approx([1.0, np.sqrt(3.0) / 18.0], abs=1e-16)
+
+
+def test_the_box_where_the_derivative_is_zero_at_both_ends():
+    """A change of sign between zeros at both ends was once looked for in the wrong half."""
+    points = [[0.0], [0.0]]
+    curve = QuinticHermiteCurve(points, [[0.0], [0.0]], [[32.0], [0.0]], [0.0, 1.0])
+    # y = 16 s**2 (1 - s)**3 is largest at 2 / 5.
+    assert bounding_box(curve).maximum == pytest.approx([16.0 * 0.4**2 * 0.6**3], rel=1e-14)
+    curve = QuinticHermiteCurve(points, [[0.0], [0.0]], [[-32.0], [0.0]], [0.0, 1.0])
+    assert bounding_box(curve).minimum == pytest.approx([-16.0 * 0.4**2 * 0.6**3], rel=1e-14)
 
 
 def test_the_box_of_a_chain_with_a_break():
@@ -243,7 +254,7 @@ def test_straight_lines_have_none_of_it():
 @every_family
 @pytest.mark.parametrize("size", [1e-300, 1e-150, 1e150, 1e300])
 def test_sizes_do_not_matter(name, size):
-    """Multiplied by a power of two the curve has the same places of everything, and its box is as much larger."""
+    """Multiplied by a power of two the curve keeps its places, and its box is as much larger."""
     scale = 2.0 ** round(np.log2(size))
     points = np.array([[0, 0], [1, 2], [3, 1], [4, 4], [5, 0]], dtype=float)
     t = uniform(5)

@@ -126,7 +126,9 @@ def test_sizes_do_not_matter(size):
     scale = 2.0 ** round(np.log2(size))
     t = np.linspace(-2.0, 1.5, 4)
     curve = LagrangeCurve(scale * np.stack((t * t, t**3 - t), axis=1), t)
-    assert self_intersections(curve, 1e-9 * scale).parameters == pytest.approx(np.array([[-1.0, 1.0]]), abs=1e-8)
+    assert self_intersections(curve, 1e-9 * scale).parameters == pytest.approx(
+        np.array([[-1.0, 1.0]]), abs=1e-8
+    )
 
 
 def test_unusable_arguments():

@@ -234,7 +234,10 @@ def test_stable_methods_keep_the_digits(rng, digits):
     t = chebyshev(n)
     points, where = rng.standard_normal((n, 2)), np.linspace(0.0, 1.0, 37)
     truth = exact_values(points, t, where)
-    lost = {m: digits_lost(evaluate_rounded(points, t, where, m, digits), truth, digits) for m in available_methods(0)}
+    lost = {
+        m: digits_lost(evaluate_rounded(points, t, where, m, digits), truth, digits)
+        for m in available_methods(0)
+    }
     for method in ("lagrange", "barycentric"):
         # Some 4 n roundings of sum |L_i p_i|, which is at most 2.2 times the size.
         assert lost[method].max() <= np.log10(4 * n * 2.5)
@@ -285,7 +288,9 @@ def test_exact_values_are_the_nearest_doubles(rng, exact, n):
     for x, row in zip(where, found, strict=True):
         terms = exact.lagrange_terms(exact.rational(x), nodes, 0)
         for axis in range(2):
-            total = sum(w * v * exact.rational(p[axis]) for w, v, p in zip(weights, terms, points, strict=True))
+            total = sum(
+                w * v * exact.rational(p[axis]) for w, v, p in zip(weights, terms, points, strict=True)
+            )
             assert row[axis] == int(total.p) / int(total.q)
     for data, curve in (
         ((velocities, None), HermiteCurve(points, velocities, t)),
@@ -319,7 +324,7 @@ def test_rounding_of_data():
 
 def test_digits_lost():
     exact = np.array([[1.0, 0.0], [2.0, 1.0], [0.5, 0.5], [0.5, 0.5]])
-    computed = exact + [[0.0, 0.0], [0.0, 1e-3], [1e-2, 0.0], [np.nan, 0.0]]
+    computed = np.add(exact, [[0.0, 0.0], [0.0, 1e-3], [1e-2, 0.0], [np.nan, 0.0]])
     # The scale is 2: half a unit of the fourth digit is 5e-4 times 2.
     assert digits_lost(computed, exact, 4) == pytest.approx([0.0, 0.0, 1.0, 4.0])
     assert digits_lost(computed, exact, 4, scale=0.2) == pytest.approx([0.0, 1.0, 2.0, 4.0])

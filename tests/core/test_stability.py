@@ -1,6 +1,7 @@
 """Lebesgue constants, condition numbers."""
 
 import math
+from itertools import pairwise
 
 import numpy as np
 import pytest
@@ -40,7 +41,8 @@ def exact_constant(nodes):
                 factor *= fmpq_poly([-other, 1]) / (node - other)
         basis.append(factor)
     best = fmpq(1)
-    for low, high in zip(nodes[:-1], nodes[1:], strict=True):
+    for left, right in pairwise(nodes):
+        low, high = left, right
         middle = (low + high) / 2
         total = sum((p if p(middle) > 0 else -p for p in basis), fmpq_poly([0]))
         slope = total.derivative()
@@ -125,7 +127,9 @@ def test_chains_and_scalars():
 
 
 def float_norm(matrix, norm):
-    return np.linalg.norm(np.array([[float(int(x.p) / int(x.q)) for x in row] for row in matrix.tolist()]), norm)
+    return np.linalg.norm(
+        np.array([[float(int(x.p) / int(x.q)) for x in row] for row in matrix.tolist()]), norm
+    )
 
 
 def confluent(nodes, width):
@@ -149,7 +153,7 @@ def test_vandermonde_matrices(exact, n, norm):
 
 
 def test_known_condition_numbers():
-    """Of the rows (1, 0) and (1, 1) the golden ratio squared; -1 .. 1 is better than 0 .. 1, and that than 1 .. 2."""
+    """Of the rows (1, 0) and (1, 1) the golden ratio squared; the farther from 0, the worse."""
     assert vandermonde_condition([0.0, 1.0]) == pytest.approx(((1.0 + 5.0**0.5) / 2.0) ** 2, rel=1e-14)
     shifts = [vandermonde_condition(np.linspace(a, b, 10)) for a, b in ((-1, 1), (0, 1), (1, 2), (100, 101))]
     assert shifts == sorted(shifts)
