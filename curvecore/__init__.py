@@ -32,7 +32,8 @@ exact               polynomials through data, in integers
 bezier_conversion   exact control points of any stretch, degree elevation
 stability           Lebesgue function and constant
 condition           condition numbers of monomial systems
-sensitivity         derivatives by the data, worst cases, random errors
+sensitivity         derivatives by the data, worst cases
+ensemble            curves with random errors
 rounding            curves computed with k decimal digits, and the truth
 decimal_methods     its methods, operation by operation
 operation_counts    what they cost
@@ -59,6 +60,7 @@ from curvecore.chain import Chain
 from curvecore.condition import monomial_condition, segment_conditions, vandermonde_condition
 from curvecore.continuity import Joint, joint_report
 from curvecore.curve import Curve
+from curvecore.ensemble import Ensemble, ensemble
 from curvecore.errors import CurveError
 from curvecore.flatten import MAX_VERTICES, flatten, flatten_parameters
 from curvecore.geometry import (
@@ -88,9 +90,7 @@ from curvecore.rounding import (
 )
 from curvecore.sensitivity import (
     Band,
-    Ensemble,
     acceleration_sensitivity,
-    ensemble,
     parameter_sensitivity,
     point_sensitivity,
     velocity_sensitivity,

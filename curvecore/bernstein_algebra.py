@@ -253,6 +253,6 @@ def _refined(bracket: _Bracket) -> FloatArray:
         following = np.where(value == 0.0, place, following)
         moved = np.abs(following - place).max()
         place = following
-        if moved <= 2.0**-52:
+        if moved <= 2.0**-49:
             break
     return place

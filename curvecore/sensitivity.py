@@ -26,7 +26,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
-from curvecore.arrays import FloatArray, IntArray, integer, parameter_values
+from curvecore.arrays import FloatArray, IntArray, parameter_values
 from curvecore.chain import Chain
 from curvecore.curve import Curve
 from curvecore.derivatives import derivatives_at
@@ -36,17 +36,17 @@ from curvecore.hermite import HermiteCurve, QuinticHermiteCurve
 from curvecore.lagrange import LagrangeCurve
 
 __all__ = [
+    "UNKNOWN_FAMILY",
     "Band",
-    "Ensemble",
     "acceleration_sensitivity",
-    "ensemble",
+    "error_sizes",
     "parameter_sensitivity",
     "point_sensitivity",
     "velocity_sensitivity",
     "worst_case_band",
 ]
 
-_UNKNOWN = "curve must be of a family whose dependence on the parameters is known"
+UNKNOWN_FAMILY = "curve must be of a family whose dependence on the parameters is known"
 
 
 class Band(NamedTuple):
@@ -63,33 +63,6 @@ class Band(NamedTuple):
 
     distance: FloatArray
     across: FloatArray
-
-
-class Ensemble(NamedTuple):
-    """Data with random errors.
-
-    Attributes
-    ----------
-    curves : tuple of Curve
-        Like the given one, with disturbed data.
-    jets : ndarray, shape (count, rows, R, dim)
-        Their data.
-    parameters : ndarray, shape (count, n)
-        Their parameters.
-    """
-
-    curves: tuple[Curve, ...]
-    jets: FloatArray
-    parameters: FloatArray
-
-    def evaluate(self, t: ArrayLike) -> FloatArray:
-        """Return all curves at t, shape (count, m, dim)."""
-        if (self.parameters == self.parameters[0]).all():
-            basis = self.curves[0].basis(t)
-            flat = basis.reshape(len(basis), -1)
-            with np.errstate(over="ignore", under="ignore"):
-                return flat @ self.jets.reshape(len(self.jets), flat.shape[1], -1)
-        return np.stack([curve.evaluate(np.atleast_1d(np.asarray(t))) for curve in self.curves])
 
 
 def point_sensitivity(curve: Curve, t: ArrayLike) -> FloatArray:
@@ -165,7 +138,7 @@ def parameter_sensitivity(curve: Curve, t: ArrayLike) -> FloatArray:
             return result
         if isinstance(curve, (HermiteCurve, QuinticHermiteCurve)):
             return _hermite_sensitivity(curve, at)
-    raise CurveError(_UNKNOWN)
+    raise CurveError(UNKNOWN_FAMILY)
 
 
 def _hermite_sensitivity(curve: HermiteCurve | QuinticHermiteCurve, t: FloatArray) -> FloatArray:
@@ -268,9 +241,9 @@ def worst_case_band(
     errors = (point_error, velocity_error, acceleration_error)
     names = ("point_error", "velocity_error", "acceleration_error")
     with np.errstate(over="ignore", under="ignore", invalid="ignore"):
-        sizes = [_sizes(error, rows, name) for error, name in zip(errors, names, strict=True)][:width]
+        sizes = [error_sizes(error, rows, name) for error, name in zip(errors, names, strict=True)][:width]
         ball = _ball(curve, at, np.stack(sizes, axis=1))
-        delta = _sizes(parameter_error, len(curve.parameters), "parameter_error")
+        delta = error_sizes(parameter_error, len(curve.parameters), "parameter_error")
         if not delta.any():
             return Band(ball, ball.copy())
         moves = _moves(curve, at, delta)
@@ -307,7 +280,8 @@ def _moves(curve: Curve, t: FloatArray, delta: FloatArray) -> FloatArray:
     return parameter_sensitivity(curve, t) * delta[:, None]
 
 
-def _sizes(error: ArrayLike, count: int, name: str) -> FloatArray:
+def error_sizes(error: ArrayLike, count: int, name: str) -> FloatArray:
+    """Check sizes of errors: one for all or one each, at least 0; return shape (count,)."""
     sizes = parameter_values(error).values
     if sizes.size not in (1, count):
         raise CurveError(f"{name} must be a number or have the shape ({count},), not ({sizes.size},)")
@@ -330,84 +304,3 @@ def _farthest(moves: FloatArray) -> FloatArray:
     corners = sorted_.sum(axis=1, keepdims=True) - 2.0 * np.cumsum(sorted_, axis=1)
     result: FloatArray = lengths(corners).max(axis=1)
     return result
-
-
-def ensemble(
-    curve: Curve,
-    point_error: ArrayLike = 0.0,
-    parameter_error: ArrayLike = 0.0,
-    count: int = 50,
-    seed: int = 0,
-) -> Ensemble:
-    """Return curves with random errors of the data, the same ones for the same seed.
-
-    Parameters
-    ----------
-    curve : Curve
-        Of any family; for errors of the parameters one of those of
-        `parameter_sensitivity`.
-    point_error : float or array_like, shape (n,), optional
-        Every point is displaced by a vector, uniformly distributed in the
-        ball of this radius. n counts ``curve.parameters``.
-    parameter_error : float or array_like, shape (n,), optional
-        Every t_i is displaced, uniformly distributed, by up to this. Less
-        than half the smallest distance of two t_i.
-    count : int, optional
-        At least 1.
-    seed : int, optional
-        At least 0.
-
-    Returns
-    -------
-    Ensemble
-
-    Raises
-    ------
-    CurveError
-        If errors are negative, of another shape, or so large that parameters
-        might change places.
-    """
-    number = integer(count, "count", 1)
-    random = np.random.default_rng(integer(seed, "seed", 0))
-    t = curve.parameters
-    delta = _sizes(parameter_error, len(t), "parameter_error")
-    if (t[:-1] + delta[:-1] >= t[1:] - delta[1:]).any():
-        raise CurveError("parameter_error must be less than half the smallest distance of two parameters")
-    radius = _sizes(point_error, len(t), "point_error")
-    row = curve.row_of_parameter if isinstance(curve, Chain) else np.arange(len(t))
-    shifts = radius[:, None] * _in_ball(random, (number, len(t)), curve.points.shape[1])
-    jets = np.broadcast_to(curve.jets, (number, *curve.jets.shape)).copy()
-    with np.errstate(over="ignore", under="ignore"):
-        jets[:, :, 0] += shifts[:, row]
-    parameters = t + delta * random.uniform(-1.0, 1.0, (number, len(t)))
-    if not delta.any():
-        curves = tuple(curve.with_jets(each) for each in jets)
-    else:
-        curves = tuple(_rebuilt(curve, *each) for each in zip(jets, parameters, strict=True))
-    return Ensemble(curves, jets, parameters)
-
-
-def _in_ball(random: np.random.Generator, shape: tuple[int, int], dim: int) -> FloatArray:
-    direction = random.standard_normal((*shape, dim))
-    radius = random.random(shape) ** (1.0 / dim)
-    result: FloatArray = direction * (radius / lengths(direction))[..., None]
-    return result
-
-
-def _rebuilt(curve: Curve, jets: FloatArray, parameters: FloatArray) -> Curve:
-    """Return a curve of the same family with other data and other parameters."""
-    if isinstance(curve, Chain):
-        pieces: list[Curve] = []
-        row = joint = 0
-        for piece in curve.pieces:
-            count = len(piece.parameters)
-            pieces.append(_rebuilt(piece, jets[row : row + count], parameters[joint : joint + count]))
-            row, joint = row + count, joint + count - 1
-        return Chain(pieces)
-    if isinstance(curve, LagrangeCurve):
-        return LagrangeCurve(jets[:, 0], parameters)
-    if isinstance(curve, HermiteCurve):
-        return HermiteCurve(jets[:, 0], jets[:, 1], parameters)
-    if isinstance(curve, QuinticHermiteCurve):
-        return QuinticHermiteCurve(jets[:, 0], jets[:, 1], jets[:, 2], parameters)
-    raise CurveError(_UNKNOWN)
