@@ -248,7 +248,7 @@ def _refined(bracket: _Bracket) -> FloatArray:
         high, low = np.where(above, place, high), np.where(above, low, place)
         with np.errstate(all="ignore"):
             step = place - value / slope
-        inside: BoolArray = (step > low) & (step < high)
+        inside: BoolArray = (step >= low) & (step <= high)
         following = np.where(inside, step, 0.5 * (low + high))
         following = np.where(value == 0.0, place, following)
         moved = np.abs(following - place).max()
