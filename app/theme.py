@@ -9,8 +9,8 @@ from typing import Final
 
 import numpy as np
 from numpy.typing import NDArray
-from PySide6.QtCore import QByteArray, QObject, QRectF, Qt
-from PySide6.QtGui import QColor, QIcon, QImage, QPainter, QPalette, QPixmap
+from PySide6.QtCore import QByteArray, QObject, QPoint, QRect, QRectF, QSize, Qt
+from PySide6.QtGui import QColor, QIcon, QIconEngine, QImage, QPainter, QPalette, QPixmap
 from PySide6.QtSvg import QSvgRenderer
 from PySide6.QtWidgets import QApplication, QStyleFactory
 
@@ -266,6 +266,7 @@ QTabBar::tab:selected:focus { color: $accent }
 QStatusBar { background: $surface; border-top: 1px solid $line; color: $muted }
 QStatusBar::item { border: none }
 QStatusBar QLabel { color: $muted; padding: 2px 6px }
+QMenu { background: $raised; border: 1px solid $edge; padding: 4px }
 QToolTip { background: $raised; color: $ink; border: 1px solid $line; padding: 4px 6px }
 """
 
@@ -276,6 +277,7 @@ def style_sheet_of(theme: Theme) -> str:
         "$surface": theme.surface,
         "$raised": _role_colours(theme)[QPalette.ColorRole.ToolTipBase],
         "$line": mix(theme.ink, theme.surface, 0.14),
+        "$edge": mix(theme.ink, theme.surface, 0.24),
         "$fine": mix(theme.ink, theme.paper, 0.07),
         "$hover": mix(theme.ink, theme.surface, 0.07),
         "$pressed": mix(theme.ink, theme.surface, 0.14),
@@ -304,6 +306,27 @@ _OKABE_ITO: Final = {
 
 Okabe & Ito, "Color Universal Design" (2008); the dark theme has them as published.
 """
+
+CURVE_COLOURS: Final = {
+    "Ink": "",
+    "Blue": "#0072b2",
+    "Vermillion": "#d55e00",
+    "Bluish green": "#009e73",
+    "Reddish purple": "#cc79a7",
+    "Orange": "#e69f00",
+    "Sky blue": "#56b4e9",
+    "Yellow": "#f0e442",
+}
+"""The colours a curve can have, as a document writes them; the ink is that of the theme."""
+
+
+def curve_colour(code: str, theme: Theme) -> QColor:
+    """Return the colour of a curve in this theme: the Okabe–Ito colours are darker on light paper."""
+    published = _OKABE_ITO["dark"]
+    if code in published:
+        return QColor(_OKABE_ITO[theme.name][published.index(code)])
+    return QColor(code) if code else QColor(theme.curve)
+
 
 # OKLab to cone responses (cube roots), and those to linear RGB:
 # B. Ottosson, "A perceptual color space for image processing" (2020).
@@ -394,16 +417,54 @@ def icon(name: str, theme: Theme) -> QIcon:
         When there is no such icon.
     """
     drawing = resource("icons", f"{name}.svg").read_text(encoding="utf-8")
-    result = QIcon()
-    for pixels in _PIXELS:
-        shape = _render(drawing.replace("currentColor", theme.ink.name()), pixels)
-        checked = _tinted(shape, theme.accent)
-        disabled = _tinted(shape, mix(theme.muted, theme.surface, 0.5))
-        result.addPixmap(QPixmap.fromImage(shape), QIcon.Mode.Normal, QIcon.State.Off)
-        result.addPixmap(QPixmap.fromImage(checked), QIcon.Mode.Normal, QIcon.State.On)
-        for state in (QIcon.State.Off, QIcon.State.On):
-            result.addPixmap(QPixmap.fromImage(disabled), QIcon.Mode.Disabled, state)
-    return result
+    return QIcon(_IconEngine(drawing.replace("currentColor", theme.ink.name()), theme))
+
+
+class _IconEngine(QIconEngine):
+    """Draws an icon when a size of it is first asked for: at the start most never are."""
+
+    def __init__(self, drawing: str, theme: Theme) -> None:
+        super().__init__()
+        self._drawing, self._theme = drawing, theme
+        self._made: dict[tuple[int, QIcon.Mode, QIcon.State], QPixmap] = {}
+
+    def pixmap(self, size: QSize, mode: QIcon.Mode, state: QIcon.State) -> QPixmap:
+        """Return the icon at a size in pixels of the device."""
+        key = (min(size.width(), size.height()), mode, state)
+        if key not in self._made:
+            self._made[key] = QPixmap.fromImage(self._image(*key))
+        return self._made[key]
+
+    def _image(self, pixels: int, mode: QIcon.Mode, state: QIcon.State) -> QImage:
+        shape = _render(self._drawing, max(pixels, 1))
+        if mode is QIcon.Mode.Disabled:
+            return _tinted(shape, mix(self._theme.muted, self._theme.surface, 0.5))
+        return _tinted(shape, self._theme.accent) if state is QIcon.State.On else shape
+
+    def paint(self, painter: QPainter, rect: QRect, mode: QIcon.Mode, state: QIcon.State) -> None:
+        """Draw the icon in the middle of `rect`."""
+        device = painter.device()
+        ratio = device.devicePixelRatioF() if device is not None else 1.0
+        side = min(rect.width(), rect.height())
+        pixmap = QPixmap(self.pixmap(QSize(1, 1) * round(side * ratio), mode, state))
+        pixmap.setDevicePixelRatio(ratio)
+        corner = rect.center() - QPoint(side, side) / 2
+        painter.drawPixmap(QRect(corner, QSize(side, side)), pixmap)
+
+    def availableSizes(  # noqa: N802
+        self, mode: QIcon.Mode = QIcon.Mode.Normal, state: QIcon.State = QIcon.State.Off
+    ) -> list[QSize]:
+        """Return the sizes in use; any other is drawn as well."""
+        return [QSize(pixels, pixels) for pixels in _PIXELS]
+
+    def actualSize(self, size: QSize, mode: QIcon.Mode, state: QIcon.State) -> QSize:  # noqa: N802
+        """Return the square that fits."""
+        side = min(size.width(), size.height())
+        return QSize(side, side)
+
+    def clone(self) -> QIconEngine:
+        """Return another engine for the same drawing."""
+        return _IconEngine(self._drawing, self._theme)
 
 
 def app_icon() -> QIcon:

@@ -20,6 +20,7 @@ bernstein           their control points, and fast evaluation from these
 tangents            velocities and accelerations estimated from points
 bezier              exact and approximate Bezier control points
 flatten             polylines within a tolerance
+frozen              the same while points move and parameters stay
 derivatives         c', c'' at many parameters, by a short cut
 bernstein_algebra   polynomials in Bernstein form: products, roots
 pieces              any curve as Bezier pieces of low degree
@@ -63,6 +64,7 @@ from curvecore.curve import Curve
 from curvecore.ensemble import Ensemble, ensemble
 from curvecore.errors import CurveError
 from curvecore.flatten import MAX_VERTICES, flatten, flatten_parameters
+from curvecore.frozen import FrozenFlattening
 from curvecore.geometry import (
     Box,
     CurvatureExtrema,
@@ -117,6 +119,7 @@ __all__ = [
     "Curve",
     "CurveError",
     "Ensemble",
+    "FrozenFlattening",
     "HermiteCurve",
     "Joint",
     "LagrangeBezier",

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from PySide6.QtCore import QSize, Qt
-from PySide6.QtGui import QIcon, QPainter, QPen, QPixmap
+from PySide6.QtGui import QIcon, QPainter, QPen, QPixmap, QResizeEvent
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QToolButton, QVBoxLayout, QWidget
 
 from app.panels.basis_layers import KIND_STYLES
 from app.panels.basis_panel import BasisPanel
 from app.panels.elided_label import ElidedLabel
+from app.panels.function_lines import note_on_drawing
 from app.theme import LIGHT, Theme
 from app.view_model.basis_view import basis_formulas
 from app.view_model.curve_view import CurveView
@@ -26,6 +27,10 @@ class BasisPane(QWidget):
         self._title = QLabel("Basis functions")
         self._title.setObjectName("basisTitle")
         self._kinds = [self._kind_button(kind) for kind in range(3)]
+        self._formulas: tuple[str, ...] = ()
+        self._reach: tuple[float, float] | None = None
+        self._drawing = ElidedLabel()
+        self._drawing.setObjectName("basisDrawing")
         self._extent = ElidedLabel()
         self._extent.setObjectName("basisExtent")
         self._fit = self._fit_button()
@@ -65,8 +70,10 @@ class BasisPane(QWidget):
         header.addSpacing(8)
         for button in self._kinds:
             header.addWidget(button)
+        header.addWidget(self._drawing)
         header.addStretch(1)
         header.addWidget(self._extent)
+        self._header = header
         header.addWidget(self._fit)
         layout = QVBoxLayout(self)
         layout.setContentsMargins(0, 0, 0, 0)
@@ -80,8 +87,28 @@ class BasisPane(QWidget):
         formulas = basis_formulas(view.source.family)
         for kind, button in enumerate(self._kinds):
             button.setVisible(kind < len(formulas) and len(formulas) > 1)
-            if kind < len(formulas):
-                button.setText(f"{_NAMES[kind]}  {formulas[kind]}")
+        basis = self._panel.basis
+        drawing = note_on_drawing(basis) if basis is not None else ""
+        # Laying the header out costs more than drawing the curve: only when it says something else.
+        if (formulas, drawing) != (self._formulas, self._drawing.text()):
+            self._formulas = formulas
+            self._drawing.setText(drawing)
+            self._write_header()
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        super().resizeEvent(event)
+        self._write_header()
+
+    def _write_header(self) -> None:
+        """Write as much as there is room for: first the words beside the formulas go, then the note's own."""
+        for brief in range(3):
+            for kind, formula in enumerate(self._formulas):
+                self._kinds[kind].setText(formula if brief else f"{_NAMES[kind]}  {formula}")
+            self._extent.setText(_reach_text(self._reach, brief=brief > 1))
+            self._header.invalidate()
+            if self._header.sizeHint().width() <= self.width():
+                break
+        self._extent.setToolTip(_reach_text(self._reach))
 
     @property
     def extent_text(self) -> str:
@@ -92,6 +119,7 @@ class BasisPane(QWidget):
         """Take the colours of `theme`."""
         for kind, button in enumerate(self._kinds):
             button.setIcon(_line_icon(KIND_STYLES[kind], theme))
+        self._drawing.setStyleSheet(f"color: {theme.muted.name()}")
         self._extent.setStyleSheet(f"color: {theme.warning.name()}")
 
     def fit(self) -> None:
@@ -110,13 +138,17 @@ class BasisPane(QWidget):
             self._panel.calm_values()
 
     def _show_extent(self, extent: tuple[float, float] | None) -> None:
-        if extent is not None:
-            reach = f"from {extent[0]:.3g} to {extent[1]:.3g}".replace("-", "−")
-            self._extent.setText(f"⚠ Functions reach {reach}")
-        # Emptied, not hidden: hidden it would leave its room to the other note.
-        if extent is None:
-            self._extent.clear()
+        self._reach = extent
         self._fit.setVisible(extent is not None or self._fit.isChecked())
+        self._write_header()
+
+
+def _reach_text(reach: tuple[float, float] | None, *, brief: bool = False) -> str:
+    """Return the note that the functions leave the range; empty where they do not."""
+    if reach is None:
+        return ""
+    span = f"{reach[0]:.3g} to {reach[1]:.3g}".replace("-", "−")
+    return f"⚠ {span}" if brief else f"⚠ The functions reach from {span}"
 
 
 def _line_icon(style: Qt.PenStyle, theme: Theme) -> QIcon:
