@@ -21,6 +21,23 @@ tangents            velocities and accelerations estimated from points
 bezier              exact and approximate Bezier control points
 flatten             polylines within a tolerance
 frozen              the same while points move and parameters stay
+derivatives         c', c'' at many parameters, by a short cut
+bernstein_algebra   polynomials in Bernstein form: products, roots
+pieces              any curve as Bezier pieces of low degree
+geometry            curvature, box, inflections, extrema of curvature
+arc_length          lengths within a bound, and the way back
+nearest             the nearest point of a curve
+intersections       where a curve crosses itself
+continuity          jumps at the joints, and the class that follows
+exact               polynomials through data, in integers
+bezier_conversion   exact control points of any stretch, degree elevation
+stability           Lebesgue function and constant
+condition           condition numbers of monomial systems
+sensitivity         derivatives by the data, worst cases
+ensemble            curves with random errors
+rounding            curves computed with k decimal digits, and the truth
+decimal_methods     its methods, operation by operation
+operation_counts    what they cost
 ==================  ======================================================
 
 Every family is linear in its data: c(t) = sum over i, r of B_ir(t) d_ir, where
@@ -31,15 +48,57 @@ Arguments are copied and checked; attributes are read-only; there is no global
 state. Indices count from 0.
 """
 
+from curvecore.arc_length import (
+    ArcLength,
+    Length,
+    arc_length,
+    equal_arc_length_parameters,
+    parameter_at_length,
+)
 from curvecore.bezier import CubicPath, bezier_segments, cubic_path
+from curvecore.bezier_conversion import LagrangeBezier, bezier_stretch, elevate_degree, lagrange_to_bezier
 from curvecore.chain import Chain
+from curvecore.condition import monomial_condition, segment_conditions, vandermonde_condition
+from curvecore.continuity import Joint, joint_report
 from curvecore.curve import Curve
+from curvecore.ensemble import Ensemble, ensemble
 from curvecore.errors import CurveError
 from curvecore.flatten import MAX_VERTICES, flatten, flatten_parameters
 from curvecore.frozen import FrozenFlattening
+from curvecore.geometry import (
+    Box,
+    CurvatureExtrema,
+    bounding_box,
+    curvature,
+    curvature_extrema,
+    curvature_of,
+    inflections,
+    speed,
+)
 from curvecore.hermite import HermiteCurve, LocalBasis, QuinticHermiteCurve
+from curvecore.intersections import SelfIntersections, self_intersections
 from curvecore.lagrange import LagrangeCurve
+from curvecore.nearest import Nearest, nearest
+from curvecore.operation_counts import OperationCounts, operation_counts
 from curvecore.parametrization import centripetal, chebyshev, chord_length, power, uniform
+from curvecore.rounding import (
+    Method,
+    available_methods,
+    digits_lost,
+    evaluate_rounded,
+    exact_values,
+    round_data,
+    rounded_decimals,
+)
+from curvecore.sensitivity import (
+    Band,
+    acceleration_sensitivity,
+    parameter_sensitivity,
+    point_sensitivity,
+    velocity_sensitivity,
+    worst_case_band,
+)
+from curvecore.stability import derivative_sums, lebesgue_constant, lebesgue_function
 from curvecore.tangents import (
     bessel_velocities,
     catmull_rom_velocities,
@@ -51,28 +110,74 @@ from curvecore.tangents import (
 
 __all__ = [
     "MAX_VERTICES",
+    "ArcLength",
+    "Band",
+    "Box",
     "Chain",
     "CubicPath",
+    "CurvatureExtrema",
     "Curve",
     "CurveError",
+    "Ensemble",
     "FrozenFlattening",
     "HermiteCurve",
+    "Joint",
+    "LagrangeBezier",
     "LagrangeCurve",
+    "Length",
     "LocalBasis",
+    "Method",
+    "Nearest",
+    "OperationCounts",
     "QuinticHermiteCurve",
+    "SelfIntersections",
+    "acceleration_sensitivity",
+    "arc_length",
+    "available_methods",
     "bessel_velocities",
     "bezier_segments",
+    "bezier_stretch",
+    "bounding_box",
     "catmull_rom_velocities",
     "centripetal",
     "chebyshev",
     "chord_length",
     "cubic_path",
+    "curvature",
+    "curvature_extrema",
+    "curvature_of",
+    "derivative_sums",
+    "digits_lost",
+    "elevate_degree",
+    "ensemble",
+    "equal_arc_length_parameters",
+    "evaluate_rounded",
+    "exact_values",
     "finite_difference_velocities",
     "flatten",
     "flatten_parameters",
+    "inflections",
+    "joint_report",
+    "lagrange_to_bezier",
+    "lebesgue_constant",
+    "lebesgue_function",
+    "monomial_condition",
     "natural_spline_accelerations",
     "natural_spline_velocities",
+    "nearest",
+    "operation_counts",
+    "parameter_at_length",
+    "parameter_sensitivity",
+    "point_sensitivity",
     "power",
+    "round_data",
+    "rounded_decimals",
+    "segment_conditions",
+    "self_intersections",
+    "speed",
     "uniform",
+    "vandermonde_condition",
+    "velocity_sensitivity",
+    "worst_case_band",
     "zero_accelerations",
 ]

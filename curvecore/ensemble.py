@@ -1,0 +1,130 @@
+"""Curves with random errors in their data, repeatable.
+
+What most errors do, beside the worst that `sensitivity` knows.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from curvecore.arrays import FloatArray, integer
+from curvecore.chain import Chain
+from curvecore.curve import Curve
+from curvecore.errors import CurveError
+from curvecore.geometry import lengths
+from curvecore.hermite import HermiteCurve, QuinticHermiteCurve
+from curvecore.lagrange import LagrangeCurve
+from curvecore.sensitivity import UNKNOWN_FAMILY, error_sizes
+
+__all__ = ["Ensemble", "ensemble"]
+
+
+class Ensemble(NamedTuple):
+    """Data with random errors.
+
+    Attributes
+    ----------
+    curves : tuple of Curve
+        Like the given one, with disturbed data.
+    jets : ndarray, shape (count, rows, R, dim)
+        Their data.
+    parameters : ndarray, shape (count, n)
+        Their parameters.
+    """
+
+    curves: tuple[Curve, ...]
+    jets: FloatArray
+    parameters: FloatArray
+
+    def evaluate(self, t: ArrayLike) -> FloatArray:
+        """Return all curves at t, shape (count, m, dim)."""
+        if (self.parameters == self.parameters[0]).all():
+            basis = self.curves[0].basis(t)
+            flat = basis.reshape(len(basis), -1)
+            with np.errstate(over="ignore", under="ignore"):
+                return flat @ self.jets.reshape(len(self.jets), flat.shape[1], -1)
+        return np.stack([curve.evaluate(np.atleast_1d(np.asarray(t))) for curve in self.curves])
+
+
+def ensemble(
+    curve: Curve,
+    point_error: ArrayLike = 0.0,
+    parameter_error: ArrayLike = 0.0,
+    count: int = 50,
+    seed: int = 0,
+) -> Ensemble:
+    """Return curves with random errors of the data, the same ones for the same seed.
+
+    Parameters
+    ----------
+    curve : Curve
+        Of any family; for errors of the parameters one of those of
+        `parameter_sensitivity`.
+    point_error : float or array_like, shape (n,), optional
+        Every point is displaced by a vector, uniformly distributed in the
+        ball of this radius. n counts ``curve.parameters``.
+    parameter_error : float or array_like, shape (n,), optional
+        Every t_i is displaced, uniformly distributed, by up to this. Less
+        than half the smallest distance of two t_i.
+    count : int, optional
+        At least 1.
+    seed : int, optional
+        At least 0.
+
+    Returns
+    -------
+    Ensemble
+
+    Raises
+    ------
+    CurveError
+        If errors are negative, of another shape, or so large that parameters
+        might change places.
+    """
+    number = integer(count, "count", 1)
+    random = np.random.default_rng(integer(seed, "seed", 0))
+    t = curve.parameters
+    delta = error_sizes(parameter_error, len(t), "parameter_error")
+    if (t[:-1] + delta[:-1] >= t[1:] - delta[1:]).any():
+        raise CurveError("parameter_error must be less than half the smallest distance of two parameters")
+    radius = error_sizes(point_error, len(t), "point_error")
+    row = curve.row_of_parameter if isinstance(curve, Chain) else np.arange(len(t))
+    shifts = radius[:, None] * _in_ball(random, (number, len(t)), curve.points.shape[1])
+    jets = np.broadcast_to(curve.jets, (number, *curve.jets.shape)).copy()
+    with np.errstate(over="ignore", under="ignore"):
+        jets[:, :, 0] += shifts[:, row]
+    parameters = t + delta * random.uniform(-1.0, 1.0, (number, len(t)))
+    if not delta.any():
+        curves = tuple(curve.with_jets(each) for each in jets)
+    else:
+        curves = tuple(_rebuilt(curve, *each) for each in zip(jets, parameters, strict=True))
+    return Ensemble(curves, jets, parameters)
+
+
+def _in_ball(random: np.random.Generator, shape: tuple[int, int], dim: int) -> FloatArray:
+    direction = random.standard_normal((*shape, dim))
+    radius = random.random(shape) ** (1.0 / dim)
+    result: FloatArray = direction * (radius / lengths(direction))[..., None]
+    return result
+
+
+def _rebuilt(curve: Curve, jets: FloatArray, parameters: FloatArray) -> Curve:
+    """Return a curve of the same family with other data and other parameters."""
+    if isinstance(curve, Chain):
+        pieces: list[Curve] = []
+        row = joint = 0
+        for piece in curve.pieces:
+            count = len(piece.parameters)
+            pieces.append(_rebuilt(piece, jets[row : row + count], parameters[joint : joint + count]))
+            row, joint = row + count, joint + count - 1
+        return Chain(pieces)
+    if isinstance(curve, LagrangeCurve):
+        return LagrangeCurve(jets[:, 0], parameters)
+    if isinstance(curve, HermiteCurve):
+        return HermiteCurve(jets[:, 0], jets[:, 1], parameters)
+    if isinstance(curve, QuinticHermiteCurve):
+        return QuinticHermiteCurve(jets[:, 0], jets[:, 1], jets[:, 2], parameters)
+    raise CurveError(UNKNOWN_FAMILY)

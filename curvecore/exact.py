@@ -1,0 +1,109 @@
+"""Exact polynomials through given data, in integers.
+
+Every double is an integer times a power of two, so that interpolation needs
+no rounding: nodes become integers over a common power of two, and only the
+last division of an integer by another one rounds, once.
+
+References
+----------
+.. [1] J. Stoer and R. Bulirsch, "Introduction to Numerical Analysis", 3rd
+   ed., Springer 2002, section 2.1.5: divided differences with equal nodes.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from fractions import Fraction
+from typing import NamedTuple
+
+from curvecore.scaling import LARGEST
+
+__all__ = ["CommonPolynomial", "as_float", "interpolated", "newton_coefficients", "scaled_integers"]
+
+
+class CommonPolynomial(NamedTuple):
+    """A polynomial sum a_k t**k / b with integers a_k and b.
+
+    Attributes
+    ----------
+    coefficients : tuple of int
+        a_0, a_1, ...
+    denominator : int
+        b > 0.
+    """
+
+    coefficients: tuple[int, ...]
+    denominator: int
+
+    def value(self, t: float) -> tuple[int, int]:
+        """Return the value at t as numerator and denominator."""
+        top, bottom = t.as_integer_ratio()
+        result, power = self.coefficients[-1], 1
+        for coefficient in reversed(self.coefficients[:-1]):
+            power *= bottom
+            result = result * top + coefficient * power
+        return result, self.denominator * power
+
+
+def scaled_integers(values: Sequence[float]) -> tuple[list[int], int]:
+    """Return integers and the least power of two 2**e >= 1 with value = integer / 2**e, and that power."""
+    ratios = [float(value).as_integer_ratio() for value in values]
+    power = max((bottom for _, bottom in ratios), default=1)
+    return [top * (power // bottom) for top, bottom in ratios], power
+
+
+def as_float(numerator: int, denominator: int) -> float:
+    """Return a quotient of integers, correctly rounded, limited to the largest finite number."""
+    try:
+        return numerator / denominator
+    except OverflowError:
+        return LARGEST if (numerator > 0) == (denominator > 0) else -LARGEST
+
+
+def newton_coefficients(nodes: Sequence[Fraction], jets: Sequence[Sequence[Fraction]]) -> list[Fraction]:
+    """Return divided differences for nodes with derivatives.
+
+    Parameters
+    ----------
+    nodes : sequence of Fraction, n
+        Distinct.
+    jets : sequence of n sequences of Fraction, R each
+        Value and derivatives at each node.
+
+    Returns
+    -------
+    list of Fraction, n R
+        The coefficients of 1, (t - t_0), (t - t_0)**2, ...: each node R times.
+    """
+    width = len(jets[0])
+    repeated = [node for node in nodes for _ in range(width)]
+    of = [jet for jet in jets for _ in range(width)]
+    column = [jet[0] for jet in of]
+    result = [column[0]]
+    for order in range(1, len(repeated)):
+        following = []
+        for i in range(len(repeated) - order):
+            gap = repeated[i + order] - repeated[i]
+            equal = of[i][order] / math.factorial(order) if not gap else (column[i + 1] - column[i]) / gap
+            following.append(equal)
+        column = following
+        result.append(column[0])
+    return result
+
+
+def interpolated(nodes: Sequence[float], jets: Sequence[Sequence[float]]) -> CommonPolynomial:
+    """Return the polynomial with given values and derivatives at distinct nodes, exactly."""
+    places = [Fraction(float(node)) for node in nodes]
+    data = [[Fraction(float(value)) for value in jet] for jet in jets]
+    differences = newton_coefficients(places, data)
+    repeated = [place for place in places for _ in range(len(data[0]))]
+    coefficients = [differences[-1]]
+    for difference, place in zip(reversed(differences[:-1]), reversed(repeated[:-1]), strict=True):
+        raised = [Fraction(0), *coefficients]
+        lowered = [place * each for each in coefficients]
+        coefficients = [a - b for a, b in zip(raised, [*lowered, Fraction(0)], strict=True)]
+        coefficients[0] += difference
+    denominator = math.lcm(*(each.denominator for each in coefficients))
+    integers = (each.numerator * (denominator // each.denominator) for each in coefficients)
+    return CommonPolynomial(tuple(integers), denominator)

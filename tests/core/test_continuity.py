@@ -1,0 +1,138 @@
+"""Jumps at joints are the ones that were built in."""
+
+import numpy as np
+import pytest
+
+from curvecore import (
+    Chain,
+    CurveError,
+    HermiteCurve,
+    LagrangeCurve,
+    QuinticHermiteCurve,
+    catmull_rom_velocities,
+    joint_report,
+    natural_spline_velocities,
+    uniform,
+)
+
+T = np.array([0.0, 1.0, 2.5, 3.0, 4.0])
+POINTS = np.array([[0, 0], [1, 2], [3, 1], [4, 4], [5, 0]], dtype=float)
+ORIGIN = np.zeros(2)
+
+
+def joined(before, after):
+    """Two quintics that meet at t = 0 with the given point, velocity and acceleration on each side."""
+    far = [ORIGIN + 1.0, ORIGIN + 1.0, ORIGIN]
+    left = QuinticHermiteCurve(*zip(far, before, strict=True), [-1.0, 0.0])
+    right = QuinticHermiteCurve(*zip(after, far, strict=True), [0.0, 1.0])
+    (joint,) = joint_report(Chain([left, right]))
+    return joint
+
+
+P, V, A = np.array([2.0, 1.0]), np.array([3.0, 4.0]), np.array([-1.0, 2.0])
+
+
+@pytest.mark.parametrize(
+    ("after", "label", "parametric", "geometric"),
+    [
+        ((P, V, A), "C2", 2, 2),
+        ((P, V, np.add(A, [1.0, 0.0])), "C1", 1, 1),
+        # An acceleration along the velocity changes the speed and not the curvature.
+        ((P, V, A + 2.0 * V), "C1, G2", 1, 2),
+        ((P, 2.0 * V, A), "C0, G1", 0, 1),
+        # c(2 t): velocity twice, acceleration four times.
+        ((P, 2.0 * V, 4.0 * A), "C0, G2", 0, 2),
+        ((P, [4.0, -3.0], A), "C0", 0, 0),
+        ((P, -V, A), "C0", 0, 0),
+        ((np.add(P, [0.0, 0.5]), V, A), "break", -1, -1),
+    ],
+)
+def test_the_class_that_was_built_in(after, label, parametric, geometric):
+    joint = joined((P, V, A), after)
+    assert (joint.label, joint.parametric, joint.geometric) == (label, parametric, geometric)
+    assert joint.point_jump == pytest.approx(np.subtract(after[0], P), abs=1e-15)
+    assert joint.velocity_jump == pytest.approx(np.subtract(after[1], V), abs=1e-14)
+    assert joint.acceleration_jump == pytest.approx(np.subtract(after[2], A), abs=1e-14)
+    assert (joint.joint, joint.parameter) == (1, 0.0)
+
+
+@pytest.mark.parametrize("angle", [1e-12, 1e-6, 0.1, 1.0, 3.0, np.pi])
+def test_angles(angle):
+    turned = [np.cos(angle) * 3.0 - np.sin(angle) * 4.0, np.sin(angle) * 3.0 + np.cos(angle) * 4.0]
+    joint = joined((P, V, A), (P, turned, A))
+    assert joint.angle == pytest.approx(angle, abs=1e-15)
+    assert joint.geometric >= 1 if angle < 1e-9 else joint.geometric == 0
+
+
+def test_curvatures_on_both_sides():
+    joint = joined((P, V, A), (P, V, [-2.0, 2.0]))
+    assert joint.curvature_before == pytest.approx((3.0 * 2.0 + 4.0) / 125.0)
+    assert joint.curvature_after == pytest.approx((3.0 * 2.0 + 8.0) / 125.0)
+    assert joint.curvature_jump == pytest.approx(4.0 / 125.0)
+
+
+@pytest.mark.parametrize("shift", [0.0, 1e3])
+def test_splines_are_twice_continuous_and_catmull_rom_is_not(shift):
+    spline = HermiteCurve(POINTS + shift, natural_spline_velocities(POINTS, T), T)
+    assert [joint.label for joint in joint_report(spline)] == ["C2"] * 3
+    rom = HermiteCurve(POINTS + shift, catmull_rom_velocities(POINTS, T), T)
+    assert [joint.label for joint in joint_report(rom)] == ["C1"] * 3
+
+
+def test_jumps_are_those_of_the_pieces(rng):
+    curve = HermiteCurve(POINTS, rng.standard_normal((5, 2)), T)
+    for joint in joint_report(curve):
+        i = joint.joint
+        left = HermiteCurve(POINTS[i - 1 : i + 1], curve.jets[i - 1 : i + 1, 1], T[i - 1 : i + 1])
+        jump = curve.evaluate(T[i], 2) - left.evaluate(T[i], 2)
+        assert joint.acceleration_jump == pytest.approx(jump, rel=1e-12)
+        assert (joint.velocity_jump == 0.0).all()
+
+
+def test_one_polynomial_is_smooth_at_its_points():
+    report = joint_report(LagrangeCurve(POINTS, T))
+    assert [joint.label for joint in report] == ["C2"] * 3
+    assert all((joint.acceleration_jump == 0.0).all() for joint in report)
+    assert joint_report(LagrangeCurve(POINTS[:2], T[:2])) == []
+
+
+def test_a_closed_curve_has_one_joint_more():
+    square = np.array([[0, 0], [1, 0], [1, 1], [0, 0]], dtype=float)
+    curve = HermiteCurve(square, [[1, 1], [0, 1], [-1, 0], [2, 2]], uniform(4))
+    last = joint_report(curve, closed=True)[-1]
+    assert (last.joint, last.label) == (0, "C0, G1")
+    assert last.velocity_jump.tolist() == [-1.0, -1.0]
+
+
+def test_a_point_at_rest_has_no_direction():
+    joint = joined((P, ORIGIN, A), (P, ORIGIN, A))
+    assert np.isnan(joint.angle)
+    assert np.isnan(joint.curvature_before)
+    assert (joint.parametric, joint.geometric) == (2, 0)
+
+
+def test_space_and_line():
+    for dim in (1, 3):
+        curve = HermiteCurve(np.ones((3, dim)) * [[0], [1], [3]], np.ones((3, dim)), uniform(3))
+        (joint,) = joint_report(curve)
+        assert joint.parametric == 1
+        assert np.isnan(joint.curvature_jump) if dim == 1 else joint.curvature_jump == pytest.approx(0.0)
+
+
+@pytest.mark.parametrize("tolerance", [1e-3, 1e-6, 1e-9])
+def test_the_tolerance_is_relative(tolerance):
+    for scale in (1e-100, 1.0, 1e100):
+        for share, smooth in ((0.1, True), (10.0, False)):
+            shifted = natural_spline_velocities(POINTS, T)
+            shifted[2] += share * tolerance * np.array([3.0, 1.0])
+            pieces = [
+                HermiteCurve(scale * POINTS[:3], scale * natural_spline_velocities(POINTS, T)[:3], T[:3]),
+                HermiteCurve(scale * POINTS[2:], scale * shifted[2:], T[2:]),
+            ]
+            joint = joint_report(Chain(pieces), tolerance)[1]
+            assert (joint.parametric >= 1) == smooth
+
+
+def test_unusable_arguments():
+    with pytest.raises(CurveError, match="tolerance"):
+        joint_report(LagrangeCurve(POINTS, T), 0.0)

@@ -1,0 +1,104 @@
+"""The nearest point of a curve is the nearest of all."""
+
+import numpy as np
+import pytest
+
+from curvecore import (
+    Chain,
+    CurveError,
+    HermiteCurve,
+    LagrangeCurve,
+    QuinticHermiteCurve,
+    chebyshev,
+    natural_spline_velocities,
+    nearest,
+    uniform,
+)
+
+
+def curves(rng, n, dim):
+    points, t = rng.standard_normal((n, dim)), chebyshev(n)
+    velocities = natural_spline_velocities(points, t)
+    yield LagrangeCurve(points, t)
+    yield HermiteCurve(points, velocities, t)
+    yield QuinticHermiteCurve(points, velocities, 5.0 * rng.standard_normal((n, dim)), t)
+
+
+@pytest.mark.parametrize("dim", [1, 2, 3])
+@pytest.mark.parametrize("n", [2, 5, 20])
+def test_no_sample_of_the_curve_is_nearer(rng, n, dim):
+    for curve in curves(rng, n, dim):
+        dense = curve.evaluate(np.linspace(0.0, 1.0, 5001))
+        for _ in range(8):
+            point = 1.5 * rng.standard_normal(dim)
+            found = nearest(curve, point, 1e-9)
+            assert found.distance <= np.linalg.norm(dense - point, axis=1).min() + 1e-9
+            assert found.error <= 1e-9
+            assert (found.point == curve.evaluate(found.parameter)).all()
+            assert found.distance == pytest.approx(np.linalg.norm(found.point - point), rel=1e-15)
+
+
+@pytest.mark.parametrize("tolerance", [1.0, 1e-2, 1e-4, 1e-6, 1e-8, 1e-10, 1e-12])
+def test_points_of_the_curve_are_found_again(rng, tolerance):
+    for curve in curves(rng, 8, 2):
+        for t in (0.0, 0.123, 0.7, 1.0):
+            found = nearest(curve, curve.evaluate(t), tolerance)
+            assert found.distance <= tolerance
+
+
+def test_a_parabola_in_closed_form():
+    """Of (t, t**2) the nearest to (0, a) is at t**2 = a - 1/2, and at 0 below 1/2."""
+    t = np.linspace(-2.0, 2.0, 3)
+    curve = LagrangeCurve(np.stack((t, t * t), axis=1), t)
+    for a in (0.6, 1.0, 2.5):
+        found = nearest(curve, [0.0, a], 1e-14)
+        assert abs(found.parameter) == pytest.approx(np.sqrt(a - 0.5), abs=1e-9)
+        assert found.distance == pytest.approx(np.sqrt(a - 0.25), abs=1e-14)
+    for a in (-1.0, 0.0, 0.4, 0.5):
+        # At 1/2, the centre of curvature, the distance is flat to fourth order.
+        assert nearest(curve, [0.0, a], 1e-14).distance == pytest.approx(abs(a), abs=2e-14)
+
+
+def test_the_centre_of_a_circle_is_as_near_to_all_of_it():
+    angle = 2.0 * np.pi * uniform(65)
+    point = np.stack((np.cos(angle), np.sin(angle)), axis=1)
+    velocity = 2.0 * np.pi * np.stack((-point[:, 1], point[:, 0]), axis=1)
+    curve = QuinticHermiteCurve(point, velocity, -4.0 * np.pi**2 * point, uniform(65))
+    found = nearest(curve, [0.0, 0.0], 1e-9)
+    assert abs(found.distance - 1.0) < 1e-9
+    assert found.error <= 1e-9
+
+
+def test_the_other_side_of_a_break_is_seen():
+    left = HermiteCurve([[0, 0], [1, 0]], [[1, 0], [1, 0]], [0, 1])
+    right = HermiteCurve([[0, 5], [1, 5]], [[1, 0], [1, 0]], [1, 2])
+    chain = Chain([left, right])
+    assert nearest(chain, [0.25, 4.0], 1e-9).parameter == pytest.approx(1.25, abs=1e-8)
+    assert nearest(chain, [0.25, 1.0], 1e-9).parameter == pytest.approx(0.25, abs=1e-8)
+
+
+@pytest.mark.parametrize("size", [1e-300, 1e-150, 1e150, 1e300])
+def test_sizes_do_not_matter(rng, size):
+    scale = 2.0 ** round(np.log2(size))
+    for curve in curves(rng, 5, 2):
+        small = nearest(curve, [0.3, 0.2], 1e-9)
+        large = nearest(curve.with_jets(scale * curve.jets), [0.3 * scale, 0.2 * scale], 1e-9 * scale)
+        assert large.distance / scale == pytest.approx(small.distance, abs=2e-9)
+
+
+def test_far_away_and_at_rest(rng):
+    curve = HermiteCurve(np.ones((3, 2)), np.zeros((3, 2)), uniform(3))
+    assert nearest(curve, [4.0, 5.0], 1e-9).distance == 5.0
+    for curve in curves(rng, 5, 2):
+        found = nearest(curve, [1e12, -1e12], 1e-3)
+        dense = curve.evaluate(np.linspace(0.0, 1.0, 2001))
+        assert found.distance <= np.linalg.norm(dense - [1e12, -1e12], axis=1).min() + 2e-3
+
+
+def test_unusable_arguments(rng):
+    curve = next(curves(rng, 4, 2))
+    for point in ([0.0], [0.0, 1.0, 2.0], 3.0, [[0.0, 1.0]], [0.0, np.nan]):
+        with pytest.raises(CurveError):
+            nearest(curve, point, 1e-3)
+    with pytest.raises(CurveError, match="tolerance"):
+        nearest(curve, [0.0, 0.0], -1.0)
