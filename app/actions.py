@@ -8,8 +8,9 @@ from dataclasses import dataclass
 from PySide6.QtGui import QAction, QActionGroup, QKeySequence
 from PySide6.QtWidgets import QWidget
 
+from app.icons import icon
 from app.keymap import Binding, Keymap, keys_text
-from app.theme import Theme, icon
+from app.theme import Theme
 
 
 @dataclass(frozen=True)

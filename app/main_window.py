@@ -26,6 +26,7 @@ from app.examples import example_name, example_paths
 from app.file_commands import FileCommands, title_of
 from app.gestures.rail import RailTool
 from app.gestures.tools import CanvasTool
+from app.icons import app_icon
 from app.panels.basis_pane import BasisPane
 from app.panels.basis_panel import BasisPanel
 from app.panels.curve_list import CurveList
@@ -38,9 +39,8 @@ from app.panels.point_table import PointTable
 from app.panels.status_line import StatusLine
 from app.preferences import Preferences
 from app.session import Session
-from app.theme import ThemeMode, app_icon, apply_theme, theme_of
+from app.theme import ThemeMode, apply_theme, theme_of
 from app.toolbar import Toolbar
-
 
 _PANELS_MS = 50
 """How far the panels may lag behind a drag, in milliseconds; the canvas and the functions never do."""

@@ -1,6 +1,6 @@
 """The canvas: the curve, its points and handles, drawn and grabbed.
 
-- ``canvas``: the widget.
+- ``canvas_view``: what is shown.  ``canvas``: the widget, with the gestures on it.
 - ``curve_layer``, ``point_layer``, ``grid_layer``, ``unit_layer``, ``image_layer``: what it draws.
 - ``image_file``: reads a picture to trace.
 - ``overlay_layer``: what a gesture shows over it: rubber band, box with grips, what was snapped to, a ruler.

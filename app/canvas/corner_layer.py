@@ -5,9 +5,10 @@ from __future__ import annotations
 from PySide6.QtCore import QRectF
 from PySide6.QtGui import QPainter, QPen
 
+from app.colours import point_colours
 from app.plot.pixel_map import PixelMap
 from app.plot.plot_widget import PlotWidget
-from app.theme import Theme, point_colours
+from app.theme import Theme
 from app.view_model.curve_view import CurveView
 from app.view_model.jets import corners_of
 

@@ -5,10 +5,11 @@ from __future__ import annotations
 from PySide6.QtCore import QAbstractAnimation, Qt, QVariantAnimation
 from PySide6.QtGui import QColor, QPainter, QPen
 
+from app.colours import curve_colour
 from app.plot.drawing import Stroke
 from app.plot.pixel_map import Floats, PixelMap
 from app.plot.plot_widget import Layer, PlotWidget
-from app.theme import Theme, curve_colour
+from app.theme import Theme
 from app.view_model.curve_view import CurveView, Polyline
 
 TOLERANCE = 0.1

@@ -7,7 +7,8 @@ from PySide6.QtGui import QCursor, QKeyEvent
 
 from app.gestures.pointer import Cursor, Hint
 from app.gestures.tools import ToolKind
-from app.theme import Theme, icon
+from app.icons import icon
+from app.theme import Theme
 
 ARROWS = {
     Qt.Key.Key_Left: (-1, 0),

@@ -12,12 +12,13 @@ from PySide6.QtGui import QColor, QPainter, QPen, QPixmap
 
 from app.canvas.curve_layer import TOLERANCE
 from app.canvas.hit_test import CURVE_REACH
+from app.colours import curve_colour
 from app.document.model import Vector
 from app.gestures.pointer import Hit, Part
 from app.plot.drawing import Stroke
 from app.plot.pixel_map import Floats, PixelMap
 from app.plot.plot_widget import PlotWidget
-from app.theme import Theme, curve_colour, mix
+from app.theme import Theme, mix
 from app.view_model.curve_view import CurveView
 
 _WIDTH = 1.5

@@ -8,14 +8,14 @@ from dataclasses import replace
 from enum import Enum
 
 from app.document.model import Document, Vector
-from app.gestures import words
-from app.gestures.bend_drag import BendCurve, bend_keys
+from app.gestures import hints, words
+from app.gestures.bend_drag import BendCurve
 from app.gestures.drags import AppendPoint, DragHandle, InsertPoint, MovePoints, PullVelocity, StepPoints
 from app.gestures.machine import DragMachine, Host
 from app.gestures.marquee import Marquee
 from app.gestures.measure import Measure
 from app.gestures.overlay import Note, Overlay
-from app.gestures.pointer import Cursor, Hint, Hit, Part, Pointer
+from app.gestures.pointer import Hint, Hit, Part, Pointer
 from app.gestures.snapping import Magnet, SnapKind, Snapping, targets_of
 from app.gestures.transform import ModalTransform, Transform, TransformKind
 from app.gestures.transform_box import Grip, ScaleBox, TransformBox, box_of
@@ -296,19 +296,27 @@ class CanvasTool:
         if curve.locked:
             return Hint(_LOCKED.format(curve.name))
         if hit.part is not Part.CURVE:
-            return self._hint_for(hit)
+            return hints.on_part(hit, self._host.active_view, self._host.selection, snaps=self.snapping.on)
         if self.kind is ToolKind.ADD:
-            return self._hint_to_add(hit)
+            return hints.to_add(hit, self._host.active_view, snaps=self.snapping.on)
         grip = self._grip_at(pointer)
-        return self._hint_to_bend(hit) if grip is None else self._hint_for_grip(grip[1])
+        return (
+            hints.to_bend(hit, self._host.active_view)
+            if grip is None
+            else hints.on_grip(grip[1], self._host.selection)
+        )
 
     def _hint_beside(self, pointer: Pointer) -> Hint:
         if self.kind is ToolKind.ADD:
             curve = self._host.active_view.source
-            return Hint(_LOCKED.format(curve.name)) if curve.locked else self._hint_to_add(None)
+            return (
+                Hint(_LOCKED.format(curve.name))
+                if curve.locked
+                else hints.to_add(None, self._host.active_view, snaps=self.snapping.on)
+            )
         grip = self._grip_at(pointer)
         if grip is not None:
-            return self._hint_for_grip(grip[1])
+            return hints.on_grip(grip[1], self._host.selection)
         return Hint("Drag to select points, Shift adds · Press P to add points · Wheel zooms · Space pans")
 
     def _preview_snap(self, pointer: Pointer) -> None:
@@ -393,40 +401,3 @@ class CanvasTool:
             self._host.offer(made.sentence, "keepShape", insert.hit.t)
         else:
             self._host.say(made.sentence)
-
-    def _hint_for(self, hit: Hit) -> Hint:
-        if hit.part is Part.POINT:
-            chosen = self._host.selection
-            others = len(chosen) > 1 and hit.index in chosen
-            what = words.points(chosen) if others else f"point {hit.index}"
-            text = f"Drag to move {what} · Shift: one axis, a click toggles · Ctrl: {self._snap_word()}"
-            if self._host.active_view.source.family.derivatives:
-                text += " · Alt: pull out its velocity"
-            return Hint(text, grab=True)
-        what = "velocity" if hit.part is Part.VELOCITY_HANDLE else "acceleration"
-        text = f"Drag to set the {what} of point {hit.index} · Shift: steps of 15° · Alt: length only"
-        return Hint(text, grab=True)
-
-    def _snap_word(self) -> str:
-        return "no snap" if self.snapping.on else "snap"
-
-    def _hint_for_grip(self, grip: Grip) -> Hint:
-        what = words.points(self._host.selection)
-        if grip.rotates:
-            return Hint(f"Drag to rotate {what} · Shift: steps of 15°", cursor=grip.cursor)
-        return Hint(f"Drag to scale {what} · {ScaleBox.keys}", cursor=grip.cursor)
-
-    def _hint_to_bend(self, hit: Hit) -> Hint:
-        keys = bend_keys(self._host.active_view)
-        text = f"Drag to bend the curve at t = {words.number(hit.t)}"
-        return Hint(f"{text} · {keys}" if keys else text, cursor=Cursor.MOVE)
-
-    def _hint_to_add(self, hit: Hit | None) -> Hint:
-        if hit is not None:
-            return Hint(f"Click to insert point {hit.index} on the curve at t = {hit.t:.4g}")
-        index = len(self._host.active_view.source.nodes)
-        if self._host.active_view.source.family.derivatives:
-            drag = "Press and drag to set its velocity"
-        else:
-            drag = "On the curve: insert between neighbours"
-        return Hint(f"Click to add point {index} · {drag} · Ctrl: {self._snap_word()}")

@@ -8,12 +8,13 @@ from PySide6.QtCore import QPoint, QSize, Qt, Signal
 from PySide6.QtGui import QAction, QColor, QContextMenuEvent, QIcon, QPainter, QPixmap
 from PySide6.QtWidgets import QHBoxLayout, QMenu, QToolButton, QVBoxLayout, QWidget
 
+from app.colours import CURVE_COLOURS, curve_colour
 from app.document import curve_edits
 from app.document.model import Document
 from app.panels.curve_list_model import CurveListModel
 from app.panels.curve_list_view import CurveListView, Spot
 from app.session import Session
-from app.theme import CURVE_COLOURS, Theme, curve_colour, theme_of
+from app.theme import Theme, theme_of
 
 
 class CurveList(QWidget):

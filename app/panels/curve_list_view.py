@@ -27,8 +27,10 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from app.colours import curve_colour
+from app.icons import icon
 from app.panels.curve_list_model import CurveListModel, Row
-from app.theme import curve_colour, icon, mix, theme_of
+from app.theme import mix, theme_of
 
 Index = QModelIndex | QPersistentModelIndex
 

@@ -15,11 +15,12 @@ from app.document import edits
 from app.document.edits import EditError
 from app.document.expression import ExpressionError, parse_number
 from app.document.model import Document, Family
+from app.icons import icon
 from app.panels.field_edit import FieldEdit
 from app.panels.number_text import decimal_mark, exact_text, rounded_text
 from app.panels.words import ACCELERATION_RULES, VELOCITY_RULES, count_of
 from app.session import Session
-from app.theme import icon, theme_of
+from app.theme import theme_of
 from app.view_model.curve_view import CurveView
 from app.view_model.jets import corners_of
 

@@ -5,7 +5,8 @@ from __future__ import annotations
 from PySide6.QtCore import QEvent, QObject, QSize, Signal
 from PySide6.QtWidgets import QFrame, QHBoxLayout, QLabel, QSizePolicy, QToolButton, QWidget
 
-from app.theme import LIGHT, Theme, icon, mix
+from app.icons import icon
+from app.theme import LIGHT, Theme, mix
 
 _TOP, _SIDE, _WIDEST = 10, 56, 720
 

@@ -13,6 +13,7 @@ from PySide6.QtWidgets import QApplication, QHBoxLayout, QLabel, QToolButton, QV
 from app.document import edits
 from app.document.edits import EditError
 from app.exchange.table_text import Block, TableTextError, read_titled_block, write_block
+from app.icons import icon
 from app.panels.number_text import decimal_mark, exact_text
 from app.panels.point_table_edits import (
     Column,
@@ -29,7 +30,7 @@ from app.panels.point_table_model import PointTableModel
 from app.panels.point_table_view import PointTableView
 from app.panels.words import count_of
 from app.session import Session
-from app.theme import Theme, icon, theme_of
+from app.theme import Theme, theme_of
 from app.view_model.curve_view import CurveView
 
 INTERVAL_MS = 60

@@ -16,6 +16,7 @@ from PySide6.QtCore import (
 )
 from PySide6.QtGui import QColor, QFont, QPainter, QPixmap
 
+from app.colours import point_colours
 from app.document import edits
 from app.document.edits import EditError
 from app.document.expression import ExpressionError, parse_number
@@ -24,7 +25,7 @@ from app.panels.number_text import NEGLIGIBLE, decimal_mark, exact_text, greates
 from app.panels.point_table_edits import Column, TableValues, columns_of, set_cell, table_values
 from app.panels.words import ACCELERATION_ESTIMATES, VELOCITY_ESTIMATES
 from app.session import Session
-from app.theme import LIGHT, Theme, point_colours
+from app.theme import LIGHT, Theme
 from app.view_model.curve_view import CurveView
 
 Index = QModelIndex | QPersistentModelIndex

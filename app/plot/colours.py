@@ -6,7 +6,8 @@ from functools import lru_cache
 
 from PySide6.QtGui import QColor
 
-from app.theme import Theme, point_colours
+from app.colours import point_colours
+from app.theme import Theme
 
 
 @lru_cache(maxsize=8)

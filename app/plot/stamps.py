@@ -11,8 +11,9 @@ from pyqtgraph.Qt.internals import PrimitiveArray
 from PySide6.QtCore import QPointF, Qt
 from PySide6.QtGui import QPainter, QPen, QPixmap
 
+from app.colours import point_colours
 from app.plot.pixel_map import Floats
-from app.theme import Theme, point_colours
+from app.theme import Theme
 
 _COLOURS = 256
 """Colours that are told apart; with more points, neighbours on the ramp share one."""

@@ -7,12 +7,13 @@ from PySide6.QtGui import QAction, QFocusEvent, QGuiApplication, QKeySequence, Q
 from PySide6.QtTest import QSignalSpy
 from PySide6.QtWidgets import QApplication, QLabel, QLineEdit, QMainWindow, QToolButton
 
+from app.colours import point_colours
 from app.document import edits
 from app.document.model import Family, ParametrizationKind, VelocityRule, make_curve
 from app.panels.point_table import INTERVAL_MS, PointTable
 from app.panels.point_table_delegate import CellEditor
 from app.session import Session
-from app.theme import DARK, LIGHT, ThemeMode, apply_theme, point_colours
+from app.theme import DARK, LIGHT, ThemeMode, apply_theme
 
 Role = Qt.ItemDataRole
 T, X, Y, VX, VY, AX, AY = range(7)

@@ -9,19 +9,10 @@ from PySide6.QtCore import QEvent, QObject, QSize, Qt
 from PySide6.QtGui import QColor, QIcon, QPalette
 from PySide6.QtWidgets import QMainWindow, QWidget
 
+from app.colours import point_colours
+from app.icons import app_icon, icon
 from app.resources import resource
-from app.theme import (
-    DARK,
-    LIGHT,
-    ThemeMode,
-    app_icon,
-    apply_theme,
-    icon,
-    palette_of,
-    point_colours,
-    style_sheet_of,
-    theme_of,
-)
+from app.theme import DARK, LIGHT, ThemeMode, apply_theme, palette_of, style_sheet_of, theme_of
 
 THEMES = [pytest.param(LIGHT, id="light"), pytest.param(DARK, id="dark")]
 ICONS = sorted(path.stem for path in resource("icons").glob("*.svg"))

@@ -1,0 +1,242 @@
+"""What the canvas shows: a picture to trace, grid, curves, points and weights. No gestures."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import msgspec
+import numpy as np
+from PySide6.QtCore import QPointF
+from PySide6.QtGui import QImage
+from PySide6.QtWidgets import QWidget
+
+from app.canvas.corner_layer import CornerLayer
+from app.canvas.curve_layer import CurveLayer
+from app.canvas.grid_layer import GridLayer
+from app.canvas.image_layer import ImageLayer
+from app.canvas.other_curves_layer import OtherCurvesLayer
+from app.canvas.point_layer import PointLayer
+from app.canvas.unit_layer import UnitLayer
+from app.document.model import Curve, ReferenceImage, Vector
+from app.plot.plot_widget import PlotWidget
+from app.theme import LIGHT, Theme
+from app.view_model.basis_view import weights_at
+from app.view_model.curve_view import CurveView, Floats
+from app.view_model.handles import Handle
+
+_FIT_MARGIN = 0.12
+
+_REVEAL_MARGIN = 40.0
+"""Pixels between the edge and a point that the view was moved to show."""
+
+
+class CanvasView(PlotWidget):
+    """Draws the document; equal aspect."""
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setObjectName("canvas")
+        self.setAccessibleName("Canvas")
+        self.setAccessibleDescription("The curve with its points; drag points to change it.")
+        self.getViewBox().setAspectLocked(True)
+        self._view: CurveView | None = None
+        self._views: Sequence[CurveView] = ()
+        self._scrub: float | None = None
+        self._theme = LIGHT
+        self._image_layer = ImageLayer(self, LIGHT)
+        self._grid = GridLayer(self, LIGHT)
+        self._units = UnitLayer(self, LIGHT)
+        self._other_curves = OtherCurvesLayer(self, LIGHT)
+        self._curve_layer = CurveLayer(self, LIGHT)
+        self._point_layer = PointLayer(self, LIGHT)
+        self._corner_layer = CornerLayer(self, LIGHT)
+
+    @property
+    def is_dragging(self) -> bool:
+        """Whether a gesture is in flight."""
+        return False
+
+    def render_view(self, view: CurveView) -> None:
+        """Show `view`; a ghost of the old curve stays for a moment when a rule has changed."""
+        self._show_ghost_of_other_rules(view)
+        self._view = view
+        self._curve_layer.render(view)
+        self._show_weights()
+        self._point_layer.render(view)
+        self._corner_layer.render(view)
+
+    def set_selection(self, selection: frozenset[int]) -> None:
+        """Show which points are selected."""
+        self._point_layer.selection = selection
+        self._point_layer.refresh()
+
+    def set_unit(self, name: str) -> None:
+        """Name the unit of length at the axes; empty for none."""
+        self._units.unit = name
+
+    def render_others(self, views: Sequence[CurveView], active: int) -> None:
+        """Show the other curves of the document behind the active one."""
+        self._views = views
+        self._other_curves.render(views, active)
+
+    def _show_ghost_of_other_rules(self, view: CurveView) -> None:
+        old = self._view
+        if old is None or self.is_dragging or not old.is_current or not view.is_current:
+            return
+        same_nodes = old.source.nodes == view.source.nodes
+        if same_nodes and _rules(old.source) != _rules(view.source):
+            polyline = self._curve_layer.polyline(self.pixel_map)
+            if polyline is not None:
+                self._curve_layer.show_ghost(polyline.points)
+
+    def hold_ghost(self, held: bool) -> None:
+        """Keep a ghost of the curve as it is now while something is dragged elsewhere; then let it fade."""
+        if not held:
+            self._curve_layer.release_ghost()
+            return
+        polyline = self._curve_layer.polyline(self.pixel_map)
+        if polyline is not None:
+            self._curve_layer.hold_ghost(polyline.points)
+
+    @property
+    def ghost_opacity(self) -> float:
+        """How much of a ghost is seen: 1 while it is held, less while it fades, 0 without one."""
+        return self._curve_layer.ghost_opacity
+
+    def set_theme(self, theme: Theme) -> None:
+        """Take the colours of `theme`."""
+        self._theme = theme
+        for layer in (self._image_layer, self._grid, self._units, self._curve_layer, self._point_layer):
+            layer.theme = theme
+        self._other_curves.theme = self._corner_layer.theme = theme
+        super().set_theme(theme)
+
+    def set_scale(self, scale: float) -> None:
+        """Enlarge points, lines and numbers, for a projector."""
+        self._curve_layer.scale = self._point_layer.scale = scale
+        self._other_curves.scale = self._corner_layer.scale = scale
+        self.viewport().update()
+
+    def set_hovered(self, index: int) -> None:
+        """Light up a point (−1 for none)."""
+        self._point_layer.hovered = index
+        self._point_layer.refresh()
+
+    def set_scrub(self, t: float | None) -> None:
+        """Show the point of the curve at `t` and every point's weight there; None puts both away."""
+        self._scrub = t
+        self._show_weights()
+        self._point_layer.refresh()
+
+    def set_grid_visible(self, visible: bool) -> None:
+        """Show or hide the grid."""
+        self._grid.visible = visible
+        self.viewport().update()
+
+    def set_grid_spacing(self, spacing: float) -> None:
+        """Fix the distance of the grid's lines; 0 adapts it to the zoom."""
+        self._grid.set_spacing(spacing)
+        self.viewport().update()
+
+    @property
+    def grid_spacing(self) -> Vector:
+        """The distance of the grid's lines along x and y at this zoom."""
+        return self._grid.spacing(self.pixel_map)
+
+    # The picture to trace
+
+    def set_image(self, image: ReferenceImage | None, pixels: QImage | None) -> None:
+        """Show a picture behind the curves; without `pixels` the frame where it belongs."""
+        self._image_layer.render(image, pixels)
+
+    @property
+    def is_grid_visible(self) -> bool:
+        """Whether the grid is shown."""
+        return self._grid.visible
+
+    def _show_weights(self) -> None:
+        layer, view, t = self._point_layer, self._view, self._scrub
+        if t is None or view is None or view.curve is None or not view.is_current:
+            layer.weights = layer.scrub = None
+            return
+        x, y = view.curve.evaluate(t)
+        layer.weights = weights_at(view, t)
+        layer.scrub = (t, float(x), float(y))
+
+    def fit(self) -> None:
+        """Show all visible curves and the active one; of a wild one, its points and their surroundings."""
+        views = [view for view in self._views if view.source.visible or view is self._view]
+        if self._view is not None and not any(view is self._view for view in views):
+            views.append(self._view)
+        boxes = [_box_to_fit(view.points, view.polyline) for view in views if len(view.points)]
+        if not boxes:
+            self.show_box((-0.5, 4.5), (-0.5, 4.5))
+            return
+        low = np.min([box[0] for box in boxes], axis=0)
+        high = np.max([box[1] for box in boxes], axis=0)
+        self.show_box((low[0], high[0]), (low[1], high[1]))
+
+    @property
+    def weights(self) -> Floats | None:
+        """The weight of every point at the scrub line, None while there is none."""
+        return self._point_layer.weights
+
+    @property
+    def scrub_point(self) -> Vector | None:
+        """The point of the curve at the scrub line, None while there is none."""
+        scrub = self._point_layer.scrub
+        return scrub[1:] if scrub is not None else None
+
+    @property
+    def handles(self) -> Sequence[Handle]:
+        """The handles on screen: those of the selected point."""
+        return self._point_layer.handles
+
+    def _selected_place(self) -> QPointF | None:
+        """Return where the first selected point lies in the viewport."""
+        chosen = sorted(self._point_layer.selection)
+        if self._view is None or not chosen or chosen[0] >= len(self._view.points):
+            return None
+        return QPointF(self.to_pixel(*self._view.points[chosen[0]].tolist()))
+
+    def _reveal_selected(self) -> None:
+        """Move the view so far that the selected point is in sight."""
+        if self._view is None or len(self._point_layer.selection) != 1:
+            return
+        shown = self.pixel_map
+        index = next(iter(self._point_layer.selection))
+        x, y = shown.point(*self._view.points[index].tolist())
+        dx, dy = _back_inside(x, shown.width), _back_inside(y, shown.height)
+        if dx or dy:
+            self.pan(dx, dy)
+
+    def centre(self) -> QPointF:
+        """Return the middle of the plot area in viewport pixels, where the zoom actions zoom."""
+        shown = self.pixel_map
+        return self._area_origin() + QPointF(shown.width / 2, shown.height / 2)
+
+
+def _back_inside(pixel: float, size: float) -> float:
+    """Return how far to move what lies at `pixel` so that it is in sight; 0 where it is already."""
+    margin = min(_REVEAL_MARGIN, size / 4)
+    if 0 <= pixel <= size:
+        return 0.0
+    return (margin if pixel < 0 else size - margin) - pixel
+
+
+def _rules(curve: Curve) -> Curve:
+    """Return a curve without what does not shape it."""
+    return msgspec.structs.replace(curve, name="", colour="", visible=True, locked=False)
+
+
+def _box_to_fit(points: Floats, polyline: Floats) -> tuple[Floats, Floats]:
+    """Return the corners of the box to show: the curve, but at most three times as large as its points."""
+    low, high = points.min(axis=0), points.max(axis=0)
+    size = float((high - low).max())
+    if len(polyline):
+        low = np.maximum(np.minimum(low, polyline.min(axis=0)), low - size)
+        high = np.minimum(np.maximum(high, polyline.max(axis=0)), high + size)
+    # One point, or several at one place, are shown in an area of unit size (at 1e9 a visible part of that).
+    size = max(float((high - low).max()), 1e-6 * float(np.abs(high).max()), 1e-7) if size else 4.0
+    margin = _FIT_MARGIN * size
+    return low - margin, high + margin

@@ -1,0 +1,54 @@
+"""What a press would do, and what a modifier would change, in words."""
+
+from __future__ import annotations
+
+from app.gestures import words
+from app.gestures.bend_drag import bend_keys
+from app.gestures.pointer import Cursor, Hint, Hit, Part
+from app.gestures.transform_box import Grip, ScaleBox
+from app.view_model.curve_view import CurveView
+
+
+def on_part(hit: Hit, view: CurveView, selection: frozenset[int], *, snaps: bool) -> Hint:
+    """Return the hint over a point or a handle."""
+    if hit.part is Part.POINT:
+        others = len(selection) > 1 and hit.index in selection
+        what = words.points(selection) if others else f"point {hit.index}"
+        text = f"Drag to move {what} · Shift: one axis, a click toggles · Ctrl: {_snap_word(snaps)}"
+        if view.source.family.derivatives:
+            text += " · Alt: pull out its velocity"
+        return Hint(text, grab=True)
+    what = "velocity" if hit.part is Part.VELOCITY_HANDLE else "acceleration"
+    text = f"Drag to set the {what} of point {hit.index} · Shift: steps of 15° · Alt: length only"
+    return Hint(text, grab=True)
+
+
+def on_grip(grip: Grip, selection: frozenset[int]) -> Hint:
+    """Return the hint over a grip of the box around the selection."""
+    what = words.points(selection)
+    if grip.rotates:
+        return Hint(f"Drag to rotate {what} · Shift: steps of 15°", cursor=grip.cursor)
+    return Hint(f"Drag to scale {what} · {ScaleBox.keys}", cursor=grip.cursor)
+
+
+def to_bend(hit: Hit, view: CurveView) -> Hint:
+    """Return the hint over the curve, selecting."""
+    keys = bend_keys(view)
+    text = f"Drag to bend the curve at t = {words.number(hit.t)}"
+    return Hint(f"{text} · {keys}" if keys else text, cursor=Cursor.MOVE)
+
+
+def to_add(hit: Hit | None, view: CurveView, *, snaps: bool) -> Hint:
+    """Return the hint of the Add tool, on the curve or beside it."""
+    if hit is not None:
+        return Hint(f"Click to insert point {hit.index} on the curve at t = {hit.t:.4g}")
+    index = len(view.source.nodes)
+    if view.source.family.derivatives:
+        drag = "Press and drag to set its velocity"
+    else:
+        drag = "On the curve: insert between neighbours"
+    return Hint(f"Click to add point {index} · {drag} · Ctrl: {_snap_word(snaps)}")
+
+
+def _snap_word(snaps: bool) -> str:
+    return "no snap" if snaps else "snap"
