@@ -118,13 +118,13 @@ def _curves(drawing: Drawing, style: Style) -> list[str]:
         'stroke-linecap="round" stroke-linejoin="round">'
     )
     paths = [
-        f'    <path d="{_path_data(outline.control_points)}"><title>{_text(outline.name)}</title></path>'
+        f'    <path d="{path_data(outline.control_points)}"><title>{_text(outline.name)}</title></path>'
         for outline in drawing.outlines
     ]
     return [group, *paths, "  </g>"]
 
 
-def _path_data(control_points: Floats) -> str:
+def path_data(control_points: Floats) -> str:
     """Return the pieces (k, 4, 2) as path data, y negated, one piece per line."""
     start, *_ = control_points[0].tolist()
     pieces = (" ".join(_pair(point) for point in piece[1:]) for piece in control_points.tolist())
