@@ -6,6 +6,7 @@
 - ``parts``: the curves of a document and their pieces, the source of everything else that is written.
 - ``code``, ``code_runtime``: Python with NumPy or SciPy.  ``latex``: formulas, TikZ, PGFPlots.
 - ``formulas``: Desmos, SVG path data, coefficients.  ``sampled``: tables of samples.
+- ``table_file``, ``thinning``: CSV and TSV in, thinned out if asked.
 - ``writing``: which ending names which writer.  ``facts``: what ``curvebench info`` prints.
 
 `export` chooses the writer by the name of the file.
