@@ -7,6 +7,8 @@
 - ``code``, ``code_runtime``: Python with NumPy or SciPy.  ``latex``: formulas, TikZ, PGFPlots.
 - ``formulas``: Desmos, SVG path data, coefficients.  ``sampled``: tables of samples.
 - ``table_file``, ``thinning``: CSV and TSV in, thinned out if asked.
+- ``svg_in``, ``svg_path``, ``arcs``, ``cubics_in``: SVG in, as Hermite curves.  ``dxf``: DXF out and in.
+- ``child``: a process with limits for the files of others.  ``reading``: which ending names which reader.
 - ``writing``: which ending names which writer.  ``facts``: what ``curvebench info`` prints.
 
 `export` chooses the writer by the name of the file.
@@ -14,7 +16,9 @@
 
 from __future__ import annotations
 
+from app.exchange.cubics_in import Imported
 from app.exchange.drawing import ExchangeError
+from app.exchange.reading import READABLE, import_file
 from app.exchange.sampled import Spacing
 from app.exchange.svg import DARK, INK, LIGHT, Style, svg_of
 from app.exchange.writing import ENDINGS, SUFFIXES, Exported, export
@@ -24,11 +28,14 @@ __all__ = [
     "ENDINGS",
     "INK",
     "LIGHT",
+    "READABLE",
     "SUFFIXES",
     "ExchangeError",
     "Exported",
+    "Imported",
     "Spacing",
     "Style",
     "export",
+    "import_file",
     "svg_of",
 ]

@@ -69,6 +69,12 @@ def _svg(document: Document, options: Options) -> Written:
     return Written(text, drawing.deviation, drawing.remarks)
 
 
+def _dxf(document: Document, options: Options) -> Written:
+    from app.exchange.dxf import dxf_text  # noqa: PLC0415
+
+    return dxf_text(document, options.tolerance)
+
+
 def _table(separator: str) -> Writer:
     def table(document: Document, options: Options) -> Written:
         return sampled_table(
@@ -96,6 +102,7 @@ _WRITERS: dict[str, Writer] = {
     ".path.txt": lambda document, options: svg_path_data(document, options.tolerance),
     ".csv": _table(","),
     ".tsv": _table("\t"),
+    ".dxf": _dxf,
     ".svg": _svg,
 }
 
