@@ -134,11 +134,15 @@ def checked_tolerance(sources: list[Source], tolerance: float | None) -> float:
     return tolerance
 
 
+def rounded_up(deviation: float) -> float:
+    """Return a deviation with three digits, never less than it is."""
+    return float(_ROUNDING_UP.create_decimal_from_float(deviation))
+
+
 def accuracy(deviation: float, comment: str = "") -> str:
     """Return the sentence that says how far a file is from the true curves."""
-    bound = float(_ROUNDING_UP.create_decimal_from_float(deviation))
     return (
-        f"Curvebench {__version__}. Largest deviation from the true curves: {bound:g}, "
+        f"Curvebench {__version__}. Largest deviation from the true curves: {rounded_up(deviation):g}, "
         f"in the unit of the document{comment}."
     )
 
