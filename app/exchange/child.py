@@ -97,7 +97,7 @@ def main(memory: str) -> None:
 def answer_to(request: _Request, memory: int) -> _Answer:
     """Return what the reader says, whatever it may raise."""
     try:
-        reader = _reader(request.reader)
+        reader = reader_of(request.reader)
         _limit_memory(memory)
         result = reader(request.data, request.tolerance)
         validate(result.document)
@@ -109,10 +109,14 @@ def answer_to(request: _Request, memory: int) -> _Answer:
         return _Answer(problem="Reading needs more memory than is allowed; it was stopped.")
     except RecursionError:
         return _Answer(problem="The file is nested too deeply.")
+    except Exception as problem:
+        # Whatever a file nobody thought of makes a parser raise, it shall end here.
+        return _Answer(problem=f"The file is damaged ({type(problem).__name__}).")
     return _Answer(result)
 
 
-def _reader(name: str) -> Callable[[bytes, float | None], Imported]:
+def reader_of(name: str) -> Callable[[bytes, float | None], Imported]:
+    """Return the reader of that name; `limited` runs it in a process of its own."""
     # Each brings a library that takes a while to import.
     if name == "dxf":
         from app.exchange.dxf import read_dxf  # noqa: PLC0415

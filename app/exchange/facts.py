@@ -8,7 +8,7 @@ from typing import NamedTuple
 import numpy as np
 
 from app.document.model import Curve, Document, Family, Parametrization
-from app.exchange.drawing import ExchangeError, Floats, drawing_of, extent_of
+from app.exchange.drawing import ExchangeError, Floats, drawing_of, extent_of, too_much
 from app.view_model.curve_view import CoreCurve, view_of
 from curvecore import LagrangeCurve
 
@@ -71,16 +71,12 @@ def facts_of(document: Document) -> tuple[CurveFacts, ...]:
 
 
 def _curve_facts(curve: Curve) -> CurveFacts:
+    if reason := too_much(curve):
+        return _facts_without_curve(curve, reason)
     view = view_of(curve)
     core = view.curve
     if core is None:
-        return CurveFacts(
-            curve.name,
-            curve.family,
-            curve.parametrization,
-            len(curve.nodes),
-            warnings=(view.problem,),
-        )
+        return _facts_without_curve(curve, view.problem)
     box, warnings = _box(curve)
     return CurveFacts(
         name=curve.name,
@@ -93,6 +89,10 @@ def _curve_facts(curve: Curve) -> CurveFacts:
         box=box,
         warnings=(*warnings, *_amplification(core)),
     )
+
+
+def _facts_without_curve(curve: Curve, reason: str) -> CurveFacts:
+    return CurveFacts(curve.name, curve.family, curve.parametrization, len(curve.nodes), warnings=(reason,))
 
 
 def _box(curve: Curve) -> tuple[tuple[float, float, float, float] | None, tuple[str, ...]]:

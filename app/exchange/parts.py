@@ -12,7 +12,7 @@ import numpy as np
 
 from app import __version__
 from app.document.model import Curve, Document
-from app.exchange.drawing import RELATIVE_TOLERANCE, ExchangeError, Floats
+from app.exchange.drawing import RELATIVE_TOLERANCE, ExchangeError, Floats, too_much
 from app.view_model.curve_view import CoreCurve, SimpleCurve, view_of
 from curvecore import CurveError, LagrangeCurve, bezier_segments, cubic_path
 
@@ -107,10 +107,14 @@ def sources_of(document: Document) -> tuple[list[Source], tuple[str, ...]]:
     """
     sources, remarks = [], []
     for curve in document.curves:
-        view = view_of(curve)
         if not curve.visible:
             remarks.append(f"“{curve.name}” is hidden.")
-        elif view.curve is None:
+            continue
+        if reason := too_much(curve):
+            remarks.append(f"“{curve.name}”: {reason}")
+            continue
+        view = view_of(curve)
+        if view.curve is None:
             remarks.append(f"“{curve.name}”: {view.problem}")
         else:
             sources.append(Source(curve, view.curve, view.pieces))

@@ -31,7 +31,9 @@ _SHAPES = {"path", "rect", "circle", "ellipse", "line", "polyline", "polygon"}
 _ONLY_WHEN_USED = {"defs", "symbol", "clipPath", "mask", "marker", "pattern"}
 _LOST = {"text", "image", "style", "foreignObject"}
 _UNITS = {"": 1.0, "px": 1.0, "in": 96.0, "cm": 96 / 2.54, "mm": 96 / 25.4, "pt": 4 / 3, "pc": 16.0}
-_LENGTH = re.compile(r"\s*([-+]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][-+]?[0-9]+)?)\s*(px|in|cm|mm|pt|pc)?\s*")
+_LENGTH = re.compile(
+    r"\s*([-+]?(?:[0-9]+(?:\.[0-9]*)?|\.[0-9]+)(?:[eE][-+]?[0-9]+)?)\s*(px|in|cm|mm|pt|pc)?\s*"
+)
 _CALL = re.compile(r"[\s,]*([A-Za-z]+)\s*\(([^()]*)\)")
 _ARGUMENTS = {
     "matrix": (6,),
@@ -148,7 +150,7 @@ class _Reader:
     @property
     def remarks(self) -> tuple[str, ...]:
         """What was left out."""
-        return tuple(f"<{tag}> is not read." for tag in sorted(self._lost))
+        return tuple(f"{what} is not read." for what in sorted(self._lost))
 
     def paths(self, element: ET.Element, state: _State, depth: int) -> Iterator[Path]:
         """Yield the paths of an element and those in it."""
@@ -157,7 +159,7 @@ class _Reader:
             raise ExchangeError(f"The file draws more than {MAX_ELEMENTS} elements.")
         tag = _tag(element)
         if tag in _LOST:
-            self._lost.add(tag)
+            self._lost.add(f"<{tag}>")
         state = self._entered(element, state)
         hidden = _property(element, "display") == "none"
         if hidden or (self._ours and element.get("id") in ("paper", "points")):
@@ -169,7 +171,7 @@ class _Reader:
             yield from self._used(element, state, depth)
         elif tag in _CONTAINERS:
             if tag == "svg" and depth > 0:
-                self._lost.add("svg in svg: its view box")
+                self._lost.add("The view box of an <svg> in another")
             for child in element:
                 if isinstance(child.tag, str) and _tag(child) not in _ONLY_WHEN_USED:
                     yield from self.paths(child, state, depth + 1)
@@ -177,7 +179,10 @@ class _Reader:
     def _entered(self, element: ET.Element, state: _State) -> _State:
         transform = element.get("transform", "")
         if transform.strip():
-            state = replace(state, matrix=_combined(state.matrix, self._transform(element, transform)))
+            matrix = _combined(state.matrix, self._transform(element, transform))
+            if not np.isfinite(matrix).all():
+                raise self._broken(element, "its transform is beyond all numbers.")
+            state = replace(state, matrix=matrix)
         stroke, fill = (_property(element, name).replace("inherit", "") for name in ("stroke", "fill"))
         state = replace(state, stroke=stroke or state.stroke, fill=fill or state.fill)
         visibility = _property(element, "visibility")
@@ -207,7 +212,7 @@ class _Reader:
         reference = element.get("href") or element.get("{http://www.w3.org/1999/xlink}href") or ""
         target = self._by_id.get(reference.removeprefix("#"))
         if not reference.startswith("#") or target is None:
-            self._lost.add("use of something that is not in the file")
+            self._lost.add("A <use> of something that is not in the file")
             return
         if reference in state.inside or depth > MAX_DEPTH:
             raise self._broken(element, f"it uses itself by way of “{reference[:40]}”.")
@@ -251,7 +256,7 @@ class _Reader:
         }[tag]
         lengths = [self._length(element, name) for name in names]
         if any(element.get(name, "").strip().endswith(("%", "em", "ex")) for name in names):
-            self._lost.add(f"{tag} with lengths in % or em")
+            self._lost.add(f"A <{tag}> with lengths in % or em")
             return []
         values = [0.0 if value is None else value for value in lengths]
         if tag == "line":
@@ -274,7 +279,7 @@ class _Reader:
     def _broken(self, element: ET.Element, why: str) -> ExchangeError:
         if why.startswith("Element "):
             return ExchangeError(why)
-        return ExchangeError(f"Element {self._number[element]} (<{_tag(element)}>) cannot be read: {why}")
+        return ExchangeError(f"Element {self._number[element]} (<{_tag(element)}>): {why}")
 
 
 # Shapes

@@ -16,7 +16,7 @@ from app.exchange.drawing import ExchangeError, Floats
 Pair = tuple[float, float]
 
 _NUMBERS = {"M": 2, "L": 2, "H": 1, "V": 1, "C": 6, "S": 4, "Q": 4, "T": 2, "A": 7, "Z": 0}
-_NUMBER = re.compile(r"[-+]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][-+]?[0-9]+)?")
+_NUMBER = re.compile(r"[-+]?(?:[0-9]+(?:\.[0-9]*)?|\.[0-9]+)(?:[eE][-+]?[0-9]+)?")
 _GAP = re.compile(r"[ \t\r\n\f]*,?[ \t\r\n\f]*")
 _FLAGS = (3, 4)  # of the seven numbers of an arc
 _LONGEST = 50_000_000

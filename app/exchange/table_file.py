@@ -36,8 +36,9 @@ ROLES = ("t", "x", "y", "vx", "vy", "ax", "ay")
 """What a column can be."""
 
 _SNIFFED_LINES = 50
+_LINES_AT_ONCE = 50_000
 _MARKS = ((b"\xef\xbb\xbf", "utf-8"), (b"\xff\xfe", "utf-16-le"), (b"\xfe\xff", "utf-16-be"))
-_NUMBER = re.compile(r"[-+]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][-+]?[0-9]+)?")
+_NUMBER = re.compile(r"[-+]?(?:[0-9]+(?:\.[0-9]*)?|\.[0-9]+)(?:[eE][-+]?[0-9]+)?")
 _DECIMAL_COMMA = re.compile(r"[-+]?[0-9]*,[0-9]+(?:[eE][-+]?[0-9]+)?")
 _FORMULA = ("=", "@")
 
@@ -159,9 +160,7 @@ def read_table(data: bytes, layout: Layout | None = None) -> Table:
     if len(titles) > MAX_COLUMNS:
         raise ExchangeError(f"The table has {len(titles)} columns; {MAX_COLUMNS} can be read.")
     skipped = _lines_to_skip(text, layout)
-    values = _fast(text, layout, skipped, len(titles))
-    if values is None:
-        values = _careful(text, layout, skipped, len(titles))
+    values = _numbers(text, layout, skipped, len(titles))
     return Table(layout, titles, values, skipped + 1)
 
 
@@ -383,8 +382,23 @@ def _guess(titles: tuple[str, ...]) -> Mapping | None:
 # From lines to numbers
 
 
-def _fast(text: str, layout: Layout, skipped: int, width: int) -> Floats | None:
+def _numbers(text: str, layout: Layout, skipped: int, width: int) -> Floats:
+    """Return the numbers of all rows; in parts, so that the place of a bad cell is found soon."""
+    # Not splitlines, which would end lines at characters that no editor takes for an end.
+    all_lines = text.split("\n")
+    parts = []
+    for first in range(skipped, len(all_lines), _LINES_AT_ONCE):
+        part = all_lines[first : first + _LINES_AT_ONCE]
+        if not any(map(_is_data, part)):
+            continue
+        values = _fast(part, layout, width)
+        parts.append(_careful(part, first + 1, layout, width) if values is None else values)
+    return np.concatenate(parts)
+
+
+def _fast(part: list[str], layout: Layout, width: int) -> Floats | None:
     """Return the numbers by NumPy's reader in C, or None if anything is unusual."""
+    text = "\n".join(part)
     if '"' in text or (layout.decimal_comma and "." in text):
         return None
     if layout.decimal_comma:
@@ -393,7 +407,6 @@ def _fast(text: str, layout: Layout, skipped: int, width: int) -> Floats | None:
         values = np.loadtxt(
             io.StringIO(text),
             delimiter=None if layout.separator == " " else layout.separator,
-            skiprows=skipped,
             comments="#",
             ndmin=2,
         )
@@ -404,13 +417,13 @@ def _fast(text: str, layout: Layout, skipped: int, width: int) -> Floats | None:
     return values if usable else None
 
 
-def _careful(text: str, layout: Layout, skipped: int, width: int) -> Floats:
+def _careful(part: list[str], first: int, layout: Layout, width: int) -> Floats:
     """Return the numbers row by row, or say where the first cell is that is none."""
     rows = []
-    for number, line in enumerate(io.StringIO(text), start=1):
-        if number <= skipped or not _is_data(line):
+    for number, line in enumerate(part, start=first):
+        if not _is_data(line):
             continue
-        cells = _cells(line.rstrip("\n"), layout)
+        cells = _cells(line, layout)
         if len(cells) != width:
             raise ExchangeError(f"Row {number} has {len(cells)} cells; the first has {width}.")
         rows.append([_number(cell, number, column, layout) for column, cell in enumerate(cells, start=1)])
@@ -423,7 +436,8 @@ def _number(cell: str, row: int, column: int, layout: Layout) -> float:
         raise ExchangeError(f"{where} is empty.")
     if not _is_number(cell, layout):
         shown = (cell if len(cell) <= 20 else cell[:19] + "…").encode("utf-8", "replace").decode()
-        if cell.startswith(_FORMULA) or (cell[0] in "+-" and any(each.isalpha() for each in cell)):
+        words = cell[0] in "+-" and cell[1:].lower() not in ("inf", "infinity", "nan")
+        if cell.startswith(_FORMULA) or (words and any(each.isalpha() for each in cell)):
             raise ExchangeError(f"{where}: “{shown}” is a formula; only numbers are read.")
         raise ExchangeError(f"{where}: “{shown}” is not a number.")
     value = float(cell.replace(",", "."))

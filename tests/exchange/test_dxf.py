@@ -1,6 +1,7 @@
 """DXF out and in, with ezdxf as the judge."""
 
 import io
+import sys
 
 import numpy as np
 import pytest
@@ -190,3 +191,12 @@ def test_numbers_that_are_none_are_refused(sketch):
         broken = head + "AcDbSpline" + tail.replace("\n 10\n", f"\n 10\n{bad}\n 10\n", 1)
         with pytest.raises(ExchangeError):
             read_dxf(broken.encode())
+
+
+def test_without_ezdxf_the_extra_is_named(sketch, monkeypatch):
+    monkeypatch.setitem(sys.modules, "ezdxf", None)
+    for call in (lambda: dxf_text(sketch), lambda: read_dxf(b"0\nEOF\n")):
+        with pytest.raises(
+            ExchangeError, match=r"DXF needs the package ezdxf: pip install 'curvebench\[dxf\]'"
+        ):
+            call()

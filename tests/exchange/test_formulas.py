@@ -80,7 +80,7 @@ def test_the_coefficients_are_the_exact_ones_rounded_once():
 
 
 def test_a_high_degree_costs_digits_and_the_file_says_so():
-    points = np.random.default_rng(2).normal(size=(40, 2)).tolist()
+    points = np.random.default_rng(2).normal(size=(30, 2)).tolist()
     low = coefficients_json(Document((make_curve(points[:5]),)))
     high = coefficients_json(Document((make_curve(points),)))
     assert low.deviation < 1e-13 < high.deviation

@@ -41,7 +41,7 @@ def test_the_reason_names_the_file(tmp_path):
     with pytest.raises(ExchangeError) as refusal:
         import_file(path)
     said = str(refusal.value)
-    assert said == "“bad.svg” cannot be read: Element 2 (<path>) cannot be read: its data must begin with M."
+    assert said == "“bad.svg” cannot be read: Element 2 (<path>): its data must begin with M."
 
 
 def test_what_takes_too_long_is_stopped():
