@@ -108,15 +108,27 @@ class Table:
     titles
         Of the columns.
     values
-        (rows, columns), finite.
+        (rows, columns); NaN where a cell is empty, otherwise finite.
     first_row
         The line of the file, from 1, that holds the first row.
+    gaps
+        The lines after it that hold none.
     """
 
     layout: Layout
     titles: tuple[str, ...]
     values: Floats
     first_row: int
+    gaps: tuple[int, ...] = ()
+
+    def line_of(self, row: int) -> int:
+        """Return the line of the file, from 1, that holds a row, from 0."""
+        line = self.first_row + row
+        for gap in self.gaps:
+            if gap > line:
+                break
+            line += 1
+        return line
 
 
 def preview_table(data: bytes, layout: Layout | None = None) -> Preview:
@@ -138,8 +150,8 @@ def preview_table(data: bytes, layout: Layout | None = None) -> Preview:
 def read_table(data: bytes, layout: Layout | None = None) -> Table:
     """Return the numbers of a CSV or TSV file.
 
-    Empty lines are skipped, and lines that begin with "#". Nothing is ever computed: a formula is text,
-    and refused as such.
+    Empty lines are skipped, and lines that begin with "#"; cells may be empty. Nothing is ever computed: a
+    formula is text, and refused as such.
 
     Parameters
     ----------
@@ -160,8 +172,12 @@ def read_table(data: bytes, layout: Layout | None = None) -> Table:
     if len(titles) > MAX_COLUMNS:
         raise ExchangeError(f"The table has {len(titles)} columns; {MAX_COLUMNS} can be read.")
     skipped = _lines_to_skip(text, layout)
-    values = _numbers(text, layout, skipped, len(titles))
-    return Table(layout, titles, values, skipped + 1)
+    all_lines = text.split("\n")  # not splitlines, which ends lines where no editor does
+    values = _numbers(all_lines, layout, skipped, len(titles))
+    gaps = [
+        number for number, line in enumerate(all_lines, start=1) if number > skipped and not _is_data(line)
+    ]
+    return Table(layout, titles, values, skipped + 1, tuple(gaps))
 
 
 def document_of_table(
@@ -201,12 +217,16 @@ def document_of_table(
         if column is not None and not 0 <= column < table.values.shape[1]:
             raise ExchangeError(f"There is no column {column + 1} for {role}.")
     values = {role: table.values[:, column] for role, column in columns.items() if column is not None}
+    for role, column in values.items():
+        if np.isnan(column).any():
+            line = table.line_of(int(np.argmax(np.isnan(column))))
+            raise ExchangeError(f"Row {line}, column {columns[role] + 1} is empty; it gives {role}.")
     if len(table.values) < 2:
         raise ExchangeError("The table has one row of numbers; a curve needs two points.")
     t = values.get("t")
     if t is not None and not (np.diff(t) > 0).all():
-        row = table.first_row + int(np.argmin(np.diff(t) > 0)) + 1
-        raise ExchangeError(f"Row {row}: t must increase from row to row.")
+        row = int(np.argmin(np.diff(t) > 0)) + 1
+        raise ExchangeError(f"Row {table.line_of(row)}: t must increase from row to row.")
     points = np.column_stack([values["x"], values["y"]])
     if thin is not None:
         kept = thinned(points, t, thin)
@@ -279,7 +299,8 @@ def _text(data: bytes) -> str:
 
 
 def _is_data(line: str) -> bool:
-    return bool(line.strip()) and not line.lstrip().startswith("#")
+    text = line.lstrip()
+    return bool(text) and text[0] != "#"
 
 
 def _first_lines(text: str) -> list[str]:
@@ -382,10 +403,8 @@ def _guess(titles: tuple[str, ...]) -> Mapping | None:
 # From lines to numbers
 
 
-def _numbers(text: str, layout: Layout, skipped: int, width: int) -> Floats:
+def _numbers(all_lines: list[str], layout: Layout, skipped: int, width: int) -> Floats:
     """Return the numbers of all rows; in parts, so that the place of a bad cell is found soon."""
-    # Not splitlines, which would end lines at characters that no editor takes for an end.
-    all_lines = text.split("\n")
     parts = []
     for first in range(skipped, len(all_lines), _LINES_AT_ONCE):
         part = all_lines[first : first + _LINES_AT_ONCE]
@@ -433,7 +452,7 @@ def _careful(part: list[str], first: int, layout: Layout, width: int) -> Floats:
 def _number(cell: str, row: int, column: int, layout: Layout) -> float:
     where = f"Row {row}, column {column}"
     if not cell:
-        raise ExchangeError(f"{where} is empty.")
+        return math.nan
     if not _is_number(cell, layout):
         shown = (cell if len(cell) <= 20 else cell[:19] + "…").encode("utf-8", "replace").decode()
         words = cell[0] in "+-" and cell[1:].lower() not in ("inf", "infinity", "nan")

@@ -2,10 +2,11 @@
 
 import time
 
+import msgspec
 import numpy as np
 import pytest
 
-from app.document.model import Document, Family, make_curve
+from app.document.model import Document, Family, Node, make_curve
 from app.exchange import ExchangeError
 from app.exchange.sampled import sampled_table
 from app.exchange.table_file import (
@@ -59,7 +60,6 @@ def test_utf_16_as_spreadsheets_write_it():
         ("x,y\n1,2\n3,4,5\n", "Row 3 has 3 cells; the first has 2."),
         ("x,y\n1,2\n\n3,four\n", "Row 4, column 2: “four” is not a number."),
         ("x,y\n1,2\n3,\n", "Row 3 has 1 cells; the first has 2."),
-        ("x\ty\n1\t2\n3\t\n", "Row 3, column 2 is empty."),
         (
             "x,y\n1,2\n=cmd|' /C calc'!A0,4\n",
             "Row 3, column 1: “=cmd|' /C calc'!A0” is a formula; only numbers are read.",
@@ -95,6 +95,8 @@ def test_bad_utf_8_is_refused_with_the_row():
         ("x\n1\n2\n", "The table has one column only; a curve needs x and y."),
         ("t,x,y\n0,1,2\n1,1,2\n1,3,4\n", "Row 4: t must increase from row to row."),
         ("t,x,y\n0,1,2\n-1,1,2\n", "Row 3: t must increase from row to row."),
+        ("t,x,y\n\n0,1,2\n# pause\n\n1,1,2\n\n1,3,4\n", "Row 8: t must increase from row to row."),
+        ("x\ty\n1\t2\n\n3\t\n", "Row 4, column 2 is empty; it gives y."),
     ],
 )
 def test_what_is_no_curve_is_refused(text, sentence):
@@ -133,6 +135,19 @@ def test_our_own_table_gives_the_quintic_back():
     back = view_of(document.curves[0]).curve
     t = np.linspace(*core.domain, 500)
     assert np.abs(back.evaluate(t) - core.evaluate(t)).max() < 1e-3
+
+
+def test_empty_cells_matter_only_where_they_are_used():
+    # The curvature of a point at rest is empty in our own tables.
+    curve = make_curve([(0, 0), (1, 1), (2, 0)], family=Family.HERMITE)
+    first = Node(0.0, 0.0, velocity=(0.0, 0.0))
+    curve = msgspec.structs.replace(curve, nodes=(first, *curve.nodes[1:]))
+    text = sampled_table(Document((curve,)), samples=9).text
+    table = read_table(text.encode())
+    assert np.isnan(table.values[0, 7])
+    assert np.isfinite(np.delete(table.values, 7, axis=1)).all()
+    document, _ = document_of_table(table)
+    assert document.curves[0].nodes[0].velocity == (0.0, 0.0)
 
 
 @pytest.mark.parametrize("tolerance", [1e-1, 1e-3, 1e-5])
