@@ -9,6 +9,7 @@ The layers, top to bottom; a module imports only from its own layer and those ab
 - ``resources``, ``examples``: what comes with the program.
 - ``session``: the one mutable owner of the current document, its history and the selection.
 - ``theme``, ``preferences``: colours and icons; what is remembered between starts.
+- ``keymap``: which keys do what.
 - ``plot``: what canvas and basis panel share: a pixel map, fast drawing, pan and zoom.
 - ``canvas``, ``panels``: draw a value and report what the person did. They never call each other.
 - ``actions``, ``file_commands``, ``commands``: what can be done, and what it does.

@@ -289,6 +289,9 @@ def _as_json(facts: CurveFacts) -> dict[str, Any]:
         "family": facts.family,
         "degree": facts.degree,
         "points": facts.points,
+        "closed": facts.closed,
+        "corners": facts.corners,
+        "visible": facts.visible,
         "parametrization": {"kind": rule.kind, "alpha": rule.alpha, "start": rule.start, "end": rule.end},
         "domain": facts.domain,
         "length": length,
@@ -301,7 +304,7 @@ def _as_text(facts: CurveFacts) -> str:
     rows = [("family", FAMILY_NAMES[facts.family])]
     if facts.degree is not None:
         rows.append(("degree", f"{facts.degree}" + (" on every segment" if facts.family.derivatives else "")))
-    rows += [("points", str(facts.points)), ("parametrization", _rule_text(facts))]
+    rows += [("points", _points_text(facts)), ("parametrization", _rule_text(facts))]
     if facts.domain is not None:
         rows.append(("domain", f"{facts.domain[0]:g} to {facts.domain[1]:g}"))
     if facts.length is not None:
@@ -309,8 +312,16 @@ def _as_text(facts: CurveFacts) -> str:
     if facts.box is not None:
         left, bottom, right, top = facts.box
         rows.append(("box", f"about x {left:.6g} to {right:.6g}, y {bottom:.6g} to {top:.6g}"))
+    if not facts.visible:
+        rows.append(("hidden", "not drawn in pictures"))
     rows += [("warning", warning) for warning in facts.warnings]
     return "\n".join([_one_line(facts.name), *(f"  {key:<16} {value}" for key, value in rows)])
+
+
+def _points_text(facts: CurveFacts) -> str:
+    corners = f"{facts.corners} of them " + ("a corner" if facts.corners == 1 else "corners")
+    parts = [str(facts.points), *(["closed"] if facts.closed else []), *([corners] if facts.corners else [])]
+    return ", ".join(parts)
 
 
 def _rule_text(facts: CurveFacts) -> str:

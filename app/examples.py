@@ -4,7 +4,9 @@ from __future__ import annotations
 
 from pathlib import Path
 
+from app.document.format import FormatError
 from app.document.model import Document, make_curve
+from app.document.storage import StorageError, load
 from app.resources import resource
 
 _S_SKETCH = (
@@ -22,3 +24,11 @@ def first_sketch() -> Document:
 def example_paths() -> list[Path]:
     """Return the documents of File > Examples."""
     return sorted(resource("examples").glob("*.curve.json"))
+
+
+def example_name(path: Path) -> str:
+    """Return what the document at `path` calls itself; the file's name if it cannot be read."""
+    try:
+        return load(path).curves[0].name
+    except (FormatError, StorageError):
+        return path.name

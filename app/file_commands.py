@@ -2,18 +2,24 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable
 from pathlib import Path
 
 from PySide6.QtWidgets import QFileDialog, QMessageBox, QWidget
 
 from app.document.format import FormatError
-from app.document.storage import StorageError
+from app.document.model import empty_document
+from app.document.storage import StorageError, load
 from app.exchange import ExchangeError, export
 from app.preferences import Preferences
 from app.session import Session
 
 SUFFIX = ".curve.json"
+NEW_NAME = empty_document().curves[0].name
+"""The name that a curve has before anyone gives it one."""
+
+_LONGEST_STEM = 80
 _DOCUMENTS = f"Curvebench documents (*{SUFFIX});;All files (*)"
 _PICTURES = "PNG picture (*.png);;SVG drawing (*.svg);;PDF document (*.pdf)"
 
@@ -56,12 +62,13 @@ class FileCommands:
         self._open(path, self._session.open_copy, remember=False)
 
     def _open(self, path: Path, opener: Callable[[Path], None], *, remember: bool) -> None:
-        if not self.may_discard():
-            return
         try:
+            load(path)  # nobody is asked to part with a drawing for a file that cannot be opened
+            if not self.may_discard():
+                return
             opener(path)
         except (FormatError, StorageError) as problem:
-            self._warn(f"{path.name} was not opened. {problem}")
+            self._warn(_sentence(f"{path.name} was not opened", problem))
             return
         if remember:
             self._remember(path)
@@ -74,7 +81,7 @@ class FileCommands:
 
     def ask_and_save(self) -> bool:
         """Let the person choose a file and save there."""
-        start = self._session.path or self._preferences.last_folder / f"curve{SUFFIX}"
+        start = self._session.path or self._preferences.last_folder / (file_stem(self._session) + SUFFIX)
         name, _ = QFileDialog.getSaveFileName(self._window, "Save As", str(start), _DOCUMENTS)
         return bool(name) and self._save(with_suffix(Path(name)))
 
@@ -82,7 +89,7 @@ class FileCommands:
         try:
             self._session.save(path)
         except (FormatError, StorageError) as problem:
-            self._warn(f"{path.name} was not saved. {problem}")
+            self._warn(_sentence(f"{path.name} was not saved", problem))
             return False
         self._remember(path)
         self._session.say(f"Saved {path.name}.")
@@ -90,8 +97,7 @@ class FileCommands:
 
     def ask_and_export(self) -> None:
         """Let the person choose a picture file and write it."""
-        stem = self._session.path.name.removesuffix(SUFFIX) if self._session.path else "curve"
-        start = self._preferences.last_folder / f"{stem}.png"
+        start = self._preferences.last_folder / f"{file_stem(self._session)}.png"
         name, chosen = QFileDialog.getSaveFileName(self._window, "Export", str(start), _PICTURES)
         if name:
             path = Path(name)
@@ -102,7 +108,7 @@ class FileCommands:
         try:
             export(self._session.document, path)
         except (ExchangeError, StorageError, FormatError) as problem:
-            self._warn(f"{path.name} was not written. {problem}")
+            self._warn(_sentence(f"{path.name} was not written", problem))
             return
         self._preferences.last_folder = path.parent
         self._session.say(f"Wrote {path.name}.")
@@ -122,7 +128,7 @@ class FileCommands:
         return answer == QMessageBox.StandardButton.Discard
 
     def _ask_about_changes(self) -> int:
-        name = self._session.path.name if self._session.path else "the sketch"
+        name = title_of(self._session).replace("Untitled", "the sketch")
         question = QMessageBox(self._window)
         question.setObjectName("saveChanges")
         question.setWindowTitle("Curvebench")
@@ -133,6 +139,30 @@ class FileCommands:
         question.setStandardButtons(buttons.Save | buttons.Discard | buttons.Cancel)
         question.setDefaultButton(buttons.Save)
         return question.exec()
+
+
+def title_of(session: Session) -> str:
+    """Return what the document is called: its file, else the name that its first curve was given."""
+    if session.path is not None:
+        return session.path.name
+    name = session.document.curves[0].name
+    return "Untitled" if name == NEW_NAME else name
+
+
+def file_stem(session: Session) -> str:
+    """Return a file name for the document, without ending."""
+    if session.path is not None:
+        return session.path.name.removesuffix(SUFFIX)
+    name = "".join(character for character in session.document.curves[0].name if character.isprintable())
+    # What some system does not allow in a file's name.
+    return re.sub(r'[<>:"/\\|?*]+', " ", name).strip(" .")[:_LONGEST_STEM] or "curve"
+
+
+def _sentence(what: str, problem: Exception) -> str:
+    """Return why a file was not opened or written; a FormatError is a clause, the others are sentences."""
+    if isinstance(problem, FormatError):
+        return f"{what}: {problem}."
+    return f"{what}. {problem}"
 
 
 def with_suffix(path: Path) -> Path:

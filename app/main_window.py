@@ -8,6 +8,7 @@ from PySide6.QtCore import QEvent, Qt
 from PySide6.QtGui import QAction, QCloseEvent, QDragEnterEvent, QDropEvent, QKeyEvent
 from PySide6.QtWidgets import (
     QApplication,
+    QDialog,
     QDockWidget,
     QMainWindow,
     QMenu,
@@ -18,15 +19,19 @@ from PySide6.QtWidgets import (
 from app.actions import MENUS, Actions
 from app.canvas.canvas import Canvas
 from app.commands.connect import Commands
+from app.commands.curve_commands import CURVE_LIST_BUTTONS
+from app.commands.image_commands import PICTURE_SUFFIXES
 from app.commands.parts import Parts
-from app.examples import example_paths
-from app.file_commands import FileCommands
+from app.examples import example_name, example_paths
+from app.file_commands import FileCommands, title_of
 from app.gestures.rail import RailTool
 from app.gestures.tools import CanvasTool
 from app.panels.basis_pane import BasisPane
 from app.panels.basis_panel import BasisPanel
+from app.panels.curve_list import CurveList
 from app.panels.curve_settings import CurveSettings
 from app.panels.history import HistoryPanel
+from app.panels.image_panel import ImagePanel
 from app.panels.message_bar import MessageBar
 from app.panels.parametrization_bar import ParametrizationBar
 from app.panels.point_table import PointTable
@@ -91,13 +96,21 @@ class MainWindow(QMainWindow):
         self.point_table = self.table_panel.view
         self.curve_settings = CurveSettings(self.session)
         self.history = HistoryPanel(self.session)
+        self.curve_list = CurveList(self.session)
+        self.curve_list.add_buttons([self.actions_by_name[name] for name in CURVE_LIST_BUTTONS])
         points = self._add_dock("pointsDock", "Points", self.table_panel)
         curve = self._add_dock("curveDock", "Curve", self.curve_settings)
+        curves = self._add_dock("curvesDock", "Curves", self.curve_list)
         history = self._add_dock("historyDock", "History", self.history)
-        self.tabifyDockWidget(curve, history)
+        self.tabifyDockWidget(curve, curves)
+        self.tabifyDockWidget(curves, history)
         curve.raise_()
-        self.docks = (points, curve, history)
-        self.resizeDocks([points], [340], Qt.Orientation.Horizontal)
+        self.image_panel = ImagePanel(self.session)
+        self.image_dock = self._add_dock("imageDock", "Image", self.image_panel)
+        self.tabifyDockWidget(history, self.image_dock)
+        curve.raise_()
+        self.docks = (points, curve, curves, history, self.image_dock)
+        self.resizeDocks([points], [360], Qt.Orientation.Horizontal)
         self.resizeDocks([points, curve], [480, 300], Qt.Orientation.Vertical)
 
     def _add_dock(self, name: str, title: str, content: QWidget) -> QDockWidget:
@@ -119,15 +132,23 @@ class MainWindow(QMainWindow):
 
     def _build_menu(self, title: str) -> None:
         menu = self.menuBar().addMenu(title)
+        submenus: dict[str, QMenu] = {}
         for spec, action in self.actions_by_name.of_menu(title):
+            if spec.submenu and spec.submenu not in submenus:
+                submenus[spec.submenu] = menu.addMenu(spec.submenu)
+                submenus[spec.submenu].setObjectName(f"{spec.submenu.lower()}Menu")
+            place = submenus.get(spec.submenu, menu)
             if spec.separated:
-                menu.addSeparator()
-            menu.addAction(action)
+                place.addSeparator()
+            place.addAction(action)
             if spec.name == "openDocument":
                 self.recent_menu = menu.addMenu("Open Recent")
                 self.examples_menu = menu.addMenu("Examples")
         if title == "Curve":
             self.parameters_menu = menu.addMenu("Parameters")
+            self.tangent_menu = menu.addMenu("Tangent")
+            for _, action in self.actions_by_name.of_menu("Tangent"):
+                self.tangent_menu.addAction(action)
 
     def _parts(self) -> Parts:
         return Parts(
@@ -143,7 +164,11 @@ class MainWindow(QMainWindow):
             toolbar=self.toolbar,
             docks=self.docks,
             parameters_menu=self.parameters_menu,
+            preferences=self.preferences,
+            curve_list=self.curve_list,
             set_theme_mode=self.set_theme_mode,
+            image_panel=self.image_panel,
+            image_dock=self.image_dock,
         )
 
     # Connecting
@@ -161,12 +186,19 @@ class MainWindow(QMainWindow):
         session.interrupted.connect(self.basis_panel.forget_gesture)
         session.opened.connect(self._fit)
         session.said.connect(self.status_line.say)
+        session.offered.connect(self._offer)
         for plot in (self.canvas, self.basis_panel):
             plot.hint_changed.connect(self.status_line.show_hint)
+        self.canvas.progress_changed.connect(self.status_line.show_progress)
+        self.basis_panel.drag_changed.connect(self.canvas.hold_ghost)
+        self.parametrization_bar.drag_changed.connect(self.canvas.hold_ghost)
         self.canvas.pointed_at.connect(self.status_line.show_place)
         self.basis_panel.pointed_at.connect(self.status_line.show_t)
         self.recent_menu.aboutToShow.connect(self._fill_recent_menu)
         self._fill_examples_menu()
+        self.examples_menu.aboutToShow.connect(self._name_examples)
+        session.history_changed.connect(self._render_file)
+        self.table_panel.pasted.connect(self._show_points)
 
     def _fill_recent_menu(self) -> None:
         self.recent_menu.clear()
@@ -186,6 +218,11 @@ class MainWindow(QMainWindow):
                 lambda _checked=False, path=path: self._files.open_example(path)
             )
 
+    def _name_examples(self) -> None:
+        # Only now: nobody waits at the start for files to be read that are perhaps never opened.
+        for action, path in zip(self.examples_menu.actions(), example_paths(), strict=True):
+            action.setText(example_name(path).replace("&", "&&"))
+
     @staticmethod
     def _add_file(menu: QMenu, path: Path, title: str, name: str) -> QAction:
         action = menu.addAction(title)
@@ -198,9 +235,11 @@ class MainWindow(QMainWindow):
     def _render_document(self) -> None:
         view = self.session.active_view
         self.canvas.render_view(view)
+        self.canvas.render_others(self.session.views, self.session.active_index)
         self.basis_pane.render_view(view)
         self.table_panel.render_view(view)
         self.curve_settings.render_view(view)
+        self.curve_list.render_document(self.session.document, self.session.active_index)
         self.parametrization_bar.render_view(view)
         self.status_line.show_lebesgue(self.basis_panel.basis)
         self._commands.render(view)
@@ -219,14 +258,25 @@ class MainWindow(QMainWindow):
 
     def _render_file(self) -> None:
         path = self.session.path
-        name = path.name if path is not None else "Untitled"
+        name = title_of(self.session).replace("[*]", "[*][*]")
         self.setWindowFilePath(str(path) if path is not None else "")
         self.setWindowTitle(f"{name}[*] – Curvebench")
         self.setWindowModified(self.session.is_modified)
 
+    def _offer(self, text: str, action: str) -> None:
+        self._commands.render(self.session.active_view)
+        self.status_line.offer(text, self.actions_by_name[action])
+
     def _fit(self) -> None:
         self.canvas.fit()
         self.basis_pane.fit()
+
+    def _show_points(self) -> None:
+        """Fit the view where points of the active curve lie outside it."""
+        left, bottom, right, top = self.canvas.pixel_map.box
+        x, y = self.session.active_view.points.T
+        if ((x < left) | (x > right) | (y < bottom) | (y > top)).any():
+            self._fit()
 
     # Theme and layout
 
@@ -246,6 +296,18 @@ class MainWindow(QMainWindow):
     def export_file(self, path: Path) -> None:
         """Write a picture, or say why not."""
         self._files.export(path)
+
+    def apply_preferences(self) -> None:
+        """Take over what the preferences say about grid, unit and snapping."""
+        self._commands.snap.apply_preferences()
+
+    def add_image(self, path: Path) -> None:
+        """Put a picture behind the curves, to trace it, or say why not."""
+        self._commands.images.add(str(path.absolute()))
+
+    def find_image(self, path: Path) -> None:
+        """Show this picture in the place of one that is missing, or say why not."""
+        self._commands.images.find(str(path.absolute()))
 
     def set_theme_mode(self, mode: ThemeMode) -> None:
         """Use light or dark colours, or follow the system, from now on."""
@@ -293,13 +355,18 @@ class MainWindow(QMainWindow):
         path = _dropped_file(event)
         if path is not None:
             event.acceptProposedAction()
-            self._files.open(path)
+            if path.suffix.lower() in PICTURE_SUFFIXES:
+                self.add_image(path)
+            else:
+                self._files.open(path)
 
     def closeEvent(self, event: QCloseEvent) -> None:
         if not self._files.may_discard():
             event.ignore()
             return
         self._remember_layout()
+        for dialog in self.findChildren(QDialog):
+            dialog.close()
         event.accept()
 
 

@@ -2,15 +2,24 @@
 
 from __future__ import annotations
 
+import json
+import math
+from collections.abc import Collection, Mapping
 from pathlib import Path
 from typing import Final
 
 from PySide6.QtCore import QByteArray, QSettings
 
+from app.gestures.snapping import SnapKind
 from app.theme import ThemeMode
 
 _NAME: Final = "curvebench"
 _MAX_RECENT: Final = 10
+_SWITCHES: Final = ("off", "on")
+_LEAST_SPACING, _GREATEST_SPACING = 1e-9, 1e9
+
+LONGEST_UNIT: Final = 12
+"""Letters that the name of a unit may have."""
 
 
 class Preferences:
@@ -79,6 +88,83 @@ class Preferences:
         self._settings.setValue("window/splitter", value)
 
     @property
+    def snap_on(self) -> bool:
+        """Whether dragged and added points snap."""
+        return self._switch("snap/on", default=False)
+
+    @snap_on.setter
+    def snap_on(self, value: bool) -> None:
+        self._settings.setValue("snap/on", _SWITCHES[value])
+
+    @property
+    def snap_kinds(self) -> frozenset[SnapKind]:
+        """What they snap to."""
+        stored = self._settings.value("snap/kinds")
+        if stored is None:
+            return frozenset(SnapKind)
+        try:
+            return frozenset(SnapKind(word) for word in str(stored).split())
+        except ValueError:
+            self._complain("snap/kinds", f"“{stored}” names something else than {', '.join(SnapKind)}")
+            return frozenset(SnapKind)
+
+    @snap_kinds.setter
+    def snap_kinds(self, kinds: Collection[SnapKind]) -> None:
+        self._settings.setValue("snap/kinds", " ".join(kind.value for kind in SnapKind if kind in kinds))
+
+    @property
+    def grid_spacing(self) -> float:
+        """Distance of the grid's lines in units of the plane; 0 where it adapts to the zoom."""
+        stored = self._text("grid/spacing")
+        try:
+            spacing = float(stored or 0)
+        except ValueError:
+            spacing = math.nan
+        if spacing == 0 or _LEAST_SPACING <= spacing <= _GREATEST_SPACING:
+            return spacing
+        self._complain("grid/spacing", f"“{stored}” is no distance")
+        return 0.0
+
+    @grid_spacing.setter
+    def grid_spacing(self, spacing: float) -> None:
+        self._settings.setValue("grid/spacing", repr(float(spacing)))
+
+    @property
+    def unit_name(self) -> str:
+        """The name of the unit of the plane, such as "mm"; empty for none."""
+        return self._text("grid/unit")[:LONGEST_UNIT]
+
+    @unit_name.setter
+    def unit_name(self, name: str) -> None:
+        self._settings.setValue("grid/unit", name)
+
+    @property
+    def transform_box(self) -> bool:
+        """Whether two or more selected points get a box with grips."""
+        return self._switch("view/transform_box", default=True)
+
+    @transform_box.setter
+    def transform_box(self, value: bool) -> None:
+        self._settings.setValue("view/transform_box", _SWITCHES[value])
+
+    @property
+    def shortcuts(self) -> dict[str, str]:
+        """The keys that differ from the defaults, by the action's name."""
+        stored = self._text("shortcuts")
+        try:
+            found = json.loads(stored or "{}")
+        except ValueError:
+            found = None
+        if isinstance(found, dict) and all(isinstance(keys, str) for keys in found.values()):
+            return found
+        self._complain("shortcuts", "they are not a list of keys")
+        return {}
+
+    @shortcuts.setter
+    def shortcuts(self, keys: Mapping[str, str]) -> None:
+        self._settings.setValue("shortcuts", json.dumps(dict(keys), sort_keys=True))
+
+    @property
     def recent_files(self) -> list[Path]:
         """At most ten files, the latest first; those that are no longer there are left out."""
         return [path for path in self._recent() if _is_file(path)]
@@ -117,6 +203,12 @@ class Preferences:
 
     def _set_recent(self, paths: list[Path]) -> None:
         self._settings.setValue("files/recent", [str(path) for path in paths[:_MAX_RECENT]])
+
+    def _switch(self, key: str, *, default: bool) -> bool:
+        stored = self._text(key)
+        if stored and stored not in _SWITCHES:
+            self._complain(key, f"“{stored}” is neither on nor off")
+        return stored == "on" if stored in _SWITCHES else default
 
     def _text(self, key: str) -> str:
         stored = self._settings.value(key)

@@ -10,6 +10,7 @@ from PySide6.QtCore import QObject, Signal
 from PySide6.QtGui import QUndoCommand, QUndoStack
 
 from app.document import storage
+from app.document.curve_edits import refuse_locked
 from app.document.edits import EditError
 from app.document.model import Curve, Document, empty_document
 from app.examples import first_sketch
@@ -63,6 +64,8 @@ class Session(QObject):
         The document was replaced from outside a gesture (undo, open): a gesture in flight is void.
     said
         A sentence for the status line.
+    offered
+        A sentence for the status line and the name of an action that goes with it.
     """
 
     document_changed = Signal(object)
@@ -75,6 +78,7 @@ class Session(QObject):
     opened = Signal()
     interrupted = Signal()
     said = Signal(str)
+    offered = Signal(str, str)
 
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
@@ -86,6 +90,7 @@ class Session(QObject):
         self.selection: frozenset[int] = frozenset()
         self.hovered = -1
         self.scrub: float | None = None
+        self.offered_at: float | None = None
         self._committed = first_sketch()
         self._shown = self._committed
         self._views: list[CurveView] = []
@@ -95,6 +100,7 @@ class Session(QObject):
         self.file_changed.emit()
 
     def _report_index(self, _index: int) -> None:
+        self.offered_at = None
         self.history_changed.emit()
 
     # What is shown
@@ -132,9 +138,24 @@ class Session(QObject):
     def activate(self, index: int) -> None:
         """Edit another curve; nothing of it is selected yet."""
         if index != self.active_index:
-            self.select([])
-            self.active_index = index
+            self.interrupted.emit()
+            self.cancel()
+            self._enter(index)
+            self._keep_scrub_inside()
             self.active_changed.emit(index)
+
+    def _enter(self, index: int) -> None:
+        """Make curve `index` the active one; what belonged to the other is put away."""
+        self.select([])
+        self.set_hovered(-1)
+        self.active_index = index
+
+    def _keep_scrub_inside(self) -> None:
+        """Move the scrub line into the domain of the curve that is active now."""
+        view = self.active_view
+        if self.scrub is not None and view.curve is not None:
+            start, end = view.curve.domain
+            self.set_scrub(min(max(self.scrub, start), end))
 
     @property
     def selected(self) -> int | None:
@@ -150,15 +171,25 @@ class Session(QObject):
 
     def preview(self, document: Document) -> None:
         """Show `document` during a gesture; `commit` or `cancel` ends it."""
-        if document is not self._shown:
+        if document is not self._shown and self._is_free(document):
             self._show(document)
+
+    def _is_free(self, document: Document) -> bool:
+        """Whether `document` leaves the locked curves alone; says so if not."""
+        try:
+            refuse_locked(self._committed, document)
+        except EditError as reason:
+            self.say(str(reason))
+            return False
+        return True
 
     def commit(self, document: Document, text: str, *, active: int | None = None) -> None:
         """Make `document` the current one, as one step of the history called `text`.
 
-        `active` is the curve to edit from then on, where that changes.
+        `active` is the curve to edit from then on, where that changes. A document in which a locked curve is
+        another one is refused with a sentence.
         """
-        if document == self._committed:
+        if document == self._committed or not self._is_free(document):
             self.cancel()
             return
         after = self.active_index if active is None else active
@@ -173,10 +204,10 @@ class Session(QObject):
     def _restore(self, state: _State) -> None:
         self.interrupted.emit()
         if state.active != self.active_index:
-            self.select([])
-            self.active_index = state.active
+            self._enter(state.active)
         self._committed = state.document
         self._show(state.document)
+        self._keep_scrub_inside()
 
     def _show(self, document: Document) -> None:
         self._shown = document
@@ -215,6 +246,14 @@ class Session(QObject):
     def say(self, text: str) -> None:
         """Show a sentence in the status line."""
         self.said.emit(text)
+
+    def offer(self, text: str, action: str, at: float | None = None) -> None:
+        """Show a sentence in the status line, and beside it a button for the action of this name.
+
+        `at` is the parameter that the action is about; the next step of the history makes it void.
+        """
+        self.offered_at = at
+        self.offered.emit(text, action)
 
     # Files
 

@@ -23,12 +23,14 @@ from pathlib import Path
 from typing import Protocol
 
 from PySide6.QtCore import QEvent, QPoint, QPointF, Qt
-from PySide6.QtGui import QAction, QGuiApplication, QImage, QMouseEvent, QWheelEvent
+from PySide6.QtGui import QAction, QContextMenuEvent, QGuiApplication, QImage, QMouseEvent, QWheelEvent
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication, QWidget
+from PySide6.QtWidgets import QApplication, QDockWidget, QMenu, QWidget
 
 from app.document.model import Curve, Family, ParametrizationKind, Vector
 from app.main_window import MainWindow
+from app.panels.command_palette import CommandPalette
+from app.panels.curve_list_view import Spot, spot_rect
 from app.plot.plot_widget import PlotWidget
 from app.preferences import Preferences
 from app.session import Session
@@ -190,10 +192,72 @@ class Editor:
         """Drag a handle of the selected point."""
         self.drag(self.handle(kind, ahead=ahead).position, to)
 
-    def drag_parameter(self, index: int, to: float) -> None:
+    def bend(self, t: float, to: Vector, *, keys: Qt.KeyboardModifier = _NO_KEYS) -> None:
+        """Grab the curve at `t` and drag it."""
+        assert self.session.active_view.curve is not None
+        x, y = self.session.active_view.curve.evaluate(t)
+        self.drag((float(x), float(y)), to, keys=keys)
+
+    def grip(self, x: int = 0, y: int = 0) -> Vector:
+        """Return where a grip of the box around the selection lies: x, y in −1, 0, 1; 0, 0 rotates."""
+        canvas = self.window.canvas
+        if canvas.overlay.box is None:
+            raise LookupError("No box is shown; it takes two selected points.")
+        for each, place in canvas.overlay.box.grips(canvas.pixel_map.sx):
+            if each.rotates if (x, y) == (0, 0) else (each.x, each.y, each.rotates) == (x, y, False):
+                return place
+        raise LookupError("The box has no such grip.")
+
+    def type_amount(self, text: str) -> None:
+        """Type into the transform that G, S or R began."""
+        QTest.keyClicks(self.window.canvas, text)
+        self.settle()
+
+    def drag_parameter(self, index: int, to: float, *, keys: Qt.KeyboardModifier = _NO_KEYS) -> None:
         """Drag the tick of point `index` along the t-rail."""
         panel = self.window.basis_panel
-        self.drag_pixels(panel, panel.rail_pixel(self.parameters[index]), panel.rail_pixel(to))
+        start = panel.rail_pixel(self.parameters[index])
+        self.drag_pixels(panel, start, panel.rail_pixel(to), keys=keys)
+
+    def click_parameter(self, index: int, *, keys: Qt.KeyboardModifier = _NO_KEYS) -> None:
+        """Click on the tick of point `index`."""
+        panel = self.window.basis_panel
+        place = panel.rail_pixel(self.parameters[index])
+        self.drag_pixels(panel, place, place, keys=keys)
+
+    def type_parameter(self, index: int, text: str) -> None:
+        """Double-click on the tick of point `index`, type, and press Enter."""
+        panel = self.window.basis_panel
+        place = panel.rail_pixel(self.parameters[index])
+        self.click_parameter(index)
+        self.send(panel, QEvent.Type.MouseButtonDblClick, place)
+        self.send(panel, QEvent.Type.MouseButtonRelease, place, held=False)
+        line = panel.tick_edit.line
+        line.selectAll()
+        QTest.keyClicks(line, text)
+        QTest.keyClick(line, Qt.Key.Key_Return)
+        self.settle()
+
+    def find_command(self, text: str) -> list[str]:
+        """Open the command palette, type, and return the names it finds, best first; it stays open."""
+        palette = self._palette()
+        if not palette.isVisible():
+            self.trigger("commandPalette")
+        palette.search.clear()
+        QTest.keyClicks(palette.search, text)
+        self.settle()
+        return palette.found
+
+    def run_command(self, text: str) -> None:
+        """Do what the command palette finds first."""
+        self.find_command(text)
+        QTest.keyClick(self._palette().search, Qt.Key.Key_Return)
+        self.settle()
+
+    def _palette(self) -> CommandPalette:
+        palette = self.window.findChild(CommandPalette)
+        assert palette is not None
+        return palette
 
     def scrub(self, t: float) -> None:
         """Drag the scrub line to t."""
@@ -314,6 +378,54 @@ class Editor:
             keys,
         )
         QApplication.sendEvent(plot.viewport(), event)
+
+    def open_menu(self, at: Vector) -> QMenu:
+        """Press the right button on the canvas and return the menu that opens."""
+        canvas = self.window.canvas
+        pixel = canvas.to_pixel(*at)
+        self.send(canvas, QEvent.Type.MouseButtonPress, pixel, button=Qt.MouseButton.RightButton)
+        return self._menu_from(canvas.viewport(), QContextMenuEvent.Reason.Mouse, pixel)
+
+    def press_menu_key(self) -> QMenu:
+        """Press the Menu key with the canvas in focus and return the menu that opens."""
+        return self._menu_from(self.window.canvas, QContextMenuEvent.Reason.Keyboard, QPoint())
+
+    def _menu_from(self, widget: QWidget, reason: QContextMenuEvent.Reason, pixel: QPoint) -> QMenu:
+        QApplication.sendEvent(widget, QContextMenuEvent(reason, pixel, widget.mapToGlobal(pixel)))
+        self.settle()
+        return self.menu()
+
+    def menu(self) -> QMenu:
+        """Return the menu that is open."""
+        menu = QApplication.activePopupWidget()
+        if not isinstance(menu, QMenu):
+            raise LookupError("There is no menu open.")
+        return menu
+
+    def choose(self, name: str) -> None:
+        """Click the entry of the open menu that has this objectName."""
+        menu = self.menu()
+        entry = next((each for each in menu.actions() if each.objectName() == name), None)
+        if entry is None:
+            raise LookupError(f"There is no entry called {name!r} in the menu.")
+        QTest.mouseClick(menu, _LEFT, pos=menu.actionGeometry(entry).center())
+        self.settle()
+
+    def click_in_list(self, row: int, spot: Spot = Spot.NAME) -> None:
+        """Click a part of a row in the list of curves."""
+        self.show_dock("curvesDock")
+        view = self.window.curve_list.view
+        QTest.mouseClick(view.viewport(), _LEFT, pos=spot_rect(view.row_rect(row), spot).center())
+        self.settle()
+
+    def show_dock(self, name: str) -> None:
+        """Bring the dock with this objectName to the front."""
+        dock = self.window.findChild(QDockWidget, name)
+        if dock is None:
+            raise LookupError(f"There is no dock called {name!r}.")
+        dock.show()
+        dock.raise_()
+        self.settle()
 
     def type_text(self, widget: QWidget, text: str) -> None:
         """Type into a widget."""

@@ -266,6 +266,7 @@ QTabBar::tab:selected:focus { color: $accent }
 QStatusBar { background: $surface; border-top: 1px solid $line; color: $muted }
 QStatusBar::item { border: none }
 QStatusBar QLabel { color: $muted; padding: 2px 6px }
+QMenu { background: $raised; border: 1px solid $edge; padding: 4px }
 QToolTip { background: $raised; color: $ink; border: 1px solid $line; padding: 4px 6px }
 """
 
@@ -276,6 +277,7 @@ def style_sheet_of(theme: Theme) -> str:
         "$surface": theme.surface,
         "$raised": _role_colours(theme)[QPalette.ColorRole.ToolTipBase],
         "$line": mix(theme.ink, theme.surface, 0.14),
+        "$edge": mix(theme.ink, theme.surface, 0.24),
         "$fine": mix(theme.ink, theme.paper, 0.07),
         "$hover": mix(theme.ink, theme.surface, 0.07),
         "$pressed": mix(theme.ink, theme.surface, 0.14),
@@ -304,6 +306,27 @@ _OKABE_ITO: Final = {
 
 Okabe & Ito, "Color Universal Design" (2008); the dark theme has them as published.
 """
+
+CURVE_COLOURS: Final = {
+    "Ink": "",
+    "Blue": "#0072b2",
+    "Vermillion": "#d55e00",
+    "Bluish green": "#009e73",
+    "Reddish purple": "#cc79a7",
+    "Orange": "#e69f00",
+    "Sky blue": "#56b4e9",
+    "Yellow": "#f0e442",
+}
+"""The colours a curve can have, as a document writes them; the ink is that of the theme."""
+
+
+def curve_colour(code: str, theme: Theme) -> QColor:
+    """Return the colour of a curve in this theme: the Okabe–Ito colours are darker on light paper."""
+    published = _OKABE_ITO["dark"]
+    if code in published:
+        return QColor(_OKABE_ITO[theme.name][published.index(code)])
+    return QColor(code) if code else QColor(theme.curve)
+
 
 # OKLab to cone responses (cube roots), and those to linear RGB:
 # B. Ottosson, "A perceptual color space for image processing" (2020).

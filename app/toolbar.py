@@ -13,10 +13,10 @@ _SEPARATOR, _PARAMETERS = "", "PARAMETERS"
 _ORDER = (
     "newDocument", "openDocument", "saveDocument", _SEPARATOR,
     "undo", "redo", _SEPARATOR,
-    "selectTool", "addTool", _SEPARATOR,
+    "selectTool", "addTool", "measureTool", _SEPARATOR,
     "familyLagrange", "familyHermite", "familyQuinticHermite", _SEPARATOR,
     _PARAMETERS, _SEPARATOR,
-    "fitView", "toggleGrid", "toggleScrub",
+    "fitView", "toggleGrid", "toggleSnap", "toggleScrub",
 )  # fmt: skip
 _FAMILIES = {
     "familyLagrange": "Lagrange",

@@ -8,7 +8,7 @@ from PySide6.QtGui import QColor, QPainter, QPen
 from app.plot.drawing import Stroke
 from app.plot.pixel_map import Floats, PixelMap
 from app.plot.plot_widget import Layer, PlotWidget
-from app.theme import Theme
+from app.theme import Theme, curve_colour
 from app.view_model.curve_view import CurveView, Polyline
 
 TOLERANCE = 0.1
@@ -27,6 +27,7 @@ class CurveLayer:
         self._stroke, self._ghost_stroke = Stroke(), Stroke()
         self._drawn: tuple[CurveView | None, PixelMap | None] = (None, None)
         self._ghost: Floats | None = None
+        self._ghost_held = False
         self._fade = QVariantAnimation(plot, startValue=1.0, endValue=0.0, duration=_GHOST_MS)
         self._layer: Layer = plot.add_layer(self.paint, z=0)
         self._fade.valueChanged.connect(lambda _value: self._layer.update())
@@ -43,6 +44,30 @@ class CurveLayer:
         self._fade.stop()
         self._fade.start()
 
+    @property
+    def is_ghost_held(self) -> bool:
+        """Whether a ghost stands still for the length of a gesture."""
+        return self._ghost_held
+
+    @property
+    def ghost_opacity(self) -> float:
+        """How much of the ghost is seen, from 0 to 1."""
+        if self._ghost_held:
+            return 1.0
+        fading = self._fade.state() == QAbstractAnimation.State.Running
+        return float(self._fade.currentValue()) if fading and self._ghost is not None else 0.0
+
+    def hold_ghost(self, points: Floats) -> None:
+        """Let a curve stand behind the present one until the ghost is released."""
+        self._fade.stop()
+        self._ghost, self._ghost_held = points, True
+
+    def release_ghost(self) -> None:
+        """Let the ghost that was held fade."""
+        if self._ghost_held:
+            self._ghost_held = False
+            self._fade.start()
+
     def _drop_ghost(self) -> None:
         self._ghost = None
         self._layer.update()
@@ -56,7 +81,7 @@ class CurveLayer:
     def paint(self, painter: QPainter, shown: PixelMap) -> None:
         """Draw ghost and curve."""
         painter.setRenderHint(QPainter.RenderHint.Antialiasing, True)
-        if self._ghost is not None and self._fade.state() == QAbstractAnimation.State.Running:
+        if self._ghost is not None and self.ghost_opacity > 0:
             self._paint_ghost(painter, shown, self._ghost)
         if self._view is not self._drawn[0] or shown is not self._drawn[1]:
             self._fill(shown)
@@ -74,14 +99,16 @@ class CurveLayer:
     def _pen(self) -> QPen:
         pen = QPen(self.theme.curve, 2.0 * self.scale)
         pen.setCapStyle(Qt.PenCapStyle.RoundCap)
-        if self._view is not None and not self._view.is_current:
-            # The last good curve, of nodes or rules that are no more.
-            pen.setColor(self.theme.ghost)
+        if self._view is not None:
+            source = self._view.source
+            # Faint: the last good curve, of nodes or rules that are no more, and a hidden one that is edited.
+            is_faint = not (self._view.is_current and source.visible)
+            pen.setColor(self.theme.ghost if is_faint else curve_colour(source.colour, self.theme))
         return pen
 
     def _paint_ghost(self, painter: QPainter, shown: PixelMap, points: Floats) -> None:
         self._ghost_stroke.fill(shown.points(points), shown.width, shown.height)
         colour = QColor(self.theme.ghost)
-        colour.setAlphaF(float(self._fade.currentValue()))
+        colour.setAlphaF(self.ghost_opacity)
         painter.setPen(QPen(colour, 1.5 * self.scale))
         self._ghost_stroke.draw(painter)

@@ -2,7 +2,12 @@
 
 - ``parts``: the parts of a window that commands act on, and what a set of commands is.
 - ``edit_commands``: history, points, family and parameters.
+- ``selection_commands``: move, scale, rotate, align and distribute the selected points.
+- ``snap_commands``: snapping, the grid's spacing and the unit, as the preferences have them.
 - ``view_commands``: tools, zoom, panels, presentation, theme.
+- ``rail_commands``: the menu of the t-rail.
+- ``image_commands``: the picture to trace.
+- ``tool_commands``: command palette, preferences, shortcuts.
 - ``help_commands``: keys and mouse, about.
 - ``messages``: the line on the canvas.
 - ``connect``: connects the actions of a window to all of them.

@@ -2,10 +2,19 @@
 
 from __future__ import annotations
 
+from app.commands.clipboard_commands import ClipboardCommands
+from app.commands.context_menus import ContextMenus
+from app.commands.curve_commands import CurveCommands
 from app.commands.edit_commands import EditCommands
 from app.commands.help_commands import HelpCommands
+from app.commands.image_commands import ImageCommands
 from app.commands.messages import Messages
 from app.commands.parts import CommandSet, Handlers, Parts
+from app.commands.rail_commands import RailCommands
+from app.commands.selection_commands import SelectionCommands
+from app.commands.snap_commands import SnapCommands
+from app.commands.tangent_commands import TangentCommands
+from app.commands.tool_commands import ToolCommands
 from app.commands.view_commands import ViewCommands
 from app.view_model.curve_view import CurveView
 
@@ -17,7 +26,23 @@ class Commands:
         self._parts = parts
         self.view = ViewCommands(parts)
         self.messages = Messages(parts)
-        self._sets: tuple[CommandSet, ...] = (EditCommands(parts), self.view, HelpCommands(parts))
+        self.snap = SnapCommands(parts)
+        self.images = ImageCommands(parts, self.messages)
+        curves = CurveCommands(parts)
+        self._sets: tuple[CommandSet, ...] = (
+            EditCommands(parts),
+            SelectionCommands(parts),
+            curves,
+            TangentCommands(parts),
+            ClipboardCommands(parts),
+            self.snap,
+            self.view,
+            HelpCommands(parts),
+            RailCommands(parts),
+            self.images,
+            ToolCommands(parts, self.snap.apply_preferences),
+        )
+        self.context_menus = ContextMenus(parts, curves)
         for handlers in (self._file_handlers(), *(each.handlers() for each in self._sets)):
             for name, handler in handlers.items():
                 parts.actions[name].triggered.connect(lambda _checked=False, handler=handler: handler())

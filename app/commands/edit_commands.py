@@ -50,7 +50,12 @@ class EditCommands:
         chosen = self._session.selection
         self._actions[_FAMILY_ACTIONS[view.source.family]].setChecked(True)
         self._actions["deleteSelection"].setEnabled(bool(chosen))
-        has_explicit = any(view.is_explicit(index, order) for index in chosen for order in (1, 2))
+        has_explicit = any(
+            view.is_explicit(index, order, ahead=ahead)
+            for index in chosen
+            for order in (1, 2)
+            for ahead in (False, True)
+        )
         self._actions["resetVelocities"].setEnabled(has_explicit)
         self._actions["freezeParameters"].setEnabled(view.is_current and not view.source.is_manual)
 
@@ -68,7 +73,7 @@ class EditCommands:
         ):
             verb = name.capitalize()
             self._actions[name].setEnabled(can)
-            self._actions[name].setText(f"{verb} {text}" if text else verb)
+            self._actions[name].setText(f"{verb}: {text}" if text else verb)
 
     def _undo(self) -> None:
         # Undo in the middle of a drag takes the drag back, not the step before it.
@@ -78,7 +83,7 @@ class EditCommands:
     def _use_family(self, family: Family) -> None:
         session = self._session
         self._parts.change(
-            f"Use {_FAMILY_NAMES[family]}",
+            f"Switch to {_FAMILY_NAMES[family]}",
             lambda: edits.set_family(session.document, session.active_index, family),
         )
         # The toggle shows what is, also where nothing changed.
@@ -111,6 +116,7 @@ class EditCommands:
         session, chosen = self._session, self._session.selection
         if not chosen:
             return
+        self._parts.cancel_gesture()
         what = f"point {next(iter(chosen))}" if len(chosen) == 1 else f"{len(chosen)} points"
         document = edits.delete_nodes(session.document, session.active_index, chosen)
         session.select([])

@@ -5,8 +5,9 @@ from __future__ import annotations
 from PySide6.QtWidgets import QMessageBox
 
 from app import __version__
+from app.actions import MENUS
 from app.commands.parts import Handlers, Parts
-from app.panels.shortcut_sheet import ShortcutSheet
+from app.panels.shortcut_sheet import Moment, ShortcutSheet
 from app.view_model.curve_view import CurveView
 
 
@@ -26,13 +27,18 @@ class HelpCommands:
 
     def _show_shortcuts(self) -> None:
         """Show the keys of the moment, or put the sheet away."""
-        if self._sheet is not None and self._sheet.isVisible():
-            self._sheet.close()
+        parts = self._parts
+        if self._sheet is None:
+            self._sheet = ShortcutSheet(parts.window, over=parts.window.centralWidget() or parts.window)
+        if self._sheet.isVisible():
+            self._sheet.put_away()
             return
-        if self._sheet is not None:
-            self._sheet.deleteLater()
-        self._sheet = ShortcutSheet(self._parts.actions.shortcuts(), self._parts.window)
-        self._sheet.show()
+        moment = Moment(
+            adding=parts.actions["addTool"].isChecked(),
+            selected=len(parts.session.selection),
+            has_derivatives=parts.session.active_curve.family.derivatives > 0,
+        )
+        self._sheet.open(moment, [(menu, parts.actions.shortcuts(menu)) for menu in MENUS])
 
     def _about(self) -> None:
         box = QMessageBox(self._parts.window)

@@ -21,6 +21,18 @@ class Messages(QObject):
         super().__init__(parts.window)
         self._bar, self._session = parts.message_bar, parts.session
         self._greeting = ""
+        self._image_problem = ""
+        self._bar.closed.connect(self._forget_image_problem)
+
+    def _forget_image_problem(self) -> None:
+        """Say it once: the panel of the image goes on saying it."""
+        self._image_problem = ""
+
+    def set_image_problem(self, text: str) -> None:
+        """Say what is wrong with the picture to trace, as long as nothing more urgent is; empty: nothing."""
+        if text != self._image_problem:
+            self._image_problem = text
+            self.render(self._session.active_view)
 
     def greet(self) -> None:
         """Show the hint of the first start, until it is put away or something has been done."""
@@ -40,6 +52,10 @@ class Messages(QObject):
             self._bar.tell(_EMPTY)
         elif view.problem:
             self._bar.warn(view.problem)
+        elif self._image_problem:
+            self._bar.warn(self._image_problem)
+        elif not view.source.visible:
+            self._bar.tell(f"“{view.source.name}” is hidden; it is drawn faintly while you edit it.")
         elif self._greeting:
             self._bar.tell(self._greeting)
         else:

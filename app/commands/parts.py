@@ -15,8 +15,11 @@ from app.document.model import Document
 from app.file_commands import FileCommands
 from app.panels.basis_pane import BasisPane
 from app.panels.basis_panel import BasisPanel
+from app.panels.curve_list import CurveList
+from app.panels.image_panel import ImagePanel
 from app.panels.message_bar import MessageBar
 from app.panels.status_line import StatusLine
+from app.preferences import Preferences
 from app.session import Session
 from app.theme import ThemeMode
 from app.view_model.curve_view import CurveView
@@ -40,10 +43,18 @@ class Parts:
     toolbar: QToolBar
     docks: Sequence[QDockWidget]
     parameters_menu: QMenu
+    preferences: Preferences
+    curve_list: CurveList
     set_theme_mode: Callable[[ThemeMode], None]
+    image_panel: ImagePanel
+    image_dock: QDockWidget
 
     def change(self, text: str, edit: Callable[[], Document], *, active: int | None = None) -> bool:
-        """Commit what `edit` makes as the step `text`, or say why it cannot be done."""
+        """Commit what `edit` makes as the step `text`, or say why it cannot be done.
+
+        A gesture in flight is dropped first: its preview is no part of the step.
+        """
+        self.cancel_gesture()
         try:
             self.session.commit(edit(), text, active=active)
         except EditError as reason:

@@ -11,6 +11,7 @@ from app.view_model.curve_view import CurveView
 _TOOL_HINTS = {
     ToolKind.SELECT: "Drag points and handles; P adds points.",
     ToolKind.ADD: "Click to add points; V or Escape goes back to selecting.",
+    ToolKind.MEASURE: "Drag to measure; V or Escape goes back to selecting.",
 }
 _SCALES = (0.75, 1.0, 1.25, 1.5, 2.0, 2.5, 3.0)
 
@@ -24,6 +25,7 @@ class ViewCommands:
         self._actions = parts.actions
         self._scale = 1.0
         self._before_presentation = b""
+        self._before_folding = b""
         for name in ("selectTool", "toggleGrid", "toggleBasis", "toggleSidePanel"):
             self._actions[name].setChecked(True)
 
@@ -33,6 +35,7 @@ class ViewCommands:
         return {
             "selectTool": lambda: self._use_tool(ToolKind.SELECT),
             "addTool": lambda: self._use_tool(ToolKind.ADD),
+            "measureTool": lambda: self._use_tool(ToolKind.MEASURE),
             "fitView": self._fit,
             "zoomIn": lambda: self._zoom(ZOOM_STEP),
             "zoomOut": lambda: self._zoom(1 / ZOOM_STEP),
@@ -56,10 +59,12 @@ class ViewCommands:
     def escape(self) -> None:
         """Step back: the gesture in flight, the adding, the presentation, the scrub line, the selection."""
         session = self._session
-        if self._parts.cancel_gesture():
+        if self._parts.cancel_gesture() or self._parts.canvas.put_away():
             return
-        if self._actions["addTool"].isChecked():
+        if self._actions["addTool"].isChecked() or self._actions["measureTool"].isChecked():
             self._actions["selectTool"].trigger()
+        elif self._actions["moveImage"].isChecked():
+            self._actions["moveImage"].trigger()
         elif self._actions["presentation"].isChecked():
             self._actions["presentation"].trigger()
         elif session.scrub is not None:
@@ -96,8 +101,17 @@ class ViewCommands:
         self._parts.basis_pane.setVisible(self._actions["toggleBasis"].isChecked())
 
     def _toggle_side_panel(self) -> None:
+        window, shown = self._parts.window, self._actions["toggleSidePanel"].isChecked()
+        # The layout of a presentation is none to come back to.
+        keeps_layout = not self._actions["presentation"].isChecked()
+        if not shown and keeps_layout:
+            self._before_folding = bytes(window.saveState().data())
         for dock in self._parts.docks:
-            dock.setVisible(self._actions["toggleSidePanel"].isChecked())
+            # A dock that has nothing to show is disabled, and stays away.
+            dock.setVisible(shown and dock.isEnabled())
+        if shown and keeps_layout and self._before_folding:
+            # Shown one by one, docks share the height anew and change which tab is in front.
+            window.restoreState(self._before_folding)
 
     def _change_scale(self, step: int) -> None:
         self._set_scale(_SCALES[max(0, min(_SCALES.index(self._scale) + step, len(_SCALES) - 1))])

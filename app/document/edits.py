@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Collection, Iterable, Sequence
-from itertools import count, pairwise
+from itertools import pairwise
 
 from msgspec.structs import replace
 
@@ -23,7 +23,6 @@ from app.document.model import (
     ParametrizationKind,
     Vector,
     VelocityRule,
-    empty_document,
 )
 
 _DERIVATIVES = (
@@ -52,7 +51,24 @@ def _checked_vector(vector: Vector, what: str) -> Vector:
 
 
 def _with_nodes(document: Document, curve: int, nodes: Iterable[Node]) -> Document:
-    return document.with_curve(curve, replace(document.curves[curve], nodes=tuple(nodes)))
+    return document.with_curve(
+        curve, _with_room_to_close(replace(document.curves[curve], nodes=tuple(nodes)))
+    )
+
+
+def _with_room_to_close(curve: Curve) -> Curve:
+    """Let the interval of a closed curve with manual parameters end after the t of its last point.
+
+    A Lagrange curve stays open, but keeps the wish to be closed for the family it may get next.
+    """
+    if not (curve.closed and curve.is_manual and curve.nodes):
+        return curve
+    first, last, end = curve.nodes[0].t, curve.nodes[-1].t, curve.parametrization.end
+    if first is None or last is None or end > last:
+        return curve
+    # The segment that closes takes as long as the others do on average.
+    mean = (last - first) / (len(curve.nodes) - 1) if len(curve.nodes) > 1 else 1.0
+    return replace(curve, parametrization=replace(curve.parametrization, end=last + mean))
 
 
 def _with_node(document: Document, curve: int, index: int, node: Node) -> Document:
@@ -66,7 +82,7 @@ def _with_node(document: Document, curve: int, index: int, node: Node) -> Docume
 def insert_nodes(document: Document, curve: int, index: int, nodes: Sequence[Node]) -> Document:
     """Insert `nodes` before node `index`; `index` equal to the number of nodes appends."""
     for node in nodes:
-        _checked_vector(node.position, "the point")
+        _check_node(node, "the point")
     old = document.curves[curve].nodes
     return _with_nodes(document, curve, (*old[:index], *nodes, *old[index:]))
 
@@ -79,7 +95,7 @@ def append_node(document: Document, curve: int, node: Node, *, squeeze: float = 
     1/squeeze, an acceleration by its square, and the handles stay where the person put them.
     """
     _checked_vector(node.position, "the point")
-    old = (_stretched(each, squeeze) for each in document.curves[curve].nodes)
+    old = (stretched(each, squeeze) for each in document.curves[curve].nodes)
     return _with_nodes(document, curve, (*old, node))
 
 
@@ -157,8 +173,12 @@ def make_smooth(document: Document, curve: int, index: int, velocity: Vector | N
     return _with_node(document, curve, index, smooth)
 
 
-def set_closed(document: Document, curve: int, closed: bool) -> Document:
-    """Let the curve return to its first point, or not."""
+def set_closed(document: Document, curve: int, closed: bool, *, squeeze: float = 1.0) -> Document:
+    """Let the curve return to its first point, or not.
+
+    Under an automatic rule the segment that closes needs a part of the interval. `squeeze` is what that does
+    to the others, dt_new / dt_old, as for `append_node`: handles stay where the person put them.
+    """
     old = document.curves[curve]
     if closed and old.family is Family.LAGRANGE:
         raise EditError(
@@ -167,12 +187,8 @@ def set_closed(document: Document, curve: int, closed: bool) -> Document:
         )
     if closed and len(old.nodes) < 3:
         raise EditError("A closed curve needs at least three points.")
-    rule = old.parametrization
-    if closed and old.is_manual and old.nodes[-1].t is not None and not rule.end > old.nodes[-1].t:
-        # The segment that closes takes as long as the others do on average.
-        start, end = interval(old)
-        rule = replace(rule, end=end + (end - start) / (len(old.nodes) - 1))
-    return document.with_curve(curve, replace(old, closed=closed, parametrization=rule))
+    nodes = tuple(stretched(node, squeeze) for node in old.nodes)
+    return document.with_curve(curve, _with_room_to_close(replace(old, nodes=nodes, closed=closed)))
 
 
 # Rules
@@ -213,7 +229,8 @@ def set_parametrization(
     old = document.curves[curve]
     if kind is ParametrizationKind.MANUAL and any(node.t is None for node in old.nodes):
         return freeze_parameters(document, curve, parameters)
-    return document.with_curve(curve, replace(old, parametrization=replace(old.parametrization, kind=kind)))
+    chosen = replace(old, parametrization=replace(old.parametrization, kind=kind))
+    return document.with_curve(curve, _with_room_to_close(chosen))
 
 
 def freeze_parameters(document: Document, curve: int, parameters: Sequence[float]) -> Document:
@@ -224,7 +241,7 @@ def freeze_parameters(document: Document, curve: int, parameters: Sequence[float
     rule = replace(old.parametrization, kind=ParametrizationKind.MANUAL)
     if closing:
         rule = replace(rule, start=min(rule.start, float(parameters[0])), end=float(closing[0]))
-    return document.with_curve(curve, replace(old, nodes=nodes, parametrization=rule))
+    return document.with_curve(curve, _with_room_to_close(replace(old, nodes=nodes, parametrization=rule)))
 
 
 def set_parameter(
@@ -237,7 +254,12 @@ def set_parameter(
             f"The t of point {index} must be greater than {before:g}, the t of point {index - 1}."
         )
     if index < len(parameters) - 1 and not t < (after := parameters[index + 1]):
-        raise EditError(f"The t of point {index} must be less than {after:g}, the t of point {index + 1}.")
+        whose = (
+            f"the t of point {index + 1}"
+            if index + 1 < len(document.curves[curve].nodes)
+            else "where the curve returns to its first point"
+        )
+        raise EditError(f"The t of point {index} must be less than {after:g}, {whose}.")
     return freeze_parameters(document, curve, [*parameters[:index], t, *parameters[index + 1 :]])
 
 
@@ -253,12 +275,10 @@ def set_interval(document: Document, curve: int, start: float, end: float) -> Do
     old = document.curves[curve]
     old_start, old_end = interval(old)
     factor = (end - start) / (old_end - old_start)
-    nodes = tuple(
-        _stretched(_shifted(node, (old_start, old_end), (start, end)), factor) for node in old.nodes
-    )
+    nodes = tuple(stretched(_shifted(node, (old_start, old_end), (start, end)), factor) for node in old.nodes)
     rule = replace(old.parametrization, start=start, end=end)
     result = replace(old, nodes=nodes, parametrization=rule)
-    _refuse_equal_parameters(result)
+    refuse_equal_parameters(result, "The interval is too short to keep the parameters apart.")
     return document.with_curve(curve, result)
 
 
@@ -280,7 +300,7 @@ def _shifted(node: Node, old: tuple[float, float], new: tuple[float, float]) -> 
     return replace(node, t=new[1] if node.t == old[1] else new[0] + s * (new[1] - new[0]))
 
 
-def _stretched(node: Node, factor: float) -> Node:
+def stretched(node: Node, factor: float) -> Node:
     """Rescale derivatives for a time that runs `factor` times as long."""
     if factor == 1:
         return node
@@ -292,10 +312,11 @@ def _stretched(node: Node, factor: float) -> Node:
     return replace(node, **changed) if changed else node
 
 
-def _refuse_equal_parameters(curve: Curve) -> None:
+def refuse_equal_parameters(curve: Curve, reason: str) -> None:
+    """Raise EditError with `reason` unless the parameters that the nodes carry increase strictly."""
     given = [node.t for node in curve.nodes if node.t is not None]
     if any(not b > a for a, b in pairwise(given)):
-        raise EditError("The interval is too short to keep the parameters apart.")
+        raise EditError(reason)
 
 
 # Numbers typed and pasted
@@ -310,11 +331,18 @@ def set_nodes(document: Document, curve: int, nodes: Iterable[Node]) -> Document
     """Put `nodes` in the place of all nodes; every number is checked."""
     nodes = tuple(nodes)
     for index, node in enumerate(nodes):
-        _checked_vector(node.position, f"point {index}")
-        for vector, what in ((node.velocity, "velocity"), (node.acceleration, "acceleration")):
-            if vector is not None:
-                _checked_vector(vector, f"the {what} of point {index}")
+        _check_node(node, f"point {index}")
     return _with_nodes(document, curve, nodes)
+
+
+def _check_node(node: Node, what: str) -> None:
+    _checked_vector(node.position, what)
+    if node.t is not None:
+        checked(node.t, f"The t of {what}")
+    for _, name in _DERIVATIVES:
+        vector = getattr(node, name)
+        if vector is not None:
+            _checked_vector(vector, f"the {name.partition('_')[0]} of {what}")
 
 
 def estimate_derivatives(
@@ -328,79 +356,3 @@ def estimate_derivatives(
         curve,
         (replace(node, **cleared) if index in indices else node for index, node in enumerate(nodes)),
     )
-
-
-# Several curves
-
-
-def add_curve(document: Document, index: int, curve: Curve) -> Document:
-    """Insert `curve` before curve `index`; `index` equal to the number of curves appends."""
-    return Document((*document.curves[:index], curve, *document.curves[index:]))
-
-
-def remove_curve(document: Document, curve: int) -> Document:
-    """Remove a curve; the last one leaves an empty curve behind."""
-    rest = (*document.curves[:curve], *document.curves[curve + 1 :])
-    return Document(rest) if rest else empty_document()
-
-
-def move_curve(document: Document, curve: int, to: int) -> Document:
-    """Give a curve another place in the order; later curves are drawn over earlier ones."""
-    curves = list(document.curves)
-    curves.insert(to, curves.pop(curve))
-    return Document(tuple(curves))
-
-
-def free_name(document: Document) -> str:
-    """Return a name for a new curve that no other has."""
-    taken = {curve.name for curve in document.curves}
-    return next(name for number in count(1) if (name := f"Curve {number}") not in taken)
-
-
-def set_visible(document: Document, curve: int, visible: bool) -> Document:
-    """Show or hide a curve."""
-    return document.with_curve(curve, replace(document.curves[curve], visible=visible))
-
-
-def set_locked(document: Document, curve: int, locked: bool) -> Document:
-    """Keep a curve safe from changes, or free it."""
-    return document.with_curve(curve, replace(document.curves[curve], locked=locked))
-
-
-def set_colour(document: Document, curve: int, colour: str) -> Document:
-    """Draw a curve in a colour, "#rrggbb"; empty for the ink of the theme."""
-    return document.with_curve(curve, replace(document.curves[curve], colour=colour))
-
-
-def reverse_curve(document: Document, curve: int, parameters: Sequence[float]) -> Document:
-    """Run through a curve the other way; its shape stays.
-
-    `parameters` are those in force: a manual t becomes start + end − t.
-    """
-    old = document.curves[curve]
-    start, end = interval(old)
-    nodes = [_reversed(node, start + end) for node in reversed(old.nodes)]
-    if old.is_closed:
-        # A closed curve goes on beginning where it began.
-        nodes = [nodes[-1], *nodes[:-1]]
-    result = document.with_curve(curve, replace(old, nodes=tuple(nodes)))
-    if not old.is_manual:
-        return result
-    return freeze_parameters(result, curve, [start + end - t for t in reversed(parameters)])
-
-
-def _reversed(node: Node, turn: float) -> Node:
-    first, second = (node.velocity, node.velocity_after) if node.corner else (node.velocity,) * 2
-    before, after = (node.acceleration, node.acceleration_after) if node.corner else (node.acceleration,) * 2
-    return replace(
-        node,
-        t=None if node.t is None else turn - node.t,
-        velocity=_negated(second),
-        velocity_after=_negated(first) if node.corner else None,
-        acceleration=after,
-        acceleration_after=before if node.corner else None,
-    )
-
-
-def _negated(vector: Vector | None) -> Vector | None:
-    return None if vector is None else (-vector[0], -vector[1])

@@ -15,7 +15,16 @@ from typing import Literal
 
 import msgspec
 
-from app.document.model import MAX_MAGNITUDE, Curve, Document, Node, ParametrizationKind, Value, Vector
+from app.document.model import (
+    MAX_MAGNITUDE,
+    Curve,
+    Document,
+    Node,
+    ParametrizationKind,
+    ReferenceImage,
+    Value,
+    Vector,
+)
 
 FORMAT = "curvebench"
 VERSION = 1
@@ -26,7 +35,10 @@ _LAST_CONCEIVABLE_VERSION = 10**6
 
 
 class FormatError(ValueError):
-    """The bytes are no Curvebench document, or the values cannot be written as one."""
+    """The bytes are no Curvebench document, or the values cannot be written as one.
+
+    The message is a clause to follow the file's name and a colon: "it is not JSON; the file ends too early".
+    """
 
 
 class _Header(msgspec.Struct):
@@ -42,6 +54,7 @@ class _File(Value, frozen=True):
     format: Literal["curvebench"]
     version: Literal[1]
     curves: tuple[Curve, ...]
+    image: ReferenceImage | None = None
 
 
 class _Place(str):
@@ -74,8 +87,11 @@ def encode(document: Document) -> bytes:
     """
     validate(document)
     curves = b",\n".join(_curve_text(curve) for curve in document.curves)
-    head = f'{{\n  "format": "{FORMAT}",\n  "version": {VERSION},\n  "curves": [\n'
-    return head.encode() + curves + b"\n  ]\n}\n"
+    head = f'{{\n  "format": "{FORMAT}",\n  "version": {VERSION},\n'
+    image = b""
+    if document.image is not None:
+        image = b'  "image": ' + _one_line(_ENCODER.encode(document.image)) + b",\n"
+    return head.encode() + image + b'  "curves": [\n' + curves + b"\n  ]\n}\n"
 
 
 def _curve_text(curve: Curve) -> bytes:
@@ -124,9 +140,9 @@ def decode(data: bytes) -> Document:
     except msgspec.DecodeError as problem:
         raise FormatError(_not_json(str(problem), data)) from None
     except RecursionError:
-        raise FormatError("not a Curvebench document: it is nested too deeply") from None
+        raise FormatError("it is not a Curvebench document; it is nested too deeply") from None
     _refuse_repeated_keys(data)
-    document = Document(file.curves)
+    document = Document(file.curves, file.image)
     validate(document)
     return document
 
@@ -140,20 +156,20 @@ def _refuse_other_text(data: bytes) -> None:
     try:
         data.decode("utf-8")
     except UnicodeDecodeError as problem:
-        raise FormatError(f"not UTF-8 text: {_line_and_column(data, problem.start)}") from None
+        raise FormatError(f"it is not UTF-8 text; {_line_and_column(data, problem.start)}") from None
 
 
 def _check_header(header: _Header) -> None:
     """Raise FormatError unless the file is ours and of the version that this program reads."""
     if header.format != FORMAT:
         raise FormatError(
-            f'not a Curvebench document: format must be "{FORMAT}", not {_quoted(header.format)}'
+            f'it is not a Curvebench document; format must be "{FORMAT}", not {_quoted(header.format)}'
         )
     if header.version > _LAST_CONCEIVABLE_VERSION:
         raise FormatError(f"version must be {VERSION}, not a number of many digits")
     if header.version > VERSION:
         raise FormatError(
-            "This file was written by a newer version of Curvebench "
+            "it was written by a newer version of Curvebench "
             f"(format version {header.version}; this program reads {VERSION})"
         )
     if header.version < VERSION:
@@ -191,12 +207,30 @@ def validate(document: Document) -> None:
     A document has at least one curve. Every number is finite, its magnitude at most `MAX_MAGNITUDE`.
     A parametrization has start < end and alpha in [0, 1]. The parameters that the points carry increase
     strictly in the order of the points, also where a rule is in force and they are only remembered; under
-    the manual parametrization every point carries one. A curve may have one point or none.
+    the manual parametrization every point carries one. A curve may have one point or none. An image has a
+    path to a file of this computer, a positive size and an opacity in [0, 1].
     """
     if not document.curves:
         raise FormatError("curves must hold at least one curve")
     for index, curve in enumerate(document.curves):
         _validate_curve(curve, f"curves[{index}]")
+    if document.image is not None:
+        _validate_image(document.image)
+
+
+def _validate_image(image: ReferenceImage) -> None:
+    for key in ("x", "y", "width", "height", "opacity"):
+        _check_number(getattr(image, key), f"image.{key}")
+    for key in ("width", "height"):
+        if not getattr(image, key) > 0:
+            raise FormatError(f"image.{key} must be greater than 0, not {getattr(image, key)!r}")
+    if not 0 <= image.opacity <= 1:
+        raise FormatError(f"image.opacity must lie between 0 and 1, not {image.opacity!r}")
+    if not image.path.strip() or not image.path.isprintable():
+        raise FormatError(f"image.path must be the name of a file, not {_quoted(image.path)}")
+    if image.path.startswith(("//", "\\\\")):
+        # Opening one would knock at another computer, and on some systems with the person's password.
+        raise FormatError("image.path must lead to a file of this computer, not to one of the network")
 
 
 def _validate_curve(curve: Curve, place: str) -> None:
@@ -319,8 +353,8 @@ def _not_json(message: str, data: bytes) -> str:
     """Return msgspec's objection to the text with its line and column."""
     match = re.fullmatch(r"JSON is malformed: (.*) \(byte (\d+)\)", message)
     if match is None:
-        return "not JSON: the file ends too early"
-    return f"not JSON: {_line_and_column(data, int(match[2]))}: {match[1]}"
+        return "it is not JSON; the file ends too early"
+    return f"it is not JSON; {_line_and_column(data, int(match[2]))}: {match[1]}"
 
 
 def _line_and_column(data: bytes, position: int) -> str:

@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from enum import StrEnum
 
 import msgspec
+from msgspec.structs import replace
 
 Vector = tuple[float, float]
 
@@ -152,14 +153,42 @@ class Curve(Value, frozen=True, rename={"nodes": "points"}):
         return self.parametrization.kind is ParametrizationKind.MANUAL
 
 
+class ReferenceImage(Value, frozen=True, omit_defaults=False):
+    """A picture to trace, behind the curves.
+
+    Attributes
+    ----------
+    path
+        Its file: absolute in a document that is open, with forward slashes and relative to the document's
+        own folder in a file.
+    x, y
+        Where its lower left corner lies.
+    width, height
+        Its size in the plane; what the file holds is fitted into it.
+    opacity
+        From 0, invisible, to 1.
+    locked
+        Whether it is safe from being moved.
+    """
+
+    path: str
+    x: float
+    y: float
+    width: float
+    height: float
+    opacity: float = 0.5
+    locked: bool = False
+
+
 class Document(Value, frozen=True):
-    """Everything that is saved: at least one curve."""
+    """Everything that is saved: at least one curve, and perhaps a picture to trace."""
 
     curves: tuple[Curve, ...]
+    image: ReferenceImage | None = None
 
     def with_curve(self, index: int, curve: Curve) -> Document:
         """Return this document with curve `index` replaced."""
-        return Document((*self.curves[:index], curve, *self.curves[index + 1 :]))
+        return replace(self, curves=(*self.curves[:index], curve, *self.curves[index + 1 :]))
 
 
 def empty_document() -> Document:

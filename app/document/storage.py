@@ -14,6 +14,7 @@ import stat
 from pathlib import Path
 
 from app.document.format import decode, encode
+from app.document.image_path import relative_to, resolved
 from app.document.model import Document
 
 MAX_BYTES = 256 * 2**20
@@ -31,7 +32,7 @@ class StorageError(OSError):
 
 
 def load(path: str | os.PathLike[str]) -> Document:
-    """Return the document in the file at `path`.
+    """Return the document in the file at `path`, with the absolute path of its image.
 
     Raises
     ------
@@ -40,11 +41,11 @@ def load(path: str | os.PathLike[str]) -> Document:
     FormatError
         If it holds no valid document.
     """
-    return decode(read(path))
+    return resolved(decode(read(path)), _folder(path))
 
 
 def save(path: str | os.PathLike[str], document: Document) -> None:
-    """Write `document` to `path`, whole or not at all.
+    """Write `document` to `path`, whole or not at all; its image is found again relative to `path`.
 
     Raises
     ------
@@ -53,7 +54,11 @@ def save(path: str | os.PathLike[str], document: Document) -> None:
     StorageError
         If the file cannot be written; the old one is still there.
     """
-    write(path, encode(document))
+    write(path, encode(relative_to(document, _folder(path))))
+
+
+def _folder(path: str | os.PathLike[str]) -> str:
+    return os.path.dirname(os.path.abspath(path))  # noqa: PTH100, PTH120 - links are kept as they are
 
 
 def read(path: str | os.PathLike[str]) -> bytes:

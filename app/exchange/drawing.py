@@ -74,17 +74,23 @@ class Outline:
         The points that the curve goes through, (n, 2).
     deviation
         Largest distance from the true curve; zero where the curve is a chain of cubics itself.
+    colour
+        "#rrggbb", or empty for the ink of the picture.
+    closed
+        Whether the last piece ends where the first begins, and goes on there.
     """
 
     name: str
     control_points: Floats
     nodes: Floats
     deviation: float
+    colour: str = ""
+    closed: bool = False
 
 
 @dataclass(frozen=True)
 class Drawing:
-    """All curves of a document that can be drawn.
+    """All visible curves of a document that can be drawn.
 
     Attributes
     ----------
@@ -146,7 +152,9 @@ def drawing_of(document: Document, tolerance: float | None = None) -> Drawing:
     """
     if tolerance is not None and not 0 < tolerance < np.inf:
         raise ExchangeError("The tolerance must be a positive number.")
-    drawable, remarks = _sort_out(document.curves)
+    drawable, remarks = _sort_out(curve for curve in document.curves if curve.visible)
+    if not drawable and not remarks:
+        raise ExchangeError("There is nothing to draw: all curves are hidden.")
     if not drawable:
         raise ExchangeError(f"There is nothing to draw. {' '.join(remarks)}")
     samples = [_samples(curve, core) for curve, core in drawable]
@@ -195,7 +203,10 @@ def _outline(curve: Curve, core: CoreCurve, tolerance: float) -> Outline:
         path = cubic_path(core, tolerance)
     except CurveError as problem:
         raise ExchangeError(f"“{curve.name}” cannot be drawn: {problem}.") from problem
-    return Outline(curve.name, path.control_points, core.points, float(path.deviation))
+    nodes = core.points[: len(curve.nodes)]
+    return Outline(
+        curve.name, path.control_points, nodes, float(path.deviation), curve.colour, curve.is_closed
+    )
 
 
 def extent_of(control_points: Floats) -> Floats:

@@ -6,10 +6,12 @@ from dataclasses import dataclass
 from typing import NamedTuple
 
 import numpy as np
+from msgspec.structs import replace
 
 from app.document.model import Curve, Document, Family, Parametrization
 from app.exchange.drawing import ExchangeError, Floats, drawing_of, extent_of, too_much
 from app.view_model.curve_view import CoreCurve, view_of
+from app.view_model.jets import corners_of
 from curvecore import LagrangeCurve
 
 LENGTH_TOLERANCE = 1e-9
@@ -41,6 +43,10 @@ class CurveFacts:
         As in the document.
     points
         Number of points.
+    closed, visible
+        Whether the curve returns to its first point, and whether it is drawn.
+    corners
+        How many points it may turn sharply at.
     degree
         Of the polynomial, or of each piece.
     domain
@@ -63,6 +69,9 @@ class CurveFacts:
     length: Length | None = None
     box: tuple[float, float, float, float] | None = None
     warnings: tuple[str, ...] = ()
+    closed: bool = False
+    corners: int = 0
+    visible: bool = True
 
 
 def facts_of(document: Document) -> tuple[CurveFacts, ...]:
@@ -88,17 +97,27 @@ def _curve_facts(curve: Curve) -> CurveFacts:
         length=_length(core),
         box=box,
         warnings=(*warnings, *_amplification(core)),
+        closed=curve.is_closed,
+        corners=len(corners_of(curve)),
+        visible=curve.visible,
     )
 
 
 def _facts_without_curve(curve: Curve, reason: str) -> CurveFacts:
-    return CurveFacts(curve.name, curve.family, curve.parametrization, len(curve.nodes), warnings=(reason,))
+    return CurveFacts(
+        curve.name,
+        curve.family,
+        curve.parametrization,
+        len(curve.nodes),
+        warnings=(reason,),
+        visible=curve.visible,
+    )
 
 
 def _box(curve: Curve) -> tuple[tuple[float, float, float, float] | None, tuple[str, ...]]:
     """Return the edges of the curve and nothing to say, or no edges and the reason."""
     try:
-        (outline,) = drawing_of(Document((curve,))).outlines
+        (outline,) = drawing_of(Document((replace(curve, visible=True),))).outlines
     except ExchangeError as problem:
         return None, (str(problem),)
     (left, bottom), (right, top) = extent_of(outline.control_points).tolist()

@@ -82,7 +82,7 @@ def svg_path_data(document: Document, tolerance: float | None = None) -> Written
         If nothing can be drawn.
     """
     drawing = drawing_of(document, tolerance)
-    paths = [path_data(outline.control_points) for outline in drawing.outlines]
+    paths = [path_data(outline) for outline in drawing.outlines]
     return Written("\n\n".join(paths) + "\n", drawing.deviation, drawing.remarks)
 
 

@@ -8,7 +8,7 @@ from collections.abc import Callable
 import numpy as np
 
 from app.document.model import Document
-from app.exchange.drawing import ExchangeError, Floats, Frame, drawing_of
+from app.exchange.drawing import ExchangeError, Floats, Frame, Outline, drawing_of
 from app.exchange.parts import (
     Source,
     Written,
@@ -73,7 +73,7 @@ def tikz_picture(document: Document, tolerance: float | None = None) -> Written:
     lines = [f"  % One centimetre is {1 / scale:.6g} of the document."]
     for outline in fitted.outlines:
         lines.append(f"  % {one_line(outline.name)}")
-        lines.append(_path(outline.control_points, lambda v: f"{v + 0.0:.{_PICTURE_DIGITS}f}", ""))
+        lines.append(_path(outline, lambda v: f"{v + 0.0:.{_PICTURE_DIGITS}f}", ""))
     return _picture(lines, deviation, drawing.remarks, "tikz")
 
 
@@ -91,7 +91,7 @@ def pgfplots_axis(document: Document, tolerance: float | None = None) -> Written
     lines = [f"  \\begin{{axis}}[axis equal image, {_limits(drawing.frame)}]"]
     for outline in drawing.outlines:
         lines.append(f"    % {one_line(outline.name)}")
-        lines.append(_path(outline.control_points, _plain, "axis cs:", margin="    "))
+        lines.append(_path(outline, _plain, "axis cs:", margin="    "))
         marks = " ".join(f"({_plain(x)},{_plain(y)})" for x, y in outline.nodes.tolist())
         lines.append(f"    \\addplot[only marks, mark size=1.2pt] coordinates {{{marks}}};")
     lines.append("  \\end{axis}")
@@ -194,15 +194,25 @@ def _picture(lines: list[str], deviation: float, remarks: tuple[str, ...], packa
     return Written(text + "\n", deviation, remarks)
 
 
-def _path(pieces: Floats, number: Callable[[float], str], system: str, margin: str = "  ") -> str:
-    """Return cubic pieces (k, 4, 2) as one path, a piece a line."""
+def _path(outline: Outline, number: Callable[[float], str], system: str, margin: str = "  ") -> str:
+    """Return an outline as one path, a piece a line."""
+    pieces = outline.control_points
 
     def at(point: list[float]) -> str:
         return f"({system}{number(point[0])},{number(point[1])})"
 
     first, *_ = pieces[0].tolist()
     steps = [f"{margin}  .. controls {at(b)} and {at(c)} .. {at(d)}" for _, b, c, d in pieces.tolist()]
-    return "\n".join([f"{margin}\\draw[line join=round] {at(first)}", *steps]) + ";"
+    # Closed, the stroke has a join at the seam like everywhere else.
+    end = " -- cycle;" if outline.closed else ";"
+    return "\n".join([f"{margin}\\draw[line join=round{_colour(outline)}] {at(first)}", *steps]) + end
+
+
+def _colour(outline: Outline) -> str:
+    if not outline.colour:
+        return ""
+    red, green, blue = bytes.fromhex(outline.colour[1:])
+    return f", color={{rgb,255:red,{red};green,{green};blue,{blue}}}"
 
 
 def _limits(frame: Frame) -> str:

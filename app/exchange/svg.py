@@ -9,7 +9,7 @@ from xml.sax.saxutils import escape
 
 from app import __version__
 from app.document.model import Document
-from app.exchange.drawing import Drawing, Floats, Frame, drawing_of
+from app.exchange.drawing import Drawing, Frame, Outline, drawing_of
 
 STROKE = 0.003
 """Width of the curve against the picture's longer side."""
@@ -118,23 +118,32 @@ def _curves(drawing: Drawing, style: Style) -> list[str]:
         'stroke-linecap="round" stroke-linejoin="round">'
     )
     paths = [
-        f'    <path d="{path_data(outline.control_points)}"><title>{_text(outline.name)}</title></path>'
+        f'    <path d="{path_data(outline)}"{_own("stroke", outline)}>'
+        f"<title>{_text(outline.name)}</title></path>"
         for outline in drawing.outlines
     ]
     return [group, *paths, "  </g>"]
 
 
-def path_data(control_points: Floats) -> str:
+def _own(attribute: str, outline: Outline) -> str:
+    """Return the curve's own colour as an attribute; nothing where the picture's ink is meant."""
+    return f' {attribute}="{outline.colour}"' if outline.colour else ""
+
+
+def path_data(outline: Outline) -> str:
     """Return the pieces (k, 4, 2) as path data, y negated, one piece per line."""
+    control_points = outline.control_points
     start, *_ = control_points[0].tolist()
     pieces = (" ".join(_pair(point) for point in piece[1:]) for piece in control_points.tolist())
-    return "\n      ".join([f"M {_pair(start)}", *(f"C {piece}" for piece in pieces)])
+    # Closed, the stroke has a join at the seam like everywhere else.
+    end = ["Z"] if outline.closed else []
+    return "\n      ".join([f"M {_pair(start)}", *(f"C {piece}" for piece in pieces), *end])
 
 
 def _points(drawing: Drawing, style: Style) -> list[str]:
     radius = _number(POINT_RADIUS * drawing.frame.side)
     discs = [
-        f'    <circle cx="{_number(x)}" cy="{_number(-y)}" r="{radius}"/>'
+        f'    <circle cx="{_number(x)}" cy="{_number(-y)}" r="{radius}"{_own("fill", outline)}/>'
         for outline in drawing.outlines
         for x, y in outline.nodes.tolist()
     ]

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
 
 from app.document.expression import ExpressionError, parse_number
 
@@ -25,14 +26,27 @@ def write_block(rows: Iterable[Sequence[str]]) -> str:
     return "\n".join("\t".join(row) for row in rows)
 
 
+@dataclass(frozen=True)
+class Block:
+    """Numbers, row by row, and the titles of their columns in lower case; no titles where none were given."""
+
+    titles: tuple[str, ...]
+    rows: list[list[float]]
+
+
 def read_block(text: str, mark: str = ".") -> list[list[float]]:
+    """Return the rows of `read_titled_block`."""
+    return read_titled_block(text, mark).rows
+
+
+def read_titled_block(text: str, mark: str = ".") -> Block:
     """Return the numbers of a block of text, row by row.
 
     Parameters
     ----------
     text
-        Rows as lines; cells separated by tabs, semicolons, commas or spaces. A first row of the table's own
-        titles is skipped.
+        Rows as lines; cells separated by tabs, semicolons, commas or spaces. A first row may hold titles of
+        the point table (t, x, y, vx, …).
     mark
         The decimal mark of the person's locale. A comma between cells that something else separates is read
         as a decimal comma wherever it cannot be a group separator.
@@ -55,13 +69,18 @@ def read_block(text: str, mark: str = ".") -> list[list[float]]:
         raise TableTextError(
             f"These are {max(map(len, cells))} columns; {MAX_COLUMNS} can be pasted at once."
         )
-    skipped = 1 if len(cells) > 1 and all(cell.lower() in _TITLES for cell in cells[0]) else 0
+    titles = tuple(cell.lower() for cell in cells[0])
+    skipped = 1 if len(cells) > 1 and set(titles) <= _TITLES else 0
     numbers = [
         [_number(cell, row, column, "," if comma else mark) for column, cell in enumerate(line, start=1)]
         for row, line in enumerate(cells[skipped:], start=1 + skipped)
     ]
     _refuse_ragged(numbers, skipped)
-    return numbers
+    if not skipped:
+        return Block((), numbers)
+    if len(titles) != len(numbers[0]):
+        raise TableTextError(f"There are {len(titles)} titles, but {len(numbers[0])} columns.")
+    return Block(titles, numbers)
 
 
 def _separator(lines: list[str], mark: str) -> tuple[str, bool]:

@@ -3,6 +3,10 @@
 - ``pointer``: what the pointer is at, and what lies under it.
 - ``machine``: the state machine all drags share: threshold, preview, commit, cancel.
 - ``drags``: what each drag makes of the document.
-- ``tools``: Select and Add points: which drag a press begins.
+- ``bend_drag``: the curve itself, grabbed and bent.
+- ``transform``, ``transform_box``: move, scale and rotate the selection by keys, or by the grips of a box.
+- ``marquee``, ``measure``: gestures that change nothing in the document.
+- ``snapping``: what a point is drawn to.  ``overlay``: what a gesture shows over the drawing.
+- ``tools``: Select, Add points and Measure: which gesture a press begins.  ``words``: numbers for people.
 - ``rail``: the gestures of the basis panel: ticks and the scrub line.
 """

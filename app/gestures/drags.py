@@ -2,14 +2,20 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+import math
 from dataclasses import dataclass
+from functools import cached_property
 
 from app.document import edits
+from app.document.curve_edits import replace_curve
 from app.document.model import Document, Node, Vector
+from app.document.transforms import decimal_product, step_nodes
+from app.gestures import words
 from app.gestures.pointer import Hit, Part, Pointer
+from app.gestures.snapping import Magnet
 from app.view_model.curve_view import CurveView, appended_parameter, appended_squeeze, view_of
 from app.view_model.handles import acceleration_from_handle, velocity_from_handle
+from app.view_model.reshape import Reshaped, with_point_inserted
 
 
 def _minus(a: Vector, b: Vector) -> Vector:
@@ -20,20 +26,29 @@ def _plus(a: Vector, b: Vector) -> Vector:
     return (a[0] + b[0], a[1] + b[1])
 
 
-def _axis_locked(by: Vector, *, locked: bool) -> Vector:
-    if not locked:
-        return by
-    return (by[0], 0.0) if abs(by[0]) >= abs(by[1]) else (0.0, by[1])
+def _along_axis(by: Vector, axis: int | None) -> Vector:
+    return by if axis is None else (by[0], 0.0) if axis == 0 else (0.0, by[1])
 
 
 @dataclass(frozen=True)
 class MovePoints:
-    """Move nodes with the pointer; Shift keeps to one axis."""
+    """Move nodes with the pointer; Shift keeps to one axis.
+
+    Attributes
+    ----------
+    grip
+        The node that snaps, where there is a `magnet`.
+    axis
+        0 or 1 where an axis is locked from the start.
+    """
 
     document: Document
     curve: int
     indices: frozenset[int]
     start: Vector
+    magnet: Magnet | None = None
+    grip: int = -1
+    axis: int | None = None
 
     @property
     def name(self) -> str:
@@ -42,10 +57,60 @@ class MovePoints:
             return f"Move point {next(iter(self.indices))}"
         return f"Move {len(self.indices)} points"
 
+    keys = "Shift: along one axis · Ctrl: snap, or not"
+
+    def note_at(self, pointer: Pointer) -> str:
+        """Tell how far."""
+        return f"{self.name} by {words.vector(self.way_at(pointer)[0])}"
+
     def document_at(self, pointer: Pointer) -> Document:
         """Move by the whole way from the press."""
-        by = _axis_locked(_minus(pointer.position, self.start), locked=pointer.shift)
-        return edits.move_nodes(self.document, self.curve, self.indices, by)
+        by, target = self.way_at(pointer)
+        document = edits.move_nodes(self.document, self.curve, self.indices, by)
+        if target is not None:
+            # To the last bit where it snapped to: p + (q − p) may miss q by a rounding.
+            document = edits.set_position(document, self.curve, self.grip, target)
+        return document
+
+    def way_at(self, pointer: Pointer) -> tuple[Vector, Vector | None]:
+        """Return how far the points go, and where exactly the grip ends if it snapped."""
+        way = _minus(pointer.position, self.start)
+        axis = self.axis
+        if axis is None and pointer.shift:
+            axis = 0 if abs(way[0]) >= abs(way[1]) else 1
+        way = _along_axis(way, axis)
+        if self.magnet is None:
+            return way, None
+        held = self.document.curves[self.curve].nodes[self.grip].position
+        target = self.magnet.pull(_plus(held, way), pointer, axis)
+        if self.magnet.caught is None:
+            return way, None
+        return _minus(target, held), target
+
+
+@dataclass(frozen=True)
+class StepPoints:
+    """Move nodes by a step of the grid, in decimal numbers."""
+
+    document: Document
+    curve: int
+    indices: frozenset[int]
+    direction: Vector
+    spacing: Vector
+    factor: float
+
+    @property
+    def name(self) -> str:
+        """The name of the step."""
+        return f"Move {words.points(self.indices)}"
+
+    def document_at(self, _pointer: Pointer) -> Document:
+        """Move by the step, wherever the pointer is."""
+        x, y = (
+            way * decimal_product(spacing, self.factor)
+            for way, spacing in zip(self.direction, self.spacing, strict=True)
+        )
+        return step_nodes(self.document, self.curve, self.indices, (x, y))
 
 
 @dataclass(frozen=True)
@@ -64,15 +129,51 @@ class DragHandle:
         what = "velocity" if self.hit.part is Part.VELOCITY_HANDLE else "acceleration"
         return f"Set {what} of point {self.hit.index}"
 
+    keys = "Shift: steps of 15° · Alt: length only"
+
+    def note_at(self, pointer: Pointer) -> str:
+        """Tell the derivative by its length and direction."""
+        what = "Velocity" if self.hit.part is Part.VELOCITY_HANDLE else "Acceleration"
+        return f"{what} of point {self.hit.index}: {words.polar(self._derivative_at(pointer))}"
+
     def document_at(self, pointer: Pointer) -> Document:
         """Keep the offset between pointer and handle that the press had."""
-        tip = _plus(self.hit.position, _minus(pointer.position, self.start))
-        index, ahead = self.hit.index, self.hit.ahead
+        derivative, index, ahead = self._derivative_at(pointer), self.hit.index, self.hit.ahead
         if self.hit.part is Part.VELOCITY_HANDLE:
-            velocity = velocity_from_handle(self.view, index, tip, ahead=ahead)
-            return edits.set_velocity(self.document, self.curve, index, velocity, ahead=ahead)
-        acceleration = acceleration_from_handle(self.view, index, tip, ahead=ahead)
-        return edits.set_acceleration(self.document, self.curve, index, acceleration, ahead=ahead)
+            return edits.set_velocity(self.document, self.curve, index, derivative, ahead=ahead)
+        return edits.set_acceleration(self.document, self.curve, index, derivative, ahead=ahead)
+
+    def _derivative_at(self, pointer: Pointer) -> Vector:
+        tip = _plus(self.hit.position, _minus(pointer.position, self.start))
+        index, ahead, view = self.hit.index, self.hit.ahead, self.view
+        if self.hit.part is Part.VELOCITY_HANDLE:
+            free = velocity_from_handle(view, index, tip, ahead=ahead)
+            before = view.velocity_of(index, ahead=ahead)
+        else:
+            free = acceleration_from_handle(view, index, tip, ahead=ahead)
+            before = view.acceleration_of(index, ahead=ahead)
+        if pointer.alt and before is not None and any(before):
+            return _along_direction(free, before)
+        return _in_steps(free) if pointer.shift else free
+
+
+def _along_direction(v: Vector, direction: Vector) -> Vector:
+    """Return the part of `v` along `direction`."""
+    length = math.hypot(*direction)
+    unit = (direction[0] / length, direction[1] / length)
+    share = v[0] * unit[0] + v[1] * unit[1]
+    return (share * unit[0], share * unit[1])
+
+
+def _in_steps(v: Vector) -> Vector:
+    """Turn `v` to the nearest multiple of 15 degrees; along the axes exactly."""
+    steps = round(math.degrees(math.atan2(v[1], v[0])) / 15)
+    length = math.hypot(*v)
+    if steps % 6 == 0:
+        x, y = ((1.0, 0.0), (0.0, 1.0), (-1.0, 0.0), (0.0, -1.0))[steps // 6 % 4]
+    else:
+        x, y = math.cos(math.radians(15 * steps)), math.sin(math.radians(15 * steps))
+    return (length * x, length * y)
 
 
 @dataclass(frozen=True)
@@ -92,7 +193,12 @@ class PullVelocity:
     def document_at(self, pointer: Pointer) -> Document:
         """Put the handle ahead of the node under the pointer."""
         velocity = velocity_from_handle(self.view, self.index, pointer.position, ahead=True)
-        return edits.set_velocity(self.document, self.curve, self.index, velocity)
+        ahead = self.view.spacing(self.index, ahead=True) is not None
+        return edits.set_velocity(self.document, self.curve, self.index, velocity, ahead=ahead)
+
+
+def _pulled(pointer: Pointer, magnet: Magnet | None) -> Vector:
+    return magnet.pull(pointer.position, pointer) if magnet is not None else pointer.position
 
 
 @dataclass(frozen=True)
@@ -103,6 +209,7 @@ class AppendPoint:
     curve: int
     view: CurveView
     press: Pointer
+    magnet: Magnet | None = None
 
     @property
     def name(self) -> str:
@@ -113,7 +220,7 @@ class AppendPoint:
         """Return the document with the new point."""
         dragged = max(map(abs, _minus(pointer.pixel, self.press.pixel))) >= 3
         has_velocity = self.view.source.family.derivatives > 0
-        x, y = self.press.position if has_velocity or not dragged else pointer.position
+        x, y = _pulled(self.press if has_velocity or not dragged else pointer, self.magnet)
         document = self._with_point(Node(x, y))
         if not (dragged and has_velocity):
             return document
@@ -125,63 +232,35 @@ class AppendPoint:
     def _with_point(self, node: Node) -> Document:
         if self.view.source.is_manual:
             node = Node(node.x, node.y, t=appended_parameter(self.view, node))
-        squeeze = appended_squeeze(self.view, node)
+        squeeze = appended_squeeze(self.view, [node])
         return edits.append_node(self.document, self.curve, node, squeeze=squeeze)
 
 
 @dataclass(frozen=True)
 class InsertPoint:
-    """Insert a point on the curve where it was pressed; dragging moves it."""
+    """Insert a point on the curve where it was pressed, the shape kept if possible; dragging moves it."""
 
     document: Document
     curve: int
+    view: CurveView
     hit: Hit
     press: Pointer
+    magnet: Magnet | None = None
 
     @property
     def name(self) -> str:
         """The name of the step."""
         return f"Insert point {self.hit.index}"
 
+    @cached_property
+    def on_curve(self) -> Reshaped:
+        """The curve with the point where it was pressed."""
+        return with_point_inserted(self.view, self.hit.t)
+
     def document_at(self, pointer: Pointer) -> Document:
         """Return the document with the new point."""
-        dragged = max(map(abs, _minus(pointer.pixel, self.press.pixel))) >= 3
-        x, y = pointer.position if dragged else self.hit.position
+        if max(map(abs, _minus(pointer.pixel, self.press.pixel))) < 3:
+            return replace_curve(self.document, self.curve, self.on_curve.curve)
         is_manual = self.document.curves[self.curve].is_manual
-        node = Node(x, y, t=self.hit.t if is_manual else None)
+        node = Node(*_pulled(pointer, self.magnet), t=self.hit.t if is_manual else None)
         return edits.insert_nodes(self.document, self.curve, self.hit.index, [node])
-
-
-@dataclass(frozen=True)
-class DragTick:
-    """Drag the parameter of a node along the t-rail; the order of the parameters is kept."""
-
-    document: Document
-    curve: int
-    parameters: Sequence[float]
-    index: int
-    node: int
-    start: float
-
-    @property
-    def name(self) -> str:
-        """The name of the step."""
-        return f"Change t of point {self.node}"
-
-    def document_at(self, pointer: Pointer) -> Document:
-        """Move t by the whole way from the press, as far as the neighbours let it."""
-        t = self.parameters[self.index] + pointer.position[0] - self.start
-        return edits.set_parameter(
-            self.document, self.curve, self.index, self._between_neighbours(t), self.parameters
-        )
-
-    def _between_neighbours(self, t: float) -> float:
-        """Keep a distance that can still be seen, and from which the curve can still be computed well."""
-        own, margin = self.parameters[self.index], 1e-3 * (self.parameters[-1] - self.parameters[0])
-        if self.index > 0:
-            before = self.parameters[self.index - 1]
-            t = max(t, before + min(margin, (own - before) / 2))
-        if self.index < len(self.parameters) - 1:
-            after = self.parameters[self.index + 1]
-            t = min(t, after - min(margin, (after - own) / 2))
-        return t

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Collection
 from dataclasses import dataclass
-from typing import Protocol
+from typing import Protocol, runtime_checkable
 
 from app.document.edits import EditError
 from app.document.model import Document, Vector
@@ -27,6 +27,10 @@ class Host(Protocol):
         """The current document."""
 
     @property
+    def views(self) -> list[CurveView]:
+        """The views of all curves."""
+
+    @property
     def active_view(self) -> CurveView:
         """The view of the active curve."""
 
@@ -45,11 +49,17 @@ class Host(Protocol):
     def set_hovered(self, index: int) -> None:
         """Say which node the pointer is over."""
 
+    def activate(self, index: int) -> None:
+        """Edit another curve."""
+
     def set_scrub(self, t: float | None) -> None:
         """Move the scrub line."""
 
     def say(self, text: str) -> None:
         """Show a sentence in the status line."""
+
+    def offer(self, text: str, action: str, at: float | None = None) -> None:
+        """Show a sentence in the status line, and a button for an action about the parameter `at`."""
 
 
 class Drag(Protocol):
@@ -63,6 +73,18 @@ class Drag(Protocol):
         """Return the document for this position, computed from the press, never from the last move."""
 
 
+@runtime_checkable
+class Told(Protocol):
+    """A drag that tells its amount while it goes on."""
+
+    @property
+    def keys(self) -> str:
+        """What each modifier key would change."""
+
+    def note_at(self, pointer: Pointer) -> str:
+        """Return the amount, such as "Rotate 30°"."""
+
+
 @dataclass
 class _Press:
     pixel: Vector
@@ -70,6 +92,8 @@ class _Press:
     on_click: Callable[[], None] | None
     moving: bool
     last: Document | None = None
+    refused: str = ""
+    on_done: Callable[[], None] | None = None
 
 
 class DragMachine:
@@ -96,9 +120,12 @@ class DragMachine:
         """Begin: `drag` takes over past the threshold, `on_click` is called if there is no drag."""
         self._press = _Press(pointer.pixel, drag, on_click, moving=False)
 
-    def press_at_once(self, pointer: Pointer, drag: Drag) -> None:
-        """Begin a drag that shows its effect at the press (a new point) and commits without any move."""
-        self._press = _Press(pointer.pixel, drag, None, moving=True)
+    def press_at_once(self, pointer: Pointer, drag: Drag, on_done: Callable[[], None] | None = None) -> None:
+        """Begin a drag that shows its effect at the press (a new point) and commits without any move.
+
+        `on_done` is called after the commit.
+        """
+        self._press = _Press(pointer.pixel, drag, None, moving=True, on_done=on_done)
         self._step(pointer)
 
     def move(self, pointer: Pointer) -> None:
@@ -118,10 +145,27 @@ class DragMachine:
         try:
             document = press.drag.document_at(pointer)
         except EditError as reason:
-            self._host.say(str(reason))
+            press.refused = str(reason)
+            self._host.say(press.refused)
             return
-        press.last = document
+        press.last, press.refused = document, ""
         self._host.preview(document)
+
+    def exchange(self, pointer: Pointer, drag: Drag) -> None:
+        """Go on with another drag from the same press: an axis was locked, an amount typed."""
+        if self._press is not None:
+            self._press.drag = drag
+            self._step(pointer)
+
+    def progress_at(self, pointer: Pointer) -> str:
+        """Return the amount of the drag in flight and what modifiers would change, or why it is refused."""
+        press = self._press
+        if press is None or not press.moving:
+            return ""
+        if press.refused or not isinstance(press.drag, Told):
+            return press.refused
+        parts = (press.drag.note_at(pointer), press.drag.keys, "Escape cancels")
+        return " · ".join(part for part in parts if part)
 
     def release(self, pointer: Pointer) -> None:
         """End: commit what the drag made, or click."""
@@ -131,6 +175,8 @@ class DragMachine:
             return
         if press.moving and press.drag is not None and press.last is not None:
             self._host.commit(press.last, press.drag.name)
+            if press.on_done is not None:
+                press.on_done()
         elif not press.moving and press.on_click is not None:
             press.on_click()
 

@@ -18,6 +18,9 @@ class Part(Enum):
     TICK = auto()
     FUNCTION = auto()
     SCRUB = auto()
+    IMAGE = auto()
+    IMAGE_CORNER = auto()
+    OTHER_CURVE = auto()
 
 
 @dataclass(frozen=True)
@@ -29,7 +32,8 @@ class Hit:
     part
         Which kind of thing.
     index
-        The node it belongs to; for the curve, the node before which a new one would be inserted.
+        The node it belongs to; for the curve, the node before which a new one would be inserted; for another
+        curve, its place in the document.
     position
         Where exactly the thing lies, in the plane (on the curve: the nearest point of it).
     ahead
@@ -39,7 +43,8 @@ class Hit:
     kind
         For a basis function: 0 position, 1 velocity, 2 acceleration.
     knot
-        For a tick: the knot it stands at; a closed curve has one more knot than nodes.
+        For a tick: the knot it stands at; a closed curve has one more knot than nodes. For a corner of the
+        picture to trace: 0 to 3, counterclockwise from the lower left.
     """
 
     part: Part
@@ -65,6 +70,10 @@ class Pointer:
         What lies under it; only a press and a hover need it.
     shift, ctrl, alt
         Modifier keys.
+    scale
+        Pixels per unit of the plane, for what is measured on the screen.
+    ripple
+        Whether E is held: on the t-rail, the ticks ahead go along.
     """
 
     position: Vector
@@ -73,11 +82,25 @@ class Pointer:
     shift: bool = False
     ctrl: bool = False
     alt: bool = False
+    scale: float = 1.0
+    ripple: bool = False
+
+
+class Cursor(Enum):
+    """The shape of the pointer, where it is another than the tool's."""
+
+    MOVE = auto()
+    WIDER = auto()
+    HIGHER = auto()
+    RISING = auto()
+    FALLING = auto()
+    ROTATE = auto()
 
 
 @dataclass(frozen=True)
 class Hint:
-    """What a press here would do: a sentence, and whether something can be grabbed."""
+    """What a press here would do: a sentence, whether something can be grabbed, the shape of the pointer."""
 
     text: str = ""
     grab: bool = False
+    cursor: Cursor | None = None

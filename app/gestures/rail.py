@@ -1,10 +1,11 @@
-"""The gestures of the basis panel: dragging a tick of the t-rail, and the scrub line."""
+"""The gestures of the basis panel: dragging ticks of the t-rail, and the scrub line."""
 
 from __future__ import annotations
 
-from app.gestures.drags import DragTick
+from app.document.edits import set_parameter
 from app.gestures.machine import DragMachine, Host
 from app.gestures.pointer import Hint, Hit, Part, Pointer
+from app.gestures.rail_drags import DragTicks
 
 
 class RailTool:
@@ -33,13 +34,48 @@ class RailTool:
         self._scrub_to(pointer)
 
     def _press_on_tick(self, pointer: Pointer, hit: Hit) -> None:
+        host, before = self._host, self._host.selection
+        if hit.index not in before:
+            host.select(before | {hit.index} if pointer.shift else [hit.index])
+        drag = self._drag(pointer.position[0], hit.knot, hit.index)
+        self._machine.press(pointer, drag, on_click=lambda: self._click(pointer, hit, before))
+
+    def _click(self, pointer: Pointer, hit: Hit, before: frozenset[int]) -> None:
+        """Select the tick alone; with Shift add it, or take it out."""
+        if not pointer.shift:
+            self._host.select([hit.index])
+        elif hit.index in before:
+            self._host.select(before - {hit.index})
+
+    def _drag(self, start: float, knot: int, node: int) -> DragTicks:
         host = self._host
-        host.select([hit.index])
         parameters = host.active_view.parameters.tolist()
-        drag = DragTick(
-            host.document, host.active_index, parameters, hit.knot, hit.index, pointer.position[0]
-        )
-        self._machine.press(pointer, drag)
+        knots = {other for other in host.selection if other != node} | {knot}
+        return DragTicks(host.document, host.active_index, parameters, knot, frozenset(knots), node, start)
+
+    def choose(self, node: int) -> None:
+        """Select a tick, unless it is among those selected already."""
+        if node not in self._host.selection:
+            self._host.select([node])
+
+    def nudge(self, by: float) -> bool:
+        """Move the selected ticks by a little; return whether there are any."""
+        host = self._host
+        if not host.selection or not host.active_view.is_current or self.is_pressed:
+            return False
+        first = min(host.selection)
+        moved = Pointer((by, 0.0), (0.0, 0.0))
+        self._machine.press_at_once(moved, self._drag(0.0, first, first))
+        self._machine.release(moved)
+        return True
+
+    def set_value(self, knot: int, t: float) -> None:
+        """Give one tick a parameter that was typed; raise `EditError` where the order forbids it."""
+        host = self._host
+        parameters = host.active_view.parameters.tolist()
+        document = set_parameter(host.document, host.active_index, knot, t, parameters)
+        node = host.active_view.owner(knot)
+        host.commit(document, f"Change t of point {node}")
 
     def move(self, pointer: Pointer) -> None:
         """Follow the pointer."""
@@ -82,6 +118,14 @@ class RailTool:
         if hit is None or hit.part is Part.SCRUB:
             return Hint("Drag to scrub: each point shows its weight at t · Escape puts the line away")
         if hit.part is Part.TICK:
-            return Hint(f"Drag to change t of point {hit.index}; the parameters become manual", grab=True)
+            return Hint(self._tick_hint(hit.index), grab=True)
         kind = ("basis function", "velocity function", "acceleration function")[hit.kind]
         return Hint(f"The {kind} of point {hit.index} · Click to select the point")
+
+    def _tick_hint(self, index: int) -> str:
+        chosen = self._host.selection
+        what = f"t of {len(chosen)} points" if index in chosen and len(chosen) > 1 else f"t of point {index}"
+        return (
+            f"Drag to change {what} · E: all ticks on the side you move to go along · "
+            "Shift+click selects more · Double-click types t"
+        )

@@ -1,13 +1,26 @@
-"""The tools of the canvas: which drag a press begins, and what a press here would do."""
+"""The tools of the canvas: which gesture a press begins, and what a press here would do."""
 
 from __future__ import annotations
 
+import math
+from collections.abc import Callable, Collection
+from dataclasses import replace
 from enum import Enum
 
-from app.document.model import Vector
-from app.gestures.drags import AppendPoint, DragHandle, InsertPoint, MovePoints, PullVelocity
+from app.document.model import Document, Vector
+from app.gestures import words
+from app.gestures.bend_drag import BendCurve, bend_keys
+from app.gestures.drags import AppendPoint, DragHandle, InsertPoint, MovePoints, PullVelocity, StepPoints
 from app.gestures.machine import DragMachine, Host
-from app.gestures.pointer import Hint, Hit, Part, Pointer
+from app.gestures.marquee import Marquee
+from app.gestures.measure import Measure
+from app.gestures.overlay import Note, Overlay
+from app.gestures.pointer import Cursor, Hint, Hit, Part, Pointer
+from app.gestures.snapping import Magnet, SnapKind, Snapping, targets_of
+from app.gestures.transform import ModalTransform, Transform, TransformKind
+from app.gestures.transform_box import Grip, ScaleBox, TransformBox, box_of
+
+_LOCKED = "“{}” is locked; unlock it in the list of curves to change it."
 
 
 class ToolKind(Enum):
@@ -15,46 +28,229 @@ class ToolKind(Enum):
 
     SELECT = "select"
     ADD = "add"
+    MEASURE = "measure"
 
 
 class CanvasTool:
-    """The canvas's gestures, Select or Add points."""
+    """The canvas's gestures: Select, Add points or Measure, and the transforms that keys begin.
+
+    Attributes
+    ----------
+    snapping
+        Whether to snap, and to what.
+    grid
+        The spacing of the grid along x and y; the canvas keeps it in step with the zoom.
+    shows_box
+        Whether two or more selected points get a box with grips.
+    unit
+        The name of the unit of length, for what is measured.
+    """
 
     def __init__(self, host: Host) -> None:
         self._host = host
         self._machine = DragMachine(host)
+        self._modal = ModalTransform(host, self._machine)
+        self._magnet: Magnet | None = None
+        self._marquee: Marquee | None = None
+        self._measure: Measure | None = None
+        self._measuring = False
+        self._note_wanted = False
+        self._last: Pointer | None = None
+        # The magnet of the last hover, and what it was made for.
+        self._hovered: tuple[tuple[Document, int, int, Snapping], Magnet] | None = None
         self.kind = ToolKind.SELECT
+        self.snapping = Snapping()
+        self.grid: Vector = (1.0, 1.0)
+        self.shows_box = True
+        self.unit = ""
 
     @property
     def is_pressed(self) -> bool:
         """Whether a gesture is in flight."""
-        return self._machine.is_pressed
+        return self._machine.is_pressed or self._marquee is not None or self._measuring
+
+    @property
+    def is_modal(self) -> bool:
+        """Whether a transform follows the pointer with no button down."""
+        return self._modal.now is not None
 
     def press(self, pointer: Pointer) -> None:
-        """Begin a gesture."""
-        hit = pointer.hit
-        if hit is not None and hit.part is not Part.CURVE:
+        """Begin a gesture, or end the one that keys began."""
+        self._last = pointer
+        if self.is_modal:
+            self._modal.finish(pointer)
+            self._end()
+            return
+        self._end()
+        hit, grip = pointer.hit, self._grip_at(pointer)
+        if self.kind is ToolKind.MEASURE:
+            self._measure, self._measuring = Measure(pointer, self._magnet_for((), -2), self.unit), True
+        elif hit is not None and hit.part is Part.OTHER_CURVE:
+            self._machine.press(pointer, None, on_click=lambda: self._host.activate(hit.index))
+        elif hit is not None and hit.part is not Part.CURVE:
             self._press_on_part(pointer, hit)
         elif self.kind is ToolKind.ADD:
             self._press_to_add(pointer, hit)
+        elif grip is not None:
+            self._press_on_grip(pointer, *grip)
+        elif hit is not None:
+            self._press_on_curve(pointer, hit)
         else:
-            self._machine.press(pointer, None, on_click=lambda: self._click_beside(hit))
+            self._marquee = Marquee(self._host, pointer)
 
     def move(self, pointer: Pointer) -> None:
         """Follow the pointer."""
-        self._machine.move(pointer)
+        self._last = pointer
+        if self.is_modal:
+            self._modal.follow(pointer)
+        elif self._marquee is not None:
+            self._marquee.move(pointer)
+        elif self._measuring and self._measure is not None:
+            self._measure.move(pointer)
+        else:
+            self._machine.move(pointer)
 
     def release(self, pointer: Pointer) -> None:
         """End the gesture."""
-        self._machine.release(pointer)
+        if self._marquee is not None:
+            self._marquee.release(pointer)
+        elif self._measuring and self._measure is not None:
+            self._measure.move(pointer)
+        else:
+            self._machine.release(pointer)
+        self._end()
 
     def cancel(self) -> bool:
         """Drop the gesture in flight; return whether there was one."""
-        return self._machine.cancel()
+        was_pressed = self.is_pressed
+        if self._marquee is not None:
+            self._marquee.cancel()
+        if self._measuring:
+            self._measure = None
+        self._machine.cancel()
+        self._end()
+        return was_pressed
 
     def forget(self) -> None:
         """Drop the gesture in flight; the document is somebody else's now."""
         self._machine.forget()
+        self._end()
+
+    def put_away(self) -> bool:
+        """Put away what was measured; return whether there was something."""
+        measured, self._measure = self._measure, None
+        return measured is not None
+
+    def _end(self) -> None:
+        self._modal.drop()
+        self._marquee, self._magnet = None, None
+        self._measuring = self._note_wanted = False
+
+    # What is shown meanwhile
+
+    def progress(self) -> str:
+        """Return how far the gesture in flight has come, as a sentence for the status line."""
+        if self._marquee is not None:
+            return self._marquee.progress() if self._marquee.band is not None else ""
+        if self._measuring and self._measure is not None:
+            return self._with_snap(self._measure.ruler.text, self._measure.magnet)
+        if self._last is None:
+            return ""
+        return self._with_snap(self._machine.progress_at(self._last), self._magnet)
+
+    @staticmethod
+    def _with_snap(text: str, magnet: Magnet | None) -> str:
+        caught = magnet.caught if magnet is not None else None
+        return f"{text} · snapped to: {caught.label}" if caught is not None and text else text
+
+    def overlay(self) -> Overlay:
+        """Return what is shown over the drawing."""
+        measured, magnet = self._measure, self._magnet
+        if measured is not None:
+            magnet = measured.magnet if self._measuring else None
+        return Overlay(
+            band=self._marquee.band if self._marquee is not None else None,
+            box=None if self.is_pressed else self._box(),
+            snap=magnet.caught if magnet is not None else None,
+            ruler=measured.ruler if measured is not None and measured.is_something else None,
+            note=self._note(),
+            axis=self._locked_axis(),
+        )
+
+    def _note(self) -> Note | None:
+        if not self._note_wanted or self._last is None:
+            return None
+        text = self._machine.progress_at(self._last).partition(" · ")[0]
+        return Note(self._last.position, text) if text else None
+
+    def _locked_axis(self) -> tuple[Vector, int] | None:
+        now = self._modal.now
+        is_locked = now is not None and now.axis is not None and now.kind is not TransformKind.ROTATE
+        return (now.centre, now.axis) if now is not None and now.axis is not None and is_locked else None
+
+    def _magnet_for(self, moving: Collection[int], place: int) -> Magnet:
+        host = self._host
+        self._magnet = Magnet(
+            lambda: self.snapping,
+            lambda: self.grid,
+            lambda: targets_of(host.views, host.active_index, moving, place, self.snapping.kinds),
+        )
+        return self._magnet
+
+    def _box(self) -> TransformBox | None:
+        if not self.shows_box or self.kind is not ToolKind.SELECT:
+            return None
+        return box_of(self._host.active_view, self._host.selection)
+
+    def _grip_at(self, pointer: Pointer) -> tuple[TransformBox, Grip] | None:
+        box = self._box()
+        grip = box.grip_at(pointer) if box is not None else None
+        return (box, grip) if box is not None and grip is not None else None
+
+    # Transforms
+
+    def begin_transform(self, kind: TransformKind, pointer: Pointer) -> bool:
+        """Let the selected points follow the pointer with no button down; False if none is selected."""
+        host = self._host
+        if self.is_modal:
+            return self._modal.key(kind.value[0].lower())
+        if not host.selection or self.is_pressed:
+            return False
+        transform = self._transform(kind, pointer, self._box_or_point())
+        self._note_wanted, self._last = True, pointer
+        self._modal.begin(transform, pointer)
+        return True
+
+    def transform_key(self, key: str) -> bool:
+        """Give the transform in flight a key; return whether it knew what to do with it."""
+        taken = self._modal.key(key)
+        if taken and not self.is_modal:
+            self._end()
+        return taken
+
+    def _transform(self, kind: TransformKind, pointer: Pointer, centre: Vector) -> Transform:
+        host = self._host
+        nodes = host.active_view.source.nodes
+        grip = min(host.selection, key=lambda index: math.dist(nodes[index].position, pointer.position))
+        magnet = self._magnet_for(host.selection, grip)
+        return Transform(
+            kind, host.document, host.active_index, host.selection, centre, pointer.position, magnet, grip
+        )
+
+    def _box_or_point(self) -> Vector:
+        host = self._host
+        box = box_of(host.active_view, host.selection)
+        return box.centre if box is not None else host.active_view.source.nodes[min(host.selection)].position
+
+    def _press_on_grip(self, pointer: Pointer, box: TransformBox, grip: Grip) -> None:
+        host = self._host
+        self._note_wanted = True
+        if grip.rotates:
+            transform = self._transform(TransformKind.ROTATE, pointer, box.centre)
+            self._machine.press(pointer, replace(transform, by_grip=True))
+            return
+        drag = ScaleBox(host.document, host.active_index, host.selection, box, grip, pointer.position)
+        self._machine.press(pointer, drag)
 
     def walk(self, step: int) -> bool:
         """Select the next (1) or previous (−1) point; return whether there is one."""
@@ -67,13 +263,18 @@ class CanvasTool:
         host.select([index])
         return True
 
-    def nudge(self, by: Vector) -> None:
-        """Move the selected points."""
+    def nudge(self, direction: Vector, pixel: float, factor: float = 1.0) -> None:
+        """Move the selected points by a step of the grid while snapping to it, else by a pixel."""
         host = self._host
         if not host.selection:
             return
+        by: Vector = (direction[0] * pixel * factor, direction[1] * pixel * factor)
+        drag: MovePoints | StepPoints = MovePoints(
+            host.document, host.active_index, host.selection, (0.0, 0.0)
+        )
+        if self.snapping.on and SnapKind.GRID in self.snapping.kinds:
+            drag = StepPoints(host.document, host.active_index, host.selection, direction, self.grid, factor)
         moved = Pointer(by, (0.0, 0.0))
-        drag = MovePoints(host.document, host.active_index, host.selection, (0.0, 0.0))
         self._machine.press_at_once(moved, drag)
         self._machine.release(moved)
 
@@ -81,57 +282,151 @@ class CanvasTool:
         """Return what a press here would do."""
         hit = pointer.hit
         self._host.set_hovered(hit.index if hit is not None and hit.part is Part.POINT else -1)
-        if hit is not None and hit.part is not Part.CURVE:
+        self._preview_snap(pointer)
+        if self.kind is ToolKind.MEASURE:
+            return Hint(
+                "Drag to measure a distance and an angle · Ctrl: snap, or not · V goes back to Select"
+            )
+        return self._hint_beside(pointer) if hit is None else self._hint_on(pointer, hit)
+
+    def _hint_on(self, pointer: Pointer, hit: Hit) -> Hint:
+        curve = self._host.active_view.source
+        if hit.part is Part.OTHER_CURVE:
+            return Hint(f"Click to edit “{self._host.document.curves[hit.index].name}”", grab=True)
+        if curve.locked:
+            return Hint(_LOCKED.format(curve.name))
+        if hit.part is not Part.CURVE:
             return self._hint_for(hit)
         if self.kind is ToolKind.ADD:
             return self._hint_to_add(hit)
-        return Hint("Press P to add points · Wheel zooms · Space or middle button pans · F fits")
+        grip = self._grip_at(pointer)
+        return self._hint_to_bend(hit) if grip is None else self._hint_for_grip(grip[1])
+
+    def _hint_beside(self, pointer: Pointer) -> Hint:
+        if self.kind is ToolKind.ADD:
+            curve = self._host.active_view.source
+            return Hint(_LOCKED.format(curve.name)) if curve.locked else self._hint_to_add(None)
+        grip = self._grip_at(pointer)
+        if grip is not None:
+            return self._hint_for_grip(grip[1])
+        return Hint("Drag to select points, Shift adds · Press P to add points · Wheel zooms · Space pans")
+
+    def _preview_snap(self, pointer: Pointer) -> None:
+        """Show where a press would put something, while a tool would put something."""
+        puts = self.kind is ToolKind.MEASURE or (self.kind is ToolKind.ADD and pointer.hit is None)
+        if not puts or not self.snapping.is_active(pointer) or not math.isfinite(pointer.position[0]):
+            self._magnet = None
+            return
+        host = self._host
+        place = len(host.active_view.source.nodes) if self.kind is ToolKind.ADD else -2
+        made_for = (host.document, host.active_index, place, self.snapping)
+        if self._hovered is None or self._hovered[0] != made_for:
+            self._hovered = (made_for, self._magnet_for((), place))
+        self._magnet = self._hovered[1]
+        self._magnet.pull(pointer.position, pointer)
 
     def _press_on_part(self, pointer: Pointer, hit: Hit) -> None:
         host = self._host
         if hit.part is Part.POINT:
-            if hit.index not in host.selection:
-                host.select([hit.index])
-            self._machine.press(pointer, self._point_drag(pointer, hit))
+            click = self._select_at_press(pointer, hit.index)
+            self._machine.press(pointer, self._point_drag(pointer, hit), on_click=click)
             return
         drag = DragHandle(host.document, host.active_index, host.active_view, hit, pointer.position)
         self._machine.press(pointer, drag)
+
+    def _select_at_press(self, pointer: Pointer, index: int) -> Callable[[], None]:
+        """Select so that a drag moves what it should; return what a click would select."""
+        host, before = self._host, self._host.selection
+        if index not in before:
+            # Alone, for a drag with Shift moves this point along an axis; only a click adds it to the others.
+            host.select([index])
+            return lambda: host.select(before | {index} if pointer.shift else [index])
+        return lambda: host.select(before - {index} if pointer.shift else [index])
+
+    def _press_on_curve(self, pointer: Pointer, hit: Hit) -> None:
+        host = self._host
+        x, y = hit.position
+        bend = BendCurve(host.document, host.active_index, host.active_view, hit, pointer.position)
+        self._machine.press(
+            pointer,
+            bend,
+            on_click=lambda: host.say(f"t = {words.number(hit.t)} · c(t) = ({words.vector((x, y))})"),
+        )
 
     def _point_drag(self, pointer: Pointer, hit: Hit) -> MovePoints | PullVelocity:
         host = self._host
         if pointer.alt and host.active_view.source.family.derivatives:
             return PullVelocity(host.document, host.active_index, host.active_view, hit.index)
-        return MovePoints(host.document, host.active_index, host.selection, pointer.position)
+        magnet = self._magnet_for(host.selection, hit.index)
+        return MovePoints(
+            host.document, host.active_index, host.selection, pointer.position, magnet, hit.index
+        )
 
     def _press_to_add(self, pointer: Pointer, hit: Hit | None) -> None:
         host = self._host
+        if host.active_view.source.locked:
+            host.say(_LOCKED.format(host.active_view.source.name))
+            return
         if hit is not None:
-            insert = InsertPoint(host.document, host.active_index, hit, pointer)
-            self._machine.press_at_once(pointer, insert)
-            host.select([hit.index])
+            self._insert(pointer, hit)
             return
         index = len(host.active_view.source.nodes)
-        append = AppendPoint(host.document, host.active_index, host.active_view, pointer)
+        magnet = self._magnet_for((), index)
+        append = AppendPoint(host.document, host.active_index, host.active_view, pointer, magnet)
         self._machine.press_at_once(pointer, append)
         host.select([index])
 
-    def _click_beside(self, hit: Hit | None) -> None:
-        if hit is None:
-            self._host.select([])
+    def _insert(self, pointer: Pointer, hit: Hit) -> None:
+        host = self._host
+        magnet = self._magnet_for((), hit.index)
+        insert = InsertPoint(host.document, host.active_index, host.active_view, hit, pointer, magnet)
+        count = len(host.active_view.source.nodes)
+        self._machine.press_at_once(pointer, insert, on_done=lambda: self._say_outcome(insert))
+        if len(host.active_view.source.nodes) > count:
+            host.select([hit.index])
+
+    def _say_outcome(self, insert: InsertPoint) -> None:
+        made = insert.on_curve
+        if self._host.active_view.source != made.curve:
+            return  # dragged off the curve: the change is what was wanted
+        if made.parameters_moved:
+            self._host.offer(made.sentence, "keepShape", insert.hit.t)
+        else:
+            self._host.say(made.sentence)
 
     def _hint_for(self, hit: Hit) -> Hint:
         if hit.part is Part.POINT:
-            text = f"Drag to move point {hit.index} · Shift: along one axis"
+            chosen = self._host.selection
+            others = len(chosen) > 1 and hit.index in chosen
+            what = words.points(chosen) if others else f"point {hit.index}"
+            text = f"Drag to move {what} · Shift: one axis, a click toggles · Ctrl: {self._snap_word()}"
             if self._host.active_view.source.family.derivatives:
                 text += " · Alt: pull out its velocity"
             return Hint(text, grab=True)
         what = "velocity" if hit.part is Part.VELOCITY_HANDLE else "acceleration"
-        return Hint(f"Drag to set the {what} of point {hit.index} · Escape cancels", grab=True)
+        text = f"Drag to set the {what} of point {hit.index} · Shift: steps of 15° · Alt: length only"
+        return Hint(text, grab=True)
+
+    def _snap_word(self) -> str:
+        return "no snap" if self.snapping.on else "snap"
+
+    def _hint_for_grip(self, grip: Grip) -> Hint:
+        what = words.points(self._host.selection)
+        if grip.rotates:
+            return Hint(f"Drag to rotate {what} · Shift: steps of 15°", cursor=grip.cursor)
+        return Hint(f"Drag to scale {what} · {ScaleBox.keys}", cursor=grip.cursor)
+
+    def _hint_to_bend(self, hit: Hit) -> Hint:
+        keys = bend_keys(self._host.active_view)
+        text = f"Drag to bend the curve at t = {words.number(hit.t)}"
+        return Hint(f"{text} · {keys}" if keys else text, cursor=Cursor.MOVE)
 
     def _hint_to_add(self, hit: Hit | None) -> Hint:
         if hit is not None:
             return Hint(f"Click to insert point {hit.index} on the curve at t = {hit.t:.4g}")
         index = len(self._host.active_view.source.nodes)
         if self._host.active_view.source.family.derivatives:
-            return Hint(f"Click to add point {index} · Press and drag to set its velocity")
-        return Hint(f"Click to add point {index} · On the curve: insert between neighbours")
+            drag = "Press and drag to set its velocity"
+        else:
+            drag = "On the curve: insert between neighbours"
+        return Hint(f"Click to add point {index} · {drag} · Ctrl: {self._snap_word()}")

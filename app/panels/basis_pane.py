@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from PySide6.QtCore import QSize, Qt
-from PySide6.QtGui import QIcon, QPainter, QPen, QPixmap
+from PySide6.QtGui import QIcon, QPainter, QPen, QPixmap, QResizeEvent
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QToolButton, QVBoxLayout, QWidget
 
 from app.panels.basis_layers import KIND_STYLES
@@ -26,6 +26,8 @@ class BasisPane(QWidget):
         self._title = QLabel("Basis functions")
         self._title.setObjectName("basisTitle")
         self._kinds = [self._kind_button(kind) for kind in range(3)]
+        self._formulas: tuple[str, ...] = ()
+        self._reach: tuple[float, float] | None = None
         self._extent = ElidedLabel()
         self._extent.setObjectName("basisExtent")
         self._fit = self._fit_button()
@@ -67,6 +69,7 @@ class BasisPane(QWidget):
             header.addWidget(button)
         header.addStretch(1)
         header.addWidget(self._extent)
+        self._header = header
         header.addWidget(self._fit)
         layout = QVBoxLayout(self)
         layout.setContentsMargins(0, 0, 0, 0)
@@ -80,8 +83,23 @@ class BasisPane(QWidget):
         formulas = basis_formulas(view.source.family)
         for kind, button in enumerate(self._kinds):
             button.setVisible(kind < len(formulas) and len(formulas) > 1)
-            if kind < len(formulas):
-                button.setText(f"{_NAMES[kind]}  {formulas[kind]}")
+        self._formulas = formulas
+        self._write_header()
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        super().resizeEvent(event)
+        self._write_header()
+
+    def _write_header(self) -> None:
+        """Write as much as there is room for: first the words beside the formulas go, then the note's own."""
+        for brief in range(3):
+            for kind, formula in enumerate(self._formulas):
+                self._kinds[kind].setText(formula if brief else f"{_NAMES[kind]}  {formula}")
+            self._extent.setText(_reach_text(self._reach, brief=brief > 1))
+            self._header.invalidate()
+            if self._header.sizeHint().width() <= self.width():
+                break
+        self._extent.setToolTip(_reach_text(self._reach))
 
     @property
     def extent_text(self) -> str:
@@ -110,13 +128,17 @@ class BasisPane(QWidget):
             self._panel.calm_values()
 
     def _show_extent(self, extent: tuple[float, float] | None) -> None:
-        if extent is not None:
-            reach = f"from {extent[0]:.3g} to {extent[1]:.3g}".replace("-", "−")
-            self._extent.setText(f"⚠ Functions reach {reach}")
-        # Emptied, not hidden: hidden it would leave its room to the other note.
-        if extent is None:
-            self._extent.clear()
+        self._reach = extent
         self._fit.setVisible(extent is not None or self._fit.isChecked())
+        self._write_header()
+
+
+def _reach_text(reach: tuple[float, float] | None, *, brief: bool = False) -> str:
+    """Return the note that the functions leave the range; empty where they do not."""
+    if reach is None:
+        return ""
+    span = f"{reach[0]:.3g} to {reach[1]:.3g}".replace("-", "−")
+    return f"⚠ {span}" if brief else f"⚠ The functions reach from {span}"
 
 
 def _line_icon(style: Qt.PenStyle, theme: Theme) -> QIcon:

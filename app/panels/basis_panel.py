@@ -5,13 +5,15 @@ from __future__ import annotations
 from dataclasses import replace
 
 import numpy as np
-from PySide6.QtCore import QPointF, Qt, Signal
-from PySide6.QtGui import QKeyEvent
+from PySide6.QtCore import QPoint, QPointF, Qt, Signal
+from PySide6.QtGui import QContextMenuEvent, QFocusEvent, QKeyEvent, QMouseEvent
 from PySide6.QtWidgets import QWidget
 
+from app.document.edits import EditError
 from app.gestures.pointer import Hit, Part, Pointer
 from app.gestures.rail import RailTool
 from app.panels.basis_layers import RAIL_HEIGHT, FunctionLayer, RailLayer
+from app.panels.tick_edit import TickEdit
 from app.plot.plot_widget import PlotWidget
 from app.theme import LIGHT, Theme
 from app.view_model.basis_view import BasisView, basis_view
@@ -37,11 +39,17 @@ class BasisPanel(PlotWidget):
         The parameter t under the pointer, or None when it has left.
     extent_changed
         (least, greatest) value of the functions if they leave the visible range, else None.
+    drag_changed
+        Ticks are being dragged, or no longer.
+    menu_requested
+        The menu of the t-rail is wanted at a place of the screen.
     """
 
     hint_changed = Signal(str)
     pointed_at = Signal(object)
     extent_changed = Signal(object)
+    drag_changed = Signal(bool)
+    menu_requested = Signal(QPoint)
 
     def __init__(self, tool: RailTool, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -55,6 +63,9 @@ class BasisPanel(PlotWidget):
         self._functions = FunctionLayer(self, LIGHT)
         self._rail = RailLayer(self, LIGHT)
         self.getViewBox().sigResized.connect(self._show_values)
+        self._ripple_down = False
+        self.tick_edit = TickEdit(self)
+        self.tick_edit.typed.connect(self._set_tick)
 
     # What is shown
 
@@ -188,21 +199,28 @@ class BasisPanel(PlotWidget):
 
     def cancel_gesture(self) -> bool:
         """Drop the gesture in flight; return whether there was one."""
-        return self._tool.cancel()
+        was_pressed = self._tool.cancel()
+        self.drag_changed.emit(False)
+        return was_pressed
 
     def forget_gesture(self) -> None:
         """Drop the gesture in flight; the document is another one."""
         self._tool.forget()
+        self.drag_changed.emit(False)
 
     def pressed(self, pointer: Pointer) -> None:
-        self._tool.press(replace(pointer, hit=self._hit(pointer)), self._rail.scrub)
+        hit = self._hit(pointer)
+        if hit is not None and hit.part is Part.TICK:
+            self.drag_changed.emit(True)
+        self._tool.press(replace(pointer, hit=hit), self._rail.scrub)
 
     def moved(self, pointer: Pointer) -> None:
-        self._tool.move(pointer)
+        self._tool.move(replace(pointer, ripple=self._ripple_down))
         self.pointed_at.emit(pointer.position[0])
 
     def released(self, pointer: Pointer) -> None:
-        self._tool.release(pointer)
+        self._tool.release(replace(pointer, ripple=self._ripple_down))
+        self.drag_changed.emit(False)
 
     def hovered_at(self, pointer: Pointer) -> None:
         hint = self._tool.hover(replace(pointer, hit=self._hit(pointer)))
@@ -258,11 +276,84 @@ class BasisPanel(PlotWidget):
                 best = (float(distances[index]), hit)
         return best[1] if best is not None else None
 
-    def keyPressEvent(self, event: QKeyEvent) -> None:
-        if event.key() == Qt.Key.Key_Escape and self.cancel_gesture():
+    # Typing at a tick, its menu, and keys
+
+    def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:
+        hit = self._hit(self.pointer_at(event)) if event.button() == Qt.MouseButton.LeftButton else None
+        if hit is not None and hit.part is Part.TICK and not event.modifiers():
+            self._edit_knot(hit.knot)
             event.accept()
+        else:
+            super().mouseDoubleClickEvent(event)
+
+    def edit_tick(self, node: int) -> None:
+        """Let the person type the parameter of a node at its tick."""
+        if self._basis is not None:
+            self._edit_knot(self._basis.owners.index(node))
+
+    def _edit_knot(self, knot: int) -> None:
+        assert self._basis is not None
+        self._tool.cancel()
+        t = float(self._basis.curve.parameters[knot])
+        place = self.rail_pixel(t) - QPointF(0, 8)
+        self.tick_edit.open(knot, t, QPointF(self.viewport().mapTo(self, place.toPoint())))
+
+    def _set_tick(self, knot: int, t: float) -> None:
+        if self._basis is None or knot >= self._basis.count:
+            self.tick_edit.close_and_return()
             return
-        super().keyPressEvent(event)
+        try:
+            self._tool.set_value(knot, t)
+        except EditError as reason:
+            self.tick_edit.refuse(reason)
+            return
+        self.tick_edit.close_and_return()
+
+    def contextMenuEvent(self, event: QContextMenuEvent) -> None:
+        if not self._tool.is_pressed:
+            self._select_for_menu(event)
+            self.menu_requested.emit(event.globalPos())
+        event.accept()
+
+    def _select_for_menu(self, event: QContextMenuEvent) -> None:
+        """Let a right click on a tick that is not selected select it: the menu is about it."""
+        if event.reason() != QContextMenuEvent.Reason.Mouse:
+            return
+        hit = self._hit(self.pointer_at(QPointF(event.pos())))
+        if hit is not None and hit.part is Part.TICK:
+            self._tool.choose(hit.index)
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        if event.key() == Qt.Key.Key_E and not event.modifiers():
+            # The repeats count, too: the press may have gone to another widget, before the mouse came here.
+            self._ripple_down = True
+            event.accept()
+        elif (event.key() == Qt.Key.Key_Escape and self.cancel_gesture()) or self._nudge(event):
+            event.accept()
+        else:
+            super().keyPressEvent(event)
+
+    def _nudge(self, event: QKeyEvent) -> bool:
+        """Move the selected ticks by a pixel: with Shift ten, with Ctrl a tenth."""
+        direction = {Qt.Key.Key_Left: -1, Qt.Key.Key_Right: 1}.get(Qt.Key(event.key()))
+        if direction is None:
+            return False
+        held = event.modifiers()
+        step = direction / self.pixel_map.sx
+        if held & Qt.KeyboardModifier.ShiftModifier:
+            step *= 10
+        if held & Qt.KeyboardModifier.ControlModifier:
+            step /= 10
+        return self._tool.nudge(step)
+
+    def keyReleaseEvent(self, event: QKeyEvent) -> None:
+        if event.key() == Qt.Key.Key_E and not event.isAutoRepeat():
+            self._ripple_down = False
+        super().keyReleaseEvent(event)
+
+    def focusOutEvent(self, event: QFocusEvent) -> None:
+        self._ripple_down = False
+        super().focusOutEvent(event)
 
 
 def _is_of(basis: BasisView | None, view: CurveView) -> bool:

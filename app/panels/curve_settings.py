@@ -21,6 +21,7 @@ from app.panels.words import ACCELERATION_RULES, VELOCITY_RULES, count_of
 from app.session import Session
 from app.theme import icon, theme_of
 from app.view_model.curve_view import CurveView
+from app.view_model.jets import corners_of
 
 Rule = TypeVar("Rule", bound=StrEnum)
 
@@ -38,7 +39,11 @@ class CurveSettings(QWidget):
         self.start_edit = self._interval_edit(
             "intervalStart", "Start of the interval", "t of the first point"
         )
-        self.end_edit = self._interval_edit("intervalEnd", "End of the interval", "t of the last point")
+        self.end_edit = self._interval_edit(
+            "intervalEnd",
+            "End of the interval",
+            "t of the last point (of a closed curve: of its return to the first)",
+        )
         self.velocity_box = _rule_box("velocityRule", "Velocity rule", list(VELOCITY_RULES.values()))
         self.acceleration_box = _rule_box(
             "accelerationRule", "Acceleration rule", list(ACCELERATION_RULES.values())
@@ -94,6 +99,8 @@ class CurveSettings(QWidget):
 
     def render_view(self, view: CurveView) -> None:
         """Show `view`; hidden, when shown again."""
+        if view.source != self._view.source:
+            self._refusal = ""  # it was about another curve
         self._view = view
         if self.isVisible():
             self._render()
@@ -107,8 +114,8 @@ class CurveSettings(QWidget):
         curve, mark = self._view.source, decimal_mark()
         start, end = edits.interval(curve)
         self.name_edit.show_text(curve.name)
-        self.start_edit.show_text(exact_text(start, mark).removesuffix(f"{mark}0"))
-        self.end_edit.show_text(exact_text(end, mark).removesuffix(f"{mark}0"))
+        for edit, value in ((self.start_edit, start), (self.end_edit, end)):
+            edit.show_text(exact_text(value, mark).removesuffix(f"{mark}0"), rounded_text(value, mark))
         self.velocity_box.setCurrentIndex(list(VELOCITY_RULES).index(curve.velocity_rule))
         self.acceleration_box.setCurrentIndex(list(ACCELERATION_RULES).index(curve.acceleration_rule))
         derivatives = curve.family.derivatives
@@ -185,12 +192,9 @@ class CurveSettings(QWidget):
         session.commit(document, text)
 
     def _refuse(self, reason: str, edit: FieldEdit, typed: str) -> None:
-        """Say why, and leave the text to be mended while the cursor is there."""
+        """Say why, and leave the text to be mended."""
         self._refusal = reason
-        if edit.hasFocus():
-            edit.keep(typed)
-        else:
-            edit.revert()
+        edit.keep(typed)
         self._session.say(reason)
 
     def _forget_refusal(self) -> None:
@@ -208,12 +212,20 @@ def _facts(view: CurveView) -> str:
     curve = view.source
     facts = [count_of(len(curve.nodes), "point")]
     if view.is_current and view.curve is not None:
-        of = "one polynomial" if curve.family is Family.LAGRANGE else count_of(len(curve.nodes) - 1, "piece")
-        facts += [f"degree {view.curve.degree}", of]
+        pieces = len(view.parameters) - 1
+        of = "one polynomial" if curve.family is Family.LAGRANGE else count_of(pieces, "piece")
+        facts += [f"degree {view.curve.degree}", of, *_shape_facts(view)]
         start, end = (rounded_text(t, decimal_mark()) for t in view.curve.domain)
         facts.append(f"{start} ≤ t ≤ {end}")
     # A fact is not torn apart at the end of a line.
     return " · ".join(fact.replace(" ", "\N{NO-BREAK SPACE}") for fact in facts)
+
+
+def _shape_facts(view: CurveView) -> list[str]:
+    """Return whether the curve is closed, and how many corners it has."""
+    facts = ["closed"] if view.source.is_closed else []
+    corners = corners_of(view.source)
+    return [*facts, count_of(len(corners), "corner")] if corners else facts
 
 
 def _rule_box(name: str, label: str, items: list[str]) -> QComboBox:

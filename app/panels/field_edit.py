@@ -6,17 +6,21 @@ from PySide6.QtCore import QEvent, Qt, Signal
 from PySide6.QtGui import QFocusEvent, QKeyEvent
 from PySide6.QtWidgets import QLineEdit, QWidget
 
+# Whoever looks something up in another window, or opens the field's own menu, comes back to go on typing.
+_PASSING = (Qt.FocusReason.ActiveWindowFocusReason, Qt.FocusReason.PopupFocusReason)
+
 
 class FieldEdit(QLineEdit):
-    """Shows a text of the document; what is typed is reported when it is committed, and only if it differs.
+    """Shows a text of the document; what is typed is reported with Enter or Tab, and only if it differs.
 
-    Who hears `committed` and cannot use the text leaves it there; it stays to be mended, and gives way to
-    the document's when Escape is pressed or the focus leaves.
+    Who hears `committed` and cannot use the text calls `keep`: it stays to be mended, the cursor with it, and
+    gives way to the document's when Escape is pressed or the field is left by a click elsewhere. So does a
+    text that was not entered: half a number must never reach the curve.
 
     Signals
     -------
     committed
-        Another text was typed, and Enter pressed or the field left.
+        Another text was typed and entered.
     left
         Typing begins, or was given up: what was said about the last text is out of date.
     """
@@ -29,31 +33,38 @@ class FieldEdit(QLineEdit):
         self.setObjectName(name)
         self.setAccessibleName(label)
         self.setToolTip(tip)
-        self._shown = ""
-        self.editingFinished.connect(self._commit)
+        self._whole = self._short = ""
+        self.returnPressed.connect(self._commit)
         self.textEdited.connect(self.left)
 
-    def show_text(self, text: str) -> None:
-        """Show the document's text, unless somebody is typing another."""
-        self._shown = text
-        if not self.isModified() and self.text() != text:
-            self.setText(text)
-            self.setCursorPosition(0)
+    def show_text(self, text: str, short: str | None = None) -> None:
+        """Show the document's text, unless somebody is typing another.
+
+        While nobody has the cursor in the field it shows `short` in place of a text too long for it.
+        """
+        self._whole, self._short = text, text if short is None else short
+        if not self.isModified():
+            self._show_own_text()
 
     def revert(self) -> None:
         """Show the document's text again."""
         self.setModified(False)
-        self.setText(self._shown)
+        self._show_own_text()
+
+    def _show_own_text(self) -> None:
+        text = self._whole if self.hasFocus() else self._short
+        if self.text() != text:
+            self.setText(text)
+            self.setCursorPosition(0)
 
     def _commit(self) -> None:
-        if not self.isModified():
-            return
-        if self.text() == self._shown:
-            self.setModified(False)
-            return
         typed = self.text()
+        changed = self.isModified() and typed not in (self._whole, self._short)
         self.setModified(False)  # so that the document's answer may be shown
-        self.committed.emit(typed)
+        if changed:
+            self.committed.emit(typed)
+        else:
+            self.left.emit()
 
     def keep(self, typed: str) -> None:
         """Leave a text that was refused in the field, to be mended."""
@@ -61,10 +72,21 @@ class FieldEdit(QLineEdit):
         self.setModified(True)
         self.selectAll()
 
+    def focusInEvent(self, event: QFocusEvent) -> None:
+        if not self.isModified():
+            self._show_own_text()
+        super().focusInEvent(event)
+
     def focusOutEvent(self, event: QFocusEvent) -> None:
         super().focusOutEvent(event)
-        if self.isModified() and event.reason() != Qt.FocusReason.PopupFocusReason:
+        if event.reason() not in _PASSING:
             self.revert()
+            self.left.emit()
+
+    def focusNextPrevChild(self, forward: bool) -> bool:
+        self._commit()
+        # A text that was refused is mended first.
+        return self.isModified() or super().focusNextPrevChild(forward)
 
     def event(self, event: QEvent) -> bool:
         # Escape is the window's key, too; while somebody types here it takes back what was typed.

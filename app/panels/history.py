@@ -66,14 +66,14 @@ class HistoryPanel(QWidget):
         layout.setContentsMargins(0, 0, 0, 0)
         layout.addWidget(self.view)
         session.opened.connect(self._name_the_beginning)
-        self._name_the_beginning()
+        self.view.setEmptyLabel(_opened(session) if session.path is not None else "Start")
 
     def _name_the_beginning(self) -> None:
-        self.view.setEmptyLabel(_beginning(self._session))
+        self.view.setEmptyLabel(_opened(self._session))
 
 
-def _beginning(session: Session) -> str:
-    """Return what the history begins with."""
+def _opened(session: Session) -> str:
+    """Return what a history begins with after a document was opened or begun."""
     if session.path is not None:
         return f"Opened {session.path.name}"
     return f"Opened {session.active_curve.name}" if session.active_curve.nodes else "New document"

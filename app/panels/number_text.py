@@ -11,6 +11,11 @@ from PySide6.QtCore import QLocale
 NOTHING = "–"
 """Stands where there is no number."""
 
+NEGLIGIBLE = 1e-12
+"""What is smaller than this share of the greatest number beside it is a rounding residue, shown as 0."""
+
+_WHOLE_DIGITS = 4
+
 
 def decimal_mark() -> str:
     """Return the decimal mark of the person's locale: a comma, or else a point."""
@@ -32,25 +37,40 @@ def column_decimals(values: npt.NDArray[np.float64], digits: int) -> int:
 
     Enough for every number to be shown exactly if `digits` digits of the greatest one allow it.
     """
-    finite = values[np.isfinite(values)]
-    greatest = float(np.abs(finite).max(initial=0.0))
-    whole = math.floor(math.log10(greatest)) + 1 if greatest >= 1 else 1
-    most = max(digits - whole, 0)
+    finite, most = values[np.isfinite(values)], most_decimals(values, digits)
+    slack = NEGLIGIBLE * greatest_of(values)
     for decimals in range(most):
-        if bool((np.round(finite, decimals) == finite).all()):
+        if bool((np.abs(np.round(finite, decimals) - finite) <= slack).all()):
             return decimals
     return most
 
 
-def column_text(value: float, decimals: int, digits: int, mark: str = ".") -> str:
-    """Return `value` with `decimals` decimals, or with a power of ten where it has no place among them."""
+def most_decimals(values: npt.NDArray[np.float64], digits: int) -> int:
+    """Return how many decimals there is room for if `digits` digits hold the greatest number."""
+    greatest = greatest_of(values)
+    whole = math.floor(math.log10(greatest)) + 1 if greatest >= 1 else 1
+    return max(digits - whole, 0)
+
+
+def column_text(value: float, decimals: int, digits: int, mark: str = ".", *, negligible: float = 0.0) -> str:
+    """Return `value` with `decimals` decimals, or with a power of ten where it has no place among them.
+
+    Below `negligible` it counts as zero. Whole numbers may have four digits where `digits` are fewer: −1043
+    says more than −1e3.
+    """
     if not math.isfinite(value):
         return NOTHING
     fixed = f"{value:.{decimals}f}"
-    too_small = value != 0 and abs(value) < 10.0 ** (1 - decimals) and float(fixed) != value
-    if too_small or abs(value) >= 10.0**digits:
+    if abs(value) < negligible:
+        fixed = f"{0:.{decimals}f}"
+    elif (value != 0 and float(fixed) == 0) or abs(value) >= 10.0 ** max(digits, _WHOLE_DIGITS):
         return _polished(f"{value:.{max(digits - 3, 1)}g}", mark)
     return _polished(fixed, mark)
+
+
+def greatest_of(values: npt.NDArray[np.float64]) -> float:
+    """Return the greatest magnitude in a column, 0 where it holds no number."""
+    return float(np.abs(values[np.isfinite(values)]).max(initial=0.0))
 
 
 def _polished(text: str, mark: str) -> str:

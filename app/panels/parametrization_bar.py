@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from PySide6.QtCore import Qt, Signal
-from PySide6.QtGui import QKeyEvent
-from PySide6.QtWidgets import QAbstractSlider, QComboBox, QHBoxLayout, QLabel, QSizePolicy, QSlider, QWidget
+from PySide6.QtWidgets import QAbstractSlider, QComboBox, QHBoxLayout, QLabel, QSizePolicy, QWidget
 
 from app.document import edits
 from app.document.model import Curve, ParametrizationKind
+from app.panels.live_slider import LiveSlider
 from app.session import Session
 from app.view_model.curve_view import CurveView
 
@@ -31,20 +31,16 @@ _ALPHAS = {
 """Three of the rules are members of the power family; the slider shows where they stand."""
 
 
-class _AlphaSlider(QSlider):
-    """A slider whose drag can be cancelled with Escape."""
-
-    cancelled = Signal()
-
-    def keyPressEvent(self, event: QKeyEvent) -> None:
-        if event.key() == Qt.Key.Key_Escape and self.isSliderDown():
-            self.cancelled.emit()
-            return
-        super().keyPressEvent(event)
-
-
 class ParametrizationBar(QWidget):
-    """Chooses the rule that gives the t_i."""
+    """Chooses the rule that gives the t_i.
+
+    Signals
+    -------
+    drag_changed
+        The slider is being dragged, or no longer.
+    """
+
+    drag_changed = Signal(bool)
 
     def __init__(self, session: Session, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -64,14 +60,15 @@ class ParametrizationBar(QWidget):
         self._lay_out()
         self.box.activated.connect(self._choose_kind)
 
-    def _make_slider(self) -> _AlphaSlider:
-        slider = _AlphaSlider(Qt.Orientation.Horizontal)
+    def _make_slider(self) -> LiveSlider:
+        slider = LiveSlider(Qt.Orientation.Horizontal)
         slider.setObjectName("alphaSlider")
         slider.setAccessibleName("Exponent α of the power rule")
         slider.setToolTip("Δt = |Δp|^α: 0 uniform, ½ centripetal, 1 chord length")
         slider.setRange(0, _STEPS)
         slider.setFixedWidth(_SLIDER_WIDTH)
         slider.actionTriggered.connect(self._move_slider)
+        slider.sliderPressed.connect(lambda: self.drag_changed.emit(True))
         slider.sliderReleased.connect(self._release_slider)
         slider.cancelled.connect(self._cancel_slider)
         return slider
@@ -131,6 +128,7 @@ class ParametrizationBar(QWidget):
             session.commit(session.document, f"Set α to {self._slider.sliderPosition() / _STEPS:.2f}")
         self._cancelled = False
         self.render_view(session.active_view)
+        self.drag_changed.emit(False)
 
     def _cancel_slider(self) -> None:
         self._cancelled = True

@@ -3,17 +3,28 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from html import escape
 
 import numpy as np
-from PySide6.QtCore import QSize, Qt, QTimer
+from PySide6.QtCore import QSize, Qt, QTimer, Signal
 from PySide6.QtGui import QAction, QGuiApplication, QKeySequence, QShowEvent
-from PySide6.QtWidgets import QHBoxLayout, QLabel, QToolButton, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QApplication, QHBoxLayout, QLabel, QToolButton, QVBoxLayout, QWidget
 
 from app.document import edits
 from app.document.edits import EditError
-from app.exchange.table_text import TableTextError, read_block, write_block
+from app.exchange.table_text import Block, TableTextError, read_titled_block, write_block
 from app.panels.number_text import decimal_mark, exact_text
-from app.panels.point_table_edits import T, X, explicit_orders, paste_block, reset_name
+from app.panels.point_table_edits import (
+    Column,
+    T,
+    X,
+    explicit_orders,
+    fill_cells,
+    keepers,
+    keeping_sentence,
+    paste_block,
+    reset_name,
+)
 from app.panels.point_table_model import PointTableModel
 from app.panels.point_table_view import PointTableView
 from app.panels.words import count_of
@@ -28,6 +39,11 @@ INTERVAL_MS = 60
 class PointTable(QWidget):
     """The panel with the point table.
 
+    Signals
+    -------
+    pasted
+        Numbers were pasted; the points may now lie anywhere.
+
     Attributes
     ----------
     view
@@ -36,18 +52,23 @@ class PointTable(QWidget):
         Its model.
     """
 
+    pasted = Signal()
+
     def __init__(self, session: Session, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setObjectName("pointTablePanel")
         self._session = session
         self._pending: CurveView | None = None
         self._rendering = False
-        self._refusal = ""
+        self._settled = session.document
+        self._to_reset: tuple[list[int], set[int]] = ([], set())
         self.model = PointTableModel(session, self)
         self.view = PointTableView(self.model, self)
         self._message = QLabel()
         self._message.setObjectName("pointTableMessage")
         self._message.setWordWrap(True)
+        self._message.setTextInteractionFlags(Qt.TextInteractionFlag.LinksAccessibleByMouse)
+        self._message.hide()
         self._legend = QLabel("<i>Italic</i>: estimated")
         self._legend.setObjectName("pointTableLegend")
         self._reset_button = self._make_reset_button()
@@ -114,15 +135,25 @@ class PointTable(QWidget):
         self._session.opened.connect(self._show_committed)
         self._reset_button.clicked.connect(self.reset_to_estimated)
         self.model.refused.connect(self._refuse)
-        self.view.cell_delegate.edit_began.connect(self._forget_refusal)
+        self.view.cell_delegate.edit_began.connect(self._forget_message)
+        self.view.cell_delegate.closeEditor.connect(self._forget_message)
+        self.view.cell_delegate.given_up.connect(self._report_given_up)
         self.view.reset_requested.connect(self.reset_to_estimated)
+        self.view.copy_requested.connect(self.copy)
+        self.view.paste_requested.connect(self.paste)
         self.view.selectionModel().selectionChanged.connect(self._report_selection)
+        self.view.selectionModel().currentChanged.connect(self._forget_message)
+        self._message.linkActivated.connect(self._reset_kept)
+        application = QApplication.instance()
+        assert isinstance(application, QApplication)
+        application.focusChanged.connect(self._watch_focus)
 
     # Rendering: nothing here writes back
 
     def render_view(self, view: CurveView) -> None:
         """Show `view`: at once if nothing was shown for a while, else soon; hidden, when shown again."""
         self._pending = view
+        self._forget_message()
         if self.isVisible() and not self._timer.isActive():
             self._show_pending()
             self._timer.start()
@@ -134,15 +165,17 @@ class PointTable(QWidget):
 
     def _show_committed(self) -> None:
         # A step of the history is no stream: who reads the table after it finds the present numbers.
+        self._settled = self._session.document
         self._show_now(self._session.active_view)
 
     def _show_now(self, view: CurveView) -> None:
         self._pending = None
         self._rendering = True
         self.model.show_view(view)
+        self.view.fit_columns(streaming=self._session.document is not self._settled)
         self.view.select_rows(self._session.selection)
         self._rendering = False
-        self._forget_refusal()
+        self._forget_message()
         self._render_footer()
 
     def set_selection(self, selection: frozenset[int]) -> None:
@@ -172,9 +205,9 @@ class PointTable(QWidget):
         self._reset_button.setEnabled(can_reset)
         self._reset.setEnabled(can_reset)
 
-    def _render_message(self) -> None:
-        self._message.setText(f"⚠ {self._refusal}" if self._refusal else "")
-        self._message.setVisible(bool(self._refusal))
+    def _tell(self, text: str) -> None:
+        self._message.setText(text)
+        self._message.setVisible(bool(text))
 
     def showEvent(self, event: QShowEvent) -> None:
         super().showEvent(event)
@@ -188,13 +221,19 @@ class PointTable(QWidget):
         self._render_footer()
 
     def _refuse(self, reason: str) -> None:
-        self._refusal = reason
-        self._render_message()
+        self._tell(f"⚠ {escape(reason)}")
         self._session.say(reason)
 
-    def _forget_refusal(self) -> None:
-        self._refusal = ""
-        self._render_message()
+    def _forget_message(self) -> None:
+        self._tell("")
+
+    def _report_given_up(self, label: str) -> None:
+        self._session.say(f"{label[0].upper()}{label[1:]} stays as it was: Enter or Tab sets what is typed.")
+
+    def _watch_focus(self, old: QWidget | None, new: QWidget | None) -> None:
+        # Without a new one another window has the focus: the spreadsheet, perhaps, to mend the numbers there.
+        if new is not None and not self.isAncestorOf(new):
+            self._forget_message()
 
     def _orders_to_reset(self) -> set[int]:
         """Return which derivatives of the selected points a reset would change.
@@ -232,28 +271,83 @@ class PointTable(QWidget):
     def paste(self) -> None:
         """Put the numbers on the clipboard into the cells from the current one on; all or none."""
         try:
-            block = np.array(read_block(QGuiApplication.clipboard().text(), decimal_mark()), dtype=float)
-            self._paste_block(block)
+            block = read_titled_block(QGuiApplication.clipboard().text(), decimal_mark())
+            cells = self.view.selected_cells()
+            if len(cells) > 1 and len(block.rows) == len(block.rows[0]) == 1:
+                self._fill(cells, block.rows[0][0])
+            else:
+                self._paste_block(block)
         except (TableTextError, EditError) as reason:
             self._refuse(str(reason))
 
-    def _paste_block(self, block: np.ndarray) -> None:
+    def _fill(self, cells: set[tuple[int, int]], value: float) -> None:
+        """Put one number into all selected cells."""
+        session = self._session
+        columns: dict[int, list[Column]] = {}
+        for row, column in sorted(cells):
+            columns.setdefault(row, []).append(self.model.columns[column])
+        document = fill_cells(session.document, session.active_index, session.active_view, columns, value)
+        session.commit(document, f"Fill {count_of(len(cells), 'cell')}")
+        self.pasted.emit()
+
+    def _paste_block(self, block: Block) -> None:
         session, view = self._session, self._session.active_view
-        height, width = block.shape
-        top, left = self._paste_corner(width)
-        columns = self.model.columns[left : left + width]
-        if len(columns) < width:
-            room = count_of(len(columns), "column")
-            raise EditError(f"These are {width} columns; from {columns[0].name} on there is room for {room}.")
-        document = paste_block(session.document, session.active_index, view, top, columns, block)
-        whole = left <= X and left + width > X + 1
+        columns, numbers = self._columns_of(block)
+        top = self._paste_row()
+        document = paste_block(session.document, session.active_index, view, top, columns, numbers)
+        height, width = numbers.shape
+        whole = {(0, 0), (0, 1)} <= {(column.order, column.component) for column in columns}
         text = count_of(height, "point") if whole else count_of(height * width, "value")
         session.commit(document, f"Paste {text}")
+        overwritten = range(top, min(top + height, len(view.source.nodes)))
         session.select(range(top, top + height))
+        self._tell_who_kept(*keepers(view, overwritten, columns))
+        self.pasted.emit()
 
-    def _paste_corner(self, width: int) -> tuple[int, int]:
-        """Return row and column of the cell where a block of `width` columns begins."""
+    def _columns_of(self, block: Block) -> tuple[list[Column], np.ndarray]:
+        """Return which columns a block covers, in the table's order, and its numbers.
+
+        Titles name them; without titles the block begins at the current cell.
+        """
+        numbers, shown = np.array(block.rows, dtype=float), self.model.columns
+        width = numbers.shape[1]
+        if not block.titles:
+            left = self._paste_column(width)
+            if len(shown) - left < width:
+                room = count_of(len(shown) - left, "column")
+                raise EditError(
+                    f"These are {width} columns; from {shown[left].name} on there is room for {room}."
+                )
+            return list(shown[left : left + width]), numbers
+        titled = {name: place for place, name in enumerate(block.titles) if name != "#"}
+        if len(titled) + block.titles.count("#") < width:
+            raise EditError("A title stands twice.")
+        columns = [column for column in shown if column.name in titled]
+        missing = [name for name in titled if name not in {column.name for column in columns}]
+        if missing:
+            raise EditError(f"A curve of this family has no {missing[0]}.")
+        if not columns:
+            raise EditError("There is no column of the table in what was copied.")
+        return columns, numbers[:, [titled[column.name] for column in columns]]
+
+    def _paste_row(self) -> int:
         current = self.view.currentIndex()
-        if current.isValid():
-            return current.row(), current.column()
-        return self.model.rowCount(), (X if width == 2 else T)
+        return current.row() if current.isValid() else self.model.rowCount()
+
+    def _paste_column(self, width: int) -> int:
+        current = self.view.currentIndex()
+        return current.column() if current.isValid() else (X if width == 2 else T)
+
+    def _tell_who_kept(self, indices: list[int], orders: set[int]) -> None:
+        """Say whose velocities are still those of the old places, and offer to have them estimated."""
+        if not indices:
+            return
+        self._to_reset = (indices, orders)
+        sentence = keeping_sentence(indices, orders)
+        self._tell(f'⚠ {sentence} · <a href="reset">Reset to estimated</a>')
+        self._session.say(f"{sentence}; “Reset to estimated” has the rules estimate again.")
+
+    def _reset_kept(self) -> None:
+        session, (rows, orders) = self._session, self._to_reset
+        document = edits.estimate_derivatives(session.document, session.active_index, rows, orders)
+        session.commit(document, reset_name(rows, orders))

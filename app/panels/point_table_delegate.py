@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+from dataclasses import dataclass
+
 from PySide6.QtCore import (
     QAbstractItemModel,
     QEvent,
@@ -12,7 +15,7 @@ from PySide6.QtCore import (
     Qt,
     Signal,
 )
-from PySide6.QtGui import QFont, QFontMetrics, QKeyEvent, QPainter
+from PySide6.QtGui import QFocusEvent, QFont, QFontMetrics, QKeyEvent, QPainter
 from PySide6.QtWidgets import (
     QAbstractItemDelegate,
     QLineEdit,
@@ -22,14 +25,38 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from app.panels.number_text import column_decimals, column_text, decimal_mark, exact_text
+from app.panels.number_text import (
+    NEGLIGIBLE,
+    column_decimals,
+    column_text,
+    decimal_mark,
+    exact_text,
+    greatest_of,
+    most_decimals,
+)
 from app.panels.point_table_model import PointTableModel
 from app.theme import LIGHT, Theme, mix
 
-_PADDING = 5
-_LEAST_DIGITS, _MOST_DIGITS = 3, 6
+PADDING = 3
+"""Pixels left and right of a number."""
+
+COMPACT_DIGITS = (4, 3)
+"""Digits that a column has room for in a narrow panel, and in one that is too narrow for these."""
+
+_DIGITS = (6, 5, 4, 3)
 _ENTER = (Qt.Key.Key_Return, Qt.Key.Key_Enter)
 _LEAVING = (*_ENTER, Qt.Key.Key_Tab, Qt.Key.Key_Backtab)
+# Whoever looks up a number in another window, or in the editor's own menu, comes back to go on typing.
+_PASSING = (Qt.FocusReason.ActiveWindowFocusReason, Qt.FocusReason.PopupFocusReason)
+
+
+@dataclass(frozen=True)
+class ColumnFormat:
+    """How the numbers of one column are written: all alike, so that they can be compared at a glance."""
+
+    digits: int
+    decimals: int
+    negligible: float
 
 
 class CellEditor(QLineEdit):
@@ -55,22 +82,29 @@ class CellEditor(QLineEdit):
 class PointTableDelegate(QStyledItemDelegate):
     """Draws numbers in columns and keeps an editor open until its text is a number or is given up.
 
+    Only Enter and Tab set a number. An editor that is left by a click elsewhere gives up what was typed: a
+    digit meant for a shortcut must never become a coordinate.
+
     Signals
     -------
     edit_began
         Somebody types, or begins to: what was said about the last number is out of date.
     entered
         A number was committed with Enter.
+    given_up
+        An editor was left with a number typed but not set; with what it holds, as "x of point 3".
     """
 
     edit_began = Signal()
     entered = Signal()
+    given_up = Signal(str)
 
     def __init__(self, model: PointTableModel, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self._model = model
         self._theme = LIGHT
-        self._formats: dict[int, tuple[tuple[int, int], int, int]] = {}
+        self._streaming = False
+        self._formats: list[ColumnFormat] = []
 
     def set_theme(self, theme: Theme) -> None:
         """Take the colours of `theme`."""
@@ -91,12 +125,11 @@ class PointTableDelegate(QStyledItemDelegate):
             painter.fillRect(rect, mix(theme.accent, theme.paper, 0.2))
         painter.setPen(theme.grid_fine)
         painter.drawLine(rect.bottomLeft(), rect.bottomRight())
-        digits, decimals = self._format(column, rect.width(), option.fontMetrics)
-        text = column_text(float(self._model.values[row, column]), decimals, digits, decimal_mark())
+        text = self.text(row, column)
         painter.setFont(_italic(option.font) if estimated else option.font)
         painter.setPen(theme.muted if estimated else theme.ink)
         painter.drawText(
-            rect.adjusted(0, 0, -_PADDING, 0),
+            rect.adjusted(0, 0, -PADDING, 0),
             int(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter),
             text,
         )
@@ -104,18 +137,41 @@ class PointTableDelegate(QStyledItemDelegate):
             painter.setPen(theme.accent)
             painter.drawRect(rect.adjusted(0, 0, -1, -1))
 
-    def _format(self, column: int, width: int, metrics: QFontMetrics) -> tuple[int, int]:
-        """Return (digits, decimals) of a column: as many digits as its width has room for."""
-        key = (self._model.version, width)
-        known = self._formats.get(column)
-        if known is None or known[0] != key:
-            values = self._model.values[:, column]
-            signs = metrics.horizontalAdvance("−." if (values < 0).any() else ".")
-            room = (width - 2 * _PADDING - signs) // max(metrics.horizontalAdvance("0"), 1)
-            digits = min(max(room, _LEAST_DIGITS), _MOST_DIGITS)
-            known = (key, digits, column_decimals(values, digits))
-            self._formats[column] = known
-        return known[1], known[2]
+    def text(self, row: int, column: int) -> str:
+        """Return a number as its column writes it."""
+        look = self._formats[column] if column < len(self._formats) else ColumnFormat(_DIGITS[0], 3, 0.0)
+        value = float(self._model.values[row, column])
+        return column_text(value, look.decimals, look.digits, decimal_mark(), negligible=look.negligible)
+
+    def update_formats(self, widths: Sequence[int], metrics: QFontMetrics, *, streaming: bool) -> bool:
+        """Fit the formats to columns of these widths; return whether any is another one now.
+
+        At rest a column has as few decimals as show its numbers exactly, or as many as it has room for.
+        While previews are `streaming` it keeps the decimals it has room for, and only ever gives some up
+        to a number that outgrows it: digits that come and go with each move flicker.
+        """
+        old, was_streaming = self._formats, self._streaming
+        self._streaming = streaming
+        self._formats = [
+            self._format(column, width, metrics, old if was_streaming else [])
+            for column, width in enumerate(widths)
+        ]
+        return self._formats != old
+
+    def _format(
+        self, column: int, width: int, metrics: QFontMetrics, before: Sequence[ColumnFormat]
+    ) -> ColumnFormat:
+        values = self._model.values[:, column]
+        signs, room = "−." if (values < 0).any() else ".", width - 2 * PADDING
+        fitting = (each for each in _DIGITS if metrics.horizontalAdvance(signs + "0" * each) <= room)
+        digits = next(fitting, _DIGITS[-1])
+        if not self._streaming:
+            return ColumnFormat(digits, column_decimals(values, digits), NEGLIGIBLE * greatest_of(values))
+        known = before[column] if column < len(before) else None
+        decimals, negligible = most_decimals(values, digits), NEGLIGIBLE * greatest_of(values)
+        if known is None:
+            return ColumnFormat(digits, decimals, negligible)
+        return ColumnFormat(min(digits, known.digits), min(decimals, known.decimals), known.negligible)
 
     # Editing
 
@@ -143,8 +199,7 @@ class PointTableDelegate(QStyledItemDelegate):
     def setModelData(
         self, editor: QWidget, model: QAbstractItemModel, index: QModelIndex | QPersistentModelIndex
     ) -> None:
-        assert isinstance(editor, CellEditor)
-        self._take(editor)
+        """Do nothing: Qt also calls this when an editor is merely left; `_take` hears Enter and Tab."""
 
     def _take(self, editor: CellEditor) -> bool:
         """Set the number that was typed, if one was; return whether the editor may close."""
@@ -157,6 +212,11 @@ class PointTableDelegate(QStyledItemDelegate):
         return True
 
     def eventFilter(self, editor: QObject, event: QEvent) -> bool:
+        if isinstance(editor, CellEditor) and isinstance(event, QFocusEvent) and event.lostFocus():
+            if event.reason() in _PASSING:
+                return False
+            if editor.text() != editor.opened_with:
+                self.given_up.emit(self._model.label(editor.index.row(), editor.index.column()))
         if (
             isinstance(editor, CellEditor)
             and isinstance(event, QKeyEvent)
@@ -185,7 +245,7 @@ class PointTableDelegate(QStyledItemDelegate):
         cell = editor.geometry()
         viewport = editor.parentWidget()
         assert viewport is not None
-        wanted = editor.fontMetrics().horizontalAdvance(editor.text()) + 4 * _PADDING
+        wanted = editor.fontMetrics().horizontalAdvance(editor.text()) + 4 * PADDING + 4
         width = min(max(wanted, cell.width()), viewport.width())
         left = max(min(cell.right() + 1 - width, viewport.width() - width), 0)
         editor.setGeometry(QRect(left, cell.top(), width, cell.height()))

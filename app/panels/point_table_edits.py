@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
 
@@ -12,7 +12,8 @@ from msgspec.structs import replace
 from app.document import edits
 from app.document.edits import EditError
 from app.document.model import Document, Family, Node, Vector
-from app.view_model.curve_view import CurveView, Floats, appended_parameter, view_of
+from app.view_model.curve_view import CurveView, Floats, appended_parameter, appended_squeeze, view_of
+from app.view_model.jets import explicit_sides
 
 
 @dataclass(frozen=True)
@@ -53,6 +54,7 @@ COLUMNS = (
 )
 T = 0
 X = 1
+_NOTHING = (np.nan, np.nan)
 
 
 def columns_of(family: Family) -> tuple[Column, ...]:
@@ -78,22 +80,35 @@ def table_values(view: CurveView) -> TableValues:
         values[:, T] = view.parameters[: len(nodes)]
         values[:, X : X + 2] = view.points
         if view.sides is not None:
-            values[:, X:] = view.sides.before[: len(nodes)].reshape(len(nodes), -1)
+            jets = np.array(view.sides.before[: len(nodes)])
+            if shows_ahead(view, 0):
+                jets[0] = view.sides.after[0]
+            values[:, X:] = jets.reshape(len(nodes), -1)
     else:
         values[:, X : X + 2] = view.points
     for row, node in enumerate(nodes):
+        given = [_given(view, row, order) for order in (1, 2)]
         if not view.is_current:
-            _fill_given(values[row], node, manual=view.source.is_manual)
-        estimated[row, 3:5] = node.velocity is None
-        estimated[row, 5:7] = node.acceleration is None
+            if view.source.is_manual and node.t is not None:
+                values[row, T] = node.t
+            values[row, 3:] = [*(given[0] or _NOTHING), *(given[1] or _NOTHING)][: len(columns) - 3]
+        estimated[row, 3:5] = given[0] is None
+        estimated[row, 5:7] = given[1] is None
     return TableValues(values, estimated)
 
 
-def _fill_given(row: Floats, node: Node, *, manual: bool) -> None:
-    if manual and node.t is not None:
-        row[T] = node.t
-    given = (*(node.velocity or (np.nan, np.nan)), *(node.acceleration or (np.nan, np.nan)))
-    row[3:] = given[: len(row) - 3]
+def shows_ahead(view: CurveView, index: int) -> bool:
+    """Whether the table has the derivatives after a corner: at the first point, which has no others.
+
+    At every other corner it has those before it.
+    """
+    return index == 0 and not view.source.is_closed and view.source.nodes[0].corner
+
+
+def _given(view: CurveView, index: int, order: int) -> Vector | None:
+    """Return the derivative that the person set, on the side that the table shows."""
+    before, after = explicit_sides(view.source.nodes[index], order)
+    return after if shows_ahead(view, index) else before
 
 
 # One cell
@@ -102,15 +117,41 @@ def _fill_given(row: Floats, node: Node, *, manual: bool) -> None:
 def set_cell(
     document: Document, curve: int, view: CurveView, index: int, column: Column, value: float
 ) -> Document:
-    """Set one number of point `index`."""
+    """Set one number of point `index`; at a corner its derivatives are those before the point."""
     if column.order < 0:
-        return edits.set_parameter(document, curve, index, value, _parameters(view))
+        _refuse_beyond_closing(view, index, value)
+        return edits.set_parameter(document, curve, index, value, _knot_parameters(view))
     if column.order == 0:
         position = _with_component(view.source.nodes[index].position, column.component, value)
         return edits.set_position(document, curve, index, position)
     vector = _with_component(_derivative(view, index, column.order), column.component, value)
     change = edits.set_velocity if column.order == 1 else edits.set_acceleration
-    return change(document, curve, index, vector)
+    return change(document, curve, index, vector, ahead=shows_ahead(view, index))
+
+
+def fill_cells(
+    document: Document, curve: int, view: CurveView, cells: Mapping[int, Sequence[Column]], value: float
+) -> Document:
+    """Put one number into all `cells`: the columns of each row."""
+    timed = [row for row, columns in cells.items() if columns[0].order < 0]
+    if len(timed) > 1:
+        raise EditError("Every point needs a t of its own.")
+    nodes = list(view.source.nodes)
+    for row, columns in cells.items():
+        nodes[row] = _overwritten(view, row, columns, np.full(len(columns), value))
+    document = edits.set_nodes(document, curve, nodes)
+    return _with_parameters(document, curve, view, timed[0], np.array([value])) if timed else document
+
+
+def _refuse_beyond_closing(view: CurveView, index: int, t: float) -> None:
+    """Refuse a t of the last point of a closed curve at or after its return to the first."""
+    if not (view.source.is_closed and index == len(view.source.nodes) - 1):
+        return
+    end = view.source.parametrization.end
+    if t >= end:
+        raise EditError(
+            f"The t of point {index} must be less than {end:g}, where the curve returns to its first point."
+        )
 
 
 def _with_component(vector: Vector, component: int, value: float) -> Vector:
@@ -119,20 +160,24 @@ def _with_component(vector: Vector, component: int, value: float) -> Vector:
 
 def _derivative(view: CurveView, index: int, order: int) -> Vector:
     """Return the derivative that is shown now: the component that is not typed keeps it."""
-    node = view.source.nodes[index]
-    given = node.velocity if order == 1 else node.acceleration
-    shown = given or (
-        view.velocity_of(index, ahead=False) if order == 1 else view.acceleration_of(index, ahead=False)
-    )
+    ahead = shows_ahead(view, index)
+    estimate = view.velocity_of if order == 1 else view.acceleration_of
+    shown = _given(view, index, order) or estimate(index, ahead=ahead)
     if shown is None:
         raise EditError(f"There is nothing to estimate the other component from. {view.problem}")
     return shown
 
 
+def _knot_parameters(view: CurveView) -> list[float]:
+    """Return the parameters at the knots: of a closed curve also that of its return to the first point."""
+    own = _parameters(view)[: len(view.source.nodes)]
+    return [*own, view.source.parametrization.end] if view.source.is_closed else own
+
+
 def _parameters(view: CurveView) -> list[float]:
-    """Return the parameters in force, to freeze the others at."""
+    """Return the parameters in force, to freeze the others at; of a closed curve, the return included."""
     if view.is_current:
-        return [float(t) for t in view.parameters[: len(view.source.nodes)]]
+        return [float(t) for t in view.parameters]
     given = [node.t for node in view.source.nodes if view.source.is_manual and node.t is not None]
     if len(given) < len(view.source.nodes):
         raise EditError(f"There are no parameters to change. {view.problem}")
@@ -187,7 +232,7 @@ def _overwritten(view: CurveView, index: int, columns: Sequence[Column], row: Fl
         if column.order == 0:
             position = _with_component(position, column.component, value)
         elif column.is_derivative:
-            name = _field(column)
+            name = _field(column, ahead=shows_ahead(view, index))
             old = derivatives[name] if name in derivatives else _derivative(view, index, column.order)
             derivatives[name] = _with_component(old, column.component, value)
     return replace(node, x=position[0], y=position[1], **derivatives)
@@ -203,44 +248,53 @@ def _new_node(columns: Sequence[Column], row: Floats) -> Node:
     return Node(*vectors[0], velocity=vectors.get(1), acceleration=vectors.get(2))
 
 
-def _field(column: Column) -> str:
-    return "velocity" if column.order == 1 else "acceleration"
+def _field(column: Column, *, ahead: bool) -> str:
+    return ("velocity" if column.order == 1 else "acceleration") + ("_after" if ahead else "")
 
 
 def _with_parameters(document: Document, curve: int, view: CurveView, top: int, given: Floats) -> Document:
     """Freeze the parameters with `given` from point `top` on."""
     count = len(document.curves[curve].nodes)
-    kept = [] if len(given) == count else _parameters(view)
+    kept = [] if len(given) == count else _parameters(view)[: len(view.source.nodes)]
     parameters = [*kept[:top], *(edits.checked(float(t), "A t") for t in given), *kept[top + len(given) :]]
     for index, (before, after) in enumerate(pairwise(parameters), start=1):
         if not after > before:
             raise EditError(
                 f"The t of point {index} must be greater than {before:g}, the t of point {index - 1}."
             )
+    if view.source.is_closed:
+        parameters = [*parameters, _closing(view, parameters)]
     return edits.freeze_parameters(document, curve, parameters)
+
+
+def _closing(view: CurveView, parameters: Sequence[float]) -> float:
+    """Return where a closed curve returns to its start: where it did, or a mean step after the last point."""
+    end, last = view.source.parametrization.end, parameters[-1]
+    return end if end > last else last + (last - parameters[0]) / (len(parameters) - 1)
+
+
+def _append_to_closed(document: Document, curve: int, before: CurveView, new: Sequence[Node]) -> Document:
+    """Append points to a closed curve with manual parameters: what leads back now leads through them."""
+    times = _knot_parameters(before)
+    step = times[-1] - times[-2]
+    document = edits.insert_nodes(document, curve, len(before.source.nodes), new)
+    more = (times[-1] + step * (offset + 1) for offset in range(len(new)))
+    return edits.freeze_parameters(document, curve, [*times, *more])
 
 
 def _append(document: Document, curve: int, view: CurveView, new: Sequence[Node]) -> Document:
     """Append points; the handles that the person set stay where they are."""
     before = view_of(document.curves[curve], view)
+    if before.source.is_manual and before.source.is_closed:
+        return _append_to_closed(document, curve, before, new)
     if before.source.is_manual:
         first = appended_parameter(before, new[0])
         step = first - (before.source.nodes[-1].t or 0.0) if before.source.nodes else 1.0
         new = [replace(node, t=first + step * offset) for offset, node in enumerate(new)]
         return edits.insert_nodes(document, curve, len(before.source.nodes), new)
-    grown = edits.insert_nodes(document, curve, len(before.source.nodes), new)
-    squeeze = _squeeze(before, view_of(grown.curves[curve]))
+    squeeze = appended_squeeze(before, new)
     document = edits.append_node(document, curve, new[0], squeeze=squeeze)
     return edits.insert_nodes(document, curve, len(before.source.nodes) + 1, new[1:])
-
-
-def _squeeze(before: CurveView, after: CurveView) -> float:
-    """Return by which factor the parameters of the old points shrink when points are appended."""
-    count = len(before.source.nodes)
-    if count < 2 or not (before.is_current and after.is_current):
-        return 1.0
-    old, new = before.parameters, after.parameters
-    return float((new[count - 1] - new[0]) / (old[-1] - old[0]))
 
 
 # Back to the rules
@@ -250,11 +304,33 @@ def explicit_orders(nodes: Sequence[Node], indices: Collection[int], orders: Col
     """Return which of the derivatives `orders` the person set at any of `indices`."""
     found = set()
     for index in indices:
-        if 1 in orders and nodes[index].velocity is not None:
-            found.add(1)
-        if 2 in orders and nodes[index].acceleration is not None:
-            found.add(2)
+        for order in orders:
+            if any(side is not None for side in explicit_sides(nodes[index], order)):
+                found.add(order)
     return found
+
+
+def keepers(view: CurveView, rows: Collection[int], columns: Sequence[Column]) -> tuple[list[int], set[int]]:
+    """Return the points whose own derivatives a paste into `columns` left as they were, and which these are.
+
+    Moved points that keep a velocity set for another place make kinks that nobody asked for.
+    """
+    if not any(column.order == 0 for column in columns):
+        return [], set()
+    kept = {1, 2} - {column.order for column in columns}
+    shown = kept & set(range(1, view.source.family.derivatives + 1))
+    nodes = view.source.nodes
+    found = [row for row in rows if explicit_orders(nodes, [row], shown)]
+    return found, explicit_orders(nodes, found, shown)
+
+
+def keeping_sentence(indices: Sequence[int], orders: Collection[int]) -> str:
+    """Return "Point 8 keeps its own velocity"."""
+    names = [name for order, name in ((1, "velocity"), (2, "acceleration")) if order in orders]
+    if len(indices) == 1:
+        return f"Point {indices[0]} keeps its own {' and '.join(names)}"
+    plural = " and ".join({"velocity": "velocities", "acceleration": "accelerations"}[name] for name in names)
+    return f"{len(indices)} points keep their own {plural}"
 
 
 def reset_name(indices: Collection[int], orders: Collection[int]) -> str:

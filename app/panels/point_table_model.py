@@ -20,7 +20,7 @@ from app.document import edits
 from app.document.edits import EditError
 from app.document.expression import ExpressionError, parse_number
 from app.document.model import Family
-from app.panels.number_text import decimal_mark, exact_text, rounded_text
+from app.panels.number_text import NEGLIGIBLE, decimal_mark, exact_text, greatest_of, rounded_text
 from app.panels.point_table_edits import Column, TableValues, columns_of, set_cell, table_values
 from app.panels.words import ACCELERATION_ESTIMATES, VELOCITY_ESTIMATES
 from app.session import Session
@@ -51,8 +51,6 @@ class PointTableModel(QAbstractTableModel):
         The numbers shown, (n, columns).
     estimated
         Which of them a rule estimates.
-    version
-        Grows with every change of what is shown.
     """
 
     refused = Signal(str)
@@ -66,7 +64,6 @@ class PointTableModel(QAbstractTableModel):
         self.columns: tuple[Column, ...] = columns_of(Family.LAGRANGE)
         self._theme = LIGHT
         self._swatches: list[QPixmap] = []
-        self.version = 0
         self._answers: dict[int, Callable[[int, int], object]] = {
             Qt.ItemDataRole.DisplayRole: self._rounded,
             Qt.ItemDataRole.EditRole: lambda row, column: float(self.values[row, column]),
@@ -90,7 +87,6 @@ class PointTableModel(QAbstractTableModel):
         if view is self._view:
             return
         self._view = view
-        self.version += 1
         columns, new = columns_of(view.source.family), table_values(view)
         if columns != self.columns:
             self.beginResetModel()
@@ -205,7 +201,10 @@ class PointTableModel(QAbstractTableModel):
         return f"{self.columns[column].name} of point {row}"
 
     def _rounded(self, row: int, column: int) -> str:
-        return rounded_text(float(self.values[row, column]), decimal_mark())
+        value = float(self.values[row, column])
+        if abs(value) < NEGLIGIBLE * greatest_of(self.values[:, column]):
+            value = 0.0
+        return rounded_text(value, decimal_mark())
 
     def _read_aloud(self, row: int, column: int) -> str:
         return f"{self.label(row, column)}: {self._rounded(row, column)}"
@@ -213,7 +212,18 @@ class PointTableModel(QAbstractTableModel):
     def _describe(self, row: int, column: int) -> str:
         exact = exact_text(float(self.values[row, column]), decimal_mark()).replace("-", "−")
         text = f"{self.label(row, column)} = {exact}" if exact else f"{self.label(row, column)}: none now"
+        text += self._corner_note(row, column)
         return f"{text}\n{self._estimate(column)}" if self.estimated[row, column] else text
+
+    def _corner_note(self, row: int, column: int) -> str:
+        """Return what the tooltip adds where a point has two derivatives, of which the table shows one."""
+        what, view = self.columns[column], self._view
+        if view is None or view.sides is None or not (what.is_derivative and view.source.nodes[row].corner):
+            return ""
+        if not (view.source.is_closed or 0 < row < len(self.values) - 1):
+            return ""
+        ahead = float(view.sides.after[row, what.order, what.component])
+        return f", before the corner; {exact_text(ahead, decimal_mark()).replace('-', '−')} after it"
 
     def _estimate(self, column: int) -> str:
         curve = self._session.active_curve

@@ -4,14 +4,21 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterator
 
-from PySide6.QtCore import QEvent, QItemSelection, QItemSelectionModel, QModelIndex, Qt, Signal
-from PySide6.QtGui import QFont, QKeyEvent
+from PySide6.QtCore import (
+    QEvent,
+    QItemSelection,
+    QItemSelectionModel,
+    QModelIndex,
+    Qt,
+    Signal,
+    SignalInstance,
+)
+from PySide6.QtGui import QFont, QKeyEvent, QKeySequence, QResizeEvent
 from PySide6.QtWidgets import QAbstractButton, QAbstractItemView, QHeaderView, QTableView, QWidget
 
-from app.panels.point_table_delegate import PointTableDelegate
+from app.panels.point_table_delegate import COMPACT_DIGITS, PADDING, PointTableDelegate
 from app.panels.point_table_model import PointTableModel
 
-_LEAST_COLUMN = 50
 _ENTER = (Qt.Key.Key_Return, Qt.Key.Key_Enter)
 _DELETE = (Qt.Key.Key_Delete, Qt.Key.Key_Backspace)
 _PLAIN = Qt.KeyboardModifier.ShiftModifier | Qt.KeyboardModifier.KeypadModifier
@@ -24,9 +31,13 @@ class PointTableView(QTableView):
     -------
     reset_requested
         Delete was pressed while nothing but velocities and accelerations was selected.
+    copy_requested, paste_requested
+        The keys for it were pressed.
     """
 
     reset_requested = Signal()
+    copy_requested = Signal()
+    paste_requested = Signal()
 
     def __init__(self, model: PointTableModel, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -37,6 +48,7 @@ class PointTableView(QTableView):
         self.setModel(model)
         self.setItemDelegate(self.cell_delegate)
         self.cell_delegate.entered.connect(self._move_down)
+        self._streaming = False
         self._set_up_behaviour()
         self._set_up_headers()
 
@@ -56,9 +68,10 @@ class PointTableView(QTableView):
         self.setFont(font)
         across, down = self.horizontalHeader(), self.verticalHeader()
         across.setObjectName("pointTableColumns")
-        across.setMinimumSectionSize(_LEAST_COLUMN)
-        across.setSectionResizeMode(QHeaderView.ResizeMode.Stretch)
+        across.setMinimumSectionSize(20)
+        across.setSectionResizeMode(QHeaderView.ResizeMode.Fixed)
         across.setHighlightSections(False)
+        across.setStyleSheet(f"QHeaderView::section {{ padding: 5px {PADDING}px }}")
         down.setObjectName("pointTableRows")
         down.setSectionResizeMode(QHeaderView.ResizeMode.Fixed)
         down.setDefaultSectionSize(self.fontMetrics().height() + 8)
@@ -69,6 +82,43 @@ class PointTableView(QTableView):
             corner.setObjectName("selectAllPoints")
             corner.setAccessibleName("Select all points")
             corner.setToolTip("Select all points")
+
+    # How the numbers are laid out
+
+    def fit_columns(self, *, streaming: bool) -> None:
+        """Give the columns of the numbers shown now their widths and formats.
+
+        While previews are `streaming` the widths stay; what changes is seen in every row at once.
+        """
+        self._streaming = streaming
+        if not streaming:
+            self._share_width()
+        across = self.horizontalHeader()
+        widths = [across.sectionSize(column) for column in range(across.count())]
+        metrics = self.fontMetrics()
+        if self.cell_delegate.update_formats(widths, metrics, streaming=streaming):
+            self.viewport().update()
+
+    def _share_width(self) -> None:
+        """Share the width among the columns; none gets less than a few digits need."""
+        room = self.viewport().width()
+        candidates = [self._needed(digits) for digits in COMPACT_DIGITS]
+        needed = next((each for each in candidates if sum(each) <= room), candidates[-1])
+        spare, rest = divmod(max(room - sum(needed), 0), max(len(needed), 1))
+        for column, width in enumerate(needed):
+            self.horizontalHeader().resizeSection(column, width + spare + (1 if column < rest else 0))
+
+    def _needed(self, digits: int) -> list[int]:
+        """Return how wide the columns are at least that hold so many digits, a point and a sign."""
+        metrics = self.fontMetrics()
+        plain = metrics.horizontalAdvance("0" * digits + ".") + 2 * PADDING
+        minus = metrics.horizontalAdvance("−")
+        return [plain + minus * bool((each < 0).any()) for each in self.numbers.values.T]
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        super().resizeEvent(event)
+        self._share_width()
+        self.fit_columns(streaming=self._streaming)
 
     # What is selected
 
@@ -106,15 +156,21 @@ class PointTableView(QTableView):
     # Keys
 
     def event(self, event: QEvent) -> bool:
-        # Digits and letters are shortcuts of the window; here they begin a number.
+        # Digits and letters are shortcuts of the window; here they begin a number. So may the keys for copy
+        # and paste be, and Qt does nothing at all where a shortcut of the window is also one of the widget.
         if (
             isinstance(event, QKeyEvent)
             and event.type() == QEvent.Type.ShortcutOverride
-            and (self._is_typing(event) or self._is_reset(event))
+            and (self._is_typing(event) or self._is_reset(event) or self._exchange(event) is not None)
         ):
             event.accept()
             return True
         return super().event(event)
+
+    def _exchange(self, event: QKeyEvent) -> SignalInstance | None:
+        if event.matches(QKeySequence.StandardKey.Copy):
+            return self.copy_requested
+        return self.paste_requested if event.matches(QKeySequence.StandardKey.Paste) else None
 
     def _is_reset(self, event: QKeyEvent) -> bool:
         return event.key() in _DELETE and self.only_derivatives_selected()
@@ -125,7 +181,10 @@ class PointTableView(QTableView):
         return self.currentIndex().isValid() and plain and text.isprintable() and bool(text.strip())
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
-        if event.key() in _ENTER and self.currentIndex().isValid():
+        exchange = self._exchange(event)
+        if exchange is not None:
+            exchange.emit()
+        elif event.key() in _ENTER and self.currentIndex().isValid():
             self.edit(self.currentIndex())
         elif self._is_reset(event):
             self.reset_requested.emit()

@@ -1,50 +1,298 @@
-"""What keys and mouse do, as a sheet beside the window."""
+"""What keys and mouse do, as a sheet over the drawing: first what applies now, then the rest."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
-from html import escape
+from dataclasses import dataclass
 
-from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QDialog, QLabel, QScrollArea, QVBoxLayout, QWidget
+from PySide6.QtCore import QEvent, QMargins, QObject, QSize, Qt
+from PySide6.QtGui import QKeyEvent, QMouseEvent
+from PySide6.QtWidgets import (
+    QApplication,
+    QFrame,
+    QGridLayout,
+    QHBoxLayout,
+    QLabel,
+    QScrollArea,
+    QSizePolicy,
+    QToolButton,
+    QVBoxLayout,
+    QWidget,
+)
 
-_MOUSE = (
-    ("Drag a point", "move it; Shift keeps to one axis, Escape cancels"),
-    ("Alt+drag a point", "pull out its velocity handle"),
-    ("Drag a handle", "set velocity (square) or acceleration (diamond)"),
-    ("Click a curve, adding", "insert a point between its neighbours"),
-    ("Press and drag, adding", "add a point and set its velocity"),
-    ("Drag a tick of the t-rail", "change t; the parameters become manual"),
-    ("Drag in the basis panel", "scrub: every point shows its weight at t"),
-    ("Wheel", "zoom at the pointer"),
-    ("Middle button, Space+drag", "pan"),
+from app.theme import icon, mix, theme_of
+
+Rows = Sequence[tuple[str, str]]
+_WIDEST, _MARGIN, _KEYS_WIDTH = 560, 24, 190
+
+
+@dataclass(frozen=True)
+class Moment:
+    """What the sheet must know to say what applies now.
+
+    Attributes
+    ----------
+    adding
+        Whether the Add tool is in hand, rather than the Select tool.
+    selected
+        How many points are selected.
+    has_derivatives
+        Whether the family has velocities.
+    """
+
+    adding: bool
+    selected: int
+    has_derivatives: bool
+
+    @property
+    def title(self) -> str:
+        """What is going on, as a heading."""
+        if self.adding:
+            return "Now: adding points"
+        if not self.selected:
+            return "Now: selecting"
+        return f"Now: {self.selected} point{'' if self.selected == 1 else 's'} selected"
+
+
+@dataclass(frozen=True)
+class _Gesture:
+    """One row of the sheet and when it applies; None where it does not matter."""
+
+    keys: str
+    what: str
+    adding: bool | None = None
+    selected: bool | None = None
+    needs_derivatives: bool = False
+
+    def applies(self, moment: Moment) -> bool:
+        return (
+            (self.adding is None or self.adding == moment.adding)
+            and (self.selected is None or self.selected == bool(moment.selected))
+            and (moment.has_derivatives or not self.needs_derivatives)
+        )
+
+    def condition(self, moment: Moment) -> str:
+        """Return what must be otherwise for it to apply."""
+        if self.adding is not None and self.adding != moment.adding:
+            return "when adding points" if self.adding else "when selecting"
+        if self.selected is not None and self.selected != bool(moment.selected):
+            return "with points selected"
+        return "on a Hermite curve"
+
+
+_GESTURES = (
+    _Gesture("Click", "add a point", adding=True),
+    _Gesture("Press and drag", "add a point and set its velocity", adding=True, needs_derivatives=True),
+    _Gesture("Click the curve", "insert a point between its neighbours", adding=True),
+    _Gesture("Drag a point", "move it; Shift keeps to one axis, Ctrl snaps or not, Escape cancels"),
+    _Gesture("Shift+click a point", "select it too, or no longer", adding=False),
+    _Gesture("Drag beside the curve", "select with a rubber band; Shift adds", adding=False),
+    _Gesture("Drag the curve", "bend it; Ctrl changes points only, Alt derivatives only", adding=False),
+    _Gesture(
+        "Drag a grip of the box",
+        "scale or rotate; Shift keeps proportions, Alt the centre",
+        adding=False,
+        selected=True,
+    ),
+    _Gesture("Moving, scaling, rotating", "X or Y locks an axis, digits type the amount", selected=True),
+    _Gesture("Alt+drag a point", "pull out its velocity", needs_derivatives=True),
+    _Gesture(
+        "Drag a handle",
+        "set velocity (square) or acceleration (diamond); Shift: 15° steps, Alt: length",
+        selected=True,
+        needs_derivatives=True,
+    ),
+    _Gesture("Arrow keys", "nudge the selected points", adding=False, selected=True),
+    _Gesture("Tab, Shift+Tab", "select the next or previous point", adding=False),
+    _Gesture("Escape", "back to selecting", adding=True),
+    _Gesture("Escape", "select nothing", adding=False, selected=True),
+    _Gesture("Drag a tick of the t-rail", "change t; the parameters become manual"),
+    _Gesture("Hold E, dragging a tick", "all ticks on the side you move to go along"),
+    _Gesture("Shift+click ticks", "select several; dragging one moves all"),
+    _Gesture("Double-click a tick", "type its t; right-click for more"),
+    _Gesture("Drag in the basis panel", "scrub: every point shows its weight at t"),
+    _Gesture("Click another curve", "edit it", adding=False),
+    _Gesture("Right button, Menu key", "what can be done there"),
+    _Gesture("Wheel", "zoom at the pointer"),
+    _Gesture("Middle button, Space+drag", "pan"),
 )
 
 
-class ShortcutSheet(QDialog):
-    """Lists the shortcuts of the moment and the gestures; not modal."""
+class ShortcutSheet(QFrame):
+    """Lies over the drawing; Escape, F1 or a click beside it puts it away.
 
-    def __init__(self, shortcuts: Sequence[tuple[str, str]], parent: QWidget | None = None) -> None:
-        super().__init__(parent, Qt.WindowType.Tool)
+    It is a part of the window and no window of its own: it needs no place on the desktop, and Escape reaches
+    it wherever the focus is.
+    """
+
+    def __init__(self, window: QWidget, over: QWidget) -> None:
+        super().__init__(window)
         self.setObjectName("shortcutSheet")
-        self.setWindowTitle("Keys and mouse")
-        text = QLabel(_table("Mouse", _MOUSE) + _table("Keys", shortcuts))
-        text.setTextFormat(Qt.TextFormat.RichText)
-        text.setAlignment(Qt.AlignmentFlag.AlignTop)
-        text.setMargin(14)
-        area = QScrollArea()
-        area.setWidget(text)
-        area.setWidgetResizable(True)
-        area.setFrameShape(QScrollArea.Shape.NoFrame)
+        self.setAccessibleName("Keys and mouse")
+        self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
+        self._window, self._over = window, over
+        self._focus_before: QWidget | None = None
+        self._close = self._make_close_button()
+        self._area = QScrollArea()
+        self._area.setObjectName("shortcutArea")
+        self._area.setWidgetResizable(True)
+        self._area.setFrameShape(QFrame.Shape.NoFrame)
+        self._area.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        self._area.setFocusPolicy(Qt.FocusPolicy.NoFocus)
+        self._lay_out()
+        self.hide()
+
+    def _make_close_button(self) -> QToolButton:
+        button = QToolButton()
+        button.setObjectName("closeShortcuts")
+        button.setAccessibleName("Put the sheet away")
+        button.setToolTip("Put the sheet away (Esc)")
+        button.setAutoRaise(True)
+        button.setIconSize(QSize(16, 16))
+        button.clicked.connect(self.put_away)
+        return button
+
+    def _lay_out(self) -> None:
+        heading = QLabel("<b>Keys and mouse</b>")
+        top = QHBoxLayout()
+        top.setContentsMargins(16, 8, 8, 4)
+        top.addWidget(heading, 1)
+        top.addWidget(self._close)
         layout = QVBoxLayout(self)
-        layout.setContentsMargins(0, 0, 0, 0)
-        layout.addWidget(area)
-        self.resize(460, 620)
+        layout.setContentsMargins(1, 1, 1, 8)
+        layout.setSpacing(0)
+        layout.addLayout(top)
+        layout.addWidget(self._area)
+
+    def open(self, moment: Moment, menus: Sequence[tuple[str, Rows]]) -> None:
+        """Show what applies at `moment`, then the other gestures, then the keys of each menu."""
+        now = [(each.keys, each.what) for each in _GESTURES if each.applies(moment)]
+        rest = [
+            (each.keys, f"{each.what}, {each.condition(moment)}")
+            for each in _GESTURES
+            if not each.applies(moment)
+        ]
+        self._area.setWidget(_grid([(moment.title, now), ("Otherwise", rest), *menus]))
+        self._render_theme()
+        self._place()
+        self._focus_before = QApplication.focusWidget()
+        self.show()
+        self.raise_()
+        self.setFocus()
+        _application().installEventFilter(self)
+
+    def put_away(self) -> None:
+        """Hide, and give the focus back."""
+        _application().removeEventFilter(self)
+        had_focus = self.hasFocus() or self.isAncestorOf(QApplication.focusWidget() or self._window)
+        self.hide()
+        if had_focus and self._focus_before is not None:
+            self._focus_before.setFocus()
+        self._focus_before = None
+
+    def _place(self) -> None:
+        """Lie in the middle of the drawing, as high as the rows need and there is room."""
+        corner = self._over.mapTo(self._window, self._over.rect().topLeft())
+        room = self._over.size().shrunkBy(_margins())
+        width = min(room.width(), _WIDEST)
+        content = self._area.widget()
+        # A vertical scroll bar takes its width from the rows.
+        rows = content.heightForWidth(width - 24) if content is not None else 0
+        height = min(room.height(), rows + self._close.sizeHint().height() + 24)
+        self.setGeometry(corner.x() + (self._over.width() - width) // 2, corner.y() + _MARGIN, width, height)
+
+    def _render_theme(self) -> None:
+        theme = theme_of(self.palette())
+        line = mix(theme.ink, theme.surface, 0.2).name()
+        self._close.setIcon(icon("close", theme))
+        sheet = (
+            f"#shortcutSheet {{ background: {theme.surface.name()}; border: 1px solid {line};"
+            " border-radius: 8px }"
+            "#shortcutArea, #shortcutRows { background: transparent }"
+            f"#shortcutKeys {{ color: {theme.muted.name()} }}"
+        )
+        if sheet != self.styleSheet():
+            self.setStyleSheet(sheet)
+
+    # Qt's events
+
+    def changeEvent(self, event: QEvent) -> None:
+        super().changeEvent(event)
+        if event.type() == QEvent.Type.PaletteChange and hasattr(self, "_area"):
+            self._render_theme()
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        scroll = self._area.verticalScrollBar()
+        steps = {Qt.Key.Key_Down: scroll.singleStep(), Qt.Key.Key_Up: -scroll.singleStep()}
+        pages = {Qt.Key.Key_PageDown: scroll.pageStep(), Qt.Key.Key_PageUp: -scroll.pageStep()}
+        by = {**steps, **pages}.get(Qt.Key(event.key()))
+        if by is None:
+            super().keyPressEvent(event)
+        else:
+            scroll.setValue(scroll.value() + by)
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        if not self.isVisible():
+            return False
+        match event.type():
+            case QEvent.Type.Resize if watched is self._over:
+                self._place()
+            case QEvent.Type.KeyPress if _is_escape(event) and watched.isWidgetType():
+                self.put_away()
+                return True
+            case QEvent.Type.MouseButtonPress if isinstance(watched, QWidget) and self._is_beside(event):
+                self.put_away()
+        return False
+
+    def _is_beside(self, event: QEvent) -> bool:
+        assert isinstance(event, QMouseEvent)
+        return not self.rect().contains(self.mapFromGlobal(event.globalPosition().toPoint()))
 
 
-def _table(title: str, rows: Sequence[tuple[str, str]]) -> str:
-    cells = "".join(
-        f"<tr><td style='padding-right: 18px'><b>{escape(key)}</b></td><td>{escape(what)}</td></tr>"
-        for key, what in rows
-    )
-    return f"<h3>{title}</h3><table cellpadding='2'>{cells}</table>"
+def _is_escape(event: QEvent) -> bool:
+    return isinstance(event, QKeyEvent) and event.key() == Qt.Key.Key_Escape
+
+
+def _grid(sections: Sequence[tuple[str, Rows]]) -> QWidget:
+    """Return all sections in one grid, so that their columns stand below each other."""
+    content = QWidget()
+    content.setObjectName("shortcutRows")
+    grid = QGridLayout(content)
+    grid.setContentsMargins(16, 0, 16, 8)
+    grid.setHorizontalSpacing(16)
+    grid.setVerticalSpacing(4)
+    grid.setColumnMinimumWidth(0, _KEYS_WIDTH)
+    grid.setColumnStretch(1, 1)
+    row = 0
+    for title, rows in sections:
+        if not rows:
+            continue
+        heading = QLabel(f"<b>{title}</b>")
+        heading.setContentsMargins(0, 10 if row else 0, 0, 2)
+        grid.addWidget(heading, row, 0, 1, 2)
+        for offset, (keys, what) in enumerate(rows, start=1):
+            grid.addWidget(_cell(keys, "shortcutKeys"), row + offset, 0)
+            grid.addWidget(_cell(what, "shortcutText"), row + offset, 1)
+        row += len(rows) + 1
+    grid.setRowStretch(row, 1)
+    return content
+
+
+def _cell(text: str, name: str) -> QLabel:
+    label = QLabel(text)
+    label.setObjectName(name)
+    label.setTextFormat(Qt.TextFormat.PlainText)
+    label.setWordWrap(True)
+    label.setAlignment(Qt.AlignmentFlag.AlignTop)
+    label.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Minimum)
+    return label
+
+
+def _margins() -> QMargins:
+    return QMargins(_MARGIN, _MARGIN, _MARGIN, _MARGIN)
+
+
+def _application() -> QApplication:
+    application = QApplication.instance()
+    assert isinstance(application, QApplication)
+    return application

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import QTimer
-from PySide6.QtWidgets import QLabel, QSizePolicy, QStatusBar, QWidget
+from PySide6.QtCore import QSize, Qt, QTimer
+from PySide6.QtGui import QAction
+from PySide6.QtWidgets import QLabel, QSizePolicy, QStatusBar, QToolButton, QWidget
 
 from app.document.model import Vector
 from app.view_model.basis_view import BasisView
@@ -29,10 +30,20 @@ class StatusLine(QStatusBar):
         self._t.setObjectName("pointerT")
         self._lebesgue.setObjectName("lebesgueConstant")
         self._lebesgue.setToolTip("Lebesgue constant: how much errors in the points can grow on the curve")
+        self._offer = QToolButton()
+        self._offer.setObjectName("offeredAction")
+        self._offer.setAccessibleName("What can be done about it")
+        self._offer.setToolTip("What can be done about it")
+        self._offer.setAutoRaise(True)
+        self._offer.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
+        self._offer.setIconSize(QSize(14, 14))
+        self._offer.hide()
+        self.addWidget(self._offer)
         self.addWidget(self._label, 1)
         for label in (self._place, self._t, self._lebesgue):
             self.addPermanentWidget(label)
         self._hint = self._said = ""
+        self.unit = ""
         self._timer = QTimer(self, singleShot=True, interval=_SAID_MS)
         self._timer.timeout.connect(self._forget_said)
 
@@ -54,19 +65,37 @@ class StatusLine(QStatusBar):
             self._said = ""
             self._label.setText(text)
 
+    def show_progress(self, text: str) -> None:
+        """Show how far a gesture has come, in front of whatever has been said; empty leaves it to others."""
+        if text:
+            self._timer.stop()
+            self._said = ""
+            self._label.setText(text)
+
     def say(self, text: str) -> None:
         """Show a sentence for some seconds."""
         self._said = text
         self._label.setText(text)
+        self._offer.hide()
         self._timer.start()
+
+    def offer(self, text: str, action: QAction) -> None:
+        """Show a sentence, and a button for what can be done about it."""
+        self.say(text)
+        self._offer.setDefaultAction(action)
+        self._offer.setAccessibleName(action.text())
+        self._offer.show()
 
     def _forget_said(self) -> None:
         self._said = ""
+        self._offer.hide()
         self._label.setText(self._hint)
 
     def show_place(self, place: Vector | None) -> None:
         """Show where the pointer is on the canvas."""
-        self._place.setText("" if place is None else f"x {place[0]:.4g}   y {place[1]:.4g}".replace("-", "−"))
+        unit = f" {self.unit}" if self.unit else ""
+        text = "" if place is None else f"x {place[0]:.4g}{unit}   y {place[1]:.4g}{unit}"
+        self._place.setText(text.replace("-", "−"))
 
     def show_t(self, t: float | None) -> None:
         """Show the t under the pointer or the scrub line."""

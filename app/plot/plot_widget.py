@@ -14,6 +14,7 @@ from PySide6.QtCore import QEvent, QPoint, QPointF, QRectF, Qt, Signal
 from PySide6.QtGui import (
     QColor,
     QEnterEvent,
+    QFocusEvent,
     QFont,
     QKeyEvent,
     QMouseEvent,
@@ -218,6 +219,7 @@ class PlotWidget(pg.PlotWidget):  # type: ignore[misc]  # pyqtgraph has no types
             shift=bool(held & Qt.KeyboardModifier.ShiftModifier),
             ctrl=bool(held & Qt.KeyboardModifier.ControlModifier),
             alt=bool(held & Qt.KeyboardModifier.AltModifier),
+            scale=self.pixel_map.sx,
         )
 
     def mousePressEvent(self, event: QMouseEvent) -> None:
@@ -284,7 +286,7 @@ class PlotWidget(pg.PlotWidget):  # type: ignore[misc]  # pyqtgraph has no types
         self.left()
         event.accept()
 
-    def focusOutEvent(self, event: QEvent) -> None:
+    def focusOutEvent(self, event: QFocusEvent) -> None:
         # A Space released in another window is never heard of.
         self._space_down = False
         super().focusOutEvent(event)

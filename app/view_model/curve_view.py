@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
 from itertools import pairwise
 
 import numpy as np
 import numpy.typing as npt
+from msgspec.structs import replace
 
 from app.document.model import Curve, Family, Node, Parametrization, ParametrizationKind, Vector
 from app.view_model.jets import Sides, explicit_sides, knots_of, sides_of
@@ -233,33 +234,46 @@ def _sentence(text: str) -> str:
     return text if text.endswith(".") else text + "."
 
 
-def appended_squeeze(before: CurveView, node: Node) -> float:
-    """Return by which factor appending `node` squeezes the parameters of the points before it.
+def appended_squeeze(before: CurveView, nodes: Sequence[Node]) -> float:
+    """Return by which factor appending `nodes` squeezes the parameters of the points before them.
 
     One where the parameters stay, or where there is nothing to compare.
     """
     curve = before.source
     if curve.is_manual or not before.is_current or len(curve.nodes) < 2:
         return 1.0
-    points = np.vstack([before.points, node.position])
+    return squeeze_of(before, replace(curve, nodes=(*curve.nodes, *nodes)))
+
+
+def squeeze_of(before: CurveView, after: Curve) -> float:
+    """Return how much longer in t the points of `before` are in `after`, where they come first."""
+    last = len(before.source.nodes) - 1
+    points = np.array([node.position for node in after.nodes])
     try:
-        after = parameters_of(curve, points)
+        new = parameters_of(after, np.vstack([points, points[:1]]) if after.is_closed else points)
     except CurveError:
         return 1.0
     old = before.parameters
-    return float((after[-2] - after[0]) / (old[-1] - old[0]))
+    return float((new[last] - new[0]) / (old[last] - old[0]))
 
 
 def appended_parameter(before: CurveView, node: Node) -> float:
-    """Return a manual parameter for a point appended to `before`: as fast as the curve so far."""
+    """Return a manual parameter for a point appended to `before`: as fast as the curve so far.
+
+    A closed curve's last segment is divided in proportion to the distances.
+    """
     t = before.parameters
     if len(t) == 0 or not before.is_current:
         given = [each.t for each in before.source.nodes if each.t is not None]
         return (given[-1] + 1.0) if given else before.source.parametrization.start
-    chords = np.hypot(*np.diff(before.points, axis=0).T)
-    new = float(np.hypot(*(np.array(node.position) - before.points[-1])))
+    last = len(before.points) - 1
+    new = float(np.hypot(*(np.array(node.position) - before.points[last])))
+    if before.source.is_closed:
+        back = float(np.hypot(*(np.array(node.position) - before.points[0])))
+        share = new / (new + back) if new + back > 0 else 0.5
+        return float(t[last] + np.clip(share, 0.01, 0.99) * (t[last + 1] - t[last]))
+    total = float(np.hypot(*np.diff(before.points, axis=0).T).sum())
     span = float(t[-1] - t[0])
-    mean = span / (len(t) - 1)
-    total = float(chords.sum())
+    mean = span / last
     step = span * new / total if total > 0 else mean
     return float(t[-1]) + max(step, mean * 1e-3)

@@ -18,10 +18,10 @@ pytestmark = [
 
 
 def ink(path):
-    """Where a picture is darker than halfway, (height, width)."""
+    """Where a picture is darker than halfway between its lightest ink and its paper, (height, width)."""
     image = QImage(str(path)).convertToFormat(QImage.Format.Format_Grayscale8)
     rows = np.frombuffer(bytes(image.constBits()), np.uint8).reshape(image.height(), image.bytesPerLine())
-    return rows[:, : image.width()] < 128
+    return rows[:, : image.width()] < 175
 
 
 def widened(mask):

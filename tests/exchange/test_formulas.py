@@ -126,7 +126,7 @@ def test_desmos_numbers_have_no_exponent():
 
 def test_path_data_are_cubics_with_y_down(kind):
     written = svg_path_data(kind, tolerance=1e-3)
-    numbers = [float(v) for v in re.findall(r"[-+0-9.e]+", re.sub("[MC]", " ", written.text))]
+    numbers = [float(v) for v in re.findall(r"[-+0-9.e]+", re.sub("[MCZ]", " ", written.text))]
     points = np.array(numbers).reshape(-1, 2) * [1, -1]
     (source,), _ = sources_of(kind)
     path = cubics_of(source.core, 1e-3)
@@ -203,7 +203,7 @@ def test_tex_is_well_formed(gallery):
     assert r"Corner \& co\_1" in latex_formula(gallery).text
 
 
-PATH = re.compile(r"\\draw\[line join=round\] (.*?);", re.DOTALL)
+PATH = re.compile(r"\\draw\[line join=round[^]]*\] (.*?);", re.DOTALL)
 
 
 def drawn(text):

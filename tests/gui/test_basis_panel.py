@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+from itertools import pairwise
+
 import numpy as np
 import pytest
 from PySide6.QtCore import QEvent, QPointF, Qt
-from PySide6.QtWidgets import QToolButton
+from PySide6.QtWidgets import QToolButton, QWidget
 
 from app.document.model import Family, ParametrizationKind
+from app.testing import Editor
 
 
 @pytest.fixture
@@ -128,7 +131,7 @@ def test_kinds_can_be_switched(editor, panel):
 def test_functions_that_leave_the_range_are_reported_and_fit_shows_them(editor, panel):
     editor.drag_parameter(3, to=editor.parameters[4] - 0.02)
     note = editor.window.basis_pane.extent_text
-    assert "Functions reach" in note
+    assert "The functions reach" in note
     assert editor.window.width() == 1200
     fit = editor.window.findChild(QToolButton, "fitBasis")
     assert fit.isVisible()
@@ -175,3 +178,22 @@ def test_functions_are_sampled_densely_enough_in_a_long_segment(editor, panel):
     rising = values[t < editor.parameters[6]]
     # Second differences of a function drawn smoothly are small against a pixel's height, 1/150.
     assert np.abs(np.diff(rising, 2)).max() < 1e-3
+
+
+@pytest.mark.parametrize("width", [1024, 1280])
+@pytest.mark.parametrize("family", list(Family))
+def test_the_header_fits_whatever_it_has_to_say(qtbot, width, family):
+    editor = Editor(qtbot, size=(width, 700))
+    editor.choose_family(family)
+    editor.drag_parameter(3, to=editor.parameters[4] - 0.02)
+    pane = editor.window.basis_pane
+    editor.settle()
+    shown = [w for w in pane.findChildren(QWidget) if w.isVisible() and w.parent() is pane]
+    header = sorted((w for w in shown if w is not editor.window.basis_panel), key=lambda w: w.x())
+    assert len(header) >= 2
+    for widget in header:
+        assert widget.width() >= widget.sizeHint().width(), widget.objectName()
+    for left, right in pairwise(header):
+        assert left.geometry().right() < right.geometry().left()
+    # The functions of the Hermite families stay in the range, and nothing is to be said.
+    assert bool(pane.extent_text) is (family is Family.LAGRANGE)

@@ -3,8 +3,9 @@
 import numpy as np
 import pytest
 from PySide6.QtCore import QLocale, Qt
+from PySide6.QtGui import QFocusEvent
 from PySide6.QtTest import QSignalSpy
-from PySide6.QtWidgets import QComboBox, QLabel, QLineEdit, QToolButton, QWidget
+from PySide6.QtWidgets import QApplication, QComboBox, QLabel, QLineEdit, QToolButton, QWidget
 
 from app.document import edits
 from app.document.model import AccelerationRule, Family, ParametrizationKind, VelocityRule, make_curve
@@ -154,8 +155,14 @@ def test_the_interval_of_manual_parameters(form):
 def test_an_interval_that_was_not_touched_is_not_rounded(form):
     form.session.commit(edits.set_interval(form.session.document, 0, 1 / 3, 0.1 + 0.9), "Set")
     before, steps = form.session.document, form.session.undo_stack.count()
+    assert form["intervalStart"].text() == "0.333333"
+    form["intervalStart"].setFocus()
     assert form["intervalStart"].text() == repr(1 / 3)
+    form["curveName"].setFocus()
+    assert form["intervalStart"].text() == "0.333333"
+    assert form.session.document is before
     form.type("intervalStart", repr(1 / 3))
+    form.type("intervalStart", "0.333333")  # the short text is no number of its own
     assert form.session.document is before
     assert form.session.undo_stack.count() == steps
 
@@ -188,10 +195,76 @@ def test_a_bad_interval_is_explained_and_can_be_mended(form, name, text, words):
     assert form.session.document == before
 
 
-def test_leaving_the_field_with_a_bad_text_brings_the_number_back(form):
-    form.type("intervalEnd", "1/0", Qt.Key.Key_Tab)
-    assert form["intervalEnd"].text() == "1"
+def test_tab_does_not_leave_a_bad_text_behind(form):
+    form.type("intervalStart", "1/0", Qt.Key.Key_Tab)
+    assert form["intervalStart"].hasFocus()
+    assert form["intervalStart"].text() == "1/0"
     assert "Division by zero" in form.message
+    form.type("intervalStart", "1/2", Qt.Key.Key_Tab)
+    assert form["intervalEnd"].hasFocus()
+    assert form.session.active_view.curve.domain == (0.5, 1.0)
+    assert form.message == ""
+
+
+@pytest.mark.parametrize(
+    ("name", "text"), [("intervalEnd", "5"), ("intervalEnd", "1/0"), ("curveName", "Swan")]
+)
+def test_a_text_that_was_not_entered_gives_way_when_the_field_is_left(form, name, text):
+    before, shown = form.session.document, form[name].text()
+    form.type(name, text, None)
+    form["intervalStart"].setFocus(Qt.FocusReason.MouseFocusReason)
+    assert form[name].text() == shown
+    assert form.session.document is before
+    assert form.message == ""
+
+
+@pytest.mark.parametrize("way", ["a valid entry", "the same number", "another edit", "a click elsewhere"])
+def test_a_refusal_goes_with_its_cause(form, way):
+    form.type("intervalEnd", "-1")
+    assert form.message
+    if way == "a valid entry":
+        form.type("intervalEnd", "2")
+    elif way == "the same number":
+        form.type("intervalEnd", "1")
+    elif way == "another edit":
+        document = edits.move_nodes(form.session.document, 0, [0], (1.0, 0.0))
+        form.session.commit(document, "Move point 0")
+    else:
+        form["velocityRule"].setFocus()
+        form["curveName"].setFocus()
+    assert form.message == ""
+
+
+def test_another_window_leaves_what_is_typed(form):
+    form.type("intervalEnd", "4", None)
+    field = form["intervalEnd"]
+    QApplication.sendEvent(
+        field, QFocusEvent(QFocusEvent.Type.FocusOut, Qt.FocusReason.ActiveWindowFocusReason)
+    )
+    assert field.text() == "4"
+    form.qtbot.keyClick(field, Qt.Key.Key_Return)
+    assert form.session.active_view.curve.domain == (0.0, 4.0)
+
+
+# Closed curves and corners
+
+
+def test_a_closed_curve_with_a_corner(quintic):
+    document = edits.set_closed(quintic.session.document, 0, True)
+    document = edits.make_corner(document, 0, 3, None, (3.0, 4.0))
+    quintic.session.commit(document, "Close")
+    facts = quintic["curveFacts"].text().replace("\N{NO-BREAK SPACE}", " ")
+    assert facts == "8 points · degree 5 · 8 pieces · closed · 1 corner · 0 ≤ t ≤ 1"
+    quintic.type("intervalEnd", "2")
+    assert quintic.session.active_view.curve.domain == (0.0, 2.0)
+    assert quintic.curve.nodes[3].velocity_after == (1.5, 2.0)
+    parameters = quintic.session.active_view.parameters.tolist()
+    frozen = edits.freeze_parameters(quintic.session.document, 0, parameters)
+    quintic.session.commit(frozen, "Freeze")
+    quintic.type("intervalEnd", "4")
+    assert quintic.session.active_view.parameters[-1] == 4.0
+    quintic.qtbot.mouseClick(quintic["resetAllToEstimated"], Qt.MouseButton.LeftButton)
+    assert quintic.curve.nodes[3].velocity_after is None
 
 
 def test_escape_takes_back_what_was_typed(form):

@@ -35,10 +35,9 @@ def click(qtbot, view, row):
 
 
 def test_it_lists_the_steps(history):
-    session, panel = history
+    _session, panel = history
     view = panel.view
-    first = f"Opened {session.active_curve.name}"
-    assert entries(view) == [first, "Move point 1", "Move point 2", "Move point 3"]
+    assert entries(view) == ["Start", "Move point 1", "Move point 2", "Move point 3"]
     assert view.currentIndex().row() == 3
 
 

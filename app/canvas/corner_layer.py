@@ -1,0 +1,47 @@
+"""The marks of corners: a square in place of the disc, where a curve may turn sharply."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import QRectF
+from PySide6.QtGui import QPainter, QPen
+
+from app.plot.pixel_map import PixelMap
+from app.plot.plot_widget import PlotWidget
+from app.theme import Theme, point_colours
+from app.view_model.curve_view import CurveView
+from app.view_model.jets import corners_of
+
+_HALF = 5.0
+_FAR = 1e5
+
+
+class CornerLayer:
+    """Draws a square on every corner of the active curve; without corners it costs nothing."""
+
+    def __init__(self, plot: PlotWidget, theme: Theme) -> None:
+        self.theme = theme
+        self.scale = 1.0
+        self._corners: list[int] = []
+        self._view: CurveView | None = None
+        self._layer = plot.add_layer(self.paint, z=11)
+
+    def render(self, view: CurveView) -> None:
+        """Draw the corners of `view` from the next paint on."""
+        self._view = view
+        self._corners = corners_of(view.source)
+        self._layer.setVisible(bool(self._corners))
+        self._layer.update()
+
+    def paint(self, painter: QPainter, shown: PixelMap) -> None:
+        """Draw the squares."""
+        if self._view is None or not self._corners:
+            return
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing, True)
+        painter.setPen(QPen(self.theme.paper, 1.5 * self.scale))
+        colours = point_colours(len(self._view.points), self.theme)
+        half = _HALF * self.scale
+        for index in self._corners:
+            x, y = shown.point(*self._view.points[index].tolist())
+            if max(abs(x), abs(y)) < _FAR:
+                painter.setBrush(colours[index])
+                painter.drawRect(QRectF(x - half, y - half, 2 * half, 2 * half))

@@ -1,0 +1,149 @@
+"""The picture to trace, under the grid, and the grips to scale it by."""
+
+from __future__ import annotations
+
+import math
+
+from PySide6.QtCore import QPointF, QRectF, QSize, Qt
+from PySide6.QtGui import QImage, QPainter, QPen, QPixmap
+
+from app.document.model import ReferenceImage, Vector
+from app.gestures.image_tool import CORNERS, corner_of
+from app.gestures.pointer import Hit, Part
+from app.plot.pixel_map import PixelMap
+from app.plot.plot_widget import PlotWidget
+from app.theme import Theme
+
+GRIP_REACH = 12.0
+"""Pixels from a corner within which it is grabbed."""
+
+_GRIP = 5.0
+_FAR = 1e6
+_MARGIN = 4.0
+
+
+class ImageLayer:
+    """Draws a picture at its place; a dashed frame where its file is not there."""
+
+    def __init__(self, plot: PlotWidget, theme: Theme) -> None:
+        self.theme = theme
+        self.has_grips = False
+        self._image: ReferenceImage | None = None
+        self._pixels: QImage | None = None
+        self._drawn: tuple[ReferenceImage | None, QImage | None, PixelMap | None] = (None, None, None)
+        self._shot: QPixmap | None = None
+        self._levels: list[QImage] = []
+        self._layer = plot.add_layer(self.paint, z=-20)
+        # The grips lie over curves and points: the mouse is theirs while they show.
+        self._grips = plot.add_layer(self._paint_grips, z=20)
+
+    def render(self, image: ReferenceImage | None, pixels: QImage | None) -> None:
+        """Draw this picture from the next paint on."""
+        if image is not self._image or pixels is not self._pixels:
+            self._image, self._pixels = image, pixels
+            if pixels is None:
+                self._shot, self._levels = None, []
+            self._layer.update()
+            self._grips.update()
+
+    def hit(self, pixel: Vector, shown: PixelMap) -> Hit | None:
+        """Return which part of the picture lies under `pixel`."""
+        image = self._image
+        if image is None:
+            return None
+        for corner in range(len(CORNERS)):
+            place = corner_of(image, corner)
+            if math.dist(shown.point(*place), pixel) <= GRIP_REACH:
+                return Hit(Part.IMAGE_CORNER, -1, place, knot=corner)
+        if _rect(image, shown).contains(QPointF(*pixel)):
+            return Hit(Part.IMAGE, -1, (image.x, image.y))
+        return None
+
+    def paint(self, painter: QPainter, shown: PixelMap) -> None:
+        """Draw the picture, or the frame where it belongs."""
+        image = self._image
+        if image is None:
+            return
+        rect = _rect(image, shown)
+        if self._pixels is None:
+            self._paint_frame(painter, rect)
+            return
+        if self._drawn[0] is not image or self._drawn[1] is not self._pixels or self._drawn[2] is not shown:
+            ratio = painter.device().devicePixelRatioF()
+            self._shot = _shot(self._level_for(rect, ratio), rect, shown, ratio)
+            self._drawn = (image, self._pixels, shown)
+        if self._shot is not None:
+            painter.setOpacity(image.opacity)
+            painter.drawPixmap(QPointF(0, 0), self._shot)
+            painter.setOpacity(1)
+
+    def _level_for(self, rect: QRectF, ratio: float) -> QImage:
+        """Return the picture halved until it is less than twice as large as shown: smoother, and faster."""
+        assert self._pixels is not None
+        if not self._levels or self._levels[0] is not self._pixels:
+            self._levels = [self._pixels]
+        level = 0
+        while self._levels[level].width() > 2 * ratio * rect.width() and self._levels[level].width() > 1:
+            level += 1
+            if level == len(self._levels):
+                size = self._levels[-1].size() / 2
+                self._levels.append(
+                    self._levels[-1].scaled(
+                        size.expandedTo(QSize(1, 1)),
+                        Qt.AspectRatioMode.IgnoreAspectRatio,
+                        Qt.TransformationMode.SmoothTransformation,
+                    )
+                )
+        return self._levels[level]
+
+    def _paint_frame(self, painter: QPainter, rect: QRectF) -> None:
+        visible = rect.intersected(QRectF(-_FAR, -_FAR, 2 * _FAR, 2 * _FAR))
+        painter.setPen(QPen(self.theme.muted, 1, Qt.PenStyle.DashLine))
+        painter.setBrush(Qt.BrushStyle.NoBrush)
+        painter.drawRect(visible)
+        painter.drawText(visible, int(Qt.AlignmentFlag.AlignCenter), "The image is not there")
+
+    def _paint_grips(self, painter: QPainter, shown: PixelMap) -> None:
+        image = self._image
+        if image is None or not self.has_grips:
+            return
+        rect = _rect(image, shown).intersected(QRectF(-_FAR, -_FAR, 2 * _FAR, 2 * _FAR))
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing, True)
+        painter.setPen(QPen(self.theme.accent, 1.5))
+        painter.setBrush(Qt.BrushStyle.NoBrush)
+        painter.drawRect(rect)
+        painter.setBrush(self.theme.paper)
+        for corner in range(len(CORNERS)):
+            x, y = shown.point(*corner_of(image, corner))
+            if max(abs(x), abs(y)) < _FAR:
+                painter.drawRect(QRectF(x - _GRIP, y - _GRIP, 2 * _GRIP, 2 * _GRIP))
+
+
+def _rect(image: ReferenceImage, shown: PixelMap) -> QRectF:
+    """Return where the picture lies in pixels."""
+    left, top = shown.point(image.x, image.y + image.height)
+    return QRectF(left, top, image.width * shown.sx, image.height * shown.sy)
+
+
+def _shot(pixels: QImage, rect: QRectF, shown: PixelMap, ratio: float) -> QPixmap | None:
+    """Return what is visible of the picture, scaled once: to scale it at every paint would cost frames."""
+    visible = rect.intersected(
+        QRectF(-_MARGIN, -_MARGIN, shown.width + 2 * _MARGIN, shown.height + 2 * _MARGIN)
+    )
+    if visible.isEmpty() or rect.isEmpty():
+        return None
+    across, down = pixels.width() / rect.width(), pixels.height() / rect.height()
+    source = QRectF(
+        (visible.left() - rect.left()) * across,
+        (visible.top() - rect.top()) * down,
+        visible.width() * across,
+        visible.height() * down,
+    )
+    result = QPixmap(math.ceil(shown.width * ratio), math.ceil(shown.height * ratio))
+    result.setDevicePixelRatio(ratio)
+    result.fill(Qt.GlobalColor.transparent)
+    painter = QPainter(result)
+    painter.setRenderHint(QPainter.RenderHint.SmoothPixmapTransform, True)
+    painter.drawImage(visible, pixels, source)
+    painter.end()
+    return result

@@ -1,0 +1,179 @@
+"""The curves that are not edited: drawn behind the active one, from a picture that is kept."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from time import perf_counter
+
+import numpy as np
+from PySide6.QtCore import QRectF, Qt, QTimer
+from PySide6.QtGui import QColor, QPainter, QPen, QPixmap
+
+from app.canvas.curve_layer import TOLERANCE
+from app.canvas.hit_test import CURVE_REACH
+from app.document.model import Vector
+from app.gestures.pointer import Hit, Part
+from app.plot.drawing import Stroke
+from app.plot.pixel_map import Floats, PixelMap
+from app.plot.plot_widget import PlotWidget
+from app.theme import Theme, curve_colour, mix
+from app.view_model.curve_view import CurveView
+
+_WIDTH = 1.5
+_OPACITY = 0.62
+
+_SLOW = 0.008
+"""Seconds above which the picture is not made anew for every step of a pan or a zoom."""
+
+_REST_MS = 80
+
+
+class OtherCurvesLayer:
+    """Draws all visible curves but the active one, and tells which of them a pixel is on.
+
+    While the active curve is dragged the others are the same objects in front of the same part of the plane;
+    painting them is then copying one picture, however many they are.
+    """
+
+    def __init__(self, plot: PlotWidget, theme: Theme) -> None:
+        self.theme = theme
+        self.scale = 1.0
+        self._views: list[tuple[int, CurveView]] = []
+        self._picture: _Picture | None = None
+        self._seconds = 0.0
+        self._is_resting = False
+        self._rest = QTimer(plot, singleShot=True, interval=_REST_MS)
+        self._rest.timeout.connect(self._make_anew)
+        self._outline: _Outline | None = None
+        self._layer = plot.add_layer(self.paint, z=-1)
+
+    def render(self, views: Sequence[CurveView], active: int) -> None:
+        """Draw `views`, the active and the hidden ones excepted, from the next paint on."""
+        shown = [
+            (place, view)
+            for place, view in enumerate(views)
+            if place != active and view.source.visible and view.curve is not None
+        ]
+        if _same(shown, self._views):
+            return
+        self._views = shown
+        self._picture = self._outline = None
+        self._layer.update()
+
+    def paint(self, painter: QPainter, shown: PixelMap) -> None:
+        """Draw the picture; it is made anew when another part of the plane is visible.
+
+        Where that takes long, the old one is moved along while the view moves, and made anew when it rests.
+        """
+        if not self._views:
+            return
+        device = painter.device()
+        ratio = device.devicePixelRatio() if device is not None else 1.0
+        key = (self.theme, self.scale, ratio)
+        picture = self._picture
+        if picture is not None and picture.key == key and picture.shown != shown and self._may_wait(shown):
+            self._rest.start()
+            painter.setRenderHint(QPainter.RenderHint.SmoothPixmapTransform, True)
+            painter.drawPixmap(picture.place_in(shown), picture.pixmap, QRectF(picture.pixmap.rect()))
+            return
+        if picture is None or picture.key != key or picture.shown != shown:
+            began = perf_counter()
+            picture = self._picture = _Picture(self._painted(shown, ratio), shown, key)
+            self._seconds = perf_counter() - began
+            self._is_resting = False
+        painter.drawPixmap(0, 0, picture.pixmap)
+
+    def _may_wait(self, shown: PixelMap) -> bool:
+        """Whether the picture is slow to make, and good enough for a view that is moving."""
+        assert self._picture is not None
+        magnified = shown.sx / self._picture.shown.sx
+        return self._seconds > _SLOW and not self._is_resting and 0.25 < magnified < 4
+
+    def _make_anew(self) -> None:
+        self._is_resting = True
+        self._layer.update()
+
+    def _painted(self, shown: PixelMap, ratio: float) -> QPixmap:
+        picture = QPixmap(int(np.ceil(shown.width * ratio)), int(np.ceil(shown.height * ratio)))
+        picture.setDevicePixelRatio(ratio)
+        picture.fill(Qt.GlobalColor.transparent)
+        painter = QPainter(picture)
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing, True)
+        stroke = Stroke()
+        for _, view in self._views:
+            stroke.fill(_pixels(view, shown), shown.width, shown.height)
+            painter.setPen(self._pen(view))
+            stroke.draw(painter)
+        painter.end()
+        return picture
+
+    def _pen(self, view: CurveView) -> QPen:
+        colour = curve_colour(view.source.colour, self.theme)
+        if not view.source.colour:
+            colour = QColor(self.theme.muted)
+        pen = QPen(mix(colour, self.theme.paper, _OPACITY), _WIDTH * self.scale)
+        pen.setCapStyle(Qt.PenCapStyle.RoundCap)
+        return pen
+
+    def hit(self, pixel: Vector, shown: PixelMap) -> Hit | None:
+        """Return the curve at `pixel`, the last one where several lie."""
+        if not self._views:
+            return None
+        if self._outline is None or self._outline.shown is not shown:
+            self._outline = _Outline(self._views, shown)
+        return self._outline.hit(pixel)
+
+
+@dataclass(frozen=True, eq=False)
+class _Picture:
+    """The curves as painted for one part of the plane, and for one theme and size of lines."""
+
+    pixmap: QPixmap
+    shown: PixelMap
+    key: tuple[Theme, float, float]
+
+    def place_in(self, shown: PixelMap) -> QRectF:
+        """Return where the picture lies when another part of the plane is visible."""
+        old = self.shown
+        x, y = shown.point(old.x0, old.y0)
+        return QRectF(x, y, old.width * shown.sx / old.sx, old.height * shown.sy / old.sy)
+
+
+class _Outline:
+    """All segments of all curves in pixels, so that one pass finds the nearest."""
+
+    def __init__(self, views: Sequence[tuple[int, CurveView]], shown: PixelMap) -> None:
+        self.shown = shown
+        # Far away vertices would overflow when squared; beyond this nobody points at them.
+        polylines = [np.clip(_pixels(view, shown), -1e9, 1e9) for _, view in views]
+        self._starts = np.vstack([polyline[:-1] for polyline in polylines])
+        self._along = np.vstack([np.diff(polyline, axis=0) for polyline in polylines])
+        self._places = np.repeat([place for place, _ in views], [len(each) - 1 for each in polylines])
+        squared = (self._along**2).sum(axis=1)
+        self._squared = np.where(squared > 0, squared, 1.0)
+
+    def hit(self, pixel: Vector) -> Hit | None:
+        """Return the curve within reach that is nearest."""
+        if not len(self._places):
+            return None
+        away = np.asarray(pixel) - self._starts
+        shares = np.clip((away * self._along).sum(axis=1) / self._squared, 0.0, 1.0)
+        gaps = away - shares[:, None] * self._along
+        distances = np.hypot(gaps[:, 0], gaps[:, 1])
+        best = len(distances) - 1 - int(np.argmin(distances[::-1]))
+        if distances[best] > CURVE_REACH:
+            return None
+        return Hit(Part.OTHER_CURVE, int(self._places[best]), self.shown.plane(*pixel))
+
+
+def _pixels(view: CurveView, shown: PixelMap) -> Floats:
+    """Return the curve as a polyline in pixels."""
+    return shown.points(view.flattened(TOLERANCE / max(shown.sx, shown.sy), shown.box).points)
+
+
+def _same(first: Sequence[tuple[int, CurveView]], second: Sequence[tuple[int, CurveView]]) -> bool:
+    return len(first) == len(second) and all(
+        place == other_place and view is other
+        for (place, view), (other_place, other) in zip(first, second, strict=True)
+    )

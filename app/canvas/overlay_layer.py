@@ -1,0 +1,189 @@
+"""What a gesture shows over the drawing: rubber band, box with grips, snaps, a ruler, amounts."""
+
+from __future__ import annotations
+
+import math
+
+from PySide6.QtCore import QPointF, QRectF, Qt
+from PySide6.QtGui import QColor, QFont, QFontMetricsF, QPainter, QPen
+
+from app.document.model import Vector
+from app.gestures.overlay import Note, Overlay, Ruler
+from app.gestures.snapping import Snap
+from app.gestures.transform_box import TransformBox
+from app.plot.pixel_map import PixelMap
+from app.plot.plot_widget import PlotWidget
+from app.theme import Theme
+
+_GRIP, _FAR = 3.5, 1e6
+
+
+class OverlayLayer:
+    """Draws an `Overlay` on top of everything."""
+
+    def __init__(self, plot: PlotWidget, theme: Theme) -> None:
+        self.theme = theme
+        self.scale = 1.0
+        self._overlay = Overlay()
+        self._font = QFont(plot.font())
+        self._layer = plot.add_layer(self.paint, z=20)
+
+    @property
+    def overlay(self) -> Overlay:
+        """What is shown."""
+        return self._overlay
+
+    def render(self, overlay: Overlay) -> None:
+        """Draw `overlay` from the next paint on."""
+        if overlay != self._overlay:
+            self._overlay = overlay
+            self._layer.update()
+
+    def paint(self, painter: QPainter, shown: PixelMap) -> None:
+        """Draw what there is."""
+        overlay = self._overlay
+        painter.setFont(self._scaled_font())
+        if overlay.box is not None:
+            self._paint_box(painter, shown, overlay.box)
+        if overlay.band is not None:
+            self._paint_band(painter, shown, *overlay.band)
+        if overlay.axis is not None:
+            self._paint_axis(painter, shown, *overlay.axis)
+        if overlay.ruler is not None:
+            self._paint_ruler(painter, shown, overlay.ruler)
+        if overlay.snap is not None:
+            self._paint_snap(painter, shown, overlay.snap)
+        if overlay.note is not None:
+            self._paint_note(painter, shown, overlay.note)
+
+    def _scaled_font(self) -> QFont:
+        font = QFont(self._font)
+        font.setPointSizeF(self._font.pointSizeF() * 0.95 * self.scale)
+        return font
+
+    def _pen(self, width: float = 1.0, style: Qt.PenStyle = Qt.PenStyle.SolidLine) -> QPen:
+        return QPen(self.theme.accent, width * self.scale, style)
+
+    # Box and band
+
+    def _paint_box(self, painter: QPainter, shown: PixelMap, box: TransformBox) -> None:
+        low, high = box.padded(shown.sx)
+        frame = _rectangle(shown, low, high)
+        if not _is_drawable(frame.left(), frame.top(), frame.right(), frame.bottom()):
+            return
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing, True)
+        painter.setBrush(Qt.BrushStyle.NoBrush)
+        painter.setPen(self._pen(style=Qt.PenStyle.DashLine))
+        painter.drawRect(frame)
+        for grip, place in box.grips(shown.sx):
+            pixel = QPointF(*shown.point(*place))
+            if grip.rotates:
+                painter.setPen(self._pen())
+                painter.drawLine(QPointF(pixel.x(), frame.top()), pixel)
+            self._paint_grip(painter, pixel, round_=grip.rotates)
+
+    def _paint_grip(self, painter: QPainter, pixel: QPointF, *, round_: bool) -> None:
+        size = _GRIP * self.scale
+        painter.setPen(self._pen(1.2))
+        painter.setBrush(self.theme.paper)
+        square = QRectF(pixel.x() - size, pixel.y() - size, 2 * size, 2 * size)
+        if round_:
+            painter.drawEllipse(square.adjusted(-0.5, -0.5, 0.5, 0.5))
+        else:
+            painter.drawRect(square)
+
+    def _paint_band(self, painter: QPainter, shown: PixelMap, start: Vector, end: Vector) -> None:
+        fill = QColor(self.theme.accent)
+        fill.setAlphaF(0.10)
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing, False)
+        painter.setPen(self._pen())
+        painter.setBrush(fill)
+        edge = QRectF(-20, -20, shown.width + 40, shown.height + 40)
+        painter.drawRect(_rectangle(shown, start, end).intersected(edge))
+
+    # Snapping, axis and ruler
+
+    def _paint_axis(self, painter: QPainter, shown: PixelMap, through: Vector, axis: int) -> None:
+        x, y = shown.point(*through)
+        if not _is_drawable(x, y):
+            return
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing, False)
+        painter.setPen(self._pen(style=Qt.PenStyle.DotLine))
+        if axis == 0:
+            painter.drawLine(QPointF(0, y), QPointF(shown.width, y))
+        else:
+            painter.drawLine(QPointF(x, 0), QPointF(x, shown.height))
+
+    def _paint_snap(self, painter: QPainter, shown: PixelMap, snap: Snap) -> None:
+        place = shown.point(*snap.position)
+        if not _is_drawable(*place):
+            return
+        pixel, size = QPointF(*place), 9 * self.scale
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing, True)
+        painter.setPen(self._pen(style=Qt.PenStyle.DashLine))
+        for guide in snap.guides:
+            from_ = shown.point(*guide)
+            if _is_drawable(*from_):
+                painter.drawLine(QPointF(*from_), pixel)
+        painter.setPen(self._pen(1.5))
+        # A caught x is shown by a piece of its vertical, a caught y by one of its horizontal.
+        for axis in snap.axes:
+            arm = QPointF(0, size) if axis == 0 else QPointF(size, 0)
+            painter.drawLine(pixel - arm, pixel + arm)
+        self._paint_text(painter, shown, pixel + QPointF(0, 26 * self.scale), snap.label)
+
+    def _paint_ruler(self, painter: QPainter, shown: PixelMap, ruler: Ruler) -> None:
+        start, end = shown.point(*ruler.start), shown.point(*ruler.end)
+        if not _is_drawable(*start, *end):
+            return
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing, True)
+        corner = QPointF(end[0], start[1])
+        painter.setPen(self._pen(style=Qt.PenStyle.DotLine))
+        painter.drawPolyline([QPointF(*start), corner, QPointF(*end)])
+        painter.setPen(self._pen(1.5))
+        painter.drawLine(QPointF(*start), QPointF(*end))
+        for place in (start, end):
+            painter.drawEllipse(QPointF(*place), 2.5 * self.scale, 2.5 * self.scale)
+        self._paint_text(painter, shown, self._beside(painter, start, end, ruler.text), ruler.text)
+
+    @staticmethod
+    def _beside(painter: QPainter, start: Vector, end: Vector, text: str) -> QPointF:
+        """Return where a text touches the middle of a line, on the side where the right angle is not."""
+        dx, dy = end[0] - start[0], end[1] - start[1]
+        length = math.hypot(dx, dy) or 1.0
+        x, y = abs(dy) / length, abs(dx) / length
+        x, y = (-x if dx >= 0 else x), (-y if dy <= 0 else y)
+        metrics = QFontMetricsF(painter.font())
+        away = abs(x) * (metrics.horizontalAdvance(text) / 2 + 8) + abs(y) * (metrics.height() / 2 + 6)
+        return QPointF((start[0] + end[0]) / 2 + away * x, (start[1] + end[1]) / 2 + away * y)
+
+    # Words
+
+    def _paint_note(self, painter: QPainter, shown: PixelMap, note: Note) -> None:
+        place = shown.point(*note.position)
+        if _is_drawable(*place):
+            self._paint_text(painter, shown, QPointF(*place) + QPointF(0, -24 * self.scale), note.text)
+
+    def _paint_text(self, painter: QPainter, shown: PixelMap, centre: QPointF, text: str) -> None:
+        """Write on a plate of paper, kept inside the drawing."""
+        metrics = QFontMetricsF(painter.font())
+        width, height = metrics.horizontalAdvance(text) + 10, metrics.height() + 4
+        left = min(max(centre.x() - width / 2, 4.0), max(shown.width - width - 4, 4.0))
+        top = min(max(centre.y() - height / 2, 4.0), max(shown.height - height - 4, 4.0))
+        plate = QRectF(left, top, width, height)
+        paper = QColor(self.theme.paper)
+        paper.setAlphaF(0.88)
+        painter.setPen(Qt.PenStyle.NoPen)
+        painter.setBrush(paper)
+        painter.drawRoundedRect(plate, 4, 4)
+        painter.setPen(self.theme.accent)
+        painter.drawText(plate, int(Qt.AlignmentFlag.AlignCenter), text)
+
+
+def _rectangle(shown: PixelMap, a: Vector, b: Vector) -> QRectF:
+    return QRectF(QPointF(*shown.point(*a)), QPointF(*shown.point(*b))).normalized()
+
+
+def _is_drawable(*pixels: float) -> bool:
+    """Tell whether Qt can take these numbers: neither endless nor absurdly far away."""
+    return all(abs(pixel) < _FAR for pixel in pixels)

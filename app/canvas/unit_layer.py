@@ -1,0 +1,42 @@
+"""The name of the unit at the ends of the axes."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import QRectF, Qt
+from PySide6.QtGui import QFont, QPainter
+
+from app.plot.pixel_map import PixelMap
+from app.plot.plot_widget import PlotWidget
+from app.theme import Theme
+
+
+class UnitLayer:
+    """Writes the unit at the right end of the x axis and the upper end of the y axis."""
+
+    def __init__(self, plot: PlotWidget, theme: Theme) -> None:
+        self.theme = theme
+        self._unit = ""
+        self._font = QFont(plot.font())
+        self._font.setPointSizeF(max(self._font.pointSizeF() - 1.5, 7.0))
+        self._layer = plot.add_layer(self.paint, z=-5)
+
+    @property
+    def unit(self) -> str:
+        """The name; empty for none."""
+        return self._unit
+
+    @unit.setter
+    def unit(self, unit: str) -> None:
+        self._unit = unit
+        self._layer.update()
+
+    def paint(self, painter: QPainter, shown: PixelMap) -> None:
+        """Write the name twice."""
+        if not self._unit:
+            return
+        painter.setFont(self._font)
+        painter.setPen(self.theme.muted)
+        side = Qt.AlignmentFlag
+        below = QRectF(shown.width - 126, shown.height - 22, 120, 18)
+        painter.drawText(below, int(side.AlignRight | side.AlignBottom), self._unit)
+        painter.drawText(QRectF(6, 4, 120, 18), int(side.AlignLeft | side.AlignTop), self._unit)

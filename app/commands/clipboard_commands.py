@@ -1,0 +1,222 @@
+"""Points and derivatives on the clipboard: between curves, windows, and with text from anywhere."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+
+import msgspec
+from msgspec.structs import replace
+from PySide6.QtCore import QMimeData, Qt
+from PySide6.QtGui import QGuiApplication
+
+from app.commands.parts import Handlers, Parts
+from app.document import curve_edits, edits
+from app.document.edits import EditError
+from app.document.format import FormatError, decode, encode
+from app.document.model import Curve, Document, Node
+from app.exchange.table_text import TableTextError, read_block, write_block
+from app.panels.number_text import decimal_mark, exact_text
+from app.panels.words import count_of
+from app.view_model.curve_view import CurveView
+from app.view_model.pasting import (
+    appended,
+    appended_with_parameters,
+    as_new_curve,
+    copied,
+    nodes_of_rows,
+    refuse_unordered,
+)
+
+POINTS = "application/x-curvebench-points"
+"""MIME type of points: a document of one curve that has these points only."""
+
+DERIVATIVES = "application/x-curvebench-derivatives"
+"""MIME type of a node's derivatives: a node of which the position does not count."""
+
+_ON_CANVAS = ("cutPoints", "copyPoints", "pastePoints", "pasteAsCurve", "copyDerivatives", "pasteDerivatives")
+
+
+class _Pasted(msgspec.Struct, frozen=True):
+    """What is on the clipboard: points, whether they came as text, and the row they begin in."""
+
+    nodes: tuple[Node, ...]
+    like: Curve | None = None
+    first_row: int = 1
+
+
+class ClipboardCommands:
+    """Cut, copy and paste with the canvas in focus; the point table has its own for cells."""
+
+    def __init__(self, parts: Parts) -> None:
+        self._parts = parts
+        self._session = parts.session
+        for name in _ON_CANVAS:
+            # The point table and the fields of the panels use the same keys for what they show.
+            parts.actions[name].setShortcutContext(Qt.ShortcutContext.WidgetWithChildrenShortcut)
+            parts.canvas.addAction(parts.actions[name])
+
+    def handlers(self) -> Handlers:
+        """Return what each action does."""
+        return {
+            "cutPoints": self._cut,
+            "copyPoints": self._copy,
+            "pastePoints": lambda: self._paste(self._append),
+            "pasteAsCurve": lambda: self._paste(self._add_curve),
+            "copyDerivatives": self._copy_derivatives,
+            "pasteDerivatives": self._paste_derivatives,
+        }
+
+    def render(self, view: CurveView) -> None:
+        """Enable what needs selected points; what is on the clipboard is looked at when it is wanted."""
+        actions, chosen = self._parts.actions, self._session.selection
+        for name in ("cutPoints", "copyPoints"):
+            actions[name].setEnabled(bool(chosen))
+        has_derivatives = view.source.family.derivatives > 0
+        actions["copyDerivatives"].setEnabled(has_derivatives and len(chosen) == 1 and view.is_current)
+        actions["pasteDerivatives"].setEnabled(has_derivatives and bool(chosen))
+
+    # Points
+
+    def _copy(self) -> None:
+        view, chosen = self._session.active_view, self._session.selection
+        if not chosen:
+            return
+        clip, mark = copied(view, chosen), decimal_mark()
+        rows = [
+            [exact_text(number, mark) for number in _row(node, timed=view.source.is_manual)]
+            for node in clip.nodes
+        ]
+        data = QMimeData()
+        data.setData(POINTS, encode(Document((clip,))))
+        data.setText(write_block(rows))
+        QGuiApplication.clipboard().setMimeData(data)
+        self._session.say(f"Copied {count_of(len(clip.nodes), 'point')}.")
+
+    def _cut(self) -> None:
+        session, chosen = self._session, self._session.selection
+        if not chosen:
+            return
+        self._copy()
+        document = edits.delete_nodes(session.document, session.active_index, chosen)
+        if self._change(f"Cut {count_of(len(chosen), 'point')}", document):
+            session.select([])
+
+    def _paste(self, put: Callable[[_Pasted], None]) -> None:
+        try:
+            put(_on_clipboard())
+        except (EditError, TableTextError) as reason:
+            self._session.say(str(reason))
+
+    def _append(self, pasted: _Pasted) -> None:
+        session, view = self._session, self._session.active_view
+        count = len(view.source.nodes)
+        if pasted.like is None and pasted.nodes[0].t is not None:
+            curve = appended_with_parameters(view, pasted.nodes, pasted.first_row)
+        else:
+            curve = appended(view, pasted.nodes)
+        document = curve_edits.replace_curve(session.document, session.active_index, curve)
+        if self._change(f"Paste {count_of(len(pasted.nodes), 'point')}", document):
+            session.select(range(count, count + len(pasted.nodes)))
+
+    def _add_curve(self, pasted: _Pasted) -> None:
+        session, place = self._session, self._session.active_index + 1
+        name = curve_edits.free_name(session.document)
+        if pasted.like is not None:
+            # Under a rule the parameters that came along are only distances; the rule gives its own.
+            nodes = pasted.nodes if pasted.like.is_manual else _without_parameters(pasted.nodes)
+            curve = replace(pasted.like, name=name, nodes=tuple(nodes))
+        else:
+            refuse_unordered(pasted.nodes, pasted.first_row) if pasted.nodes[0].t is not None else None
+            curve = as_new_curve(session.active_curve, pasted.nodes, name)
+        document = curve_edits.add_curve(session.document, place, curve)
+        edits.set_nodes(document, place, curve.nodes)
+        self._change(f"Paste as {name}", document, active=place)
+
+    # Derivatives
+
+    def _copy_derivatives(self) -> None:
+        view, index = self._session.active_view, self._session.selected
+        if index is None or not view.is_current:
+            return
+        node = view.source.nodes[index]
+        jet = Node(
+            0.0,
+            0.0,
+            velocity=view.velocity_of(index, ahead=False),
+            acceleration=view.acceleration_of(index, ahead=False),
+            corner=node.corner,
+            velocity_after=view.velocity_of(index) if node.corner else None,
+            acceleration_after=view.acceleration_of(index) if node.corner else None,
+        )
+        mark = decimal_mark()
+        numbers = (*(jet.velocity or ()), *(jet.acceleration or ()))
+        data = QMimeData()
+        data.setData(DERIVATIVES, msgspec.json.encode(jet))
+        data.setText(write_block([[exact_text(number, mark) for number in numbers]]))
+        QGuiApplication.clipboard().setMimeData(data)
+        self._session.say(f"Copied the derivatives of point {index}.")
+
+    def _paste_derivatives(self) -> None:
+        session, chosen = self._session, self._session.selection
+        jet = _derivatives_on_clipboard()
+        if jet is None:
+            session.say("There are no derivatives on the clipboard; Copy Derivatives puts them there.")
+            return
+        nodes = (
+            _with_derivatives(node, jet) if index in chosen else node
+            for index, node in enumerate(session.active_curve.nodes)
+        )
+        what = f"point {next(iter(chosen))}" if len(chosen) == 1 else count_of(len(chosen), "point")
+        self._parts.change(
+            f"Paste derivatives to {what}",
+            lambda: edits.set_nodes(session.document, session.active_index, nodes),
+        )
+
+    def _change(self, text: str, document: Document, *, active: int | None = None) -> bool:
+        """Commit `document`; return whether it is the one shown now."""
+        return (
+            self._parts.change(text, lambda: document, active=active) and self._session.document is document
+        )
+
+
+def _row(node: Node, *, timed: bool) -> Sequence[float]:
+    return (node.t, *node.position) if timed and node.t is not None else node.position
+
+
+def _without_parameters(nodes: Sequence[Node]) -> list[Node]:
+    return [replace(node, t=None) for node in nodes]
+
+
+def _on_clipboard() -> _Pasted:
+    """Return the points on the clipboard, as they were copied here or read from text."""
+    data = QGuiApplication.clipboard().mimeData() or QMimeData()  # None where nothing was ever copied
+    if data.hasFormat(POINTS):
+        try:
+            (curve, *_) = decode(bytes(data.data(POINTS).data())).curves
+        except FormatError as reason:
+            raise EditError(f"The points on the clipboard cannot be read: {reason}.") from None
+        if curve.nodes:
+            return _Pasted(curve.nodes, curve)
+    text = data.text() if data.hasText() else ""
+    rows = read_block(text, decimal_mark())
+    # A row of titles was skipped.
+    first_row = 1 + len(text.rstrip().splitlines()) - len(rows)
+    return _Pasted(nodes_of_rows(rows), first_row=first_row)
+
+
+def _derivatives_on_clipboard() -> Node | None:
+    data = QGuiApplication.clipboard().mimeData() or QMimeData()
+    if not data.hasFormat(DERIVATIVES):
+        return None
+    try:
+        return msgspec.json.decode(bytes(data.data(DERIVATIVES).data()), type=Node)
+    except (msgspec.DecodeError, UnicodeDecodeError):
+        return None
+
+
+def _with_derivatives(node: Node, jet: Node) -> Node:
+    """Return `node` with the derivatives of `jet`; of a higher order it keeps its own."""
+    changed = replace(node, corner=jet.corner, velocity=jet.velocity, velocity_after=jet.velocity_after)
+    if jet.acceleration is None:
+        return changed
+    return replace(changed, acceleration=jet.acceleration, acceleration_after=jet.acceleration_after)

@@ -1,0 +1,90 @@
+"""What the right button and the Menu key open: the actions that fit what lies there."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import QPoint, Qt
+from PySide6.QtWidgets import QMenu
+
+from app.commands.curve_commands import CurveCommands
+from app.commands.parts import Parts
+from app.gestures.pointer import Hit, Part
+
+_SEPARATOR = ""
+_POINT = (
+    "tangentSmooth", "tangentCorner", "tangentEstimated", _SEPARATOR,
+    "splitCurve", _SEPARATOR,
+    "cutPoints", "copyPoints", "copyDerivatives", "pasteDerivatives", _SEPARATOR,
+    "deleteSelection",
+)  # fmt: skip
+_CURVE = (
+    "closeCurve", "reverseCurve", "joinCurve", "duplicateCurve", "freezeParameters", _SEPARATOR,
+    "curveColour", "curveVisible", "curveLocked", _SEPARATOR,
+    "deleteCurve",
+)  # fmt: skip
+_CANVAS = (
+    "addTool", "selectAll", _SEPARATOR,
+    "pastePoints", "pasteAsCurve", "newCurve", _SEPARATOR,
+    "fitView", "toggleGrid", "toggleScrub",
+)  # fmt: skip
+_LIST = (
+    "renameCurve", "curveColour", "curveVisible", "curveLocked", _SEPARATOR,
+    "raiseCurve", "lowerCurve", _SEPARATOR,
+    "newCurve", "duplicateCurve", "joinCurve", "reverseCurve", "closeCurve", _SEPARATOR,
+    "deleteCurve",
+)  # fmt: skip
+
+
+class ContextMenus:
+    """Fills menus from the registry of actions, for a point, a curve, the canvas and the list of curves."""
+
+    def __init__(self, parts: Parts, curves: CurveCommands) -> None:
+        self._parts, self._curves = parts, curves
+        parts.canvas.menu_requested.connect(self._open_on_canvas)
+        parts.curve_list.menu_requested.connect(lambda place: self._popup(self._menu(_LIST), place))
+
+    def _open_on_canvas(self, hit: Hit | None, place: QPoint) -> None:
+        session = self._parts.session
+        if hit is not None and hit.part is Part.OTHER_CURVE:
+            session.activate(hit.index)
+            self._popup(self._menu(_CURVE), place)
+        elif hit is not None and hit.part is Part.CURVE:
+            self._popup(self._curve_menu(hit.t), place)
+        elif hit is not None:
+            if hit.index not in session.selection:
+                session.select([hit.index])
+            self._popup(self._menu(_POINT), place)
+        else:
+            self._popup(self._menu(_CANVAS), place)
+
+    def _curve_menu(self, t: float) -> QMenu:
+        """Return the menu for a place on the active curve."""
+        menu = self._menu(_CURVE)
+        top = menu.actions()[0]
+        for name, text, icon, act in (
+            ("insertPointHere", "Insert Point Here", "insertPoint", self._curves.insert_at),
+            ("splitHere", "Split Here", "splitCurve", self._curves.split_at),
+        ):
+            known = self._parts.actions[icon]
+            here = menu.addAction(known.icon(), text)
+            here.setObjectName(name)
+            here.setStatusTip(known.statusTip())
+            here.setEnabled(known.isEnabled())
+            here.triggered.connect(lambda _checked=False, act=act: act(t))
+            menu.insertAction(top, here)
+        menu.insertSeparator(top)
+        return menu
+
+    def _menu(self, names: tuple[str, ...]) -> QMenu:
+        menu = QMenu(self._parts.window)
+        menu.setObjectName("contextMenu")
+        menu.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+        for name in names:
+            if name == _SEPARATOR:
+                menu.addSeparator()
+            else:
+                menu.addAction(self._parts.actions[name])
+        return menu
+
+    @staticmethod
+    def _popup(menu: QMenu, place: QPoint) -> None:
+        menu.popup(place)

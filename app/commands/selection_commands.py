@@ -1,0 +1,77 @@
+"""Move, scale, rotate, align and distribute the selected points."""
+
+from __future__ import annotations
+
+from functools import partial
+
+from app.commands.parts import Handlers, Parts
+from app.document.transforms import Edge, align_nodes, distribute_nodes
+from app.gestures import words
+from app.gestures.transform import TransformKind
+from app.view_model.curve_view import CurveView
+
+_TRANSFORMS = {
+    "moveSelection": TransformKind.MOVE,
+    "scaleSelection": TransformKind.SCALE,
+    "rotateSelection": TransformKind.ROTATE,
+}
+_ALIGNMENTS = {
+    "alignLeft": Edge.LEFT,
+    "alignCentre": Edge.CENTRE,
+    "alignRight": Edge.RIGHT,
+    "alignTop": Edge.TOP,
+    "alignMiddle": Edge.MIDDLE,
+    "alignBottom": Edge.BOTTOM,
+}
+_DISTRIBUTIONS = {"distributeHorizontally": 0, "distributeVertically": 1}
+_AXIS_WORDS = ("horizontally", "vertically")
+
+
+class SelectionCommands:
+    """What is done to several points at once."""
+
+    def __init__(self, parts: Parts) -> None:
+        self._parts = parts
+        self._session = parts.session
+        self._actions = parts.actions
+        shows_box = parts.preferences.transform_box
+        self._actions["toggleTransformBox"].setChecked(shows_box)
+        parts.canvas.set_box_visible(shows_box)
+
+    def handlers(self) -> Handlers:
+        """Return what each action does."""
+        return {
+            **{name: partial(self._begin, kind) for name, kind in _TRANSFORMS.items()},
+            **{name: partial(self._align, edge) for name, edge in _ALIGNMENTS.items()},
+            **{name: partial(self._distribute, axis) for name, axis in _DISTRIBUTIONS.items()},
+            "toggleTransformBox": self._toggle_box,
+        }
+
+    def render(self, view: CurveView) -> None:
+        """Enable what there are enough points for."""
+        count = len(self._session.selection)
+        for names, least in ((_TRANSFORMS, 1), (_ALIGNMENTS, 2), (_DISTRIBUTIONS, 3)):
+            for name in names:
+                self._actions[name].setEnabled(count >= least)
+
+    def _begin(self, kind: TransformKind) -> None:
+        self._parts.canvas.begin_transform(kind)
+
+    def _align(self, edge: Edge) -> None:
+        session, chosen = self._session, self._session.selection
+        self._parts.change(
+            f"Align {words.points(chosen)} {edge.value}",
+            lambda: align_nodes(session.document, session.active_index, chosen, edge),
+        )
+
+    def _distribute(self, axis: int) -> None:
+        session, chosen = self._session, self._session.selection
+        self._parts.change(
+            f"Distribute {words.points(chosen)} {_AXIS_WORDS[axis]}",
+            lambda: distribute_nodes(session.document, session.active_index, chosen, axis),
+        )
+
+    def _toggle_box(self) -> None:
+        shows_box = self._actions["toggleTransformBox"].isChecked()
+        self._parts.preferences.transform_box = shows_box
+        self._parts.canvas.set_box_visible(shows_box)

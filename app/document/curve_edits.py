@@ -1,0 +1,133 @@
+"""Edits of whole curves: their number, order, direction and looks, and what keeps a curve from changes.
+
+Pure functions ``(Document, …) -> Document`` like those of ``edits``.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from itertools import count
+
+from msgspec.structs import replace
+
+from app.document.edits import EditError, freeze_parameters, interval, refuse_equal_parameters, set_nodes
+from app.document.model import Curve, Document, Node, Vector, empty_document
+
+
+def add_curve(document: Document, index: int, curve: Curve) -> Document:
+    """Insert `curve` before curve `index`; `index` equal to the number of curves appends."""
+    return replace(document, curves=(*document.curves[:index], curve, *document.curves[index:]))
+
+
+def replace_curve(document: Document, curve: int, new: Curve) -> Document:
+    """Put `new` in the place of a curve; every number is checked."""
+    return set_nodes(document.with_curve(curve, new), curve, new.nodes)
+
+
+def remove_curve(document: Document, curve: int) -> Document:
+    """Remove a curve; the last one leaves an empty curve behind."""
+    rest = (*document.curves[:curve], *document.curves[curve + 1 :])
+    return replace(document, curves=rest or empty_document().curves)
+
+
+def move_curve(document: Document, curve: int, to: int) -> Document:
+    """Give a curve another place in the order; later curves are drawn over earlier ones."""
+    curves = list(document.curves)
+    curves.insert(to, curves.pop(curve))
+    return replace(document, curves=tuple(curves))
+
+
+def free_name(document: Document) -> str:
+    """Return a name for a new curve that no other has."""
+    taken = {curve.name for curve in document.curves}
+    return next(name for number in count(1) if (name := f"Curve {number}") not in taken)
+
+
+def set_visible(document: Document, curve: int, visible: bool) -> Document:
+    """Show or hide a curve."""
+    return document.with_curve(curve, replace(document.curves[curve], visible=visible))
+
+
+def set_locked(document: Document, curve: int, locked: bool) -> Document:
+    """Keep a curve safe from changes, or free it."""
+    return document.with_curve(curve, replace(document.curves[curve], locked=locked))
+
+
+def set_colour(document: Document, curve: int, colour: str) -> Document:
+    """Draw a curve in a colour, "#rrggbb"; empty for the ink of the theme."""
+    return document.with_curve(curve, replace(document.curves[curve], colour=colour))
+
+
+def reverse_curve(document: Document, curve: int, parameters: Sequence[float]) -> Document:
+    """Run through a curve the other way; its shape stays.
+
+    `parameters` are those in force: a manual t becomes start + end − t.
+    """
+    old = document.curves[curve]
+    start, end = _span_carried(old)
+    nodes = [_reversed(node, start, end) for node in reversed(old.nodes)]
+    if old.is_closed:
+        # A closed curve goes on beginning where it began.
+        nodes = [nodes[-1], *nodes[:-1]]
+        if not old.is_manual:
+            # Remembered parameters would no longer ascend.
+            nodes = [replace(node, t=None) for node in nodes]
+    result = replace(old, nodes=tuple(nodes))
+    if old.is_manual:
+        turned = [_mirrored(t, start, end) for t in reversed(parameters)]
+        document = freeze_parameters(document.with_curve(curve, result), curve, turned)
+        result = document.curves[curve]
+    refuse_equal_parameters(result, "The parameters lie too close together to be reversed.")
+    return document.with_curve(curve, result)
+
+
+def _span_carried(curve: Curve) -> tuple[float, float]:
+    """Return first and last of the manual parameters, in force or only remembered."""
+    carried = [node.t for node in curve.nodes if node.t is not None]
+    if curve.is_manual or not carried:
+        return interval(curve)
+    return carried[0], carried[-1]
+
+
+def _mirrored(t: float, start: float, end: float) -> float:
+    """Return start + end − t, the ends exactly."""
+    return end if t == start else start + (end - t)
+
+
+def _reversed(node: Node, start: float, end: float) -> Node:
+    first, second = (node.velocity, node.velocity_after) if node.corner else (node.velocity,) * 2
+    before, after = (node.acceleration, node.acceleration_after) if node.corner else (node.acceleration,) * 2
+    return replace(
+        node,
+        t=None if node.t is None else _mirrored(node.t, start, end),
+        velocity=_negated(second),
+        velocity_after=_negated(first) if node.corner else None,
+        acceleration=after,
+        acceleration_after=before if node.corner else None,
+    )
+
+
+def _negated(vector: Vector | None) -> Vector | None:
+    return None if vector is None else (-vector[0], -vector[1])
+
+
+# What is safe from changes
+
+
+def refuse_locked(before: Document, after: Document) -> None:
+    """Raise EditError if `after` lacks a curve that is locked in `before`, or has it changed.
+
+    Its name, colour, visibility, lock and place in the order are free.
+    """
+    same_places = len(before.curves) == len(after.curves)
+    for place, curve in enumerate(before.curves):
+        if not curve.locked or (same_places and after.curves[place] is curve):
+            continue
+        only_looks = same_places and _without_looks(after.curves[place]) == _without_looks(curve)
+        # Edits hand on what they do not change: a curve elsewhere in the order is the same object.
+        if not only_looks and not any(other is curve for other in after.curves):
+            raise EditError(f"“{curve.name}” is locked; unlock it in the list of curves to change it.")
+
+
+def _without_looks(curve: Curve) -> Curve:
+    return replace(curve, name="", colour="", visible=True, locked=False)

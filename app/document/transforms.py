@@ -1,0 +1,174 @@
+"""Edits of several nodes at once: move, scale, rotate, align, distribute, step along a grid.
+
+Like all edits these are pure. A derivative that the person set turns and grows with its node, so that a
+rigid motion of all nodes carries the whole curve along.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Collection, Sequence
+from dataclasses import dataclass
+from decimal import Decimal
+from enum import Enum
+
+from msgspec.structs import replace
+
+from app.document.edits import EditError, checked
+from app.document.model import Document, Node, Vector
+
+_DERIVATIVES = ("velocity", "acceleration", "velocity_after", "acceleration_after")
+
+
+@dataclass(frozen=True)
+class Linear:
+    """A linear map about a centre, kept as its difference from the identity.
+
+    That difference makes what should not move stay to the last bit.
+
+    Attributes
+    ----------
+    xx, xy, yx, yy
+        The matrix minus the identity, row by row.
+    centre
+        The point that stays.
+    """
+
+    xx: float
+    xy: float
+    yx: float
+    yy: float
+    centre: Vector
+
+    def point(self, p: Vector) -> Vector:
+        """Return where the map puts a point."""
+        return self._applied(p, (p[0] - self.centre[0], p[1] - self.centre[1]))
+
+    def vector(self, v: Vector) -> Vector:
+        """Return what the map makes of a derivative."""
+        return self._applied(v, v)
+
+    def _applied(self, start: Vector, v: Vector) -> Vector:
+        return (start[0] + self.xx * v[0] + self.xy * v[1], start[1] + self.yx * v[0] + self.yy * v[1])
+
+
+def scaling(x: float, y: float, centre: Vector) -> Linear:
+    """Return the map that scales by `x` and `y` about `centre`."""
+    return Linear(x - 1.0, 0.0, 0.0, y - 1.0, centre)
+
+
+def rotation(degrees: float, centre: Vector) -> Linear:
+    """Return the rotation by `degrees`, counterclockwise, about `centre`; exact for quarter turns."""
+    quarters, rest = divmod(degrees, 90.0)
+    if rest == 0.0:
+        cos, sin = ((1.0, 0.0), (0.0, 1.0), (-1.0, 0.0), (0.0, -1.0))[int(quarters % 4)]
+    else:
+        cos, sin = math.cos(math.radians(degrees)), math.sin(math.radians(degrees))
+    return Linear(cos - 1.0, -sin, sin, cos - 1.0, centre)
+
+
+def transform_nodes(document: Document, curve: int, indices: Collection[int], by: Linear) -> Document:
+    """Map the nodes at `indices` and the derivatives set there."""
+    old = document.curves[curve]
+    nodes = [_mapped(node, by) if index in indices else node for index, node in enumerate(old.nodes)]
+    return document.with_curve(curve, replace(old, nodes=tuple(nodes)))
+
+
+def _mapped(node: Node, by: Linear) -> Node:
+    x, y = _checked(by.point(node.position), "the point")
+    vectors = {
+        name: _checked(by.vector(vector), "a derivative")
+        for name in _DERIVATIVES
+        if (vector := getattr(node, name)) is not None
+    }
+    return replace(node, x=x, y=y, **vectors)
+
+
+def _checked(vector: Vector, what: str) -> Vector:
+    return (checked(vector[0], f"The x of {what}"), checked(vector[1], f"The y of {what}"))
+
+
+def step_nodes(document: Document, curve: int, indices: Collection[int], by: Vector) -> Document:
+    """Move nodes by decimal steps: 0.1 and a step of 0.2 make 0.3, not 0.30000000000000004."""
+    old = document.curves[curve]
+    nodes = [
+        _at(node, (decimal_sum(node.x, by[0]), decimal_sum(node.y, by[1]))) if index in indices else node
+        for index, node in enumerate(old.nodes)
+    ]
+    return document.with_curve(curve, replace(old, nodes=tuple(nodes)))
+
+
+def decimal_sum(a: float, b: float) -> float:
+    """Return a + b as the decimal numbers that they are written as."""
+    return float(Decimal(repr(a)) + Decimal(repr(b)))
+
+
+def decimal_product(a: float, b: float) -> float:
+    """Return a · b as the decimal numbers that they are written as."""
+    return float(Decimal(repr(a)) * Decimal(repr(b)))
+
+
+def _at(node: Node, position: Vector) -> Node:
+    x, y = _checked(position, "the point")
+    return replace(node, x=x, y=y)
+
+
+class Edge(Enum):
+    """What points are aligned at."""
+
+    LEFT = "left"
+    CENTRE = "centre"
+    RIGHT = "right"
+    TOP = "top"
+    MIDDLE = "middle"
+    BOTTOM = "bottom"
+
+
+_AXES = {Edge.LEFT: 0, Edge.CENTRE: 0, Edge.RIGHT: 0, Edge.TOP: 1, Edge.MIDDLE: 1, Edge.BOTTOM: 1}
+
+
+def _middle(values: Sequence[float]) -> float:
+    return min(values) / 2 + max(values) / 2
+
+
+_TARGETS: dict[Edge, Callable[[Sequence[float]], float]] = {
+    Edge.LEFT: min,
+    Edge.CENTRE: _middle,
+    Edge.RIGHT: max,
+    Edge.TOP: max,
+    Edge.MIDDLE: _middle,
+    Edge.BOTTOM: min,
+}
+
+
+def align_nodes(document: Document, curve: int, indices: Collection[int], edge: Edge) -> Document:
+    """Give the nodes at `indices` one x (left, centre, right) or one y (top, middle, bottom)."""
+    if len(indices) < 2:
+        raise EditError("Select at least two points to align them.")
+    nodes, axis = document.curves[curve].nodes, _AXES[edge]
+    values = [nodes[index].position[axis] for index in indices]
+    target = _TARGETS[edge](values)
+    return _with_coordinate(document, curve, dict.fromkeys(indices, target), axis)
+
+
+def distribute_nodes(document: Document, curve: int, indices: Collection[int], axis: int) -> Document:
+    """Space the nodes evenly between the outer two, along x (axis 0) or y (axis 1)."""
+    if len(indices) < 3:
+        raise EditError("Select at least three points to distribute them.")
+    nodes = document.curves[curve].nodes
+    order = sorted(indices, key=lambda index: (nodes[index].position[axis], index))
+    first, last = (nodes[order[end]].position[axis] for end in (0, -1))
+    count = len(order) - 1
+    values = {
+        index: first * ((count - place) / count) + last * (place / count) for place, index in enumerate(order)
+    }
+    return _with_coordinate(document, curve, values, axis)
+
+
+def _with_coordinate(document: Document, curve: int, values: dict[int, float], axis: int) -> Document:
+    old, name = document.curves[curve], ("x", "y")[axis]
+    nodes = [
+        replace(node, **{name: values[index]}) if index in values else node
+        for index, node in enumerate(old.nodes)
+    ]
+    return document.with_curve(curve, replace(old, nodes=tuple(nodes)))

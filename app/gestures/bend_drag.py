@@ -1,0 +1,61 @@
+"""The curve itself, grabbed and bent."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from app.document.model import Document, Vector
+from app.gestures import words
+from app.gestures.pointer import Hit, Pointer
+from app.view_model.bend import BendWith, bent
+from app.view_model.curve_view import CurveView
+
+_TOLERANCE = 0.05
+"""Pixels that the grabbed point may be off, where the parameters answer to the points."""
+
+
+@dataclass(frozen=True)
+class BendCurve:
+    """Change the data as little as makes the grabbed point follow: Ctrl points only, Alt derivatives only."""
+
+    document: Document
+    curve: int
+    view: CurveView
+    hit: Hit
+    start: Vector
+
+    @property
+    def name(self) -> str:
+        """The name of the step."""
+        return "Bend curve"
+
+    @property
+    def keys(self) -> str:
+        """What modifiers change."""
+        return bend_keys(self.view)
+
+    def note_at(self, pointer: Pointer) -> str:
+        """Tell where, and what changes."""
+        changing = {
+            BendWith.ALL: "points and derivatives change",
+            BendWith.POINTS: "only points change",
+            BendWith.DERIVATIVES: "only derivatives change",
+        }[self._using(pointer)]
+        return f"Bend at t = {words.number(self.hit.t)}: {changing}"
+
+    def document_at(self, pointer: Pointer) -> Document:
+        """Let the grabbed point keep its distance to the pointer."""
+        at, to = self.start, pointer.position
+        target = (self.hit.position[0] + to[0] - at[0], self.hit.position[1] + to[1] - at[1])
+        curve = bent(self.view, self.hit.t, target, self._using(pointer), _TOLERANCE / pointer.scale)
+        return self.document.with_curve(self.curve, curve)
+
+    def _using(self, pointer: Pointer) -> BendWith:
+        if not self.view.source.family.derivatives or pointer.ctrl:
+            return BendWith.POINTS
+        return BendWith.DERIVATIVES if pointer.alt else BendWith.ALL
+
+
+def bend_keys(view: CurveView) -> str:
+    """Return what modifiers change of a bend."""
+    return "Ctrl: points only · Alt: derivatives only" if view.source.family.derivatives else ""

@@ -1,0 +1,57 @@
+"""Selecting with a rubber band."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from app.document.model import Vector
+from app.gestures import words
+from app.gestures.machine import THRESHOLD, Host
+from app.gestures.pointer import Pointer
+
+
+class Marquee:
+    """Selects the points inside the band, live; Shift adds to what was selected before.
+
+    Attributes
+    ----------
+    band
+        Two opposite corners of the band; None until the pointer has travelled far enough for a drag.
+    """
+
+    def __init__(self, host: Host, pointer: Pointer) -> None:
+        self._host, self._press = host, pointer
+        self._before = host.selection
+        self.band: tuple[Vector, Vector] | None = None
+
+    def move(self, pointer: Pointer) -> None:
+        """Follow the pointer."""
+        if self.band is None and math.dist(pointer.pixel, self._press.pixel) < THRESHOLD:
+            return
+        self.band = (self._press.position, pointer.position)
+        inside = self._inside(self.band)
+        self._host.select(self._before | inside if self._press.shift else inside)
+
+    def _inside(self, band: tuple[Vector, Vector]) -> frozenset[int]:
+        low, high = np.min(band, axis=0), np.max(band, axis=0)
+        points = self._host.active_view.points
+        inside = np.all((points >= low) & (points <= high), axis=1)
+        return frozenset(np.flatnonzero(inside).tolist())
+
+    def release(self, pointer: Pointer) -> None:
+        """End; a click beside everything deselects, with Shift it leaves the selection."""
+        self.move(pointer)
+        if self.band is None and not pointer.shift:
+            self._host.select([])
+
+    def cancel(self) -> None:
+        """Bring back what was selected before."""
+        self._host.select(self._before)
+
+    def progress(self) -> str:
+        """Tell what is selected."""
+        count = len(self._host.selection)
+        chosen = f"{words.points(self._host.selection)} selected" if count else "No point selected"
+        return f"{chosen[:1].upper()}{chosen[1:]} · Escape cancels"

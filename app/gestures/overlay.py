@@ -1,0 +1,54 @@
+"""What a gesture shows over the drawing: a value that the canvas draws."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from app.document.model import Vector
+from app.gestures.snapping import Snap
+from app.gestures.transform_box import TransformBox
+
+
+@dataclass(frozen=True)
+class Note:
+    """A few words beside a place."""
+
+    position: Vector
+    text: str
+
+
+@dataclass(frozen=True)
+class Ruler:
+    """A measured distance."""
+
+    start: Vector
+    end: Vector
+    text: str
+
+
+@dataclass(frozen=True)
+class Overlay:
+    """Everything at once; None for what is not there.
+
+    Attributes
+    ----------
+    band
+        Two opposite corners of the rubber band.
+    box
+        The box with grips around the selected points.
+    snap
+        What the pointer has snapped to.
+    ruler
+        What is measured.
+    note
+        The amount of a transform, beside the pointer.
+    axis
+        The locked axis (0 or 1) and a point on it.
+    """
+
+    band: tuple[Vector, Vector] | None = None
+    box: TransformBox | None = None
+    snap: Snap | None = None
+    ruler: Ruler | None = None
+    note: Note | None = None
+    axis: tuple[Vector, int] | None = None

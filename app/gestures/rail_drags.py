@@ -1,0 +1,74 @@
+"""Dragging the ticks of the t-rail: one, several, or all on one side."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from app.document.model import Document
+from app.document.parameter_edits import set_parameters
+from app.gestures.pointer import Pointer
+
+_LEAST_GAP = 1e-3
+"""Part of the whole interval that stays between two ticks: it can be seen, and the curve be computed."""
+
+
+@dataclass(frozen=True)
+class DragTicks:
+    """Drag parameters along the t-rail, all by the same way; their order is kept.
+
+    Attributes
+    ----------
+    parameters
+        Those in force at the press, one for each knot.
+    grabbed
+        The knot whose tick was pressed.
+    knots
+        The knots that move, the grabbed one among them.
+    node
+        The node of the grabbed knot, for the name of the step.
+    start
+        The t of the pointer at the press.
+    """
+
+    document: Document
+    curve: int
+    parameters: Sequence[float]
+    grabbed: int
+    knots: frozenset[int]
+    node: int
+    start: float
+
+    @property
+    def name(self) -> str:
+        """The name of the step."""
+        if len(self.knots) == 1:
+            return f"Change t of point {self.node}"
+        return f"Change t of {len(self.knots)} points"
+
+    def document_at(self, pointer: Pointer) -> Document:
+        """Move by the whole way from the press, as far as the ticks that stay let it.
+
+        With E held every tick from the grabbed one on, towards the side the pointer has moved to from the
+        press, goes along: the spacings there stay, and only the gap behind opens.
+        """
+        by = pointer.position[0] - self.start
+        count = len(self.parameters)
+        moving = self.knots
+        if pointer.ripple:
+            moving = frozenset(range(self.grabbed, count) if by > 0 else range(self.grabbed + 1))
+        by = self._as_far_as_can_be(by, moving)
+        moved = [t + by if knot in moving else t for knot, t in enumerate(self.parameters)]
+        return set_parameters(self.document, self.curve, moved)
+
+    def _as_far_as_can_be(self, by: float, moving: frozenset[int]) -> float:
+        t = self.parameters
+        margin = _LEAST_GAP * (t[-1] - t[0])
+        for knot in moving:
+            if knot > 0 and knot - 1 not in moving:
+                gap = t[knot] - t[knot - 1]
+                by = max(by, min(margin, gap / 2) - gap)
+            if knot < len(t) - 1 and knot + 1 not in moving:
+                gap = t[knot + 1] - t[knot]
+                by = min(by, gap - min(margin, gap / 2))
+        return by

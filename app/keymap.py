@@ -1,0 +1,159 @@
+"""Which keys do what: the defaults, what the person changed, and who has a key already."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
+
+from PySide6.QtCore import QKeyCombination, QObject, Qt, Signal
+from PySide6.QtGui import QAction, QKeySequence
+
+RESERVED = {
+    Qt.Key.Key_Escape: "steps back from whatever is going on",
+    Qt.Key.Key_Tab: "walks from one thing to the next",
+    Qt.Key.Key_Backtab: "walks from one thing to the one before",
+    Qt.Key.Key_Space: "held, makes the mouse pan",
+    Qt.Key.Key_Left: "moves what is selected",
+    Qt.Key.Key_Right: "moves what is selected",
+    Qt.Key.Key_Up: "moves what is selected",
+    Qt.Key.Key_Down: "moves what is selected",
+    Qt.Key.Key_Return: "confirms what was typed",
+    Qt.Key.Key_Enter: "confirms what was typed",
+}
+"""Keys that, alone or with Shift, belong to the drawing and to the fields; an action cannot have them."""
+
+
+@dataclass(frozen=True)
+class Binding:
+    """An action that may have keys.
+
+    Attributes
+    ----------
+    action
+        The action itself; it carries the keys in force.
+    text, menu
+        What it is called, and the menu it stands in.
+    defaults
+        The keys it has unless the person changes them.
+    """
+
+    action: QAction
+    text: str
+    menu: str
+    defaults: tuple[QKeySequence, ...]
+
+
+class Keymap(QObject):
+    """The keys of all actions of a window.
+
+    Signals
+    -------
+    changed
+        An action has other keys.
+    """
+
+    changed = Signal()
+
+    def __init__(self, parent: QObject | None = None) -> None:
+        super().__init__(parent)
+        self._bindings: dict[str, Binding] = {}
+
+    def add(self, binding: Binding) -> None:
+        """Take in an action and give it its default keys."""
+        self._bindings[binding.action.objectName()] = binding
+        _bind(binding.action, binding.defaults)
+
+    @property
+    def bindings(self) -> Mapping[str, Binding]:
+        """Every action that may have keys, by name."""
+        return self._bindings
+
+    def keys(self, name: str) -> list[QKeySequence]:
+        """Return the keys of an action, the first being the one that is shown."""
+        return self._bindings[name].action.shortcuts()
+
+    def is_default(self, name: str) -> bool:
+        """Whether an action has the keys it came with."""
+        return self.keys(name) == list(self._bindings[name].defaults)
+
+    def owner_of(self, key: QKeySequence) -> str | None:
+        """Return the name of the action that has `key`, or begins with it, or that it begins with."""
+        nothing = QKeySequence.SequenceMatch.NoMatch
+        for name, binding in self._bindings.items():
+            for own in binding.action.shortcuts():
+                if own.matches(key) != nothing or key.matches(own) != nothing:
+                    return name
+        return None
+
+    def assign(self, name: str, keys: Sequence[QKeySequence]) -> None:
+        """Give an action these keys, and take them from whoever has them."""
+        for key in keys:
+            owner = self.owner_of(key)
+            while owner is not None and owner != name:
+                self._take(owner, key)
+                owner = self.owner_of(key)
+        _bind(self._bindings[name].action, keys)
+        self.changed.emit()
+
+    def _take(self, owner: str, key: QKeySequence) -> None:
+        nothing = QKeySequence.SequenceMatch.NoMatch
+        kept = [k for k in self.keys(owner) if k.matches(key) == nothing and key.matches(k) == nothing]
+        _bind(self._bindings[owner].action, kept)
+
+    def reset(self, name: str) -> None:
+        """Give an action the keys it came with, and take them from whoever has them."""
+        self.assign(name, self._bindings[name].defaults)
+
+    def reset_all(self) -> None:
+        """Give every action the keys it came with."""
+        for binding in self._bindings.values():
+            _bind(binding.action, binding.defaults)
+        self.changed.emit()
+
+    @property
+    def overrides(self) -> dict[str, str]:
+        """The keys that differ from the defaults, as text that does not depend on the language."""
+        return {
+            name: QKeySequence.listToString(self.keys(name), QKeySequence.SequenceFormat.PortableText)
+            for name in self._bindings
+            if not self.is_default(name)
+        }
+
+    def load(self, overrides: Mapping[str, str]) -> None:
+        """Take up remembered keys; what no longer exists is skipped, and a key is given out only once."""
+        for name in overrides.keys() & self._bindings.keys():
+            _bind(self._bindings[name].action, [])
+        for name, text in overrides.items():
+            if name in self._bindings:
+                keys = QKeySequence.listFromString(text, QKeySequence.SequenceFormat.PortableText)
+                free = [key for key in keys if not key.isEmpty() and self.owner_of(key) is None]
+                _bind(self._bindings[name].action, free)
+        self.changed.emit()
+
+
+def refusal(key: QKeySequence) -> str:
+    """Return why no action can have `key`, as a sentence; empty where one can."""
+    if key.isEmpty():
+        return ""
+    combination: QKeyCombination = key[0]  # type: ignore[index]  # PySide6's stubs lack __getitem__
+    held = combination.keyboardModifiers()
+    plain = held in (Qt.KeyboardModifier.NoModifier, Qt.KeyboardModifier.ShiftModifier)
+    if plain and combination.key() in RESERVED:
+        return f"{native(key)} {RESERVED[combination.key()]}; choose other keys."
+    return ""
+
+
+def native(key: QKeySequence) -> str:
+    """Return a key as the person's system writes it."""
+    return key.toString(QKeySequence.SequenceFormat.NativeText)
+
+
+def keys_text(keys: Iterable[QKeySequence]) -> str:
+    """Return keys as a list in words, empty for none."""
+    return " or ".join(native(key) for key in keys)
+
+
+def _bind(action: QAction, keys: Sequence[QKeySequence]) -> None:
+    action.setShortcuts(list(keys))
+    suffix = f" ({native(keys[0])})" if keys else ""
+    action.setToolTip(f"{action.statusTip()}{suffix}")

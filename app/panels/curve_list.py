@@ -1,0 +1,142 @@
+"""The panel with the list of curves: which one is edited, what each is called and how it is shown."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from PySide6.QtCore import QPoint, QSize, Qt, Signal
+from PySide6.QtGui import QAction, QColor, QContextMenuEvent, QIcon, QPainter, QPixmap
+from PySide6.QtWidgets import QHBoxLayout, QMenu, QToolButton, QVBoxLayout, QWidget
+
+from app.document import curve_edits
+from app.document.model import Document
+from app.panels.curve_list_model import CurveListModel
+from app.panels.curve_list_view import CurveListView, Spot
+from app.session import Session
+from app.theme import CURVE_COLOURS, Theme, curve_colour, theme_of
+
+
+class CurveList(QWidget):
+    """The list, and buttons for what can be done with a curve.
+
+    Signals
+    -------
+    menu_requested
+        A menu for the active curve is wanted at a place of the screen.
+
+    Attributes
+    ----------
+    view
+        The QListView.
+    """
+
+    menu_requested = Signal(QPoint)
+
+    def __init__(self, session: Session, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setObjectName("curveListPanel")
+        self._session = session
+        self.model = CurveListModel(session, self)
+        self.view = CurveListView(self.model, self)
+        self._buttons = QHBoxLayout()
+        self._buttons.setContentsMargins(6, 4, 6, 4)
+        self._buttons.setSpacing(2)
+        self._buttons.addStretch(1)
+        layout = QVBoxLayout(self)
+        layout.setContentsMargins(0, 0, 0, 0)
+        layout.setSpacing(0)
+        layout.addWidget(self.view, 1)
+        layout.addLayout(self._buttons)
+        self.view.activated_row.connect(session.activate)
+        self.view.spot_clicked.connect(self._switch)
+        self.view.moved.connect(self._move)
+        self.render_document(session.document, session.active_index)
+
+    def add_buttons(self, actions: Sequence[QAction]) -> None:
+        """Put a small button for each action under the list."""
+        for place, action in enumerate(actions):
+            button = QToolButton()
+            button.setObjectName(f"{action.objectName()}Button")
+            button.setDefaultAction(action)
+            button.setAccessibleName(action.text())
+            button.setAutoRaise(True)
+            button.setIconSize(QSize(16, 16))
+            # The icons come with the theme, later; docks laid out anew by then would forget their widths.
+            button.setFixedSize(26, 26)
+            self._buttons.insertWidget(place, button)
+
+    def render_document(self, document: Document, active: int) -> None:
+        """Show the curves of `document`."""
+        self.model.show_document(document)
+        self.view.show_active(active)
+
+    # What the person did
+
+    def _switch(self, row: int, spot: Spot) -> None:
+        session = self._session
+        curve = session.document.curves[row]
+        if spot is Spot.SWATCH:
+            self.choose_colour(row)
+        elif spot is Spot.EYE:
+            text = f"{'Hide' if curve.visible else 'Show'} {curve.name}"
+            session.commit(curve_edits.set_visible(session.document, row, not curve.visible), text)
+        else:
+            text = f"{'Unlock' if curve.locked else 'Lock'} {curve.name}"
+            session.commit(curve_edits.set_locked(session.document, row, not curve.locked), text)
+
+    def _move(self, row: int, to: int) -> None:
+        session = self._session
+        document = curve_edits.move_curve(session.document, row, to)
+        session.commit(document, f"Move {session.document.curves[row].name}", active=to)
+
+    def choose_colour(self, row: int) -> QMenu:
+        """Open the palette for a curve, by mouse or keys; beside its swatch where the list is shown."""
+        menu = QMenu(self)
+        menu.setObjectName("colourMenu")
+        menu.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+        theme = theme_of(self.palette())
+        for name, code in CURVE_COLOURS.items():
+            action = menu.addAction(_swatch(curve_colour(code, theme)), name)
+            action.setObjectName(f"colour_{name.replace(' ', '_')}")
+            action.setCheckable(True)
+            action.setChecked(code == self._session.document.curves[row].colour)
+            action.triggered.connect(lambda _checked=False, code=code, row=row: self._paint(row, code))
+        rect = self.view.row_rect(row)
+        place = self.view.viewport().mapToGlobal(rect.bottomLeft())
+        menu.popup(
+            place if self.view.isVisible() else self.window().mapToGlobal(self.window().rect().center())
+        )
+        return menu
+
+    def _paint(self, row: int, code: str) -> None:
+        session = self._session
+        name = session.document.curves[row].name
+        session.commit(curve_edits.set_colour(session.document, row, code), f"Colour {name}")
+
+    def contextMenuEvent(self, event: QContextMenuEvent) -> None:
+        """Ask for the menu of the curve under the pointer, or of the active one."""
+        place = self.view.viewport().mapFromGlobal(event.globalPos())
+        row = self.view.indexAt(place).row()
+        if event.reason() == QContextMenuEvent.Reason.Keyboard:
+            row = self._session.active_index
+            place = self.view.row_rect(row).center()
+        if row >= 0:
+            self._session.activate(row)
+        self.menu_requested.emit(self.view.viewport().mapToGlobal(place))
+
+    def set_theme(self, theme: Theme) -> None:
+        """Take the colours of `theme`."""
+        self.view.viewport().update()
+
+
+def _swatch(colour: QColor) -> QIcon:
+    pixmap = QPixmap(32, 32)
+    pixmap.setDevicePixelRatio(2)
+    pixmap.fill(Qt.GlobalColor.transparent)
+    painter = QPainter(pixmap)
+    painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+    painter.setPen(Qt.PenStyle.NoPen)
+    painter.setBrush(colour)
+    painter.drawEllipse(2, 2, 12, 12)
+    painter.end()
+    return QIcon(pixmap)

@@ -1,0 +1,98 @@
+"""The curves of the document as a Qt list model: one row for each, in the order in which they are drawn."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+from PySide6.QtCore import QAbstractListModel, QModelIndex, QObject, QPersistentModelIndex, Qt
+
+from app.document import edits
+from app.document.model import Curve, Document, Family
+from app.panels.words import count_of
+from app.session import Session
+
+Index = QModelIndex | QPersistentModelIndex
+_NO_INDEX = QModelIndex()
+
+_FAMILIES = {
+    Family.LAGRANGE: "Lagrange",
+    Family.HERMITE: "Hermite",
+    Family.QUINTIC_HERMITE: "quintic Hermite",
+}
+
+
+class Row(NamedTuple):
+    """What the list shows of a curve."""
+
+    name: str
+    colour: str
+    visible: bool
+    locked: bool
+    facts: str
+
+
+class CurveListModel(QAbstractListModel):
+    """Rows are curves; the text is the name, and setting it renames."""
+
+    def __init__(self, session: Session, parent: QObject | None = None) -> None:
+        super().__init__(parent)
+        self.setObjectName("curveListModel")
+        self._session = session
+        self._curves: tuple[Curve, ...] = ()
+        self._rows: list[Row] = []
+
+    def show_document(self, document: Document) -> None:
+        """Show the curves of `document`; only what changed is announced."""
+        known = {id(curve): row for curve, row in zip(self._curves, self._rows, strict=True)}
+        new = [known.get(id(curve)) or _row(curve) for curve in document.curves]
+        old, self._curves = self._rows, document.curves
+        if len(new) != len(old):
+            self.beginResetModel()
+            self._rows = new
+            self.endResetModel()
+            return
+        self._rows = new
+        changed = [place for place, row in enumerate(new) if row != old[place]]
+        if changed:
+            self.dataChanged.emit(self.index(changed[0]), self.index(changed[-1]))
+
+    def row(self, place: int) -> Row:
+        """Return what row `place` shows."""
+        return self._rows[place]
+
+    def rowCount(self, parent: Index = _NO_INDEX) -> int:
+        return 0 if parent.isValid() else len(self._rows)
+
+    def flags(self, index: Index) -> Qt.ItemFlag:
+        return super().flags(index) | Qt.ItemFlag.ItemIsEditable
+
+    def data(self, index: Index, role: int = Qt.ItemDataRole.DisplayRole) -> object:
+        if not index.isValid() or index.row() >= len(self._rows):
+            return None
+        row = self._rows[index.row()]
+        if role in (Qt.ItemDataRole.DisplayRole, Qt.ItemDataRole.EditRole):
+            return row.name
+        if role == Qt.ItemDataRole.AccessibleTextRole:
+            return f"{row.name}, {row.facts}{_state(row)}"
+        return None
+
+    def setData(self, index: Index, value: object, role: int = Qt.ItemDataRole.EditRole) -> bool:
+        session, name = self._session, str(value).strip()
+        if role != Qt.ItemDataRole.EditRole or not index.isValid():
+            return False
+        if not name:
+            session.say("A curve needs a name.")
+            return False
+        session.commit(edits.rename_curve(session.document, index.row(), name), "Rename curve")
+        return True
+
+
+def _row(curve: Curve) -> Row:
+    facts = f"{_FAMILIES[curve.family]}, {count_of(len(curve.nodes), 'point')}"
+    if curve.is_closed:
+        facts += ", closed"
+    return Row(curve.name, curve.colour, curve.visible, curve.locked, facts)
+
+
+def _state(row: Row) -> str:
+    return ("" if row.visible else ", hidden") + (", locked" if row.locked else "")

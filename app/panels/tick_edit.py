@@ -1,0 +1,127 @@
+"""A line to type t into, at the tick it belongs to."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import QEvent, QPointF, Qt, Signal
+from PySide6.QtGui import QFocusEvent, QKeyEvent
+from PySide6.QtWidgets import QFrame, QLabel, QLineEdit, QVBoxLayout, QWidget
+
+from app.document.edits import EditError
+from app.document.expression import ExpressionError, parse_number
+from app.panels.number_text import decimal_mark, exact_text
+from app.theme import mix, theme_of
+
+_WIDTH, _WIDEST_REASON = 150, 320
+
+
+class TickEdit(QFrame):
+    """Takes a number or an expression; Enter sets it, Escape or a click elsewhere gives it up.
+
+    What cannot be set is explained above the line, and stays there to be mended.
+
+    Signals
+    -------
+    typed
+        (knot, t) was typed and confirmed; who hears it answers with `accept` or `refuse`.
+    """
+
+    typed = Signal(int, float)
+
+    def __init__(self, parent: QWidget) -> None:
+        super().__init__(parent)
+        self.setObjectName("tickEdit")
+        self._panel = parent
+        self._knot = -1
+        self._tick = QPointF()
+        self._reason = QLabel()
+        self._reason.setObjectName("tickProblem")
+        self._reason.setWordWrap(True)
+        self.line = _TickLine(self)
+        layout = self._rows = QVBoxLayout(self)
+        layout.setContentsMargins(6, 6, 6, 6)
+        layout.setSpacing(4)
+        layout.addWidget(self._reason)
+        layout.addWidget(self.line)
+        self._render_theme()
+        self.hide()
+
+    @property
+    def problem(self) -> str:
+        """Why the number typed cannot be set; empty where it can."""
+        return self._reason.text()
+
+    def open(self, knot: int, t: float, tick: QPointF) -> None:
+        """Type the parameter of `knot`, now `t`, above its tick, which points at a pixel of the parent."""
+        self._knot, self._tick = knot, tick
+        self.line.setText(exact_text(t, decimal_mark()))
+        self.line.selectAll()
+        self.refuse("")
+        self.show()
+        self.raise_()
+        self.line.setFocus(Qt.FocusReason.PopupFocusReason)
+
+    def confirm(self) -> None:
+        """Read what was typed and report it."""
+        try:
+            t = parse_number(self.line.text(), decimal_mark())
+        except ExpressionError as reason:
+            self.refuse(str(reason))
+            return
+        self.refuse("")
+        self.typed.emit(self._knot, t)
+
+    def refuse(self, reason: str | EditError) -> None:
+        """Say why the number cannot be set."""
+        self._reason.setText(str(reason))
+        self._reason.setVisible(bool(str(reason)))
+        self._place()
+
+    def close_and_return(self) -> None:
+        """Put the line away and give the focus to the panel."""
+        self._panel.setFocus(Qt.FocusReason.PopupFocusReason)
+        self.hide()
+
+    def _place(self) -> None:
+        parent = self._panel
+        width = min(_WIDEST_REASON if self.problem else _WIDTH, parent.width())
+        self._rows.activate()
+        height = max(self.heightForWidth(width), self.minimumSizeHint().height())
+        left = min(max(int(self._tick.x()) - width // 2, 0), parent.width() - width)
+        self.setGeometry(left, max(int(self._tick.y()) - height - 4, 0), width, height)
+
+    def changeEvent(self, event: QEvent) -> None:
+        super().changeEvent(event)
+        if event.type() == QEvent.Type.PaletteChange and hasattr(self, "line"):
+            self._render_theme()
+
+    def _render_theme(self) -> None:
+        theme = theme_of(self.palette())
+        surface, line = theme.surface.name(), mix(theme.ink, theme.paper, 0.2).name()
+        sheet = (
+            f"#tickEdit {{ background: {surface}; border: 1px solid {line}; border-radius: 6px }}"
+            f"#tickProblem {{ color: {theme.warning.name()} }}"
+        )
+        if sheet != self.styleSheet():
+            self.setStyleSheet(sheet)
+
+
+class _TickLine(QLineEdit):
+    def __init__(self, owner: TickEdit) -> None:
+        super().__init__(owner)
+        self._owner = owner
+        self.setObjectName("tickValue")
+        self.setAccessibleName("Parameter t")
+        self.setToolTip("A number or an expression such as 1/3; Enter sets it, Escape leaves it")
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        if event.key() in (Qt.Key.Key_Return, Qt.Key.Key_Enter):
+            self._owner.confirm()
+        elif event.key() == Qt.Key.Key_Escape:
+            self._owner.close_and_return()
+        else:
+            super().keyPressEvent(event)
+
+    def focusOutEvent(self, event: QFocusEvent) -> None:
+        super().focusOutEvent(event)
+        if event.reason() not in (Qt.FocusReason.PopupFocusReason, Qt.FocusReason.ActiveWindowFocusReason):
+            self._owner.hide()

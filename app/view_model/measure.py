@@ -1,0 +1,25 @@
+"""How far apart two curves are: measured on dense samples, to tell what a change of the points did."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from app.view_model.curve_view import CurveView, Floats
+
+_SAMPLES = 32
+_MOST_SAMPLES = 20_000
+
+
+def dense(knots: Floats) -> Floats:
+    """Return parameters all along a curve with these knots, the knots included; as many on every segment."""
+    per_segment = int(np.clip(_MOST_SAMPLES // len(knots), 5, _SAMPLES))
+    s = np.linspace(0.0, 1.0, per_segment + 1)[:-1]
+    return np.append((knots[:-1, None] + s * np.diff(knots)[:, None]).ravel(), knots[-1])
+
+
+def largest_distance(first: CurveView, at: Floats, second: CurveView, at_second: Floats) -> float:
+    """Return the largest distance between `first` at the parameters `at` and `second` at `at_second`."""
+    assert first.curve is not None
+    assert second.curve is not None
+    away = first.curve.evaluate(at) - second.curve.evaluate(at_second)
+    return float(np.hypot(away[:, 0], away[:, 1]).max())

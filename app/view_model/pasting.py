@@ -1,0 +1,135 @@
+"""Points carried from one curve to another, with their derivatives and their distances in t."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Sequence
+from itertools import pairwise
+
+from msgspec.structs import replace
+
+from app.document.edits import EditError, append_node, freeze_parameters, insert_nodes, set_nodes, stretched
+from app.document.model import Curve, Document, Node, ParametrizationKind, make_curve
+from app.view_model.curve_view import CurveView, appended_parameter, appended_squeeze, view_of
+
+
+def copied(view: CurveView, indices: Collection[int]) -> Curve:
+    """Return a curve of the nodes at `indices` alone; each carries the parameter that is in force."""
+    t = view.parameters.tolist() if view.is_current else [None] * len(view.source.nodes)
+    nodes = tuple(replace(view.source.nodes[index], t=t[index]) for index in sorted(indices))
+    rules = view.source.parametrization
+    if any(node.t is None for node in nodes):
+        nodes = tuple(replace(node, t=None) for node in nodes)
+        rules = replace(rules, kind=ParametrizationKind.CHORD_LENGTH) if view.source.is_manual else rules
+    return replace(view.source, nodes=nodes, parametrization=rules, closed=False, visible=True, locked=False)
+
+
+def appended(view: CurveView, pasted: Sequence[Node]) -> Curve:
+    """Return the curve of `view` with `pasted` appended.
+
+    Their own parameters count as distances in t. Under a rule they get others, and the derivatives are
+    rescaled so that the handles of the points pasted together keep their proportions.
+    """
+    document, count = Document((view.source,)), len(view.source.nodes)
+    if view.source.is_manual:
+        return insert_nodes(document, 0, count, _later(view, pasted)).curves[0]
+    bare = [replace(node, t=None) for node in pasted]
+    document = append_node(document, 0, bare[0], squeeze=appended_squeeze(view, bare))
+    document = insert_nodes(document, 0, count + 1, bare[1:])
+    factor = _factor(pasted, view_of(document.curves[0]))
+    nodes = document.curves[0].nodes
+    new = (stretched(node, factor) for node in nodes[count:])
+    return set_nodes(document, 0, (*nodes[:count], *new)).curves[0]
+
+
+def _later(view: CurveView, pasted: Sequence[Node]) -> list[Node]:
+    """Return `pasted` with manual parameters after those of the curve, the distances in t kept."""
+    first = appended_parameter(view, pasted[0])
+    own = [node.t for node in pasted]
+    steps = [t - own[0] for t in own if t is not None and own[0] is not None]
+    if len(steps) < len(pasted):
+        last = view.source.nodes[-1].t if view.source.nodes else None
+        step = first - last if last is not None else 1.0
+        steps = [step * place for place in range(len(pasted))]
+    return [replace(node, t=first + step) for node, step in zip(pasted, steps, strict=True)]
+
+
+def _factor(pasted: Sequence[Node], after: CurveView) -> float:
+    """Return how much longer in t the way through the pasted points is than it was."""
+    first, last = pasted[0].t, pasted[-1].t
+    if first is None or last is None or not last > first or not after.is_current:
+        return 1.0
+    end = len(after.source.nodes)
+    new = after.parameters[end - len(pasted) : end]
+    return float((new[-1] - new[0]) / (last - first))
+
+
+def appended_with_parameters(view: CurveView, pasted: Sequence[Node], first_row: int) -> Curve:
+    """Return the curve with `pasted` appended at the parameters they carry; all become manual.
+
+    `first_row` is the number of the first one's row in the text, for messages.
+    """
+    refuse_unordered(pasted, first_row)
+    count = len(view.source.nodes)
+    if view.source.is_manual or view.is_current:
+        parameters = view.parameters.tolist() if view.is_current else [node.t for node in view.source.nodes]
+    elif count:
+        raise EditError(f"There are no parameters to go on from. {view.problem}")
+    else:
+        parameters = []
+    first = pasted[0].t or 0.0
+    last = parameters[count - 1] if count else None
+    if last is not None and not first > last:
+        raise EditError(
+            f"Row {first_row}: t must be greater than {last:g}, the t of the last point, not {first:g}."
+        )
+    document = insert_nodes(Document((view.source,)), 0, count, pasted)
+    own = [*parameters[:count], *(node.t or 0.0 for node in pasted)]
+    return freeze_parameters(document, 0, own).curves[0]
+
+
+def refuse_unordered(pasted: Sequence[Node], first_row: int) -> None:
+    """Raise EditError unless the parameters of the rows increase."""
+    for row, (before, node) in enumerate(pairwise(pasted), start=first_row + 1):
+        if not (node.t or 0.0) > (before.t or 0.0):
+            raise EditError(
+                f"Row {row}: t must be greater than {before.t or 0.0:g}, the t of the row before it, "
+                f"not {node.t or 0.0:g}."
+            )
+
+
+def nodes_of_rows(rows: Sequence[Sequence[float]]) -> tuple[Node, ...]:
+    """Return the points of rows with two columns, x y, or three, t x y.
+
+    Raises
+    ------
+    EditError
+        If there are more or fewer columns.
+    """
+    width = len(rows[0])
+    if width == 2:
+        return tuple(Node(x, y) for x, y in rows)
+    if width == 3:
+        return tuple(Node(x, y, t=t) for t, x, y in rows)
+    raise EditError(
+        f"Points are two columns, x y, or three, t x y; {_columns(width)}. The point table takes them all."
+    )
+
+
+def _columns(width: int) -> str:
+    return "this is one column" if width == 1 else f"these are {width} columns"
+
+
+def as_new_curve(like: Curve, pasted: Sequence[Node], name: str) -> Curve:
+    """Return a curve of `pasted` under the rules of `like`; manual where the points carry parameters."""
+    curve = replace(make_curve((), name=name, family=like.family), nodes=tuple(pasted))
+    rules = like.parametrization
+    if all(node.t is not None for node in pasted):
+        rules = replace(rules, kind=ParametrizationKind.MANUAL)
+    elif like.is_manual:
+        rules = replace(rules, kind=ParametrizationKind.CHORD_LENGTH)
+    return replace(
+        curve,
+        parametrization=rules,
+        velocity_rule=like.velocity_rule,
+        acceleration_rule=like.acceleration_rule,
+    )

@@ -1,0 +1,199 @@
+"""Other points for the same curve: written down, one more of them, in the other order.
+
+A polynomial that goes through more points than it needs, or a Hermite piece cut where its derivatives
+are known, stays the curve it was. What rounding (or a rule for the parameters) makes of that is measured,
+never assumed: every result carries the largest distance that a point of the curve moved.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from msgspec.structs import replace
+
+from app.document.curve_edits import reverse_curve
+from app.document.edits import EditError, freeze_parameters, stretched
+from app.document.model import Curve, Document, Node, Vector
+from app.view_model.curve_view import CurveView, Floats, view_of
+from app.view_model.jets import Sides
+from app.view_model.measure import dense, largest_distance
+
+_ROUNDING = 64 * 2.0**-53
+"""Relative difference of two estimates up to which they count as the same."""
+
+
+@dataclass(frozen=True)
+class Reshaped:
+    """A curve through other points.
+
+    Attributes
+    ----------
+    curve
+        The new curve.
+    residual
+        The largest distance by which a point of the curve moved, measured on dense samples.
+    parameters_moved
+        Whether the rule gave the points that were there other parameters, so that the shape is another.
+    """
+
+    curve: Curve
+    residual: float
+    parameters_moved: bool = False
+
+    @property
+    def sentence(self) -> str:
+        """What became of the shape."""
+        change = f"largest change {self.residual:.2g}"
+        if self.parameters_moved:
+            return f"The parameters moved: {change} · Freeze parameters first to keep the shape"
+        return f"Shape kept, {change}."
+
+
+def baked(view: CurveView) -> Curve:
+    """Return the curve with all that rules gave written down: manual parameters, explicit derivatives."""
+    refuse_without_curve(view)
+    document = freeze_parameters(Document((view.source,)), 0, view.parameters.tolist())
+    curve = document.curves[0]
+    if view.sides is None:
+        return curve
+    nodes = (_with_jets(node, view.sides, index) for index, node in enumerate(curve.nodes))
+    return replace(curve, nodes=tuple(nodes))
+
+
+def refuse_without_curve(view: CurveView) -> None:
+    """Raise EditError where the present points and rules give no curve."""
+    if not view.is_current:
+        raise EditError(f"There is no curve yet. {view.problem}")
+
+
+def _with_jets(node: Node, sides: Sides, index: int) -> Node:
+    """Return `node` with the derivatives at knot `index` made explicit."""
+    names = ("velocity", "acceleration")[: sides.before.shape[1] - 1]
+    changed: dict[str, Vector] = {}
+    for order, name in enumerate(names, start=1):
+        changed[name] = _vector(sides.before[index, order])
+        if node.corner:
+            changed[f"{name}_after"] = _vector(sides.after[index, order])
+    return replace(node, **changed) if changed else node
+
+
+def _vector(values: Floats) -> Vector:
+    return (float(values[0]), float(values[1]))
+
+
+# Insert
+
+
+def with_point_inserted(view: CurveView, t: float) -> Reshaped:
+    """Return the curve with one point more, on it at `t`.
+
+    Under manual parameters the curve stays what it was to rounding: the derivatives at `t` become explicit,
+    and so do those of other points whose estimates the new point would change. Under a rule the parameters
+    move, the derivatives are stretched along, and the shape changes by the residual.
+
+    Raises
+    ------
+    EditError
+        If there is no curve, `t` is not inside it, or a point is there already.
+    """
+    refuse_without_curve(view)
+    index = _place_between(view, t)
+    curve = view.source
+    node = _sampled(view, t)
+    if curve.is_manual:
+        grown = replace(curve, nodes=(*curve.nodes[:index], node, *curve.nodes[index:]))
+        grown = _with_changed_estimates(view, grown, index)
+        after = view_of(grown)
+        return Reshaped(grown, _change(view, after, after.parameters))
+    node = replace(node, t=None)
+    grown = replace(curve, nodes=(*curve.nodes[:index], node, *curve.nodes[index:]))
+    grown = _stretched_along(view, grown, index, t)
+    after = view_of(grown)
+    return Reshaped(grown, _change(view, after, np.insert(view.parameters, index, t)), parameters_moved=True)
+
+
+def _place_between(view: CurveView, t: float) -> int:
+    knots = view.parameters
+    if not knots[0] < t < knots[-1]:
+        raise EditError(f"There is no place for a point at t = {t:.6g}: it lies outside the curve.")
+    nearest = int(np.argmin(np.abs(knots - t)))
+    if abs(knots[nearest] - t) <= 1e-9 * (knots[-1] - knots[0]):
+        raise EditError(f"Point {view.owner(nearest)} is there already.")
+    return int(np.searchsorted(knots, t))
+
+
+def _sampled(view: CurveView, t: float) -> Node:
+    """Return a node on the curve at `t` with the derivatives there."""
+    assert view.curve is not None
+    orders = range(view.source.family.derivatives + 1)
+    position, *derivatives = (_vector(view.curve.evaluate(t, order)) for order in orders)
+    velocity, acceleration, *_ = (*derivatives, None, None)
+    return Node(*position, t=t, velocity=velocity, acceleration=acceleration)
+
+
+def _with_changed_estimates(before: CurveView, grown: Curve, index: int) -> Curve:
+    """Make explicit, as they were in `before`, the estimates that node `index` of `grown` changed."""
+    after = view_of(grown)
+    refuse_without_curve(after)
+    if before.sides is None or after.sides is None:
+        return grown
+    kept = np.delete(np.arange(len(grown.nodes)), index)
+    count = len(kept)
+    changed = np.zeros(count, dtype=bool)
+    for old, new in ((before.sides.before, after.sides.before), (before.sides.after, after.sides.after)):
+        scale = np.abs(old[:, 1:]).max(axis=(0, 2), keepdims=True)
+        moved = np.abs(new[kept, 1:] - old[:count, 1:]) > _ROUNDING * scale
+        changed |= moved.any(axis=(1, 2))
+    nodes = list(grown.nodes)
+    for old_index in np.flatnonzero(changed).tolist():
+        place = int(kept[old_index])
+        nodes[place] = _with_jets(nodes[place], before.sides, old_index)
+    return replace(grown, nodes=tuple(nodes))
+
+
+def _stretched_along(before: CurveView, grown: Curve, index: int, t: float) -> Curve:
+    """Rescale explicit derivatives to the parameters that the rule gives now, so that handles stay."""
+    after = view_of(grown)
+    refuse_without_curve(after)
+    factors = np.diff(after.parameters) / np.diff(np.insert(before.parameters, index, t))
+    nodes = [
+        stretched(node, _factor_at(factors, place, index, is_closed=grown.is_closed))
+        for place, node in enumerate(grown.nodes)
+    ]
+    return replace(grown, nodes=tuple(nodes))
+
+
+def _factor_at(factors: Floats, place: int, inserted: int, *, is_closed: bool) -> float:
+    """Return the factor of time at a node: that of a segment beside it, if possible one that was not cut."""
+    beside = [place - 1, place]
+    if is_closed and place == 0:
+        beside[0] = len(factors) - 1
+    beside = [segment for segment in beside if 0 <= segment < len(factors)]
+    whole = [segment for segment in beside if segment not in (inserted - 1, inserted)]
+    return float(np.mean(factors[whole or beside]))
+
+
+def _change(before: CurveView, after: CurveView, old_knots: Floats) -> float:
+    """Return how far the curve moved; `old_knots` are the old parameters of the knots of `after`."""
+    return largest_distance(before, dense(old_knots), after, dense(after.parameters))
+
+
+# Reverse
+
+
+def reversed_curve(view: CurveView) -> Reshaped:
+    """Return the curve run through the other way.
+
+    Raises
+    ------
+    EditError
+        If the parameters lie too close together to be turned round.
+    """
+    curve = reverse_curve(Document((view.source,)), 0, view.parameters.tolist()).curves[0]
+    after = view_of(curve)
+    if not (view.is_current and after.is_current):
+        return Reshaped(curve, 0.0)
+    t = dense(view.parameters)
+    turned = after.parameters[-1] - (t - t[0])
+    return Reshaped(curve, largest_distance(view, t, after, turned))

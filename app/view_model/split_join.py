@@ -1,0 +1,229 @@
+"""One curve made two, and two made one, with their shapes kept."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from itertools import pairwise
+
+import numpy as np
+from msgspec.structs import replace
+
+from app.document.edits import EditError
+from app.document.model import Curve, Family, Node, ParametrizationKind, Vector
+from app.view_model.curve_view import CurveView, view_of
+from app.view_model.measure import dense, largest_distance
+from app.view_model.reshape import Reshaped, baked, refuse_without_curve, with_point_inserted
+from curvecore import chebyshev
+
+MOST_POINTS_SPLIT = 40
+"""Points up to which a polynomial is split: each half goes through as many, and rounding grows with them."""
+
+_COINCIDE = 1e-9
+"""Distance, relative to the size of two curves, up to which end and start are one point."""
+
+
+@dataclass(frozen=True)
+class Split:
+    """What cutting a curve makes: two curves, or one that is open where a closed one was cut.
+
+    Attributes
+    ----------
+    curves
+        The parts, in order.
+    residual
+        The largest distance by which a point of the curve moved, measured on dense samples.
+    """
+
+    curves: tuple[Curve, ...]
+    residual: float
+
+
+def split(view: CurveView, t: float) -> Split:
+    """Cut the curve at `t`, at a joint or between two; a closed curve becomes an open one that begins there.
+
+    A Hermite curve is cut exactly: the parts have manual parameters and explicit derivatives. Of a Lagrange
+    curve each half goes through as many points as the whole, at Chebyshev points of its part of t, and is
+    thereby the same polynomial.
+
+    Raises
+    ------
+    EditError
+        If there is no curve, `t` is at its ends, or a Lagrange curve has too many points.
+    """
+    refuse_without_curve(view)
+    parts = _split_polynomial(view, t) if view.source.family is Family.LAGRANGE else _split_pieces(view, t)
+    return Split(parts, _residual_of_parts(view, parts))
+
+
+def _split_polynomial(view: CurveView, t: float) -> tuple[Curve, ...]:
+    count = len(view.source.nodes)
+    if count > MOST_POINTS_SPLIT:
+        raise EditError(
+            f"A Lagrange curve of {count} points cannot be split well: each half needs as many points, and "
+            f"beyond {MOST_POINTS_SPLIT} rounding shows. Choose Hermite first."
+        )
+    start, end = view.parameters[[0, -1]].tolist()
+    if not start < t < end:
+        raise EditError("The curve can be split between its ends, not at them.")
+    halves = ((start, t), (t, end))
+    return tuple(
+        _part(view.source, _on_polynomial(view, *half), half[1], name)
+        for half, name in zip(halves, _names_of_parts(view.source.name), strict=True)
+    )
+
+
+def _on_polynomial(view: CurveView, start: float, end: float) -> list[Node]:
+    assert view.curve is not None
+    t = start + chebyshev(len(view.source.nodes)) * (end - start)
+    t[-1] = end
+    points = view.curve.evaluate(t)
+    return [Node(x, y, t=each) for (x, y), each in zip(points.tolist(), t.tolist(), strict=True)]
+
+
+def _split_pieces(view: CurveView, t: float) -> tuple[Curve, ...]:
+    whole = view_of(baked(view))
+    knots = whole.parameters
+    span = knots[-1] - knots[0]
+    nearest = int(np.argmin(np.abs(knots - t)))
+    if abs(knots[nearest] - t) > 1e-9 * span:
+        whole = view_of(with_point_inserted(whole, t).curve)
+        nearest = int(np.searchsorted(whole.parameters, t))
+    if whole.source.is_closed:
+        return (_opened(whole, whole.owner(nearest)),)
+    nodes = whole.source.nodes
+    if not 0 < nearest < len(nodes) - 1:
+        raise EditError("The curve can be split between its ends, not at them.")
+    first, second = _names_of_parts(view.source.name)
+    ending, beginning = _ending(nodes[nearest]), _beginning(nodes[nearest])
+    return (
+        _part(whole.source, [*nodes[:nearest], ending], ending.t or 0.0, first),
+        _part(whole.source, [beginning, *nodes[nearest + 1 :]], nodes[-1].t or 0.0, second),
+    )
+
+
+def _opened(whole: CurveView, at: int) -> Curve:
+    """Return a baked closed curve as an open one from node `at` once round to it."""
+    nodes = whole.source.nodes
+    period = float(whole.parameters[-1] - whole.parameters[0])
+    later = [replace(node, t=(node.t or 0.0) + period) for node in nodes[: at + 1]]
+    around = [_beginning(nodes[at]), *nodes[at + 1 :], *later[:-1], _ending(later[-1])]
+    return _part(whole.source, around, around[-1].t or 0.0, whole.source.name)
+
+
+def _ending(node: Node) -> Node:
+    """Return `node` as the last of a curve: with what it has before it."""
+    return replace(node, corner=False, velocity_after=None, acceleration_after=None)
+
+
+def _beginning(node: Node) -> Node:
+    """Return `node` as the first of a curve: with what it has after it."""
+    if not node.corner:
+        return node
+    ahead = replace(node, velocity=node.velocity_after, acceleration=node.acceleration_after)
+    return _ending(ahead)
+
+
+def _part(curve: Curve, nodes: Sequence[Node], end: float, name: str) -> Curve:
+    rule = replace(curve.parametrization, kind=ParametrizationKind.MANUAL, start=nodes[0].t or 0.0, end=end)
+    return replace(curve, name=name, nodes=tuple(nodes), parametrization=rule, closed=False)
+
+
+def _names_of_parts(name: str) -> tuple[str, str]:
+    return f"{name} a", f"{name} b"
+
+
+def _residual_of_parts(view: CurveView, parts: Sequence[Curve]) -> float:
+    start, end = view.parameters[[0, -1]].tolist()
+    residual = 0.0
+    for part in map(view_of, parts):
+        refuse_without_curve(part)
+        t = dense(part.parameters)
+        residual = max(residual, largest_distance(view, np.where(t > end, t - (end - start), t), part, t))
+    return residual
+
+
+def joined(first: CurveView, second: CurveView) -> Reshaped:
+    """Join the end of `first` to the start of `second`: one curve, its parameters one after the other.
+
+    Both keep their shapes. Where end and start coincide they become one point, a corner if the derivatives
+    there differ; else a segment leads from one to the other, at the mean of the speeds on both sides.
+
+    Raises
+    ------
+    EditError
+        If there is no curve to join, or the two cannot be one curve of a family.
+    """
+    _refuse_to_join(first, second)
+    a, b = baked(first), baked(second)
+    seam: tuple[Node, ...]
+    gap = _gap(first, second)
+    size = max(float(np.ptp(np.vstack([first.points, second.points]), axis=0).max()), 1e-300)
+    if gap <= _COINCIDE * size:
+        wait = 0.0
+        seam = (_merged(a.nodes[-1], b.nodes[0]),)
+        before, after = a.nodes[:-1], b.nodes[1:]
+    else:
+        wait = gap / _speed_at_seam(first, second)
+        seam, before, after = (), a.nodes, b.nodes
+    end = float(first.parameters[-1])
+    start = float(second.parameters[0])
+    later = tuple(replace(node, t=end + wait + ((node.t or 0.0) - start)) for node in after)
+    nodes = (*before, *seam, *later)
+    if any(not (y.t or 0.0) > (x.t or 0.0) for x, y in pairwise(nodes)):
+        raise EditError("The parameters of the second curve lie too close together to follow the first's.")
+    curve = _part(a, nodes, nodes[-1].t or 0.0, a.name)
+    return Reshaped(curve, _residual_of_join(first, second, view_of(curve), end + wait - start))
+
+
+def _refuse_to_join(first: CurveView, second: CurveView) -> None:
+    for view in (first, second):
+        if not view.is_current:
+            raise EditError(f"“{view.source.name}” cannot be joined. {view.problem}")
+        if view.source.is_closed:
+            raise EditError(f"“{view.source.name}” is closed and has no end; open it first.")
+    families = {first.source.family, second.source.family}
+    if Family.LAGRANGE in families:
+        raise EditError("Two polynomials make no third; choose Hermite or quintic Hermite for both curves.")
+    if len(families) > 1:
+        raise EditError("One curve is cubic, the other quintic; choose one family for both.")
+
+
+def _gap(first: CurveView, second: CurveView) -> float:
+    return float(np.hypot(*(second.points[0] - first.points[-1])))
+
+
+def _speed_at_seam(first: CurveView, second: CurveView) -> float:
+    """Return the speed for the way from one curve to the other, positive."""
+    assert first.sides is not None
+    assert second.sides is not None
+    speeds = np.hypot(*np.array([first.sides.before[-1, 1], second.sides.after[0, 1]]).T)
+    mean = float(speeds.mean())
+    if mean > 0:
+        return mean
+    chord = float(np.hypot(*np.diff(first.points, axis=0).T).sum())
+    return max(chord, 1e-300) / float(first.parameters[-1] - first.parameters[0])
+
+
+def _merged(end: Node, start: Node) -> Node:
+    """Return the point where a curve ends and another starts; a corner where they do not go on alike."""
+    pairs = ((end.velocity, start.velocity), (end.acceleration, start.acceleration))
+    if all(_alike(x, y) for x, y in pairs):
+        return end
+    return replace(end, corner=True, velocity_after=start.velocity, acceleration_after=start.acceleration)
+
+
+def _alike(x: Vector | None, y: Vector | None) -> bool:
+    if x is None or y is None:
+        return x is y
+    scale = max(*map(abs, x), *map(abs, y))
+    return max(abs(x[0] - y[0]), abs(x[1] - y[1])) <= 1e-12 * scale
+
+
+def _residual_of_join(first: CurveView, second: CurveView, whole: CurveView, shift: float) -> float:
+    refuse_without_curve(whole)
+    residual = 0.0
+    for view, by in ((first, 0.0), (second, shift)):
+        t = dense(view.parameters)
+        residual = max(residual, largest_distance(view, t, whole, t + by))
+    return residual

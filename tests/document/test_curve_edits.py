@@ -1,0 +1,225 @@
+"""Edits of whole curves, of corners, and of closed curves."""
+
+from __future__ import annotations
+
+import pytest
+from msgspec.structs import replace
+
+from app.document import curve_edits, edits
+from app.document.edits import EditError
+from app.document.format import validate
+from app.document.model import Document, Family, Node, Parametrization, ParametrizationKind, make_curve
+from app.view_model.curve_view import view_of
+
+SQUARE = ((0.0, 0.0), (2.0, 0.0), (2.0, 2.0), (0.0, 2.0))
+
+
+@pytest.fixture
+def three():
+    """Three curves, named A, B and C."""
+    return Document(tuple(make_curve(SQUARE, name=name, family=Family.HERMITE) for name in "ABC"))
+
+
+def names(document):
+    return "".join(curve.name for curve in document.curves)
+
+
+def manual(family=Family.HERMITE, **changes):
+    """A document with a square of manual parameters 0, 1, 2, 3."""
+    nodes = tuple(Node(x, y, t=float(t)) for t, (x, y) in enumerate(SQUARE))
+    rule = Parametrization(ParametrizationKind.MANUAL)
+    return Document((replace(make_curve((), family=family), nodes=nodes, parametrization=rule, **changes),))
+
+
+def test_curves_are_added_moved_and_removed(three):
+    added = curve_edits.add_curve(three, 1, make_curve((), name="N"))
+    assert names(added) == "ANBC"
+    assert names(curve_edits.add_curve(three, 3, make_curve((), name="N"))) == "ABCN"
+    assert names(curve_edits.move_curve(three, 0, 2)) == "BCA"
+    assert names(curve_edits.move_curve(three, 2, 0)) == "CAB"
+    assert names(curve_edits.remove_curve(three, 1)) == "AC"
+
+
+def test_removing_the_last_curve_leaves_an_empty_one():
+    (curve,) = curve_edits.remove_curve(manual(), 0).curves
+    assert curve.nodes == ()
+
+
+def test_a_new_name_is_free(three):
+    assert curve_edits.free_name(three) == "Curve 1"
+    taken = edits.rename_curve(three, 0, "Curve 1")
+    assert curve_edits.free_name(taken) == "Curve 2"
+
+
+def test_looks_are_set_and_nothing_else(three):
+    changed = curve_edits.set_colour(three, 1, "#0072b2")
+    changed = curve_edits.set_visible(changed, 1, False)
+    changed = curve_edits.set_locked(changed, 1, True)
+    curve = changed.curves[1]
+    assert (curve.colour, curve.visible, curve.locked) == ("#0072b2", False, True)
+    assert curve.nodes == three.curves[1].nodes
+    assert changed.curves[0] is three.curves[0]
+    validate(changed)
+
+
+# Locked
+
+
+def test_a_locked_curve_may_not_change(three):
+    locked = curve_edits.set_locked(three, 1, True)
+    for changed in (
+        edits.move_nodes(locked, 1, [0], (1.0, 0.0)),
+        edits.set_family(locked, 1, Family.LAGRANGE),
+        curve_edits.remove_curve(locked, 1),
+    ):
+        with pytest.raises(EditError, match="“B” is locked"):
+            curve_edits.refuse_locked(locked, changed)
+
+
+def test_looks_order_and_the_other_curves_are_free_while_one_is_locked(three):
+    locked = curve_edits.set_locked(three, 1, True)
+    for changed in (
+        locked,
+        edits.rename_curve(locked, 1, "Other"),
+        curve_edits.set_colour(locked, 1, "#d55e00"),
+        curve_edits.set_visible(locked, 1, False),
+        curve_edits.set_locked(locked, 1, False),
+        curve_edits.move_curve(locked, 1, 0),
+        curve_edits.remove_curve(locked, 0),
+        edits.move_nodes(locked, 0, [0], (1.0, 0.0)),
+    ):
+        curve_edits.refuse_locked(locked, changed)
+
+
+# Corners
+
+
+def test_a_corner_has_two_velocities_and_both_accelerations():
+    document = edits.set_acceleration(manual(), 0, 1, (1.0, 2.0))
+    cornered = edits.make_corner(document, 0, 1, (1.0, 0.0), (0.0, 1.0))
+    node = cornered.curves[0].nodes[1]
+    assert (node.corner, node.velocity, node.velocity_after) == (True, (1.0, 0.0), (0.0, 1.0))
+    assert node.acceleration == node.acceleration_after == (1.0, 2.0)
+    validate(cornered)
+
+
+def test_a_smooth_point_has_one_velocity():
+    cornered = edits.make_corner(manual(), 0, 1, (1.0, 0.0), (0.0, 1.0))
+    node = edits.make_smooth(cornered, 0, 1, (0.5, 0.5)).curves[0].nodes[1]
+    assert node == replace(manual().curves[0].nodes[1], velocity=(0.5, 0.5))
+
+
+def test_each_side_of_a_corner_is_set_alone():
+    document = edits.make_corner(manual(), 0, 1, None, None)
+    document = edits.set_velocity(document, 0, 1, (3.0, 0.0), ahead=True)
+    document = edits.set_acceleration(document, 0, 1, (4.0, 0.0), ahead=False)
+    node = document.curves[0].nodes[1]
+    assert (node.velocity, node.velocity_after) == (None, (3.0, 0.0))
+    assert (node.acceleration, node.acceleration_after) == ((4.0, 0.0), None)
+
+
+def test_estimating_clears_both_sides_of_a_corner():
+    document = edits.make_corner(manual(), 0, 1, (1.0, 0.0), (0.0, 1.0))
+    node = edits.estimate_derivatives(document, 0, [1]).curves[0].nodes[1]
+    assert (node.corner, node.velocity, node.velocity_after) == (True, None, None)
+
+
+def test_numbers_of_a_corner_are_checked_too():
+    wild = Node(0.0, 0.0, corner=True, velocity_after=(1e13, 0.0))
+    with pytest.raises(EditError, match="x of the velocity of point 0"):
+        edits.set_nodes(manual(), 0, [wild])
+    with pytest.raises(EditError, match="x of the velocity of the point"):
+        edits.insert_nodes(manual(), 0, 0, [wild])
+
+
+# Closed
+
+
+def test_a_polynomial_is_not_closed():
+    with pytest.raises(EditError, match="cannot repeat itself"):
+        edits.set_closed(manual(Family.LAGRANGE), 0, True)
+
+
+def test_two_points_are_not_closed():
+    document = edits.delete_nodes(manual(), 0, [0, 1])
+    with pytest.raises(EditError, match="at least three points"):
+        edits.set_closed(document, 0, True)
+
+
+def test_closing_manual_parameters_adds_a_segment_of_mean_length():
+    closed = edits.set_closed(manual(), 0, True)
+    assert closed.curves[0].parametrization.end == 4.0
+    assert edits.interval(closed.curves[0]) == (0.0, 4.0)
+    assert view_of(closed.curves[0]).parameters.tolist() == [0, 1, 2, 3, 4]
+    validate(closed)
+
+
+def test_handles_stay_when_a_curve_is_closed():
+    document = edits.set_velocity(manual(), 0, 0, (4.0, 2.0))
+    closed = edits.set_closed(document, 0, True, squeeze=0.5)
+    assert closed.curves[0].nodes[0].velocity == (8.0, 4.0)
+
+
+@pytest.mark.parametrize(
+    "change",
+    [
+        lambda document: edits.freeze_parameters(document, 0, [0.0, 5.0, 6.0, 9.0]),
+        lambda document: edits.insert_nodes(document, 0, 4, [Node(1.0, 3.0, t=7.0)]),
+        lambda document: edits.append_node(document, 0, Node(1.0, 3.0, t=4.5)),
+        lambda document: edits.set_family(edits.set_family(document, 0, Family.LAGRANGE), 0, Family.HERMITE),
+    ],
+)
+def test_a_closed_curve_always_finds_its_way_back(change):
+    closed = edits.set_closed(manual(), 0, True)
+    changed = change(closed)
+    validate(changed)
+    view = view_of(changed.curves[0])
+    assert view.is_current
+    assert view.parameters[-1] > view.parameters[-2]
+
+
+def test_remembered_parameters_come_back_to_a_closed_curve():
+    closed = edits.set_closed(manual(), 0, True)
+    uniform = edits.set_parametrization(closed, 0, ParametrizationKind.UNIFORM, [])
+    shorter = edits.set_interval(uniform, 0, 0.0, 1.0)
+    back = edits.set_parametrization(shorter, 0, ParametrizationKind.MANUAL, [])
+    validate(back)
+    assert view_of(back.curves[0]).is_current
+
+
+def test_the_t_of_the_last_point_stays_before_the_return():
+    closed = edits.set_closed(manual(), 0, True)
+    with pytest.raises(EditError, match="less than 4, where the curve returns to its first point"):
+        edits.set_parameter(closed, 0, 3, 4.5, [0.0, 1.0, 2.0, 3.0, 4.0])
+    later = edits.set_parameter(closed, 0, 4, 6.0, [0.0, 1.0, 2.0, 3.0, 4.0])
+    assert later.curves[0].parametrization.end == 6.0
+    validate(later)
+
+
+# Reverse
+
+
+def test_reversing_turns_points_parameters_and_sides_round():
+    document = edits.make_corner(manual(), 0, 1, (1.0, 0.0), (0.0, 1.0))
+    turned = curve_edits.reverse_curve(document, 0, [0.0, 1.0, 2.0, 3.0])
+    nodes = turned.curves[0].nodes
+    assert [node.position for node in nodes] == list(reversed(SQUARE))
+    assert [node.t for node in nodes] == [0, 1, 2, 3]
+    assert (nodes[2].velocity, nodes[2].velocity_after) == ((0.0, -1.0), (-1.0, 0.0))
+    validate(turned)
+    assert curve_edits.reverse_curve(turned, 0, [0.0, 1.0, 2.0, 3.0]) == document
+
+
+def test_a_closed_curve_goes_on_beginning_where_it_began():
+    closed = edits.set_closed(manual(), 0, True)
+    turned = curve_edits.reverse_curve(closed, 0, [0.0, 1.0, 2.0, 3.0, 4.0])
+    assert [node.position for node in turned.curves[0].nodes] == [SQUARE[0], SQUARE[3], SQUARE[2], SQUARE[1]]
+    validate(turned)
+
+
+@pytest.mark.parametrize("closed", [False, True])
+def test_remembered_parameters_ascend_after_reversing(closed):
+    document = edits.set_parametrization(manual(closed=closed), 0, ParametrizationKind.UNIFORM, [])
+    document = edits.set_interval(document, 0, 5.0, 5.5)
+    turned = curve_edits.reverse_curve(document, 0, view_of(document.curves[0]).parameters.tolist())
+    validate(turned)

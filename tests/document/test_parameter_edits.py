@@ -1,0 +1,25 @@
+"""Several parameters at once."""
+
+from __future__ import annotations
+
+import math
+
+import pytest
+
+from app.document.edits import EditError
+from app.document.model import Document, make_curve
+from app.document.parameter_edits import set_parameters
+
+DOCUMENT = Document((make_curve([(0, 0), (1, 1), (2, 0)]),))
+
+
+def test_they_become_the_manual_parameters():
+    curve = set_parameters(DOCUMENT, 0, [-1.0, 0.25, 7]).curves[0]
+    assert [node.t for node in curve.nodes] == [-1.0, 0.25, 7.0]
+    assert curve.is_manual
+
+
+@pytest.mark.parametrize("t", [[0, 0, 1], [0, 2, 1], [0, math.nan, 1], [0, 1, 2e12], [0, 1, math.inf]])
+def test_what_is_out_of_order_or_range_is_refused(t):
+    with pytest.raises(EditError, match=r"The t of point [12] must"):
+        set_parameters(DOCUMENT, 0, t)

@@ -1,0 +1,119 @@
+"""Documents of several curves, hidden, coloured, closed and with corners, on their way out."""
+
+from __future__ import annotations
+
+import json
+from xml.etree import ElementTree
+
+import numpy as np
+import pytest
+from msgspec.structs import replace
+
+from app.cli import main
+from app.document import edits
+from app.document.model import Document, Family, make_curve
+from app.document.storage import save
+from app.exchange import ExchangeError, export, svg_of
+from app.exchange.drawing import drawing_of
+from app.exchange.facts import facts_of
+from app.view_model.curve_view import view_of
+
+SQUARE = [(0.0, 0.0), (2.0, 0.0), (2.0, 2.0), (0.0, 2.0)]
+SVG = "{http://www.w3.org/2000/svg}"
+
+
+@pytest.fixture(params=[Family.HERMITE, Family.QUINTIC_HERMITE])
+def document(request):
+    """A closed blue curve with a corner, a hidden one, and one in ink."""
+    closed = replace(make_curve(SQUARE, name="Pond", family=request.param), closed=True, colour="#0072b2")
+    hidden = replace(make_curve([(50.0, 50.0), (90.0, 0.0)], name="Secret"), visible=False)
+    ink = make_curve([(0.0, 3.0), (2.0, 4.0)], name="Line")
+    return edits.make_corner(Document((closed, hidden, ink)), 0, 2, None, None)
+
+
+def paths(document, **options):
+    root = ElementTree.fromstring(svg_of(document, **options))
+    return {path.find(f"{SVG}title").text: path for path in root.iter(f"{SVG}path")}
+
+
+def test_hidden_curves_are_not_drawn_and_take_no_room(document):
+    drawing = drawing_of(document)
+    assert [outline.name for outline in drawing.outlines] == ["Pond", "Line"]
+    assert drawing.frame.width < 10
+    assert drawing.remarks == ()
+
+
+def test_each_curve_has_its_own_colour(document):
+    found = paths(document)
+    assert found["Pond"].get("stroke") == "#0072b2"
+    assert found["Line"].get("stroke") is None
+    root = ElementTree.fromstring(svg_of(document, points=True))
+    fills = [circle.get("fill") for circle in root.iter(f"{SVG}circle")]
+    assert fills == ["#0072b2"] * 4 + [None] * 2
+
+
+def test_a_closed_path_is_closed_and_ends_where_it_begins(document):
+    data = paths(document)["Pond"].get("d")
+    assert data.endswith("Z")
+    assert not paths(document)["Line"].get("d").endswith("Z")
+    (pond, _) = drawing_of(document).outlines
+    assert pond.control_points[-1, 3].tolist() == pond.control_points[0, 0].tolist()
+    assert len(pond.nodes) == 4
+
+
+def test_a_corner_stays_sharp(document):
+    (pond, _) = drawing_of(document).outlines
+    view = view_of(document.curves[0])
+    at_corner = [i for i, piece in enumerate(pond.control_points) if piece[0].tolist() == [2.0, 2.0]]
+    (piece,) = at_corner
+    ahead = pond.control_points[piece, 1] - pond.control_points[piece, 0]
+    behind = pond.control_points[piece - 1, 3] - pond.control_points[piece - 1, 2]
+    for arrow, is_ahead in ((ahead, True), (behind, False)):
+        velocity = np.array(view.velocity_of(2, ahead=is_ahead))
+        assert arrow[0] * velocity[1] == pytest.approx(arrow[1] * velocity[0], abs=1e-6)
+        assert arrow @ velocity > 0
+    assert abs(ahead[0] * behind[1] - ahead[1] * behind[0]) > 1e-6
+
+
+@pytest.mark.parametrize("ending", ["png", "pdf", "svg"])
+def test_every_format_takes_them(document, ending, tmp_path):
+    target = tmp_path / f"out.{ending}"
+    export(document, target, width=200, points=True)
+    assert target.stat().st_size > 300
+
+
+def test_a_png_shows_the_colour(document, tmp_path):
+    images = pytest.importorskip("PySide6.QtGui")
+    export(document, tmp_path / "out.png", width=1200)
+    image = images.QImage(str(tmp_path / "out.png"))
+    colours = {
+        image.pixelColor(x, y).name() for x in range(image.width()) for y in range(0, image.height(), 7)
+    }
+    assert "#0072b2" in colours
+
+
+def test_all_hidden_is_nothing_to_draw(document):
+    hidden = Document(tuple(replace(curve, visible=False) for curve in document.curves))
+    with pytest.raises(ExchangeError, match="all curves are hidden"):
+        drawing_of(hidden)
+
+
+def test_facts_know_closed_corners_and_hidden(document):
+    pond, secret, line = facts_of(document)
+    assert (pond.closed, pond.corners, pond.visible) == (True, 1, True)
+    assert (secret.closed, secret.corners, secret.visible) == (False, 0, False)
+    assert secret.box is not None
+    assert secret.warnings == ()
+    assert pond.length.value > 6
+    assert line.length.value == pytest.approx(5**0.5)
+
+
+def test_info_prints_them(document, tmp_path, capsys):
+    save(tmp_path / "a.curve.json", document)
+    assert main(["info", str(tmp_path / "a.curve.json")]) == 0
+    text = capsys.readouterr().out
+    assert "4, closed, 1 of them a corner" in text
+    assert "not drawn in pictures" in text
+    assert main(["info", "--json", str(tmp_path / "a.curve.json")]) == 0
+    first, second, _ = json.loads(capsys.readouterr().out)["curves"]
+    assert (first["closed"], first["corners"], second["visible"]) == (True, 1, False)

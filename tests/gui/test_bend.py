@@ -1,0 +1,235 @@
+"""The curve itself and its handles under the hand, with real mouse events."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+from PySide6.QtCore import Qt
+
+from app.document import edits
+from app.document.edits import EditError
+from app.document.model import Document, Family, ParametrizationKind, make_curve
+from app.view_model.bend import BendWith, bent, least_change
+from app.view_model.curve_view import view_of
+
+SHIFT = Qt.KeyboardModifier.ShiftModifier
+CTRL = Qt.KeyboardModifier.ControlModifier
+ALT = Qt.KeyboardModifier.AltModifier
+POINTS = ((0.0, 0.0), (1.0, 2.0), (3.0, 2.0), (4.0, 0.0))
+
+
+@pytest.fixture
+def arch(editor):
+    """Four points of an arch."""
+    editor.session.commit(Document((make_curve(POINTS),)), "Begin")
+    editor.window.canvas.show_box((-3, 7), (-3, 5))
+    editor.settle()
+    return editor
+
+
+def middle(editor, segment=1, share=0.4):
+    """The parameter and the point of the curve at a share of a segment."""
+    t = editor.parameters[segment] + share * (editor.parameters[segment + 1] - editor.parameters[segment])
+    x, y = editor.session.active_view.curve.evaluate(t)
+    return t, (float(x), float(y))
+
+
+@pytest.mark.parametrize("keys", [Qt.KeyboardModifier.NoModifier, CTRL, ALT])
+@pytest.mark.parametrize("family", list(Family))
+@pytest.mark.parametrize("kind", [ParametrizationKind.CHORD_LENGTH, ParametrizationKind.UNIFORM])
+def test_the_grabbed_point_stays_under_the_pointer(arch, family, kind, keys):
+    arch.choose_family(family)
+    arch.choose_parametrization(kind)
+    _, start = middle(arch)
+    target = (start[0] - 0.4, start[1] + 0.7)
+    arch.press(start, keys=keys)
+    for share in (0.3, 0.6, 1.0):
+        to = tuple(np.add(start, np.multiply(share, np.subtract(target, start))))
+        arch.move(to, keys=keys)
+        _, now = middle(arch)
+        assert math.dist(now, to) < 1.5 * arch.pixel  # the press and the move are on whole pixels
+    arch.release(target, keys=keys)
+    assert arch.session.undo_stack.undoText() == "Bend curve"
+    if keys == CTRL:
+        assert all(node.velocity is None for node in arch.curve.nodes)
+    if keys == ALT and family is not Family.LAGRANGE:
+        assert [node.position for node in arch.curve.nodes] == list(POINTS)
+
+
+def test_it_is_one_step_that_undo_takes_back(arch):
+    document, steps = arch.session.document, arch.session.undo_stack.count()
+    arch.bend(0.45, (1.5, 3.0))
+    assert arch.session.undo_stack.count() == steps + 1
+    arch.trigger("undo")
+    assert arch.session.document is document
+
+
+def test_bending_can_be_cancelled(arch):
+    document = arch.session.document
+    _, start = middle(arch)
+    arch.press(start)
+    arch.move((start[0], start[1] + 1))
+    assert arch.session.document != document
+    arch.escape()
+    arch.release(start)
+    assert arch.session.document is document
+
+
+def test_a_click_on_the_curve_selects_nothing_and_tells_the_point(arch):
+    document = arch.session.document
+    t, place = middle(arch)
+    arch.click(place)
+    assert arch.session.selection == frozenset()
+    assert arch.session.document is document
+    shown = float(arch.status.partition(" · ")[0].removeprefix("t = "))
+    assert shown == pytest.approx(t, abs=2e-3)
+    assert "c(t) = (" in arch.status
+
+
+def test_the_status_line_tells_the_modifiers(arch):
+    _, place = middle(arch)
+    arch.hover(place)
+    assert "Drag to bend the curve" in arch.window.status_line.hint
+    assert "Ctrl" not in arch.window.status_line.hint
+    arch.choose_family(Family.HERMITE)
+    arch.hover(middle(arch)[1])
+    assert "Ctrl: points only · Alt: derivatives only" in arch.window.status_line.hint
+    assert arch.window.canvas.viewport().cursor().shape() == Qt.CursorShape.SizeAllCursor
+    arch.press(middle(arch)[1], keys=ALT)
+    arch.move((2, 3), keys=ALT)
+    assert "only derivatives change" in arch.status
+    arch.escape()
+
+
+def test_the_change_is_the_one_of_least_norm():
+    document = edits.set_family(Document((make_curve(POINTS),)), 0, Family.LAGRANGE)
+    view = view_of(edits.freeze_parameters(document, 0, [0.0, 0.2, 0.7, 1.0]).curves[0])
+    pull = (0.3, -0.2)
+    changes = least_change(view, 0.41, pull, BendWith.ALL)
+    delta = np.array([each.value for each in changes]) - view.points
+    # The oracle: NumPy's least-norm solution of one equation in four unknowns.
+    row = view.curve.basis(np.array([0.41]))[:, :, 0]
+    expected = np.linalg.lstsq(row, np.array([pull]), rcond=None)[0]
+    assert delta == pytest.approx(expected, abs=1e-14)
+
+
+@pytest.mark.parametrize("family", [Family.HERMITE, Family.QUINTIC_HERMITE])
+def test_the_norm_does_not_depend_on_the_unit_of_time(family):
+    slow = edits.set_family(Document((make_curve(POINTS),)), 0, family)
+    fast = edits.set_interval(slow, 0, 0.0, 1e-3)
+    results = []
+    for document, end in ((slow, 1.0), (fast, 1e-3)):
+        curve = bent(view_of(document.curves[0]), 0.4 * end, (2.0, 3.0), BendWith.ALL, 1e-9)
+        results.append([node.position for node in curve.nodes])
+    assert np.array(results[0]) == pytest.approx(np.array(results[1]), abs=1e-9)
+
+
+@pytest.mark.parametrize("family", list(Family))
+@pytest.mark.parametrize("kind", list(ParametrizationKind))
+def test_bending_reaches_its_target_under_every_rule(family, kind):
+    random = np.random.default_rng(7)
+    for _ in range(5):
+        document = Document((make_curve(random.normal(size=(6, 2)).cumsum(axis=0), family=family),))
+        if kind is ParametrizationKind.MANUAL:
+            parameters = view_of(document.curves[0]).parameters.tolist()
+            document = edits.freeze_parameters(document, 0, parameters)
+        else:
+            document = edits.set_parametrization(document, 0, kind, [])
+        view = view_of(document.curves[0])
+        t = float(0.35 * view.parameters[2] + 0.65 * view.parameters[3])
+        target = view.curve.evaluate(t) + random.normal(size=2) / 4
+        after = view_of(bent(view, t, tuple(target), BendWith.ALL, 1e-6))
+        t = float(0.35 * after.parameters[2] + 0.65 * after.parameters[3])
+        assert after.curve.evaluate(t) == pytest.approx(target, abs=2e-6)
+
+
+def test_a_corner_and_a_closed_curve_bend_on_one_side():
+    document = edits.set_family(Document((make_curve(POINTS),)), 0, Family.HERMITE)
+    document = edits.set_closed(document, 0, True)
+    document = edits.make_corner(document, 0, 0, (1.0, 1.0), (2.0, 0.0))
+    view = view_of(document.curves[0])
+    t = float(view.parameters[-2:].mean())
+    curve = bent(view, t, (2.0, -1.0), BendWith.DERIVATIVES, 1e-9)
+    assert curve.nodes[0].velocity_after == (2.0, 0.0)
+    assert curve.nodes[0].velocity != (1.0, 1.0)
+    assert view_of(curve).curve.evaluate(t) == pytest.approx((2.0, -1.0))
+
+
+def test_derivatives_have_no_hold_on_a_joint():
+    document = edits.set_family(Document((make_curve(POINTS),)), 0, Family.HERMITE)
+    view = view_of(document.curves[0])
+    with pytest.raises(EditError, match="no hold"):
+        bent(view, float(view.parameters[1]), (1.0, 3.0), BendWith.DERIVATIVES, 1e-9)
+
+
+# Handles
+
+
+def velocity(editor, index=1):
+    return np.array(editor.curve.nodes[index].velocity)
+
+
+def drag_handle(editor, to, keys):
+    editor.drag(editor.handle().position, to, keys=keys)
+
+
+@pytest.fixture
+def hermite(arch):
+    arch.choose_family(Family.HERMITE)
+    arch.select_point(1)
+    return arch
+
+
+def test_shift_turns_a_handle_in_steps_of_fifteen_degrees(hermite):
+    drag_handle(hermite, (2.0, 2.62), SHIFT)  # 31.8 degrees
+    vx, vy = velocity(hermite)
+    assert math.degrees(math.atan2(vy, vx)) == pytest.approx(30)
+    drag_handle(hermite, (2.0, 2.03), SHIFT)
+    assert velocity(hermite)[1] == 0.0
+
+
+def test_alt_changes_the_length_alone(hermite):
+    before = np.array(hermite.session.active_view.velocity_of(1))
+    drag_handle(hermite, (3.0, 2.5), ALT)
+    after = velocity(hermite)
+    assert before[0] * after[1] == pytest.approx(before[1] * after[0])
+    assert np.hypot(*after) != pytest.approx(np.hypot(*before), rel=0.1)
+
+
+def test_a_handle_tells_length_and_direction(hermite):
+    start = hermite.handle().position
+    hermite.press(start)
+    hermite.move((2.0, 3.0))
+    assert hermite.status.startswith("Velocity of point 1: ")
+    # The mouse meets whole pixels only.
+    angle = float(hermite.status.partition(" at ")[2].partition("°")[0])
+    assert angle == pytest.approx(45, abs=1)
+    assert "Shift: steps of 15° · Alt: length only" in hermite.status
+    hermite.escape()
+
+
+def test_an_acceleration_handle_keeps_its_direction_with_alt(arch):
+    arch.choose_family(Family.QUINTIC_HERMITE)
+    arch.select_point(1)
+    before = np.array(arch.session.active_view.acceleration_of(1))
+    arch.drag(arch.handle(2).position, (2.5, 1.0), keys=ALT)
+    after = np.array(arch.curve.nodes[1].acceleration)
+    assert before[0] * after[1] == pytest.approx(before[1] * after[0])
+
+
+def test_at_a_corner_the_handles_move_independently(hermite):
+    document = edits.make_corner(hermite.session.document, 0, 1, (4.0, 4.0), (4.0, -4.0))
+    hermite.session.commit(document, "Make corner")
+    hermite.drag_handle(to=(2, 3))
+    assert hermite.curve.nodes[1].velocity == (4.0, 4.0)
+    assert hermite.curve.nodes[1].velocity_after != (4.0, -4.0)
+    after = hermite.curve.nodes[1].velocity_after
+    hermite.drag_handle(to=(0, 2), ahead=False)
+    assert hermite.curve.nodes[1].velocity_after == after
+    assert hermite.curve.nodes[1].velocity != (4.0, 4.0)
+    before = hermite.curve.nodes[1].velocity
+    hermite.drag(hermite.point(1), (1.5, 2.5), keys=ALT)
+    assert hermite.curve.nodes[1].velocity == before
+    assert hermite.handle().position == pytest.approx((1.5, 2.5), abs=2 * hermite.pixel)

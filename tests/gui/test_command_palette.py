@@ -1,0 +1,150 @@
+"""The command palette: whatever can be done can be found by a few letters."""
+
+from __future__ import annotations
+
+import time
+
+import pytest
+from PySide6.QtCore import Qt
+from PySide6.QtGui import QAction
+from PySide6.QtTest import QTest
+
+from app.actions import SPECS
+from app.document.model import Family, ParametrizationKind
+from app.panels.command_palette import CommandPalette
+from app.panels.fuzzy import fitness
+
+
+@pytest.fixture
+def palette(editor):
+    return editor.window.findChild(CommandPalette)
+
+
+def press(palette, key):
+    QTest.keyClick(palette.search, key)
+
+
+def test_its_key_opens_it_and_escape_gives_the_focus_back(editor, palette):
+    editor.window.canvas.setFocus()
+    held = Qt.KeyboardModifier.ControlModifier | Qt.KeyboardModifier.ShiftModifier
+    QTest.keyClick(editor.window.canvas, Qt.Key.Key_P, held)
+    assert palette.isVisible()
+    assert palette.search.hasFocus()
+    press(palette, Qt.Key.Key_Escape)
+    assert not palette.isVisible()
+    assert editor.window.canvas.hasFocus()
+
+
+def test_enter_does_what_was_found_first(editor, palette):
+    editor.run_command("hermite")
+    assert editor.curve.family is Family.HERMITE
+    assert not palette.isVisible()
+    editor.run_command("quint")
+    assert editor.curve.family is Family.QUINTIC_HERMITE
+
+
+def test_letters_typed_there_do_nothing_else(editor):
+    family = editor.curve.family
+    editor.find_command("23pv")
+    assert editor.curve.family is family
+    assert not editor.action("addTool").isChecked()
+
+
+@pytest.mark.parametrize(
+    ("typed", "name"),
+    [
+        ("sa", "Save As…"),
+        ("side", "Side Panel"),
+        ("spa", "Side Panel"),
+        ("frz", "Freeze Parameters"),
+        ("export", "Export…"),
+        ("param cheb", "Chebyshev"),
+        ("examples letter", "Letter S"),
+        ("dark", "Theme: Dark"),
+        ("panels history", "History"),
+    ],
+)
+def test_a_few_letters_find_it(editor, typed, name):
+    assert name in editor.find_command(typed)[:3]
+
+
+def test_everything_in_the_registry_and_in_the_menus_is_found(editor, palette, tmp_path):
+    path = tmp_path / "of yesterday.curve.json"
+    editor.session.save(path)
+    editor.window.open_file(path)
+    found = set(editor.find_command(""))
+    for spec in SPECS:
+        if spec.name != "commandPalette":
+            assert editor.action(spec.name).text() in found
+    assert "of yesterday.curve.json" in found
+    assert {"Centripetal", "Letter S", "Points"} <= found
+
+
+def test_a_dynamic_action_is_done(editor):
+    editor.run_command("centripetal parameters")
+    assert editor.curve.parametrization.kind is ParametrizationKind.CENTRIPETAL
+    editor.session.undo_stack.setClean()
+    editor.run_command("runge uniform")
+    assert len(editor.curve.nodes) > 8
+
+
+def test_up_and_down_choose_and_go_round(editor, palette):
+    names = editor.find_command("theme")
+    assert len(names) >= 3
+    press(palette, Qt.Key.Key_Down)
+    assert palette.list.currentIndex().row() == 1
+    press(palette, Qt.Key.Key_Up)
+    press(palette, Qt.Key.Key_Up)
+    assert palette.list.currentIndex().row() == len(names) - 1
+
+
+def test_a_click_does_it(editor, palette):
+    names = editor.find_command("lagrange hermite quintic")
+    assert names == []
+    names = editor.find_command("hermite")
+    row = names.index("Quintic Hermite")
+    rect = palette.list.visualRect(palette.list.model().index(row, 0))
+    QTest.mouseClick(palette.list.viewport(), Qt.MouseButton.LeftButton, pos=rect.center())
+    assert editor.curve.family is Family.QUINTIC_HERMITE
+    assert not palette.isVisible()
+
+
+def test_what_cannot_be_used_now_is_explained(editor, palette):
+    assert editor.find_command("redo")[0] == "Redo"
+    press(palette, Qt.Key.Key_Return)
+    assert palette.isVisible()
+    assert "cannot be used now" in palette.findChild(type(palette._note), "paletteNote").text()
+
+
+def test_a_click_elsewhere_closes_it(editor, palette):
+    editor.find_command("sa")
+    editor.click((-1.0, -0.2))
+    assert not palette.isVisible()
+
+
+def test_a_keystroke_is_fast(editor, palette):
+    editor.find_command("")
+    times = []
+    for letter in "parameters":
+        start = time.perf_counter()
+        QTest.keyClicks(palette.search, letter)
+        palette.repaint()
+        times.append(time.perf_counter() - start)
+    # One frame at 60 Hz; the median, because others use this computer too.
+    assert sorted(times)[len(times) // 2] < 0.016
+
+
+def test_better_fits_come_first():
+    names = ["Select All", "Save As…", "Save", "Side Panel", "Presentation"]
+    rated = {name: fitness("sa", name) for name in names}
+    assert rated["Save"] > rated["Save As…"] > rated["Select All"] > (rated["Presentation"] or 0)
+    assert fitness("zzz", "Save") is None
+    assert fitness("", "Save") is not None
+    assert fitness("save file", "Save", "File") is not None
+
+
+def test_actions_that_only_show_submenus_are_not_listed(editor):
+    found = editor.find_command("")
+    assert "Open Recent" not in found
+    assert "File" not in found
+    assert isinstance(editor.action("undo"), QAction)

@@ -1,0 +1,169 @@
+"""Preferences: not modal, in force at once, remembered."""
+
+from __future__ import annotations
+
+import pytest
+from PySide6.QtCore import Qt
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QLabel
+
+from app.canvas.grid_layer import grid_steps, tick_labels
+from app.gestures.snapping import SnapKind
+from app.panels.preferences_dialog import PreferencesDialog
+from app.preferences import Preferences
+from app.theme import ThemeMode, theme_of
+
+
+@pytest.fixture
+def dialog(editor):
+    QTest.keyClick(editor.window.canvas, Qt.Key.Key_Comma, Qt.KeyboardModifier.ControlModifier)
+    dialog = editor.window.findChild(PreferencesDialog)
+    assert dialog.isVisible()
+    assert not dialog.isModal()
+    yield dialog
+    dialog.hide()
+
+
+def retype(field, text):
+    field.setFocus()
+    field.selectAll()
+    QTest.keyClicks(field, text)
+    QTest.keyClick(field, Qt.Key.Key_Return)
+
+
+def place(editor):
+    return editor.window.status_line.findChild(QLabel, "pointerPlace").text()
+
+
+def test_the_theme_changes_at_once(editor, dialog):
+    dialog.theme_box.setFocus()
+    QTest.keyClick(dialog.theme_box, Qt.Key.Key_End)
+    assert editor.window.preferences.theme_mode is ThemeMode.DARK
+    assert theme_of(editor.window.palette()).name == "dark"
+    assert editor.action("themeDark").isChecked()
+    QTest.keyClick(dialog.theme_box, Qt.Key.Key_Home)
+    assert editor.window.preferences.theme_mode is ThemeMode.SYSTEM
+
+
+def test_the_unit_is_shown_at_the_axes_and_in_the_status_line(editor, dialog):
+    editor.hover((1.0, 1.0))
+    assert "mm" not in place(editor)
+    before = editor.screenshot()
+    retype(dialog.unit_box.lineEdit(), "mm")
+    assert editor.window.preferences.unit_name == "mm"
+    editor.hover((1.5, 1.0))
+    assert place(editor).count(" mm") == 2
+    assert editor.screenshot() != before
+    retype(dialog.unit_box.lineEdit(), "none")
+    assert editor.window.preferences.unit_name == ""
+    editor.hover((1.0, 1.0))
+    assert "mm" not in place(editor)
+
+
+def test_a_grid_spacing_is_typed_as_an_expression_and_can_be_adaptive_again(editor, dialog):
+    retype(dialog.grid_edit, "1/4")
+    assert editor.window.preferences.grid_spacing == 0.25
+    assert editor.window.canvas.grid_spacing == (0.25, 0.25)
+    assert dialog.grid_edit.text() == "0.25"
+    retype(dialog.grid_edit, "adaptive")
+    assert editor.window.preferences.grid_spacing == 0
+    assert dialog.grid_edit.text() == "adaptive"
+    assert dialog.isVisible()
+
+
+@pytest.mark.parametrize("typed", ["-1", "0", "wide"])
+def test_a_spacing_that_cannot_be_is_explained(editor, dialog, typed):
+    retype(dialog.grid_edit, typed)
+    assert dialog.findChild(QLabel, "preferencesProblem").text().startswith("⚠")
+    assert editor.window.preferences.grid_spacing == 0
+    QTest.keyClick(dialog.grid_edit, Qt.Key.Key_Escape)
+    assert dialog.grid_edit.text() == "adaptive"
+    assert dialog.findChild(QLabel, "preferencesProblem").text() == ""
+
+
+def test_what_points_snap_to(editor, dialog):
+    assert editor.window.preferences.snap_kinds == frozenset(SnapKind)
+    dialog.snap_checks["curves"].click()
+    assert editor.window.preferences.snap_kinds == frozenset(SnapKind) - {"curves"}
+    dialog.snap_checks["curves"].click()
+    assert editor.window.preferences.snap_kinds == frozenset(SnapKind)
+
+
+@pytest.mark.parametrize("decades", range(-8, 9))
+def test_a_grid_of_fixed_spacing_is_never_too_dense(decades):
+    coarse, fine = grid_steps(0.3, 10.0**decades)
+    assert fine * 10.0**decades >= 8 - 1e-9 or fine == 0.3
+    assert fine >= 0.3 * (1 - 1e-12)
+    assert round(coarse / fine) in (5, 10)
+    if fine > 0.3:
+        # The next finer choice would have been too dense.
+        assert fine * 10.0**decades < 8 * 2.6
+
+
+def test_the_lines_lie_at_the_spacing(editor):
+    canvas = editor.window.canvas
+    canvas.set_grid_spacing(0.3)
+    editor.settle()
+    x_min, _, x_max, _ = canvas.pixel_map.box
+    levels = canvas.getAxis("bottom").tickValues(x_min, x_max, canvas.pixel_map.width)
+    assert [step for step, _ in levels] == pytest.approx([3.0, 0.3])
+    for _, ticks in levels:
+        assert all(abs(tick / 0.3 - round(tick / 0.3)) < 1e-9 for tick in ticks)
+    editor.wheel((1, 1), -12)
+    wide = canvas.getAxis("bottom").tickValues(x_min, x_max, canvas.pixel_map.width)
+    assert wide[1][0] > 0.3
+    canvas.set_grid_spacing(0.0)
+    editor.settle()
+
+
+def test_the_labels_of_a_fixed_grid_are_exact(editor):
+    # pyqtgraph alone writes 0.2, 0.5, 0.8.
+    assert tick_labels([0.25, 0.5, 0.75, -1.25], 1.0, 0.25) == ["0.25", "0.5", "0.75", "−1.25"]
+    assert tick_labels([0.3 - 0.1 * 3, 3 * 0.1], 1.0, 0.1) == ["0", "0.3"]
+    axis = editor.window.canvas.getAxis("left")
+    own = axis.tickStrings([0.25], 1.0, 0.25)
+    editor.window.canvas.set_grid_spacing(0.25)
+    assert axis.tickStrings([0.25], 1.0, 0.25) == ["0.25"]
+    editor.settle()
+    editor.window.canvas.set_grid_spacing(0.0)
+    assert axis.tickStrings([0.25], 1.0, 0.25) == own
+
+
+@pytest.fixture
+def store(tmp_path):
+    return tmp_path / "settings.ini"
+
+
+def test_they_are_remembered(store):
+    first = Preferences(store)
+    assert (first.grid_spacing, first.unit_name, first.snap_kinds) == (0.0, "", frozenset(SnapKind))
+    first.grid_spacing, first.unit_name, first.snap_kinds = 1 / 3, "cm", frozenset({"grid", "points"})
+    first.shortcuts = {"undo": "Ctrl+U"}
+    del first
+    second = Preferences(store)
+    assert (second.grid_spacing, second.unit_name) == (1 / 3, "cm")
+    assert second.snap_kinds == {"grid", "points"}
+    assert second.shortcuts == {"undo": "Ctrl+U"}
+    second.snap_kinds = frozenset()
+    assert second.snap_kinds == frozenset()
+    assert second.complaint == ""
+
+
+@pytest.mark.parametrize(
+    ("line", "key"),
+    [
+        ("[grid]\nspacing=wide", "grid/spacing"),
+        ("[grid]\nspacing=-1", "grid/spacing"),
+        ("[grid]\nspacing=nan", "grid/spacing"),
+        ("[snap]\nkinds=grid unicorns", "snap/kinds"),
+        ("[General]\nshortcuts=[1]", "shortcuts"),
+        ("[General]\nshortcuts={", "shortcuts"),
+    ],
+)
+def test_what_makes_no_sense_counts_as_not_set(store, line, key):
+    store.write_text(line)
+    preferences = Preferences(store)
+    assert preferences.grid_spacing == 0.0
+    assert preferences.snap_kinds == frozenset(SnapKind)
+    assert preferences.shortcuts == {}
+    assert key in preferences.complaint

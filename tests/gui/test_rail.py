@@ -1,0 +1,303 @@
+"""The t-rail: several ticks, ripple, typed values, starts, nudges and the ghost, with real events."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from PySide6.QtCore import QEvent, QPointF, Qt
+from PySide6.QtGui import QContextMenuEvent
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QApplication, QMenu, QSlider
+
+from app.document.edits import set_closed
+from app.document.model import Family, ParametrizationKind
+from curvecore import centripetal, chebyshev, chord_length, uniform
+
+SHIFT, CTRL = Qt.KeyboardModifier.ShiftModifier, Qt.KeyboardModifier.ControlModifier
+
+
+@pytest.fixture
+def panel(editor):
+    return editor.window.basis_panel
+
+
+def pixels(panel, count=1.0):
+    return count / panel.pixel_map.sx
+
+
+# Several ticks
+
+
+def test_shift_click_selects_more_and_takes_out_again(editor):
+    editor.click_parameter(2)
+    editor.click_parameter(4, keys=SHIFT)
+    editor.click_parameter(5, keys=SHIFT)
+    assert editor.session.selection == {2, 4, 5}
+    editor.click_parameter(4, keys=SHIFT)
+    assert editor.session.selection == {2, 5}
+    editor.click_parameter(5)
+    assert editor.session.selection == {5}
+    assert editor.session.undo_stack.count() == 0
+
+
+def test_dragging_one_of_the_selected_moves_all(editor, panel):
+    old = np.array(editor.parameters)
+    editor.select([2, 3])
+    editor.drag_parameter(3, to=old[3] + 0.05)
+    moved = np.array(editor.parameters) - old
+    assert moved[[2, 3]] == pytest.approx(0.05, abs=pixels(panel, 1.5))
+    assert moved[2] == pytest.approx(moved[3], abs=1e-15)
+    assert (moved[[0, 1, 4, 5, 6, 7]] == 0).all()
+    assert editor.session.selection == {2, 3}
+    assert editor.session.undo_stack.undoText() == "Change t of 2 points"
+    editor.trigger("undo")
+    assert editor.parameters == old.tolist()
+
+
+def test_dragging_another_moves_that_alone(editor):
+    old = editor.parameters
+    editor.select([2, 3])
+    editor.drag_parameter(5, to=old[5] + 0.05)
+    assert editor.session.selection == {5}
+    assert editor.parameters[:5] == old[:5]
+
+
+@pytest.mark.parametrize("chosen", [[2, 3], [1, 4, 5], [0, 6], [0, 7], list(range(8))])
+@pytest.mark.parametrize("to", [-0.4, 1.4])
+def test_the_order_is_kept_however_far_they_are_dragged(editor, chosen, to):
+    editor.select(chosen)
+    editor.drag_parameter(chosen[0], to=to)
+    assert (np.diff(editor.parameters) > 0).all()
+    assert editor.session.active_view.is_current
+
+
+def test_the_ends_move_too_and_a_closed_curve_keeps_its_closing_knot(editor):
+    editor.choose_family(Family.HERMITE)
+    editor.run_command("centripetal")
+    editor.session.commit(set_closed(editor.session.document, 0, True), "Close")
+    old = editor.parameters
+    editor.select([6, 7])
+    editor.drag_parameter(7, to=old[7] - 0.03)
+    assert len(editor.parameters) == 9
+    assert editor.parameters[8] == old[8]
+    assert editor.parameters[6] < old[6]
+
+
+# Ripple
+
+
+@pytest.mark.parametrize(("by", "moving"), [(0.04, [3, 4, 5, 6, 7]), (-0.04, [0, 1, 2, 3])])
+def test_with_e_all_ticks_on_that_side_go_along(editor, panel, by, moving):
+    old = np.array(editor.parameters)
+    panel.setFocus()
+    QTest.keyPress(panel, Qt.Key.Key_E)
+    editor.drag_parameter(3, to=old[3] + by)
+    QTest.keyRelease(panel, Qt.Key.Key_E)
+    moved = np.array(editor.parameters) - old
+    assert moved[moving] == pytest.approx(by, abs=pixels(panel, 1.5))
+    assert np.ptp(moved[moving]) < 1e-15
+    assert np.delete(moved, moving) == pytest.approx(0, abs=0)
+    editor.trigger("undo")
+    editor.drag_parameter(3, to=old[3] + 0.04)
+    assert np.count_nonzero(np.array(editor.parameters) - old) == 1
+
+
+def test_e_counts_when_it_is_pressed_during_the_drag_and_escape_takes_all_back(editor, panel):
+    document, old = editor.session.document, editor.parameters
+    start = panel.rail_pixel(old[3])
+    editor.send(panel, QEvent.Type.MouseButtonPress, start)
+    QTest.keyPress(panel, Qt.Key.Key_E)
+    editor.send(panel, QEvent.Type.MouseMove, start + QPointF(20, 0))
+    assert editor.parameters[7] > old[7]
+    QTest.keyClick(panel, Qt.Key.Key_Escape)
+    QTest.keyRelease(panel, Qt.Key.Key_E)
+    editor.send(panel, QEvent.Type.MouseButtonRelease, start + QPointF(20, 0), held=False)
+    assert editor.session.document is document
+    assert editor.session.undo_stack.count() == 0
+
+
+def test_the_hint_names_it_all(editor, panel):
+    editor.send(panel, QEvent.Type.MouseMove, panel.rail_pixel(editor.parameters[3]), held=False)
+    hint = editor.window.status_line.hint
+    for word in ("point 3", "E:", "Shift+click", "Double-click"):
+        assert word in hint
+    editor.select([2, 3])
+    editor.send(
+        panel, QEvent.Type.MouseMove, panel.rail_pixel(editor.parameters[3]) + QPointF(1, 0), held=False
+    )
+    assert "2 points" in editor.window.status_line.hint
+
+
+# Typed values
+
+
+def test_a_double_click_types_a_value(editor, panel):
+    editor.type_parameter(3, "2/5")
+    assert editor.parameters[3] == 0.4
+    assert not panel.tick_edit.isVisible()
+    assert panel.hasFocus()
+    assert editor.session.undo_stack.count() == 1
+    assert editor.session.undo_stack.undoText() == "Change t of point 3"
+
+
+@pytest.mark.parametrize(
+    ("typed", "reason"),
+    [("0", "must be greater than"), ("0.9", "must be less than"), ("half", "half"), ("", "missing")],
+)
+def test_a_value_that_cannot_be_is_explained_at_the_tick(editor, panel, typed, reason):
+    document = editor.session.document
+    if typed:
+        editor.type_parameter(3, typed)
+    else:
+        panel.edit_tick(3)
+        panel.tick_edit.line.clear()
+        QTest.keyClick(panel.tick_edit.line, Qt.Key.Key_Return)
+    assert panel.tick_edit.isVisible()
+    assert reason in panel.tick_edit.problem
+    assert editor.session.document is document
+    QTest.keyClick(panel.tick_edit.line, Qt.Key.Key_Escape)
+    assert not panel.tick_edit.isVisible()
+    assert editor.session.document is document
+
+
+def test_an_untouched_value_is_no_change(editor, panel):
+    document = editor.session.document
+    editor.trigger("freezeParameters")
+    frozen = editor.session.document
+    panel.edit_tick(3)
+    QTest.keyClick(panel.tick_edit.line, Qt.Key.Key_Return)
+    assert editor.session.document is frozen
+    assert document is not frozen
+
+
+def test_a_click_elsewhere_gives_it_up(editor, panel):
+    panel.edit_tick(3)
+    editor.click((-1.0, -0.2))
+    assert not panel.tick_edit.isVisible()
+
+
+def test_the_action_types_at_the_selected_point(editor, panel):
+    assert not editor.action("typeParameter").isEnabled()
+    editor.select([4])
+    editor.trigger("typeParameter")
+    assert panel.tick_edit.isVisible()
+    assert panel.tick_edit.line.hasFocus()
+    QTest.keyClicks(panel.tick_edit.line, "0.5")
+    QTest.keyClick(panel.tick_edit.line, Qt.Key.Key_Return)
+    assert editor.parameters[4] == 0.5
+
+
+# Starts
+
+
+@pytest.mark.parametrize(
+    ("name", "rule"),
+    [
+        ("startUniform", lambda points: uniform(len(points))),
+        ("startChordLength", chord_length),
+        ("startCentripetal", centripetal),
+        ("startChebyshev", lambda points: chebyshev(len(points))),
+    ],
+)
+def test_manual_parameters_start_from_a_rule(editor, name, rule):
+    editor.trigger(name)
+    points = np.array([node.position for node in editor.curve.nodes])
+    assert editor.parameters == pytest.approx(rule(points).tolist())
+    assert editor.curve.parametrization.kind is ParametrizationKind.MANUAL
+    assert editor.session.undo_stack.count() == 1
+
+
+def test_a_start_keeps_the_interval(editor):
+    editor.trigger("startUniform")
+    editor.drag_parameter(7, to=1.02)
+    end = editor.parameters[7]
+    editor.trigger("startChebyshev")
+    assert editor.parameters[0] == 0.0
+    assert editor.parameters[7] == end
+
+
+@pytest.mark.qt_log_ignore("grabbing the (keyboard|mouse)")
+def test_a_right_click_offers_them_and_selects_the_tick(editor, panel):
+    place = panel.rail_pixel(editor.parameters[4]).toPoint()
+    event = QContextMenuEvent(QContextMenuEvent.Reason.Mouse, place, panel.viewport().mapToGlobal(place))
+    QApplication.sendEvent(panel.viewport(), event)
+    menu = editor.window.findChild(QMenu, "railMenu")
+    assert menu.isVisible()
+    assert editor.session.selection == {4}
+    names = [action.objectName() for action in menu.actions() if not action.isSeparator()]
+    assert names == [
+        "typeParameter",
+        "startUniform",
+        "startChordLength",
+        "startCentripetal",
+        "startChebyshev",
+        "freezeParameters",
+    ]
+    menu.close()
+
+
+# Nudging
+
+
+@pytest.mark.parametrize(
+    ("key", "held", "count"),
+    [
+        (Qt.Key.Key_Right, Qt.KeyboardModifier.NoModifier, 1),
+        (Qt.Key.Key_Left, SHIFT, -10),
+        (Qt.Key.Key_Right, CTRL, 0.1),
+    ],
+)
+def test_arrows_nudge_the_selected_ticks(editor, panel, key, held, count):
+    old = np.array(editor.parameters)
+    editor.select([3, 4])
+    panel.setFocus()
+    QTest.keyClick(panel, key, held)
+    moved = np.array(editor.parameters) - old
+    assert moved[[3, 4]] == pytest.approx(pixels(panel, count), rel=1e-9)
+    assert np.count_nonzero(np.delete(moved, [3, 4])) == 0
+    assert editor.session.undo_stack.count() == 1
+    editor.trigger("undo")
+    assert editor.parameters == old.tolist()
+
+
+def test_arrows_without_a_selection_do_nothing(editor, panel):
+    panel.setFocus()
+    QTest.keyClick(panel, Qt.Key.Key_Right)
+    assert editor.session.undo_stack.count() == 0
+
+
+# The ghost
+
+
+def test_a_ghost_of_the_curve_stands_still_while_a_tick_is_dragged_and_fades(editor, panel, qtbot):
+    canvas = editor.window.canvas
+    start = panel.rail_pixel(editor.parameters[3])
+    assert canvas.ghost_opacity == 0
+    editor.send(panel, QEvent.Type.MouseButtonPress, start)
+    for way in (10, 20, 30):
+        editor.send(panel, QEvent.Type.MouseMove, start + QPointF(way, 0))
+        editor.settle()
+        assert canvas.ghost_opacity == 1
+    editor.send(panel, QEvent.Type.MouseButtonRelease, start + QPointF(30, 0), held=False)
+    assert 0 < canvas.ghost_opacity <= 1
+    qtbot.waitUntil(lambda: canvas.ghost_opacity == 0, timeout=3000)
+
+
+def test_the_ghost_goes_when_the_drag_is_cancelled(editor, panel, qtbot):
+    canvas = editor.window.canvas
+    start = panel.rail_pixel(editor.parameters[3])
+    editor.send(panel, QEvent.Type.MouseButtonPress, start)
+    editor.send(panel, QEvent.Type.MouseMove, start + QPointF(20, 0))
+    editor.key(Qt.Key.Key_Escape)
+    editor.send(panel, QEvent.Type.MouseButtonRelease, start, held=False)
+    qtbot.waitUntil(lambda: canvas.ghost_opacity == 0, timeout=3000)
+
+
+def test_the_alpha_slider_has_a_ghost_too(editor):
+    canvas, slider = editor.window.canvas, editor.window.findChild(QSlider, "alphaSlider")
+    slider.setSliderDown(True)
+    slider.setSliderPosition(70)
+    slider.setSliderPosition(20)
+    assert canvas.ghost_opacity == 1
+    slider.setSliderDown(False)
+    assert canvas.ghost_opacity > 0

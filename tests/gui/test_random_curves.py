@@ -1,0 +1,75 @@
+"""Random commands on several curves: every document can be saved, and undo and redo are exact."""
+
+from __future__ import annotations
+
+import random
+
+import pytest
+
+from app.document.format import decode, encode
+from app.document.model import Family, ParametrizationKind
+from app.view_model.curve_view import TOO_FEW
+
+ACTIONS = (
+    "newCurve", "duplicateCurve", "deleteCurve", "joinCurve", "splitCurve", "reverseCurve", "closeCurve",
+    "curveVisible", "raiseCurve", "lowerCurve", "nextCurve", "previousCurve", "insertPoint",
+    "tangentSmooth", "tangentCorner", "tangentEstimated", "freezeParameters", "resetVelocities",
+    "cutPoints", "copyPoints", "pastePoints", "pasteAsCurve", "copyDerivatives", "pasteDerivatives",
+    "deleteSelection", "selectAll",
+)  # fmt: skip
+
+
+def step(editor, choose):
+    """Do one thing at random, as a person might."""
+    count = len(editor.curve.nodes)
+    kind = choose.random()
+    if kind < 0.2 and count:
+        editor.select(choose.sample(range(count), choose.randint(1, min(3, count))))
+    elif kind < 0.3:
+        editor.add_point(choose.uniform(0, 4), choose.uniform(0, 4))
+    elif kind < 0.38:
+        editor.choose_family(choose.choice(list(Family)))
+    elif kind < 0.44:
+        editor.choose_parametrization(choose.choice(list(ParametrizationKind)))
+    elif kind < 0.5 and editor.session.active_view.is_current:
+        start, end = editor.session.active_view.curve.domain
+        editor.session.set_scrub(start + choose.random() * (end - start))
+    elif kind < 0.56 and editor.session.active_view.is_current:
+        x, y = editor.session.active_view.curve.evaluate(
+            editor.parameters[0] * 0.4 + editor.parameters[-1] * 0.6
+        )
+        editor.add_point(float(x), float(y))
+    else:
+        action = editor.action(choose.choice(ACTIONS))
+        if action.isEnabled():
+            editor.trigger(action.objectName())
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_undo_and_redo_are_exact(editor, seed):
+    choose, session = random.Random(seed), editor.session
+    editor.new()
+    stack = session.undo_stack
+    states = [(session.document, session.active_index)]
+    for _ in range(70):
+        # One choice in a box by keys may be several steps.
+        seen = []
+        connection = session.history_changed.connect(
+            lambda seen=seen: seen.append((session.document, session.active_index))
+        )
+        step(editor, choose)
+        assert session.document.curves[session.active_index] is session.active_curve
+        # What cannot be drawn has a reason that the person may mend; nothing else may go wrong.
+        assert session.active_view.is_current or session.active_view.problem
+        if len(session.active_curve.nodes) < 2:
+            assert session.active_view.problem == TOO_FEW
+        session.history_changed.disconnect(connection)
+        states += seen
+        assert decode(encode(session.document)) == session.document
+    for document, _ in reversed(states[:-1]):
+        stack.undo()
+        assert session.document is document
+    for document, active in states[1:]:
+        stack.redo()
+        assert session.document is document
+        assert session.active_index == active

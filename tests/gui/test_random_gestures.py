@@ -1,0 +1,282 @@
+"""Random gestures and edits against a list of documents: undo and redo are exact, cancel leaves nothing.
+
+The tools are driven as the canvas drives them, with plain pointer records and the canvas's own hit test,
+against a real session.
+"""
+
+from __future__ import annotations
+
+from hypothesis import HealthCheck, settings
+from hypothesis import strategies as st
+from hypothesis.stateful import RuleBasedStateMachine, initialize, invariant, precondition, rule
+
+from app.canvas.hit_test import hit_test
+from app.document import edits
+from app.document.edits import EditError
+from app.document.format import decode, encode, validate
+from app.document.model import Document, Family, Node, ParametrizationKind, make_curve
+from app.document.transforms import Edge, align_nodes, distribute_nodes
+from app.gestures.pointer import Hit, Part, Pointer
+from app.gestures.rail import RailTool
+from app.gestures.snapping import Snapping
+from app.gestures.tools import CanvasTool, ToolKind
+from app.gestures.transform import TransformKind
+from app.gestures.transform_box import box_of
+from app.plot.pixel_map import PixelMap
+from app.session import Session
+from app.view_model.handles import handles_of
+
+SHOWN = PixelMap(-3.0, 5.0, 100.0, 100.0, 1000.0, 800.0)
+TOLERANCE = 1e-3
+
+places = st.tuples(st.integers(-20, 60), st.integers(-20, 40)).map(lambda p: (p[0] / 10, p[1] / 10))
+modifiers = st.fixed_dictionaries({name: st.booleans() for name in ("shift", "ctrl", "alt")})
+moves = st.lists(st.tuples(places, modifiers), min_size=1, max_size=3)
+endings = st.sampled_from(("release", "release", "release", "cancel", "undo", "forget"))
+aims = st.tuples(
+    st.sampled_from(("point", "handle", "curve", "grip", "anywhere")), st.integers(0, 40), places
+)
+keys = st.lists(st.sampled_from(["1", "5", "0", ".", "-", "x", "y", "g", "s", "r", "backspace"]), max_size=4)
+
+
+class Gestures(RuleBasedStateMachine):
+    """Keeps the list of documents that the history must hold, and where in it we are."""
+
+    @initialize(family=st.sampled_from(list(Family)))
+    def begin(self, family):
+        self.session = Session()
+        curves = (
+            make_curve([(0, 0), (1, 2), (3, 2), (4, 0)], family=family),
+            make_curve([(0, -1), (2, -0.5), (4, -1)], name="Base", family=Family.HERMITE),
+        )
+        self.session._replace(Document(curves), None)
+        self.tool, self.rail = CanvasTool(self.session), RailTool(self.session)
+        self.tool.grid = (0.5, 0.5)
+        # As the window connects them.
+        self.session.interrupted.connect(self.tool.forget)
+        self.session.interrupted.connect(self.rail.forget)
+        self.values, self.at = [self.session.document], 0
+
+    # What must hold
+
+    @invariant()
+    def the_document_is_the_one_of_the_list(self):
+        stack = self.session.undo_stack
+        assert stack.index() == self.at
+        assert stack.count() == len(self.values) - 1
+        assert self.session.document == self.values[self.at]
+        assert not self.tool.is_pressed
+        assert all(index < len(self.session.active_curve.nodes) for index in self.session.selection)
+
+    @invariant()
+    def the_document_can_be_saved(self):
+        document = self.session.document
+        validate(document)
+        assert decode(encode(document)) == document
+
+    def note(self):
+        """Take down what a gesture or an edit has committed: one step at most."""
+        stack = self.session.undo_stack
+        if stack.index() == self.at and self.session.document == self.values[self.at]:
+            return
+        assert stack.index() == self.at + 1
+        assert stack.undoText()
+        self.values[self.at + 1 :] = [self.session.document]
+        self.at += 1
+
+    # History
+
+    @precondition(lambda self: self.at > 0)
+    @rule(steps=st.integers(1, 4))
+    def undo(self, steps):
+        for _ in range(min(steps, self.at)):
+            self.session.undo_stack.undo()
+            self.at -= 1
+            assert self.session.document == self.values[self.at]
+
+    @precondition(lambda self: self.at < len(self.values) - 1)
+    @rule(steps=st.integers(1, 4))
+    def redo(self, steps):
+        for _ in range(min(steps, len(self.values) - 1 - self.at)):
+            self.session.undo_stack.redo()
+            self.at += 1
+            assert self.session.document == self.values[self.at]
+
+    # Gestures
+
+    def pointer(self, position, held=None):
+        return Pointer(position, SHOWN.point(*position), scale=SHOWN.sx, **(held or {}))
+
+    def pointer_with_hit(self, position, held):
+        view, chosen = self.session.active_view, self.session.selection
+        handles = handles_of(view, next(iter(chosen))) if len(chosen) == 1 else []
+        pixel = SHOWN.point(*position)
+        polyline = view.flattened(TOLERANCE, SHOWN.box) if view.curve is not None else None
+        hit = hit_test(pixel, SHOWN, view, polyline, chosen, handles)
+        return Pointer(position, pixel, hit, scale=SHOWN.sx, **held)
+
+    def aimed(self, aim):
+        """A place worth pressing at."""
+        what, number, anywhere = aim
+        view, chosen = self.session.active_view, self.session.selection
+        if what == "point" and view.source.nodes:
+            return view.source.nodes[number % len(view.source.nodes)].position
+        if what == "handle" and len(chosen) == 1 and (handles := handles_of(view, next(iter(chosen)))):
+            return handles[number % len(handles)].position
+        if what == "curve" and view.is_current:
+            start, end = view.curve.domain
+            return tuple(view.curve.evaluate(start + (end - start) * number / 40).tolist())
+        if what == "grip" and (box := box_of(view, chosen)) is not None:
+            grips = box.grips(SHOWN.sx)
+            return grips[number % len(grips)][1]
+        return anywhere
+
+    def end(self, tool, ending, pointer):
+        before = self.values[self.at]
+        if ending == "release":
+            tool.release(pointer)
+        elif ending == "forget" and self.at > 0:
+            # Undo from elsewhere, in the middle of the gesture.
+            self.session.undo_stack.undo()
+            self.at -= 1
+            tool.release(pointer)
+        else:
+            assert tool.cancel() or not tool.is_pressed
+            assert self.session.document is before
+            tool.release(pointer)
+            assert self.session.document is before
+        self.note()
+
+    @rule(kind=st.sampled_from(list(ToolKind)), snapping=st.booleans())
+    def choose_tool(self, kind, snapping):
+        self.tool.put_away()
+        self.tool.kind, self.tool.snapping = kind, Snapping(snapping)
+
+    @rule(aim=aims, held=modifiers, moves=moves, ending=endings)
+    def drag(self, aim, held, moves, ending):
+        at = self.aimed(aim)
+        self.tool.hover(self.pointer_with_hit(at, held))
+        self.tool.press(self.pointer_with_hit(at, held))
+        for position, modified in moves:
+            self.tool.move(self.pointer(position, modified))
+            self.tool.progress()
+            self.tool.overlay()
+        self.end(self.tool, ending, self.pointer(*moves[-1]))
+
+    @rule(aim=aims, held=modifiers)
+    def click(self, aim, held):
+        pointer = self.pointer_with_hit(self.aimed(aim), held)
+        self.tool.press(pointer)
+        self.tool.release(pointer)
+        self.note()
+
+    @rule(kind=st.sampled_from(list(TransformKind)), at=places, moves=moves, keys=keys, ending=endings)
+    def transform(self, kind, at, moves, keys, ending):
+        if not self.tool.begin_transform(kind, self.pointer(at)):
+            return
+        for position, modified in moves:
+            self.tool.move(self.pointer(position, modified))
+        for key in keys:
+            self.tool.transform_key(key)
+            self.tool.progress()
+        if ending == "release":
+            self.tool.transform_key("enter")
+            self.note()
+        else:
+            self.end(self.tool, ending, self.pointer(at))
+
+    @rule(knot=st.integers(0, 20), to=st.integers(-10, 110), ending=endings)
+    def drag_tick(self, knot, to, ending):
+        view = self.session.active_view
+        if not view.is_current:
+            return
+        knot %= len(view.parameters)
+        t = float(view.parameters[knot])
+        hit = Hit(Part.TICK, view.owner(knot), (t, 0.0), knot=knot)
+        self.rail.press(Pointer((t, 0.0), (100 * t, 0.0), hit), None)
+        pointer = Pointer((to / 100, 0.0), (float(to), 0.0))
+        self.rail.move(pointer)
+        self.end(self.rail, ending, pointer)
+
+    @rule(direction=st.sampled_from([(1, 0), (0, -1)]), factor=st.sampled_from([0.1, 1.0, 10.0]))
+    def nudge(self, direction, factor):
+        self.tool.nudge(direction, 0.01, factor)
+        self.note()
+
+    # Edits from panels and menus
+
+    def edit(self, make, *arguments):
+        session = self.session
+        try:
+            session.commit(make(session.document, session.active_index, *arguments), make.__name__)
+        except EditError:
+            assert session.document is self.values[self.at]
+        self.note()
+
+    @rule(data=st.data())
+    def select(self, data):
+        count = len(self.session.active_curve.nodes)
+        self.session.select(data.draw(st.sets(st.integers(0, max(count - 1, 0)), max_size=count)))
+
+    @rule(curve=st.integers(0, 1))
+    def activate(self, curve):
+        self.session.activate(curve)
+
+    @rule(edge=st.sampled_from(list(Edge)))
+    def align(self, edge):
+        self.edit(align_nodes, self.session.selection, edge)
+
+    @rule(axis=st.integers(0, 1))
+    def distribute(self, axis):
+        self.edit(distribute_nodes, self.session.selection, axis)
+
+    @rule(family=st.sampled_from(list(Family)))
+    def use_family(self, family):
+        self.edit(edits.set_family, family)
+
+    @rule(kind=st.sampled_from(list(ParametrizationKind)))
+    def use_parametrization(self, kind):
+        view = self.session.active_view
+        if view.is_current:
+            self.edit(edits.set_parametrization, kind, view.parameters.tolist())
+
+    @rule(closed=st.booleans())
+    def close(self, closed):
+        self.edit(edits.set_closed, closed)
+
+    @rule(corner=st.booleans())
+    def corner(self, corner):
+        index = self.session.selected
+        if index is None:
+            return
+        if corner:
+            self.edit(edits.make_corner, index, (1.0, 2.0), None)
+        else:
+            self.edit(edits.make_smooth, index, None)
+
+    @rule()
+    def delete(self):
+        session, chosen = self.session, self.session.selection
+        document = edits.delete_nodes(session.document, session.active_index, chosen)
+        session.select([])
+        session.commit(document, "Delete")
+        self.note()
+
+
+Gestures.TestCase.settings = settings(
+    max_examples=60,
+    stateful_step_count=40,
+    deadline=None,
+    suppress_health_check=[HealthCheck.too_slow, HealthCheck.filter_too_much],
+)
+TestGestures = Gestures.TestCase
+
+
+def test_a_closed_curve_that_was_a_lagrange_curve_for_a_while_can_be_saved():
+    # Frozen while it was open, its interval ended at the last point: no room to return to the first.
+    document = edits.set_family(Document((make_curve([(0, 0), (1, 2), (3, 2)]),)), 0, Family.HERMITE)
+    document = edits.set_family(edits.set_closed(document, 0, True), 0, Family.LAGRANGE)
+    document = edits.freeze_parameters(document, 0, [0.0, 0.5, 1.0])
+    assert document.curves[0].parametrization.end == 1.5
+    validate(document)
+    validate(edits.insert_nodes(document, 0, 3, [Node(4, 0, t=2.0)]))

@@ -1,0 +1,416 @@
+"""The picture to trace, with real events; and files that are not what they should be."""
+
+from __future__ import annotations
+
+import struct
+import zlib
+
+import pytest
+from PySide6.QtCore import QMimeData, QPoint, QPointF, Qt, QUrl
+from PySide6.QtGui import QColor, QDragEnterEvent, QDropEvent, QImage
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QApplication, QLabel, QToolButton
+
+from app.canvas import image_file
+from app.canvas.image_file import ImageFileError, read_image
+from app.document.storage import load
+from app.testing import Editor
+
+
+def picture(path, width=60, height=80, colour="#ff0000"):
+    image = QImage(width, height, QImage.Format.Format_RGB32)
+    image.fill(QColor(colour))
+    assert image.save(str(path))
+    return path
+
+
+@pytest.fixture
+def traced(editor, tmp_path):
+    """An editor with a red picture to trace."""
+    editor.window.add_image(picture(tmp_path / "red.png"))
+    editor.settle()
+    return editor
+
+
+def image_of(editor):
+    return editor.session.document.image
+
+
+def panel_of(editor):
+    return editor.window.image_panel
+
+
+def colour_at(editor, place):
+    canvas = editor.window.canvas
+    shot = editor.screenshot()
+    return shot.pixelColor(canvas.mapTo(editor.window, canvas.to_pixel(*place)))
+
+
+def middle(image):
+    return (image.x + image.width / 2, image.y + image.height / 2)
+
+
+def retype(field, text):
+    field.setFocus()
+    field.selectAll()
+    QTest.keyClicks(field, text)
+    QTest.keyClick(field, Qt.Key.Key_Return)
+
+
+def test_it_is_added_in_the_middle_with_its_aspect_and_undone(traced):
+    image = image_of(traced)
+    assert image.width / image.height == pytest.approx(60 / 80)
+    x_min, y_min, x_max, y_max = traced.window.canvas.pixel_map.box
+    assert middle(image) == pytest.approx(((x_min + x_max) / 2, (y_min + y_max) / 2))
+    assert traced.window.image_dock.isVisible()
+    assert traced.session.undo_stack.undoText() == "Add image"
+    traced.trigger("undo")
+    assert image_of(traced) is None
+    assert not traced.window.image_dock.isVisible()
+    traced.trigger("redo")
+    assert image_of(traced) == image
+    assert traced.window.image_dock.isVisible()
+
+
+def test_it_is_drawn_under_the_grid_as_strong_as_its_opacity(traced):
+    # Just beside the curve and the lines of the grid.
+    place = (image_of(traced).x + 0.07, image_of(traced).y + 0.07)
+    faint = colour_at(traced, place)
+    assert faint.red() > 240
+    assert 110 < faint.green() < 140
+    retype_opacity(traced, 100)
+    strong = colour_at(traced, place)
+    assert strong.green() < 10
+
+
+def retype_opacity(editor, percent):
+    slider = panel_of(editor).opacity
+    slider.setFocus()
+    slider.setSliderDown(True)
+    slider.setSliderPosition(percent)
+    slider.setSliderDown(False)
+
+
+def test_fading_is_live_one_step_and_cancellable(traced):
+    slider, document = panel_of(traced).opacity, traced.session.document
+    count = traced.session.undo_stack.count()
+    slider.setSliderDown(True)
+    slider.setSliderPosition(80)
+    assert image_of(traced).opacity == pytest.approx(0.8)
+    QTest.keyClick(slider, Qt.Key.Key_Escape)
+    slider.setSliderDown(False)
+    assert traced.session.document is document
+    assert slider.value() == 50
+    retype_opacity(traced, 20)
+    assert traced.session.undo_stack.count() == count + 1
+    assert traced.session.undo_stack.undoText() == "Fade image to 20 %"
+
+
+def test_while_it_is_not_moved_it_is_out_of_reach(traced):
+    image = image_of(traced)
+    traced.drag(middle(image), (middle(image)[0] + 1, middle(image)[1]))
+    assert image_of(traced) == image
+
+
+def test_dragging_moves_it_and_no_point(traced):
+    image, nodes = image_of(traced), traced.curve.nodes
+    traced.trigger("moveImage")
+    # Where a point lies, too.
+    traced.drag_point(3, to=(traced.point(3)[0] + 0.5, traced.point(3)[1] + 0.25))
+    moved = image_of(traced)
+    assert (moved.x - image.x, moved.y - image.y) == pytest.approx((0.5, 0.25), abs=2 * traced.pixel)
+    assert (moved.width, moved.height) == (image.width, image.height)
+    assert traced.curve.nodes == nodes
+    assert traced.session.undo_stack.undoText() == "Move image"
+    traced.trigger("undo")
+    assert image_of(traced) == image
+    traced.escape()
+    assert not traced.action("moveImage").isChecked()
+    traced.drag_point(3, to=(1, 2.5))
+    assert traced.curve.nodes != nodes
+
+
+def test_shift_keeps_to_one_axis(traced):
+    image = image_of(traced)
+    traced.trigger("moveImage")
+    start = middle(image)
+    traced.drag(start, (start[0] + 0.6, start[1] + 0.2), keys=Qt.KeyboardModifier.ShiftModifier)
+    assert image_of(traced).y == image.y
+    assert image_of(traced).x > image.x
+
+
+@pytest.mark.parametrize(("corner", "fixed"), [((0, 0), (1, 1)), ((1, 0), (0, 1)), ((1, 1), (0, 0))])
+def test_a_corner_scales_it_about_the_opposite_one(traced, corner, fixed):
+    image = image_of(traced)
+
+    def at(image, share):
+        return (image.x + share[0] * image.width, image.y + share[1] * image.height)
+
+    traced.trigger("moveImage")
+    grip, anchor = at(image, corner), at(image, fixed)
+    traced.drag(grip, ((grip[0] + anchor[0]) / 2, (grip[1] + anchor[1]) / 2))
+    scaled = image_of(traced)
+    assert scaled.width == pytest.approx(image.width / 2, abs=3 * traced.pixel)
+    assert scaled.width / scaled.height == pytest.approx(image.width / image.height)
+    assert at(scaled, fixed) == pytest.approx(anchor)
+    assert traced.session.undo_stack.undoText() == "Scale image"
+
+
+def test_escape_puts_a_moved_or_scaled_image_back(traced):
+    document, image = traced.session.document, image_of(traced)
+    traced.trigger("moveImage")
+    for start in (middle(image), (image.x, image.y)):
+        traced.press(start)
+        traced.move((start[0] + 0.7, start[1] + 0.3))
+        assert image_of(traced) != image
+        traced.escape()
+        traced.release((start[0] + 0.7, start[1] + 0.3))
+        assert traced.session.document is document
+        assert traced.action("moveImage").isChecked()
+    traced.escape()
+    assert not traced.action("moveImage").isChecked()
+
+
+def test_arrows_nudge_it(traced):
+    image = image_of(traced)
+    traced.trigger("moveImage")
+    traced.key(Qt.Key.Key_Right)
+    assert image_of(traced).x - image.x == pytest.approx(traced.pixel)
+
+
+def test_the_hint_says_what_a_press_does(traced):
+    image = image_of(traced)
+    traced.trigger("moveImage")
+    traced.hover(middle(image))
+    assert "move the image" in traced.window.status_line.hint
+    traced.hover((image.x, image.y))
+    assert "scale the image" in traced.window.status_line.hint
+
+
+@pytest.mark.parametrize("tool", ["addTool", "selectTool"])
+def test_choosing_a_tool_gives_the_mouse_back_to_the_points(traced, tool):
+    traced.trigger("moveImage")
+    traced.trigger(tool)
+    assert not traced.window.canvas.is_moving_image
+    assert not traced.action("moveImage").isChecked()
+
+
+def test_a_long_name_never_widens_the_window(qtbot, tmp_path):
+    editor = Editor(qtbot, size=(1024, 700))
+    path = picture(tmp_path / f"{'x' * 120}.png")
+    editor.window.add_image(path)
+    editor.session.save(tmp_path / "a.curve.json")
+    path.unlink()
+    editor.window.open_file(tmp_path / "a.curve.json")
+    editor.settle()
+    assert editor.window.width() == 1024
+    assert editor.window.image_dock.width() < 400
+
+
+def test_a_locked_one_stays(traced):
+    traced.trigger("moveImage")
+    panel_of(traced).lock.click()
+    image = image_of(traced)
+    assert image.locked
+    assert not traced.action("moveImage").isEnabled()
+    assert not traced.window.canvas.is_moving_image
+    assert not panel_of(traced).x_edit.isEnabled()
+    traced.drag(middle(image), (0, 0))
+    assert image_of(traced) == image
+    panel_of(traced).lock.click()
+    assert traced.action("moveImage").isEnabled()
+
+
+def test_numbers_are_typed(traced):
+    panel, image = panel_of(traced), image_of(traced)
+    retype(panel.x_edit, "1/2")
+    assert image_of(traced).x == 0.5
+    assert image_of(traced).y == image.y
+    retype(panel.width_edit, "6")
+    assert (image_of(traced).width, image_of(traced).height) == pytest.approx((6, 8))
+    retype(panel.height_edit, "4")
+    assert (image_of(traced).width, image_of(traced).height) == pytest.approx((3, 4))
+
+
+@pytest.mark.parametrize("typed", ["0", "-3", "wide", "1e15"])
+def test_a_number_that_cannot_be_is_explained(traced, typed):
+    panel, document = panel_of(traced), traced.session.document
+    retype(panel.width_edit, typed)
+    assert traced.session.document is document
+    assert panel.findChild(QLabel, "imageProblem").text().startswith("⚠")
+    QTest.keyClick(panel.width_edit, Qt.Key.Key_Escape)
+    assert panel.findChild(QLabel, "imageProblem").isHidden()
+
+
+def test_what_was_not_typed_is_not_rounded(traced):
+    panel, document = panel_of(traced), traced.session.document
+    panel.x_edit.setFocus()
+    QTest.keyClick(panel.x_edit, Qt.Key.Key_Return)
+    assert traced.session.document is document
+
+
+def test_removing_it(traced):
+    traced.trigger("moveImage")
+    traced.trigger("removeImage")
+    assert image_of(traced) is None
+    assert not traced.window.image_dock.isVisible()
+    assert not traced.window.canvas.is_moving_image
+    traced.trigger("undo")
+    assert image_of(traced) is not None
+
+
+def test_the_panel_follows_the_side_panel_and_the_presentation(traced):
+    dock = traced.window.image_dock
+    traced.trigger("toggleSidePanel")
+    assert not dock.isVisible()
+    traced.trigger("toggleSidePanel")
+    assert dock.isVisible()
+    traced.trigger("presentation")
+    assert not dock.isVisible()
+    traced.trigger("presentation")
+    assert dock.isVisible()
+    traced.trigger("removeImage")
+    traced.trigger("toggleSidePanel")
+    traced.trigger("toggleSidePanel")
+    assert not dock.isVisible()
+
+
+def test_document_and_picture_can_be_moved_together(traced, tmp_path):
+    here = tmp_path / "a.curve.json"
+    traced.session.save(here)
+    assert b'"path": "red.png"' in here.read_bytes()
+    there = tmp_path / "elsewhere"
+    there.mkdir()
+    for name in ("a.curve.json", "red.png"):
+        (tmp_path / name).rename(there / name)
+    traced.window.open_file(there / "a.curve.json")
+    assert image_of(traced).path == str(there / "red.png")
+    assert traced.message == ""
+
+
+def test_saving_elsewhere_keeps_the_picture(traced, tmp_path):
+    folder = tmp_path / "deep"
+    folder.mkdir()
+    traced.session.save(folder / "b.curve.json")
+    assert b'"path": "../red.png"' in (folder / "b.curve.json").read_bytes()
+    assert load(folder / "b.curve.json") == traced.session.document
+    assert not traced.session.is_modified
+
+
+def test_a_missing_file_is_explained_and_can_be_found_again(traced, tmp_path):
+    path = tmp_path / "a.curve.json"
+    traced.session.save(path)
+    (tmp_path / "red.png").unlink()
+    picture(tmp_path / "moved.jpg", 100, 50)
+    traced.window.open_file(path)
+    image = image_of(traced)
+    assert "There is no file" in traced.message
+    assert "Find Image" in traced.message
+    assert len(traced.curve.nodes) == 8
+    assert panel_of(traced).findChild(QLabel, "imageProblem").isVisible()
+    traced.screenshot()
+    traced.window.find_image(tmp_path / "moved.jpg")
+    assert traced.message == ""
+    assert panel_of(traced).findChild(QLabel, "imageProblem").isHidden()
+    found = image_of(traced)
+    assert (found.x, found.y, found.width) == (image.x, image.y, image.width)
+    assert found.height == pytest.approx(found.width / 2)
+    traced.trigger("undo")
+    assert "There is no file" in traced.message
+
+
+def test_the_complaint_can_be_put_away(traced, tmp_path):
+    traced.session.save(tmp_path / "a.curve.json")
+    (tmp_path / "red.png").unlink()
+    traced.window.open_file(tmp_path / "a.curve.json")
+    traced.window.message_bar.findChild(QToolButton, "closeMessage").click()
+    traced.drag_point(2, to=(0.5, 4.2))
+    assert traced.message == ""
+
+
+def test_a_dropped_picture_is_one_to_trace(editor, tmp_path):
+    mime = QMimeData()
+    mime.setUrls([QUrl.fromLocalFile(str(picture(tmp_path / "drop.JPG")))])
+    for kind, place in ((QDragEnterEvent, QPoint(300, 300)), (QDropEvent, QPointF(300, 300))):
+        held = (Qt.MouseButton.LeftButton, Qt.KeyboardModifier.NoModifier)
+        QApplication.sendEvent(editor.window, kind(place, Qt.DropAction.CopyAction, mime, *held))
+    assert image_of(editor).path == str(tmp_path / "drop.JPG")
+
+
+# Files are data
+
+
+def png_header(width, height):
+    """A PNG that claims a size and holds nothing."""
+    header = struct.pack(">IIBBBBB", width, height, 8, 2, 0, 0, 0)
+    chunks = [(b"IHDR", header), (b"IDAT", zlib.compress(b""))]
+    return b"\x89PNG\r\n\x1a\n" + b"".join(
+        struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data))
+        for kind, data in chunks
+    )
+
+
+def test_a_large_picture_is_scaled_down_when_it_is_read(tmp_path):
+    image = read_image(str(picture(tmp_path / "wide.png", 5000, 50)))
+    assert (image.width(), image.height()) == (4096, 41)
+
+
+def test_a_huge_picture_is_refused_before_it_is_decoded(editor, tmp_path):
+    path = tmp_path / "huge.png"
+    path.write_bytes(png_header(50_000, 40_000))
+    document = editor.session.document
+    editor.window.add_image(path)
+    assert "50000 × 40000 pixels" in editor.message
+    assert editor.session.document is document
+
+
+@pytest.mark.parametrize(
+    ("name", "data", "reason"),
+    [
+        ("text.png", b"no picture at all", "no PNG or JPEG picture"),
+        ("empty.jpg", b"", "no PNG or JPEG picture"),
+        ("drawing.png", b"<svg xmlns='http://www.w3.org/2000/svg'/>", "no PNG or JPEG picture"),
+        ("other.png", b"GIF89a\x01\x00\x01\x00\x00\x00\x00;", "no PNG or JPEG picture"),
+        ("bitmap.png", b"BM" + bytes(60), "no PNG or JPEG picture"),
+    ],
+)
+def test_what_is_no_picture_is_refused(tmp_path, name, data, reason):
+    (tmp_path / name).write_bytes(data)
+    with pytest.raises(ImageFileError, match=reason):
+        read_image(str(tmp_path / name))
+
+
+@pytest.mark.qt_log_ignore("libpng|Corrupt|Premature|Unsupported|allocation")
+def test_a_broken_picture_is_refused(tmp_path):
+    path = tmp_path / "broken.png"
+    path.write_bytes(png_header(60, 80))
+    with pytest.raises(ImageFileError, match="is broken"):
+        read_image(str(path))
+
+
+def test_folders_and_devices_are_refused(tmp_path):
+    for path in (tmp_path, "/dev/zero", tmp_path / "nothing.png"):
+        with pytest.raises(ImageFileError):
+            read_image(str(path))
+
+
+def test_the_content_decides_not_the_name(tmp_path):
+    path = picture(tmp_path / "really.jpg")
+    path.rename(tmp_path / "named.png")
+    assert read_image(str(tmp_path / "named.png")).width() == 60
+
+
+def test_a_file_is_read_once_however_often_it_is_moved(traced, monkeypatch):
+    monkeypatch.setattr(image_file, "read", lambda _path: pytest.fail("read again"))
+    traced.trigger("moveImage")
+    traced.drag(middle(image_of(traced)), (1, 1))
+    traced.trigger("undo")
+
+
+def test_far_zooms_draw_without_complaint(qtbot, tmp_path):
+    editor = Editor(qtbot)
+    editor.window.add_image(picture(tmp_path / "red.png", 300, 400))
+    editor.trigger("moveImage")
+    for notches in (-60, 110, -100):
+        editor.wheel(middle(image_of(editor)), notches)
+        editor.screenshot()

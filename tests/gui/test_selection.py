@@ -1,0 +1,423 @@
+"""Selecting, transforming, aligning and nudging, with real mouse and key events."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+from PySide6.QtCore import QEvent, Qt
+from PySide6.QtTest import QTest
+
+from app.document import edits
+from app.document.model import Document, Family, ParametrizationKind, make_curve
+
+SHIFT = Qt.KeyboardModifier.ShiftModifier
+CTRL = Qt.KeyboardModifier.ControlModifier
+ALT = Qt.KeyboardModifier.AltModifier
+Key = Qt.Key
+POINTS = ((0.0, 0.0), (1.0, 2.0), (3.0, 2.0), (4.0, 0.0))
+
+
+@pytest.fixture
+def arch(editor):
+    """Four points of an arch."""
+    editor.session.commit(Document((make_curve(POINTS),)), "Begin")
+    editor.fit()
+    editor.window.canvas.show_box((-3, 7), (-3, 5))
+    editor.settle()
+    return editor
+
+
+def text_of_undo(editor) -> str:
+    return editor.session.undo_stack.undoText()
+
+
+def points(editor) -> np.ndarray:
+    return np.array([node.position for node in editor.curve.nodes])
+
+
+# Selecting
+
+
+def test_shift_click_toggles(arch):
+    arch.select_point(1)
+    arch.click(arch.point(2), keys=SHIFT)
+    assert arch.session.selection == {1, 2}
+    arch.click(arch.point(1), keys=SHIFT)
+    assert arch.session.selection == {2}
+
+
+def test_a_click_on_one_of_several_selected_points_selects_it_alone(arch):
+    arch.select([0, 1, 2])
+    arch.click(arch.point(1))
+    assert arch.session.selection == {1}
+
+
+def test_a_drag_of_one_of_several_selected_points_moves_them_all(arch):
+    arch.select([1, 2])
+    arch.drag_point(1, to=(1, 3))
+    assert points(arch)[1:3] == pytest.approx(np.array([(1, 3), (3, 3)]), abs=2 * arch.pixel)
+    assert text_of_undo(arch) == "Move 2 points"
+    assert arch.session.selection == {1, 2}
+
+
+def test_a_drag_with_shift_moves_the_point_under_it_alone(arch):
+    arch.select([0])
+    arch.drag_point(1, to=(2, 2.2), keys=SHIFT)
+    assert arch.point(0) == (0.0, 0.0)
+    assert arch.point(1)[1] == 2.0
+    assert text_of_undo(arch) == "Move point 1"
+
+
+def test_the_rubber_band_selects_live(arch):
+    arch.press((-1, 3))
+    arch.move((2, 1))
+    assert arch.window.canvas.overlay.band is not None
+    assert arch.session.selection == {1}
+    assert arch.status.startswith("Point 1 selected")
+    arch.move((3.5, 1))
+    assert arch.session.selection == {1, 2}
+    arch.release((3.5, 1))
+    assert arch.session.selection == {1, 2}
+    assert arch.window.canvas.overlay.band is None
+
+
+def test_shift_adds_with_the_band_and_a_click_with_shift_keeps(arch):
+    arch.select([0])
+    arch.drag((2.5, 3), (5, 1), keys=SHIFT)
+    assert arch.session.selection == {0, 2}
+    arch.click((-2, 4), keys=SHIFT)
+    assert arch.session.selection == {0, 2}
+
+
+def test_escape_brings_back_what_was_selected_before_the_band(arch):
+    arch.select([3])
+    arch.press((-1, 3))
+    arch.move((3.5, 1))
+    assert arch.session.selection == {1, 2}
+    arch.escape()
+    assert arch.session.selection == {3}
+    arch.move((5, -1))
+    arch.release((5, -1))
+    assert arch.session.selection == {3}
+
+
+def test_tab_moves_the_view_to_a_point_out_of_sight(arch):
+    arch.window.canvas.show_box((-0.5, 1.5), (-0.5, 1.5))
+    arch.settle()
+    arch.select([0])
+    for index in (1, 2, 3):
+        arch.key(Key.Key_Tab)
+        assert arch.session.selection == {index}
+        x_min, y_min, x_max, y_max = arch.window.canvas.pixel_map.box
+        x, y = arch.point(index)
+        assert x_min < x < x_max
+        assert y_min < y < y_max
+
+
+def test_tab_walks_points_that_lie_on_each_other(editor):
+    editor.session.commit(Document((make_curve([(0, 0), (1, 1), (1, 1), (2, 0)]),)), "Begin")
+    editor.select([0])
+    for index in (1, 2, 3):
+        editor.key(Key.Key_Tab)
+        assert editor.session.selection == {index}
+
+
+# Transforms by keys
+
+
+def test_g_moves_with_no_button_down_and_a_click_ends_it(arch):
+    arch.select([1, 2])
+    steps = arch.session.undo_stack.count()
+    arch.hover((0, 3))
+    arch.key(Key.Key_G)
+    arch.move((1, 4), held=False)
+    assert points(arch)[1] == pytest.approx((2, 3), abs=2 * arch.pixel)
+    arch.click((1, 4))
+    assert text_of_undo(arch) == "Move 2 points"
+    assert arch.session.undo_stack.count() == steps + 1
+    arch.move((3, 4), held=False)
+    assert points(arch)[1] == pytest.approx((2, 3), abs=2 * arch.pixel)
+    assert arch.session.selection == {1, 2}
+
+
+def test_a_typed_angle_rotates_exactly_about_the_centre(arch):
+    arch.select([0, 1, 2, 3])
+    arch.key(Key.Key_R)
+    arch.type_amount("90")
+    assert arch.status.startswith("Rotate 90°")
+    assert arch.window.canvas.overlay.note.text == "Rotate 90°"
+    arch.key(Key.Key_Return)
+    assert points(arch).tolist() == [[3, -1], [1, 0], [1, 2], [3, 3]]
+    assert text_of_undo(arch) == "Rotate 4 points"
+
+
+def test_digits_do_not_switch_the_family_while_they_are_typed(arch):
+    arch.select([1, 2])
+    arch.key(Key.Key_S)
+    arch.type_amount("23")
+    assert arch.curve.family is Family.LAGRANGE
+    arch.escape()
+    QTest.keyClicks(arch.window.canvas, "2")
+    assert arch.curve.family is Family.HERMITE
+
+
+def test_numbers_can_be_mended_and_negated(arch):
+    arch.select([1, 2])
+    arch.key(Key.Key_S)
+    for key in (Key.Key_3, Key.Key_Backspace, Key.Key_2, Key.Key_Period, Key.Key_5, Key.Key_Minus):
+        arch.key(key)
+    arch.key(Key.Key_X)
+    assert arch.status.startswith("Scale −2.5 along x")
+    arch.key(Key.Key_Enter)
+    assert points(arch)[1:3].tolist() == [[4.5, 2], [-0.5, 2]]
+
+
+def test_an_axis_is_locked_and_freed(arch):
+    arch.select([1])
+    arch.hover((1, 2.5))
+    arch.key(Key.Key_G)
+    arch.key(Key.Key_Y)
+    arch.move((2, 3.5), held=False)
+    assert arch.point(1)[0] == 1.0
+    assert arch.window.canvas.overlay.axis is not None
+    arch.key(Key.Key_Y)
+    assert arch.point(1)[0] == pytest.approx(2, abs=2 * arch.pixel)
+    arch.key(Key.Key_X)
+    arch.key(Key.Key_3)
+    arch.key(Key.Key_Return)
+    assert arch.point(1) == (4.0, 2.0)
+
+
+@pytest.mark.parametrize("way", ["escape", "right click", "undo"])
+@pytest.mark.parametrize("key", [Key.Key_G, Key.Key_S, Key.Key_R])
+def test_a_transform_can_be_cancelled(arch, key, way):
+    arch.select([1, 2])
+    document, steps = arch.session.document, arch.session.undo_stack.count()
+    arch.hover((0, 3))
+    arch.key(key)
+    arch.move((1, 4.5), held=False)
+    assert arch.session.document != document
+    if way == "escape":
+        arch.escape()
+    elif way == "undo":
+        arch.trigger("undo")
+    else:
+        place = arch.window.canvas.to_pixel(1, 4.5)
+        right = Qt.MouseButton.RightButton
+        arch.send(arch.window.canvas, QEvent.Type.MouseButtonPress, place, button=right)
+        arch.send(arch.window.canvas, QEvent.Type.MouseButtonRelease, place, held=False, button=right)
+    assert arch.session.document is document
+    assert arch.session.undo_stack.count() == steps
+    arch.move((2, 2), held=False)
+    assert arch.session.document is document
+    assert arch.window.canvas.overlay.note is None
+
+
+def test_s_follows_the_pointer_away_from_the_centre(arch):
+    arch.select([1, 2])
+    arch.hover((4, 2))
+    arch.key(Key.Key_S)
+    arch.move((6, 2), held=False)
+    arch.click((6, 2))
+    assert points(arch)[1:3] == pytest.approx(np.array([(0, 2), (4, 2)]), abs=4 * arch.pixel)
+
+
+def test_r_follows_the_pointer_and_shift_makes_steps(arch):
+    arch.select([1, 2])
+    arch.hover((4, 2))
+    arch.key(Key.Key_R)
+    arch.move((2 + 2 * math.cos(0.75), 2 + 2 * math.sin(0.75)), held=False, keys=SHIFT)
+    assert arch.status.startswith("Rotate 45°")
+    arch.key(Key.Key_Return)
+    away = math.sqrt(0.5)
+    assert points(arch)[1:3] == pytest.approx(np.array([(2 - away, 2 - away), (2 + away, 2 + away)]))
+
+
+def test_a_transform_ends_when_the_keys_go_elsewhere(arch):
+    arch.select([1, 2])
+    document = arch.session.document
+    arch.hover((0, 3))
+    arch.key(Key.Key_G)
+    arch.move((1, 4.5), held=False)
+    arch.window.point_table.setFocus()
+    assert arch.session.document is document
+
+
+def test_the_menu_begins_a_transform_too(arch):
+    arch.select([1, 2])
+    arch.trigger("rotateSelection")
+    arch.type_amount("180")
+    arch.key(Key.Key_Return)
+    assert points(arch).tolist() == [[0, 0], [3, 2], [1, 2], [4, 0]]
+
+
+def test_an_action_in_the_middle_of_a_transform_drops_it(arch):
+    arch.select([1, 2])
+    arch.hover((0, 3))
+    arch.key(Key.Key_G)
+    arch.move((1, 4.5), held=False)
+    arch.trigger("deleteSelection")
+    assert points(arch).tolist() == [[0, 0], [4, 0]]
+    arch.trigger("undo")
+    assert points(arch).tolist() == [list(point) for point in POINTS]
+
+
+@pytest.mark.parametrize("family", list(Family))
+def test_a_rotation_of_all_points_carries_the_curve_along(arch, family):
+    for kind in ParametrizationKind:
+        if kind is not ParametrizationKind.MANUAL:
+            check_rotation(arch, family, kind)
+
+
+def check_rotation(arch, family, kind):
+    document = edits.set_family(Document((make_curve(POINTS),)), 0, family)
+    document = edits.set_parametrization(document, 0, kind, [])
+    document = edits.set_velocity(document, 0, 1, (3.0, 1.0))
+    document = edits.make_corner(document, 0, 2, (1.0, 2.0), (2.0, -5.0))
+    document = edits.set_acceleration(document, 0, 1, (-4.0, 7.0))
+    arch.session.commit(document, "Prepare")
+    before = arch.session.active_view.curve
+    arch.select([0, 1, 2, 3])
+    arch.key(Key.Key_R)
+    arch.type_amount("30")
+    arch.key(Key.Key_Return)
+    t = np.linspace(0, 1, 41)
+    angle = math.radians(30)
+    turn = np.array([[math.cos(angle), -math.sin(angle)], [math.sin(angle), math.cos(angle)]])
+    expected = (before.evaluate(t) - (2, 1)) @ turn.T + (2, 1)
+    # Rounding of the points and of the rule's distances, which the basis may enlarge.
+    assert arch.session.active_view.curve.evaluate(t) == pytest.approx(expected, abs=1e-12)
+
+
+# The box
+
+
+def test_a_corner_grip_scales_about_the_opposite_corner(arch):
+    arch.select([0, 1, 2, 3])
+    start = arch.grip(1, 1)
+    arch.drag(start, (start[0] + 2, start[1] + 1))
+    assert points(arch) == pytest.approx(np.array([(0, 0), (1.5, 3), (4.5, 3), (6, 0)]), abs=3 * arch.pixel)
+    assert text_of_undo(arch) == "Scale 4 points"
+
+
+def test_shift_keeps_proportions_and_alt_the_centre(arch):
+    arch.select([0, 1, 2, 3])
+    start = arch.grip(1, 1)
+    arch.drag(start, (start[0] + 2, start[1] + 1), keys=SHIFT)
+    size = np.ptp(points(arch), axis=0)
+    assert size[0] / size[1] == pytest.approx(2)
+    arch.trigger("undo")
+    arch.drag(arch.grip(1, 0), (arch.grip(1, 0)[0] + 1, 1), keys=ALT)
+    assert points(arch)[[0, 3]] == pytest.approx(np.array([(-1, 0), (5, 0)]), abs=3 * arch.pixel)
+
+
+def test_the_round_grip_rotates(arch):
+    arch.select([0, 1, 2, 3])
+    arch.drag(arch.grip(), (-1, 1), keys=SHIFT)
+    expected = np.array([(3, 3), (1, 2), (1, 0), (3, -1)])
+    assert points(arch) == pytest.approx(expected[::-1], abs=1e-12)
+    assert text_of_undo(arch) == "Rotate 4 points"
+
+
+@pytest.mark.parametrize("place", [(1, 1), (-1, 0), (0, 0)])
+def test_a_grip_can_be_let_go_with_escape(arch, place):
+    arch.select([0, 1, 2, 3])
+    document = arch.session.document
+    start = arch.grip(*place)
+    arch.press(start)
+    arch.move((start[0] + 1.3, start[1] + 0.8))
+    assert arch.session.document != document
+    arch.escape()
+    arch.release((0, 0))
+    assert arch.session.document is document
+
+
+def test_points_in_a_row_have_no_grips_that_would_do_nothing(arch):
+    arch.select([1, 2])
+    box = arch.window.canvas.overlay.box
+    assert {(each.x, each.y) for each, _ in box.grips(50) if not each.rotates} == {(-1, 0), (1, 0)}
+
+
+def test_the_box_can_be_hidden_and_stays_hidden(arch):
+    arch.select([0, 1])
+    assert arch.window.canvas.overlay.box is not None
+    arch.trigger("toggleTransformBox")
+    assert arch.window.canvas.overlay.box is None
+    assert not arch.window.preferences.transform_box
+
+
+def test_grips_say_what_they_do_and_change_the_pointer(arch):
+    arch.select([0, 1, 2, 3])
+    arch.hover(arch.grip(1, 1))
+    assert "scale 4 points" in arch.window.status_line.hint
+    assert arch.window.canvas.viewport().cursor().shape() == Qt.CursorShape.SizeBDiagCursor
+    arch.hover(arch.grip())
+    assert "rotate 4 points" in arch.window.status_line.hint
+    assert arch.window.canvas.viewport().cursor().shape() == Qt.CursorShape.BitmapCursor
+
+
+# Align, distribute, nudge
+
+
+@pytest.mark.parametrize(
+    ("action", "axis", "value", "name"),
+    [
+        ("alignLeft", 0, 0.0, "left"),
+        ("alignCentre", 0, 1.5, "centre"),
+        ("alignRight", 0, 3.0, "right"),
+        ("alignTop", 1, 2.0, "top"),
+        ("alignMiddle", 1, 1.0, "middle"),
+        ("alignBottom", 1, 0.0, "bottom"),
+    ],
+)
+def test_align(arch, action, axis, value, name):
+    arch.choose_parametrization(ParametrizationKind.UNIFORM)
+    arch.select([0, 1, 2])
+    before = points(arch)
+    arch.trigger(action)
+    assert points(arch)[:3, axis].tolist() == [value] * 3
+    assert points(arch)[:, 1 - axis].tolist() == before[:, 1 - axis].tolist()
+    assert points(arch)[3].tolist() == before[3].tolist()
+    assert text_of_undo(arch) == f"Align 3 points {name}"
+
+
+def test_distribute(arch):
+    arch.select([0, 1, 2, 3])
+    arch.trigger("distributeHorizontally")
+    assert points(arch)[:, 0] == pytest.approx([0, 4 / 3, 8 / 3, 4])
+    assert points(arch)[[0, 3], 0].tolist() == [0, 4]
+    assert text_of_undo(arch) == "Distribute 4 points horizontally"
+    arch.trigger("undo")
+    assert points(arch).tolist() == [list(point) for point in POINTS]
+
+
+def test_what_needs_more_points_is_not_offered(arch):
+    arch.select([1])
+    assert arch.action("rotateSelection").isEnabled()
+    assert not arch.action("alignLeft").isEnabled()
+    arch.select([1, 2])
+    assert arch.action("alignLeft").isEnabled()
+    assert not arch.action("distributeVertically").isEnabled()
+    arch.select([])
+    assert not arch.action("moveSelection").isEnabled()
+
+
+def test_arrows_nudge_by_the_grid_while_snapping_in_decimal_numbers(arch):
+    arch.window.preferences.grid_spacing = 0.1
+    arch.trigger("toggleSnap")
+    arch.select([0])
+    for _ in range(3):
+        arch.key(Key.Key_Right)
+    assert arch.point(0) == (0.3, 0.0)
+    arch.key(Key.Key_Up, SHIFT)
+    assert arch.point(0) == (0.3, 1.0)
+    arch.key(Key.Key_Down, CTRL)
+    assert arch.point(0) == (0.3, 0.99)
+
+
+def test_ctrl_nudges_by_a_tenth_of_a_pixel(arch):
+    arch.select([0])
+    arch.key(Key.Key_Right, CTRL)
+    assert arch.point(0)[0] == pytest.approx(0.1 * arch.pixel, rel=1e-9)

@@ -1,0 +1,563 @@
+"""Several curves in one document: the list, the canvas, and the commands; real mouse and key events."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from msgspec.structs import replace
+from PySide6.QtCore import QEvent, QPoint, Qt
+from PySide6.QtGui import QContextMenuEvent
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QApplication
+
+from app.document.model import Document, Family, make_curve
+from app.panels.curve_list_view import Spot, spot_rect
+
+CTRL = Qt.KeyboardModifier.ControlModifier
+ALT = Qt.KeyboardModifier.AltModifier
+LEFT = Qt.MouseButton.LeftButton
+WAVE = ((0, 0), (1, 1), (2, 0), (3, 1))
+
+
+@pytest.fixture
+def three(editor):
+    """Three waves one above the other, A below, C on top; B is active."""
+    curves = tuple(
+        make_curve([(x, y + 3 * level) for x, y in WAVE], name=name, family=Family.HERMITE)
+        for level, name in enumerate("ABC")
+    )
+    editor.session.commit(Document(curves), "Begin", active=1)
+    editor.fit()
+    editor.show_dock("curvesDock")
+    return editor
+
+
+def names(editor):
+    return "".join(curve.name for curve in editor.session.document.curves)
+
+
+def row_place(editor, row, spot=Spot.NAME):
+    view = editor.window.curve_list.view
+    return spot_rect(view.row_rect(row), spot).center()
+
+
+def drag_row(editor, row, y, *, release=True):
+    """Drag a row to a height in the list's viewport."""
+    port = editor.window.curve_list.view.viewport()
+    start = row_place(editor, row)
+    QTest.mousePress(port, LEFT, pos=start)
+    for share in (0.3, 0.7, 1.0):
+        QTest.mouseMove(port, QPoint(start.x(), round(start.y() + share * (y - start.y()))))
+        editor.settle()
+    if release:
+        QTest.mouseRelease(port, LEFT, pos=QPoint(start.x(), y))
+        editor.settle()
+
+
+# Which curve is edited
+
+
+def test_a_click_in_the_list_edits_another_curve(three):
+    three.select([1, 2])
+    three.click_in_list(2)
+    assert three.curve.name == "C"
+    assert three.session.selection == frozenset()
+    assert three.window.point_table.model().rowCount() == 4
+    assert three.window.curve_list.view.active == 2
+
+
+def test_arrows_walk_the_list(three):
+    view = three.window.curve_list.view
+    view.setFocus()
+    for key, expected in ((Qt.Key.Key_Down, "C"), (Qt.Key.Key_Down, "C"), (Qt.Key.Key_Up, "B")):
+        QTest.keyClick(view, key)
+        three.settle()
+        assert three.curve.name == expected
+
+
+def test_keys_walk_the_curves_from_the_canvas(three):
+    for expected in "CAB":
+        three.key(Qt.Key.Key_PageDown, CTRL)
+        assert three.curve.name == expected
+    three.key(Qt.Key.Key_PageUp, CTRL)
+    assert three.curve.name == "A"
+    assert three.status == "Editing “A”."
+
+
+def test_a_click_on_another_curve_edits_it(three):
+    at = three.session.views[2].curve.evaluate(0.45)
+    three.hover(tuple(at))
+    assert three.window.status_line.hint == "Click to edit “C”"
+    three.click(tuple(at))
+    assert three.curve.name == "C"
+    assert three.session.undo_stack.undoText() == "Begin"
+
+
+def test_a_hidden_curve_is_not_under_the_pointer(three):
+    at = tuple(three.session.views[2].curve.evaluate(0.45))
+    three.click_in_list(2, Spot.EYE)
+    three.click(at)
+    assert three.curve.name == "B"
+
+
+def test_the_add_tool_adds_points_also_on_top_of_other_curves(three):
+    at = tuple(three.session.views[2].curve.evaluate(0.45))
+    three.add_point(*at)
+    assert three.curve.name == "B"
+    assert len(three.curve.nodes) == 5
+
+
+def test_activating_in_the_middle_of_a_drag_takes_the_drag_back(three):
+    document = three.session.document
+    three.press(three.point(1))
+    three.move((1, 5))
+    assert three.session.document is not document
+    three.session.activate(0)
+    assert three.session.document is document
+    three.move((2, 5))
+    three.release((2, 5))
+    assert three.session.document is document
+
+
+def test_undo_brings_back_which_curve_was_edited(three):
+    three.drag_point(1, to=(1.2, 4.5))
+    three.click_in_list(2)
+    three.drag_point(0, to=(0.2, 6.5))
+    three.click_in_list(0)
+    three.trigger("undo")
+    assert three.curve.name == "C"
+    three.trigger("undo")
+    assert three.curve.name == "B"
+    three.trigger("redo")
+    three.trigger("redo")
+    assert three.curve.name == "C"
+
+
+def test_the_scrub_line_stays_inside_the_curve_that_is_edited(three):
+    curve = three.session.document.curves[0]
+    longer = replace(curve, parametrization=replace(curve.parametrization, end=5.0))
+    three.session.commit(three.session.document.with_curve(0, longer), "Longer")
+    three.session.activate(0)
+    three.session.set_scrub(4.0)
+    three.session.activate(1)
+    assert three.session.scrub == 1.0
+
+
+def test_fit_shows_all_visible_curves(three):
+    _, low, _, high = three.window.canvas.pixel_map.box
+    assert (low < 0, high > 7) == (True, True)
+    three.click_in_list(2, Spot.EYE)
+    three.fit()
+    _, low, _, high = three.window.canvas.pixel_map.box
+    assert (low < 0, high > 4, high < 7) == (True, True, True)
+
+
+# The list
+
+
+def test_the_eye_and_the_lock_are_switches(three):
+    three.click_in_list(2, Spot.EYE)
+    assert not three.session.document.curves[2].visible
+    assert three.session.undo_stack.undoText() == "Hide C"
+    three.click_in_list(2, Spot.LOCK)
+    assert three.session.document.curves[2].locked
+    assert three.curve.name == "B"
+    three.trigger("undo")
+    three.trigger("undo")
+    assert three.session.document.curves[2] == replace(three.session.document.curves[2], visible=True)
+
+
+def test_a_colour_is_chosen_from_the_palette_by_mouse(three):
+    three.click_in_list(2, Spot.SWATCH)
+    three.choose("colour_Vermillion")
+    assert three.session.document.curves[2].colour == "#d55e00"
+    assert three.session.undo_stack.undoText() == "Colour C"
+
+
+def test_a_colour_is_chosen_from_the_palette_by_keys(three):
+    three.trigger("curveColour")
+    menu = three.menu()
+    for key in (Qt.Key.Key_Down, Qt.Key.Key_Down, Qt.Key.Key_Return):
+        QTest.keyClick(menu, key)
+    three.settle()
+    assert three.curve.colour == "#0072b2"
+
+
+def test_escape_leaves_the_palette_and_the_colour(three):
+    three.click_in_list(2, Spot.SWATCH)
+    QTest.keyClick(three.menu(), Qt.Key.Key_Escape)
+    three.settle()
+    assert three.session.document.curves[2].colour == ""
+
+
+@pytest.mark.parametrize("how", ["double click", "F2", "menu"])
+def test_a_name_is_edited_in_place(three, how):
+    view = three.window.curve_list.view
+    if how == "double click":
+        QTest.mouseDClick(view.viewport(), LEFT, pos=row_place(three, 1))
+    elif how == "F2":
+        view.setFocus()
+        QTest.keyClick(view, Qt.Key.Key_F2)
+    else:
+        three.trigger("renameCurve")
+    editor = view.viewport().findChild(object, "curveNameEditor")
+    editor.selectAll()
+    three.type_text(editor, "Spine 2")
+    QTest.keyClick(editor, Qt.Key.Key_Return)
+    three.settle()
+    assert three.curve.name == "Spine 2"
+    assert three.session.undo_stack.undoText() == "Rename curve"
+
+
+def test_escape_leaves_the_name_as_it_was(three):
+    three.trigger("renameCurve")
+    editor = three.window.curve_list.view.viewport().findChild(object, "curveNameEditor")
+    three.type_text(editor, "No")
+    QTest.keyClick(editor, Qt.Key.Key_Escape)
+    three.settle()
+    assert three.curve.name == "B"
+    assert three.session.undo_stack.undoText() == "Begin"
+
+
+def test_an_empty_name_is_refused(three):
+    assert not three.window.curve_list.model.setData(three.window.curve_list.model.index(0), "  ")
+    assert three.status == "A curve needs a name."
+    assert names(three) == "ABC"
+
+
+@pytest.mark.parametrize(("row", "after", "expected"), [(0, 2, "BCA"), (2, 0, "CAB"), (0, 1, "BAC")])
+def test_a_row_is_dragged_to_another_place(three, row, after, expected):
+    rect = three.window.curve_list.view.row_rect(after)
+    drag_row(three, row, rect.bottom() if after > row else rect.top())
+    assert names(three) == expected
+    assert three.curve.name == "ABC"[row]
+    three.trigger("undo")
+    assert names(three) == "ABC"
+
+
+def test_escape_takes_back_the_drag_of_a_row(three):
+    view = three.window.curve_list.view
+    drag_row(three, 0, view.row_rect(2).bottom(), release=False)
+    assert view.is_dragging
+    QTest.keyClick(view, Qt.Key.Key_Escape)
+    QTest.mouseRelease(view.viewport(), LEFT, pos=view.row_rect(2).bottomLeft())
+    three.settle()
+    assert names(three) == "ABC"
+    assert not view.is_dragging
+
+
+def test_a_row_dropped_where_it_was_changes_nothing(three):
+    rect = three.window.curve_list.view.row_rect(1)
+    drag_row(three, 1, rect.top() + rect.height() // 3 + 12)
+    assert three.session.undo_stack.undoText() == "Begin"
+
+
+def test_keys_move_a_curve_in_the_order(three):
+    three.key(Qt.Key.Key_Down, ALT)
+    assert names(three) == "ACB"
+    three.key(Qt.Key.Key_Down, ALT)
+    assert names(three) == "ACB"
+    three.key(Qt.Key.Key_Up, ALT)
+    three.key(Qt.Key.Key_Up, ALT)
+    assert names(three) == "BAC"
+    assert three.curve.name == "B"
+
+
+def test_every_part_of_a_row_says_what_a_click_does(three):
+    view = three.window.curve_list.view
+    tips = [view.tip_at(row_place(three, 1, spot)) for spot in Spot]
+    assert tips == [
+        "Choose the colour of “B”",
+        "“B”: Hermite, 4 points. Double-click to rename, drag to reorder.",
+        "Lock “B”",
+        "Hide “B”",
+    ]
+    assert "Click a curve" in view.tip_at(QPoint(5, view.viewport().height() - 2))
+
+
+def test_the_list_is_read_aloud(three):
+    three.click_in_list(1, Spot.LOCK)
+    model = three.window.curve_list.model
+    assert model.data(model.index(1), Qt.ItemDataRole.AccessibleTextRole) == "B, Hermite, 4 points, locked"
+
+
+def test_the_menu_of_a_row_is_for_that_curve(three):
+    port, place = three.window.curve_list.view.viewport(), row_place(three, 2)
+    event = QContextMenuEvent(QContextMenuEvent.Reason.Mouse, place, port.mapToGlobal(place))
+    QApplication.sendEvent(port, event)
+    three.settle()
+    assert three.curve.name == "C"
+    three.choose("curveLocked")
+    assert three.curve.locked
+
+
+# Number
+
+
+def test_new_duplicate_and_delete(three):
+    three.trigger("newCurve")
+    assert names(three) == "ABCurve 1C"
+    assert three.curve.nodes == ()
+    assert three.curve.family is Family.HERMITE
+    assert three.action("addTool").isChecked()
+    three.click((1, 2))
+    three.trigger("undo")
+    three.trigger("undo")
+    assert names(three) == "ABC"
+    assert three.curve.name == "B"
+    three.trigger("duplicateCurve")
+    assert [curve.name for curve in three.session.document.curves] == ["A", "B", "B copy", "C"]
+    assert three.session.selection == frozenset(range(4))
+    three.trigger("deleteCurve")
+    assert names(three) == "ABC"
+    assert three.curve.name == "C"
+    for _ in "ABC":
+        three.trigger("deleteCurve")
+    assert three.curve.nodes == ()
+    assert len(three.session.document.curves) == 1
+
+
+# Locked and hidden
+
+
+def test_a_locked_curve_refuses_gestures_and_edits_with_a_sentence(three):
+    three.trigger("curveLocked")
+    document = three.session.document
+    sentence = "“B” is locked; unlock it in the list of curves to change it."
+    three.drag_point(1, to=(1, 5))
+    assert (three.session.document, three.status) == (document, sentence)
+    three.add_point(1, 5)
+    assert three.session.document is document
+    three.add_point(*three.session.active_view.curve.evaluate(0.4))
+    assert three.session.document is document
+    three.drag_parameter(1, to=0.5)
+    three.trigger("reverseCurve")
+    three.trigger("deleteCurve")
+    three.choose_family(Family.LAGRANGE)
+    assert three.session.document is document
+    assert three.action("familyHermite").isChecked()
+    three.hover(three.point(2))
+    assert three.window.status_line.hint == sentence
+    three.trigger("curveLocked")
+    three.drag_point(1, to=(1, 5))
+    assert three.point(1) == pytest.approx((1, 5), abs=three.pixel)
+
+
+def test_a_hidden_curve_that_is_edited_is_explained(three):
+    three.trigger("curveVisible")
+    assert three.message == "“B” is hidden; it is drawn faintly while you edit it."
+    three.trigger("curveVisible")
+    assert three.message == ""
+
+
+# Shape
+
+
+def test_splitting_at_a_selected_point_makes_two_curves(three):
+    before = three.session.active_view
+    three.select_point(2)
+    three.trigger("splitCurve")
+    assert [curve.name for curve in three.session.document.curves] == ["A", "B a", "B b", "C"]
+    assert "shape kept, largest change " in three.status
+    t = np.linspace(0, before.parameters[2], 50)
+    assert three.session.active_view.curve.evaluate(t) == pytest.approx(before.curve.evaluate(t), abs=1e-13)
+    three.trigger("undo")
+    assert names(three) == "ABC"
+
+
+def test_splitting_at_the_scrub_line_and_joining_again(three):
+    before = three.session.active_view
+    three.session.set_scrub(0.37)
+    three.trigger("splitCurve")
+    three.trigger("joinCurve")
+    assert [curve.name for curve in three.session.document.curves] == ["A", "B a", "C"]
+    assert three.status.startswith("Joined with “B b”: shapes kept, largest change ")
+    t = np.linspace(0, 1, 99)
+    assert three.session.active_view.curve.evaluate(t) == pytest.approx(before.curve.evaluate(t), abs=1e-13)
+
+
+def test_splitting_nowhere_says_what_is_missing(three):
+    three.trigger("splitCurve")
+    assert "scrub line" in three.status
+    assert names(three) == "ABC"
+
+
+def test_joining_alone_says_what_is_missing(three):
+    for row in (0, 2):
+        three.click_in_list(row, Spot.EYE)
+    three.trigger("joinCurve")
+    assert three.status == "There is no other open, visible curve whose start could follow."
+
+
+def test_a_locked_curve_is_not_joined(three):
+    three.click_in_list(2, Spot.LOCK)
+    three.click_in_list(0, Spot.LOCK)
+    three.trigger("joinCurve")
+    assert names(three) == "ABC"
+    assert "is locked" in three.status
+
+
+def test_joining_to_a_curve_that_comes_earlier_keeps_the_active_one(three):
+    three.click_in_list(2, Spot.EYE)
+    three.trigger("joinCurve")
+    assert names(three) == "BC"
+    assert three.curve.name == "B"
+    assert len(three.curve.nodes) == 8
+
+
+def test_reversing_runs_the_other_way(three):
+    first, last = three.point(0), three.point(3)
+    three.trigger("reverseCurve")
+    assert (three.point(0), three.point(3)) == (last, first)
+    assert three.status.startswith("Shape kept, largest change ")
+
+
+def test_closing_and_opening(three):
+    three.trigger("closeCurve")
+    assert three.curve.is_closed
+    assert three.action("closeCurve").isChecked()
+    view = three.session.active_view
+    for order in (0, 1):
+        assert view.curve.evaluate(0.0, order) == pytest.approx(view.curve.evaluate(1.0, order))
+    three.trigger("closeCurve")
+    assert not three.curve.is_closed
+
+
+def test_closing_a_polynomial_is_explained(three):
+    three.choose_family(Family.LAGRANGE)
+    three.trigger("closeCurve")
+    assert "cannot repeat itself" in three.status
+    assert not three.action("closeCurve").isChecked()
+
+
+def test_a_point_added_to_a_closed_curve_lies_between_its_last_and_its_first(three):
+    three.trigger("closeCurve")
+    three.trigger("freezeParameters")
+    end = three.parameters[-1]
+    three.add_point(1.5, 1.8)
+    assert len(three.parameters) == 6
+    assert three.parameters[-1] == end
+    assert three.session.active_view.is_current
+
+
+# Insert
+
+
+def test_a_click_on_the_curve_keeps_its_shape_under_manual_parameters(three):
+    three.trigger("freezeParameters")
+    before = three.session.active_view
+    three.add_point(*before.curve.evaluate(0.41))
+    assert three.status.startswith("Shape kept, largest change ")
+    t = np.linspace(0, 1, 200)
+    assert three.session.active_view.curve.evaluate(t) == pytest.approx(before.curve.evaluate(t), abs=1e-13)
+    assert three.curve.nodes[2].velocity is not None
+
+
+def test_under_a_rule_the_change_is_told_and_freezing_is_offered(three):
+    before = three.session.active_view
+    three.add_point(*before.curve.evaluate(0.41))
+    assert three.status.startswith("The parameters moved: largest change 0.0")
+    button = three.window.status_line.findChild(object, "offeredAction")
+    assert button.isVisible()
+    assert button.text() == "Freeze and Keep the Shape"
+    QTest.mouseClick(button, LEFT)
+    three.settle()
+    assert three.curve.is_manual
+    assert three.status.startswith("Shape kept, largest change ")
+    t = np.linspace(0, 1, 200)
+    assert three.session.active_view.curve.evaluate(t) == pytest.approx(before.curve.evaluate(t), abs=1e-13)
+    assert three.session.undo_stack.undoText() == "Freeze and insert point 2"
+    assert not three.action("keepShape").isEnabled()
+    assert not button.isVisible()
+    three.trigger("undo")
+    assert three.session.active_view.source == before.source
+
+
+def test_the_offer_is_void_after_another_step(three):
+    three.add_point(*three.session.active_view.curve.evaluate(0.41))
+    assert three.action("keepShape").isEnabled()
+    three.drag_point(0, to=(0.2, 3.2))
+    assert not three.action("keepShape").isEnabled()
+
+
+def test_a_point_dragged_off_the_curve_goes_where_it_is_dragged(three):
+    three.trigger("freezeParameters")
+    at = tuple(three.session.active_view.curve.evaluate(0.41))
+    three.trigger("addTool")
+    three.drag(at, (at[0], at[1] + 1))
+    assert three.point(2) == pytest.approx((at[0], at[1] + 1), abs=2 * three.pixel)
+    assert "largest change" not in three.status
+
+
+def test_escape_takes_back_an_insertion(three):
+    document = three.session.document
+    three.trigger("addTool")
+    three.press(tuple(three.session.active_view.curve.evaluate(0.41)))
+    assert three.session.document is not document
+    three.escape()
+    assert three.session.document is document
+
+
+def test_a_point_is_inserted_at_the_scrub_line(three):
+    three.trigger("freezeParameters")
+    three.session.set_scrub(0.37)
+    three.trigger("insertPoint")
+    assert three.parameters[2] == 0.37 or three.parameters[1] == 0.37
+    assert three.session.selected == three.parameters.index(0.37)
+
+
+# Drawn
+
+
+def test_the_others_are_drawn_in_their_colours_and_repainted_only_when_something_changed(three):
+    three.click_in_list(2, Spot.SWATCH)
+    three.choose("colour_Vermillion")
+    layer = three.window.canvas._other_curves
+    picture = layer._picture
+    assert picture is not None
+    three.drag_point(1, to=(1.3, 4.4))
+    assert layer._picture is picture
+    x, y = three.session.views[2].curve.evaluate(0.41)
+    pixel = three.window.canvas.to_pixel(x, y)
+    image = three.window.canvas.grab().toImage()
+    ratio = image.devicePixelRatio()
+    colours = [
+        image.pixelColor(round(pixel.x() * ratio) + dx, round(pixel.y() * ratio) + dy)
+        for dx in (-1, 0, 1)
+        for dy in (-1, 0, 1)
+    ]
+    assert max(colour.red() - colour.blue() for colour in colours) > 60
+    three.window.canvas.zoom(1.2, three.window.canvas.centre())
+    three.settle()
+    assert layer._picture is not picture
+
+
+def test_many_curves_are_moved_along_while_the_view_moves_and_painted_when_it_rests(three, qtbot):
+    canvas = three.window.canvas
+    layer = canvas._other_curves
+    layer._seconds = 1.0  # as if painting had taken a second
+    picture = layer._picture
+    canvas.zoom(1.2, canvas.centre())
+    canvas.pan(30, 10)
+    three.settle()
+    assert layer._picture is picture
+    shown, place = canvas.pixel_map, picture.place_in(canvas.pixel_map)
+    x, y = picture.shown.plane(100, 50)
+    assert shown.point(x, y) == pytest.approx((place.x() + 120, place.y() + 60))
+    qtbot.waitUntil(lambda: layer._picture is not picture, timeout=2000)
+    assert layer._picture.shown == shown
+
+
+def test_a_corner_is_marked(three):
+    three.select([1])
+    three.trigger("tangentCorner")
+    assert three.window.canvas._corner_layer._corners == [1]
+    assert three.screenshot().width() > 0
+
+
+def test_a_press_and_release_of_another_button_does_nothing(three):
+    document = three.session.document
+    pixel = three.window.canvas.to_pixel(*three.point(1))
+    for kind in (QEvent.Type.MouseButtonPress, QEvent.Type.MouseButtonRelease):
+        three.send(three.window.canvas, kind, pixel, button=Qt.MouseButton.RightButton)
+    assert three.session.document is document

@@ -1,0 +1,174 @@
+"""Keys that the person chooses: recorded, in force, remembered; conflicts are settled by the person."""
+
+from __future__ import annotations
+
+import pytest
+from PySide6.QtCore import Qt
+from PySide6.QtGui import QKeySequence
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QLabel, QWidget
+
+from app.document.model import Family
+from app.keymap import refusal
+from app.panels.preferences_dialog import PreferencesDialog
+from app.preferences import Preferences
+from app.testing import Editor
+
+CTRL = Qt.KeyboardModifier.ControlModifier
+NO_KEYS = Qt.KeyboardModifier.NoModifier
+
+
+@pytest.fixture
+def keys(editor):
+    return open_keys(editor)
+
+
+def open_keys(editor):
+    editor.trigger("editShortcuts")
+    dialog = editor.window.findChild(PreferencesDialog)
+    assert dialog.isVisible()
+    assert not dialog.isModal()
+    return dialog.shortcuts
+
+
+def record(keys, name, key, held=NO_KEYS):
+    """Click the row of an action and press keys."""
+    keys.choose(name)
+    row = keys.table.currentRow()
+    rect = keys.table.visualItemRect(keys.table.item(row, 1))
+    QTest.mouseClick(keys.table.viewport(), Qt.MouseButton.LeftButton, pos=rect.center())
+    assert keys.recorder.hasFocus()
+    QTest.keyClick(keys.recorder, key, held)
+
+
+def shown(keys, name):
+    for row in range(keys.table.rowCount()):
+        if keys.table.item(row, 0).data(Qt.ItemDataRole.UserRole) == name:
+            return keys.table.item(row, 1).text()
+    raise LookupError(name)
+
+
+def test_recorded_keys_work_at_once_everywhere(editor, keys):
+    record(keys, "familyHermite", Qt.Key.Key_K, CTRL)
+    assert shown(keys, "familyHermite") == "Ctrl+K"
+    action = editor.action("familyHermite")
+    assert action.toolTip().endswith("(Ctrl+K)")
+    assert ("Ctrl+K", "Cubic pieces with given velocities") in editor.window.actions_by_name.shortcuts(
+        "Curve"
+    )
+    keys.window().hide()
+    QTest.keyClick(editor.window.canvas, Qt.Key.Key_2)
+    assert editor.curve.family is Family.LAGRANGE
+    QTest.keyClick(editor.window.canvas, Qt.Key.Key_K, CTRL)
+    assert editor.curve.family is Family.HERMITE
+    editor.trigger("showShortcuts")
+    sheet = editor.window.findChild(QWidget, "shortcutSheet")
+    assert any("Ctrl+K" in label.text() for label in sheet.findChildren(QLabel))
+    assert editor.find_command("hermite")[0] == "Hermite"
+
+
+def test_a_conflict_is_named_and_waits_for_an_answer(editor, keys):
+    record(keys, "fitView", Qt.Key.Key_S, CTRL)
+    assert "Ctrl+S belongs to Save" in keys.note.text()
+    assert editor.action("fitView").shortcuts() == [QKeySequence("F")]
+    assert keys.take.isVisible()
+    keys.keep.click()
+    assert editor.action("fitView").shortcuts() == [QKeySequence("F")]
+    assert not keys.take.isVisible()
+    record(keys, "fitView", Qt.Key.Key_S, CTRL)
+    keys.take.click()
+    assert editor.action("fitView").shortcuts() == [QKeySequence("Ctrl+S")]
+    assert editor.action("saveDocument").shortcuts() == []
+    assert editor.action("saveDocument").toolTip() == "Save the document"
+    assert shown(keys, "saveDocument") == ""
+
+
+def test_only_the_key_in_conflict_is_taken(editor, keys):
+    record(keys, "fitView", Qt.Key.Key_Y, CTRL)
+    keys.take.click()
+    assert editor.action("redo").shortcuts() == [QKeySequence("Ctrl+Shift+Z")]
+
+
+def test_escape_leaves_the_keys_as_they_are(editor, keys):
+    record(keys, "fitView", Qt.Key.Key_Escape)
+    assert editor.action("fitView").shortcuts() == [QKeySequence("F")]
+    assert keys.window().isVisible()
+
+
+@pytest.mark.parametrize("key", [Qt.Key.Key_Space, Qt.Key.Key_Left, Qt.Key.Key_Return])
+def test_keys_of_the_drawing_are_refused_with_the_reason(editor, keys, key):
+    record(keys, "fitView", key)
+    assert "choose other keys" in keys.note.text()
+    assert editor.action("fitView").shortcuts() == [QKeySequence("F")]
+
+
+def test_a_reserved_key_with_ctrl_is_free():
+    assert refusal(QKeySequence("Shift+Left"))
+    assert not refusal(QKeySequence("Ctrl+Left"))
+
+
+def test_reset_one_and_reset_all(editor, keys):
+    record(keys, "fitView", Qt.Key.Key_S, CTRL)
+    keys.take.click()
+    record(keys, "quit", Qt.Key.Key_F7)
+    keys.choose("saveDocument")
+    keys.reset.click()
+    assert editor.action("saveDocument").shortcuts() == [QKeySequence("Ctrl+S")]
+    assert editor.action("fitView").shortcuts() == []
+    assert "Fit" in keys.note.text()
+    keys.reset_all.click()
+    assert editor.action("fitView").shortcuts() == [QKeySequence("F")]
+    assert editor.action("quit").shortcuts() == [QKeySequence("Ctrl+Q")]
+    assert editor.window.preferences.shortcuts == {}
+    assert not keys.reset_all.isEnabled()
+
+
+def test_no_keys_at_all(editor, keys):
+    keys.choose("redo")
+    keys.clear.click()
+    assert editor.action("redo").shortcuts() == []
+    assert editor.action("redo").toolTip() == "Do the step again"
+
+
+def test_they_are_remembered(qtbot, tmp_path):
+    store = tmp_path / "settings.ini"
+    first = Editor(qtbot, preferences=Preferences(store))
+    record(open_keys(first), "familyHermite", Qt.Key.Key_K, CTRL)
+    assert first.window.preferences.shortcuts == {"familyHermite": "Ctrl+K"}
+    first.window.close()
+    second = Editor(qtbot, preferences=Preferences(store))
+    assert second.action("familyHermite").shortcuts() == [QKeySequence("Ctrl+K")]
+    assert second.action("familyHermite").toolTip().endswith("(Ctrl+K)")
+
+
+def test_remembered_keys_that_make_no_sense_stop_nothing(qtbot, tmp_path):
+    preferences = Preferences(tmp_path / "settings.ini")
+    preferences.shortcuts = {"unicorn": "Ctrl+U", "fitView": "Ctrl+S", "quit": ""}
+    editor = Editor(qtbot, preferences=preferences)
+    assert editor.action("saveDocument").shortcuts() == [QKeySequence("Ctrl+S")]
+    assert editor.action("fitView").shortcuts() == []
+    assert editor.action("quit").shortcuts() == []
+
+
+def test_searching_by_name_and_by_key(editor, keys):
+    def visible():
+        return [
+            keys.table.item(row, 0).text()
+            for row in range(keys.table.rowCount())
+            if not keys.table.isRowHidden(row)
+        ]
+
+    QTest.keyClicks(keys.search, "ctrl+shift+s")
+    assert visible() == ["Save As"]
+    assert keys.current == "saveDocumentAs"
+    keys.search.clear()
+    QTest.keyClicks(keys.search, "pres")
+    assert "Presentation" in visible()
+
+
+def test_no_two_actions_come_with_the_same_key(editor):
+    keymap = editor.window.actions_by_name.keymap
+    for name, binding in keymap.bindings.items():
+        assert keymap.is_default(name)
+        for key in binding.defaults:
+            assert keymap.owner_of(key) == name

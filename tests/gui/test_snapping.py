@@ -1,0 +1,252 @@
+"""Snapping and measuring."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+from PySide6.QtCore import Qt
+
+from app.document import edits
+from app.document.model import Document, Family, ParametrizationKind, make_curve
+from app.gestures.pointer import Pointer
+from app.gestures.snapping import Magnet, SnapKind, Snapping, grid_value, targets_of
+from app.preferences import Preferences
+from app.testing import Editor
+from app.view_model.curve_view import view_of
+
+SHIFT = Qt.KeyboardModifier.ShiftModifier
+CTRL = Qt.KeyboardModifier.ControlModifier
+POINTS = ((0.0, 0.0), (1.03, 2.04), (3.07, 2.11), (4.0, 0.0))
+OTHER = ((0.0, -2.0), (2.0, -1.0), (4.0, -2.0))
+
+
+@pytest.fixture
+def pair(editor):
+    """Two curves, the first one edited; snapping is on and the grid has a spacing of 0.5."""
+    one = make_curve(POINTS)
+    two = make_curve(OTHER, name="Base", family=Family.HERMITE)
+    document = edits.set_parametrization(Document((one, two)), 0, ParametrizationKind.UNIFORM, [])
+    editor.session.commit(document, "Begin")
+    editor.window.canvas.show_box((-3, 7), (-3, 5))
+    editor.window.preferences.grid_spacing = 0.5
+    editor.trigger("toggleSnap")
+    return editor
+
+
+def near(editor, place, dx=3, dy=2):
+    return (place[0] + dx * editor.pixel, place[1] + dy * editor.pixel)
+
+
+@pytest.mark.parametrize(
+    ("value", "spacing", "expected"),
+    [
+        (0.31, 0.1, 0.3),
+        (0.69, 0.1, 0.7),
+        (-0.29, 0.1, -0.3),
+        (1.14, 0.05, 1.15),
+        (7.1e-5, 2e-5, 8e-5),
+        (2.4, 1, 2),
+    ],
+)
+def test_grid_values_are_the_numbers_that_are_meant(value, spacing, expected):
+    assert grid_value(value, spacing) == expected
+
+
+def snap_of(position, *, kinds=frozenset(SnapKind), grid=(1.0, 1.0), axis=None, moving=(1,), ctrl=False):
+    views = [view_of(make_curve(POINTS)), view_of(make_curve(OTHER, name="Base"))]
+    magnet = Magnet(
+        lambda: Snapping(True, kinds), lambda: grid, lambda: targets_of(views, 0, moving, moving[0], kinds)
+    )
+    place = magnet.pull(position, Pointer(position, (0, 0), scale=100.0, ctrl=ctrl), axis)
+    return place, magnet.caught.label if magnet.caught is not None else None
+
+
+def test_what_is_nearest_is_caught_within_eight_pixels():
+    assert snap_of((3.95, 0.03)) == ((4.0, 0.0), "point 3")
+    assert snap_of((4.09, 0.5), kinds={SnapKind.POINTS}) == ((4.09, 0.5), None)
+    assert snap_of((2.05, -1.05)) == ((2.0, -1.0), "point 1 of Base")
+    assert snap_of((1.96, 0.6)) == ((2.0, 0.6), "grid")
+    assert snap_of((2.05, 1.06)) == ((2.0, 1.0), "grid")
+    assert snap_of((1.5, 2.15)) == ((1.5, 2.11), "level with point 2")
+    assert snap_of((3.05, 3.5)) == ((3.07, 3.5), "straight above point 2")
+    assert snap_of((3.05, 0.03)) == ((3.07, 0.0), "straight below point 2 · level with point 0")
+
+
+def test_neighbours_are_no_points_to_fall_on():
+    # Two points in a row in one place have no distance to go by.
+    assert snap_of((0.02, 0.03), kinds={SnapKind.POINTS})[1] is None
+
+
+def test_another_curve_is_met_exactly():
+    (x, y), label = snap_of((1.0, -1.3), kinds={SnapKind.CURVES})
+    assert label == "Base"
+    curve = view_of(make_curve(OTHER)).curve
+    t = np.linspace(0, 1, 200_001)
+    away = np.hypot(*(curve.evaluate(t) - (1.0, -1.3)).T)
+    assert (x, y) == pytest.approx(curve.evaluate(t[np.argmin(away)]), abs=1e-4)
+    assert math.dist((x, y), (1.0, -1.3)) <= away.min() + 1e-12
+
+
+def test_a_locked_axis_stays_locked():
+    assert snap_of((3.95, 0.03), axis=0) == ((4.0, 0.03), "grid")
+    assert snap_of((3.95, 0.03), axis=1)[0] == (3.95, 0.0)
+
+
+def test_ctrl_turns_snapping_round():
+    assert snap_of((2.05, 1.06), ctrl=True) == ((2.05, 1.06), None)
+
+
+def test_a_dragged_point_lands_exactly_on_the_grid(pair):
+    pair.press(pair.point(1))
+    pair.move(near(pair, (1.5, 3.5)))
+    assert pair.point(1) == (1.5, 3.5)
+    assert pair.window.canvas.overlay.snap.label == "grid"
+    assert "snapped to: grid" in pair.status
+    pair.release(near(pair, (1.5, 3.5)))
+    assert pair.point(1) == (1.5, 3.5)
+    assert pair.window.canvas.overlay.snap is None
+
+
+def test_escape_puts_the_mark_away_too(pair):
+    document = pair.session.document
+    pair.press(pair.point(1))
+    pair.move(near(pair, (1.5, 3.5)))
+    pair.escape()
+    assert pair.session.document is document
+    assert pair.window.canvas.overlay.snap is None
+    pair.release((0, 0))
+
+
+def test_ctrl_held_drags_freely(pair):
+    pair.drag(pair.point(1), near(pair, (1.5, 3.5)), keys=CTRL)
+    assert pair.point(1) != (1.5, 3.5)
+    assert pair.point(1) == pytest.approx((1.5, 3.5), abs=5 * pair.pixel)
+
+
+def test_a_point_lands_exactly_on_a_point_of_another_curve(pair):
+    pair.drag(pair.point(2), near(pair, OTHER[1]))
+    assert pair.point(2) == OTHER[1]
+
+
+def test_a_selection_moves_with_its_grip_on_the_grid(pair):
+    pair.select([1, 2])
+    pair.drag(pair.point(1), near(pair, (1.5, 3.5)))
+    assert pair.point(1) == (1.5, 3.5)
+    assert pair.point(2) == pytest.approx((3.54, 3.57))
+
+
+def test_a_new_point_snaps_and_shows_it_before_the_press(pair):
+    pair.trigger("addTool")
+    pair.hover(near(pair, (5.5, 1.5)))
+    assert pair.window.canvas.overlay.snap.position == (5.5, 1.5)
+    pair.click(near(pair, (5.5, 1.5)))
+    assert pair.point(4) == (5.5, 1.5)
+    pair.trigger("selectTool")
+    pair.hover((-2, 4))
+    assert pair.window.canvas.overlay.snap is None
+
+
+def test_a_move_by_keys_snaps(pair):
+    pair.select([1])
+    pair.hover(pair.point(1))
+    pair.key(Qt.Key.Key_G)
+    pair.move(near(pair, (2.0, 3.0)), held=False)
+    pair.key(Qt.Key.Key_Return)
+    assert pair.point(1) == (2.0, 3.0)
+
+
+def test_the_grid_that_is_snapped_to_is_the_one_on_screen(editor):
+    canvas = editor.window.canvas
+    canvas.show_box((0, 10), (0, 8))
+    wide = canvas.grid_spacing
+    canvas.show_box((0, 0.1), (0, 0.08))
+    assert canvas.grid_spacing[0] == pytest.approx(wide[0] / 100)
+    for spacing in (*wide, *canvas.grid_spacing):
+        assert len(f"{spacing!r}") <= 6
+    canvas.set_grid_spacing(0.25)
+    assert canvas.grid_spacing == (0.25, 0.25)
+    for width in (1e-3, 1.0, 1e4, 1e9):
+        canvas.show_box((0, width), (0, width))
+        editor.settle()
+        assert sum(len(values) for _, values in canvas.getAxis("bottom").tickValues(0, width, 800)) < 200
+
+
+def test_settings_are_remembered(qtbot, tmp_path):
+    store = tmp_path / "settings.ini"
+    preferences = Preferences(store)
+    preferences.snap_kinds = {SnapKind.GRID, SnapKind.LEVEL}
+    preferences.grid_spacing = 0.1
+    preferences.unit_name = "mm"
+    first = Editor(qtbot, preferences=preferences)
+    first.trigger("toggleSnap")
+    again = Preferences(store)
+    assert again.snap_on
+    assert again.snap_kinds == {SnapKind.GRID, SnapKind.LEVEL}
+    assert (again.grid_spacing, again.unit_name) == (0.1, "mm")
+    second = Editor(qtbot, preferences=again)
+    assert second.action("toggleSnap").isChecked()
+    assert second.window.canvas.grid_spacing == (0.1, 0.1)
+
+
+@pytest.mark.parametrize(
+    ("key", "value", "name", "default"),
+    [
+        ("snap/on", "perhaps", "snap_on", False),
+        ("snap/kinds", "grid moon", "snap_kinds", frozenset(SnapKind)),
+        ("grid/spacing", "wide", "grid_spacing", 0.0),
+        ("grid/spacing", "-1", "grid_spacing", 0.0),
+        ("grid/spacing", "nan", "grid_spacing", 0.0),
+        ("view/transform_box", "2", "transform_box", True),
+    ],
+)
+def test_foreign_settings_give_the_default_and_a_sentence(tmp_path, key, value, name, default):
+    preferences = Preferences(tmp_path / "settings.ini")
+    preferences._settings.setValue(key, value)
+    assert getattr(preferences, name) == default
+    assert key in preferences.complaint
+
+
+# Measuring
+
+
+def test_measuring_changes_nothing_and_snaps(pair):
+    pair.window.preferences.unit_name = "mm"
+    pair.window._commands.snap.apply_preferences()
+    document = pair.session.document
+    pair.trigger("measureTool")
+    pair.press(near(pair, POINTS[0]))
+    pair.move(near(pair, (3.0, 4.0)))
+    ruler = pair.window.canvas.overlay.ruler
+    assert (ruler.start, ruler.end) == (POINTS[0], (3.0, 4.0))
+    assert ruler.text == "5 mm · Δx 3 · Δy 4 · 53.1°"
+    assert pair.status.startswith(ruler.text)
+    pair.release(near(pair, (3.0, 4.0)))
+    assert pair.window.canvas.overlay.ruler == ruler
+    pair.escape()
+    assert pair.window.canvas.overlay.ruler is None
+    assert pair.action("measureTool").isChecked()
+    pair.escape()
+    assert pair.action("selectTool").isChecked()
+    assert pair.session.document is document
+
+
+def test_measuring_can_be_cancelled_and_does_not_swallow_undo(pair):
+    pair.trigger("measureTool")
+    pair.press((0, 3))
+    pair.move((2, 3))
+    pair.escape()
+    assert pair.window.canvas.overlay.ruler is None
+    pair.release((2, 3))
+    assert pair.window.canvas.overlay.ruler is None
+    pair.drag((0, 3), (2, 3))
+    pair.trigger("undo")
+    assert len(pair.session.document.curves) == 1
+
+
+def test_a_point_is_measured_not_dragged(pair):
+    pair.trigger("measureTool")
+    pair.drag(pair.point(1), (2, 3))
+    assert pair.point(1) == POINTS[1]
+    assert pair.window.canvas.overlay.ruler.start == POINTS[1]

@@ -1,0 +1,408 @@
+"""Tangents at points, context menus, and points on the clipboard; real mouse and key events."""
+
+from __future__ import annotations
+
+import pytest
+from PySide6.QtCore import QLocale, Qt
+from PySide6.QtGui import QGuiApplication
+from PySide6.QtTest import QTest
+
+from app.document.model import Document, Family, ParametrizationKind, make_curve
+
+CTRL = Qt.KeyboardModifier.ControlModifier
+SHIFT = Qt.KeyboardModifier.ShiftModifier
+ALT = Qt.KeyboardModifier.AltModifier
+WAVE = ((0, 0), (1, 1), (2, 0), (3, 1))
+
+
+@pytest.fixture
+def wave(editor):
+    """A Hermite curve of four points, and an empty one after it."""
+    curves = (make_curve(WAVE, name="Wave", family=Family.HERMITE), make_curve((), name="Empty"))
+    editor.session.commit(Document(curves), "Begin", active=0)
+    editor.fit()
+    return editor
+
+
+def entries(menu):
+    return {action.objectName(): action.isEnabled() for action in menu.actions() if action.objectName()}
+
+
+def close(editor):
+    QTest.keyClick(editor.menu(), Qt.Key.Key_Escape)
+    editor.settle()
+
+
+# Tangents
+
+
+def test_a_corner_has_two_handles_that_move_alone(wave):
+    wave.select_point(1)
+    before = wave.session.active_view.velocity_of(1)
+    wave.key(Qt.Key.Key_2, ALT)
+    assert wave.session.undo_stack.undoText() == "Corner at point 1"
+    node = wave.curve.nodes[1]
+    assert (node.corner, node.velocity, node.velocity_after) == (True, before, before)
+    x, y = wave.handle(ahead=True).position
+    wave.drag_handle((x, y + 0.5), ahead=True)
+    node = wave.curve.nodes[1]
+    assert node.velocity == before
+    assert node.velocity_after[1] > before[1] + 1
+    wave.drag_handle((0.5, 1.2), ahead=False)
+    assert wave.curve.nodes[1].velocity_after == node.velocity_after
+    assert wave.curve.nodes[1].velocity != before
+
+
+def test_smooth_makes_one_velocity_of_two(wave):
+    wave.select_point(1)
+    wave.trigger("tangentCorner")
+    wave.drag_handle((1.5, 2), ahead=True)
+    first, second = (wave.session.active_view.velocity_of(1, ahead=ahead) for ahead in (False, True))
+    wave.key(Qt.Key.Key_1, ALT)
+    node = wave.curve.nodes[1]
+    assert not node.corner
+    assert node.velocity == pytest.approx([(a + b) / 2 for a, b in zip(first, second, strict=True)])
+    assert node.velocity_after is None
+
+
+def test_estimated_leaves_everything_to_the_rules(wave):
+    wave.select([1, 2])
+    wave.trigger("tangentCorner")
+    assert wave.session.undo_stack.undoText() == "Corner at 2 points"
+    wave.key(Qt.Key.Key_3, ALT)
+    assert wave.curve.nodes == make_curve(WAVE).nodes
+    for _ in range(2):
+        wave.trigger("undo")
+    assert wave.curve.nodes == make_curve(WAVE).nodes
+
+
+def test_an_end_is_no_corner(wave):
+    wave.select_point(0)
+    wave.trigger("tangentCorner")
+    assert wave.status == "Point 0 is an end of the curve; a corner needs curve on both sides."
+    wave.trigger("closeCurve")
+    wave.trigger("tangentCorner")
+    assert wave.curve.nodes[0].corner
+
+
+def test_tangents_need_points_and_derivatives(wave):
+    names = ("tangentSmooth", "tangentCorner", "tangentEstimated")
+    assert not any(wave.action(name).isEnabled() for name in names)
+    wave.select_point(1)
+    assert all(wave.action(name).isEnabled() for name in names)
+    wave.choose_family(Family.LAGRANGE)
+    assert not any(wave.action(name).isEnabled() for name in names)
+
+
+def test_the_settings_tell_closed_and_corners(wave):
+    wave.show_dock("curveDock")
+    wave.trigger("closeCurve")
+    wave.select_point(1)
+    wave.trigger("tangentCorner")
+    facts = (
+        wave.window.curve_settings.findChild(object, "curveFacts").text().replace("\N{NO-BREAK SPACE}", " ")
+    )
+    assert "4 pieces · closed · 1 corner" in facts
+
+
+def test_the_table_tells_which_side_of_a_corner_it_shows(wave):
+    wave.select_point(1)
+    wave.trigger("tangentCorner")
+    model = wave.window.point_table.model()
+    tip = model.data(model.index(1, 3), Qt.ItemDataRole.ToolTipRole)
+    assert "before the corner" in tip
+    assert "before the corner" not in model.data(model.index(2, 3), Qt.ItemDataRole.ToolTipRole)
+
+
+def test_a_corner_s_own_side_counts_as_set_by_the_person(wave):
+    wave.select_point(1)
+    wave.trigger("tangentCorner")
+    wave.trigger("resetVelocities")
+    x, y = wave.handle(ahead=True).position
+    wave.drag_handle((x, y + 0.5), ahead=True)
+    assert wave.curve.nodes[1].velocity is None
+    assert wave.action("resetVelocities").isEnabled()
+
+
+# Menus
+
+
+def test_the_menu_of_a_point(wave):
+    menu = wave.open_menu(wave.point(2))
+    assert wave.session.selection == {2}
+    found = entries(menu)
+    assert found["tangentCorner"]
+    assert found["deleteSelection"]
+    wave.choose("tangentCorner")
+    assert wave.curve.nodes[2].corner
+
+
+def test_the_menu_keeps_a_selection_that_the_point_belongs_to(wave):
+    wave.select([1, 2])
+    wave.open_menu(wave.point(2))
+    wave.choose("deleteSelection")
+    assert len(wave.curve.nodes) == 2
+
+
+@pytest.mark.parametrize("name", ["insertPointHere", "splitHere"])
+def test_the_menu_of_the_curve_acts_where_it_was_opened(wave, name):
+    at = tuple(wave.session.active_view.curve.evaluate(0.43))
+    wave.open_menu(at)
+    wave.choose(name)
+    place = wave.point(2) if name == "insertPointHere" else wave.curve.nodes[-1].position
+    assert place == pytest.approx(at, abs=2 * wave.pixel)
+
+
+def test_a_locked_curve_s_menu_offers_no_changes_of_shape(wave):
+    wave.trigger("curveLocked")
+    found = entries(wave.open_menu(tuple(wave.session.active_view.curve.evaluate(0.43))))
+    assert not found["insertPointHere"]
+    assert not found["splitHere"]
+    assert found["curveLocked"]
+    close(wave)
+
+
+def test_the_menu_of_another_curve_is_for_that_curve(wave):
+    at = tuple(wave.session.active_view.curve.evaluate(0.43))
+    wave.session.activate(1)
+    wave.open_menu(at)
+    assert wave.curve.name == "Wave"
+    wave.choose("reverseCurve")
+    assert wave.point(0) == (3, 1)
+
+
+def test_the_menu_of_the_canvas(wave):
+    wave.open_menu((1.5, 1.4))
+    wave.choose("selectAll")
+    assert len(wave.session.selection) == 4
+
+
+def test_escape_leaves_the_menu_and_everything_as_it_was(wave):
+    document = wave.session.document
+    wave.open_menu((1.5, 1.4))
+    close(wave)
+    assert wave.session.document is document
+
+
+def test_the_menu_key_opens_the_menu_of_the_selected_point(wave):
+    wave.select([3])
+    assert entries(wave.press_menu_key())["tangentSmooth"]
+    close(wave)
+    wave.select([])
+    assert "selectAll" in entries(wave.press_menu_key())
+    close(wave)
+
+
+def test_there_is_no_menu_in_the_middle_of_a_drag(wave):
+    wave.press(wave.point(1))
+    wave.move((1, 2))
+    with pytest.raises(LookupError, match="no menu open"):
+        wave.open_menu((1, 2))
+    wave.escape()
+
+
+# Points on the clipboard
+
+
+def test_points_are_copied_to_another_curve_with_their_derivatives(wave):
+    wave.select_point(1)
+    wave.trigger("tangentSmooth")
+    wave.trigger("selectAll")
+    source = wave.session.active_view
+    wave.key(Qt.Key.Key_C, CTRL)
+    assert wave.status == "Copied 4 points."
+    wave.session.activate(1)
+    wave.choose_family(Family.HERMITE)
+    wave.key(Qt.Key.Key_V, CTRL)
+    assert [node.position for node in wave.curve.nodes] == list(WAVE)
+    assert wave.curve.nodes[1].velocity == pytest.approx(source.velocity_of(1))
+    assert wave.session.selection == {0, 1, 2, 3}
+    assert wave.session.undo_stack.undoText() == "Paste 4 points"
+
+
+def test_handles_keep_their_proportions_where_the_parameters_are_others(wave):
+    wave.select_point(1)
+    wave.trigger("tangentSmooth")
+    wave.select([0, 1, 2])
+    wave.key(Qt.Key.Key_C, CTRL)
+    source = wave.session.active_view
+    wave.key(Qt.Key.Key_V, CTRL)
+    view = wave.session.active_view
+    reaches = [
+        [part * each.spacing(index, ahead=True) for part in each.velocity_of(index)]
+        for each, index in ((source, 1), (view, 5))
+    ]
+    assert reaches[1] == pytest.approx(reaches[0])
+
+
+def test_cut_takes_the_points_away(wave):
+    wave.select([1, 2])
+    wave.key(Qt.Key.Key_X, CTRL)
+    assert [node.position for node in wave.curve.nodes] == [(0, 0), (3, 1)]
+    assert wave.session.selection == frozenset()
+    wave.trigger("undo")
+    assert len(wave.curve.nodes) == 4
+    wave.session.activate(1)
+    wave.key(Qt.Key.Key_V, CTRL)
+    assert [node.position for node in wave.curve.nodes] == [(1, 1), (2, 0)]
+
+
+def test_copied_points_are_text_too(wave):
+    wave.select([1, 3])
+    wave.key(Qt.Key.Key_C, CTRL)
+    assert QGuiApplication.clipboard().text() == "1.0\t1.0\n3.0\t1.0"
+    wave.choose_parametrization(ParametrizationKind.MANUAL)
+    wave.key(Qt.Key.Key_C, CTRL)
+    rows = QGuiApplication.clipboard().text().splitlines()
+    assert [len(row.split("\t")) for row in rows] == [3, 3]
+    assert float(rows[1].split("\t")[0]) == 1.0
+
+
+@pytest.mark.parametrize("text", ["4 0\n5 1", "4\t0\n5\t1\n", "x;y\n4;0\n5;1", "4,0;0,0\n5,0;1,0"], ids=repr)
+def test_two_columns_of_text_are_appended(wave, text):
+    wave.paste_text(text)
+    wave.key(Qt.Key.Key_V, CTRL)
+    assert [node.position for node in wave.curve.nodes[4:]] == [(4, 0), (5, 1)]
+    assert not wave.curve.is_manual
+
+
+def test_decimal_commas_of_the_locale_are_read(wave):
+    QLocale.setDefault(QLocale(QLocale.Language.German))
+    try:
+        wave.paste_text("4,5 0,25")
+        wave.key(Qt.Key.Key_V, CTRL)
+    finally:
+        QLocale.setDefault(QLocale.c())
+    assert wave.point(4) == (4.5, 0.25)
+
+
+def test_three_columns_bring_their_parameters(wave):
+    wave.paste_text("t x y\n1.5 4 0\n2 5 1")
+    wave.key(Qt.Key.Key_V, CTRL)
+    assert wave.curve.is_manual
+    assert wave.parameters[-3:] == [1.0, 1.5, 2.0]
+
+
+@pytest.mark.parametrize(
+    ("text", "reason"),
+    [
+        ("0.5 4 0", "Row 1: t must be greater than 1, the t of the last point, not 0.5."),
+        ("t x y\n2 4 0\n2 5 1", "Row 3: t must be greater than 2, the t of the row before it, not 2."),
+        ("4 0\n5 abc", "Row 2, column 2: “abc” is not a number."),
+        ("4 0\n5", "The rows differ in length: row 2 has 1, the first 2."),
+        ("1 2 3 4", "Points are two columns, x y, or three, t x y; these are 4 columns."),
+        ("7", "Points are two columns, x y, or three, t x y; this is one column."),
+        ("", "There are no numbers on the clipboard."),
+        ("1e13 0", "Row 1, column 1: A number here must lie between −1e12 and 1e12."),
+    ],
+)
+def test_text_that_is_no_points_is_refused_with_its_row(wave, text, reason):
+    document = wave.session.document
+    wave.paste_text(text)
+    wave.key(Qt.Key.Key_V, CTRL)
+    assert wave.status.startswith(reason)
+    assert wave.session.document is document
+
+
+def test_text_makes_a_curve_of_its_own(wave):
+    wave.paste_text("0 5\n1 6\n2 5")
+    wave.key(Qt.Key.Key_V, CTRL | SHIFT)
+    assert wave.curve.name == "Curve 1"
+    assert wave.curve.family is Family.HERMITE
+    assert len(wave.curve.nodes) == 3
+    assert wave.session.active_index == 1
+    wave.trigger("undo")
+    assert wave.curve.name == "Wave"
+    wave.paste_text("0 0 5\n1 1 6\n4 2 5")
+    wave.trigger("pasteAsCurve")
+    assert wave.parameters == [0, 1, 4]
+    wave.paste_text("1 0 5\n1 1 6")
+    wave.trigger("pasteAsCurve")
+    assert wave.status.startswith("Row 2: t must be greater than 1")
+
+
+def test_copied_points_make_a_curve_of_their_own(wave):
+    wave.trigger("freezeParameters")
+    wave.trigger("selectAll")
+    wave.trigger("tangentSmooth")
+    before = wave.session.active_view
+    wave.trigger("copyPoints")
+    wave.trigger("pasteAsCurve")
+    assert wave.curve.name == "Curve 1"
+    assert wave.session.active_view.polyline == pytest.approx(before.polyline)
+
+
+def test_a_manual_curve_goes_on_at_the_distances_of_the_points_pasted(wave):
+    wave.trigger("freezeParameters")
+    wave.select([1, 2])
+    step = wave.parameters[2] - wave.parameters[1]
+    wave.trigger("copyPoints")
+    wave.trigger("pastePoints")
+    assert wave.parameters[5] - wave.parameters[4] == pytest.approx(step)
+    assert wave.session.active_view.is_current
+
+
+def test_pasting_into_a_closed_manual_curve_leaves_it_whole(wave):
+    wave.trigger("closeCurve")
+    wave.trigger("freezeParameters")
+    wave.select([1, 2])
+    wave.trigger("copyPoints")
+    wave.trigger("pastePoints")
+    assert wave.session.active_view.is_current
+    assert len(wave.curve.nodes) == 6
+
+
+def test_a_locked_curve_takes_no_points(wave):
+    wave.trigger("curveLocked")
+    document = wave.session.document
+    wave.paste_text("4 0\n5 1")
+    wave.trigger("pastePoints")
+    wave.select([1])
+    wave.trigger("cutPoints")
+    assert wave.session.document is document
+    assert wave.session.selection == {1}
+
+
+def test_the_table_keeps_its_own_copy_and_paste(wave):
+    table = wave.window.point_table
+    table.setFocus()
+    table.setCurrentIndex(table.model().index(1, 1))
+    QTest.keyClick(table, Qt.Key.Key_C, CTRL)
+    wave.settle()
+    assert QGuiApplication.clipboard().text() == "1.0"
+
+
+def test_derivatives_are_copied_from_point_to_points(wave):
+    wave.select_point(1)
+    wave.drag_handle((1.5, 2))
+    velocity = wave.curve.nodes[1].velocity
+    wave.key(Qt.Key.Key_C, CTRL | ALT)
+    assert wave.status == "Copied the derivatives of point 1."
+    wave.select([2, 3])
+    wave.key(Qt.Key.Key_V, CTRL | ALT)
+    assert [node.velocity for node in wave.curve.nodes] == [None, velocity, velocity, velocity]
+    assert wave.point(2) == (2, 0)
+    assert wave.session.undo_stack.undoText() == "Paste derivatives to 2 points"
+
+
+def test_both_sides_of_a_corner_are_copied(wave):
+    wave.select_point(1)
+    wave.trigger("tangentCorner")
+    wave.drag_handle((1.5, 2), ahead=True)
+    corner = wave.curve.nodes[1]
+    wave.trigger("copyDerivatives")
+    wave.select([2])
+    wave.trigger("pasteDerivatives")
+    node = wave.curve.nodes[2]
+    assert (node.corner, node.velocity, node.velocity_after) == (
+        True,
+        corner.velocity,
+        corner.velocity_after,
+    )
+
+
+def test_without_derivatives_on_the_clipboard_pasting_says_so(wave):
+    wave.paste_text("1 2")
+    wave.select_point(1)
+    wave.trigger("pasteDerivatives")
+    assert "no derivatives on the clipboard" in wave.status

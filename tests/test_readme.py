@@ -1,0 +1,42 @@
+"""The README's examples run as they stand."""
+
+from __future__ import annotations
+
+import os
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+ROOT = Path(__file__).parents[1]
+
+
+def blocks(section: str) -> list[str]:
+    """Return the Python blocks of a section."""
+    text = (ROOT / "README.md").read_text(encoding="utf-8")
+    body = text.split(f"## {section}\n", 1)[1].split("\n## ", 1)[0]
+    return re.findall(r"```python\n(.*?)```", body, re.DOTALL)
+
+
+def run(*command: str, cwd: Path) -> subprocess.CompletedProcess[str]:
+    """Run Python in `cwd` with this checkout on its path."""
+    environment = {**os.environ, "PYTHONPATH": str(ROOT), "QT_QPA_PLATFORM": "offscreen"}
+    return subprocess.run(
+        [sys.executable, *command], cwd=cwd, env=environment, capture_output=True, text=True, check=False
+    )
+
+
+def test_the_core_example_prints_what_it_says(tmp_path):
+    (example,) = blocks("The core as a library")
+    result = run("-W", "error", "-c", example, cwd=tmp_path)
+    assert result.returncode == 0, result.stderr
+    # The position functions sum to one, to a few roundings.
+    assert abs(float(result.stdout.split()[-1]) - 1) < 1e-14
+
+
+def test_the_pytest_qt_example_is_a_test_that_passes(tmp_path):
+    conftest, test = blocks("Driving the editor from pytest-qt")
+    (tmp_path / "conftest.py").write_text(conftest, encoding="utf-8")
+    (tmp_path / "test_example.py").write_text(test, encoding="utf-8")
+    result = run("-m", "pytest", "-q", "-p", "no:cacheprovider", cwd=tmp_path)
+    assert "1 passed" in result.stdout, result.stdout + result.stderr

@@ -1,0 +1,327 @@
+"""Other points for the same curve: what stays, and what is measured where it cannot stay."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from msgspec.structs import replace
+
+from app.document import edits
+from app.document.edits import EditError
+from app.document.model import Document, Family, Node, ParametrizationKind, VelocityRule, make_curve
+from app.view_model.curve_view import view_of
+from app.view_model.measure import dense
+from app.view_model.reshape import baked, reversed_curve, with_point_inserted
+from app.view_model.split_join import joined, split
+
+POINTS = ((0.0, 0.0), (1.0, 2.0), (3.0, 2.5), (4.0, 0.0), (6.0, -1.0), (7.0, 1.0))
+HERMITE = (Family.HERMITE, Family.QUINTIC_HERMITE)
+# Values are about 10, a handful of operations of 2⁻⁵³ each on values and derivatives.
+ROUNDING = 1e-13
+
+
+def view(family=Family.HERMITE, points=POINTS, *, manual=True, closed=False, corner=None, **changes):
+    """The view of a curve through `points`."""
+    curve = replace(make_curve(points, family=family), closed=closed, **changes)
+    if corner is not None:
+        nodes = list(curve.nodes)
+        nodes[corner] = replace(nodes[corner], corner=True)
+        curve = replace(curve, nodes=tuple(nodes))
+    made = view_of(curve)
+    if not manual:
+        return made
+    frozen = edits.freeze_parameters(Document((curve,)), 0, made.parameters.tolist())
+    return view_of(frozen.curves[0])
+
+
+def distance(before, after, shift=0.0):
+    """The largest distance between two views at the same t: a second measurement, at other places."""
+    start, end = before.curve.domain
+    t = np.random.default_rng(3).uniform(start, end, 2000)
+    return np.abs(before.curve.evaluate(t) - after.curve.evaluate(t + shift)).max()
+
+
+@pytest.mark.parametrize("closed", [False, True])
+@pytest.mark.parametrize("rule", VelocityRule)
+@pytest.mark.parametrize("family", HERMITE)
+def test_a_point_inserted_under_manual_parameters_keeps_the_shape(family, rule, closed):
+    before = view(family, closed=closed, velocity_rule=rule)
+    for t in np.linspace(*before.curve.domain, 23)[1:-1]:
+        made = with_point_inserted(before, float(t))
+        after = view_of(made.curve)
+        assert len(made.curve.nodes) == len(POINTS) + 1
+        assert made.residual < ROUNDING
+        assert distance(before, after) < ROUNDING
+        assert not made.parameters_moved
+
+
+@pytest.mark.parametrize("family", HERMITE)
+def test_a_point_inserted_beside_a_corner_keeps_it(family):
+    before = view(family, corner=2)
+    t = float(before.parameters[1:3].mean())
+    made = with_point_inserted(before, t)
+    assert made.curve.nodes[3].corner
+    assert made.residual < ROUNDING
+    assert distance(before, view_of(made.curve)) < ROUNDING
+
+
+def test_estimates_that_the_new_point_does_not_change_stay_estimates():
+    before = view(points=[(float(x), float(x % 3)) for x in range(12)], velocity_rule=VelocityRule.BESSEL)
+    made = with_point_inserted(before, float(before.parameters[5:7].mean()))
+    explicit = [index for index, node in enumerate(made.curve.nodes) if node.velocity is not None]
+    # The Bessel rule looks at the neighbours, so only those of the new point are written down.
+    assert explicit == [5, 6, 7]
+
+
+def test_a_natural_spline_through_one_more_of_its_points_stays_itself():
+    made = with_point_inserted(view(), 0.37)
+    assert [node.velocity is not None for node in made.curve.nodes].count(True) == 1
+
+
+def test_a_new_point_on_a_polynomial_changes_nothing_under_manual_parameters():
+    before = view(Family.LAGRANGE)
+    made = with_point_inserted(before, 0.41)
+    assert made.residual < ROUNDING
+    assert view_of(made.curve).curve.degree == before.curve.degree + 1
+
+
+@pytest.mark.parametrize("kind", [ParametrizationKind.UNIFORM, ParametrizationKind.CHORD_LENGTH])
+@pytest.mark.parametrize("family", Family)
+def test_under_a_rule_the_parameters_move_and_the_change_is_measured(family, kind):
+    before = view(family, manual=False)
+    curve = before.source
+    before = view_of(replace(curve, parametrization=replace(curve.parametrization, kind=kind)))
+    t = float(before.parameters[2:4].mean())
+    made = with_point_inserted(before, t)
+    after = view_of(made.curve)
+    assert made.parameters_moved
+    assert made.curve.nodes[3].position == tuple(before.curve.evaluate(t))
+    assert made.curve.nodes[3].t is None
+    old, new = (
+        each.curve.evaluate(np.linspace(0, 1, count)) for each, count in ((before, 300), (after, 9000))
+    )
+    moved = np.hypot(*(old[:, None] - new[None]).transpose(2, 0, 1)).min(axis=1).max()
+    # From no old point is the new curve farther away than was said; 9000 samples lie about 0.002 apart.
+    assert 1e-4 < moved <= made.residual + 0.002
+
+
+def test_handles_stay_when_a_point_is_inserted_under_a_rule():
+    before = view(manual=False)
+    document = edits.set_velocity(Document((before.source,)), 0, 5, (3.0, 40.0))
+    before = view_of(document.curves[0])
+    made = with_point_inserted(before, float(before.parameters[1:3].mean()))
+    after = view_of(made.curve)
+    reach = [
+        np.array(each.velocity_of(last)) * each.spacing(last, ahead=False)
+        for each, last in ((before, 5), (after, 6))
+    ]
+    assert reach[1] == pytest.approx(reach[0], rel=1e-12)
+
+
+@pytest.mark.parametrize("t", [0.0, 1.0, -1.0, 2.0])
+def test_there_is_no_place_for_a_point_at_a_point_or_outside(t):
+    with pytest.raises(EditError, match=r"no place|there already"):
+        with_point_inserted(view(), t)
+
+
+def test_nothing_can_be_done_with_points_that_make_no_curve():
+    lonely = view_of(make_curve([(1.0, 1.0)]))
+    for act in (baked, lambda each: with_point_inserted(each, 0.5), lambda each: split(each, 0.5)):
+        with pytest.raises(EditError, match="at least two points"):
+            act(lonely)
+    with pytest.raises(EditError, match="at least two points"):
+        joined(lonely, view())
+
+
+@pytest.mark.parametrize("closed", [False, True])
+@pytest.mark.parametrize("family", HERMITE)
+def test_a_baked_curve_is_the_same_with_nothing_left_to_rules(family, closed):
+    before = view(family, manual=False, closed=closed, corner=2)
+    curve = baked(before)
+    assert curve.is_manual
+    assert all(node.velocity is not None for node in curve.nodes)
+    assert curve.nodes[2].velocity_after is not None
+    assert distance(before, view_of(curve)) == 0
+
+
+# Split
+
+
+@pytest.mark.parametrize("manual", [False, True])
+@pytest.mark.parametrize("family", HERMITE)
+def test_the_halves_of_a_hermite_curve_are_the_curve(family, manual):
+    before = view(family, manual=manual, corner=2)
+    for t in (*np.linspace(0, 1, 11)[1:-1], *before.parameters[1:-1]):
+        done = split(before, float(t))
+        first, second = map(view_of, done.curves)
+        assert done.residual < ROUNDING
+        assert first.curve.domain[1] == second.curve.domain[0] == pytest.approx(t)
+        assert distance(first, before) < ROUNDING
+        assert distance(second, before) < ROUNDING
+
+
+def test_a_corner_goes_into_both_halves_each_with_its_side():
+    before = view(corner=2)
+    first, second = split(before, float(before.parameters[2])).curves
+    assert first.nodes[-1].velocity == before.velocity_of(2, ahead=False)
+    assert second.nodes[0].velocity == before.velocity_of(2, ahead=True)
+    assert not (first.nodes[-1].corner)
+    assert not (second.nodes[0].corner)
+
+
+@pytest.mark.parametrize("family", HERMITE)
+def test_a_closed_curve_cut_once_is_one_open_curve(family):
+    before = view(family, closed=True)
+    for t in (0.0, 0.3, 0.99, *before.parameters):
+        done = split(before, float(t))
+        (curve,) = done.curves
+        assert not curve.closed
+        assert curve.nodes[0].position == curve.nodes[-1].position
+        assert done.residual < ROUNDING
+        start, end = view_of(curve).curve.domain
+        assert end - start == pytest.approx(1.0)
+
+
+def test_the_halves_of_a_polynomial_are_the_polynomial():
+    before = view(Family.LAGRANGE)
+    done = split(before, 0.4)
+    assert [len(curve.nodes) for curve in done.curves] == [6, 6]
+    assert done.residual < ROUNDING
+    for curve in done.curves:
+        assert distance(view_of(curve), before) < ROUNDING
+
+
+def test_a_polynomial_of_many_points_is_not_split():
+    points = [(float(x), float(x % 2)) for x in range(41)]
+    with pytest.raises(EditError, match="41 points cannot be split well"):
+        split(view(Family.LAGRANGE, points), 0.5)
+
+
+@pytest.mark.parametrize("family", Family)
+def test_the_ends_are_no_place_to_split(family):
+    for t in (0.0, 1.0):
+        with pytest.raises(EditError, match="between its ends"):
+            split(view(family), t)
+
+
+# Join
+
+
+@pytest.mark.parametrize("family", HERMITE)
+def test_what_was_split_can_be_joined_again(family):
+    before = view(family)
+    for t in (0.3, float(before.parameters[2])):
+        first, second = map(view_of, split(before, t).curves)
+        made = joined(first, second)
+        assert made.residual < ROUNDING
+        assert not any(node.corner for node in made.curve.nodes)
+        assert distance(before, view_of(made.curve)) < ROUNDING
+
+
+@pytest.mark.parametrize("family", HERMITE)
+def test_curves_that_meet_at_an_angle_make_a_corner(family):
+    first = view(family)
+    second = view(family, [(7.0, 1.0), (7.0, 4.0), (5.0, 5.0)], manual=False)
+    made = joined(first, second)
+    assert [index for index, node in enumerate(made.curve.nodes) if node.corner] == [5]
+    assert len(made.curve.nodes) == 8
+    after = view_of(made.curve)
+    assert made.residual < ROUNDING
+    assert distance(second, after, shift=1.0) < ROUNDING
+
+
+def test_between_curves_that_do_not_meet_a_smooth_segment_leads_from_one_to_the_other():
+    first = view()
+    second = view(Family.HERMITE, [(9.0, 1.0), (10.0, 4.0), (12.0, 5.0)])
+    made = joined(first, second)
+    after = view_of(made.curve)
+    assert len(made.curve.nodes) == 9
+    assert made.residual < ROUNDING
+    assert after.velocity_of(5) == first.velocity_of(5)
+    assert after.velocity_of(6) == second.velocity_of(0)
+
+
+@pytest.mark.parametrize(
+    ("first", "second", "reason"),
+    [
+        (view(Family.LAGRANGE), view(), "Two polynomials make no third"),
+        (view(), view(Family.QUINTIC_HERMITE), "one family for both"),
+        (view(closed=True), view(), "is closed and has no end"),
+    ],
+)
+def test_some_curves_cannot_be_joined(first, second, reason):
+    with pytest.raises(EditError, match=reason):
+        joined(first, second)
+
+
+# Reverse
+
+
+@pytest.mark.parametrize("closed", [False, True])
+@pytest.mark.parametrize("manual", [False, True])
+@pytest.mark.parametrize("family", Family)
+def test_reversing_keeps_the_shape_and_twice_is_the_curve(family, manual, closed):
+    before = view(family, manual=manual, closed=closed and family is not Family.LAGRANGE, corner=1)
+    document = edits.set_velocity(Document((before.source,)), 0, 1, (3.0, 1.0), ahead=True)
+    before = view_of(document.curves[0])
+    made = reversed_curve(before)
+    # Through wild parameters a polynomial carries the rounding of its parameters, 1e-16, times some 100.
+    assert made.residual < 1e-12
+    again = reversed_curve(view_of(made.curve)).curve
+    old, new = view_of(before.source), view_of(again)
+    t = dense(old.parameters)
+    assert new.curve.evaluate(t) == pytest.approx(old.curve.evaluate(t), abs=1e-12)
+    assert [node.position for node in again.nodes] == [node.position for node in before.source.nodes]
+
+
+def test_parameters_that_would_coincide_are_not_reversed():
+    nodes = (Node(0, 0, t=0.0), Node(1, 1, t=1e-20), Node(2, 0, t=1.0))
+    curve = replace(view(Family.LAGRANGE).source, nodes=nodes)
+    with pytest.raises(EditError, match="too close together"):
+        reversed_curve(view_of(curve))
+
+
+# Closed
+
+
+@pytest.mark.parametrize("manual", [False, True])
+@pytest.mark.parametrize("corner", [None, 2])
+@pytest.mark.parametrize("rule", VelocityRule)
+@pytest.mark.parametrize("family", HERMITE)
+def test_a_closed_curve_is_smooth_across_its_seam(family, rule, corner, manual):
+    closed = view(family, closed=True, velocity_rule=rule, corner=corner, manual=manual)
+    start, end = closed.curve.domain
+    for order in range(family.derivatives + 1):
+        first, last = closed.curve.evaluate(start, order), closed.curve.evaluate(end, order)
+        scale = np.abs(closed.curve.evaluate(np.linspace(start, end, 50), order)).max()
+        assert first == pytest.approx(last, abs=1e-13 * scale)
+
+
+def test_a_closed_natural_cubic_is_the_periodic_spline():
+    points = np.array(POINTS)
+    closed = view(closed=True, manual=False)
+    splines = pytest.importorskip("scipy.interpolate")
+    around = np.vstack([points, points[:1]])
+    expected = splines.CubicSpline(closed.parameters, around, bc_type="periodic")
+    t = np.linspace(0, 1, 301)
+    assert closed.curve.evaluate(t) == pytest.approx(expected(t), abs=1e-12)
+    # C² across the seam, too.
+    assert closed.curve.evaluate(0.0, 2) == pytest.approx(closed.curve.evaluate(1.0, 2), rel=1e-9)
+
+
+def test_explicit_data_at_the_seam_count_on_both_sides():
+    closed = view(Family.QUINTIC_HERMITE, closed=True)
+    document = edits.set_velocity(Document((closed.source,)), 0, 0, (5.0, -3.0))
+    document = edits.set_acceleration(document, 0, 0, (1.0, 2.0))
+    after = view_of(document.curves[0])
+    for order, expected in ((1, (5.0, -3.0)), (2, (1.0, 2.0))):
+        for t in after.curve.domain:
+            assert after.curve.evaluate(t, order) == pytest.approx(expected)
+
+
+def test_a_corner_at_the_seam_has_two_sides():
+    closed = view(closed=True, corner=0)
+    start, end = closed.curve.domain
+    assert closed.velocity_of(0, ahead=True) == pytest.approx(tuple(closed.curve.evaluate(start, 1)))
+    assert closed.velocity_of(0, ahead=False) == pytest.approx(tuple(closed.curve.evaluate(end, 1)))
+    assert closed.velocity_of(0, ahead=True) != pytest.approx(closed.velocity_of(0, ahead=False))
