@@ -6,7 +6,8 @@
 - ``parts``: the curves of a document and their pieces, the source of everything else that is written.
 - ``code``, ``code_runtime``: Python with NumPy or SciPy.  ``latex``: formulas, TikZ, PGFPlots.
 - ``formulas``: Desmos, SVG path data, coefficients.  ``sampled``: tables of samples.
-- ``table_file``, ``thinning``: CSV and TSV in, thinned out if asked.
+- ``table_file``, ``table_curve``, ``thinning``: CSV and TSV in, thinned out if asked.
+- ``table_text``: blocks of numbers on the clipboard.
 - ``svg_in``, ``svg_path``, ``arcs``, ``cubics_in``: SVG in, as Hermite curves.  ``dxf``: DXF out and in.
 - ``child``: a process with limits for the files of others.  ``reading``: which ending names which reader.
 - ``writing``: which ending names which writer.  ``facts``: what ``curvebench info`` prints.

@@ -12,7 +12,8 @@ from app.document.storage import read
 from app.exchange.child import limited
 from app.exchange.cubics_in import Imported
 from app.exchange.drawing import ExchangeError
-from app.exchange.table_file import document_of_table, read_table
+from app.exchange.table_curve import document_of_table
+from app.exchange.table_file import read_table
 from app.exchange.writing import ending_of
 
 READABLE = (".curve.json", ".csv", ".tsv", ".svg", ".dxf")

@@ -16,7 +16,8 @@ from app.exchange.dxf import dxf_text, read_dxf
 from app.exchange.sampled import sampled_table
 from app.exchange.svg_in import read_svg
 from app.exchange.svg_path import read_path_data
-from app.exchange.table_file import document_of_table, preview_table, read_table
+from app.exchange.table_curve import document_of_table
+from app.exchange.table_file import preview_table, read_table
 
 POINTS = [(0.0, 0.0), (1.0, 2.5), (3.0, -1.0), (4.0, 4.0)]
 SKETCH = Document((make_curve(POINTS, name="Kurve α", family=Family.HERMITE),))

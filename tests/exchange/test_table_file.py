@@ -9,10 +9,10 @@ import pytest
 from app.document.model import Document, Family, Node, make_curve
 from app.exchange import ExchangeError
 from app.exchange.sampled import sampled_table
+from app.exchange.table_curve import document_of_table
 from app.exchange.table_file import (
     Layout,
     Mapping,
-    document_of_table,
     preview_table,
     read_table,
 )
