@@ -9,7 +9,7 @@ import os
 import sys
 from collections.abc import Sequence
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from app import __version__
 from app.document.format import FormatError
@@ -20,15 +20,16 @@ from app.exchange import (
     ENDINGS,
     LIGHT,
     READABLE,
+    SAMPLES,
     SUFFIXES,
     ExchangeError,
     Spacing,
     export,
     import_file,
 )
-from app.exchange.facts import CurveFacts, facts_of
-from app.exchange.parts import rounded_up
-from app.exchange.sampled import SAMPLES
+
+if TYPE_CHECKING:
+    from app.exchange.facts import CurveFacts
 
 FAMILY_NAMES = {
     Family.LAGRANGE: "Lagrange",
@@ -249,6 +250,8 @@ def _render(options: argparse.Namespace) -> int:
 
 
 def _convert(options: argparse.Namespace) -> int:
+    from app.exchange.parts import rounded_up  # noqa: PLC0415
+
     source = import_file(
         options.file, tolerance=options.tolerance, thin=options.thin, family=Family(options.family)
     )
@@ -267,6 +270,9 @@ def _convert(options: argparse.Namespace) -> int:
 
 
 def _info(options: argparse.Namespace) -> int:
+    # Takes modules along that the editor does without.
+    from app.exchange.facts import facts_of  # noqa: PLC0415
+
     facts = facts_of(_load(options.file))
     if options.json:
         content = {"file": options.file, "curves": [_as_json(each) for each in facts]}

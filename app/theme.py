@@ -9,8 +9,8 @@ from typing import Final
 
 import numpy as np
 from numpy.typing import NDArray
-from PySide6.QtCore import QByteArray, QObject, QRectF, Qt
-from PySide6.QtGui import QColor, QIcon, QImage, QPainter, QPalette, QPixmap
+from PySide6.QtCore import QByteArray, QObject, QPoint, QRect, QRectF, QSize, Qt
+from PySide6.QtGui import QColor, QIcon, QIconEngine, QImage, QPainter, QPalette, QPixmap
 from PySide6.QtSvg import QSvgRenderer
 from PySide6.QtWidgets import QApplication, QStyleFactory
 
@@ -417,16 +417,54 @@ def icon(name: str, theme: Theme) -> QIcon:
         When there is no such icon.
     """
     drawing = resource("icons", f"{name}.svg").read_text(encoding="utf-8")
-    result = QIcon()
-    for pixels in _PIXELS:
-        shape = _render(drawing.replace("currentColor", theme.ink.name()), pixels)
-        checked = _tinted(shape, theme.accent)
-        disabled = _tinted(shape, mix(theme.muted, theme.surface, 0.5))
-        result.addPixmap(QPixmap.fromImage(shape), QIcon.Mode.Normal, QIcon.State.Off)
-        result.addPixmap(QPixmap.fromImage(checked), QIcon.Mode.Normal, QIcon.State.On)
-        for state in (QIcon.State.Off, QIcon.State.On):
-            result.addPixmap(QPixmap.fromImage(disabled), QIcon.Mode.Disabled, state)
-    return result
+    return QIcon(_IconEngine(drawing.replace("currentColor", theme.ink.name()), theme))
+
+
+class _IconEngine(QIconEngine):
+    """Draws an icon when a size of it is first asked for: at the start most never are."""
+
+    def __init__(self, drawing: str, theme: Theme) -> None:
+        super().__init__()
+        self._drawing, self._theme = drawing, theme
+        self._made: dict[tuple[int, QIcon.Mode, QIcon.State], QPixmap] = {}
+
+    def pixmap(self, size: QSize, mode: QIcon.Mode, state: QIcon.State) -> QPixmap:
+        """Return the icon at a size in pixels of the device."""
+        key = (min(size.width(), size.height()), mode, state)
+        if key not in self._made:
+            self._made[key] = QPixmap.fromImage(self._image(*key))
+        return self._made[key]
+
+    def _image(self, pixels: int, mode: QIcon.Mode, state: QIcon.State) -> QImage:
+        shape = _render(self._drawing, max(pixels, 1))
+        if mode is QIcon.Mode.Disabled:
+            return _tinted(shape, mix(self._theme.muted, self._theme.surface, 0.5))
+        return _tinted(shape, self._theme.accent) if state is QIcon.State.On else shape
+
+    def paint(self, painter: QPainter, rect: QRect, mode: QIcon.Mode, state: QIcon.State) -> None:
+        """Draw the icon in the middle of `rect`."""
+        device = painter.device()
+        ratio = device.devicePixelRatioF() if device is not None else 1.0
+        side = min(rect.width(), rect.height())
+        pixmap = QPixmap(self.pixmap(QSize(1, 1) * round(side * ratio), mode, state))
+        pixmap.setDevicePixelRatio(ratio)
+        corner = rect.center() - QPoint(side, side) / 2
+        painter.drawPixmap(QRect(corner, QSize(side, side)), pixmap)
+
+    def availableSizes(  # noqa: N802
+        self, mode: QIcon.Mode = QIcon.Mode.Normal, state: QIcon.State = QIcon.State.Off
+    ) -> list[QSize]:
+        """Return the sizes in use; any other is drawn as well."""
+        return [QSize(pixels, pixels) for pixels in _PIXELS]
+
+    def actualSize(self, size: QSize, mode: QIcon.Mode, state: QIcon.State) -> QSize:  # noqa: N802
+        """Return the square that fits."""
+        side = min(size.width(), size.height())
+        return QSize(side, side)
+
+    def clone(self) -> QIconEngine:
+        """Return another engine for the same drawing."""
+        return _IconEngine(self._drawing, self._theme)
 
 
 def app_icon() -> QIcon:

@@ -20,6 +20,7 @@ bernstein           their control points, and fast evaluation from these
 tangents            velocities and accelerations estimated from points
 bezier              exact and approximate Bezier control points
 flatten             polylines within a tolerance
+frozen              the same while points move and parameters stay
 ==================  ======================================================
 
 Every family is linear in its data: c(t) = sum over i, r of B_ir(t) d_ir, where
@@ -35,6 +36,7 @@ from curvecore.chain import Chain
 from curvecore.curve import Curve
 from curvecore.errors import CurveError
 from curvecore.flatten import MAX_VERTICES, flatten, flatten_parameters
+from curvecore.frozen import FrozenFlattening
 from curvecore.hermite import HermiteCurve, LocalBasis, QuinticHermiteCurve
 from curvecore.lagrange import LagrangeCurve
 from curvecore.parametrization import centripetal, chebyshev, chord_length, power, uniform
@@ -53,6 +55,7 @@ __all__ = [
     "CubicPath",
     "Curve",
     "CurveError",
+    "FrozenFlattening",
     "HermiteCurve",
     "LagrangeCurve",
     "LocalBasis",

@@ -28,7 +28,16 @@ from curvecore.curve import Curve
 from curvecore.errors import CurveError
 from curvecore.hermite import HermiteCurve, QuinticHermiteCurve
 
-__all__ = ["MAX_VERTICES", "flatten", "flatten_parameters"]
+__all__ = [
+    "MAX_VERTICES",
+    "Pieces",
+    "flatten",
+    "flatten_parameters",
+    "may_enter",
+    "merged_pieces",
+    "sampled_pieces",
+    "segment_distance",
+]
 
 MAX_VERTICES = 1 << 14
 """A polyline has at most this many vertices, or 4 per joint if that is more."""
@@ -41,7 +50,7 @@ _SAMPLES = np.array([0.25, 0.5, 0.75])
 _MARGIN = 1.25  # on a measured distance, for what lies between the samples
 
 
-class _Pieces(NamedTuple):
+class Pieces(NamedTuple):
     """Consecutive pieces of a curve.
 
     Attributes
@@ -128,8 +137,8 @@ def flatten_parameters(curve: Curve, tolerance: float, box: ArrayLike | None = N
         if isinstance(curve, (HermiteCurve, QuinticHermiteCurve)):
             pieces = _bezier_pieces(curve, limit, edges)
         else:
-            pieces = _sampled_pieces(curve, limit, edges)
-        return _merged(pieces, limit)
+            pieces = sampled_pieces(curve, limit, edges)
+        return merged_pieces(pieces, limit).parameters
 
 
 class _Arcs(NamedTuple):
@@ -150,7 +159,7 @@ class _Arcs(NamedTuple):
 
 def _bezier_pieces(
     curve: HermiteCurve | QuinticHermiteCurve, tolerance: float, box: FloatArray | None
-) -> _Pieces:
+) -> Pieces:
     controls = bezier_segments(curve)
     n = len(controls)
     arcs = _Arcs(controls, np.arange(n, dtype=np.float64), np.ones(n))
@@ -158,7 +167,7 @@ def _bezier_pieces(
     size = 0
     for level in range(_ROUNDS):
         bound = _chord_bound(arcs.controls)
-        outside = np.zeros(len(bound), dtype=bool) if box is None else ~_may_enter(arcs.controls, box)
+        outside = np.zeros(len(bound), dtype=bool) if box is None else ~may_enter(arcs.controls, box)
         need = np.where(outside, 1.0, np.maximum(1.0, np.ceil(np.sqrt(bound / tolerance))))
         fine = need <= _FINE
         active = int(fine.size - np.count_nonzero(fine))
@@ -178,7 +187,7 @@ def _bezier_pieces(
 
 def _uniform_pieces(
     curve: Curve, start: FloatArray, length: FloatArray, need: FloatArray, bound: FloatArray
-) -> _Pieces:
+) -> Pieces:
     """Divide each arc into as many equal pieces as it needs."""
     joints = curve.parameters
     room = max(MAX_VERTICES, 4 * len(joints)) - 1
@@ -197,22 +206,32 @@ def _uniform_pieces(
     if not distinct.all():
         t = np.append(t[:-1][distinct], t[-1])
         deviation = deviation[distinct]
-    return _Pieces(t, _points(curve, t), deviation)
+    return Pieces(t, _points(curve, t), deviation)
 
 
 def _chord_bound(controls: FloatArray) -> FloatArray:
     """Bound the distance between arcs and their chords: max |c''| / 8 over s in [0, 1]."""
     degree = controls.shape[1] - 1
     second = controls[:, 2:] - 2.0 * controls[:, 1:-1] + controls[:, :-2]
-    bound: FloatArray = np.hypot(second[:, :, 0], second[:, :, 1]).max(axis=1) * (degree * (degree - 1) / 8.0)
+    sizes = np.hypot(second[:, :, 0], second[:, :, 1])
+    bound: FloatArray = _along_columns(np.maximum, sizes) * (degree * (degree - 1) / 8.0)
     return bound
 
 
-def _may_enter(points: FloatArray, box: FloatArray) -> BoolArray:
+def may_enter(points: FloatArray, box: FloatArray) -> BoolArray:
     """Tell whose hulls, from points of shape (k, j, 2), touch the box."""
-    low, high = points.min(axis=1), points.max(axis=1)
-    touches: BoolArray = ((high >= box[:2]) & (low <= box[2:])).all(axis=1)
+    low, high = _along_columns(np.minimum, points), _along_columns(np.maximum, points)
+    inside = (high >= box[:2]) & (low <= box[2:])
+    touches: BoolArray = inside[:, 0] & inside[:, 1]
     return touches
+
+
+def _along_columns(combine: np.ufunc, values: FloatArray) -> FloatArray:
+    """Reduce axis 1, which has a handful of entries: NumPy's reductions take ten times as long."""
+    result: FloatArray = values[:, 0]
+    for column in range(1, values.shape[1]):
+        result = combine(result, values[:, column])
+    return result
 
 
 def _split(arcs: _Arcs) -> _Arcs:
@@ -239,7 +258,7 @@ def _split_weights(degree: int) -> FloatArray:
     return read_only(weights)
 
 
-def _sampled_pieces(curve: Curve, tolerance: float, box: FloatArray | None) -> _Pieces:
+def sampled_pieces(curve: Curve, tolerance: float, box: FloatArray | None) -> Pieces:
     """Sample for the degree, then refine the pieces that leave their chords."""
     t = _first_samples(curve)
     points = _points(curve, t)
@@ -256,7 +275,7 @@ def _sampled_pieces(curve: Curve, tolerance: float, box: FloatArray | None) -> _
         t, points, deviation, todo = _refine(curve, t, points, deviation, count)
         if wanted > room:
             break
-    return _Pieces(t, points, deviation)
+    return Pieces(t, points, deviation)
 
 
 def _points(curve: Curve, t: FloatArray) -> FloatArray:
@@ -268,8 +287,16 @@ def _first_samples(curve: Curve) -> FloatArray:
     """Joints, and Chebyshev-like parameters that resolve any polynomial of the degree."""
     first, last = curve.domain
     count = 2 * curve.degree
-    s = np.sin(np.arange(1, count) * (np.pi / (2 * count))) ** 2
-    return np.unique(np.concatenate((curve.parameters, first + (last - first) * s)))
+    s = first + (last - first) * np.sin(np.arange(1, count) * (np.pi / (2 * count))) ** 2
+    # What all but coincides with a joint tells nothing that the joint does not.
+    joints = curve.parameters
+    after = np.clip(np.searchsorted(joints, s), 1, len(joints) - 1)
+    away = np.minimum(np.abs(s - joints[after - 1]), np.abs(s - joints[after]))
+    room = np.diff(np.concatenate(([first], s, [last])))
+    s = s[away > 0.05 * np.minimum(room[:-1], room[1:])]
+    t = np.sort(np.concatenate((joints, s)))
+    # numpy.unique would import all of numpy.ma.
+    return t[np.diff(t, prepend=-np.inf) > 0.0]
 
 
 class _Measured(NamedTuple):
@@ -292,12 +319,12 @@ def _measure(
     inner = start[:, None] + (end - start)[:, None] * _SAMPLES
     samples = _points(curve, inner.ravel()).reshape(-1, _SAMPLES.size, 2)
     before, after = points[todo][:, None], points[todo + 1][:, None]
-    deviation = _MARGIN * _segment_distance(samples, before, after).max(axis=1)
+    deviation = _MARGIN * segment_distance(samples, before, after).max(axis=1)
     need = np.clip(np.ceil(np.sqrt(deviation / tolerance)), 1.0, 16.0)
     # No parameter fits between: the piece is as short as it can be.
     need[(inner[:, 0] <= start) | (inner[:, -1] >= end)] = 1.0
     if box is not None:
-        outside = ~_may_enter(_inflated(np.concatenate((before, samples, after), axis=1)), box)
+        outside = ~may_enter(_inflated(np.concatenate((before, samples, after), axis=1)), box)
         need[outside] = 1.0
         deviation[outside] = np.inf
     return _Measured(deviation, need.astype(np.intp))
@@ -310,7 +337,7 @@ def _inflated(shape: FloatArray) -> FloatArray:
 
 
 class _Refined(NamedTuple):
-    """Pieces as in `_Pieces`, and the indices of those that are new."""
+    """Pieces as in `Pieces`, and the indices of those that are new."""
 
     parameters: FloatArray
     points: FloatArray
@@ -334,7 +361,7 @@ def _refine(
     return _Refined(finer, located, deviation[piece], np.flatnonzero(count[piece] > 1))
 
 
-def _segment_distance(points: FloatArray, start: FloatArray, end: FloatArray) -> FloatArray:
+def segment_distance(points: FloatArray, start: FloatArray, end: FloatArray) -> FloatArray:
     """Return the distances from points to line segments, free of overflow."""
     chord = end - start
     length = np.hypot(chord[..., 0], chord[..., 1])
@@ -346,18 +373,19 @@ def _segment_distance(points: FloatArray, start: FloatArray, end: FloatArray) ->
     return distance
 
 
-def _merged(pieces: _Pieces, tolerance: float) -> FloatArray:
+def merged_pieces(pieces: Pieces, tolerance: float) -> Pieces:
     """Leave out the vertices that the tolerance does not need.
 
     A chord of two pieces is at most as far from the curve as the worse of
     their own chords is, plus the middle vertex's distance from it.
     """
-    t, points, deviation = pieces
+    t, points = pieces.parameters, pieces.points
+    deviation = pieces.deviation.copy()
     idle, offset = 0, 0
     while idle < 2 and t.size > 2:
         middle = np.arange(1 + offset, t.size - 1, 2)
         joined = np.maximum(deviation[middle - 1], deviation[middle])
-        joined += _segment_distance(points[middle], points[middle - 1], points[middle + 1])
+        joined += segment_distance(points[middle], points[middle - 1], points[middle + 1])
         dropped = joined <= tolerance
         deviation[middle[dropped] - 1] = joined[dropped]
         # Straight parts halve in every round; a few vertices more are not worth another one.
@@ -366,4 +394,4 @@ def _merged(pieces: _Pieces, tolerance: float) -> FloatArray:
         kept[middle[dropped]] = False
         t, points, deviation = t[kept], points[kept], deviation[kept[:-1]]
         offset = 1 - offset
-    return t
+    return Pieces(t, points, deviation)

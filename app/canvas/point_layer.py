@@ -2,22 +2,29 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 
 import numpy as np
 from PySide6.QtCore import QPointF, QRectF, Qt
 from PySide6.QtGui import QColor, QFont, QPainter, QPen, QPolygonF
 
+from app.plot.colours import colours_of
+from app.plot.drawing import Flags
 from app.plot.pixel_map import Floats, PixelMap
 from app.plot.plot_widget import PlotWidget
-from app.theme import Theme, point_colours
-from app.view_model.curve_view import CurveView
+from app.plot.stamps import Stamps
+from app.theme import Theme
+from app.view_model.curve_view import CurveView, Integers
 from app.view_model.handles import Handle, handles_of
 
-_RADIUS, _SELECTED_RADIUS, _GROWTH = 4.5, 5.5, 1.0
+_RADIUS, _SELECTED_RADIUS, _GROWTH, _LEAST_RADIUS = 4.5, 5.5, 1.0, 2.0
 _LABELLED_UP_TO = 12
 _WEIGHED_UP_TO = 24
 _FAR = 1e5
+_SAMPLED = 256
+_STAMPED_FROM = 64
+"""Points from which on discs are stamped, on whole pixels, in place of drawn."""
 
 
 class PointLayer:
@@ -34,6 +41,10 @@ class PointLayer:
         self._handles: list[Handle] = []
         self._layer = plot.add_layer(self.paint, z=10)
         self._font = QFont(plot.font())
+        self._discs = Stamps(_disc)
+        self._pixels_of: tuple[Floats | None, PixelMap | None] = (None, None)
+        self._pixels: Floats = np.empty((0, 2))
+        self._visible: Integers = np.empty(0, dtype=np.intp)
 
     def render(self, view: CurveView) -> None:
         """Draw `view` from the next paint on."""
@@ -62,37 +73,62 @@ class PointLayer:
         if view is None or not len(view.points):
             return
         painter.setRenderHint(QPainter.RenderHint.Antialiasing, True)
-        colours = point_colours(len(view.points), self.theme)
-        pixels = shown.points(view.points)
-        visible = np.flatnonzero(_is_near(pixels, shown)).tolist()
-        places = pixels.tolist()
-        if self.weights is not None and len(self.weights) == len(places):
-            self._paint_weights(painter, places, visible, colours)
+        colours = colours_of(len(view.points), self.theme)
+        self._locate(view.points, shown)
+        pixels, visible = self._pixels, self._visible
+        if self.weights is not None and len(self.weights) == len(pixels):
+            self._paint_weights(painter, pixels, visible, colours)
         self._paint_handles(painter, shown)
-        self._paint_points(painter, places, visible, colours)
+        self._paint_points(painter, pixels, visible, colours)
         self._paint_numbers(painter, pixels, visible)
         if self.scrub is not None:
             self._paint_scrub_dot(painter, shown)
 
+    def _locate(self, points: Floats, shown: PixelMap) -> None:
+        """Find the pixels of all points, and which of them are on screen."""
+        if self._pixels_of[0] is points and self._pixels_of[1] is shown:
+            return
+        self._pixels_of = (points, shown)
+        self._pixels = shown.points(points)
+        self._visible = np.flatnonzero(_is_near(self._pixels, shown))
+
     # Points
 
     def _paint_points(
-        self,
-        painter: QPainter,
-        places: list[list[float]],
-        visible: list[int],
-        colours: Sequence[QColor],
+        self, painter: QPainter, pixels: Floats, visible: Integers, colours: Sequence[QColor]
     ) -> None:
-        rim = QPen(self.theme.paper, 1.5 * self.scale)
-        painter.setPen(rim)
-        for index in visible:
-            if index not in self.selection:
-                painter.setBrush(colours[index])
-                radius = (_RADIUS + (_GROWTH if index == self.hovered else 0)) * self.scale
-                painter.drawEllipse(QPointF(*places[index]), radius, radius)
-        for index in self.selection:
-            if index < len(places) and index in visible:
-                self._paint_selected(painter, QPointF(*places[index]), colours[index])
+        chosen = [index for index in self.selection if index < len(pixels)]
+        is_calm = np.ones(len(pixels), dtype=bool)
+        is_calm[chosen] = False
+        calm = visible[is_calm[visible]]
+        if len(calm) < _STAMPED_FROM:
+            self._paint_discs(painter, pixels, calm.tolist(), colours)
+        else:
+            radius, rim = self._size_of_many(pixels, visible)
+            self._discs.draw(painter, pixels[calm], calm, len(pixels), self.theme, radius, rim)
+            hovered = calm[calm == self.hovered]
+            self._paint_discs(painter, pixels, hovered.tolist(), colours)
+        for index in visible[~is_calm[visible]].tolist():
+            self._paint_selected(painter, QPointF(*pixels[index]), colours[index])
+
+    def _size_of_many(self, pixels: Floats, visible: Integers) -> tuple[float, float]:
+        """Return radius and rim of the discs: small and bare where they would cover each other."""
+        every = max(len(visible) // _SAMPLED, 1)
+        sample = visible[:-1:every]
+        steps = pixels[sample + 1] - pixels[sample]
+        # In steps, so that the discs do not swell and shrink under a drag.
+        room = math.floor(float(np.median(np.hypot(steps[:, 0], steps[:, 1])))) / 2
+        radius = min(max(room, _LEAST_RADIUS * self.scale), _RADIUS * self.scale)
+        return radius, 1.5 * self.scale if radius >= _RADIUS * self.scale else 0.0
+
+    def _paint_discs(
+        self, painter: QPainter, pixels: Floats, indices: Sequence[int], colours: Sequence[QColor]
+    ) -> None:
+        painter.setPen(QPen(self.theme.paper, 1.5 * self.scale))
+        for index in indices:
+            painter.setBrush(colours[index])
+            radius = (_RADIUS + (_GROWTH if index == self.hovered else 0)) * self.scale
+            painter.drawEllipse(QPointF(*pixels[index]), radius, radius)
 
     def _paint_selected(self, painter: QPainter, place: QPointF, colour: QColor) -> None:
         radius = _SELECTED_RADIUS * self.scale
@@ -105,9 +141,12 @@ class PointLayer:
 
     # Numbers
 
-    def _paint_numbers(self, painter: QPainter, pixels: Floats, visible: list[int]) -> None:
-        everyone = len(pixels) <= _LABELLED_UP_TO
-        chosen = [i for i in visible if everyone or i in self.selection or i == self.hovered]
+    def _paint_numbers(self, painter: QPainter, pixels: Floats, visible: Integers) -> None:
+        if len(pixels) > _LABELLED_UP_TO:
+            wanted = np.zeros(len(pixels), dtype=bool)
+            wanted[[index for index in (*self.selection, self.hovered) if 0 <= index < len(pixels)]] = True
+            visible = visible[wanted[visible]]
+        chosen: list[int] = visible.tolist()
         if not chosen:
             return
         painter.setFont(self._scaled_font(0.95))
@@ -161,22 +200,22 @@ class PointLayer:
     def _paint_weights(
         self,
         painter: QPainter,
-        places: list[list[float]],
-        visible: list[int],
+        pixels: Floats,
+        visible: Integers,
         colours: Sequence[QColor],
     ) -> None:
         assert self.weights is not None
         values = self.weights.tolist()
         largest = max(map(abs, values)) or 1.0
-        with_text = len(places) <= _WEIGHED_UP_TO
+        with_text = len(pixels) <= _WEIGHED_UP_TO
         painter.setFont(self._scaled_font(0.85))
-        for index in visible:
+        for index in visible.tolist():
             # The area shows the weight; weights beyond 1 share the scale of the largest.
             share = abs(values[index]) / max(largest, 1.0)
             radius = 30 * self.scale * float(np.sqrt(share))
             if radius < 1:
                 continue
-            place = QPointF(*places[index])
+            place = QPointF(*pixels[index])
             self._paint_weight_disc(painter, place, radius, colours[index], negative=values[index] < 0)
             if with_text and abs(values[index]) >= 5e-3:
                 self._paint_weight_text(painter, place, values[index])
@@ -209,7 +248,11 @@ class PointLayer:
         painter.drawEllipse(QPointF(*pixel), 6.5 * self.scale, 6.5 * self.scale)
 
 
-def _is_near(pixels: Floats, shown: PixelMap) -> np.ndarray:
+def _disc(painter: QPainter, radius: float) -> None:
+    painter.drawEllipse(QPointF(0, 0), radius, radius)
+
+
+def _is_near(pixels: Floats, shown: PixelMap) -> Flags:
     """Tell which points are close enough to the visible area to be drawn."""
     margin = 60.0
     x, y = pixels[:, 0], pixels[:, 1]

@@ -101,11 +101,10 @@ def append_node(document: Document, curve: int, node: Node, *, squeeze: float = 
 
 def move_nodes(document: Document, curve: int, indices: Collection[int], by: Vector) -> Document:
     """Move the nodes at `indices` by the vector `by`; their derivatives stay."""
-    moved = [
-        _moved(node, by) if index in indices else node
-        for index, node in enumerate(document.curves[curve].nodes)
-    ]
-    return _with_nodes(document, curve, moved)
+    nodes = list(document.curves[curve].nodes)
+    for index in indices:
+        nodes[index] = _moved(nodes[index], by)
+    return _with_nodes(document, curve, nodes)
 
 
 def _moved(node: Node, by: Vector) -> Node:

@@ -9,7 +9,6 @@ from __future__ import annotations
 
 import errno
 import os
-import secrets
 import stat
 from pathlib import Path
 
@@ -131,7 +130,7 @@ def _mode_to_keep(path: str | os.PathLike[str], target: Path) -> int | None:
 
 def _write_temporary(folder: Path, data: bytes, mode: int | None) -> Path:
     """Write `data` to a new file in `folder`, down to the disk, and return its path."""
-    path = folder / f"{TEMPORARY_PREFIX}{secrets.token_hex(8)}.tmp"
+    path = folder / f"{TEMPORARY_PREFIX}{os.urandom(8).hex()}.tmp"
     # O_EXCL: a file or link that someone put there first is never followed. The umask gives the mode.
     flags = os.O_WRONLY | os.O_CREAT | os.O_EXCL | getattr(os, "O_BINARY", 0)
     descriptor = os.open(path, flags, 0o666 if mode is None else 0o600)

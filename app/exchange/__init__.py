@@ -10,19 +10,19 @@
 - ``table_text``: blocks of numbers on the clipboard.
 - ``svg_in``, ``svg_path``, ``arcs``, ``cubics_in``: SVG in, as Hermite curves.  ``dxf``: DXF out and in.
 - ``child``: a process with limits for the files of others.  ``reading``: which ending names which reader.
-- ``writing``: which ending names which writer.  ``facts``: what ``curvebench info`` prints.
+- ``formats``: the endings.  ``writing``, ``writers``: which ending names which writer.
+- ``facts``: what ``curvebench info`` prints.
 
 `export` chooses the writer by the name of the file.
 """
 
 from __future__ import annotations
 
-from app.exchange.cubics_in import Imported
 from app.exchange.drawing import ExchangeError
-from app.exchange.reading import READABLE, import_file
-from app.exchange.sampled import Spacing
+from app.exchange.formats import ENDINGS, READABLE, SAMPLES, SUFFIXES, Exported, Spacing
+from app.exchange.reading import import_file
 from app.exchange.svg import DARK, INK, LIGHT, Style, svg_of
-from app.exchange.writing import ENDINGS, SUFFIXES, Exported, export
+from app.exchange.writing import export
 
 __all__ = [
     "DARK",
@@ -30,10 +30,10 @@ __all__ = [
     "INK",
     "LIGHT",
     "READABLE",
+    "SAMPLES",
     "SUFFIXES",
     "ExchangeError",
     "Exported",
-    "Imported",
     "Spacing",
     "Style",
     "export",

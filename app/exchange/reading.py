@@ -5,19 +5,16 @@ from __future__ import annotations
 import os
 from collections.abc import Callable
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from app.document.format import FormatError, decode
 from app.document.model import Family
 from app.document.storage import read
-from app.exchange.child import limited
-from app.exchange.cubics_in import Imported
 from app.exchange.drawing import ExchangeError
-from app.exchange.table_curve import document_of_table
-from app.exchange.table_file import read_table
-from app.exchange.writing import ending_of
+from app.exchange.formats import READABLE, ending_of
 
-READABLE = (".curve.json", ".csv", ".tsv", ".svg", ".dxf")
-"""Endings of the files that `import_file` can read."""
+if TYPE_CHECKING:
+    from app.exchange.cubics_in import Imported
 
 
 def import_file(
@@ -54,8 +51,8 @@ def import_file(
         ".curve.json": lambda: _document(data),
         ".csv": lambda: _table(data, name, thin, family),
         ".tsv": lambda: _table(data, name, thin, family),
-        ".svg": lambda: limited("svg", data, tolerance),
-        ".dxf": lambda: limited("dxf", data, tolerance),
+        ".svg": lambda: _drawing("svg", data, tolerance),
+        ".dxf": lambda: _drawing("dxf", data, tolerance),
     }
     try:
         return readers[ending]()
@@ -65,10 +62,25 @@ def import_file(
         raise ExchangeError(f"“{Path(path).name}” takes more memory than there is.") from None
 
 
+# The window starts without the readers.
+
+
 def _document(data: bytes) -> Imported:
+    from app.exchange.cubics_in import Imported  # noqa: PLC0415
+
     return Imported(decode(data))
 
 
 def _table(data: bytes, name: str, thin: float | None, family: Family) -> Imported:
+    from app.exchange.cubics_in import Imported  # noqa: PLC0415
+    from app.exchange.table_curve import document_of_table  # noqa: PLC0415
+    from app.exchange.table_file import read_table  # noqa: PLC0415
+
     document, deviation = document_of_table(read_table(data), name=name, thin=thin, family=family)
     return Imported(document, deviation)
+
+
+def _drawing(reader: str, data: bytes, tolerance: float | None) -> Imported:
+    from app.exchange.child import limited  # noqa: PLC0415
+
+    return limited(reader, data, tolerance)

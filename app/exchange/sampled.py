@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from enum import StrEnum
 from math import isnan
 
 import numpy as np
@@ -10,25 +9,17 @@ import numpy as np
 from app.document.model import Document
 from app.exchange.drawing import ExchangeError, Floats
 from app.exchange.facts import lengths_between
+from app.exchange.formats import SAMPLES, Spacing
 from app.exchange.parts import Source, Written, checked_tolerance, sources_of
 from app.view_model.curve_view import CoreCurve
 from curvecore import flatten_parameters
 
-SAMPLES = 201
 MOST_SAMPLES = 1_000_000
 
 TITLES = ("t", "x", "y", "vx", "vy", "ax", "ay", "curvature", "length")
 
 _TABLE_STEPS = 16
 _NEWTON_STEPS = 8
-
-
-class Spacing(StrEnum):
-    """How samples are spread along a curve."""
-
-    T = "t"
-    LENGTH = "length"
-    TOLERANCE = "tolerance"
 
 
 def sampled_table(

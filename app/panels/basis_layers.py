@@ -8,11 +8,14 @@ import numpy as np
 from PySide6.QtCore import QPointF, QRectF, Qt
 from PySide6.QtGui import QColor, QFont, QPainter, QPen, QPolygonF
 
-from app.plot.drawing import polygon
-from app.plot.pixel_map import PixelMap
+from app.panels.function_lines import Drawing, FunctionLines, way_to_draw
+from app.plot.colours import colours_of
+from app.plot.pixel_map import Floats, PixelMap
 from app.plot.plot_widget import PlotWidget
-from app.theme import Theme, point_colours
+from app.plot.stamps import Stamps
+from app.theme import Theme
 from app.view_model.basis_view import BasisView
+from app.view_model.curve_view import Integers
 
 RAIL_HEIGHT = 34.0
 """Pixels at the foot of the plot area that belong to the t-rail."""
@@ -22,7 +25,11 @@ KIND_STYLES = (Qt.PenStyle.SolidLine, Qt.PenStyle.DashLine, Qt.PenStyle.DotLine)
 
 _FADED, _CALM = 0.45, 0.9
 _NUMBERED_UP_TO = 40
-_LIMIT = 1e4
+_MOST_EMPHASISED = 32
+_NEIGHBOURS = 2
+_OUTLINE, _FILL = 0.3, 0.07
+_MARKED_ONE_BY_ONE = 64
+"""Ticks up to which each is drawn; of more, one for every pixel is stamped."""
 
 
 class FunctionLayer:
@@ -34,8 +41,7 @@ class FunctionLayer:
         self.kinds: frozenset[int] = frozenset((0, 1, 2))
         self.emphasised: frozenset[int] = frozenset()
         self._basis: BasisView | None = None
-        self._polygons: dict[tuple[int, int], QPolygonF] = {}
-        self._drawn: tuple[BasisView | None, PixelMap | None] = (None, None)
+        self._lines: FunctionLines | None = None
         self._layer = plot.add_layer(self.paint, z=0)
 
     def render(self, basis: BasisView | None) -> None:
@@ -51,21 +57,15 @@ class FunctionLayer:
         """Draw the lines 0 and 1, the functions, and the emphasised ones on top."""
         painter.setClipRect(QRectF(0, 0, shown.width, shown.height - RAIL_HEIGHT))
         self._paint_levels(painter, shown)
-        basis = self._basis
-        if basis is None:
+        if self._basis is None:
             return
-        if basis is not self._drawn[0] or shown is not self._drawn[1]:
-            self._polygons.clear()
-            self._drawn = (basis, shown)
+        if self._lines is None or not self._lines.are_of(self._basis, shown):
+            self._lines = FunctionLines(self._basis, shown)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing, True)
-        colours = point_colours(max(basis.owners) + 1, self.theme)
-        opacity = _FADED if self.emphasised else _CALM
-        for knot, owner in enumerate(basis.owners):
-            if owner not in self.emphasised:
-                self._paint_function(painter, shown, knot, colours[owner], 1.0, opacity)
-        for knot, owner in enumerate(basis.owners):
-            if owner in self.emphasised:
-                self._paint_function(painter, shown, knot, colours[owner], 2.0, 1.0)
+        if way_to_draw(self._basis) is Drawing.EACH:
+            self._paint_all(painter, self._basis)
+        else:
+            self._paint_together(painter, self._basis)
 
     def _paint_levels(self, painter: QPainter, shown: PixelMap) -> None:
         painter.setRenderHint(QPainter.RenderHint.Antialiasing, False)
@@ -74,33 +74,78 @@ class FunctionLayer:
             y = round(shown.point(0.0, level)[1])
             painter.drawLine(0, y, int(shown.width), y)
 
-    def _paint_function(
+    def _paint_all(self, painter: QPainter, basis: BasisView) -> None:
+        opacity = _FADED if self.emphasised else _CALM
+        knots = range(basis.count)
+        self._paint_functions(painter, basis, knots, 1.0, opacity, without=self.emphasised)
+        self._paint_emphasised(painter, basis)
+
+    def _paint_together(self, painter: QPainter, basis: BasisView) -> None:
+        """Draw many functions in one go; those near the emphasised ones, and these, in their colours."""
+        assert self._lines is not None
+        for kind in self._shown_kinds(basis):
+            outline = QColor(self.theme.ink)
+            outline.setAlphaF(_OUTLINE)
+            pen = QPen(outline, self.scale)
+            if way_to_draw(basis) is Drawing.SPANS:
+                painter.setPen(pen)
+                self._lines.spans(kind).draw(painter)
+                continue
+            fill = QColor(self.theme.ink)
+            fill.setAlphaF(_FILL)
+            painter.setRenderHint(QPainter.RenderHint.Antialiasing, False)
+            painter.setPen(QPen(fill, 1))
+            self._lines.band(kind).draw(painter)
+            painter.setRenderHint(QPainter.RenderHint.Antialiasing, True)
+            pen.setStyle(KIND_STYLES[kind])
+            painter.setPen(pen)
+            painter.drawPolyline(self._lines.edge(kind, upper=False))
+            painter.drawPolyline(self._lines.edge(kind, upper=True))
+        if len(self.emphasised) <= _MOST_EMPHASISED:
+            self._paint_functions(painter, basis, self._neighbours(basis), 1.0, 1.0, without=self.emphasised)
+            self._paint_emphasised(painter, basis)
+
+    def _neighbours(self, basis: BasisView) -> Sequence[int]:
+        """Return the knots near the emphasised ones."""
+        knots = {k + by for k in self.emphasised for by in range(-_NEIGHBOURS, _NEIGHBOURS + 1)}
+        return [knot for knot in sorted(knots) if 0 <= knot < basis.count]
+
+    def _paint_emphasised(self, painter: QPainter, basis: BasisView) -> None:
+        knots = sorted(owner for owner in self.emphasised if owner < basis.count)
+        if knots and knots[0] == 0 and basis.owners[-1] == 0:
+            knots.append(basis.count - 1)
+        self._paint_functions(painter, basis, knots, 2.0, 1.0)
+
+    def _paint_functions(
         self,
         painter: QPainter,
-        shown: PixelMap,
-        index: int,
-        colour: QColor,
+        basis: BasisView,
+        knots: Sequence[int],
         width: float,
         opacity: float,
+        without: frozenset[int] = frozenset(),
     ) -> None:
-        assert self._basis is not None
-        colour = QColor(colour)
-        colour.setAlphaF(opacity)
-        pen = QPen(colour, width * self.scale)
-        for kind in range(self._basis.kinds):
-            if kind in self.kinds:
+        assert self._lines is not None
+        colours = colours_of(basis.node_count, self.theme)
+        kinds = self._shown_kinds(basis)
+        for knot in knots:
+            owner = basis.owners[knot]
+            if owner in without:
+                continue
+            colour = QColor(colours[owner])
+            colour.setAlphaF(opacity)
+            pen = QPen(colour, width * self.scale)
+            for kind in kinds:
                 pen.setStyle(KIND_STYLES[kind])
                 painter.setPen(pen)
-                painter.drawPolyline(self._polygon(shown, index, kind))
+                if kind == 0 and pen.widthF() > 1:
+                    # Qt takes many times as long for one long line that is wide.
+                    self._lines.stroke(knot, kind).draw(painter)
+                else:
+                    painter.drawPolyline(self._lines.function(knot, kind))
 
-    def _polygon(self, shown: PixelMap, index: int, kind: int) -> QPolygonF:
-        key = (index, kind)
-        if key not in self._polygons:
-            assert self._basis is not None
-            t, values = self._basis.function(index, kind)
-            y = np.clip(shown.y(values), -_LIMIT, _LIMIT)
-            self._polygons[key] = polygon(np.clip(shown.x(t), -_LIMIT, _LIMIT), y)
-        return self._polygons[key]
+    def _shown_kinds(self, basis: BasisView) -> list[int]:
+        return [kind for kind in range(basis.kinds) if kind in self.kinds]
 
 
 class RailLayer:
@@ -112,15 +157,18 @@ class RailLayer:
         self.selection: frozenset[int] = frozenset()
         self.hovered = -1
         self.scrub: float | None = None
-        self._parameters: Sequence[float] = ()
+        self._parameters: Floats = np.empty(0)
+        self._stamps = Stamps(_tick)
         self._owners: Sequence[int] = ()
+        self._count = 0
         self._font = QFont(plot.font())
         self._layer = plot.add_layer(self.paint, z=10)
 
     def render(self, basis: BasisView | None) -> None:
         """Draw a tick at every knot from the next paint on."""
-        self._parameters = basis.curve.parameters.tolist() if basis is not None else ()
+        self._parameters = basis.curve.parameters if basis is not None else np.empty(0)
         self._owners = basis.owners if basis is not None else ()
+        self._count = basis.node_count if basis is not None else 0
         self._layer.update()
 
     def refresh(self) -> None:
@@ -138,24 +186,39 @@ class RailLayer:
             self._paint_scrub(painter, shown, self.scrub)
 
     def _paint_ticks(self, painter: QPainter, shown: PixelMap, top: float) -> None:
-        colours = point_colours(max(self._owners, default=-1) + 1, self.theme)
+        count = self._count
+        x = shown.x(self._parameters)
+        visible = np.flatnonzero((x > -20) & (x < shown.width + 20))
+        if len(visible) > _MARKED_ONE_BY_ONE:
+            visible = self._stamp_ticks(painter, x, visible, count, top)
+        colours = colours_of(count, self.theme)
         last = self.selection | {self.hovered}
-        knots = range(len(self._owners))
-        order = sorted(knots, key=lambda knot: self._owners[knot] in last)
+        order = sorted(visible.tolist(), key=lambda knot: self._owners[knot] in last)
         numbers_right_of = -np.inf
         font = QFont(self._font)
         font.setPointSizeF(max(self._font.pointSizeF() - 1.5, 7.0) * self.scale)
         painter.setFont(font)
         for index in order:
-            x = shown.point(self._parameters[index], 0.0)[0]
-            if not -20 < x < shown.width + 20:
-                continue
-            owner = self._owners[index]
-            self._paint_tick(painter, x, top, owner, colours[owner])
+            place, owner = float(x[index]), self._owners[index]
+            self._paint_tick(painter, place, top, owner, colours[owner])
             chosen = owner in last
-            if chosen or (len(self._parameters) <= _NUMBERED_UP_TO and x > numbers_right_of):
-                self._paint_number(painter, x, top, owner, chosen=chosen)
-                numbers_right_of = x + 16 * self.scale if not chosen else numbers_right_of
+            if chosen or (len(x) <= _NUMBERED_UP_TO and place > numbers_right_of):
+                self._paint_number(painter, place, top, owner, chosen=chosen)
+                numbers_right_of = place + 16 * self.scale if not chosen else numbers_right_of
+
+    def _stamp_ticks(
+        self, painter: QPainter, x: Floats, visible: Integers, count: int, top: float
+    ) -> Integers:
+        """Draw one of the ticks at each pixel, and return the chosen ones, which are drawn after all."""
+        ticks = visible[np.diff(np.rint(x[visible]), prepend=-np.inf) > 0]
+        size = 5.0 * self.scale
+        places = np.column_stack([x[ticks], np.full(len(ticks), top + 1 + size)])
+        owners = ticks % max(count, 1)
+        self._stamps.draw(painter, places, owners, count, self.theme, size, 0.0)
+        chosen = (
+            [*self.selection, self.hovered] if len(self.selection) <= _MOST_EMPHASISED else [self.hovered]
+        )
+        return np.array([knot for knot in chosen if 0 <= knot < count], dtype=np.intp)
 
     def _paint_tick(self, painter: QPainter, x: float, top: float, index: int, colour: QColor) -> None:
         size = (6.5 if index == self.hovered or index in self.selection else 5.0) * self.scale
@@ -188,3 +251,7 @@ class RailLayer:
         box = QRectF(x - 98 if left else x + 8, 2, 90, 18 * self.scale)
         side = Qt.AlignmentFlag.AlignRight if left else Qt.AlignmentFlag.AlignLeft
         painter.drawText(box, int(side | Qt.AlignmentFlag.AlignTop), f"t = {t:.4g}")
+
+
+def _tick(painter: QPainter, size: float) -> None:
+    painter.drawPolygon(QPolygonF([QPointF(0, -size), QPointF(size, size), QPointF(-size, size)]))

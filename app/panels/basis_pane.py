@@ -9,6 +9,7 @@ from PySide6.QtWidgets import QHBoxLayout, QLabel, QToolButton, QVBoxLayout, QWi
 from app.panels.basis_layers import KIND_STYLES
 from app.panels.basis_panel import BasisPanel
 from app.panels.elided_label import ElidedLabel
+from app.panels.function_lines import note_on_drawing
 from app.theme import LIGHT, Theme
 from app.view_model.basis_view import basis_formulas
 from app.view_model.curve_view import CurveView
@@ -28,6 +29,8 @@ class BasisPane(QWidget):
         self._kinds = [self._kind_button(kind) for kind in range(3)]
         self._formulas: tuple[str, ...] = ()
         self._reach: tuple[float, float] | None = None
+        self._drawing = ElidedLabel()
+        self._drawing.setObjectName("basisDrawing")
         self._extent = ElidedLabel()
         self._extent.setObjectName("basisExtent")
         self._fit = self._fit_button()
@@ -67,6 +70,7 @@ class BasisPane(QWidget):
         header.addSpacing(8)
         for button in self._kinds:
             header.addWidget(button)
+        header.addWidget(self._drawing)
         header.addStretch(1)
         header.addWidget(self._extent)
         self._header = header
@@ -83,8 +87,13 @@ class BasisPane(QWidget):
         formulas = basis_formulas(view.source.family)
         for kind, button in enumerate(self._kinds):
             button.setVisible(kind < len(formulas) and len(formulas) > 1)
-        self._formulas = formulas
-        self._write_header()
+        basis = self._panel.basis
+        drawing = note_on_drawing(basis) if basis is not None else ""
+        # Laying the header out costs more than drawing the curve: only when it says something else.
+        if (formulas, drawing) != (self._formulas, self._drawing.text()):
+            self._formulas = formulas
+            self._drawing.setText(drawing)
+            self._write_header()
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         super().resizeEvent(event)
@@ -110,6 +119,7 @@ class BasisPane(QWidget):
         """Take the colours of `theme`."""
         for kind, button in enumerate(self._kinds):
             button.setIcon(_line_icon(KIND_STYLES[kind], theme))
+        self._drawing.setStyleSheet(f"color: {theme.muted.name()}")
         self._extent.setStyleSheet(f"color: {theme.warning.name()}")
 
     def fit(self) -> None:

@@ -6,6 +6,7 @@ from collections.abc import Callable
 from enum import StrEnum
 from typing import TypeVar
 
+import numpy as np
 from PySide6.QtCore import QEvent, QSize, Qt
 from PySide6.QtGui import QShowEvent
 from PySide6.QtWidgets import QComboBox, QFormLayout, QHBoxLayout, QLabel, QToolButton, QVBoxLayout, QWidget
@@ -13,10 +14,9 @@ from PySide6.QtWidgets import QComboBox, QFormLayout, QHBoxLayout, QLabel, QTool
 from app.document import edits
 from app.document.edits import EditError
 from app.document.expression import ExpressionError, parse_number
-from app.document.model import Curve, Document, Family
+from app.document.model import Document, Family
 from app.panels.field_edit import FieldEdit
 from app.panels.number_text import decimal_mark, exact_text, rounded_text
-from app.panels.point_table_edits import explicit_orders
 from app.panels.words import ACCELERATION_RULES, VELOCITY_RULES, count_of
 from app.session import Session
 from app.theme import icon, theme_of
@@ -121,7 +121,7 @@ class CurveSettings(QWidget):
         derivatives = curve.family.derivatives
         self._form.setRowVisible(self.velocity_box, derivatives > 0)
         self._form.setRowVisible(self.acceleration_box, derivatives > 1)
-        self.reset_button.setVisible(bool(_explicit(curve)))
+        self.reset_button.setVisible(bool(_explicit(self._view)))
         self._facts.setText(_facts(self._view))
         self._render_problem()
 
@@ -178,7 +178,7 @@ class CurveSettings(QWidget):
 
     def _reset_all(self) -> None:
         curve = self._session.active_curve
-        orders = _explicit(curve)
+        orders = _explicit(self._session.active_view)
         everyone = range(len(curve.nodes))
         self._commit(
             lambda document, index: edits.estimate_derivatives(document, index, everyone, orders),
@@ -202,10 +202,10 @@ class CurveSettings(QWidget):
         self._render_problem()
 
 
-def _explicit(curve: Curve) -> set[int]:
+def _explicit(view: CurveView) -> set[int]:
     """Return which of the derivatives that the family has were set by the person somewhere."""
-    orders = range(1, curve.family.derivatives + 1)
-    return explicit_orders(curve.nodes, range(len(curve.nodes)), orders)
+    is_set = np.any(~np.isnan(view.arrays.given[..., 0]), axis=(0, 1)).tolist()
+    return {order for order in range(1, view.source.family.derivatives + 1) if is_set[order - 1]}
 
 
 def _facts(view: CurveView) -> str:

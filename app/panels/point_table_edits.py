@@ -54,7 +54,6 @@ COLUMNS = (
 )
 T = 0
 X = 1
-_NOTHING = (np.nan, np.nan)
 
 
 def columns_of(family: Family) -> tuple[Column, ...]:
@@ -86,15 +85,23 @@ def table_values(view: CurveView) -> TableValues:
             values[:, X:] = jets.reshape(len(nodes), -1)
     else:
         values[:, X : X + 2] = view.points
-    for row, node in enumerate(nodes):
-        given = [_given(view, row, order) for order in (1, 2)]
-        if not view.is_current:
-            if view.source.is_manual and node.t is not None:
-                values[row, T] = node.t
-            values[row, 3:] = [*(given[0] or _NOTHING), *(given[1] or _NOTHING)][: len(columns) - 3]
-        estimated[row, 3:5] = given[0] is None
-        estimated[row, 5:7] = given[1] is None
+    given = _shown_given(view)
+    if not view.is_current:
+        values[:, 3:] = given.reshape(len(nodes), 4)[:, : len(columns) - 3]
+        if view.source.is_manual:
+            values[:, T] = view.arrays.times
+    missing = np.isnan(given[..., :1]).repeat(2, axis=-1)
+    estimated[:, 3:] = missing.reshape(len(nodes), 4)[:, : len(columns) - 3]
     return TableValues(values, estimated)
+
+
+def _shown_given(view: CurveView) -> Floats:
+    """Return what the person set, on the side that the table shows, (n, 2, 2); NaN where nothing is set."""
+    given = view.arrays.given
+    shown = np.array(given[:, 0])
+    if len(shown) and shows_ahead(view, 0):
+        shown[0] = given[0, 1]
+    return shown
 
 
 def shows_ahead(view: CurveView, index: int) -> bool:

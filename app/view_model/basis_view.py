@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Collection
 from dataclasses import dataclass
-from functools import cached_property
+from functools import cached_property, reduce
+from itertools import pairwise
 
 import numpy as np
 
@@ -12,8 +13,19 @@ from app.document.model import Family
 from app.view_model.curve_view import CurveView, Floats, Integers, SimpleCurve
 from curvecore import HermiteCurve, LagrangeCurve, QuinticHermiteCurve
 
-SAMPLES = 500
+SAMPLES = 400
 """Samples over the domain; one per two or three pixels of a wide panel."""
+
+_AT_ENDS = 0.5
+"""Share of the samples that crowd at the ends of a Lagrange curve's domain, where it swings most."""
+
+_MOST_FINE = 400
+"""Segments above which each is narrower than a few pixels, and sampled only at its ends and thirds."""
+
+_FINE = 33
+
+_MOST_UNEVEN = 65
+"""Knots up to which a segment has samples in proportion to its length; above, all have the same number."""
 
 _LEAST_SAMPLES = 17
 """Samples of a segment, however short: its functions are at most quintic."""
@@ -60,10 +72,18 @@ class BasisView:
         """Number of knots."""
         return len(self.curve.parameters)
 
+    @property
+    def node_count(self) -> int:
+        """Number of nodes: one less than knots, where the last knot is the first node again."""
+        return self.count - (self.owners[-1] == 0)
+
     def function(self, index: int, kind: int) -> tuple[Floats, Floats]:
         """Return (t, scaled B) of knot `index` and derivative `kind`, where it is not zero."""
         if self.first is None:
             return self.t, self.values[:, index, kind]
+        if self.is_coarse:
+            t, values = self.fine_functions(index)
+            return t, values[:, kind]
         here = self.first[index]
         start = self.first[max(index - 1, 0)]
         end = self.first[min(index + 1, self.count - 1)]
@@ -71,20 +91,68 @@ class BasisView:
         ahead = self.values[here:end, 0, kind]
         return self.t[start:end], np.concatenate([behind, ahead])
 
+    @property
+    def is_coarse(self) -> bool:
+        """Whether the samples are too few to show one function by itself."""
+        return self.first is not None and self.count > _MOST_FINE
+
+    def fine_functions(self, index: int) -> tuple[Floats, Floats]:
+        """Return (t, scaled B) of knot `index` of a piecewise curve, all kinds (m, R), sampled finely."""
+        assert not isinstance(self.curve, LagrangeCurve)
+        knots = self.curve.parameters[max(index - 1, 0) : index + 2]
+        t = np.concatenate([np.linspace(*ends, _FINE) for ends in pairwise(knots.tolist())])
+        local = self.curve.local_basis(t)
+        behind = (local.segment < index)[:, None]
+        values: Floats = np.where(behind, local.values[:, 1], local.values[:, 0]) * self.scales[index]
+        # The right end of the support counts to the segment after it, where the function is zero.
+        values[local.segment > index] = 0.0
+        return t, values
+
+    def envelope(self, kind: int) -> tuple[Floats, Floats, Floats]:
+        """Return (t, least, greatest value of all functions of one kind there); per segment if coarse."""
+        values = self.values[:, :, kind]
+        if self.first is None:
+            low, high = values.min(axis=1), values.max(axis=1)
+            if 2 * self.count > len(self.t):
+                # The functions swing faster than they are sampled: without this the outline would, too.
+                low, high = _spread(np.minimum, low), _spread(np.maximum, high)
+            return self.t, low, high
+        by_segment = values.reshape(self.count - 1, -1).T
+        # Column by column: along a short axis NumPy's reductions take many times as long.
+        low, high = reduce(np.minimum, by_segment), reduce(np.maximum, by_segment)
+        middles = (self.curve.parameters[:-1] + self.curve.parameters[1:]) / 2
+        start, end = self.curve.domain
+        t = np.concatenate([[start], middles, [end]])
+        return t, np.pad(low, 1, mode="edge"), np.pad(high, 1, mode="edge")
+
     def extent(self, kinds: Collection[int]) -> tuple[float, float]:
         """Return the least and the greatest value of the functions of these kinds; (0, 0) for none."""
-        drawn = self.values[:, :, [kind for kind in range(self.kinds) if kind in kinds]]
-        return (float(drawn.min()), float(drawn.max())) if drawn.size else (0.0, 0.0)
+        ends = [self._extents[kind] for kind in range(self.kinds) if kind in kinds]
+        return (min(low for low, _ in ends), max(high for _, high in ends)) if ends else (0.0, 0.0)
+
+    @cached_property
+    def _extents(self) -> list[tuple[float, float]]:
+        kinds = [self.values[:, :, kind] for kind in range(self.kinds)]
+        return [(float(values.min()), float(values.max())) for values in kinds]
 
     @cached_property
     def lebesgue_constant(self) -> float:
         """The largest sum of |B_i0| over the samples: the Lebesgue constant as far as can be drawn."""
-        return float(np.abs(self.values[:, :, 0]).sum(axis=1).max())
+        sizes = np.abs(self.values[:, :, 0])
+        sums = sizes.sum(axis=1) if self.first is None else sizes[:, 0] + sizes[:, 1]
+        return float(sums.max())
 
     def value_at(self, t: float, kind: int) -> Floats:
         """Return the scaled functions of one kind at `t`, one for each knot."""
         values: Floats = self.curve.basis(np.array([t]))[0, :, kind] * self.scales[:, kind]
         return values
+
+
+def _spread(combine: np.ufunc, values: Floats) -> Floats:
+    """Combine every sample with the two on either side of it."""
+    padded = np.pad(values, 2, mode="edge")
+    result: Floats = reduce(combine, (padded[by : by + len(values)] for by in range(5)))
+    return result
 
 
 def basis_view(view: CurveView) -> BasisView | None:
@@ -93,11 +161,21 @@ def basis_view(view: CurveView) -> BasisView | None:
     if curve is None or not view.is_current:
         return None
     scales = basis_scales(curve)
-    owners = tuple(view.owner(knot) for knot in range(len(curve.parameters)))
+    count = len(view.source.nodes)
+    # The last knot of a closed curve is its first node again.
+    owners = tuple(range(count)) if len(curve.parameters) == count else (*range(count), 0)
     if isinstance(curve, LagrangeCurve):
-        t = np.linspace(*curve.domain, SAMPLES)
-        return BasisView(curve, owners, t, curve.basis(t) * scales, None, scales)
+        t = _lagrange_samples(*curve.domain)
+        return BasisView(curve, owners, t, curve.basis(t), None, scales)
     return _piecewise_view(curve, owners, scales)
+
+
+def _lagrange_samples(start: float, end: float) -> Floats:
+    u = np.linspace(0.0, 1.0, SAMPLES)
+    s = (1 - _AT_ENDS) * u + _AT_ENDS * np.sin(0.5 * np.pi * u) ** 2
+    t: Floats = start + (end - start) * s
+    t[-1] = end
+    return t
 
 
 def _piecewise_view(
@@ -106,7 +184,7 @@ def _piecewise_view(
     """Sample every segment, ends included, so that joints are drawn as sharp as they are."""
     knots = curve.parameters
     spacing = np.diff(knots)
-    counts = np.maximum(np.ceil(SAMPLES * spacing / spacing.sum()), _LEAST_SAMPLES).astype(int)
+    counts = _sample_counts(spacing)
     first = np.concatenate([[0], np.cumsum(counts)])
     segment = np.repeat(np.arange(len(spacing)), counts)
     s = (np.arange(first[-1]) - first[segment]) / (counts[segment] - 1)
@@ -118,6 +196,15 @@ def _piecewise_view(
     values[:, 0] *= scales[segment]
     values[:, 1] *= scales[segment + 1]
     return BasisView(curve, owners, t, values, first, scales)
+
+
+def _sample_counts(spacing: Floats) -> Integers:
+    """Return how many samples each segment gets."""
+    if len(spacing) < _MOST_UNEVEN:
+        counts: Integers = np.ceil(SAMPLES * spacing / spacing.sum()).astype(int)
+        return np.maximum(counts, _LEAST_SAMPLES)
+    each = int(np.clip(4 * SAMPLES // len(spacing), 9, 33)) if len(spacing) < _MOST_FINE else 4
+    return np.full(len(spacing), each)
 
 
 def basis_scales(curve: SimpleCurve) -> Floats:

@@ -12,7 +12,9 @@ import numpy.typing as npt
 from msgspec.structs import replace
 
 from app.document.model import Curve, Family, Node, Parametrization, ParametrizationKind, Vector
-from app.view_model.jets import Sides, explicit_sides, knots_of, sides_of
+from app.view_model.flattener import Box, CoreCurve, Flattener, FlatteningKey, Polyline, SimpleCurve
+from app.view_model.jets import Sides, corner_knots, explicit_sides, sides_of
+from app.view_model.node_arrays import NodeArrays, arrays_of
 from curvecore import (
     Chain,
     CurveError,
@@ -22,16 +24,27 @@ from curvecore import (
     centripetal,
     chebyshev,
     chord_length,
-    flatten_parameters,
     power,
     uniform,
 )
 
 Floats = npt.NDArray[np.float64]
 Integers = npt.NDArray[np.intp]
-SimpleCurve = LagrangeCurve | HermiteCurve | QuinticHermiteCurve
-CoreCurve = SimpleCurve | Chain
-Box = tuple[float, float, float, float]
+
+__all__ = [
+    "TOO_FEW",
+    "Box",
+    "CoreCurve",
+    "CurveView",
+    "Floats",
+    "Integers",
+    "Polyline",
+    "SimpleCurve",
+    "appended_parameter",
+    "appended_squeeze",
+    "parameters_of",
+    "view_of",
+]
 
 TOO_FEW = "A curve needs at least two points."
 
@@ -42,14 +55,6 @@ _PARAMETERS: dict[ParametrizationKind, Callable[[Floats, float], Floats]] = {
     ParametrizationKind.POWER: power,
     ParametrizationKind.CHEBYSHEV: lambda points, _: chebyshev(len(points)),
 }
-
-
-@dataclass(frozen=True, eq=False)
-class Polyline:
-    """A curve as drawn: the parameters of its vertices (k,) and the vertices (k, 2)."""
-
-    parameters: Floats
-    points: Floats
 
 
 @dataclass(frozen=True, eq=False)
@@ -64,6 +69,8 @@ class CurveView:
         The document's value this was made from.
     points
         The nodes' positions, (n, 2).
+    arrays
+        All numbers in the nodes; the view made after this one takes from here what stays.
     curve
         The core's curve; the last good one where the present nodes and rules give none, None where there
         never was one.
@@ -75,10 +82,12 @@ class CurveView:
 
     source: Curve
     points: Floats
+    arrays: NodeArrays
     curve: CoreCurve | None
     problem: str = ""
     sides: Sides | None = None
-    _flattened: dict[tuple[float, Box | None], Polyline] = field(default_factory=dict)
+    _flattener: Flattener = field(default_factory=Flattener)
+    _flattened: dict[FlatteningKey, Polyline] = field(default_factory=dict)
 
     @property
     def is_current(self) -> bool:
@@ -120,7 +129,7 @@ class CurveView:
         key = (tolerance, box)
         if key not in self._flattened:
             self._flattened.clear()
-            self._flattened[key] = _flatten(self.curve, tolerance, box)
+            self._flattened[key] = self._flattener.polyline(self.curve, key)
         return self._flattened[key]
 
     def owner(self, knot: int) -> int:
@@ -168,49 +177,85 @@ class CurveView:
 
 
 def view_of(curve: Curve, previous: CurveView | None = None) -> CurveView:
-    """Return the view of `curve`; `previous` lends the last good curve if there is none now."""
-    points = np.array([(node.x, node.y) for node in curve.nodes], dtype=float).reshape(-1, 2)
-    if len(points) < 2:
-        return CurveView(curve, points, None, TOO_FEW)
+    """Return the view of `curve`.
+
+    `previous` lends what did not change, and the last good curve if there is none now. The result is the
+    same as without it, bit for bit.
+    """
+    arrays = arrays_of(curve.nodes, previous.arrays if previous is not None else None)
+    if len(curve.nodes) < 2:
+        return CurveView(curve, arrays.points, arrays, None, TOO_FEW)
     try:
-        return _good_view(curve, points)
+        return _good_view(curve, arrays, previous)
     except CurveError as problem:
         last_good = previous.curve if previous is not None else None
-        return CurveView(curve, points, last_good, _sentence(str(problem)))
+        return CurveView(curve, arrays.points, arrays, last_good, _sentence(str(problem)))
 
 
-def _good_view(curve: Curve, points: Floats) -> CurveView:
+def _good_view(curve: Curve, arrays: NodeArrays, previous: CurveView | None) -> CurveView:
+    points = arrays.points
     at_knots = np.vstack([points, points[:1]]) if curve.is_closed else points
-    parameters = parameters_of(curve, at_knots)
+    parameters = parameters_of(curve, at_knots, arrays.times)
+    frozen = _same_parameters(curve, parameters, previous)
+    flattener = previous._flattener if previous is not None else Flattener()
     if curve.family is Family.LAGRANGE:
-        return CurveView(curve, points, LagrangeCurve(at_knots, parameters))
-    sides = sides_of(curve, at_knots, parameters)
-    return CurveView(curve, points, _hermite(curve, sides, parameters), sides=sides)
+        line = _lagrange(at_knots, parameters, frozen)
+        return CurveView(curve, points, arrays, line, _flattener=flattener)
+    sides = sides_of(curve, at_knots, parameters, arrays)
+    core = _hermite(curve, sides, parameters, arrays, frozen)
+    return CurveView(curve, points, arrays, core, sides=sides, _flattener=flattener)
 
 
-def _hermite(curve: Curve, sides: Sides, parameters: Floats) -> CoreCurve:
+def _lagrange(points: Floats, parameters: Floats, frozen: SimpleCurve | None) -> CoreCurve:
+    return LagrangeCurve(points, parameters) if frozen is None else frozen.with_jets(points[:, None])
+
+
+def _same_parameters(curve: Curve, parameters: Floats, previous: CurveView | None) -> SimpleCurve | None:
+    """Return the curve before if it has the same family and parameters: only its data are other ones."""
+    if previous is None or not previous.is_current or previous.source.family is not curve.family:
+        return None
+    old = previous.curve
+    if isinstance(old, Chain) or old is None or not np.array_equal(old.parameters, parameters):
+        return None
+    return old
+
+
+def _hermite(
+    curve: Curve, sides: Sides, parameters: Floats, arrays: NodeArrays, frozen: SimpleCurve | None
+) -> CoreCurve:
     last = len(parameters) - 1
-    corners = [index for index, node in enumerate(knots_of(curve)) if node.corner and 0 < index < last]
+    corners = [index for index in corner_knots(arrays, last + 1) if 0 < index < last]
+    if frozen is not None and not corners:
+        return frozen.with_jets(_piece_jets(sides, 0, last))
     cuts = [0, *corners, last]
     pieces = [_piece(curve.family, sides, parameters, start, end) for start, end in pairwise(cuts)]
     return pieces[0] if len(pieces) == 1 else Chain(pieces)
 
 
-def _piece(family: Family, sides: Sides, parameters: Floats, start: int, end: int) -> SimpleCurve:
+def _piece_jets(sides: Sides, start: int, end: int) -> Floats:
     jets = np.array(sides.after[start : end + 1])
     jets[-1] = sides.before[end]
+    return jets
+
+
+def _piece(family: Family, sides: Sides, parameters: Floats, start: int, end: int) -> SimpleCurve:
+    jets = _piece_jets(sides, start, end)
     t = parameters[start : end + 1]
     if family is Family.HERMITE:
         return HermiteCurve(jets[:, 0], jets[:, 1], t)
     return QuinticHermiteCurve(jets[:, 0], jets[:, 1], jets[:, 2], t)
 
 
-def parameters_of(curve: Curve, points: Floats) -> Floats:
-    """Return the parameters that the rule of `curve` gives for the points at its knots, (k,)."""
+def parameters_of(curve: Curve, points: Floats, times: Floats | None = None) -> Floats:
+    """Return the parameters that the rule of `curve` gives for the points at its knots, (k,).
+
+    `times` are the manual parameters of its nodes, where they are at hand.
+    """
     rule = curve.parametrization
     if rule.kind is ParametrizationKind.MANUAL:
-        given = [np.nan if node.t is None else node.t for node in curve.nodes]
-        return np.array([*given, rule.end] if curve.is_closed else given)
+        if times is None:
+            times = np.array([np.nan if node.t is None else node.t for node in curve.nodes])
+        return np.append(times, rule.end) if curve.is_closed else times
     return _onto_interval(_PARAMETERS[rule.kind](points, rule.alpha), rule)
 
 
@@ -220,13 +265,6 @@ def _onto_interval(parameters: Floats, rule: Parametrization) -> Floats:
     mapped = rule.start + parameters * (rule.end - rule.start)
     mapped[-1] = rule.end
     return mapped
-
-
-def _flatten(curve: CoreCurve | None, tolerance: float, box: Box | None) -> Polyline:
-    if curve is None:
-        return Polyline(np.empty(0), np.empty((0, 2)))
-    parameters = flatten_parameters(curve, tolerance, box)
-    return Polyline(parameters, curve.evaluate(parameters))
 
 
 def _sentence(text: str) -> str:

@@ -15,6 +15,7 @@ import numpy as np
 import numpy.typing as npt
 
 from app.document.model import AccelerationRule, Curve, Node, Vector, VelocityRule
+from app.view_model.node_arrays import NodeArrays, arrays_of
 from curvecore import (
     bessel_velocities,
     catmull_rom_velocities,
@@ -39,17 +40,25 @@ class Sides:
     after: Floats
 
 
-def sides_of(curve: Curve, points: Floats, parameters: Floats) -> Sides:
+def sides_of(curve: Curve, points: Floats, parameters: Floats, arrays: NodeArrays | None = None) -> Sides:
     """Return the jets of `curve` at its knots, whose points (k, 2) and parameters (k,) are given."""
-    knots = knots_of(curve)
-    before = np.empty((len(knots), curve.family.derivatives + 1, 2))
+    arrays = arrays or arrays_of(curve.nodes)
+    before = np.empty((len(points), curve.family.derivatives + 1, 2))
     before[:, 0] = points
     after = before.copy()
-    corners = [index for index, node in enumerate(knots) if node.corner]
+    corners = corner_knots(arrays, len(points))
     for order, estimate in enumerate(_estimates(curve), start=1):
         _estimate(before[:, order], after[:, order], points, parameters, corners, estimate, curve.is_closed)
-        _set_explicit(before[:, order], after[:, order], knots, order)
+        _set_explicit(before[:, order], after[:, order], arrays, order)
     return Sides(before, after)
+
+
+def corner_knots(arrays: NodeArrays, count: int) -> list[int]:
+    """Return which of the `count` knots are corners."""
+    corners: list[int] = np.flatnonzero(arrays.corners).tolist()
+    if count > len(arrays.corners) and arrays.corners[0]:
+        corners.append(count - 1)
+    return corners
 
 
 def knots_of(curve: Curve) -> tuple[Node, ...]:
@@ -134,13 +143,14 @@ def _estimate_closed(
     before[count], after[count] = before[0], after[0]
 
 
-def _set_explicit(before: Floats, after: Floats, knots: Sequence[Node], order: int) -> None:
-    for index, node in enumerate(knots):
-        first, second = explicit_sides(node, order)
-        if first is not None:
-            before[index] = first
-        if second is not None:
-            after[index] = second
+def _set_explicit(before: Floats, after: Floats, arrays: NodeArrays, order: int) -> None:
+    for side, derivatives in enumerate((before, after)):
+        given = arrays.given[:, side, order - 1]
+        rows = np.flatnonzero(~np.isnan(given[:, 0]))
+        derivatives[rows] = given[rows]
+        if len(rows) and rows[0] == 0 and len(derivatives) > len(given):
+            # A closed curve ends at its first node.
+            derivatives[-1] = given[0]
 
 
 def explicit_sides(node: Node, order: int) -> tuple[Vector | None, Vector | None]:

@@ -1,4 +1,4 @@
-"""The helpers of the benchmarks are imported by name."""
+"""The helpers of the benchmarks are imported by name; the targets are printed at the end."""
 
 from __future__ import annotations
 
@@ -6,3 +6,13 @@ import sys
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).parent))
+
+import targets
+
+
+def pytest_terminal_summary(terminalreporter):
+    """Print every target with its figure."""
+    if targets.rows:
+        terminalreporter.section("targets")
+        for row in targets.rows:
+            terminalreporter.write_line(str(row))

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import resource
 import time
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
@@ -11,7 +12,10 @@ from PySide6.QtCore import QEvent, QPointF, Qt
 from PySide6.QtGui import QMouseEvent
 from PySide6.QtWidgets import QApplication, QWidget
 
-_WARM = 20
+_WARM, _MOVES = 20, 150
+_PATIENCE = 5
+_FEWEST = 30
+"""Frames that must have been undisturbed for the others to be left out."""
 
 
 class Paints:
@@ -32,7 +36,7 @@ class Paints:
 
 @dataclass(frozen=True)
 class Times:
-    """Milliseconds per frame."""
+    """Milliseconds per frame, of the frames in which no other program had the processor."""
 
     median: float
     p95: float
@@ -65,7 +69,7 @@ def drag(
     paints: Paints,
     awaited: Sequence[str],
     *,
-    moves: int = 150,
+    moves: int = _MOVES,
     horizontal: bool = False,
     reach: int = 40,
 ) -> Times:
@@ -75,20 +79,29 @@ def drag(
     # Past the threshold below which a press is still a click.
     send(widget, QEvent.Type.MouseMove, start + QPointF(6, 6), held=True)
     pump(0.1)
-    seconds = []
-    for step in range(_WARM + moves):
+    seconds, preempted = [], []
+    warm = min(_WARM, moves // 4)
+    for step in range(warm + moves):
         # A triangle wave, in whole pixels, that never rests.
         away = abs((step + 6) % (2 * reach) - reach) - reach // 2
         place = start + (QPointF(away, 0) if horizontal else QPointF(step % 3 - 1, away))
-        before = dict(paints.count)
+        before, switches = dict(paints.count), _switches()
         began = time.perf_counter()
         send(widget, QEvent.Type.MouseMove, place, held=True)
         while any(paints.count[name] == before[name] for name in awaited):
             QApplication.processEvents()
-            if time.perf_counter() - began > 5:
+            if time.perf_counter() - began > _PATIENCE:
                 raise TimeoutError(f"no paint of {awaited} after a move")
         seconds.append(time.perf_counter() - began)
+        preempted.append(_switches() > switches)
     send(widget, QEvent.Type.MouseButtonRelease, start, held=False)
     pump(0.05)
-    milliseconds = 1e3 * np.array(seconds[_WARM:])
+    milliseconds, calm = 1e3 * np.array(seconds[warm:]), ~np.array(preempted[warm:])
+    if calm.sum() >= _FEWEST:
+        milliseconds = milliseconds[calm]
     return Times(float(np.median(milliseconds)), float(np.percentile(milliseconds, 95)))
+
+
+def _switches() -> int:
+    """Return how often the system has taken the processor from this process so far."""
+    return resource.getrusage(resource.RUSAGE_SELF).ru_nivcsw

@@ -37,7 +37,7 @@ import contextlib, importlib.util, io, json, os, sys
 from pathlib import Path
 
 from app.cli import main
-from app.exchange import reading
+from app.exchange import child
 from app.exchange.child import reader_of
 
 script, folder = sys.argv[1:]
@@ -55,7 +55,7 @@ def spent():
     # Of the processor, children included: other programs may be busy.
     return sum(os.times()[:4])
 
-limited = reading.limited
+limited = child.limited
 
 def at_once(reader, data, tolerance):
     return reader_of(reader)(data, tolerance)
@@ -64,7 +64,7 @@ for name, make in hostile.CASES.items():
     path, data = Path(folder, name), make()
     path.write_bytes(data)
     # A process for each small file would take most of the time.
-    reading.limited = limited if len(data) > hostile.LARGEST_KEPT else at_once
+    child.limited = limited if len(data) > hostile.LARGEST_KEPT else at_once
     errors, output, before = io.StringIO(), io.StringIO(), spent()
     with contextlib.redirect_stderr(errors), contextlib.redirect_stdout(output):
         code = main(["convert", str(path), str(Path(folder, "out.svg"))])

@@ -1,14 +1,19 @@
 """Files in by their endings, and the limits of the child process."""
 
+import subprocess
+import sys
 import time
+from pathlib import Path
 
 import pytest
 
 from app.document.model import Family
-from app.exchange import ExchangeError, export, import_file
+from app.exchange import ENDINGS, ExchangeError, export, import_file
 from app.exchange.child import limited
+from app.exchange.writers import WRITERS
 from app.view_model.curve_view import view_of
 
+ROOT = Path(__file__).parents[2]
 BUSY = b'<svg xmlns="http://www.w3.org/2000/svg"><path d="M0 0' + b"C1 1 2 2 3 3" * 90_000 + b'"/></svg>'
 
 
@@ -55,3 +60,14 @@ def test_what_takes_too_long_is_stopped():
 def test_what_takes_too_much_memory_is_stopped():
     with pytest.raises(ExchangeError, match="Reading needs more memory than is allowed; it was stopped"):
         limited("svg", BUSY, None, memory=10 * 2**20)
+
+
+def test_every_ending_has_a_writer():
+    assert (*WRITERS, ".png", ".pdf") == ENDINGS
+
+
+def test_the_window_starts_without_readers_and_writers():
+    code = "import sys, app.exchange; print(*(m for m in sys.modules if m.startswith('app.exchange.')))"
+    done = subprocess.run([sys.executable, "-c", code], cwd=ROOT, capture_output=True, text=True, check=True)
+    light = {"drawing", "formats", "reading", "svg", "writing"}
+    assert set(done.stdout.split()) == {f"app.exchange.{name}" for name in light}

@@ -49,21 +49,21 @@ def shown(keys, name):
 
 
 def test_recorded_keys_work_at_once_everywhere(editor, keys):
-    record(keys, "familyHermite", Qt.Key.Key_K, CTRL)
-    assert shown(keys, "familyHermite") == "Ctrl+K"
+    record(keys, "familyHermite", Qt.Key.Key_U, CTRL)
+    assert shown(keys, "familyHermite") == "Ctrl+U"
     action = editor.action("familyHermite")
-    assert action.toolTip().endswith("(Ctrl+K)")
-    assert ("Ctrl+K", "Cubic pieces with given velocities") in editor.window.actions_by_name.shortcuts(
+    assert action.toolTip().endswith("(Ctrl+U)")
+    assert ("Ctrl+U", "Cubic pieces with given velocities") in editor.window.actions_by_name.shortcuts(
         "Curve"
     )
     keys.window().hide()
     QTest.keyClick(editor.window.canvas, Qt.Key.Key_2)
     assert editor.curve.family is Family.LAGRANGE
-    QTest.keyClick(editor.window.canvas, Qt.Key.Key_K, CTRL)
+    QTest.keyClick(editor.window.canvas, Qt.Key.Key_U, CTRL)
     assert editor.curve.family is Family.HERMITE
     editor.trigger("showShortcuts")
     sheet = editor.window.findChild(QWidget, "shortcutSheet")
-    assert any("Ctrl+K" in label.text() for label in sheet.findChildren(QLabel))
+    assert any("Ctrl+U" in label.text() for label in sheet.findChildren(QLabel))
     assert editor.find_command("hermite")[0] == "Hermite"
 
 
@@ -133,12 +133,12 @@ def test_no_keys_at_all(editor, keys):
 def test_they_are_remembered(qtbot, tmp_path):
     store = tmp_path / "settings.ini"
     first = Editor(qtbot, preferences=Preferences(store))
-    record(open_keys(first), "familyHermite", Qt.Key.Key_K, CTRL)
-    assert first.window.preferences.shortcuts == {"familyHermite": "Ctrl+K"}
+    record(open_keys(first), "familyHermite", Qt.Key.Key_U, CTRL)
+    assert first.window.preferences.shortcuts == {"familyHermite": "Ctrl+U"}
     first.window.close()
     second = Editor(qtbot, preferences=Preferences(store))
-    assert second.action("familyHermite").shortcuts() == [QKeySequence("Ctrl+K")]
-    assert second.action("familyHermite").toolTip().endswith("(Ctrl+K)")
+    assert second.action("familyHermite").shortcuts() == [QKeySequence("Ctrl+U")]
+    assert second.action("familyHermite").toolTip().endswith("(Ctrl+U)")
 
 
 def test_remembered_keys_that_make_no_sense_stop_nothing(qtbot, tmp_path):

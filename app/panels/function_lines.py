@@ -1,0 +1,161 @@
+"""Basis functions in pixels: each by itself, all spans together, or the envelope of them all."""
+
+from __future__ import annotations
+
+from enum import Enum, auto
+
+import numpy as np
+from pyqtgraph.functions import create_qpolygonf, ndarray_from_qpolygonf
+from PySide6.QtGui import QPolygonF
+
+from app.plot.drawing import Segments, Stroke, polygon
+from app.plot.pixel_map import Floats, PixelMap
+from app.view_model.basis_view import BasisView
+
+_MOST_EACH = 64
+_LIMIT = 1e4
+
+
+class Drawing(Enum):
+    """How the functions of a curve are drawn."""
+
+    EACH = auto()
+    SPANS = auto()
+    ENVELOPE = auto()
+
+
+def way_to_draw(basis: BasisView) -> Drawing:
+    """Return how to draw these functions: beyond some number, lines side by side say less than an outline."""
+    if basis.count <= _MOST_EACH:
+        return Drawing.EACH
+    if basis.first is None or basis.is_coarse:
+        return Drawing.ENVELOPE
+    return Drawing.SPANS
+
+
+def note_on_drawing(basis: BasisView) -> str:
+    """Return what a person must know of a drawing that does not show every function; empty where it does."""
+    match way_to_draw(basis):
+        case Drawing.EACH:
+            return ""
+        case Drawing.SPANS:
+            return f"{basis.count} functions: outlines + selection"
+        case Drawing.ENVELOPE:
+            return f"{basis.count} functions: envelope + selection"
+
+
+class FunctionLines:
+    """The lines of one sampled basis on one part of the plane."""
+
+    def __init__(self, basis: BasisView, shown: PixelMap) -> None:
+        self._basis, self._shown = basis, shown
+        self._x = np.clip(shown.x(basis.t), -_LIMIT, _LIMIT)
+        self._y = np.clip(shown.y(basis.values), -_LIMIT, _LIMIT) if _needs_all(basis) else np.empty(0)
+        self._polygons: dict[tuple[int, int], QPolygonF] = {}
+        self._fine: dict[int, tuple[Floats, Floats]] = {}
+        self._spans: dict[int, Segments] = {}
+        self._envelopes: dict[int, tuple[Floats, Floats, Floats]] = {}
+
+    def are_of(self, basis: BasisView, shown: PixelMap) -> bool:
+        """Tell whether these are the lines of `basis` as `shown`."""
+        return self._basis is basis and self._shown is shown
+
+    def function(self, index: int, kind: int) -> QPolygonF:
+        """Return one function."""
+        key = (index, kind)
+        if key not in self._polygons:
+            self._polygons[key] = self._make(index, kind)
+        return self._polygons[key]
+
+    def _make(self, index: int, kind: int) -> QPolygonF:
+        first = self._basis.first
+        if not _needs_all(self._basis):
+            return self._make_fine(index, kind)
+        if first is None:
+            return polygon(self._x, self._y[:, index, kind])
+        here = first[index]
+        start, end = first[max(index - 1, 0)], first[min(index + 1, self._basis.count - 1)]
+        result: QPolygonF = create_qpolygonf(int(end - start))
+        view = ndarray_from_qpolygonf(result)
+        view[:, 0] = self._x[start:end]
+        view[: here - start, 1] = self._y[start:here, 1, kind]
+        view[here - start :, 1] = self._y[here:end, 0, kind]
+        return result
+
+    def _make_fine(self, index: int, kind: int) -> QPolygonF:
+        if self._basis.first is None:
+            x, y = self._x, self._shown.y(self._basis.values[:, index, kind])
+            return polygon(x, np.clip(y, -_LIMIT, _LIMIT))
+        if index not in self._fine:
+            t, values = self._basis.fine_functions(index)
+            x = np.clip(self._shown.x(t), -_LIMIT, _LIMIT)
+            self._fine[index] = (x, np.clip(self._shown.y(values), -_LIMIT, _LIMIT))
+        x, all_kinds = self._fine[index]
+        return polygon(x, all_kinds[:, kind])
+
+    def stroke(self, index: int, kind: int) -> Stroke:
+        """Return one function to be drawn wide and solid."""
+        stroke = Stroke()
+        points = ndarray_from_qpolygonf(self.function(index, kind))
+        stroke.fill(points, self._shown.width, self._shown.height)
+        return stroke
+
+    def spans(self, kind: int) -> Segments:
+        """Return all functions of one kind of a piecewise curve, where they are not zero."""
+        if kind not in self._spans:
+            segments = Segments()
+            segments.fill(self._span_segments(kind))
+            self._spans[kind] = segments
+        return self._spans[kind]
+
+    def _span_segments(self, kind: int) -> Floats:
+        count = self._basis.count - 1
+        x = self._x.reshape(count, -1)
+        y = self._y[:, :, kind].reshape(count, -1, 2)
+        ends = np.empty((count, x.shape[1] - 1, 2, 4))
+        ends[..., 0], ends[..., 2] = x[:, :-1, None], x[:, 1:, None]
+        ends[..., 1], ends[..., 3] = y[:, :-1], y[:, 1:]
+        seen = (x[:, -1] >= 0) & (x[:, 0] <= self._shown.width)
+        return ends[seen].reshape(-1, 4)
+
+    def edge(self, kind: int, *, upper: bool) -> QPolygonF:
+        """Return the upper or the lower edge of the envelope of one kind."""
+        x, *edges = self._envelope(kind)
+        return polygon(x, edges[1 if upper else 0])
+
+    def band(self, kind: int) -> Segments:
+        """Return what lies between the edges as upright lines, one on every column of pixels."""
+        x, low, high = self._envelope(kind)
+        band = Segments()
+        middle = np.floor(x) + 0.5
+        band.fill(np.column_stack([middle, low, middle, high]))
+        return band
+
+    def _envelope(self, kind: int) -> tuple[Floats, Floats, Floats]:
+        """Return the columns of pixels, and the lower and upper edge at each."""
+        if kind not in self._envelopes:
+            t, low, high = self._basis.envelope(kind)
+            x = self._shown.x(t)
+            columns = np.arange(max(x[0], 0.0), min(x[-1], self._shown.width), 1.0)
+            edges = [
+                np.clip(self._shown.y(_at_columns(x, values, columns, reduce)), -_LIMIT, _LIMIT)
+                for values, reduce in ((low, np.minimum), (high, np.maximum))
+            ]
+            self._envelopes[kind] = (columns, edges[0], edges[1])
+        return self._envelopes[kind]
+
+
+def _needs_all(basis: BasisView) -> bool:
+    return way_to_draw(basis) is not Drawing.ENVELOPE
+
+
+def _at_columns(x: Floats, values: Floats, columns: Floats, reduce: np.ufunc) -> Floats:
+    """Return the extremes of samples at ascending x around each column; between samples, interpolated."""
+    result: Floats = np.interp(columns, x, values)
+    edges = np.searchsorted(x, np.append(columns - 0.5, columns[-1:] + 0.5))
+    filled = np.flatnonzero(edges[1:] > edges[:-1])
+    if len(filled):
+        # Up to the next filled column there are no other samples.
+        extremes = reduce.reduceat(values[: edges[-1]], edges[filled])
+        result[filled] = reduce(result[filled], extremes)
+    return result

@@ -1,0 +1,91 @@
+"""Many marks in one call: one for each colour is drawn once, then stamped."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+
+import numpy as np
+import numpy.typing as npt
+from pyqtgraph.Qt.internals import PrimitiveArray
+from PySide6.QtCore import QPointF, Qt
+from PySide6.QtGui import QPainter, QPen, QPixmap
+
+from app.plot.pixel_map import Floats
+from app.theme import Theme, point_colours
+
+_COLOURS = 256
+"""Colours that are told apart; with more points, neighbours on the ramp share one."""
+
+_COLUMNS = 16
+
+
+class Stamps:
+    """Marks in the colours of the points.
+
+    Parameters
+    ----------
+    shape
+        Draws one mark of a given radius around (0, 0), with the painter's pen and brush.
+    """
+
+    def __init__(self, shape: Callable[[QPainter, float], None]) -> None:
+        self._shape = shape
+        self._made_of: tuple[object, ...] = ()
+        self._sheet = QPixmap()
+        self._cell = 0
+        self._fragments = PrimitiveArray(QPainter.PixmapFragment, 10)
+
+    def draw(
+        self,
+        painter: QPainter,
+        places: Floats,
+        indices: npt.NDArray[np.intp],
+        count: int,
+        theme: Theme,
+        radius: float,
+        rim: float,
+    ) -> None:
+        """Draw the marks of points `indices` of `count` at `places` (k, 2), in pixels, rimmed like paper."""
+        device = painter.device()
+        ratio = device.devicePixelRatioF() if device is not None else 1.0
+        self._prepare(min(count, _COLOURS), theme, radius, rim, ratio)
+        cells = cells_of(indices, count)
+        self._fragments.resize(len(indices))
+        data = self._fragments.ndarray()
+        data[:, :2] = places
+        data[:, 2] = cells % _COLUMNS * self._cell
+        data[:, 3] = cells // _COLUMNS * self._cell
+        data[:, 4:6] = self._cell
+        data[:, 6:8] = 1.0 / ratio
+        data[:, 8] = 0.0
+        data[:, 9] = 1.0
+        fragments, length = self._fragments.drawargs()
+        painter.drawPixmapFragments(fragments, length, self._sheet)
+
+    def _prepare(self, colours: int, theme: Theme, radius: float, rim: float, ratio: float) -> None:
+        wanted = (colours, theme, radius, rim, ratio)
+        if wanted == self._made_of:
+            return
+        self._made_of = wanted
+        self._cell = 2 * math.ceil((radius + rim) * ratio) + 2
+        rows = -(-colours // _COLUMNS)
+        self._sheet = QPixmap(_COLUMNS * self._cell, rows * self._cell)
+        self._sheet.fill(Qt.GlobalColor.transparent)
+        painter = QPainter(self._sheet)
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing, True)
+        painter.setPen(QPen(theme.paper, rim * ratio) if rim else Qt.PenStyle.NoPen)
+        for cell, colour in enumerate(point_colours(colours, theme)):
+            centre = QPointF((cell % _COLUMNS + 0.5) * self._cell, (cell // _COLUMNS + 0.5) * self._cell)
+            painter.setBrush(colour)
+            painter.translate(centre)
+            self._shape(painter, radius * ratio)
+            painter.translate(-centre)
+        painter.end()
+
+
+def cells_of(indices: npt.NDArray[np.intp], count: int) -> npt.NDArray[np.intp]:
+    """Return which of at most 256 colours each point has; the lightness still alternates."""
+    if count <= _COLOURS:
+        return indices
+    return indices * (_COLOURS // 2) // count * 2 + indices % 2

@@ -1,0 +1,68 @@
+"""Polylines of curves one after the other, as in a drag: what was computed for the last one is used again."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+import numpy.typing as npt
+
+from curvecore import (
+    Chain,
+    FrozenFlattening,
+    HermiteCurve,
+    LagrangeCurve,
+    QuinticHermiteCurve,
+    flatten_parameters,
+)
+
+Floats = npt.NDArray[np.float64]
+SimpleCurve = LagrangeCurve | HermiteCurve | QuinticHermiteCurve
+CoreCurve = SimpleCurve | Chain
+Box = tuple[float, float, float, float]
+FlatteningKey = tuple[float, Box | None]
+"""Tolerance, and the box in which it matters."""
+
+
+@dataclass(frozen=True, eq=False)
+class Polyline:
+    """A curve as drawn: the parameters of its vertices (k,) and the vertices (k, 2)."""
+
+    parameters: Floats
+    points: Floats
+
+
+class Flattener:
+    """Flattens one curve after the other; views of a curve that changes hand it on from one to the next.
+
+    A Lagrange curve that is drawn again at the same scale gets samples that follow it. Piecewise
+    curves are flattened whole: that costs no more than finding out which segments a move has reached.
+    """
+
+    def __init__(self) -> None:
+        self._last: FlatteningKey | None = None
+        self._frozen: FrozenFlattening | None = None
+
+    def polyline(self, curve: CoreCurve | None, key: FlatteningKey) -> Polyline:
+        """Return the polyline of `curve` for the tolerance and the box `key`."""
+        if curve is None:
+            return Polyline(np.empty(0), np.empty((0, 2)))
+        if isinstance(curve, LagrangeCurve):
+            return self._following(curve, key)
+        return _flatten(curve, key)
+
+    def _following(self, curve: LagrangeCurve, key: FlatteningKey) -> Polyline:
+        if key != self._last:
+            # The first at this scale: there may never be another one.
+            self._last, self._frozen = key, None
+            return _flatten(curve, key)
+        pieces = self._frozen.follow(curve) if self._frozen is not None else None
+        if pieces is None:
+            self._frozen = FrozenFlattening(curve, *key)
+            pieces = self._frozen.follow(curve)
+        return _flatten(curve, key) if pieces is None else Polyline(pieces.parameters, pieces.points)
+
+
+def _flatten(curve: CoreCurve, key: FlatteningKey) -> Polyline:
+    parameters = flatten_parameters(curve, *key)
+    return Polyline(parameters, curve.evaluate(parameters))

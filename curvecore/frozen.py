@@ -1,0 +1,119 @@
+"""Polylines of a Lagrange curve that changes, as under a hand that drags it.
+
+The curve is linear in its points. While the parameters stay, samples follow
+a moved point by B_i(t) times the way it went: no basis function is evaluated
+again. When parameters move, the curve is evaluated once at the same samples,
+not sampled and refined anew. Whether the samples still lie close enough is
+read off the samples themselves. They start twice as close as the degree can
+make necessary, which is why nothing can hide between them.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from curvecore.arrays import FloatArray, box_edges, tolerance_value
+from curvecore.flatten import Pieces, may_enter, merged_pieces, sampled_pieces, segment_distance
+from curvecore.lagrange import LagrangeCurve
+
+__all__ = ["FrozenFlattening"]
+
+_FINER = 4.0  # of the tolerance: room for the curve to bend more before new samples are needed
+_MARGIN = 1.6  # on an estimate from one place for the whole of a piece
+_LIMIT = 1e300
+_MOST_COLUMNS = 16  # moved points, above which evaluating anew is as fast
+
+
+class FrozenFlattening:
+    """Samples of one curve that serve for others over the same interval.
+
+    Parameters
+    ----------
+    curve : LagrangeCurve
+        Of dim 2.
+    tolerance : float
+        Largest allowed distance from a curve to its polyline, above 0.
+    box : (xmin, ymin, xmax, ymax), optional
+        Where the tolerance matters; see `flatten_parameters`.
+
+    Raises
+    ------
+    CurveError
+        If tolerance or box are unusable.
+    """
+
+    def __init__(self, curve: LagrangeCurve, tolerance: float, box: ArrayLike | None = None) -> None:
+        self._tolerance = tolerance_value(tolerance)
+        self._edges = None if box is None else box_edges(box)
+        self._curve = curve
+        with np.errstate(over="ignore", under="ignore", invalid="ignore"):
+            pieces = sampled_pieces(curve, self._tolerance / _FINER, self._edges)
+        self._parameters, self._points = pieces.parameters, pieces.points
+        self._columns: dict[int, FloatArray] = {}
+
+    def follow(self, curve: LagrangeCurve) -> Pieces | None:
+        """Return the polyline of another curve.
+
+        Parameters
+        ----------
+        curve : LagrangeCurve
+            Of dim 2; the fewer of its data differ from those of the curve
+            given first, the sooner it is done.
+
+        Returns
+        -------
+        Pieces or None
+            None where the samples do not serve for this curve any more.
+        """
+        if curve.domain != self._curve.domain or curve.degree > self._curve.degree:
+            return None
+        with np.errstate(over="ignore", under="ignore", invalid="ignore"):
+            points = self._samples(curve)
+            deviation = self._deviation(points)
+            if not np.isfinite(points).all() or np.any((deviation > self._tolerance) & (deviation < np.inf)):
+                return None
+            return merged_pieces(Pieces(self._parameters, points, deviation), self._tolerance)
+
+    def _samples(self, curve: LagrangeCurve) -> FloatArray:
+        """Return the curve at all samples, (m, 2)."""
+        if not np.array_equal(curve.parameters, self._curve.parameters):
+            return np.clip(curve.evaluate(self._parameters), -_LIMIT, _LIMIT)
+        moved = np.flatnonzero((curve.points != self._curve.points).any(axis=1))
+        if len(moved) > _MOST_COLUMNS:
+            return np.clip(curve.evaluate(self._parameters), -_LIMIT, _LIMIT)
+        if not len(moved):
+            return self._points
+        columns = np.stack([self._column(index) for index in moved.tolist()], axis=1)
+        way = curve.points[moved] - self._curve.points[moved]
+        return np.clip(self._points + columns @ way, -_LIMIT, _LIMIT)
+
+    def _column(self, index: int) -> FloatArray:
+        """Return the basis function of a point at all samples, (m,)."""
+        if index not in self._columns:
+            unit = np.zeros((len(self._curve.parameters), 1, 1))
+            unit[index] = 1.0
+            self._columns[index] = self._curve.with_jets(unit).evaluate(self._parameters)[:, 0]
+        return self._columns[index]
+
+    def _deviation(self, points: FloatArray) -> FloatArray:
+        """Estimate how far each piece leaves its chord; infinite for what stays outside the box.
+
+        A sample lies |c''| h k / 2 off the chord of its neighbours, h and k away from it in t; a piece of
+        length h leaves its own chord by |c''| h**2 / 8.
+        """
+        h = np.diff(self._parameters)
+        if len(h) < 2:
+            return np.zeros(len(h))
+        off = segment_distance(points[1:-1], points[:-2], points[2:])
+        quotient = h[1:] / h[:-1]
+        deviation = np.zeros(len(h))
+        deviation[:-1] = off / quotient
+        deviation[1:] = np.maximum(deviation[1:], off * quotient)
+        deviation *= 0.25 * _MARGIN
+        if self._edges is not None:
+            reach = np.maximum(np.append(off, 0.0), np.insert(off, 0, 0.0))[:, None]
+            low = np.minimum(points[:-1], points[1:]) - reach
+            high = np.maximum(points[:-1], points[1:]) + reach
+            deviation[~may_enter(np.stack([low, high], axis=1), self._edges)] = np.inf
+        return deviation

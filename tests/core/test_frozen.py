@@ -1,0 +1,82 @@
+"""Samples that follow a changing curve, against the curve itself."""
+
+from itertools import pairwise
+
+import numpy as np
+import pytest
+
+from curvecore import FrozenFlattening, LagrangeCurve, chebyshev
+from curvecore.flatten import segment_distance
+
+BOX = (-0.5, -0.5, 4.5, 3.0)
+TOLERANCE = 1e-3
+
+
+def wave(n):
+    t = chebyshev(n)
+    return LagrangeCurve(np.column_stack([4 * t, 1 + 0.7 * np.sin(9 * t)]), t)
+
+
+def worst_distance(curve, pieces):
+    """Largest distance of the curve within the box from its polyline, at twenty places a piece."""
+    t = np.concatenate([np.linspace(*ends, 20) for ends in pairwise(pieces.parameters)])
+    piece = np.repeat(np.arange(len(pieces.parameters) - 1), 20)
+    points = curve.evaluate(t)
+    distance = segment_distance(points, pieces.points[piece], pieces.points[piece + 1])
+    inside = ((points >= BOX[:2]) & (points <= BOX[2:])).all(axis=1)
+    return float(distance[inside].max(initial=0.0))
+
+
+@pytest.mark.parametrize("n", [2, 3, 7, 20, 60])
+def test_a_moved_point_is_followed_within_the_tolerance(n):
+    curve, rng = wave(n), np.random.default_rng(n)
+    frozen = FrozenFlattening(curve, TOLERANCE, BOX)
+    followed = 0
+    for size in (0.0, 1e-3, 0.03, 0.3, 3.0):
+        points = np.array(curve.points)
+        points[rng.integers(n, size=2)] += size * rng.standard_normal(2)
+        moved = curve.with_jets(points[:, None])
+        pieces = frozen.follow(moved)
+        if pieces is not None:
+            followed += 1
+            assert worst_distance(moved, pieces) <= TOLERANCE
+            # The samples are those of the curve itself, to the rounding of one more sum.
+            assert np.abs(pieces.points - moved.evaluate(pieces.parameters)).max() <= 1e-13 * (1 + size)
+    assert followed >= 2
+
+
+@pytest.mark.parametrize("n", [3, 7, 20])
+def test_moved_parameters_are_followed_within_the_tolerance(n):
+    curve = wave(n)
+    frozen = FrozenFlattening(curve, TOLERANCE, BOX)
+    parameters = np.array(curve.parameters)
+    parameters[n // 2] += 0.05 * (parameters[n // 2 + 1] - parameters[n // 2])
+    moved = LagrangeCurve(curve.points, parameters)
+    pieces = frozen.follow(moved)
+    assert pieces is not None
+    assert worst_distance(moved, pieces) <= TOLERANCE
+
+
+def test_samples_that_do_not_serve_any_more_are_not_used():
+    straight = LagrangeCurve(np.column_stack([np.linspace(0, 4, 9), np.ones(9)]), chebyshev(9))
+    frozen = FrozenFlattening(straight, 1e-6, BOX)
+    points = np.array(straight.points)
+    points[4, 1] += 1.5
+    assert frozen.follow(straight.with_jets(points[:, None])) is None
+    assert frozen.follow(straight) is not None
+
+
+def test_another_interval_or_a_higher_degree_is_not_followed():
+    frozen = FrozenFlattening(wave(5), TOLERANCE, BOX)
+    assert frozen.follow(LagrangeCurve(wave(5).points, 2 * chebyshev(5))) is None
+    assert frozen.follow(wave(6)) is None
+    assert frozen.follow(wave(4)) is not None
+
+
+def test_a_curve_that_comes_in_from_outside_the_box_is_noticed():
+    points = np.array([[10.0, 10.0], [12.0, 14.0], [10.0, 18.0], [13.0, 19.0]])
+    curve = LagrangeCurve(points, chebyshev(4))
+    frozen = FrozenFlattening(curve, TOLERANCE, BOX)
+    inside = curve.with_jets((points - [9.0, 9.0])[:, None])
+    pieces = frozen.follow(inside)
+    assert pieces is None or worst_distance(inside, pieces) <= TOLERANCE

@@ -1,0 +1,129 @@
+"""A view made from the one before it equals the view made from nothing, bit for bit."""
+
+from __future__ import annotations
+
+import numpy as np
+from hypothesis import given
+from hypothesis import strategies as st
+from msgspec.structs import replace
+
+from app.document import edits
+from app.document.edits import EditError
+from app.document.model import (
+    AccelerationRule,
+    Curve,
+    Document,
+    Family,
+    ParametrizationKind,
+    VelocityRule,
+    make_curve,
+)
+from app.view_model.curve_view import CurveView, view_of
+from app.view_model.flattener import Flattener
+from curvecore.flatten import segment_distance
+
+SQUARE = ((0.0, 0.0), (1.0, 2.0), (3.0, 1.0), (4.0, 3.0), (5.5, 0.0))
+numbers = st.floats(-5, 5, allow_subnormal=False)
+vectors = st.tuples(numbers, numbers)
+places = st.integers(0, 4)
+
+
+def step(data, document: Document, curve: Curve, view: CurveView) -> Document:
+    """One random edit."""
+    index = data.draw(places) % len(curve.nodes)
+    node = curve.nodes[index]
+    match data.draw(st.integers(0, 11)):
+        case 0 | 1 | 2:
+            return edits.move_nodes(document, 0, {index}, data.draw(vectors))
+        case 3:
+            return edits.move_nodes(document, 0, range(len(curve.nodes)), data.draw(vectors))
+        case 4:
+            return edits.set_velocity(document, 0, index, data.draw(st.none() | vectors))
+        case 5:
+            return edits.set_acceleration(document, 0, index, data.draw(st.none() | vectors))
+        case 6:
+            return edits.make_corner(document, 0, index, data.draw(st.none() | vectors), None)
+        case 7:
+            flat = replace(node, corner=False, velocity_after=None, acceleration_after=None)
+            nodes = (*curve.nodes[:index], flat, *curve.nodes[index + 1 :])
+            return document.with_curve(0, replace(curve, nodes=nodes))
+        case 8:
+            return edits.set_family(document, 0, data.draw(st.sampled_from(Family)))
+        case 9:
+            kind = data.draw(st.sampled_from(ParametrizationKind))
+            return edits.set_parametrization(document, 0, kind, view.parameters.tolist())
+        case 10:
+            return document.with_curve(0, replace(curve, closed=not curve.closed))
+        case _:
+            rules = data.draw(st.sampled_from(VelocityRule)), data.draw(st.sampled_from(AccelerationRule))
+            changed = replace(curve, velocity_rule=rules[0], acceleration_rule=rules[1])
+            return document.with_curve(0, changed)
+
+
+def assert_same(view: CurveView, fresh: CurveView) -> None:
+    assert view.problem == fresh.problem
+    assert np.array_equal(view.points, fresh.points)
+    assert np.array_equal(view.arrays.given, fresh.arrays.given, equal_nan=True)
+    assert np.array_equal(view.arrays.times, fresh.arrays.times, equal_nan=True)
+    assert np.array_equal(view.arrays.corners, fresh.arrays.corners)
+    if not fresh.is_current:
+        return
+    assert np.array_equal(view.parameters, fresh.parameters)
+    assert np.array_equal(view.curve.jets, fresh.curve.jets)
+    assert type(view.curve) is type(fresh.curve)
+    t = np.linspace(*fresh.curve.domain, 37)
+    assert np.array_equal(view.curve.evaluate(t), fresh.curve.evaluate(t))
+    assert_drawn(view, t)
+
+
+def assert_drawn(view: CurveView, t: np.ndarray) -> None:
+    """The polyline, taken over from view to view or not, lies within the tolerance of the curve."""
+    drawn = view.flattened(1e-3, (-10.0, -10.0, 10.0, 10.0))
+    points = view.curve.evaluate(t)
+    inside = np.abs(points).max(axis=1) < 10.0
+    piece = np.clip(np.searchsorted(drawn.parameters, t, side="right") - 1, 0, len(drawn.parameters) - 2)
+    distance = segment_distance(points, drawn.points[piece], drawn.points[piece + 1])
+    assert (distance[inside] <= 1e-3).all()
+
+
+@given(st.data())
+def test_random_edits_with_undo(data):
+    document = Document((make_curve(SQUARE, family=data.draw(st.sampled_from(Family))),))
+    view, history = view_of(document.curves[0]), [document]
+    for _ in range(data.draw(st.integers(1, 8))):
+        if data.draw(st.integers(0, 4)) == 0:
+            # Undo, or a drag cancelled: an earlier value comes back.
+            document = data.draw(st.sampled_from(history))
+        else:
+            try:
+                document = step(data, document, document.curves[0], view)
+            except EditError:
+                continue
+            history.append(document)
+        view = view_of(document.curves[0], view)
+        assert_same(view, view_of(document.curves[0]))
+
+
+def test_what_did_not_change_is_the_same_object():
+    document = Document((make_curve(SQUARE, family=Family.HERMITE),))
+    view = view_of(document.curves[0])
+    moved = view_of(edits.move_nodes(document, 0, {2}, (0.5, 0.0)).curves[0], view)
+    assert moved.points is not view.points
+    assert moved.arrays.given is view.arrays.given
+    assert moved.arrays.times is view.arrays.times
+    assert not moved.points.flags.writeable
+
+
+def test_a_lagrange_curve_at_frozen_parameters_keeps_its_samples():
+    document = Document((make_curve(SQUARE),))
+    uniform = edits.set_parametrization(document, 0, ParametrizationKind.UNIFORM, [])
+    view = view_of(uniform.curves[0])
+    key = (1e-3, (-10.0, -10.0, 10.0, 10.0))
+    view.flattened(*key)
+    frozen = set()
+    for step_size in (0.0, 1e-3, 2e-3, 3e-3):
+        view = view_of(edits.move_nodes(uniform, 0, {1}, (step_size, 0.1)).curves[0], view)
+        view.flattened(*key)
+        frozen.add(id(view._flattener._frozen))
+    assert isinstance(view._flattener, Flattener)
+    assert len(frozen) == 1

@@ -1,0 +1,118 @@
+"""Basis functions and points too many to be drawn one by one."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from PySide6.QtWidgets import QLabel
+
+from app.document.model import Curve, Document, Family, Node, Parametrization, ParametrizationKind
+from app.panels.function_lines import Drawing, FunctionLines, way_to_draw
+from app.plot.pixel_map import PixelMap
+from app.plot.stamps import cells_of
+from app.session import Session
+from app.testing import Editor
+from app.theme import LIGHT
+from app.view_model.basis_view import basis_view
+from app.view_model.curve_view import view_of
+
+CHEBYSHEV, UNIFORM = ParametrizationKind.CHEBYSHEV, ParametrizationKind.UNIFORM
+SHOWN = PixelMap.of_ranges((-0.05, 1.05), (-0.6, 1.3), 880, 200)
+
+
+def wave(n: int, family: Family, *, closed: bool = False) -> Curve:
+    kind = CHEBYSHEV if family is Family.LAGRANGE else UNIFORM
+    s = np.linspace(0, 1, n)
+    nodes = tuple(Node(float(4 * x), float(np.sin(9 * x))) for x in s)
+    return Curve("Wave", family, Parametrization(kind), nodes, closed=closed)
+
+
+@pytest.mark.parametrize("closed", [False, True])
+@pytest.mark.parametrize(
+    ("n", "family", "way"),
+    [
+        (20, Family.LAGRANGE, Drawing.EACH),
+        (65, Family.LAGRANGE, Drawing.ENVELOPE),
+        (600, Family.LAGRANGE, Drawing.ENVELOPE),
+        (60, Family.HERMITE, Drawing.EACH),
+        (80, Family.QUINTIC_HERMITE, Drawing.SPANS),
+        (500, Family.HERMITE, Drawing.ENVELOPE),
+    ],
+)
+def test_how_many_are_drawn_and_that_the_envelope_holds_them(n, family, way, closed):
+    basis = basis_view(view_of(wave(n, family, closed=closed)))
+    assert way_to_draw(basis) is way
+    assert basis.node_count == n
+    for kind in range(basis.kinds):
+        t, low, high = basis.envelope(kind)
+        at = basis.t[:: max(len(basis.t) // 97, 1)]
+        every = basis.curve.basis(at)[:, :, kind] * basis.scales[:, kind]
+        # To a sample: between two of them the envelope is a straight line.
+        assert (every.max(axis=1) <= np.interp(at, t, high) + 0.02 * np.abs(every).max()).all()
+        assert (every.min(axis=1) >= np.interp(at, t, low) - 0.02 * np.abs(every).max()).all()
+
+
+@pytest.mark.parametrize("index", [0, 1, 250, 498, 499])
+def test_one_function_among_many_is_sampled_finely(index):
+    basis = basis_view(view_of(wave(500, Family.QUINTIC_HERMITE)))
+    for kind in range(3):
+        t, values = basis.function(index, kind)
+        assert len(t) >= 33
+        exact = basis.curve.basis(t)[:, index, kind] * basis.scales[index, kind]
+        # A joint belongs to the segment after it, where a function of two segments before is zero.
+        assert values == pytest.approx(exact, abs=1e-12)
+
+
+def test_the_spans_are_the_functions():
+    basis = basis_view(view_of(wave(80, Family.HERMITE)))
+    lines = FunctionLines(basis, SHOWN)
+    assert len(lines.spans(0)._lines) == 2 * (len(basis.t) - (basis.count - 1))
+
+
+@pytest.fixture
+def open_wave(qtbot):
+    def open_wave(n: int, family: Family) -> Editor:
+        session = Session()
+        editor = Editor(qtbot, session)
+        session.commit(Document((wave(n, family),)), "Open")
+        editor.fit()
+        return editor
+
+    return open_wave
+
+
+@pytest.mark.parametrize("family", [Family.LAGRANGE, Family.HERMITE])
+def test_the_pane_says_what_it_leaves_out(open_wave, family):
+    editor = open_wave(450, family)
+    note = editor.window.findChild(QLabel, "basisDrawing")
+    assert "450 functions: envelope + selection" in note.text()
+    editor.select([200])
+    assert not editor.screenshot().isNull()
+
+
+def test_a_point_among_very_many_is_hit_dragged_and_taken_back(open_wave):
+    editor = open_wave(2000, Family.HERMITE)
+    before, place = editor.session.document, editor.point(1000)
+    editor.press(place)
+    editor.move((place[0], place[1] + 0.5))
+    assert editor.session.document != before
+    editor.escape()
+    assert editor.session.document == before
+    editor.release(place)
+
+
+def test_many_points_share_colours_and_neighbours_still_differ():
+    cells = cells_of(np.arange(10_000), 10_000)
+    assert cells.max() < 256
+    assert (np.diff(cells) != 0).all()
+    assert (cells_of(np.arange(256), 256) == np.arange(256)).all()
+
+
+def test_stamped_points_are_seen(open_wave):
+    editor = open_wave(300, Family.HERMITE)
+    image = editor.window.canvas.grab().toImage()
+    pixel = editor.window.canvas.to_pixel(*editor.point(150))
+    offset = editor.window.canvas.viewport().mapTo(editor.window.canvas, pixel)
+    ratio = image.devicePixelRatio()
+    colour = image.pixelColor(round(offset.x() * ratio), round(offset.y() * ratio))
+    assert colour.name() not in (LIGHT.paper.name(), LIGHT.curve.name())
