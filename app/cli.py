@@ -15,7 +15,18 @@ from app import __version__
 from app.document.format import FormatError
 from app.document.model import Document, Family
 from app.document.storage import StorageError, load
-from app.exchange import DARK, LIGHT, SUFFIXES, ExchangeError, export
+from app.exchange import (
+    DARK,
+    ENDINGS,
+    LIGHT,
+    READABLE,
+    SAMPLES,
+    SUFFIXES,
+    ExchangeError,
+    Spacing,
+    export,
+    import_file,
+)
 
 if TYPE_CHECKING:
     from app.exchange.facts import CurveFacts
@@ -26,10 +37,12 @@ FAMILY_NAMES = {
     Family.QUINTIC_HERMITE: "quintic Hermite",
 }
 
+_CONVERT = "Read a file of one format and write another; prints the largest deviation from the true curves."
+
 _INTERRUPTED = 130
 """What a shell expects of a program that Ctrl+C ended."""
 
-_COMMANDS = ("render", "info")
+_COMMANDS = ("render", "convert", "info")
 _STYLES = {"light": LIGHT, "dark": DARK}
 
 _DESCRIPTION = """\
@@ -37,9 +50,10 @@ Sketch parametric polynomial curves and see why they go where they go.
 
   curvebench [FILE ...]            open the editor, one window for each file
   curvebench render FILE -o OUT    write a picture of FILE, without a display
+  curvebench convert IN OUT        read and write tables, drawings, code and formulas
   curvebench info FILE             print facts about the curves in FILE
 """
-_EPILOG = "A file that is called “render” or “info” opens as ./render or ./info."
+_EPILOG = "A file that is called “render”, “convert” or “info” opens as ./render, ./convert or ./info."
 
 
 class _RefusalError(Exception):
@@ -83,14 +97,14 @@ def main(arguments: Sequence[str] | None = None) -> int:
 def _run(words: list[str]) -> int:
     if words and words[0] in _COMMANDS:
         options = _command_parser().parse_args(words)
-        return _render(options) if options.command == "render" else _info(options)
+        return _COMMAND_OF[options.command](options)
     return _edit(_editor_parser().parse_args(words).files)
 
 
 def _editor_parser() -> argparse.ArgumentParser:
     parser = argparse.ArgumentParser(
         "curvebench",
-        usage="curvebench [FILE ...]  |  curvebench render …  |  curvebench info …",
+        usage="curvebench [FILE ...]  |  curvebench render …  |  curvebench convert …  |  curvebench info …",
         description=_DESCRIPTION,
         epilog=_EPILOG,
         formatter_class=argparse.RawDescriptionHelpFormatter,
@@ -123,12 +137,45 @@ def _command_parser() -> argparse.ArgumentParser:
         "--theme", choices=_STYLES, help="colours, paper included (default: light; no paper in SVG and PDF)"
     )
     render.add_argument("--points", action="store_true", help="draw the points too")
+    _add_convert(commands.add_parser("convert", help="read and write other formats", description=_CONVERT))
     info = commands.add_parser(
         "info", help="print facts", description="Print facts about a document's curves."
     )
     info.add_argument("file", metavar="FILE")
     info.add_argument("--json", action="store_true", help="as JSON")
     return parser
+
+
+def _add_convert(convert: argparse.ArgumentParser) -> None:
+    convert.add_argument("file", metavar="IN", help=f"what to read; ends in {', '.join(READABLE)}")
+    convert.add_argument("output", metavar="OUT", help=f"what to write; ends in {', '.join(ENDINGS)}")
+    convert.add_argument(
+        "--tolerance",
+        type=_tolerance,
+        metavar="X",
+        help="largest deviation where a format cannot hold the curve itself (default: 1e-5 of its size)",
+    )
+    convert.add_argument(
+        "--thin",
+        type=_tolerance,
+        metavar="X",
+        help="leave out the rows of a table that a curve comes this near",
+    )
+    convert.add_argument(
+        "--family",
+        choices=[str(family) for family in Family],
+        default=str(Family.HERMITE),
+        help="of a curve through the rows of a table (default: %(default)s)",
+    )
+    convert.add_argument(
+        "--samples", type=_width, default=SAMPLES, metavar="N", help="rows of a table (default: %(default)s)"
+    )
+    convert.add_argument(
+        "--by",
+        choices=[str(spacing) for spacing in Spacing],
+        default=str(Spacing.T),
+        help="equal steps of t or of the arc length, or as many rows as the tolerance takes",
+    )
 
 
 def _width(text: str) -> int:
@@ -187,6 +234,9 @@ def _has_display() -> bool:
 
 
 def _render(options: argparse.Namespace) -> int:
+    if not options.output.lower().endswith(SUFFIXES):
+        known = f"{', '.join(SUFFIXES[:-1])} or {SUFFIXES[-1]}"
+        raise _RefusalError(f"“{options.output}” does not end in a known format for pictures; use {known}.")
     style = _STYLES[options.theme] if options.theme else None
     export(
         _load(options.file),
@@ -196,6 +246,26 @@ def _render(options: argparse.Namespace) -> int:
         style=style,
         points=options.points,
     )
+    return 0
+
+
+def _convert(options: argparse.Namespace) -> int:
+    from app.exchange.parts import rounded_up  # noqa: PLC0415
+
+    source = import_file(
+        options.file, tolerance=options.tolerance, thin=options.thin, family=Family(options.family)
+    )
+    written = export(
+        source.document,
+        options.output,
+        tolerance=options.tolerance,
+        samples=options.samples,
+        spacing=Spacing(options.by),
+    )
+    for remark in (*source.remarks, *written.remarks):
+        print(f"curvebench: {_one_line(remark)}", file=sys.stderr)
+    total = rounded_up(source.deviation + written.deviation)
+    print(f"{_one_line(options.output)}: largest deviation from the true curves {total:g}")
     return 0
 
 
@@ -210,6 +280,9 @@ def _info(options: argparse.Namespace) -> int:
     else:
         print("\n\n".join(_as_text(each) for each in facts))
     return 0
+
+
+_COMMAND_OF = {"render": _render, "convert": _convert, "info": _info}
 
 
 def _as_json(facts: CurveFacts) -> dict[str, Any]:

@@ -14,7 +14,7 @@ from PySide6.QtWidgets import QMainWindow
 from app import __version__
 from app.cli import main
 from app.document.model import Document, make_curve
-from app.document.storage import save
+from app.document.storage import load, save
 
 ROOT = Path(__file__).parents[1]
 EXAMPLES = ROOT / "resources" / "examples"
@@ -130,10 +130,59 @@ def test_impossible_renders_are_refused_in_one_line(tmp_path, capsys):
     assert "does not exist" in refusal(capsys, "render", LETTER, "-o", str(tmp_path / "no" / "a.svg"))
 
 
+ENDS = [
+    *[".curve.json", ".coefficients.json", ".py", ".scipy.py", ".tex", ".tikz", ".pgfplots.tex"],
+    *[".desmos.txt", ".path.txt", ".csv", ".tsv", ".svg", ".dxf", ".png", ".pdf"],
+]
+
+
+@pytest.mark.parametrize("ending", ENDS)
+def test_convert_writes_every_format_and_says_how_exactly(ending, tmp_path, capsys):
+    out = tmp_path / f"a{ending}"
+    assert main(["convert", LETTER, str(out), "--tolerance", "0.01", "--samples", "9"]) == 0
+    said = capsys.readouterr()
+    assert said.err == ""
+    assert said.out.startswith(f"{out}: largest deviation from the true curves ")
+    assert float(said.out.split()[-1]) < 0.5
+    assert out.stat().st_size > 100
+
+
+def test_convert_there_and_back(tmp_path, capsys):
+    table, thinned, drawing = (tmp_path / name for name in ("a.csv", "b.curve.json", "c.svg"))
+    assert main(["convert", LETTER, str(table), "--by", "length", "--samples", "2000"]) == 0
+    assert main(["convert", str(table), str(thinned), "--thin", "1e-3"]) == 0
+    assert float(capsys.readouterr().out.split()[-1]) <= 1e-3
+    assert 5 < len(load(thinned).curves[0].nodes) < 100
+    assert main(["convert", str(thinned), str(drawing)]) == 0
+    assert main(["convert", str(drawing), str(tmp_path / "d.dxf")]) == 0
+    assert main(["info", str(thinned)]) == 0
+    assert "length           about 23.0" in capsys.readouterr().out
+
+
+def test_convert_says_what_it_leaves_out(tmp_path, capsys):
+    path = tmp_path / "a.svg"
+    path.write_text('<svg><text/><path d="M0 0L1 1"/></svg>', encoding="utf-8")
+    assert main(["convert", str(path), str(tmp_path / "a.py")]) == 0
+    assert capsys.readouterr().err == "curvebench: <text> is not read.\n"
+
+
+def test_convert_refuses_in_one_line(tmp_path, capsys):
+    bad = tmp_path / "bad.csv"
+    bad.write_text("x,y\n1,2\n=cmd,3\n", encoding="utf-8")
+    line = refusal(capsys, "convert", str(bad), str(tmp_path / "a.py"))
+    assert line == "“bad.csv” cannot be read: Row 3, column 1: “=cmd” is a formula; only numbers are read."
+    assert "known format" in refusal(capsys, "convert", LETTER, str(tmp_path / "a.gif"))
+    assert "known format" in refusal(capsys, "convert", str(tmp_path / "a.gif"), str(tmp_path / "a.py"))
+    assert list(tmp_path.iterdir()) == [bad]
+
+
 @pytest.mark.parametrize(
     "words",
     [
         ["render", LETTER],
+        ["convert", LETTER],
+        ["convert", LETTER, "a.csv", "--by", "luck"],
+        ["convert", LETTER, "a.csv", "--thin", "-1"],
         ["render", LETTER, "-o", "a.svg", "--width", "0"],
         ["render", LETTER, "-o", "a.svg", "--width", "1" * 5000],
         ["render", LETTER, "-o", "a.svg", "--tolerance", "nan"],

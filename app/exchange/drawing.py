@@ -9,7 +9,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 import numpy.typing as npt
 
-from app.document.model import Curve, Document
+from app.document.model import Curve, Document, Family
 from app.view_model.curve_view import CoreCurve, view_of
 from curvecore import CurveError
 from curvecore.bezier import cubic_path
@@ -28,6 +28,9 @@ SLIMMEST = 0.2
 LARGEST = 1e30
 SMALLEST = 1e-30
 """Sizes that every reader of pictures can hold: many compute in single precision, 1e-38 to 1e38."""
+
+MOST_POINTS = 10_000
+"""Points of the largest Lagrange curve that is computed; the work grows with the square."""
 
 _RESOLUTION = 1e-12
 _SAMPLES = 513
@@ -161,10 +164,20 @@ def drawing_of(document: Document, tolerance: float | None = None) -> Drawing:
     return Drawing(outlines, frame, allowed, tuple(remarks))
 
 
+def too_much(curve: Curve) -> str:
+    """Return why a curve cannot be computed in any sensible time, as a sentence; empty if it can."""
+    if curve.family is Family.LAGRANGE and len(curve.nodes) > MOST_POINTS:
+        return f"A Lagrange curve can have {MOST_POINTS} points, not {len(curve.nodes)}."
+    return ""
+
+
 def _sort_out(curves: Iterable[Curve]) -> tuple[list[tuple[Curve, CoreCurve]], list[str]]:
     """Return the curves that can be drawn, and a sentence for each of the others."""
     drawable, remarks = [], []
     for curve in curves:
+        if reason := too_much(curve):
+            remarks.append(f"“{curve.name}”: {reason}")
+            continue
         view = view_of(curve)
         if view.curve is None:
             remarks.append(f"“{curve.name}”: {view.problem}")

@@ -9,7 +9,7 @@ import numpy as np
 from msgspec.structs import replace
 
 from app.document.model import Curve, Document, Family, Parametrization
-from app.exchange.drawing import ExchangeError, Floats, drawing_of, extent_of
+from app.exchange.drawing import ExchangeError, Floats, drawing_of, extent_of, too_much
 from app.view_model.curve_view import CoreCurve, view_of
 from app.view_model.jets import corners_of
 from curvecore import LagrangeCurve
@@ -80,17 +80,12 @@ def facts_of(document: Document) -> tuple[CurveFacts, ...]:
 
 
 def _curve_facts(curve: Curve) -> CurveFacts:
+    if reason := too_much(curve):
+        return _facts_without_curve(curve, reason)
     view = view_of(curve)
     core = view.curve
     if core is None:
-        return CurveFacts(
-            curve.name,
-            curve.family,
-            curve.parametrization,
-            len(curve.nodes),
-            warnings=(view.problem,),
-            visible=curve.visible,
-        )
+        return _facts_without_curve(curve, view.problem)
     box, warnings = _box(curve)
     return CurveFacts(
         name=curve.name,
@@ -104,6 +99,17 @@ def _curve_facts(curve: Curve) -> CurveFacts:
         warnings=(*warnings, *_amplification(core)),
         closed=curve.is_closed,
         corners=len(corners_of(curve)),
+        visible=curve.visible,
+    )
+
+
+def _facts_without_curve(curve: Curve, reason: str) -> CurveFacts:
+    return CurveFacts(
+        curve.name,
+        curve.family,
+        curve.parametrization,
+        len(curve.nodes),
+        warnings=(reason,),
         visible=curve.visible,
     )
 
@@ -182,6 +188,38 @@ def arc_length(core: CoreCurve, tolerance: float) -> Length:
         low, high = np.concatenate([low[rough], middle[rough]]), np.concatenate([middle[rough], high[rough]])
         whole = halves[:, rough].ravel()
     return Length(total, error)
+
+
+def lengths_between(core: CoreCurve, start: Floats, end: Floats | None = None) -> Floats:
+    """Return the arc lengths from start (k,) to end (k,), by default between consecutive parameters.
+
+    Sixteen Gauss-Legendre nodes on each stretch between joints, where the curve is one polynomial, and on
+    its halves, and theirs, where they disagree: near a cusp the speed has a kink.
+    """
+    if end is None:
+        start, end = start[:-1], start[1:]
+    joints = core.parameters
+    first = np.searchsorted(joints, start, side="right")
+    count = np.maximum(np.searchsorted(joints, end, side="left") - first, 0) + 1
+    interval = np.repeat(np.arange(len(start)), count)
+    step = np.arange(len(interval)) - (np.cumsum(count) - count)[interval]
+    place = first[interval] + step
+    low = np.where(step == 0, start[interval], joints[np.minimum(place - 1, len(joints) - 1)])
+    high = np.where(step == count[interval] - 1, end[interval], joints[np.minimum(place, len(joints) - 1)])
+    total = np.zeros(len(start))
+    whole = _quadrature(core, low, high)
+    enough = LENGTH_TOLERANCE * whole.sum() / max(len(whole), 64)
+    for _ in range(_DEEPEST):
+        middle = low + (high - low) / 2
+        halves = np.stack([_quadrature(core, low, middle), _quadrature(core, middle, high)])
+        better = halves.sum(axis=0)
+        rough = np.abs(better - whole) > enough
+        total += np.bincount(interval[~rough], weights=better[~rough], minlength=len(start))
+        if not rough.any():
+            return total
+        low, high = np.concatenate([low[rough], middle[rough]]), np.concatenate([middle[rough], high[rough]])
+        whole, interval = halves[:, rough].ravel(), np.tile(interval[rough], 2)
+    return total + np.bincount(interval, weights=whole, minlength=len(start))
 
 
 def _quadrature(core: CoreCurve, low: Floats, high: Floats) -> Floats:

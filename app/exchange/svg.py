@@ -117,7 +117,7 @@ def _curves(drawing: Drawing, style: Style) -> list[str]:
         'stroke-linecap="round" stroke-linejoin="round">'
     )
     paths = [
-        f'    <path d="{_path_data(outline)}"{_own("stroke", outline)}>'
+        f'    <path d="{path_data(outline)}"{_own("stroke", outline)}>'
         f"<title>{_text(outline.name)}</title></path>"
         for outline in drawing.outlines
     ]
@@ -129,7 +129,7 @@ def _own(attribute: str, outline: Outline) -> str:
     return f' {attribute}="{outline.colour}"' if outline.colour else ""
 
 
-def _path_data(outline: Outline) -> str:
+def path_data(outline: Outline) -> str:
     """Return the pieces (k, 4, 2) as path data, y negated, one piece per line."""
     control_points = outline.control_points
     start, *_ = control_points[0].tolist()

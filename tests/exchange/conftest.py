@@ -2,10 +2,11 @@
 
 from pathlib import Path
 
+import msgspec
 import numpy as np
 import pytest
 
-from app.document.model import Document, Family, make_curve
+from app.document.model import Curve, Document, Family, Node, Parametrization, make_curve
 from app.document.storage import load
 
 EXAMPLES = sorted((Path(__file__).parents[2] / "resources" / "examples").glob("*.curve.json"))
@@ -35,3 +36,49 @@ def half_drawn():
 def nothing():
     """Two points in one place under chord length."""
     return Document((make_curve([(1.0, 2.0), (1.0, 2.0)], name="dot"),))
+
+
+def _cornered(closed):
+    """A cubic Hermite curve with a corner of two velocities, open or closed."""
+    nodes = (
+        Node(0.0, 0.0),
+        Node(1.0, 2.0, velocity=(3.0, 1.0), corner=True, velocity_after=(1.0, -2.0)),
+        Node(3.0, 1.5),
+        Node(4.0, -1.0, corner=True),
+        Node(2.0, -2.0),
+    )
+    rule = Parametrization(start=0.0, end=2.5)
+    return Curve("Corner & co_1", Family.HERMITE, rule, nodes, closed=closed)
+
+
+def _kinds():
+    rng = np.random.default_rng(11)
+    for family in Family:
+        points = rng.normal(size=(6, 2)).tolist()
+        yield family.value, make_curve(points, name=f"{family} 1", family=family)
+    yield "lagrange of degree 24", make_curve(_circle(25), name="A spiral")
+    yield "cornered", _cornered(closed=False)
+    yield "cornered, closed", _cornered(closed=True)
+    for family in (Family.HERMITE, Family.QUINTIC_HERMITE):
+        ring = make_curve(rng.normal(size=(5, 2)).tolist(), name="Ring", family=family)
+        yield f"{family}, closed", msgspec.structs.replace(ring, closed=True, colour="#c04020")
+
+
+def _circle(count):
+    angles = np.linspace(0.0, 5.0, count)
+    return (np.exp(0.1 * angles)[:, None] * np.column_stack([np.cos(angles), np.sin(angles)])).tolist()
+
+
+KINDS = dict(_kinds())
+
+
+@pytest.fixture(params=KINDS)
+def kind(request):
+    """A document of one curve: each family, of high degree, with corners, closed."""
+    return Document((KINDS[request.param],))
+
+
+@pytest.fixture
+def gallery():
+    """All of these in one document, and one that gives no curve yet."""
+    return Document((*KINDS.values(), make_curve([(1.0, 1.0)], name="begun")))

@@ -151,6 +151,6 @@ def test_a_picture_beyond_all_screens_is_refused(sketch, tmp_path):
 def test_unknown_formats_are_named_with_the_known_ones(name, sketch, tmp_path):
     with pytest.raises(ExchangeError) as refusal:
         export(sketch, tmp_path / name)
-    assert str(refusal.value) == (
-        f"The name “{name}” does not end in a known format; use .png, .svg or .pdf."
-    )
+    said = str(refusal.value)
+    assert said.startswith(f"The name “{name}” does not end in a known format; use .curve.json, ")
+    assert said.endswith(", .svg, .png or .pdf.")

@@ -1,0 +1,187 @@
+"""Curves as code: Python with NumPy, and with SciPy."""
+
+from __future__ import annotations
+
+import inspect
+import keyword
+import re
+import unicodedata
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+
+from app.document.model import Document
+from app.exchange import code_runtime
+from app.exchange.drawing import Floats
+from app.exchange.parts import Source, Written, accuracy, bezier_values, measured, one_line, sources_of
+from app.view_model.curve_view import SimpleCurve
+from curvecore import HermiteCurve, LagrangeCurve, bezier_segments
+
+_TAKEN = {"np", "lagrange", "hermite", "evaluate", "pieces", "t", "interpolate"}
+
+# The runtime bears no annotations, so that people can read what is exported.
+_RUNTIME: tuple[Callable[..., Any], ...] = (
+    code_runtime.lagrange,
+    code_runtime.hermite,
+    code_runtime.evaluate,
+)
+_evaluate: Callable[..., Floats] = code_runtime.evaluate
+
+
+def python_code(document: Document) -> Written:
+    """Return a module of Python, with NumPy alone, that has a function of t for every curve.
+
+    Its values are those of the curves but for rounding: about 1e-15 of the size, more where the sum of
+    |basis function times datum| is large.
+
+    Raises
+    ------
+    ExchangeError
+        If there is no curve to write.
+    """
+    sources, remarks = sources_of(document)
+    deviation = max(_python_deviation(piece) for source in sources for piece in source.pieces)
+    body = [inspect.getsource(function).rstrip() for function in _RUNTIME]
+    body += [
+        f"{_listing(name.upper(), source)}\n\n\n{_function(name, source)}"
+        for name, source in zip(names_of(sources), sources, strict=True)
+    ]
+    return Written(
+        "\n\n\n".join([_head(deviation, remarks, "import numpy as np"), *body]) + "\n", deviation, remarks
+    )
+
+
+def scipy_code(document: Document) -> Written:
+    """Return a module of Python that makes every curve an interpolator of SciPy, called with t.
+
+    A Lagrange curve becomes a `BarycentricInterpolator`, whose error grows with the Lebesgue constant;
+    a smooth cubic Hermite curve a `CubicHermiteSpline`; any other a `BPoly`. The stated deviation is that
+    of the same formulas here.
+
+    Raises
+    ------
+    ExchangeError
+        If there is no curve to write.
+    """
+    sources, remarks = sources_of(document)
+    deviation = max(_scipy_deviation(source) for source in sources)
+    imports = "import numpy as np\nfrom scipy import interpolate"
+    body = [
+        f"# {_title(source)}\n{_scipy_object(name, source)}"
+        for name, source in zip(names_of(sources), sources, strict=True)
+    ]
+    return Written("\n\n".join([_head(deviation, remarks, imports), *body]) + "\n", deviation, remarks)
+
+
+def names_of(sources: list[Source]) -> list[str]:
+    """Return a different Python identifier for every curve, like its name."""
+    names: list[str] = []
+    for source in sources:
+        plain = unicodedata.normalize("NFKD", source.name).encode("ascii", "ignore").decode().lower()
+        base = re.sub("[^a-z0-9]+", "_", plain).strip("_") or "curve"
+        if base[0].isdigit() or keyword.iskeyword(base) or base in _TAKEN:
+            base = f"curve_{base}"
+        name, number = base, 2
+        while name in names:
+            name, number = f"{base}_{number}", number + 1
+        names.append(name)
+    return names
+
+
+def _head(deviation: float, remarks: tuple[str, ...], imports: str) -> str:
+    lines = [accuracy(deviation), *map(one_line, remarks)]
+    return "\n".join([*(f"# {line}" for line in lines), "", imports])
+
+
+def _title(source: Source) -> str:
+    start, end = source.core.domain
+    return f"{one_line(source.name)}: {source.curve.family.replace('_', ' ')}, t from {start!r} to {end!r}"
+
+
+def _listing(name: str, source: Source) -> str:
+    pieces = "".join(
+        f"    (\n        {_array(piece.parameters, 8)},\n        {_array(piece.jets, 8)},\n    ),\n"
+        for piece in source.pieces
+    )
+    return f"{name} = [\n{pieces}]"
+
+
+def _function(name: str, source: Source) -> str:
+    return f"def {name}(t):\n    # {_title(source)}\n    return evaluate({name.upper()}, t)"
+
+
+def _array(values: Floats, indent: int) -> str:
+    """Return an array as code, one line for each of its rows; every float reads back as itself."""
+    margin = " " * indent
+    rows = "".join(f"{margin}    {row!r},\n" for row in values.tolist())
+    return f"np.array([\n{rows}{margin}])"
+
+
+def _python_deviation(piece: SimpleCurve) -> float:
+    return measured(piece, lambda t: _evaluate([(piece.parameters, piece.jets)], t))
+
+
+def _scipy_object(name: str, source: Source) -> str:
+    first = source.pieces[0]
+    if isinstance(first, LagrangeCurve):
+        return (
+            f"{name} = interpolate.BarycentricInterpolator(\n    {_array(first.parameters, 4)},\n"
+            f"    {_array(first.points, 4)},\n)"
+        )
+    if isinstance(first, HermiteCurve) and len(source.pieces) == 1:
+        arrays = (first.parameters, first.points, first.jets[:, 1])
+        listed = "".join(f"    {_array(values, 4)},\n" for values in arrays)
+        return f"{name} = interpolate.CubicHermiteSpline(\n{listed})"
+    controls, parameters = _chained(source)
+    return (
+        f"{name} = interpolate.BPoly(\n    # control points of every segment, (degree + 1, segments, 2)\n"
+        f"    {_array(controls.swapaxes(0, 1), 4)},\n    {_array(parameters, 4)},\n)"
+    )
+
+
+def _chained(source: Source) -> tuple[Floats, Floats]:
+    """Return the control points (k, degree + 1, 2) of all Hermite pieces, and their parameters (k + 1,)."""
+    pieces = [piece for piece in source.pieces if not isinstance(piece, LagrangeCurve)]
+    return np.concatenate([bezier_segments(piece) for piece in pieces]), source.core.parameters
+
+
+def _scipy_deviation(source: Source) -> float:
+    first = source.pieces[0]
+    if isinstance(first, LagrangeCurve):
+        return measured(first, lambda t: _barycentric(t, first.parameters, first.points))
+    if isinstance(first, HermiteCurve) and len(source.pieces) == 1:
+        return measured(first, lambda t: _local_powers(t, first))
+    return max(_bernstein_deviation(piece) for piece in source.pieces)
+
+
+def _bernstein_deviation(piece: SimpleCurve) -> float:
+    if isinstance(piece, LagrangeCurve):
+        return 0.0
+    controls, parameters = bezier_segments(piece), piece.parameters
+    return measured(piece, lambda t: bezier_values(controls, parameters, t))
+
+
+def _barycentric(t: Floats, parameters: Floats, points: Floats) -> Floats:
+    """Return the second barycentric form, which SciPy uses (Berrut and Trefethen 2004, (4.2))."""
+    differences = (parameters[:, None] - parameters) * (4.0 / (parameters[-1] - parameters[0]))
+    np.fill_diagonal(differences, 1.0)
+    weights = 1.0 / np.prod(differences, axis=1)
+    distance = t[:, None] - parameters
+    at_point = distance == 0
+    ratios = weights / np.where(at_point, 1.0, distance)
+    # At a point its weight alone counts.
+    ratios = np.where(at_point.any(axis=1, keepdims=True), at_point, ratios)
+    return np.asarray(ratios @ points / ratios.sum(axis=1, keepdims=True))
+
+
+def _local_powers(t: Floats, piece: HermiteCurve) -> Floats:
+    """Return the curve by powers of t - t_i, as `CubicHermiteSpline` computes it."""
+    x, y, v = piece.parameters, piece.points, piece.jets[:, 1]
+    h = np.diff(x)[:, None]
+    slope = np.diff(y, axis=0) / h
+    bend = (v[:-1] + v[1:] - 2 * slope) / h
+    c3, c2 = bend / h, (slope - v[:-1]) / h - bend
+    i = np.clip(np.searchsorted(x, t, side="right") - 1, 0, len(x) - 2)
+    u = (t - x[i])[:, None]
+    return np.asarray(((c3[i] * u + c2[i]) * u + v[:-1][i]) * u + y[:-1][i])

@@ -1,0 +1,244 @@
+"""Cubic Bézier pieces in: a path from another program becomes a cubic Hermite curve, exactly.
+
+A Hermite curve has one velocity at a smooth point, while a path has two handles of different lengths
+there. The lengths of the segments in t make up for it: the next segment is as long, in t, as makes its
+first handle fit the velocity that the one before ends with. Where the handles do not lie on a line, the
+point becomes a corner with two velocities.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from app.document.format import FormatError, validate
+from app.document.model import (
+    MAX_MAGNITUDE,
+    Curve,
+    Document,
+    Family,
+    Node,
+    Parametrization,
+    ParametrizationKind,
+    Vector,
+)
+from app.exchange.drawing import ExchangeError, Floats
+
+SMOOTH = 1e-9
+"""By how much of the path's size a control point may move to make a joint smooth."""
+
+MAX_PIECES = 100_000
+"""Pieces of the longest path that is read."""
+
+_FASTEST = 1e3  # how much a segment's speed may differ from that of the first after a corner
+
+# A control point moves the curve by at most the largest value of its Bernstein polynomial.
+_INFLUENCE = 4.0 / 9.0
+
+
+@dataclass(frozen=True)
+class Imported:
+    """What a file held.
+
+    Attributes
+    ----------
+    document
+        At least one curve.
+    deviation
+        Largest distance of its curves from what the file describes, but for rounding.
+    remarks
+        One sentence for everything that was left out.
+    """
+
+    document: Document
+    deviation: float = 0.0
+    remarks: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True, eq=False)
+class Path:
+    """A path as cubic pieces.
+
+    Attributes
+    ----------
+    name, colour
+        As in `Curve`.
+    pieces
+        (k, 4, 2); each begins where the one before ends.
+    closed
+        Whether the last piece ends where the first begins, on purpose.
+    deviation
+        Largest distance from what the file describes.
+    """
+
+    name: str
+    colour: str
+    pieces: Floats
+    closed: bool
+    deviation: float = 0.0
+
+
+def imported(paths: list[Path], remarks: tuple[str, ...] = ()) -> Imported:
+    """Return the curves of paths as a document.
+
+    Raises
+    ------
+    ExchangeError
+        If there is none, or if its numbers are beyond what a document may hold.
+    """
+    curves, deviation = [], 0.0
+    for path in paths:
+        _check_numbers(path)
+        pieces = _without_points(path.pieces)
+        if len(pieces) == 0:
+            remarks = (*remarks, f"“{path.name}” is a single point.")
+            continue
+        curve, moved = _curve(path, pieces)
+        curves.append(curve)
+        deviation = max(deviation, path.deviation + moved)
+    if not curves:
+        raise ExchangeError(" ".join(["There is no curve in the file.", *remarks]))
+    document = Document(tuple(curves))
+    try:
+        validate(document)
+    except FormatError as problem:
+        raise ExchangeError(f"The file cannot become a document: {problem}.") from problem
+    return Imported(document, deviation, remarks)
+
+
+def lines(points: Floats) -> Floats:
+    """Return the polyline through points (n, 2) as cubic pieces (n - 1, 4, 2)."""
+    start, end = points[:-1], points[1:]
+    third = (end - start) / 3
+    return np.stack([start, start + third, end - third, end], axis=1)
+
+
+def _check_numbers(path: Path) -> None:
+    # Written so that NaN fails.
+    if not (np.abs(path.pieces) <= MAX_MAGNITUDE).all():
+        raise ExchangeError(f"“{path.name}” has coordinates beyond −1e12 to 1e12.")
+    if len(path.pieces) > MAX_PIECES:
+        raise ExchangeError(f"“{path.name}” has {len(path.pieces)} pieces; {MAX_PIECES} can be read.")
+
+
+def _without_points(pieces: Floats) -> Floats:
+    return np.asarray(pieces[(pieces != pieces[:, :1]).any(axis=(1, 2))])
+
+
+def _curve(path: Path, pieces: Floats) -> tuple[Curve, float]:
+    """Return a path as a curve, and how far the points of smooth joints moved it."""
+    if path.closed and len(pieces) == 1:
+        pieces = _halves(pieces[0])
+    leaving, arriving = 3 * (pieces[:, 1] - pieces[:, 0]), 3 * (pieces[:, 3] - pieces[:, 2])
+    size = float(np.ptp(pieces.reshape(-1, 2), axis=0).max())
+    joints = _Joints(leaving, arriving, _lengths(pieces), SMOOTH * size, path.closed)
+    t = np.append(0.0, np.cumsum(joints.steps))
+    t /= t[-1]
+    if not (np.diff(t) > 0).all():
+        raise ExchangeError(f"“{path.name}” has pieces of too different lengths.")
+    h = np.diff(t)[:, None]
+    nodes = _nodes(pieces, leaving / h, arriving / h, t, joints.smooth, path.closed)
+    rule = Parametrization(ParametrizationKind.MANUAL)
+    curve = Curve(path.name, Family.HERMITE, rule, nodes, closed=path.closed, colour=path.colour)
+    return curve, _INFLUENCE * joints.moved
+
+
+def _halves(piece: Floats) -> Floats:
+    """Return a cubic piece (4, 2) as two (de Casteljau)."""
+    a, b, c, d = piece
+    ab, bc, cd = (a + b) / 2, (b + c) / 2, (c + d) / 2
+    abc, bcd = (ab + bc) / 2, (bc + cd) / 2
+    middle = (abc + bcd) / 2
+    return np.array([[a, ab, abc, middle], [middle, bcd, cd, d]])
+
+
+def _lengths(pieces: Floats) -> Floats:
+    return np.asarray(np.hypot(*np.moveaxis(np.diff(pieces, axis=1), 2, 0)).sum(axis=1))
+
+
+class _Joints:
+    """Which joints are smooth, and how long the segments are in t, up to a common factor.
+
+    Attributes
+    ----------
+    smooth
+        For each piece, whether the joint at its end is smooth.
+    steps
+        For each piece its length in t.
+    moved
+        By how much a control point is moved at most.
+    """
+
+    def __init__(
+        self, leaving: Floats, arriving: Floats, lengths: Floats, tolerance: float, closed: bool
+    ) -> None:
+        count = len(lengths)
+        self._tolerance = tolerance
+        self.moved = 0.0
+        self.smooth = [False] * count
+        self.steps = lengths.copy()
+        after = np.roll(leaving, -1, axis=0)
+        apart = self._apart(arriving, after)
+        candidates = apart <= tolerance
+        if not closed:
+            candidates[-1] = False
+        # A closed path is followed from one of its corners, so that no corner is made where it begins.
+        first = int(np.argmin(candidates)) + 1 if not candidates.all() else 0
+        for place in range(first, first + count):
+            here, following = place % count, (place + 1) % count
+            if not candidates[here]:
+                continue
+            step = self._fitting_step(arriving[here], after[here], here, lengths[following])
+            last = place == first + count - 1
+            if step is None or (last and not self._agrees(step, following, after[here])):
+                continue
+            self.smooth[here] = True
+            self.moved = max(self.moved, float(apart[here]))
+            if not last:
+                self.steps[following] = step
+
+    @staticmethod
+    def _apart(arriving: Floats, leaving: Floats) -> Floats:
+        """Return how far the next control point is from the line of the one before; inf if it turns back."""
+        a, b = np.hypot(*arriving.T), np.hypot(*leaving.T)
+        with np.errstate(all="ignore"):
+            cross = np.abs(arriving[:, 0] * leaving[:, 1] - arriving[:, 1] * leaving[:, 0]) / a / 3
+        dot = np.einsum("kd,kd->k", arriving, leaving)
+        both_rest = (a == 0) & (b == 0)
+        return np.where(both_rest, 0.0, np.where((a > 0) & (b > 0) & (dot > 0), cross, np.inf))
+
+    def _fitting_step(self, arriving: Floats, leaving: Floats, here: int, length: float) -> float | None:
+        speed, wanted = float(np.hypot(*arriving)), float(np.hypot(*leaving))
+        if speed == 0:
+            return float(length)
+        step = float(self.steps[here]) * wanted / speed
+        return step if 1 / _FASTEST < step / length < _FASTEST else None
+
+    def _agrees(self, step: float, following: int, leaving: Floats) -> bool:
+        """Whether the round trip of a closed path gives its first segment the length that it has."""
+        change = abs(step / float(self.steps[following]) - 1) * float(np.hypot(*leaving)) / 3
+        return change <= self._tolerance
+
+
+def _nodes(
+    pieces: Floats, leaving: Floats, arriving: Floats, t: Floats, smooth: list[bool], closed: bool
+) -> tuple[Node, ...]:
+    start, end = _pairs(leaving), _pairs(arriving)
+    points, at = _pairs(pieces[:, 0]), t.tolist()
+    nodes = []
+    for i, (x, y) in enumerate(points):
+        if i == 0 and not closed:
+            nodes.append(Node(x, y, at[0], start[0]))
+        elif smooth[i - 1]:
+            nodes.append(Node(x, y, at[i], end[i - 1]))
+        else:
+            nodes.append(Node(x, y, at[i], end[i - 1], corner=True, velocity_after=start[i]))
+    if not closed:
+        x, y = pieces[-1, 3].tolist()
+        nodes.append(Node(x, y, at[-1], end[-1]))
+    return tuple(nodes)
+
+
+def _pairs(values: Floats) -> list[Vector]:
+    return [(x, y) for x, y in values.tolist()]

@@ -1,0 +1,224 @@
+"""Curves as LaTeX: formulas, and pictures with TikZ and PGFPlots."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+
+import numpy as np
+
+from app.document.model import Document
+from app.exchange.drawing import ExchangeError, Floats, Frame, Outline, drawing_of
+from app.exchange.parts import (
+    Source,
+    Written,
+    accuracy,
+    bezier_values,
+    beziers_of,
+    measured,
+    one_line,
+    sources_of,
+)
+from app.view_model.curve_view import SimpleCurve
+from curvecore import CurveError, LagrangeCurve
+
+DIGITS = 6
+"""Significant digits of the numbers in a formula, unless asked otherwise."""
+
+PICTURE_SIDE = 12.0
+"""Longer side of a TikZ picture, in centimetres."""
+
+_PICTURE_DIGITS = 5  # TeX itself counts in 1/65536 pt, 5e-6 cm
+_ROWS_OF_ARRAY = 40
+_SPECIAL = {
+    **{each: f"\\{each}" for each in "#$%&_{}"},
+    "\\": r"\textbackslash{}",
+    "~": r"\textasciitilde{}",
+    "^": r"\textasciicircum{}",
+}
+
+
+def latex_formula(document: Document, digits: int = DIGITS) -> Written:
+    """Return every curve as a formula in LaTeX with the numbers that go into it; needs amsmath.
+
+    Lagrange curves are written in Lagrange's form, Hermite curves by the Bézier control points of their
+    segments. The deviation is what rounding the numbers to `digits` significant digits costs.
+
+    Raises
+    ------
+    ExchangeError
+        If there is no curve, or if so few digits would make two parameters equal.
+    """
+    sources, remarks = sources_of(document)
+    deviation = max(_rounded_deviation(piece, digits) for source in sources for piece in source.pieces)
+    head = [accuracy(deviation), r"Needs \usepackage{amsmath}.", *map(one_line, remarks)]
+    parts = [_formula(source, digits) for source in sources]
+    return Written("\n".join([*(f"% {line}" for line in head), *parts]) + "\n", deviation, remarks)
+
+
+def tikz_picture(document: Document, tolerance: float | None = None) -> Written:
+    r"""Return a ``tikzpicture`` of the curves, `PICTURE_SIDE` cm large, as cubic Bézier curves; needs tikz.
+
+    Raises
+    ------
+    ExchangeError
+        If nothing can be drawn.
+    """
+    drawing = drawing_of(document, tolerance)
+    frame = drawing.frame
+    scale = PICTURE_SIDE / frame.side
+    fitted = drawing.fitted(frame.width * scale, frame.height * scale)
+    # Rounding moves every control point, and so the curve, by half a unit of the last digit in x and y.
+    deviation = drawing.deviation + math.sqrt(0.5) * 10.0**-_PICTURE_DIGITS / scale
+    lines = [f"  % One centimetre is {1 / scale:.6g} of the document."]
+    for outline in fitted.outlines:
+        lines.append(f"  % {one_line(outline.name)}")
+        lines.append(_path(outline, lambda v: f"{v + 0.0:.{_PICTURE_DIGITS}f}", ""))
+    return _picture(lines, deviation, drawing.remarks, "tikz")
+
+
+def pgfplots_axis(document: Document, tolerance: float | None = None) -> Written:
+    r"""Return a ``tikzpicture`` of an axis with the curves and their points; needs pgfplots.
+
+    Coordinates are the document's own in full precision; pgfplots computes with about seven digits.
+
+    Raises
+    ------
+    ExchangeError
+        If nothing can be drawn.
+    """
+    drawing = drawing_of(document, tolerance)
+    lines = [f"  \\begin{{axis}}[axis equal image, {_limits(drawing.frame)}]"]
+    for outline in drawing.outlines:
+        lines.append(f"    % {one_line(outline.name)}")
+        lines.append(_path(outline, _plain, "axis cs:", margin="    "))
+        marks = " ".join(f"({_plain(x)},{_plain(y)})" for x, y in outline.nodes.tolist())
+        lines.append(f"    \\addplot[only marks, mark size=1.2pt] coordinates {{{marks}}};")
+    lines.append("  \\end{axis}")
+    return _picture(lines, drawing.deviation, drawing.remarks, "pgfplots")
+
+
+# Formulas
+
+
+def _formula(source: Source, digits: int) -> str:
+    blocks = [
+        _lagrange(piece, digits) if isinstance(piece, LagrangeCurve) else _segments(piece, digits)
+        for piece in source.pieces
+    ]
+    return "\n".join([rf"\paragraph{{{_text(source.name)}}}", *blocks])
+
+
+def _lagrange(piece: LagrangeCurve, digits: int) -> str:
+    last = len(piece.points) - 1
+    start, end = (tex_number(value, digits) for value in piece.domain)
+    formula = (
+        rf"\[ \mathbf{{c}}(t) = \sum_{{i=0}}^{{{last}}} \mathbf{{p}}_i "
+        rf"\prod_{{\substack{{j=0 \\ j \neq i}}}}^{{{last}}} \frac{{t - t_j}}{{t_i - t_j}}, "
+        rf"\qquad {start} \le t \le {end} \]"
+    )
+    data = zip(piece.parameters.tolist(), piece.points.tolist(), strict=True)
+    rows = [[str(i), tex_number(t, digits), _point(point, digits)] for i, (t, point) in enumerate(data)]
+    return "\n".join([formula, *_arrays(["i", "t_i", r"\mathbf{p}_i"], rows)])
+
+
+def _segments(piece: SimpleCurve, digits: int) -> str:
+    degree = piece.degree
+    formula = (
+        rf"\[ \mathbf{{c}}(t) = \sum_{{k=0}}^{{{degree}}} \binom{{{degree}}}{{k}} s^k (1-s)^{{{degree}-k}}\, "
+        r"\mathbf{b}_k, \qquad s = \frac{t - t_i}{t_{i+1} - t_i}, \qquad t_i \le t \le t_{i+1} \]"
+    )
+    t = [tex_number(value, digits) for value in piece.parameters.tolist()]
+    controls = beziers_of(piece, 1.0).control_points.tolist()
+    rows = [
+        [t[i], t[i + 1], *(_point(point, digits) for point in segment)] for i, segment in enumerate(controls)
+    ]
+    titles = ["t_i", "t_{i+1}", *(rf"\mathbf{{b}}_{k}" for k in range(degree + 1))]
+    return "\n".join([formula, *_arrays(titles, rows)])
+
+
+def _arrays(titles: list[str], rows: list[list[str]]) -> list[str]:
+    """Return rows of cells as arrays short enough for a page."""
+    result = []
+    for first in range(0, len(rows), _ROWS_OF_ARRAY):
+        lines = [" & ".join(cells) for cells in [titles, *rows[first : first + _ROWS_OF_ARRAY]]]
+        body = " \\\\\n".join(lines)
+        result.append(f"\\[ \\begin{{array}}{{{'l' * len(titles)}}}\n{body}\n\\end{{array}} \\]")
+    return result
+
+
+def tex_number(value: float, digits: int) -> str:
+    r"""Return a number as LaTeX writes it: 0.25, -3 or 1.5 \cdot 10^{-7}."""
+    mantissa, _, exponent = f"{value + 0.0:.{digits}g}".partition("e")
+    return rf"{mantissa} \cdot 10^{{{int(exponent)}}}" if exponent else mantissa
+
+
+def _point(point: list[float], digits: int) -> str:
+    x, y = point
+    return rf"({tex_number(x, digits)},\; {tex_number(y, digits)})"
+
+
+def _text(text: str) -> str:
+    """Return text as LaTeX may hold it; what its usual fonts lack becomes a question mark."""
+    plain = one_line(text).encode("latin-1", "replace").decode("latin-1")
+    return "".join(_SPECIAL.get(each, each) for each in plain)
+
+
+def _rounded(values: Floats, digits: int) -> Floats:
+    return np.array([float(f"{value:.{digits}g}") for value in values.ravel().tolist()]).reshape(values.shape)
+
+
+def _rounded_deviation(piece: SimpleCurve, digits: int) -> float:
+    """Return how far the curve of the rounded numbers is from the true one."""
+    t = _rounded(piece.parameters, digits)
+    if not (np.diff(t) > 0).all():
+        raise ExchangeError(
+            f"With {digits} digits two parameters would be equal; the formula needs more digits."
+        )
+    if isinstance(piece, LagrangeCurve):
+        try:
+            rounded = LagrangeCurve(_rounded(piece.points, digits), t)
+        except CurveError as problem:
+            raise ExchangeError(f"The formula cannot be written: {problem}.") from problem
+        return measured(piece, rounded.evaluate)
+    controls = _rounded(beziers_of(piece, 1.0).control_points, digits)
+    return measured(piece, lambda at: bezier_values(controls, t, at))
+
+
+# Pictures
+
+
+def _picture(lines: list[str], deviation: float, remarks: tuple[str, ...], package: str) -> Written:
+    head = [accuracy(deviation), f"Needs \\usepackage{{{package}}}.", *map(one_line, remarks)]
+    text = "\n".join([*(f"% {line}" for line in head), "\\begin{tikzpicture}", *lines, "\\end{tikzpicture}"])
+    return Written(text + "\n", deviation, remarks)
+
+
+def _path(outline: Outline, number: Callable[[float], str], system: str, margin: str = "  ") -> str:
+    """Return an outline as one path, a piece a line."""
+    pieces = outline.control_points
+
+    def at(point: list[float]) -> str:
+        return f"({system}{number(point[0])},{number(point[1])})"
+
+    first, *_ = pieces[0].tolist()
+    steps = [f"{margin}  .. controls {at(b)} and {at(c)} .. {at(d)}" for _, b, c, d in pieces.tolist()]
+    # Closed, the stroke has a join at the seam like everywhere else.
+    end = " -- cycle;" if outline.closed else ";"
+    return "\n".join([f"{margin}\\draw[line join=round{_colour(outline)}] {at(first)}", *steps]) + end
+
+
+def _colour(outline: Outline) -> str:
+    if not outline.colour:
+        return ""
+    red, green, blue = bytes.fromhex(outline.colour[1:])
+    return f", color={{rgb,255:red,{red};green,{green};blue,{blue}}}"
+
+
+def _limits(frame: Frame) -> str:
+    edges = {"xmin": frame.left, "xmax": frame.left + frame.width, "ymin": frame.bottom, "ymax": frame.top}
+    return ", ".join(f"{name}={_plain(value)}" for name, value in edges.items())
+
+
+def _plain(value: float) -> str:
+    return repr(value + 0.0)

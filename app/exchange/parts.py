@@ -1,0 +1,258 @@
+"""What every writer of data starts from: the curves of a document, and the pieces they are made of."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from decimal import ROUND_UP, Context
+from fractions import Fraction
+from math import comb
+
+import numpy as np
+
+from app import __version__
+from app.document.model import Curve, Document
+from app.exchange.drawing import RELATIVE_TOLERANCE, ExchangeError, Floats, too_much
+from app.view_model.curve_view import CoreCurve, SimpleCurve, view_of
+from curvecore import CurveError, LagrangeCurve, bezier_segments, cubic_path
+
+HIGHEST_DEGREE = 10
+"""Highest degree of a Lagrange curve that is written as one Bézier piece; beyond, as cubics."""
+
+_SAMPLES = 33
+
+# A bound that was rounded to the nearest would not be one.
+_ROUNDING_UP = Context(prec=3, rounding=ROUND_UP)
+
+
+@dataclass(frozen=True)
+class Written:
+    """A file's content.
+
+    Attributes
+    ----------
+    text
+        The content.
+    deviation
+        Largest distance from the true curves, in the document's unit.
+    remarks
+        One sentence for every curve that was left out.
+    """
+
+    text: str
+    deviation: float
+    remarks: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True, eq=False)
+class Source:
+    """A curve of the document that can be written.
+
+    Attributes
+    ----------
+    curve
+        The document's value.
+    core
+        The same as a curve of the core.
+    pieces
+        What `core` is a chain of: between two corners one, in order.
+    """
+
+    curve: Curve
+    core: CoreCurve
+    pieces: tuple[SimpleCurve, ...]
+
+    @property
+    def name(self) -> str:
+        """The curve's name."""
+        return self.curve.name
+
+    @property
+    def size(self) -> float:
+        """The larger side of the box around the points."""
+        return float(np.ptp(self.core.points, axis=0).max())
+
+
+@dataclass(frozen=True, eq=False)
+class Beziers:
+    """A curve as Bézier pieces of one degree.
+
+    Attributes
+    ----------
+    control_points
+        (k, degree + 1, 2).
+    parameters
+        Of the ends of the pieces, (k + 1,).
+    deviation
+        Largest distance from the curve; zero where the pieces are the curve itself but for rounding.
+    """
+
+    control_points: Floats
+    parameters: Floats
+    deviation: float
+
+    @property
+    def degree(self) -> int:
+        """The degree of every piece."""
+        return int(self.control_points.shape[1]) - 1
+
+
+def sources_of(document: Document) -> tuple[list[Source], tuple[str, ...]]:
+    """Return the visible curves that can be written, and a sentence for each of the others.
+
+    Raises
+    ------
+    ExchangeError
+        If there is none.
+    """
+    sources, remarks = [], []
+    for curve in document.curves:
+        if not curve.visible:
+            remarks.append(f"“{curve.name}” is hidden.")
+            continue
+        if reason := too_much(curve):
+            remarks.append(f"“{curve.name}”: {reason}")
+            continue
+        view = view_of(curve)
+        if view.curve is None:
+            remarks.append(f"“{curve.name}”: {view.problem}")
+        else:
+            sources.append(Source(curve, view.curve, view.pieces))
+    if not sources:
+        raise ExchangeError(f"There is nothing to export. {' '.join(remarks)}")
+    return sources, tuple(remarks)
+
+
+def checked_tolerance(sources: list[Source], tolerance: float | None) -> float:
+    """Return the tolerance asked for, or a hundred-thousandth of the largest curve's size.
+
+    Raises
+    ------
+    ExchangeError
+        Unless it is positive and finite.
+    """
+    if tolerance is None:
+        return RELATIVE_TOLERANCE * max(1e-300, *(source.size for source in sources))
+    if not 0 < tolerance < np.inf:
+        raise ExchangeError("The tolerance must be a positive number.")
+    return tolerance
+
+
+def rounded_up(deviation: float) -> float:
+    """Return a deviation with three digits, never less than it is."""
+    return float(_ROUNDING_UP.create_decimal_from_float(deviation))
+
+
+def accuracy(deviation: float, comment: str = "") -> str:
+    """Return the sentence that says how far a file is from the true curves."""
+    return (
+        f"Curvebench {__version__}. Largest deviation from the true curves: {rounded_up(deviation):g}, "
+        f"in the unit of the document{comment}."
+    )
+
+
+def one_line(text: str) -> str:
+    """Return text as it may stand in any comment: one line, nothing but printable characters."""
+    return "".join(each if each.isprintable() else " " for each in text).encode("utf-8", "replace").decode()
+
+
+def samples_of(piece: SimpleCurve) -> Floats:
+    """Return parameters all along a piece, those of the points among them."""
+    t = piece.parameters
+    steps = np.diff(t)[:, None] * np.linspace(0, 1, _SAMPLES)[1:-1]
+    return np.union1d(t, (t[:-1, None] + steps).ravel())
+
+
+def measured(piece: SimpleCurve, copy: Callable[[Floats], Floats]) -> float:
+    """Return the largest distance of `copy`, a function of t, from a piece at many parameters."""
+    t = samples_of(piece)
+    with np.errstate(all="ignore"):
+        distance = np.hypot(*(copy(t) - piece.evaluate(t)).T)
+    return float(np.where(np.isfinite(distance), distance, np.inf).max())
+
+
+def beziers_of(piece: SimpleCurve, tolerance: float) -> Beziers:
+    """Return the Bézier pieces of a curve: of its own degree, or cubics within a tolerance.
+
+    Cubic and quintic Hermite curves, and Lagrange curves up to degree `HIGHEST_DEGREE`, are written
+    exactly but for rounding.
+
+    Raises
+    ------
+    ExchangeError
+        If the control points are beyond all numbers.
+    """
+    if not isinstance(piece, LagrangeCurve):
+        result = Beziers(bezier_segments(piece), piece.parameters, 0.0)
+    elif piece.degree <= HIGHEST_DEGREE:
+        controls = _lagrange_controls(piece)
+        ends = np.array(piece.domain)
+        result = Beziers(controls, ends, measured(piece, lambda t: bezier_values(controls, ends, t)))
+    else:
+        result = cubics_of(piece, tolerance)
+    if not np.isfinite(result.control_points).all():
+        raise ExchangeError("The curve swings beyond all numbers between its points.")
+    return result
+
+
+def cubics_of(piece: CoreCurve, tolerance: float) -> Beziers:
+    """Return the cubic Bézier pieces of a curve within a tolerance."""
+    try:
+        path = cubic_path(piece, tolerance)
+    except CurveError as problem:
+        raise ExchangeError(f"The curve cannot be written: {problem}.") from problem
+    return Beziers(path.control_points, path.parameters, float(path.deviation))
+
+
+def bezier_values(controls: Floats, parameters: Floats, t: Floats) -> Floats:
+    """Return the points (m, 2) of Bézier pieces at t, by de Casteljau's scheme."""
+    index = np.clip(np.searchsorted(parameters, t, side="right") - 1, 0, len(controls) - 1)
+    start, end = parameters[index], parameters[index + 1]
+    s = ((t - start) / (end - start))[:, None, None]
+    level = controls[index]
+    while level.shape[1] > 1:
+        level = (1 - s) * level[:, :-1] + s * level[:, 1:]
+    return np.asarray(level[:, 0])
+
+
+def monomials_of(controls_at: Floats, s: list[Fraction]) -> list[list[Fraction]]:
+    """Return the exact coefficients, lowest power first, of the polynomials through values (n, 2) at s."""
+    result = []
+    for column in controls_at.T:
+        divided = [Fraction(value) for value in column.tolist()]
+        for order in range(1, len(s)):
+            for i in range(len(s) - 1, order - 1, -1):
+                divided[i] = (divided[i] - divided[i - 1]) / (s[i] - s[i - order])
+        # Newton's form, multiplied out from the inside.
+        coefficients = [divided[-1]]
+        for i in range(len(s) - 2, -1, -1):
+            shifted = [Fraction(0), *coefficients]
+            coefficients = [a - s[i] * b for a, b in zip(shifted, [*coefficients, Fraction(0)], strict=True)]
+            coefficients[0] += divided[i]
+        result.append(coefficients)
+    return result
+
+
+def local_fractions(parameters: Floats) -> list[Fraction]:
+    """Return the parameters mapped to [0, 1], exactly."""
+    exact = [Fraction(value) for value in parameters.tolist()]
+    return [(value - exact[0]) / (exact[-1] - exact[0]) for value in exact]
+
+
+def _lagrange_controls(piece: LagrangeCurve) -> Floats:
+    """Return the control points (1, degree + 1, 2), each rounded once from its exact value."""
+    degree = piece.degree
+    columns = []
+    for a in monomials_of(piece.points, local_fractions(piece.parameters)):
+        sums = [
+            sum(Fraction(comb(k, j), comb(degree, j)) * a[j] for j in range(k + 1)) for k in range(degree + 1)
+        ]
+        columns.append([_as_float(value) for value in sums])
+    return np.array(columns).T[None]
+
+
+def _as_float(value: Fraction | int) -> float:
+    try:
+        return float(value)
+    except OverflowError:
+        return float("inf") if value > 0 else float("-inf")

@@ -1,0 +1,256 @@
+"""Formulas and data out: read back by small parsers, they give the curves within what is stated."""
+
+import json
+import re
+import shutil
+import subprocess
+from fractions import Fraction
+from itertools import pairwise
+
+import numpy as np
+import pytest
+
+from app.document.model import Document, make_curve
+from app.exchange import ExchangeError
+from app.exchange.formulas import coefficients_json, desmos_expressions, svg_path_data
+from app.exchange.latex import PICTURE_SIDE, latex_formula, pgfplots_axis, tikz_picture
+from app.exchange.parts import beziers_of, cubics_of, sources_of
+from app.view_model.curve_view import view_of
+
+S = np.linspace(0, 1, 21)
+
+
+def core(document):
+    return view_of(document.curves[0]).curve
+
+
+def bernstein(controls, s=S):
+    """The points of one Bézier piece (degree + 1, 2)."""
+    level = np.repeat(np.asarray(controls)[None], len(s), axis=0)
+    while level.shape[1] > 1:
+        level = (1 - s)[:, None, None] * level[:, :-1] + s[:, None, None] * level[:, 1:]
+    return level[:, 0]
+
+
+def along(core, parameters):
+    """The curve at S on every stretch between parameters."""
+    return [core.evaluate(a + (b - a) * S) for a, b in pairwise(parameters)]
+
+
+def stated(text):
+    return float(re.search(r"Largest deviation from the true curves: (\S+),", text)[1])
+
+
+def farthest(pieces, curve):
+    """The largest distance of pieces, as points at S, from a curve at the parameters between its joints."""
+    return max(np.hypot(*(a - b).T).max() for a, b in zip(pieces, curve, strict=True))
+
+
+def rounding(document):
+    return 1e-14 * max(1.0, np.abs(core(document).points).max())
+
+
+# Coefficients
+
+
+def test_the_coefficients_give_the_curve_within_the_stated_deviation(kind):
+    content = json.loads(coefficients_json(kind).text)
+    (curve,) = content["curves"]
+    pieces, parameters = [], []
+    for segment in curve["segments"]:
+        pieces.append(np.column_stack([np.polynomial.polynomial.polyval(S, segment[c]) for c in "xy"]))
+        parameters.append(segment["start"])
+    parameters.append(curve["segments"][-1]["end"])
+    away = max(
+        np.hypot(*(a - b).T)[:-1].max() for a, b in zip(pieces, along(core(kind), parameters), strict=True)
+    )
+    assert away <= 2 * content["deviation"] + rounding(kind)
+
+
+def test_the_coefficients_are_the_exact_ones_rounded_once():
+    # x = t³ - t, y = 2 t² through four points that are exact in binary.
+    t = [0.0, 0.25, 0.5, 1.0]
+    document = Document((make_curve([(x**3 - x, 2 * x**2) for x in t]),))
+    source = sources_of(document)[0][0]
+    (segment,) = json.loads(coefficients_json(document).text)["curves"][0]["segments"]
+    assert len(segment["x"]) == 4
+    parameters = [Fraction(v) for v in source.core.parameters.tolist()]
+    value = [sum(Fraction(c) * p**k for k, c in enumerate(segment["y"])) for p in parameters]
+    assert [float(v) for v in value] == pytest.approx([2 * x**2 for x in t], abs=1e-15)
+
+
+def test_a_high_degree_costs_digits_and_the_file_says_so():
+    points = np.random.default_rng(2).normal(size=(30, 2)).tolist()
+    low = coefficients_json(Document((make_curve(points[:5]),)))
+    high = coefficients_json(Document((make_curve(points),)))
+    assert low.deviation < 1e-13 < high.deviation
+    with pytest.raises(ExchangeError, match="101 points has no usable coefficients"):
+        coefficients_json(Document((make_curve([(i, i * i) for i in range(101)]),)))
+
+
+# Desmos
+
+
+def desmos_value(expression, t):
+    """A line of the list as Desmos reads it."""
+    code = expression.replace(r"\left", "").replace(r"\right", "").replace(r"\cdot ", "*")
+    code = re.sub(r"\^\{(\d+)\}", r"**\1", code)
+    assert re.fullmatch(r"[-+*()0-9.t,]+", code), code
+    return np.array(eval(code, {"__builtins__": {}}, {"t": float(t)}))
+
+
+def test_the_desmos_list_gives_the_curve(kind):
+    written = desmos_expressions(kind, tolerance=1e-4)
+    lines = written.text.splitlines()
+    (source,), _ = sources_of(kind)
+    parts = [beziers_of(piece, 1e-4) for piece in source.pieces]
+    assert len(lines) == sum(len(part.control_points) for part in parts)
+    parameters = np.concatenate([parts[0].parameters, *(part.parameters[1:] for part in parts[1:])])
+    worst = 0.0
+    for line, start, end in zip(lines, parameters, parameters[1:], strict=False):
+        for s in (0.0, 0.3, 0.9):
+            point = source.core.evaluate(start + (end - start) * s)
+            worst = max(worst, np.hypot(*(desmos_value(line, s) - point)))
+    assert worst <= written.deviation + rounding(kind)
+    assert written.deviation <= 1e-4
+
+
+def test_desmos_numbers_have_no_exponent():
+    text = desmos_expressions(Document((make_curve([(1e-7, 2e15 / 1e6), (-3e-9, 1e11)]),))).text
+    assert "e" not in text.replace(r"\left", "")
+    assert "0.0000001" in text
+
+
+# SVG path data
+
+
+def test_path_data_are_cubics_with_y_down(kind):
+    written = svg_path_data(kind, tolerance=1e-3)
+    numbers = [float(v) for v in re.findall(r"[-+0-9.e]+", re.sub("[MCZ]", " ", written.text))]
+    points = np.array(numbers).reshape(-1, 2) * [1, -1]
+    (source,), _ = sources_of(kind)
+    path = cubics_of(source.core, 1e-3)
+    np.testing.assert_array_equal(points[1:].reshape(-1, 3, 2), path.control_points[:, 1:])
+    assert written.deviation == path.deviation
+
+
+# LaTeX
+
+
+def tex_values(cell):
+    number = r"(-?[0-9.]+(?: \\cdot 10\^\{-?\d+\})?)"
+    return [float(re.sub(r" \\cdot 10\^\{(-?\d+)\}", r"e\1", value)) for value in re.findall(number, cell)]
+
+
+def tex_rows(text):
+    arrays = re.findall(r"\\begin\{array\}\{l+\}\n(.*?)\n\\end\{array\}", text, re.DOTALL)
+    return [
+        [tex_values(cell) for cell in line.split(" & ")]
+        for body in arrays
+        for line in body.split(" \\\\\n")[1:]
+    ]
+
+
+def test_the_numbers_of_the_formula_give_the_curve_within_the_stated_deviation(kind):
+    written = latex_formula(kind, digits=4)
+    rows = tex_rows(written.text)
+    (source,), _ = sources_of(kind)
+    bound = 2 * stated(written.text) + rounding(kind)
+    assert 0 < written.deviation <= stated(written.text)
+    if kind.curves[0].nodes and "prod" in written.text:
+        points = np.array([row[2] for row in rows])
+        assert np.hypot(*(points - source.core.points).T).max() <= bound
+        return
+    for (start,), (end,), *controls in rows:
+        middle = bernstein(np.array(controls), np.array([0.5]))[0]
+        speed = np.hypot(*source.core.evaluate((start + end) / 2, 1))
+        assert np.hypot(*(middle - source.core.evaluate((start + end) / 2))) <= bound + 1e-3 * speed
+
+
+def test_more_digits_come_closer(sketch):
+    deviations = [latex_formula(sketch, digits=digits).deviation for digits in (3, 6, 9, 17)]
+    assert deviations == sorted(deviations, reverse=True)
+    assert deviations[-1] < 1e-14
+
+
+def test_too_few_digits_are_refused():
+    document = Document((make_curve([(0, 0), (1, 0), (1.00001, 0), (2, 0)]),))
+    with pytest.raises(ExchangeError, match="With 3 digits two parameters would be equal"):
+        latex_formula(document, digits=3)
+
+
+def balanced(text):
+    """Braces and environments close in the order in which they open."""
+    code = re.sub(r"(?<!\\)%.*", "", text)
+    stack = []
+    for token in re.findall(r"\\[{}%&#$_]|\\begin\{\w+\}|\\end\{\w+\}|[{}]", code):
+        if token.startswith("\\begin"):
+            stack.append(token[7:-1])
+        elif token.startswith("\\end"):
+            assert stack.pop() == token[5:-1]
+        elif token == "{":
+            stack.append("{")
+        elif token == "}":
+            assert stack.pop() == "{"
+    assert stack == []
+
+
+def test_tex_is_well_formed(gallery):
+    for write in (latex_formula, tikz_picture, pgfplots_axis):
+        text = write(gallery).text
+        balanced(text)
+        text.encode("latin-1", "strict") if write is latex_formula and "“" not in text else None
+    assert r"Corner \& co\_1" in latex_formula(gallery).text
+
+
+PATH = re.compile(r"\\draw\[line join=round[^]]*\] (.*?);", re.DOTALL)
+
+
+def drawn(text):
+    """The pieces of every path of a picture, (k, 4, 2)."""
+    for path in PATH.findall(text):
+        points = [
+            [float(v) for v in pair.removeprefix("axis cs:").split(",")]
+            for pair in re.findall(r"\(([^)]*)\)", path)
+        ]
+        assert len(points) % 3 == 1
+        yield np.array([points[i : i + 4] for i in range(0, len(points) - 1, 3)])
+
+
+def test_pgfplots_draws_the_curve(kind):
+    written = pgfplots_axis(kind, tolerance=1e-3)
+    (pieces,) = drawn(written.text)
+    path = cubics_of(core(kind), 1e-3)
+    np.testing.assert_array_equal(pieces, path.control_points)
+    assert stated(written.text) >= written.deviation == path.deviation
+
+
+def test_tikz_draws_the_curve_to_scale_within_the_stated_deviation(kind):
+    written = tikz_picture(kind, tolerance=1e-4)
+    (pieces,) = drawn(written.text)
+    assert pieces[:, [0, 3]].min() >= 0
+    assert pieces[:, [0, 3]].max() <= PICTURE_SIDE
+    scale = float(re.search(r"One centimetre is (\S+) of", written.text)[1])
+    path = cubics_of(core(kind), 1e-4)
+    moved = pieces * scale
+    true = path.control_points
+    offset = (true - moved).reshape(-1, 2).mean(axis=0)
+    # The scale in the comment has six digits.
+    room = 2 * stated(written.text) + 1e-5 * PICTURE_SIDE * scale
+    assert np.abs(true - moved - offset).max() <= room
+
+
+@pytest.mark.skipif(shutil.which("pdflatex") is None, reason="no TeX here")
+def test_tex_typesets_it(gallery, tmp_path):
+    parts = "\n".join(write(gallery).text for write in (latex_formula, tikz_picture, pgfplots_axis))
+    packages = "\\usepackage[utf8]{inputenc}\\usepackage{amsmath,pgfplots}\n"
+    head = f"\\documentclass{{article}}{packages}\\begin{{document}}\n"
+    (tmp_path / "a.tex").write_text(head + parts + "\\end{document}\n", encoding="utf-8")
+    done = subprocess.run(
+        ["pdflatex", "-interaction=nonstopmode", "-halt-on-error", "a.tex"],
+        cwd=tmp_path,
+        capture_output=True,
+        timeout=120,
+        check=False,
+    )
+    assert done.returncode == 0, done.stdout[-2000:]

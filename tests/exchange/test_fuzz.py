@@ -1,0 +1,126 @@
+"""Fuzz: whatever the bytes, a reader gives curves or its one kind of refusal."""
+
+from __future__ import annotations
+
+import io
+
+import ezdxf
+import pytest
+from hypothesis import HealthCheck, example, given, settings
+from hypothesis import strategies as st
+
+from app.document.format import FormatError, decode, encode, validate
+from app.document.model import Document, Family, make_curve
+from app.exchange import ExchangeError, svg_of
+from app.exchange.dxf import dxf_text, read_dxf
+from app.exchange.sampled import sampled_table
+from app.exchange.svg_in import read_svg
+from app.exchange.svg_path import read_path_data
+from app.exchange.table_curve import document_of_table
+from app.exchange.table_file import preview_table, read_table
+
+POINTS = [(0.0, 0.0), (1.0, 2.5), (3.0, -1.0), (4.0, 4.0)]
+SKETCH = Document((make_curve(POINTS, name="Kurve α", family=Family.HERMITE),))
+
+SHAPES = (
+    b'<svg xmlns="http://www.w3.org/2000/svg"><g transform="rotate(30 1 2) scale(2)" stroke="#f00">'
+    b'<path id="a" d="M0 0C1 2 3 4 5 6S7 8 9 1Q2 3 4 5T6 7A3 2 30 1 0 8 9H4V2Z m1 1 2 2"/><circle r="3"/>'
+    b'<rect x="1" y="2" width="3" height="4" rx="1"/><use href="#a" x="3"/><polygon points="0,0 1,1 2,0"/>'
+    b"</g></svg>"
+)
+
+
+def _shapes_as_dxf() -> bytes:
+    drawing = ezdxf.new("R12")
+    space = drawing.modelspace()
+    space.add_line((0, 0), (1, 2))
+    space.add_circle((1, 1), 2)
+    space.add_arc((1, 1), 2, 10, 200)
+    space.add_polyline2d([(0, 0, 0.5), (1, 1, 0), (2, 0, -1)], format="xyb")
+    stream = io.StringIO()
+    drawing.write(stream)
+    return stream.getvalue().encode()
+
+
+def _spline_as_dxf() -> bytes:
+    # The entities alone: the tables of a whole file would take most of the blows.
+    text = dxf_text(SKETCH).text
+    start = text.index("  2\nENTITIES")
+    end = text.index("ENDSEC", start)
+    return f"  0\nSECTION\n{text[start:end]}ENDSEC\n  0\nEOF\n".encode()
+
+
+def _table(data: bytes) -> Document:
+    preview_table(data)
+    return document_of_table(read_table(data))[0]
+
+
+READERS = {
+    "document": (decode, [encode(SKETCH)]),
+    "table": (
+        _table,
+        [sampled_table(SKETCH, samples=5).text.encode(), b"x;y\n1,5;2\n3,25;4e3\n", b'"a" 1 2\n'],
+    ),
+    "svg": (lambda data: read_svg(data).document, [svg_of(SKETCH).encode(), SHAPES]),
+    "dxf": (lambda data: read_dxf(data).document, [_spline_as_dxf(), _shapes_as_dxf()]),
+}
+
+SPLICES = st.sampled_from(
+    [b"", b"\0", b"nan", b"1e999", b"-", b"e", b",", b"\n", b"<", b">", b'"', b"&a;", b"{", b"]", b"\xff",
+     b"=", b"9" * 400, b"M", b"A", b"Z", b"  0\nLINE\n", b"-1", b"0", b"1e-320", b"\xe2\x80\xa8", b"#", b";"]
+)  # fmt: skip
+
+
+@st.composite
+def mutated(draw, seeds):
+    """A good file with a few bytes cut out, doubled or replaced."""
+    data = draw(st.sampled_from(seeds))
+    for _ in range(draw(st.integers(1, 3))):
+        start = draw(st.integers(0, len(data)))
+        end = min(len(data), start + draw(st.sampled_from([0, 1, 1, 2, 5, 40, 400])))
+        data = data[:start] + draw(SPLICES) + data[end:]
+    return data
+
+
+def read(name, data):
+    """Read, and hold the reader to its word."""
+    reader, _ = READERS[name]
+    try:
+        document = reader(data)
+    except (ExchangeError, FormatError) as refusal:
+        said = str(refusal)
+    else:
+        validate(document)
+        said = "a document"
+    assert said
+    assert "\n" not in said
+
+
+@pytest.mark.parametrize("name", READERS)
+@settings(max_examples=60, suppress_health_check=list(HealthCheck))
+@given(data=st.binary(max_size=200))
+@example(data=b"")
+@example(data=b"\xff\xfe")
+@example(data=b"\xff\xfe1")
+@example(data=b"<?xml version='1.0' encoding='utf-16'?><svg/>")
+def test_any_bytes(name, data):
+    read(name, data)
+
+
+@pytest.mark.parametrize("name", READERS)
+@settings(max_examples=150, suppress_health_check=list(HealthCheck))
+@given(data=st.data())
+def test_good_files_with_a_flaw(name, data):
+    read(name, data.draw(mutated(READERS[name][1])))
+
+
+@settings(max_examples=150)
+@given(text=st.text(alphabet="MmLlHhVvCcSsQqTtAaZz0123456789.-+eE, \n\té", max_size=40))
+def test_any_path_data(text):
+    try:
+        subpaths = read_path_data(f"M1 2{text}")
+    except ExchangeError:
+        return
+    for subpath in subpaths:
+        for before, after in zip(subpath.controls, subpath.controls[1:], strict=False):
+            assert (before[3] == after[0]).all()

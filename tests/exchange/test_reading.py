@@ -1,0 +1,73 @@
+"""Files in by their endings, and the limits of the child process."""
+
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import pytest
+
+from app.document.model import Family
+from app.exchange import ENDINGS, ExchangeError, export, import_file
+from app.exchange.child import limited
+from app.exchange.writers import WRITERS
+from app.view_model.curve_view import view_of
+
+ROOT = Path(__file__).parents[2]
+BUSY = b'<svg xmlns="http://www.w3.org/2000/svg"><path d="M0 0' + b"C1 1 2 2 3 3" * 90_000 + b'"/></svg>'
+
+
+@pytest.mark.parametrize("ending", [".curve.json", ".svg", ".dxf", ".csv", ".TSV"])
+def test_what_goes_out_comes_in(ending, sketch, tmp_path):
+    path = tmp_path / f"a{ending}"
+    export(sketch, path)
+    result = import_file(path)
+    curve = view_of(result.document.curves[0]).curve
+    assert curve.evaluate(curve.domain[1]) == pytest.approx(
+        view_of(sketch.curves[0]).curve.evaluate(1.0), abs=1e-9
+    )
+
+
+def test_a_table_is_named_after_its_file(tmp_path):
+    path = tmp_path / "tide.csv"
+    path.write_text("0,1\n1,2\n", encoding="utf-8")
+    (curve,) = import_file(path, family=Family.LAGRANGE).document.curves
+    assert (curve.name, curve.family) == ("tide", Family.LAGRANGE)
+
+
+def test_an_unknown_ending_is_refused(tmp_path):
+    with pytest.raises(ExchangeError, match=r"use .curve.json, .csv, .tsv, .svg or .dxf"):
+        import_file(tmp_path / "a.gif")
+
+
+def test_the_reason_names_the_file(tmp_path):
+    path = tmp_path / "bad.svg"
+    path.write_text("<svg><path d='L'/></svg>", encoding="utf-8")
+    with pytest.raises(ExchangeError) as refusal:
+        import_file(path)
+    said = str(refusal.value)
+    assert said == "“bad.svg” cannot be read: Element 2 (<path>): its data must begin with M."
+
+
+def test_what_takes_too_long_is_stopped():
+    began = time.perf_counter()
+    with pytest.raises(ExchangeError, match=r"Reading takes longer than 0.2 s; it was stopped"):
+        limited("svg", BUSY, None, seconds=0.2)
+    assert time.perf_counter() - began < 5
+
+
+@pytest.mark.skipif("sys.platform != 'linux'", reason="only Linux limits the address space")
+def test_what_takes_too_much_memory_is_stopped():
+    with pytest.raises(ExchangeError, match="Reading needs more memory than is allowed; it was stopped"):
+        limited("svg", BUSY, None, memory=10 * 2**20)
+
+
+def test_every_ending_has_a_writer():
+    assert (*WRITERS, ".png", ".pdf") == ENDINGS
+
+
+def test_the_window_starts_without_readers_and_writers():
+    code = "import sys, app.exchange; print(*(m for m in sys.modules if m.startswith('app.exchange.')))"
+    done = subprocess.run([sys.executable, "-c", code], cwd=ROOT, capture_output=True, text=True, check=True)
+    light = {"drawing", "formats", "reading", "svg", "writing"}
+    assert set(done.stdout.split()) == {f"app.exchange.{name}" for name in light}

@@ -1,0 +1,109 @@
+"""Tables of samples: right numbers, evenly spread, within the tolerance."""
+
+import csv
+import io
+
+import numpy as np
+import pytest
+
+from app.document.model import Document, Family, make_curve
+from app.exchange import ExchangeError, Spacing
+from app.exchange.facts import arc_length
+from app.exchange.sampled import TITLES, sampled_table
+from app.view_model.curve_view import view_of
+
+
+def table(document, **keywords):
+    written = sampled_table(document, **keywords)
+    rows = list(csv.reader(io.StringIO(written.text)))
+    values = np.array([[float(cell) if cell else np.nan for cell in row] for row in rows[1:]])
+    return rows[0], values, written.deviation
+
+
+def core(document):
+    return view_of(document.curves[0]).curve
+
+
+def test_equal_steps_of_t(kind):
+    titles, values, _ = table(kind, samples=33)
+    assert tuple(titles) == TITLES
+    curve = core(kind)
+    t = values[:, 0]
+    assert (t[0], t[-1]) == curve.domain
+    np.testing.assert_allclose(np.diff(t), (t[-1] - t[0]) / 32, rtol=1e-12)
+    for order in range(3):
+        np.testing.assert_array_equal(values[:, 1 + 2 * order : 3 + 2 * order], curve.evaluate(t, order))
+
+
+def test_the_length_is_the_arc_length(kind):
+    _, values, _ = table(kind, samples=50)
+    length = arc_length(core(kind), 1e-10).value
+    assert values[0, -1] == 0
+    assert (np.diff(values[:, -1]) > 0).all()
+    assert values[-1, -1] == pytest.approx(length, rel=1e-6)
+
+
+def test_equal_arc_lengths(kind):
+    _, values, _ = table(kind, samples=41, spacing=Spacing.LENGTH)
+    steps = np.diff(values[:, -1])
+    assert len(values) == 41
+    np.testing.assert_allclose(steps, steps.mean(), rtol=1e-5)
+
+
+@pytest.mark.parametrize("tolerance", [1e-1, 1e-2, 1e-3])
+def test_by_tolerance(kind, tolerance):
+    _, values, deviation = table(kind, spacing=Spacing.TOLERANCE, tolerance=tolerance)
+    assert deviation <= tolerance
+    curve = core(kind)
+    fine = curve.evaluate(np.linspace(*curve.domain, 5001))
+    start, end = values[:-1, 1:3], values[1:, 1:3]
+    along = end - start
+    for point in fine[::50]:
+        share = np.clip(((point - start) * along).sum(1) / (along**2).sum(1), 0, 1)
+        assert np.hypot(*(point - start - share[:, None] * along).T).min() <= 1.01 * tolerance
+
+
+def test_the_curvature_of_a_circle():
+    # A fine natural spline through a unit circle.
+    angles = np.linspace(0, 6, 200)
+    document = Document(
+        (make_curve(np.column_stack([np.cos(angles), np.sin(angles)]).tolist(), family=Family.HERMITE),)
+    )
+    _, values, _ = table(document, samples=100)
+    np.testing.assert_allclose(values[10:-10, 7], 1, rtol=2e-3)
+
+
+def test_a_point_at_rest_has_no_curvature():
+    document = Document((make_curve([(0, 0), (1, 1)], family=Family.QUINTIC_HERMITE),))
+    node = type(document.curves[0].nodes[0])
+    nodes = (node(0.0, 0.0, velocity=(0.0, 0.0)), node(1.0, 1.0))
+    curve = document.curves[0]
+    document = Document((type(curve)(curve.name, curve.family, curve.parametrization, nodes),))
+    _, values, _ = table(document, samples=5)
+    assert np.isnan(values[0, 7])
+    assert np.isfinite(values[1:]).all()
+
+
+def test_several_curves_have_a_column_for_the_name(gallery):
+    written = sampled_table(gallery, samples=3)
+    rows = list(csv.reader(io.StringIO(written.text)))
+    assert rows[0] == ["curve", *TITLES]
+    assert {len(row) for row in rows} == {10}
+    assert written.remarks
+
+
+def test_a_name_never_becomes_a_formula():
+    curve = make_curve([(0, 0), (1, 1)], name='=cmd|"/c calc"')
+    written = sampled_table(Document((curve, curve)), samples=2)
+    assert next(csv.reader(io.StringIO(written.text.splitlines()[1])))[0] == '\'=cmd|"/c calc"'
+
+
+def test_tabs(sketch):
+    text = sampled_table(sketch, samples=2, separator="\t").text
+    assert text.splitlines()[0] == "\t".join(TITLES)
+
+
+@pytest.mark.parametrize("samples", [-1, 1, 1_000_001])
+def test_the_number_of_samples_has_limits(sketch, samples):
+    with pytest.raises(ExchangeError, match="A table can have 2 to 1000000 samples"):
+        sampled_table(sketch, samples=samples)

@@ -1,0 +1,281 @@
+"""SVG in: exactly what the file draws, and nothing that would do harm."""
+
+import math
+import time
+
+import msgspec
+import numpy as np
+import pytest
+
+from app.document.model import Document, Family, Node, make_curve
+from app.exchange import ExchangeError, svg_of
+from app.exchange.arcs import arc
+from app.exchange.svg import DARK
+from app.exchange.svg_in import read_svg
+from app.view_model.curve_view import view_of
+from curvecore import bezier_segments, cubic_path
+
+
+def svg(body, attributes=""):
+    head = '<svg xmlns="http://www.w3.org/2000/svg" xmlns:xlink="http://www.w3.org/1999/xlink"'
+    return f"{head} {attributes}>{body}</svg>".encode()
+
+
+def curves(body):
+    return read_svg(svg(body)).document.curves
+
+
+def pieces(curve):
+    """The control points (k, 4, 2) of a curve, y down as in the file."""
+    return np.concatenate([bezier_segments(piece) for piece in view_of(curve).pieces]) * [1, -1]
+
+
+def near(actual, expected):
+    np.testing.assert_allclose(actual, expected, rtol=0, atol=1e-13 * max(1.0, np.abs(expected).max()))
+
+
+def test_cubics_come_exactly():
+    (curve,) = curves('<path d="M1 2 C3 4 5 -6 7 8 S 9 1 2 3.5 c 1,1 -2 .5-3-4"/>')
+    expected = [
+        [[1, 2], [3, 4], [5, -6], [7, 8]],
+        [[7, 8], [9, 22], [9, 1], [2, 3.5]],
+        [[2, 3.5], [3, 4.5], [0, 4], [-1, -0.5]],
+    ]
+    near(pieces(curve), expected)
+    assert curve.family is Family.HERMITE
+    assert [node.corner for node in curve.nodes] == [False, False, True, False]
+
+
+def test_lines_are_straight_and_have_corners():
+    (curve,) = curves('<path d="M0 0 L3 0 v3 H0 l -3-3"/>')
+    assert [node.corner for node in curve.nodes] == [False, True, True, True, False]
+    near(pieces(curve)[1], [[3, 0], [3, 1], [3, 2], [3, 3]])
+
+
+def test_quadratics_are_raised_exactly():
+    (curve,) = curves('<path d="M0 0 Q 3 6 6 0 T 12 0"/>')
+    near(pieces(curve), [[[0, 0], [2, 4], [4, 4], [6, 0]], [[6, 0], [8, -4], [10, -4], [12, 0]]])
+    assert not any(node.corner for node in curve.nodes)
+
+
+@pytest.mark.parametrize("tolerance", [None, 1e-2, 1e-4, 1e-6, 1e-9])
+def test_arcs_come_within_the_stated_deviation(tolerance):
+    data = svg('<path d="M10 0 A10 10 0 1 0 0 10"/>')
+    result = read_svg(data, tolerance)
+    (curve,) = result.document.curves
+    core = view_of(curve).curve
+    distance = np.hypot(*core.evaluate(np.linspace(0, 1, 4001)).T)
+    worst = np.abs(distance - 10).max()
+    assert 0.5 * result.deviation <= worst + 1e-13 <= result.deviation + 2e-13
+    if tolerance is not None:
+        assert result.deviation <= tolerance
+    assert [node.corner for node in curve.nodes] == [False] * len(curve.nodes)
+
+
+@pytest.mark.parametrize("angle", np.radians([10, 45, 90]))
+def test_the_bound_of_an_arc_is_sharp(angle):
+    piece = arc(np.zeros(2), np.eye(2) * 7, 0.3, angle, tolerance=None)
+    assert len(piece.pieces) == math.ceil(np.degrees(angle) / 45)
+
+
+@pytest.mark.parametrize(
+    ("large", "sweep"),
+    [(0, 0), (0, 1), (1, 0), (1, 1)],
+)
+def test_the_flags_of_an_arc(large, sweep):
+    # From (1, 0) to (0, 1), with y down: the centre is (0, 0) or (1, 1).
+    (curve,) = curves(f'<path d="M1 0A1 1 0 {large}{sweep}0 1"/>')
+    middle = view_of(curve).curve.evaluate(np.linspace(0, 1, 101)) * [1, -1]
+    centre = np.array([0, 0]) if large != sweep else np.array([1, 1])
+    np.testing.assert_allclose(np.hypot(*(middle - centre).T), 1, atol=1e-5)
+    length = np.hypot(*np.diff(middle, axis=0).T).sum()
+    assert length == pytest.approx(math.pi * (1.5 if large else 0.5), rel=1e-3)
+
+
+def test_an_ellipse_that_is_too_small_grows_and_one_without_radius_is_a_line():
+    (curve,) = curves('<path d="M0 0 A1 2 30 0 1 10 0"/>')
+    assert np.abs(view_of(curve).curve.evaluate(1.0) * [1, -1] - [10, 0]).max() < 1e-12
+    (line,) = curves('<path d="M0 0 A0 2 30 0 1 9 0"/>')
+    near(pieces(line), [[[0, 0], [3, 0], [6, 0], [9, 0]]])
+
+
+def test_closed_subpaths_are_closed_curves():
+    square, loop = curves('<path d="M0 0h4v4h-4z m10 0 c 9 9 -9 9 0 0 z"/>')
+    assert square.closed
+    assert len(square.nodes) == 4
+    assert all(node.corner for node in square.nodes)
+    assert loop.closed
+    assert len(loop.nodes) == 2
+    assert (square.name, loop.name) == ("Path 2 (1)", "Path 2 (2)")
+    assert len(curves('<path d="M0 0 1 1 2 0Z L 5 5"/>')) == 2
+
+
+def test_a_circle_is_smooth_all_round():
+    result = read_svg(svg('<circle cx="1" cy="2" r="3"/>'))
+    (curve,) = result.document.curves
+    assert curve.closed
+    assert not any(node.corner for node in curve.nodes)
+    points = view_of(curve).curve.evaluate(np.linspace(0, 1, 999)) - [1, -2]
+    assert np.abs(np.hypot(*points.T) - 3).max() <= result.deviation * 1.001 <= 3 * 4.3e-6
+
+
+def test_basic_shapes():
+    body = (
+        '<rect x="1" y="2" width="4" height="3"/><rect width="4" height="3" rx="1"/>'
+        '<ellipse cx="0" cy="0" rx="2" ry="1"/><line x1="0" y1="0" x2="1cm" y2="0"/>'
+        '<polyline points="0,0 1,1 2,0"/><polygon points="0 0 1 1 2 0"/>'
+        '<rect width="0" height="2"/><circle r="0"/><polyline points=""/>'
+    )
+    found = curves(body)
+    assert [(len(c.nodes), c.closed) for c in found] == [
+        (4, True), (12, True), (8, True), (2, False), (3, False), (3, True),
+    ]  # fmt: skip
+    assert found[3].nodes[1].x == pytest.approx(96 / 2.54)
+
+
+def test_transforms_and_groups():
+    (curve,) = curves(
+        '<g transform="translate(10,20) rotate(90)"><g transform="scale(2)">'
+        '<path transform="matrix(1 0 0 1 1 0) skewX(0)" d="M0 0L3 0"/></g></g>'
+    )
+    near(pieces(curve)[0, [0, 3]], [[10, 22], [10, 28]])
+    (turned,) = curves('<line x2="1" transform="rotate(180, 5, 5)"/>')
+    near(pieces(turned)[0, [0, 3]], [[10, 10], [9, 10]])
+
+
+def test_use_and_what_is_not_drawn():
+    body = (
+        '<defs><path id="a" d="M0 0L1 0"/></defs><use href="#a" x="5"/><use xlink:href="#a" y="2"/>'
+        '<path d="M0 0L1 1" display="none"/><g style="visibility:hidden"><path d="M0 0L1 1"/></g>'
+        '<clipPath><path d="M0 0L1 1"/></clipPath><symbol id="s"><path d="M0 0 2 2"/></symbol>'
+        '<use href="#s"/>'
+    )
+    found = curves(body)
+    assert [(c.nodes[0].x, -c.nodes[0].y) for c in found] == [(5, 0), (0, 2), (0, 0)]
+
+
+def test_names_and_colours():
+    body = (
+        '<g stroke="#F00"><path d="M0 0L1 0"><title> the  red </title></path>'
+        '<path id="b" style="stroke: rgb(1, 2, 255)" d="M0 0L1 0"/></g>'
+        '<path d="M0 0L1 0" fill="orange"/><path stroke="black" d="M0 0L1 0"/>'
+        '<path stroke="url(#g)" d="M0 0L1 0"/>'
+    )
+    assert [(c.name, c.colour) for c in curves(body)] == [
+        ("the red", "#ff0000"), ("b", "#0102ff"), ("Path 6", "#ffa500"), ("Path 7", ""), ("Path 8", ""),
+    ]  # fmt: skip
+
+
+def test_what_is_lost_is_said():
+    result = read_svg(svg('<text>hi</text><rect width="100%" height="100%"/><path d="M0 0L1 0"/>'))
+    assert result.remarks == ("<text> is not read.", "A <rect> with lengths in % or em is not read.")
+
+
+def test_our_own_file_comes_back_within_the_stated_deviation(kind):
+    (curve,) = kind.curves
+    result = read_svg(svg_of(kind, tolerance=1e-4, points=True, style=DARK).encode())
+    (back,) = result.document.curves
+    core, copy = view_of(curve).curve, view_of(back).curve
+    path = cubic_path(core, 1e-4)
+    assert back.name == curve.name
+    assert len(copy.parameters) == len(path.parameters)
+    size = np.abs(core.points).max()
+    got = np.concatenate([bezier_segments(piece) for piece in view_of(back).pieces])
+    assert np.abs(got - path.control_points).max() <= result.deviation + 1e-12 * size
+    assert result.deviation <= 1e-9 * size
+
+
+def test_smooth_joints_of_our_own_file_stay_smooth():
+    curve = make_curve([(0, 0), (1, 2), (3, 1), (4, 4), (9, 0)], family=Family.HERMITE)
+    result = read_svg(svg_of(Document((curve,))).encode())
+    assert not any(node.corner for node in result.document.curves[0].nodes)
+    ring = msgspec.structs.replace(curve, closed=True)
+    (back,) = read_svg(svg_of(Document((ring,))).encode()).document.curves
+    core = view_of(ring).curve
+    assert back.closed
+    assert core.parameters.size == len(back.nodes) + 1
+    assert not any(node.corner for node in back.nodes)
+
+
+def test_a_corner_of_our_own_file_stays_the_only_one():
+    nodes = [Node(0.0, 0.0), Node(1.0, 2.0), Node(2.0, 0.0, corner=True), Node(3.0, 3.0), Node(4.0, 0.0)]
+    curve = msgspec.structs.replace(make_curve([(0, 0)], family=Family.HERMITE), nodes=tuple(nodes))
+    (back,) = read_svg(svg_of(Document((curve,))).encode()).document.curves
+    assert [node.corner for node in back.nodes] == [False, False, True, False, False]
+
+
+P = '<path d="{}"/>'
+
+
+PATH = "Element 2 (<path>): "
+
+
+@pytest.mark.parametrize(
+    ("body", "sentence"),
+    [
+        (P.format("L0 0"), PATH + "its data must begin with M."),
+        (P.format("M0 0 L1"), PATH + "its data end in the middle of a command."),
+        (P.format("M0 0 LNaN 1"), PATH + "its data are broken at character 7: “NaN 1”."),
+        (P.format("M0 0 L1e999 1"), PATH + "a number at character 7 of its data is beyond all numbers."),
+        (P.format("M0 0 A1 1 0 2 0 1 1"), PATH + "its data are broken at character 13: “2 0 1 1”."),
+        (P.format("M0 0 A1 1 0 1 0 1"), PATH + "its data end in the middle of a command."),
+        (P.format("M0 0 Z 5 5"), PATH + "its data are broken at character 8: “5 5”."),
+        (P.format("M0 0 L1 1 ,, 2 2"), PATH + "its data are broken at character 12: “, 2 2”."),
+        (P.format("M0 0 L1e13 0"), "“Path 2” has coordinates beyond −1e12 to 1e12."),
+        ('<path d="M0 0L1 1" transform="scale(nan)"/>', PATH + "its transform “scale(nan)” is broken."),
+        ('<path d="M0 0L1 1" transform="fly(1)"/>', PATH + "its transform “fly(1)” is broken."),
+        ('<path d="M0 0L1 1" transform="oops"/>', PATH + "its transform is broken at character 1."),
+        ('<circle r="five"/>', "Element 2 (<circle>): its r “five” is not a length."),
+        ('<rect width="-1" height="2"/>', "Element 2 (<rect>): it has a negative size."),
+        (
+            '<polyline points="0 0 1"/>',
+            "Element 2 (<polyline>): its points have an odd number of coordinates.",
+        ),
+        ('<use id="a" href="#a"/>', "Element 2 (<use>): it uses itself by way of “#a”."),
+        ("", "There is no curve in the file."),
+        ("<text/>", "There is no curve in the file. <text> is not read."),
+        (P.format("M5 5Z"), "There is no curve in the file."),
+        ("<path", "The file is not XML: line 1, column 90."),
+    ],
+)
+def test_broken_files_are_refused_with_the_place(body, sentence):
+    with pytest.raises(ExchangeError) as refusal:
+        read_svg(svg(body))
+    assert str(refusal.value) == sentence
+
+
+def test_bombs_are_refused():
+    laughs = '<!DOCTYPE svg [<!ENTITY a "ha"><!ENTITY b "&a;&a;">]>' + svg("<path d='M0 0'/>").decode()
+    for data in (laughs.encode(), b'<!DOCTYPE svg SYSTEM "http://127.0.0.1/x.dtd"><svg/>'):
+        with pytest.raises(ExchangeError, match="declares a DTD or entities"):
+            read_svg(data)
+    with pytest.raises(ExchangeError, match="more than 10000 elements"):
+        read_svg(svg("<g/>" * 10_001))
+    with pytest.raises(ExchangeError, match="nested deeper than 200 levels"):
+        read_svg(svg("<g>" * 100_000))
+    doubling = "".join(f'<g id="g{i}"><use href="#g{i + 1}"/><use href="#g{i + 1}"/></g>' for i in range(40))
+    with pytest.raises(ExchangeError, match="more than 2000 paths"):
+        read_svg(svg(doubling + '<path id="g40" d="M0 0L1 1"/>'))
+    empty = doubling.replace("g40", "nothing")
+    with pytest.raises(ExchangeError, match="draws more than 10000 elements"):
+        read_svg(svg(empty + '<g id="nothing"/>'))
+    circle = '<g id="a"><use href="#b"/></g><g id="b"><use href="#a"/></g>'
+    with pytest.raises(ExchangeError, match="it uses itself"):
+        read_svg(svg(circle))
+
+
+def test_other_xml_is_refused():
+    with pytest.raises(ExchangeError, match="no SVG file: it begins with <html>"):
+        read_svg(b"<html/>")
+    with pytest.raises(ExchangeError, match="The file is empty"):
+        read_svg(b" ")
+    with pytest.raises(ExchangeError, match="not XML"):
+        read_svg(b"<?xml version='1.0' encoding='klingon'?><svg/>")
+
+
+def test_a_long_path_is_read_in_time():
+    data = svg('<path d="M0 0' + "".join(f"C{i} 1 {i} 2 {i + 1} 3" for i in range(20_000)) + '"/>')
+    began = time.perf_counter()
+    (curve,) = read_svg(data).document.curves
+    assert time.perf_counter() - began < 5
+    assert len(curve.nodes) == 20_001

@@ -1,0 +1,196 @@
+"""CSV and TSV in: what spreadsheets and programs write, and what is refused, by row."""
+
+import time
+
+import msgspec
+import numpy as np
+import pytest
+
+from app.document.model import Document, Family, Node, make_curve
+from app.exchange import ExchangeError
+from app.exchange.sampled import sampled_table
+from app.exchange.table_curve import document_of_table
+from app.exchange.table_file import (
+    Layout,
+    Mapping,
+    preview_table,
+    read_table,
+)
+from app.exchange.thinning import thinned
+from app.view_model.curve_view import view_of
+
+ROWS = [[0.0, 1.5, -2.0], [1.0, 2.25, 3.0], [2.5, 1e-3, 4e5]]
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "t,x,y\n0,1.5,-2\n1,2.25,3\n2.5,1e-3,4e5\n",
+        "t\tx\ty\r\n0\t1.5\t-2\r\n1\t2.25\t3\r\n2.5\t.001\t4E+5\r\n",
+        "t;x;y\n0;1,5;-2\n1;2,25;3,0\n2,5;0,001;400000\n",
+        "0 1.5 -2\n1 2.25 3\n  2.5   1e-3 4e5",
+        "0\t1,5\t-2\n1\t2,25\t3\n2,5\t0,001\t4e5",
+        '"t","x","y"\n"0","1.5","-2"\n"1","2.25","3"\n"2.5","1e-3","4e5"\n',
+        "# made by hand\n\nt, x, y\n0, 1.5, -2\n# a pause\n1, 2.25, 3\n\n2.5, 1e-3, 4e5\n\n",
+        "\ufefft,x,y\n0,1.5,-2\n1,2.25,3\n2.5,1e-3,4e5\n",
+        "0;1.5;-2;\n1;2.25;3;\n2.5;1e-3;4e5;\n",
+    ],
+)
+def test_many_layouts_hold_the_same_numbers(text):
+    table = read_table(text.encode())
+    assert table.values.tolist() == ROWS
+    document, deviation = document_of_table(table)
+    assert deviation == 0
+    assert [(n.t, n.x, n.y) for n in document.curves[0].nodes] == [tuple(row) for row in ROWS]
+
+
+def test_utf_16_as_spreadsheets_write_it():
+    text = "t\tx\ty\r\n0\t1,5\t-2\r\n1\t2,25\t3\r\n2,5\t0,001\t400000\r\n"
+    assert read_table(text.encode("utf-16")).values.tolist() == ROWS
+
+
+@pytest.mark.parametrize(
+    ("text", "sentence"),
+    [
+        ("", "The file is empty."),
+        (" \n\n", "The file is empty."),
+        ("# only words\n", "The table has no rows of numbers."),
+        ("x,y\n", "Row 1, column 1: “x” is not a number."),
+        ("x,y\n1,2\n3\n", "Row 3 has 1 cells; the first has 2."),
+        ("x,y\n1,2\n3,4,5\n", "Row 3 has 3 cells; the first has 2."),
+        ("x,y\n1,2\n\n3,four\n", "Row 4, column 2: “four” is not a number."),
+        ("x,y\n1,2\n3,\n", "Row 3 has 1 cells; the first has 2."),
+        (
+            "x,y\n1,2\n=cmd|' /C calc'!A0,4\n",
+            "Row 3, column 1: “=cmd|' /C calc'!A0” is a formula; only numbers are read.",
+        ),
+        ("x,y\n1,2\n@SUM(A1),4\n", "Row 3, column 1: “@SUM(A1)” is a formula; only numbers are read."),
+        ("x,y\n1,2\n-cmd(1),4\n", "Row 3, column 1: “-cmd(1)” is a formula; only numbers are read."),
+        ("x,y\n1,2\nnan,4\n", "Row 3, column 1: “nan” is not a number."),
+        ("x,y\n1,2\ninf,4\n", "Row 3, column 1: “inf” is not a number."),
+        ("x,y\n1,2\n9**9**9,4\n", "Row 3, column 1: “9**9**9” is not a number."),
+        ("x,y\n1,2\n__import__('os'),4\n", "Row 3, column 1: “__import__('os')” is not a number."),
+        ("x,y\n1,2\n1e999,4\n", "Row 3, column 1 must lie between −1e12 and 1e12."),
+        ("x,y\n1,2\n1e13,4\n", "Row 3, column 1 must lie between −1e12 and 1e12."),
+        ("x,y\n1,2\n1_0,4\n", "Row 3, column 1: “1_0” is not a number."),
+        ("x,y\n1,2\n0x10,4\n", "Row 3, column 1: “0x10” is not a number."),
+        ("x,y\n1,2\n1\0,4\n", "Row 3 holds a zero byte; this is no text."),
+    ],
+)
+def test_what_is_no_table_is_refused_with_the_row(text, sentence):
+    with pytest.raises(ExchangeError) as refusal:
+        read_table(text.encode())
+    assert str(refusal.value) == sentence
+
+
+def test_bad_utf_8_is_refused_with_the_row():
+    with pytest.raises(ExchangeError, match="Row 2 is not UTF-8 text"):
+        read_table(b"1,2\n3,\xff\n")
+
+
+@pytest.mark.parametrize(
+    ("text", "sentence"),
+    [
+        ("x,y\n1,2\n", "The table has one row of numbers; a curve needs two points."),
+        ("x\n1\n2\n", "The table has one column only; a curve needs x and y."),
+        ("t,x,y\n0,1,2\n1,1,2\n1,3,4\n", "Row 4: t must increase from row to row."),
+        ("t,x,y\n0,1,2\n-1,1,2\n", "Row 3: t must increase from row to row."),
+        ("t,x,y\n\n0,1,2\n# pause\n\n1,1,2\n\n1,3,4\n", "Row 8: t must increase from row to row."),
+        ("x\ty\n1\t2\n\n3\t\n", "Row 4, column 2 is empty; it gives y."),
+    ],
+)
+def test_what_is_no_curve_is_refused(text, sentence):
+    with pytest.raises(ExchangeError) as refusal:
+        document_of_table(read_table(text.encode()))
+    assert str(refusal.value) == sentence
+
+
+def test_the_preview_shows_what_is_there_and_a_first_guess():
+    preview = preview_table(b"Y [mm];time;X [mm]\n1,5;2;3\n" * 1)
+    assert preview.layout == Layout(";", decimal_comma=True, header=True)
+    assert preview.titles == ("Y [mm]", "time", "X [mm]")
+    assert preview.cells == (("1,5", "2", "3"),)
+    assert preview.mapping == Mapping(x=2, y=0)
+    assert preview_table(b"1 2 3\n4 5 6").mapping == Mapping(x=1, y=2, t=0)
+    assert preview_table(b"1\n2").mapping is None
+    assert len(preview_table(b"1,2\n" * 1000).cells) == 20
+
+
+def test_the_person_maps_the_columns():
+    table = read_table(b"5,1,2,7\n6,3,4,8\n")
+    document, _ = document_of_table(table, Mapping(x=1, y=0, t=3), family=Family.LAGRANGE, name="mine")
+    curve = document.curves[0]
+    assert (curve.name, curve.family) == ("mine", Family.LAGRANGE)
+    assert [(n.x, n.y, n.t) for n in curve.nodes] == [(1, 5, 7), (3, 6, 8)]
+    with pytest.raises(ExchangeError, match="There is no column 9 for y"):
+        document_of_table(table, Mapping(x=0, y=8))
+
+
+def test_our_own_table_gives_the_quintic_back():
+    curve = make_curve(np.random.default_rng(4).normal(size=(6, 2)).tolist(), family=Family.QUINTIC_HERMITE)
+    core = view_of(curve).curve
+    written = sampled_table(Document((curve,)), samples=60)
+    # Curvature and length are not roles; the rest is.
+    document, _ = document_of_table(read_table(written.text.encode()), family=curve.family)
+    back = view_of(document.curves[0]).curve
+    t = np.linspace(*core.domain, 500)
+    assert np.abs(back.evaluate(t) - core.evaluate(t)).max() < 1e-3
+
+
+def test_empty_cells_matter_only_where_they_are_used():
+    # The curvature of a point at rest is empty in our own tables.
+    curve = make_curve([(0, 0), (1, 1), (2, 0)], family=Family.HERMITE)
+    first = Node(0.0, 0.0, velocity=(0.0, 0.0))
+    curve = msgspec.structs.replace(curve, nodes=(first, *curve.nodes[1:]))
+    text = sampled_table(Document((curve,)), samples=9).text
+    table = read_table(text.encode())
+    assert np.isnan(table.values[0, 7])
+    assert np.isfinite(np.delete(table.values, 7, axis=1)).all()
+    document, _ = document_of_table(table)
+    assert document.curves[0].nodes[0].velocity == (0.0, 0.0)
+
+
+@pytest.mark.parametrize("tolerance", [1e-1, 1e-3, 1e-5])
+def test_a_thinned_table_stays_within_the_tolerance(tolerance):
+    angles = np.linspace(0, 7, 4001)
+    points = np.column_stack([np.cos(angles) * angles, np.sin(angles)])
+    kept = thinned(points, None, tolerance)
+    assert kept.deviation <= tolerance
+    assert len(kept.rows) < 40 * tolerance**-0.25
+    text = "\n".join(f"{x!r},{y!r}" for x, y in points.tolist())
+    document, deviation = document_of_table(read_table(text.encode()), thin=tolerance)
+    core = view_of(document.curves[0]).curve
+    length = np.append(0, np.cumsum(np.hypot(*np.diff(points, axis=0).T)))
+    assert np.hypot(*(core.evaluate(length) - points).T).max() == pytest.approx(deviation)
+
+
+def test_thinning_keeps_a_corner_and_skips_repeated_points():
+    x = np.linspace(-1, 1, 401)
+    points = np.repeat(np.column_stack([x, np.abs(x)]), 2, axis=0)
+    kept = thinned(points, None, 1e-4)
+    assert kept.deviation <= 1e-4
+    assert len(kept.rows) < 60
+    assert (0.0, 0.0) in [tuple(p) for p in points[kept.rows].round(9).tolist()]
+
+
+def test_thinning_says_what_it_cannot():
+    noise = np.random.default_rng(0).normal(size=(30_000, 2))
+    with pytest.raises(ExchangeError, match="More than 20000 points would be left"):
+        thinned(noise, None, 1e-6)
+    with pytest.raises(ExchangeError, match="All points coincide"):
+        thinned(np.ones((5, 2)), None, 1.0)
+    with pytest.raises(ExchangeError, match="positive"):
+        thinned(noise, None, 0.0)
+
+
+def test_a_million_rows_are_read_and_thinned_in_seconds():
+    t = np.linspace(0, 20, 1_000_000)
+    lines = map("{:.7f},{:.7f},{:.7f}".format, t.tolist(), np.cos(t).tolist(), np.sin(2 * t).tolist())
+    data = ("t,x,y\n" + "\n".join(lines)).encode()
+    began = time.perf_counter()
+    table = read_table(data)
+    document, deviation = document_of_table(table, thin=1e-4)
+    assert time.perf_counter() - began < 10
+    assert table.values.shape == (1_000_000, 3)
+    assert deviation <= 1e-4
+    assert len(document.curves[0].nodes) < 400
