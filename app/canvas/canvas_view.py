@@ -115,7 +115,7 @@ class CanvasView(PlotWidget):
         """Enlarge points, lines and numbers, for a projector."""
         self._curve_layer.scale = self._point_layer.scale = scale
         self._other_curves.scale = self._corner_layer.scale = scale
-        self.viewport().update()
+        super().set_scale(scale)
 
     def set_hovered(self, index: int) -> None:
         """Light up a point (−1 for none)."""

@@ -21,6 +21,7 @@ from app.view_model.handles import Handle, handles_of
 _RADIUS, _SELECTED_RADIUS, _GROWTH, _LEAST_RADIUS = 4.5, 5.5, 1.0, 2.0
 _LABELLED_UP_TO = 12
 _WEIGHED_UP_TO = 24
+_LEAST_WEIGHT = 5e-3
 _FAR = 1e5
 _SAMPLED = 256
 _STAMPED_FROM = 64
@@ -143,20 +144,36 @@ class PointLayer:
 
     def _paint_numbers(self, painter: QPainter, pixels: Floats, visible: Integers) -> None:
         if len(pixels) > _LABELLED_UP_TO:
+            # Many numbers at once would cover each other and the curve.
+            named = self.selection if len(self.selection) <= _LABELLED_UP_TO else frozenset[int]()
             wanted = np.zeros(len(pixels), dtype=bool)
-            wanted[[index for index in (*self.selection, self.hovered) if 0 <= index < len(pixels)]] = True
-            visible = visible[wanted[visible]]
+            wanted[[index for index in (*named, self.hovered) if 0 <= index < len(pixels)]] = True
+            visible = visible[wanted[visible] | self._has_weight_text(len(pixels))[visible]]
         chosen: list[int] = visible.tolist()
         if not chosen:
             return
         painter.setFont(self._scaled_font(0.95))
-        painter.setPen(self.theme.muted)
+        with_weight = self._has_weight_text(len(pixels))
         for index in chosen:
-            centre = self._number_place(pixels, index)
-            box = QRectF(centre.x() - 30, centre.y() - 10, 60, 20)
-            painter.drawText(box, int(Qt.AlignmentFlag.AlignCenter), str(index))
+            text, colour, away = str(index), self.theme.muted, 17 * self.scale
+            if with_weight[index] and self.weights is not None:
+                weight = float(self.weights[index])
+                text += f"  {weight:.2f}".replace("-", "−")
+                colour = self.theme.warning if weight < 0 else self.theme.ink
+                # Beyond the disc, so that neither covers the curve.
+                away = max(away, self._weight_radius(weight) + 14 * self.scale)
+            centre = self._number_place(pixels, index, away)
+            box = QRectF(centre.x() - 60, centre.y() - 12, 120, 24)
+            painter.setPen(colour)
+            painter.drawText(box, int(Qt.AlignmentFlag.AlignCenter), text)
 
-    def _number_place(self, pixels: Floats, index: int) -> QPointF:
+    def _has_weight_text(self, count: int) -> Flags:
+        """Tell beside which points their weight is written."""
+        if self.weights is None or len(self.weights) != count or count > _WEIGHED_UP_TO:
+            return np.zeros(count, dtype=bool)
+        return np.abs(self.weights) >= _LEAST_WEIGHT
+
+    def _number_place(self, pixels: Floats, index: int, distance: float) -> QPointF:
         """Put the number on the outer side of the bend, where the curve is not."""
         here = pixels[index]
         before, after = pixels[max(index - 1, 0)], pixels[min(index + 1, len(pixels) - 1)]
@@ -164,7 +181,6 @@ class PointLayer:
         length = float(np.hypot(*outward))
         bends = 0 < index < len(pixels) - 1 and length > 2
         outward = outward / length if bends else _beside(after - before)
-        distance = 17 * self.scale
         return QPointF(here[0] + distance * outward[0], here[1] + distance * outward[1])
 
     def _scaled_font(self, factor: float) -> QFont:
@@ -206,19 +222,17 @@ class PointLayer:
     ) -> None:
         assert self.weights is not None
         values = self.weights.tolist()
-        largest = max(map(abs, values)) or 1.0
-        with_text = len(pixels) <= _WEIGHED_UP_TO
-        painter.setFont(self._scaled_font(0.85))
         for index in visible.tolist():
-            # The area shows the weight; weights beyond 1 share the scale of the largest.
-            share = abs(values[index]) / max(largest, 1.0)
-            radius = 30 * self.scale * float(np.sqrt(share))
-            if radius < 1:
-                continue
-            place = QPointF(*pixels[index])
-            self._paint_weight_disc(painter, place, radius, colours[index], negative=values[index] < 0)
-            if with_text and abs(values[index]) >= 5e-3:
-                self._paint_weight_text(painter, place, values[index])
+            radius = self._weight_radius(values[index])
+            if radius >= 1:
+                place = QPointF(*pixels[index])
+                self._paint_weight_disc(painter, place, radius, colours[index], negative=values[index] < 0)
+
+    def _weight_radius(self, weight: float) -> float:
+        """Return the radius of a disc whose area shows a weight; beyond 1 all share the largest's scale."""
+        assert self.weights is not None
+        largest = max(float(np.abs(self.weights).max()), 1.0)
+        return 30 * self.scale * float(np.sqrt(abs(weight) / largest))
 
     def _paint_weight_disc(
         self, painter: QPainter, place: QPointF, radius: float, colour: QColor, *, negative: bool
@@ -230,12 +244,6 @@ class PointLayer:
         painter.setPen(ring)
         painter.setBrush(fill)
         painter.drawEllipse(place, radius, radius)
-
-    def _paint_weight_text(self, painter: QPainter, place: QPointF, weight: float) -> None:
-        painter.setPen(self.theme.warning if weight < 0 else self.theme.ink)
-        text = f"{weight:.2f}".replace("-", "−")
-        box = QRectF(place.x() - 40, place.y() + 8 * self.scale, 80, 18 * self.scale)
-        painter.drawText(box, int(Qt.AlignmentFlag.AlignHCenter | Qt.AlignmentFlag.AlignTop), text)
 
     def _paint_scrub_dot(self, painter: QPainter, shown: PixelMap) -> None:
         assert self.scrub is not None

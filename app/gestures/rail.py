@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import math
+
 from app.document.edits import set_parameter
-from app.gestures.machine import DragMachine, Host
+from app.gestures.machine import THRESHOLD, DragMachine, Host
 from app.gestures.pointer import Hint, Hit, Part, Pointer
 from app.gestures.rail_drags import DragTicks
 
@@ -16,6 +18,7 @@ class RailTool:
         self._machine = DragMachine(host)
         self._scrubbing_from: float | None = None
         self._scrubbing = False
+        self._function: tuple[Pointer, int] | None = None
 
     @property
     def is_pressed(self) -> bool:
@@ -29,8 +32,8 @@ class RailTool:
             self._press_on_tick(pointer, hit)
             return
         self._scrubbing, self._scrubbing_from = True, scrub
-        if hit is not None and hit.part is Part.FUNCTION:
-            self._host.select([hit.index])
+        # A click on a function means its point; only a drag from there scrubs.
+        self._function = (pointer, hit.index) if hit is not None and hit.part is Part.FUNCTION else None
         self._scrub_to(pointer)
 
     def _press_on_tick(self, pointer: Pointer, hit: Hit) -> None:
@@ -86,11 +89,13 @@ class RailTool:
 
     def release(self, pointer: Pointer) -> None:
         """End the gesture."""
-        if self._scrubbing:
-            self._scrub_to(pointer)
-            self._scrubbing = False
-        else:
+        if not self._scrubbing:
             self._machine.release(pointer)
+            return
+        self._scrub_to(pointer)
+        self._scrubbing = False
+        if self._function is not None:
+            self._host.select([self._function[1]])
 
     def cancel(self) -> bool:
         """Drop the gesture in flight; return whether there was one."""
@@ -106,6 +111,10 @@ class RailTool:
         self._machine.forget()
 
     def _scrub_to(self, pointer: Pointer) -> None:
+        if self._function is not None:
+            if math.dist(self._function[0].pixel, pointer.pixel) < THRESHOLD:
+                return
+            self._function = None
         view = self._host.active_view
         if view.curve is not None:
             start, end = view.curve.domain

@@ -17,8 +17,13 @@ from app.theme import Theme, mix
 from app.view_model.basis_view import BasisView
 from app.view_model.curve_view import Integers
 
-RAIL_HEIGHT = 34.0
-"""Pixels at the foot of the plot area that belong to the t-rail."""
+_RAIL_HEIGHT = 34.0
+
+
+def rail_height(scale: float) -> float:
+    """Return how many pixels at the foot of the plot area belong to the t-rail."""
+    return _RAIL_HEIGHT * scale
+
 
 KIND_STYLES = (Qt.PenStyle.SolidLine, Qt.PenStyle.DashLine, Qt.PenStyle.DotLine)
 """Line styles of position, velocity and acceleration functions."""
@@ -55,7 +60,7 @@ class FunctionLayer:
 
     def paint(self, painter: QPainter, shown: PixelMap) -> None:
         """Draw the lines 0 and 1, the functions, and the emphasised ones on top."""
-        painter.setClipRect(QRectF(0, 0, shown.width, shown.height - RAIL_HEIGHT))
+        painter.setClipRect(QRectF(0, 0, shown.width, shown.height - rail_height(self.scale)))
         self._paint_levels(painter, shown)
         if self._basis is None:
             return
@@ -177,7 +182,7 @@ class RailLayer:
     def paint(self, painter: QPainter, shown: PixelMap) -> None:
         """Draw rail, ticks and scrub line."""
         painter.setRenderHint(QPainter.RenderHint.Antialiasing, True)
-        top = shown.height - RAIL_HEIGHT
+        top = shown.height - rail_height(self.scale)
         painter.setPen(QPen(self.theme.grid_coarse, 1))
         painter.drawLine(QPointF(0, round(top) + 0.5), QPointF(shown.width, round(top) + 0.5))
         self._paint_ticks(painter, shown, top)
@@ -229,7 +234,7 @@ class RailLayer:
         painter.drawPolygon(QPolygonF([tip, QPointF(x + size, base), QPointF(x - size, base)]))
 
     def _paint_number(self, painter: QPainter, x: float, top: float, index: int, *, chosen: bool) -> None:
-        box = QRectF(x - 20, top + 13 * self.scale, 40, RAIL_HEIGHT - 13 * self.scale)
+        box = QRectF(x - 20, top + 13 * self.scale, 40, rail_height(self.scale) - 13 * self.scale)
         if chosen:
             painter.setPen(Qt.PenStyle.NoPen)
             painter.setBrush(self.theme.paper)
@@ -240,7 +245,7 @@ class RailLayer:
     def _paint_scrub(self, painter: QPainter, shown: PixelMap, t: float) -> None:
         x = shown.point(t, 0.0)[0]
         painter.setPen(QPen(self.theme.accent, 1.5 * self.scale))
-        painter.drawLine(QPointF(x, 0), QPointF(x, shown.height - RAIL_HEIGHT))
+        painter.drawLine(QPointF(x, 0), QPointF(x, shown.height - rail_height(self.scale)))
         size = 6 * self.scale
         painter.setPen(Qt.PenStyle.NoPen)
         painter.setBrush(self.theme.accent)

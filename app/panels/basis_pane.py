@@ -14,6 +14,7 @@ from app.theme import LIGHT, Theme
 from app.view_model.basis_view import basis_formulas
 from app.view_model.curve_view import CurveView
 
+_NOTHING = "none while the rule gives no parameters"
 _NAMES = ("position", "velocity", "acceleration")
 
 
@@ -60,6 +61,10 @@ class BasisPane(QWidget):
         button.setAccessibleName("Fit the basis functions")
         button.setToolTip("Show the functions from their least to their greatest value")
         button.clicked.connect(self._fit_or_calm)
+        # Its room stays when it is hidden, or the drawing below would jump.
+        policy = button.sizePolicy()
+        policy.setRetainSizeWhenHidden(True)
+        button.setSizePolicy(policy)
         return button
 
     def _lay_out(self) -> None:
@@ -88,7 +93,7 @@ class BasisPane(QWidget):
         for kind, button in enumerate(self._kinds):
             button.setVisible(kind < len(formulas) and len(formulas) > 1)
         basis = self._panel.basis
-        drawing = note_on_drawing(basis) if basis is not None else ""
+        drawing = note_on_drawing(basis) if basis is not None else _NOTHING if view.problem else ""
         # Laying the header out costs more than drawing the curve: only when it says something else.
         if (formulas, drawing) != (self._formulas, self._drawing.text()):
             self._formulas = formulas

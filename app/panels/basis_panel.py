@@ -12,7 +12,7 @@ from PySide6.QtWidgets import QWidget
 from app.document.edits import EditError
 from app.gestures.pointer import Hit, Part, Pointer
 from app.gestures.rail import RailTool
-from app.panels.basis_layers import RAIL_HEIGHT, FunctionLayer, RailLayer
+from app.panels.basis_layers import FunctionLayer, RailLayer, rail_height
 from app.panels.tick_edit import TickEdit
 from app.plot.plot_widget import PlotWidget
 from app.theme import LIGHT, Theme
@@ -106,7 +106,8 @@ class BasisPanel(PlotWidget):
     def set_scale(self, scale: float) -> None:
         """Enlarge lines, ticks and numbers, for a projector."""
         self._functions.scale = self._rail.scale = scale
-        self.viewport().update()
+        super().set_scale(scale)
+        self._show_values()
 
     def set_selection(self, selection: frozenset[int]) -> None:
         """Draw the functions of these points thick."""
@@ -162,7 +163,8 @@ class BasisPanel(PlotWidget):
         """Map the range of values to the part of the plot area above the rail."""
         low, high = self._values
         height = self.getViewBox().rect().height()
-        share = RAIL_HEIGHT / max(height - RAIL_HEIGHT, 1.0)
+        rail = rail_height(self._rail.scale)
+        share = rail / max(height - rail, 1.0)
         self.getViewBox().setYRange(low - share * (high - low), high, padding=0)
         self._report_extent()
 
@@ -187,7 +189,7 @@ class BasisPanel(PlotWidget):
     def rail_pixel(self, t: float) -> QPointF:
         """Return where in the viewport the tick at `t` is grabbed."""
         shown = self.pixel_map
-        area = QPointF(shown.point(t, 0.0)[0], shown.height - RAIL_HEIGHT + 8)
+        area = QPointF(shown.point(t, 0.0)[0], shown.height - rail_height(self._rail.scale) + 8)
         return self._area_origin() + area
 
     # Gestures
@@ -238,7 +240,7 @@ class BasisPanel(PlotWidget):
     def _hit(self, pointer: Pointer) -> Hit | None:
         if self._basis is None:
             return None
-        if pointer.pixel[1] > self.pixel_map.height - RAIL_HEIGHT - 2:
+        if pointer.pixel[1] > self.pixel_map.height - rail_height(self._rail.scale) - 2:
             return self._hit_tick(pointer)
         scrub = self._rail.scrub
         if scrub is not None and abs(self.pixel_map.point(scrub, 0)[0] - pointer.pixel[0]) <= 4:

@@ -106,8 +106,8 @@ class PlotWidget(pg.PlotWidget):  # type: ignore[misc]  # pyqtgraph has no types
         box.sigResized.connect(self._forget_map)
         for name in ("left", "bottom"):
             self.getAxis(name).setStyle(tickLength=-4, tickTextOffset=4, hideOverlappingLabels=True)
-        # One width for all plots: they stay aligned, and nothing jumps when the numbers get longer.
-        self.getAxis("left").setWidth(_AXIS_WIDTH)
+        # The left axes of all plots have one width: they stay aligned, and nothing jumps when numbers grow.
+        PlotWidget.set_scale(self, 1.0)
 
     def add_layer(self, paint: Callable[[QPainter, PixelMap], None], *, z: int) -> Layer:
         """Add a layer that `paint` draws; higher `z` is nearer to the eye."""
@@ -120,13 +120,19 @@ class PlotWidget(pg.PlotWidget):  # type: ignore[misc]  # pyqtgraph has no types
     def set_theme(self, theme: Theme) -> None:
         """Take the colours of `theme`."""
         self.setBackground(theme.paper)
-        font = QFont(self.font())
-        font.setPointSizeF(max(self.font().pointSizeF() - 1.5, 7.0))
         for name in ("left", "bottom"):
             axis = self.getAxis(name)
             axis.setPen(QColor(theme.grid_coarse))
             axis.setTextPen(QColor(theme.muted))
-            axis.setTickFont(font)
+        self.viewport().update()
+
+    def set_scale(self, scale: float) -> None:
+        """Enlarge the numbers at the axes."""
+        font = QFont(self.font())
+        font.setPointSizeF(max(self.font().pointSizeF() - 1.5, 7.0) * scale)
+        for name in ("left", "bottom"):
+            self.getAxis(name).setTickFont(font)
+        self.getAxis("left").setWidth(_AXIS_WIDTH * scale)
         self.viewport().update()
 
     # Plane and pixels

@@ -7,8 +7,9 @@ from itertools import pairwise
 import numpy as np
 import pytest
 from PySide6.QtCore import QEvent, QPointF, Qt
-from PySide6.QtWidgets import QToolButton, QWidget
+from PySide6.QtWidgets import QLabel, QToolButton, QWidget
 
+from app.document.edits import set_position
 from app.document.model import Family, ParametrizationKind
 from app.testing import Editor
 
@@ -80,6 +81,34 @@ def test_hovering_a_function_lights_its_point_and_a_click_selects_it(editor, pan
     editor.send(panel, QEvent.Type.MouseButtonPress, pixel)
     editor.send(panel, QEvent.Type.MouseButtonRelease, pixel, held=False)
     assert editor.session.selection == {2}
+    assert editor.session.scrub is None
+
+
+def test_a_drag_from_a_function_scrubs_and_selects_nothing(editor, panel):
+    """It used to select the point as well."""
+    t = editor.parameters[2]
+    editor.drag_pixels(panel, panel.to_pixel(t, 1.0), panel.to_pixel(0.5, 1.0))
+    assert editor.session.selection == frozenset()
+    assert editor.session.scrub == pytest.approx(0.5, abs=2e-3)
+
+
+def test_without_parameters_the_panel_says_why_it_is_empty(editor):
+    editor.session.commit(set_position(editor.session.document, 0, 2, editor.point(1)), "Meet")
+    editor.settle()
+    assert "gives no parameters" in editor.window.findChild(QLabel, "basisDrawing").text()
+
+
+def test_larger_drawing_enlarges_the_rail_and_the_numbers_at_the_axes(editor, panel):
+    size = panel.getAxis("bottom").style["tickFont"].pointSizeF()
+    place = panel.rail_pixel(0.5).y()
+    editor.trigger("enlarge")
+    editor.trigger("enlarge")
+    assert panel.getAxis("bottom").style["tickFont"].pointSizeF() == pytest.approx(1.5 * size)
+    assert panel.rail_pixel(0.5).y() < place
+    editor.drag_parameter(3, to=0.45)
+    assert editor.parameters[3] == pytest.approx(0.45, abs=1.5 / panel.pixel_map.sx)
+    editor.trigger("usualSize")
+    assert panel.rail_pixel(0.5).y() == pytest.approx(place, abs=1)
 
 
 def test_hovering_a_point_of_the_canvas_lights_its_tick(editor, panel):
