@@ -61,6 +61,8 @@ class MainWindow(QMainWindow):
         super().__init__()
         self.session = session
         self.preferences = preferences or Preferences()
+        # First of all: panels read the palette when they are built.
+        self._dress()
         self.setWindowIcon(app_icon())
         self.setAcceptDrops(True)
         self.actions_by_name = Actions(self)
@@ -296,10 +298,8 @@ class MainWindow(QMainWindow):
     # Theme and layout
 
     def _apply_theme_mode(self) -> None:
-        app = QApplication.instance()
-        assert isinstance(app, QApplication)
+        self._dress()
         mode = self.preferences.theme_mode
-        apply_theme(app, mode)
         names = {ThemeMode.SYSTEM: "themeSystem", ThemeMode.LIGHT: "themeLight", ThemeMode.DARK: "themeDark"}
         self.actions_by_name[names[mode]].setChecked(True)
         self._render_theme()
@@ -329,8 +329,14 @@ class MainWindow(QMainWindow):
         self.preferences.theme_mode = mode
         self._apply_theme_mode()
 
+    def _dress(self) -> None:
+        app = QApplication.instance()
+        assert isinstance(app, QApplication)
+        apply_theme(app, self.preferences.theme_mode)
+
     def _render_theme(self) -> None:
-        theme = theme_of(self.palette())
+        # Not the window's own palette: that is behind until the window has been polished.
+        theme = theme_of(QApplication.palette())
         self.actions_by_name.set_theme(theme)
         for part in (self.canvas, self.basis_panel, self.basis_pane, self.table_panel, self.message_bar):
             part.set_theme(theme)

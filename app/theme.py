@@ -261,6 +261,13 @@ QStatusBar { background: $surface; border-top: 1px solid $line; color: $muted }
 QStatusBar::item { border: none }
 QStatusBar QLabel { color: $muted; padding: 2px 6px }
 QMenu { background: $raised; border: 1px solid $edge; padding: 4px }
+QMenu::item { padding: 5px 22px 5px 8px; border-radius: 4px; color: $ink }
+QMenu::item:selected { background: $selected; color: $ink }
+QMenu::item:disabled { color: $pale }
+QMenu::icon { padding-left: 6px }
+QMenu::icon:checked { background: $checked; border: 1px solid $accent; border-radius: 4px }
+QMenu::indicator { width: 14px; height: 14px; margin-left: 6px }
+QMenu::separator { height: 1px; background: $line; margin: 4px 8px }
 QToolTip { background: $raised; color: $ink; border: 1px solid $line; padding: 4px 6px }
 """
 
@@ -276,6 +283,7 @@ def style_sheet_of(theme: Theme) -> str:
         "$hover": mix(theme.ink, theme.surface, 0.07),
         "$pressed": mix(theme.ink, theme.surface, 0.14),
         "$checked": mix(theme.accent, theme.surface, 0.14),
+        "$selected": mix(theme.accent, theme.surface, 0.24),
         "$chosen": mix(theme.accent, theme.paper, 0.22),
         "$accent": theme.accent,
         "$muted": theme.muted,

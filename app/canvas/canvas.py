@@ -50,6 +50,7 @@ class Canvas(CanvasView):
         self._overlay_layer = OverlayLayer(self, LIGHT)
         self._pointer: Pointer | None = None
         self._menu_refused = False
+        self.map_changed.connect(self._hover_again)
 
     # What is shown
 
@@ -119,6 +120,8 @@ class Canvas(CanvasView):
         self._active_tool.cancel()
         self._tool.put_away()
         self._tool.kind = kind
+        self._point_layer.is_adding = kind is ToolKind.ADD
+        self._point_layer.refresh()
         self._set_cursor(Hint())
         self._show_overlay()
 
@@ -183,6 +186,11 @@ class Canvas(CanvasView):
         self._show_hint(hint)
         self._show_overlay()
         self.pointed_at.emit(pointer.position)
+
+    def _hover_again(self) -> None:
+        """Tell anew what lies under a pointer that rests while the view moves."""
+        if self._pointer is not None and not self.is_dragging and self._pan_from is None:
+            self.hovered_at(self._pointer_now())
 
     def _show_progress(self) -> None:
         self._show_overlay()

@@ -36,6 +36,8 @@ class PointLayer:
         self.scale = 1.0
         self.selection: frozenset[int] = frozenset()
         self.hovered = -1
+        # While points are added, the handle of the new one is the one under the pointer: ahead of the end.
+        self.is_adding = False
         self.weights: Floats | None = None
         self.scrub: tuple[float, float, float] | None = None
         self._view: CurveView | None = None
@@ -66,7 +68,7 @@ class PointLayer:
     def _handles_now(self) -> list[Handle]:
         if self._view is None or len(self.selection) != 1:
             return []
-        return handles_of(self._view, next(iter(self.selection)))
+        return handles_of(self._view, next(iter(self.selection)), free=self.is_adding)
 
     def paint(self, painter: QPainter, shown: PixelMap) -> None:
         """Draw weights, handles, points and numbers."""

@@ -37,11 +37,15 @@ class Handle:
     explicit: bool
 
 
-def handles_of(view: CurveView, index: int) -> list[Handle]:
-    """Return the handles of node `index`; none for Lagrange, or while there is no curve."""
+def handles_of(view: CurveView, index: int, *, free: bool = False) -> list[Handle]:
+    """Return the handles of node `index`; none for Lagrange, or while there is no curve.
+
+    With `free` an end of the curve has handles on its free side as well, mirrored from the other.
+    """
     handles: list[Handle] = []
     for ahead in (True, False):
-        handles += _handles_on_one_side(view, index, ahead=ahead)
+        if free or view.spacing(index, ahead=ahead) is not None:
+            handles += _handles_on_one_side(view, index, ahead=ahead)
     return handles
 
 
@@ -83,7 +87,7 @@ def acceleration_from_handle(view: CurveView, index: int, position: Vector, *, a
 def _signed_spacing(view: CurveView, index: int, *, ahead: bool) -> float | None:
     h = view.spacing(index, ahead=ahead)
     if h is None:
-        # An end has a handle on its free side, too: the mirror of the other, and easier to reach.
+        # The free side of an end goes by the spacing of the other.
         h = view.spacing(index, ahead=not ahead)
     return h if h is None or ahead else -h
 

@@ -284,6 +284,26 @@ def test_hovering_says_what_a_press_would_do(arch):
     assert arch.session.hovered == -1
 
 
+def test_what_is_hovered_follows_the_view(arch):
+    """It used to stay: after F the point that had been under the pointer was still large."""
+    arch.hover(arch.point(2))
+    arch.wheel((0, 0), 3)
+    arch.hover(arch.point(2))
+    assert arch.session.hovered == 2
+    arch.window.canvas.pan(150, 0)
+    arch.settle()
+    assert arch.session.hovered == -1
+
+
+def test_an_end_has_a_handle_on_its_free_side_only_while_points_are_added(arch):
+    arch.choose_family(Family.HERMITE)
+    arch.select_point(3)
+    assert [handle.ahead for handle in arch.window.canvas.handles] == [False]
+    arch.trigger("addTool")
+    assert {handle.ahead for handle in arch.window.canvas.handles} == {True, False}
+    arch.trigger("selectTool")
+
+
 def test_coincident_points_are_explained_and_the_last_good_curve_stays(arch):
     before = arch.session.active_view.curve
     arch.drag_point(2, to=arch.point(1))

@@ -23,9 +23,10 @@ from app.document.model import Family, ParametrizationKind
 from app.document.storage import load
 from app.file_commands import file_stem
 from app.main_window import MainWindow
+from app.preferences import Preferences
 from app.session import Session
 from app.testing import Editor
-from app.theme import ThemeMode
+from app.theme import DARK, ThemeMode
 
 
 def test_the_first_start_shows_a_curve_and_a_hint(editor):
@@ -478,3 +479,34 @@ def test_save_writes_what_is_committed_not_a_preview(editor, tmp_path):
     editor.session.save(tmp_path / "a.curve.json")
     assert load(tmp_path / "a.curve.json") == document
     editor.release((0.2, 4))
+
+
+@pytest.mark.qt_log_ignore("grabbing the (keyboard|mouse)")
+@pytest.mark.parametrize("mode", [ThemeMode.LIGHT, ThemeMode.DARK])
+def test_the_entry_under_the_pointer_stands_out_in_menus(editor, mode):
+    """The text used to vanish: white on white without a highlight."""
+    editor.window.set_theme_mode(mode)
+    menu = next(entry.menu() for entry in editor.window.menuBar().actions() if entry.text() == "Edit")
+    menu.popup(QPoint(20, 20))
+    entry = menu.actions()[3]
+    menu.setActiveAction(entry)
+    editor.settle()
+    image = menu.grab().toImage()
+    row = menu.actionGeometry(entry).center().y()
+    other = menu.actionGeometry(menu.actions()[4]).center().y()
+    right = menu.actionGeometry(entry).right() - 12
+    assert image.pixelColor(right, row) != image.pixelColor(right, other)
+    colours = {image.pixelColor(x, row).lightness() for x in range(30, right)}
+    assert max(colours) - min(colours) > 90
+    menu.close()
+    editor.window.set_theme_mode(ThemeMode.SYSTEM)
+
+
+def test_a_start_in_dark_is_dark_everywhere(qtbot, tmp_path):
+    """Notes of the basis panel used to keep the colours of the light theme."""
+    preferences = Preferences(tmp_path / "settings.ini")
+    preferences.theme_mode = ThemeMode.DARK
+    editor = Editor(qtbot, preferences=preferences)
+    note = editor.window.findChild(QWidget, "basisExtent")
+    assert DARK.warning.name() in note.styleSheet()
+    editor.window.set_theme_mode(ThemeMode.SYSTEM)
