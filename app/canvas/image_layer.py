@@ -1,4 +1,4 @@
-"""The picture to trace, under the grid, and the grips to scale it by."""
+"""The picture to trace, over the grid, and the grips to scale it by."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ class ImageLayer:
         self._drawn: tuple[ReferenceImage | None, QImage | None, PixelMap | None] = (None, None, None)
         self._shot: QPixmap | None = None
         self._levels: list[QImage] = []
-        self._layer = plot.add_layer(self.paint, z=-20)
+        self._layer = plot.add_layer(self.paint, z=-6)
         # The grips lie over curves and points: the mouse is theirs while they show.
         self._grips = plot.add_layer(self._paint_grips, z=20)
 
