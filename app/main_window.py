@@ -42,7 +42,7 @@ from app.session import Session
 from app.theme import ThemeMode, apply_theme, theme_of
 from app.toolbar import Toolbar
 
-_PANELS_MS = 50
+_PANELS_MS = 100
 """How far the panels may lag behind a drag, in milliseconds; the canvas and the functions never do."""
 
 

@@ -114,5 +114,5 @@ class CurveLayer:
             self._ghost_drawn = (points, shown)
         colour = QColor(self.theme.ghost)
         colour.setAlphaF(self.ghost_opacity)
-        painter.setPen(QPen(colour, 1.5 * self.scale))
+        painter.setPen(QPen(colour, self.scale))
         self._ghost_stroke.draw(painter)

@@ -60,7 +60,8 @@ class FunctionLayer:
 
     def paint(self, painter: QPainter, shown: PixelMap) -> None:
         """Draw the lines 0 and 1, the functions, and the emphasised ones on top."""
-        painter.setClipRect(QRectF(0, 0, shown.width, shown.height - rail_height(self.scale)))
+        above_rail = QRectF(0, 0, shown.width, shown.height - rail_height(self.scale))
+        painter.setClipRect(above_rail, Qt.ClipOperation.IntersectClip)
         self._paint_levels(painter, shown)
         if self._basis is None:
             return

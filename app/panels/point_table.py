@@ -33,7 +33,7 @@ from app.session import Session
 from app.theme import Theme, theme_of
 from app.view_model.curve_view import CurveView
 
-INTERVAL_MS = 60
+INTERVAL_MS = 100
 """The table follows a drag at this pace; the canvas is what the eye is on."""
 
 

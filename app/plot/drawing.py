@@ -16,7 +16,7 @@ from PySide6.QtGui import QPainter, QPolygonF
 Floats = npt.NDArray[np.float64]
 Flags = npt.NDArray[np.bool_]
 
-_PIECE = 64
+_PIECE = 24
 """Segments in one piece of a stroke."""
 
 MARGIN = 50.0

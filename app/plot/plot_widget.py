@@ -22,7 +22,7 @@ from PySide6.QtGui import (
     QPaintEvent,
     QWheelEvent,
 )
-from PySide6.QtWidgets import QGraphicsItem, QStyleOptionGraphicsItem, QWidget
+from PySide6.QtWidgets import QGraphicsItem, QGraphicsView, QStyleOptionGraphicsItem, QWidget
 
 from app.gestures.pointer import Pointer
 from app.plot.pixel_map import PixelMap
@@ -32,6 +32,9 @@ ZOOM_STEP = 1.2
 """Zoom factor of one notch of the wheel."""
 
 _AXIS_WIDTH = 46
+
+_INSET = 3
+"""Pixels by which layers stay inside the plot area: nearer to the edge, Qt repaints the axes in every frame."""
 
 _LEAST_SPAN, _GREATEST_SPAN = 1e-9, 1e13
 
@@ -47,7 +50,7 @@ class Layer(QGraphicsItem):
     def resize(self, rect: QRectF) -> None:
         """Follow the plot area."""
         self.prepareGeometryChange()
-        self._rect = rect
+        self._rect = rect.adjusted(_INSET, _INSET, -_INSET, -_INSET)
 
     def boundingRect(self) -> QRectF:
         return self._rect
@@ -60,6 +63,7 @@ class Layer(QGraphicsItem):
     ) -> None:
         """Paint; called by Qt."""
         try:
+            painter.setClipRect(self._rect.adjusted(-1, -1, 1, 1))
             self._paint(painter, self._plot.pixel_map)
         except Exception:
             # An exception that leaves a paint method crashes the process (PySide6 6.11): report it here.
@@ -90,6 +94,8 @@ class PlotWidget(pg.PlotWidget):  # type: ignore[misc]  # pyqtgraph has no types
         self.setMouseTracking(True)
         self.viewport().setMouseTracking(True)
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
+        # With it Qt repaints one pixel around each layer, without it two; see _INSET.
+        self.setOptimizationFlag(QGraphicsView.OptimizationFlag.DontAdjustForAntialiasing, True)
         # A dropped file is the window's business.
         self.setAcceptDrops(False)
 
@@ -105,7 +111,7 @@ class PlotWidget(pg.PlotWidget):  # type: ignore[misc]  # pyqtgraph has no types
         box.sigRangeChanged.connect(self._forget_map)
         box.sigResized.connect(self._forget_map)
         for name in ("left", "bottom"):
-            self.getAxis(name).setStyle(tickLength=-4, tickTextOffset=4, hideOverlappingLabels=True)
+            self.getAxis(name).setStyle(tickLength=5, tickTextOffset=4, hideOverlappingLabels=True)
         # The left axes of all plots have one width: they stay aligned, and nothing jumps when numbers grow.
         PlotWidget.set_scale(self, 1.0)
 
