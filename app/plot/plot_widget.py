@@ -34,7 +34,7 @@ ZOOM_STEP = 1.2
 _AXIS_WIDTH = 46
 
 _INSET = 3
-"""Pixels by which layers stay inside the plot area: nearer to the edge, Qt repaints the axes in every frame."""
+"""Pixels by which layers stay inside the plot area: nearer to its edge, Qt repaints the axes every frame."""
 
 _LEAST_SPAN, _GREATEST_SPAN = 1e-9, 1e13
 
