@@ -197,7 +197,7 @@ class MainWindow(QMainWindow):
         for plot in (self.canvas, self.basis_panel):
             plot.hint_changed.connect(self.status_line.show_hint)
             plot.progress_changed.connect(self.status_line.show_progress)
-            plot.gesture_began.connect(self.status_line.forget_said)
+            plot.gesture_began.connect(self.status_line.begin_gesture)
         self.basis_panel.drag_changed.connect(self.canvas.hold_ghost)
         self.parametrization_bar.drag_changed.connect(self.canvas.hold_ghost)
         self.canvas.pointed_at.connect(self.status_line.show_place)
@@ -282,6 +282,7 @@ class MainWindow(QMainWindow):
 
     def _offer(self, text: str, action: str) -> None:
         self._commands.render(self.session.active_view)
+        self.status_line.forget_said()
         self._commands.messages.offer(text, self.actions_by_name[action])
 
     def _fit(self) -> None:

@@ -18,7 +18,7 @@ _FAMILY_NAMES = {
     Family.HERMITE: "Hermite",
     Family.QUINTIC_HERMITE: "quintic Hermite",
 }
-_SHOWN_OPEN = "A Lagrange curve cannot close smoothly, it is one polynomial; it is shown open, and closed again as Hermite."
+_SHOWN_OPEN = "A Lagrange curve cannot close smoothly; it is shown open, and closes again as Hermite."
 
 
 class EditCommands:

@@ -87,7 +87,12 @@ class ImageCommands:
         dock.toggleViewAction().setVisible(shown)
         side_panel = self._actions["toggleSidePanel"].isChecked()
         presenting = self._actions["presentation"].isChecked()
+        in_front = [each for each in self._parts.docks if not each.visibleRegion().isEmpty()]
         dock.setVisible(shown and side_panel and not presenting)
+        # A tab that appears comes to the front; undo and redo must not turn the page over.
+        for each in in_front:
+            if each is not dock:
+                each.raise_()
 
     def _load(self, path: str) -> None:
         self._loaded_path, self._pixels, self._problem = path, None, ""

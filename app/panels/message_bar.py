@@ -10,6 +10,7 @@ from app.icons import icon
 from app.theme import LIGHT, Theme, mix
 
 _TOP, _SIDE, _WIDEST = 10, 56, 720
+_GAP = 8
 
 
 class MessageBar(QFrame):
@@ -46,11 +47,14 @@ class MessageBar(QFrame):
         self._close.clicked.connect(self._put_away)
         self._offer = QToolButton()
         self._offer.setObjectName("offeredAction")
+        self._offer.setAccessibleName("What can be done about it")
+        self._offer.setToolTip("What can be done about it")
         self._offer.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
         self._offer.setIconSize(QSize(14, 14))
         self._offer.hide()
         layout = QHBoxLayout(self)
         layout.setContentsMargins(12, 6, 8, 6)
+        layout.setSpacing(_GAP)
         layout.addWidget(self._sign)
         layout.addWidget(self._text, 1)
         layout.addWidget(self._offer)
@@ -93,7 +97,7 @@ class MessageBar(QFrame):
         room = self._below.width() - 2 * _SIDE
         needed = self._text.fontMetrics().horizontalAdvance(self._text.text()) + 90
         if not self._offer.isHidden():
-            needed += self._offer.sizeHint().width() + self.layout().spacing()
+            needed += self._offer.sizeHint().width() + _GAP
         width = max(min(needed, room, _WIDEST), 120)
         height = max(self.heightForWidth(width), self.minimumSizeHint().height())
         self.setGeometry((self._below.width() - width) // 2, _TOP, width, height)

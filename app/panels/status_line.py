@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import QTimer
+from PySide6.QtCore import Qt, QTimer
 from PySide6.QtWidgets import QLabel, QSizePolicy, QStatusBar, QWidget
 
 from app.document.model import Vector
@@ -12,6 +12,9 @@ from app.view_model.basis_view import BasisView
 _SAID_MS = 6000
 _READ_MS = 1500
 """How long a sentence stays in any case, before a new hint may take its place."""
+
+_SAME_PRESS_MS = 200
+"""A sentence this young was said by the press that begins a gesture: the focus left a field, for instance."""
 
 
 class StatusLine(QStatusBar):
@@ -27,6 +30,7 @@ class StatusLine(QStatusBar):
         self.setSizeGripEnabled(False)
         self._label = ElidedLabel()
         self._label.setObjectName("hint")
+        self._label.setContentsMargins(6, 0, 6, 0)
         # A long hint is cut, it never widens the window.
         self._label.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
         self._place, self._t, self._lebesgue = QLabel(), QLabel(), QLabel()
@@ -42,6 +46,8 @@ class StatusLine(QStatusBar):
         self._t_scrub: float | None = None
         self.unit = ""
         self._timer = QTimer(self, singleShot=True, interval=_SAID_MS)
+        # A coarse timer would not know a press's own sentence from an older one.
+        self._timer.setTimerType(Qt.TimerType.PreciseTimer)
         self._timer.timeout.connect(self.forget_said)
 
     @property
@@ -85,8 +91,14 @@ class StatusLine(QStatusBar):
         self._timer.start()
         self._render()
 
+    def begin_gesture(self) -> None:
+        """Put away what was said before this press."""
+        self._tip = ""
+        if self._timer.remainingTime() < _SAID_MS - _SAME_PRESS_MS:
+            self.forget_said()
+
     def forget_said(self) -> None:
-        """Put away what was said: another gesture begins, or it has stood long enough."""
+        """Put away what was said: it has stood long enough."""
         self._said = ""
         self._timer.stop()
         self._render()
