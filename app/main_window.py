@@ -5,7 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 from PySide6.QtCore import QEvent, Qt, QTimer
-from PySide6.QtGui import QAction, QCloseEvent, QDragEnterEvent, QDropEvent, QKeyEvent
+from PySide6.QtGui import QAction, QCloseEvent, QDragEnterEvent, QDropEvent, QKeyEvent, QStatusTipEvent
 from PySide6.QtWidgets import (
     QApplication,
     QDialog,
@@ -192,12 +192,14 @@ class MainWindow(QMainWindow):
         session.file_changed.connect(self._render_file)
         session.interrupted.connect(self.canvas.forget_gesture)
         session.interrupted.connect(self.basis_panel.forget_gesture)
+        session.interrupted.connect(self.status_line.forget)
         session.opened.connect(self._fit)
         session.said.connect(self.status_line.say)
         session.offered.connect(self._offer)
         for plot in (self.canvas, self.basis_panel):
             plot.hint_changed.connect(self.status_line.show_hint)
-        self.canvas.progress_changed.connect(self.status_line.show_progress)
+            plot.progress_changed.connect(self.status_line.show_progress)
+            plot.gesture_began.connect(self.status_line.begin_gesture)
         self.basis_panel.drag_changed.connect(self.canvas.hold_ghost)
         self.parametrization_bar.drag_changed.connect(self.canvas.hold_ghost)
         self.canvas.pointed_at.connect(self.status_line.show_place)
@@ -270,7 +272,7 @@ class MainWindow(QMainWindow):
     def _render_scrub(self, t: float | None) -> None:
         self.canvas.set_scrub(t)
         self.basis_panel.set_scrub(t)
-        self.status_line.show_t(t)
+        self.status_line.show_scrub(t)
         self.actions_by_name["toggleScrub"].setChecked(t is not None)
 
     def _render_file(self) -> None:
@@ -282,7 +284,8 @@ class MainWindow(QMainWindow):
 
     def _offer(self, text: str, action: str) -> None:
         self._commands.render(self.session.active_view)
-        self.status_line.offer(text, self.actions_by_name[action])
+        self.status_line.forget_said()
+        self._commands.messages.offer(text, self.actions_by_name[action])
 
     def _fit(self) -> None:
         self.canvas.fit()
@@ -361,6 +364,13 @@ class MainWindow(QMainWindow):
         self.preferences.splitter_state = self.splitter.saveState()
 
     # Qt's events
+
+    def event(self, event: QEvent) -> bool:
+        if isinstance(event, QStatusTipEvent):
+            # Qt's own way hides what stands in the status line, for good where a button goes away.
+            self.status_line.show_tip(event.tip())
+            return True
+        return super().event(event)
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         if event.key() == Qt.Key.Key_Escape:

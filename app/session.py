@@ -61,11 +61,12 @@ class Session(QObject):
     opened
         Another document was opened or begun.
     interrupted
-        The document was replaced from outside a gesture (undo, open): a gesture in flight is void.
+        The document or the curve that is edited is being replaced (a step, undo, open): a gesture in flight
+        is void, and what has been said about the old one is out of date.
     said
         A sentence for the status line.
     offered
-        A sentence for the status line and the name of an action that goes with it.
+        A sentence that stays until the next step, and the name of an action that goes with it.
     """
 
     document_changed = Signal(object)
@@ -140,6 +141,7 @@ class Session(QObject):
         if index != self.active_index:
             self.interrupted.emit()
             self.cancel()
+            self.offered_at = None
             self._enter(index)
             self._keep_scrub_inside()
             self.active_changed.emit(index)
@@ -253,9 +255,10 @@ class Session(QObject):
         self.said.emit(text)
 
     def offer(self, text: str, action: str, at: float | None = None) -> None:
-        """Show a sentence in the status line, and beside it a button for the action of this name.
+        """Show a sentence above the canvas, and beside it a button for the action of this name.
 
-        `at` is the parameter that the action is about; the next step of the history makes it void.
+        `at` is the parameter that the action is about; the next step of the history makes it void, and so
+        does another curve to edit.
         """
         self.offered_at = at
         self.offered.emit(text, action)

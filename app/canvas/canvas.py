@@ -31,7 +31,9 @@ class Canvas(CanvasView):
     hint_changed
         What a press here would do (a sentence).
     progress_changed
-        How far the gesture in flight has come (a sentence).
+        How far the gesture in flight has come (a sentence); empty when it has ended.
+    gesture_began
+        A press, or a key, begins a gesture.
     pointed_at
         The position of the pointer in the plane, or None when it has left.
     menu_requested
@@ -40,6 +42,7 @@ class Canvas(CanvasView):
 
     hint_changed = Signal(str)
     progress_changed = Signal(str)
+    gesture_began = Signal()
     pointed_at = Signal(object)
     menu_requested = Signal(object, QPoint)
 
@@ -133,7 +136,7 @@ class Canvas(CanvasView):
     def cancel_gesture(self) -> bool:
         """Drop the gesture in flight; return whether there was one."""
         cancelled = self._active_tool.cancel()
-        self._show_overlay()
+        self._show_progress()
         return cancelled
 
     def put_away(self) -> bool:
@@ -145,6 +148,7 @@ class Canvas(CanvasView):
     def forget_gesture(self) -> None:
         """Drop the gesture in flight; the document is another one."""
         self._active_tool.forget()
+        self.progress_changed.emit("")
 
     def begin_transform(self, kind: TransformKind) -> None:
         """Let the selected points follow the pointer from where it is, until Enter, a click or Escape."""
@@ -160,6 +164,7 @@ class Canvas(CanvasView):
         return Pointer(shown.plane(*pixel), pixel, scale=shown.sx)
 
     def pressed(self, pointer: Pointer) -> None:
+        self.gesture_began.emit()
         self._pointer = pointer
         self._tool.grid = self.grid_spacing
         self._active_tool.press(self._with_hit(pointer))
@@ -174,6 +179,7 @@ class Canvas(CanvasView):
 
     def released(self, pointer: Pointer) -> None:
         self._active_tool.release(pointer)
+        self.progress_changed.emit("")
         self.hovered_at(pointer)
 
     def hovered_at(self, pointer: Pointer) -> None:

@@ -100,6 +100,7 @@ class ClipboardCommands:
         document = edits.delete_nodes(session.document, session.active_index, chosen)
         if self._change(f"Cut {count_of(len(chosen), 'point')}", document):
             session.select([])
+            session.say(f"Cut {count_of(len(chosen), 'point')}.")
 
     def _paste(self, put: Callable[[_Pasted], None]) -> None:
         try:
@@ -117,6 +118,7 @@ class ClipboardCommands:
         document = curve_edits.replace_curve(session.document, session.active_index, curve)
         if self._change(f"Paste {count_of(len(pasted.nodes), 'point')}", document):
             session.select(range(count, count + len(pasted.nodes)))
+            session.say(f"Pasted {count_of(len(pasted.nodes), 'point')}.")
 
     def _add_curve(self, pasted: _Pasted) -> None:
         session, place = self._session, self._session.active_index + 1
@@ -130,7 +132,8 @@ class ClipboardCommands:
             curve = as_new_curve(session.active_curve, pasted.nodes, name)
         document = curve_edits.add_curve(session.document, place, curve)
         edits.set_nodes(document, place, curve.nodes)
-        self._change(f"Paste as {name}", document, active=place)
+        if self._change(f"Paste as {name}", document, active=place):
+            session.say(f"Pasted {count_of(len(curve.nodes), 'point')} as “{name}”.")
 
     # Derivatives
 
@@ -167,10 +170,11 @@ class ClipboardCommands:
             for index, node in enumerate(session.active_curve.nodes)
         )
         what = f"point {next(iter(chosen))}" if len(chosen) == 1 else count_of(len(chosen), "point")
-        self._parts.change(
+        if self._change(
             f"Paste derivatives to {what}",
-            lambda: edits.set_nodes(session.document, session.active_index, nodes),
-        )
+            edits.set_nodes(session.document, session.active_index, nodes),
+        ):
+            session.say(f"Pasted the derivatives into {what}.")
 
     def _change(self, text: str, document: Document, *, active: int | None = None) -> bool:
         """Commit `document`; return whether it is the one shown now."""

@@ -18,6 +18,7 @@ _FAMILY_NAMES = {
     Family.HERMITE: "Hermite",
     Family.QUINTIC_HERMITE: "quintic Hermite",
 }
+_SHOWN_OPEN = "A Lagrange curve cannot close smoothly; it is shown open, and closes again as Hermite."
 
 
 class EditCommands:
@@ -35,7 +36,7 @@ class EditCommands:
         """Return what each action does."""
         return {
             "undo": self._undo,
-            "redo": self._session.undo_stack.redo,
+            "redo": self._redo,
             "selectAll": self._select_all,
             "deleteSelection": self._delete_selection,
             "familyLagrange": lambda: self._use_family(Family.LAGRANGE),
@@ -77,15 +78,28 @@ class EditCommands:
 
     def _undo(self) -> None:
         # Undo in the middle of a drag takes the drag back, not the step before it.
-        if not self._parts.cancel_gesture():
-            self._session.undo_stack.undo()
+        stack = self._session.undo_stack
+        if not self._parts.cancel_gesture() and stack.canUndo():
+            text = stack.undoText()
+            stack.undo()
+            self._session.say(f"Undone: {text}.")
+
+    def _redo(self) -> None:
+        stack = self._session.undo_stack
+        if stack.canRedo():
+            text = stack.redoText()
+            stack.redo()
+            self._session.say(f"Redone: {text}.")
 
     def _use_family(self, family: Family) -> None:
         session = self._session
+        was_closed = session.active_curve.is_closed
         self._parts.change(
             f"Switch to {_FAMILY_NAMES[family]}",
             lambda: edits.set_family(session.document, session.active_index, family),
         )
+        if was_closed and not session.active_curve.is_closed:
+            session.say(_SHOWN_OPEN)
         # The toggle shows what is, also where nothing changed.
         self.render(session.active_view)
 

@@ -87,9 +87,12 @@ class ImageCommands:
         dock.toggleViewAction().setVisible(shown)
         side_panel = self._actions["toggleSidePanel"].isChecked()
         presenting = self._actions["presentation"].isChecked()
+        in_front = [each for each in self._parts.docks if not each.visibleRegion().isEmpty()]
         dock.setVisible(shown and side_panel and not presenting)
-        if dock.isVisible():
-            dock.raise_()
+        # A tab that appears comes to the front; undo and redo must not turn the page over.
+        for each in in_front:
+            if each is not dock:
+                each.raise_()
 
     def _load(self, path: str) -> None:
         self._loaded_path, self._pixels, self._problem = path, None, ""
@@ -120,6 +123,7 @@ class ImageCommands:
         x, y = (x_min + x_max - width) / 2, (y_min + y_max - height) / 2
         image = ReferenceImage(path, x, y, width, height)
         if self._parts.change("Add image", lambda: set_image(self._session.document, image)):
+            self._parts.image_dock.raise_()
             self._session.say("File › Move Image drags and scales the image; the panel fades it.")
 
     def _ask_and_find(self) -> None:

@@ -1,8 +1,9 @@
-"""The line on the canvas: what is wrong, what to do first, or a greeting."""
+"""The line on the canvas: what is wrong, what can be done about it, what to do first, or a greeting."""
 
 from __future__ import annotations
 
 from PySide6.QtCore import QObject
+from PySide6.QtGui import QAction
 
 from app.commands.parts import Parts
 from app.view_model.curve_view import CurveView
@@ -15,18 +16,39 @@ _EMPTY = "Click on the canvas to add points; two of them make a curve."
 
 
 class Messages(QObject):
-    """Keeps the line in step with the active curve."""
+    """Keeps the line in step with the active curve.
+
+    A sentence that was put away stays away as long as there is nothing else to say.
+    """
 
     def __init__(self, parts: Parts) -> None:
         super().__init__(parts.window)
         self._bar, self._session = parts.message_bar, parts.session
         self._greeting = ""
         self._image_problem = ""
-        self._bar.closed.connect(self._forget_image_problem)
+        self._put_away = ""
+        self._offered: tuple[str, QAction] | None = None
+        self._bar.closed.connect(self._forget_closed)
+        self._session.interrupted.connect(self._forget_offer)
+        self._session.opened.connect(self._begin_anew)
 
-    def _forget_image_problem(self) -> None:
-        """Say it once: the panel of the image goes on saying it."""
-        self._image_problem = ""
+    def _forget_closed(self, text: str) -> None:
+        """Say it once: the panel of the image goes on saying it, and the greeting is for the first start."""
+        self._put_away = text
+        if text == self._image_problem:
+            self._image_problem = ""
+        if text == self._greeting:
+            self._greeting = ""
+        if self._offered is not None and text == self._offered[0]:
+            self._offered = None
+
+    def _forget_offer(self) -> None:
+        # What is shown comes from the document that follows.
+        self._offered = None
+
+    def _begin_anew(self) -> None:
+        self._put_away = ""
+        self.render(self._session.active_view)
 
     def set_image_problem(self, text: str) -> None:
         """Say what is wrong with the picture to trace, as long as nothing more urgent is; empty: nothing."""
@@ -34,10 +56,14 @@ class Messages(QObject):
             self._image_problem = text
             self.render(self._session.active_view)
 
+    def offer(self, text: str, action: QAction) -> None:
+        """Say what has happened, with a button for `action`, until the document is another one."""
+        self._offered, self._put_away = (text, action), ""
+        self.render(self._session.active_view)
+
     def greet(self) -> None:
         """Show the hint of the first start, until it is put away or something has been done."""
         self._greeting = _GREETING
-        self._bar.closed.connect(self._forget_greeting)
         self._session.opened.connect(self._forget_greeting)
         self._session.history_changed.connect(self._forget_greeting)
         self.render(self._session.active_view)
@@ -48,15 +74,28 @@ class Messages(QObject):
 
     def render(self, view: CurveView) -> None:
         """Show what `view` needs said."""
-        if len(view.points) < 2:
-            self._bar.tell(_EMPTY)
-        elif view.problem:
-            self._bar.warn(view.problem)
-        elif self._image_problem:
-            self._bar.warn(self._image_problem)
-        elif not view.source.visible:
-            self._bar.tell(f"“{view.source.name}” is hidden; it is drawn faintly while you edit it.")
-        elif self._greeting:
-            self._bar.tell(self._greeting)
-        else:
+        text, warns = self._sentence(view)
+        if text != self._put_away:
+            self._put_away = ""
+        if not text or text == self._put_away:
             self._bar.hide()
+        elif self._offered is not None and text == self._offered[0]:
+            self._bar.offer(*self._offered)
+        elif warns:
+            self._bar.warn(text)
+        else:
+            self._bar.tell(text)
+
+    def _sentence(self, view: CurveView) -> tuple[str, bool]:
+        """Return the most urgent sentence, empty for none, and whether it is a warning."""
+        if len(view.points) < 2:
+            return _EMPTY, False
+        if view.problem:
+            return view.problem, True
+        if self._offered is not None:
+            return self._offered[0], False
+        if self._image_problem:
+            return self._image_problem, True
+        if not view.source.visible:
+            return f"“{view.source.name}” is hidden; it is drawn faintly while you edit it.", False
+        return self._greeting, False

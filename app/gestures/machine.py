@@ -15,6 +15,9 @@ from app.view_model.curve_view import CurveView
 THRESHOLD = 3.0
 """Pixels the pointer must travel before a press becomes a drag."""
 
+CANCELLED = "Cancelled."
+"""What is said when Escape has taken a gesture back."""
+
 
 class Host(Protocol):
     """What a gesture needs of the session."""
@@ -59,7 +62,7 @@ class Host(Protocol):
         """Show a sentence in the status line."""
 
     def offer(self, text: str, action: str, at: float | None = None) -> None:
-        """Show a sentence in the status line, and a button for an action about the parameter `at`."""
+        """Show a sentence, and a button for an action about the parameter `at`."""
 
 
 class Drag(Protocol):
@@ -182,10 +185,12 @@ class DragMachine:
 
     def cancel(self) -> bool:
         """Drop the gesture in flight and everything it showed; return whether there was one."""
-        was_pressed = self._press is not None
+        was_pressed, was_moving = self.is_pressed, self.is_moving
         self.forget()
         if was_pressed:
             self._host.cancel()
+        if was_moving:
+            self._host.say(CANCELLED)
         return was_pressed
 
     def forget(self) -> None:

@@ -8,7 +8,7 @@ import numpy as np
 
 from app.document.model import Vector
 from app.gestures import words
-from app.gestures.machine import THRESHOLD, Host
+from app.gestures.machine import CANCELLED, THRESHOLD, Host
 from app.gestures.pointer import Pointer
 
 
@@ -49,6 +49,8 @@ class Marquee:
     def cancel(self) -> None:
         """Bring back what was selected before."""
         self._host.select(self._before)
+        if self.band is not None:
+            self._host.say(CANCELLED)
 
     def progress(self) -> str:
         """Tell what is selected."""

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 
 from app.document.edits import set_parameter
-from app.gestures.machine import THRESHOLD, DragMachine, Host
+from app.gestures.machine import CANCELLED, THRESHOLD, DragMachine, Host
 from app.gestures.pointer import Hint, Hit, Part, Pointer
 from app.gestures.rail_drags import DragTicks
 
@@ -102,6 +102,8 @@ class RailTool:
         if self._scrubbing:
             self._scrubbing = False
             self._host.set_scrub(self._scrubbing_from)
+            if self._function is None:
+                self._host.say(CANCELLED)
             return True
         return self._machine.cancel()
 
@@ -109,6 +111,10 @@ class RailTool:
         """Drop the gesture in flight; the document is somebody else's now."""
         self._scrubbing = False
         self._machine.forget()
+
+    def progress(self, pointer: Pointer) -> str:
+        """Return how far the drag of a tick has come, as a sentence; empty without one."""
+        return self._machine.progress_at(pointer)
 
     def _scrub_to(self, pointer: Pointer) -> None:
         if self._function is not None:

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 
 from app.document.model import Document
 from app.document.parameter_edits import set_parameters
+from app.gestures import words
 from app.gestures.pointer import Pointer
 
 _LEAST_GAP = 1e-3
@@ -46,20 +47,35 @@ class DragTicks:
             return f"Change t of point {self.node}"
         return f"Change t of {len(self.knots)} points"
 
+    @property
+    def keys(self) -> str:
+        """What each key would change."""
+        return "E: all ticks on that side"
+
+    def note_at(self, pointer: Pointer) -> str:
+        """Return where the grabbed tick is, and how many go along."""
+        by, moving = self._way(pointer)
+        text = f"t of point {self.node} = {words.number(self.parameters[self.grabbed] + by)}"
+        return f"{text}, {len(moving)} ticks by {words.number(by)}" if len(moving) > 1 else text
+
     def document_at(self, pointer: Pointer) -> Document:
         """Move by the whole way from the press, as far as the ticks that stay let it.
 
         With E held every tick from the grabbed one on, towards the side the pointer has moved to from the
         press, goes along: the spacings there stay, and only the gap behind opens.
         """
+        by, moving = self._way(pointer)
+        moved = [t + by if knot in moving else t for knot, t in enumerate(self.parameters)]
+        return set_parameters(self.document, self.curve, moved)
+
+    def _way(self, pointer: Pointer) -> tuple[float, frozenset[int]]:
+        """Return how far the ticks move, and which."""
         by = pointer.position[0] - self.start
         count = len(self.parameters)
         moving = self.knots
         if pointer.ripple:
             moving = frozenset(range(self.grabbed, count) if by > 0 else range(self.grabbed + 1))
-        by = self._as_far_as_can_be(by, moving)
-        moved = [t + by if knot in moving else t for knot, t in enumerate(self.parameters)]
-        return set_parameters(self.document, self.curve, moved)
+        return self._as_far_as_can_be(by, moving), moving
 
     def _as_far_as_can_be(self, by: float, moving: frozenset[int]) -> float:
         t = self.parameters

@@ -35,6 +35,10 @@ class BasisPanel(PlotWidget):
     -------
     hint_changed
         What a press here would do (a sentence).
+    progress_changed
+        How far the gesture in flight has come (a sentence); empty when it has ended.
+    gesture_began
+        A press begins a gesture.
     pointed_at
         The parameter t under the pointer, or None when it has left.
     extent_changed
@@ -46,6 +50,8 @@ class BasisPanel(PlotWidget):
     """
 
     hint_changed = Signal(str)
+    progress_changed = Signal(str)
+    gesture_began = Signal()
     pointed_at = Signal(object)
     extent_changed = Signal(object)
     drag_changed = Signal(bool)
@@ -202,27 +208,39 @@ class BasisPanel(PlotWidget):
     def cancel_gesture(self) -> bool:
         """Drop the gesture in flight; return whether there was one."""
         was_pressed = self._tool.cancel()
-        self.drag_changed.emit(False)
+        self._end_gesture()
         return was_pressed
 
     def forget_gesture(self) -> None:
         """Drop the gesture in flight; the document is another one."""
         self._tool.forget()
+        self._end_gesture()
+
+    def _end_gesture(self) -> None:
         self.drag_changed.emit(False)
+        self.progress_changed.emit("")
 
     def pressed(self, pointer: Pointer) -> None:
+        self.gesture_began.emit()
         hit = self._hit(pointer)
         if hit is not None and hit.part is Part.TICK:
             self.drag_changed.emit(True)
         self._tool.press(replace(pointer, hit=hit), self._rail.scrub)
 
     def moved(self, pointer: Pointer) -> None:
-        self._tool.move(replace(pointer, ripple=self._ripple_down))
+        pointer = replace(pointer, ripple=self._ripple_down)
+        self._tool.move(pointer)
+        self.progress_changed.emit(self._tool.progress(pointer))
         self.pointed_at.emit(pointer.position[0])
 
     def released(self, pointer: Pointer) -> None:
         self._tool.release(replace(pointer, ripple=self._ripple_down))
-        self.drag_changed.emit(False)
+        self._end_gesture()
+        x, y = pointer.pixel
+        if 0 <= x <= self.pixel_map.width and 0 <= y <= self.pixel_map.height:
+            self.hovered_at(pointer)
+        else:
+            self.left()
 
     def hovered_at(self, pointer: Pointer) -> None:
         hint = self._tool.hover(replace(pointer, hit=self._hit(pointer)))

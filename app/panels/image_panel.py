@@ -218,6 +218,7 @@ class ImagePanel(QWidget):
     def _cancel_slider(self) -> None:
         self._cancelled = True
         self._session.cancel()
+        self._session.say("Cancelled.")
 
 
 def _fade_name(share: float) -> str:

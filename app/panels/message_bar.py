@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import QEvent, QObject, QSize, Signal
+from PySide6.QtCore import QEvent, QObject, QSize, Qt, Signal
+from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QFrame, QHBoxLayout, QLabel, QSizePolicy, QToolButton, QWidget
 
 from app.icons import icon
 from app.theme import LIGHT, Theme, mix
 
 _TOP, _SIDE, _WIDEST = 10, 56, 720
+_GAP = 8
 
 
 class MessageBar(QFrame):
@@ -20,10 +22,10 @@ class MessageBar(QFrame):
     Signals
     -------
     closed
-        The person has read it.
+        The person has put this sentence away.
     """
 
-    closed = Signal()
+    closed = Signal(str)
 
     def __init__(self, parent: QWidget) -> None:
         super().__init__(parent)
@@ -43,10 +45,19 @@ class MessageBar(QFrame):
         self._close.setToolTip("Put this message away")
         self._close.setAccessibleName("Put this message away")
         self._close.clicked.connect(self._put_away)
+        self._offer = QToolButton()
+        self._offer.setObjectName("offeredAction")
+        self._offer.setAccessibleName("What can be done about it")
+        self._offer.setToolTip("What can be done about it")
+        self._offer.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
+        self._offer.setIconSize(QSize(14, 14))
+        self._offer.hide()
         layout = QHBoxLayout(self)
         layout.setContentsMargins(12, 6, 8, 6)
+        layout.setSpacing(_GAP)
         layout.addWidget(self._sign)
         layout.addWidget(self._text, 1)
+        layout.addWidget(self._offer)
         layout.addWidget(self._close)
         self.hide()
 
@@ -63,9 +74,17 @@ class MessageBar(QFrame):
         """Show a hint."""
         self._show(text, warning=False)
 
-    def _show(self, text: str, *, warning: bool) -> None:
-        if self.text == text:
+    def offer(self, text: str, action: QAction) -> None:
+        """Show a sentence, and a button for what can be done about it."""
+        self._show(text, warning=False, action=action)
+
+    def _show(self, text: str, *, warning: bool, action: QAction | None = None) -> None:
+        if self.text == text and self._offer.isHidden() is (action is None):
             return
+        if action is not None:
+            self._offer.setDefaultAction(action)
+            self._offer.setAccessibleName(action.text())
+        self._offer.setVisible(action is not None)
         self._is_warning = warning
         self._text.setText(text)
         self._paint_sign()
@@ -77,6 +96,8 @@ class MessageBar(QFrame):
         """Lie at the top, in the middle, as wide as the sentence needs."""
         room = self._below.width() - 2 * _SIDE
         needed = self._text.fontMetrics().horizontalAdvance(self._text.text()) + 90
+        if not self._offer.isHidden():
+            needed += self._offer.sizeHint().width() + _GAP
         width = max(min(needed, room, _WIDEST), 120)
         height = max(self.heightForWidth(width), self.minimumSizeHint().height())
         self.setGeometry((self._below.width() - width) // 2, _TOP, width, height)
@@ -88,7 +109,7 @@ class MessageBar(QFrame):
 
     def _put_away(self) -> None:
         self.hide()
-        self.closed.emit()
+        self.closed.emit(self._text.text())
 
     def set_theme(self, theme: Theme) -> None:
         """Take the colours of `theme`."""

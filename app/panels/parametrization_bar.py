@@ -133,6 +133,7 @@ class ParametrizationBar(QWidget):
     def _cancel_slider(self) -> None:
         self._cancelled = True
         self._session.cancel()
+        self._session.say("Cancelled.")
 
 
 def _alpha_of(curve: Curve) -> float | None:

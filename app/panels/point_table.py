@@ -289,6 +289,7 @@ class PointTable(QWidget):
             columns.setdefault(row, []).append(self.model.columns[column])
         document = fill_cells(session.document, session.active_index, session.active_view, columns, value)
         session.commit(document, f"Fill {count_of(len(cells), 'cell')}")
+        session.say(f"Filled {count_of(len(cells), 'cell')}.")
         self.pasted.emit()
 
     def _paste_block(self, block: Block) -> None:
@@ -300,6 +301,7 @@ class PointTable(QWidget):
         whole = {(0, 0), (0, 1)} <= {(column.order, column.component) for column in columns}
         text = count_of(height, "point") if whole else count_of(height * width, "value")
         session.commit(document, f"Paste {text}")
+        session.say(f"Pasted {text}.")
         overwritten = range(top, min(top + height, len(view.source.nodes)))
         session.select(range(top, top + height))
         self._tell_who_kept(*keepers(view, overwritten, columns))

@@ -2,27 +2,35 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import QSize, Qt, QTimer
-from PySide6.QtGui import QAction
-from PySide6.QtWidgets import QLabel, QSizePolicy, QStatusBar, QToolButton, QWidget
+from PySide6.QtCore import Qt, QTimer
+from PySide6.QtWidgets import QLabel, QSizePolicy, QStatusBar, QWidget
 
 from app.document.model import Vector
+from app.panels.elided_label import ElidedLabel
 from app.view_model.basis_view import BasisView
 
 _SAID_MS = 6000
 _READ_MS = 1500
 """How long a sentence stays in any case, before a new hint may take its place."""
 
+_SAME_PRESS_MS = 200
+"""A sentence this young was said by the press that begins a gesture: the focus left a field, for instance."""
+
 
 class StatusLine(QStatusBar):
-    """Shows hints, sentences, the pointer's place and the Lebesgue constant."""
+    """Shows hints, sentences, the pointer's place and the Lebesgue constant.
+
+    At the left stands one of four things, the first that there is: how far a gesture has come; the tip of the
+    menu entry or button under the pointer; what has been said; what a press would do.
+    """
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setObjectName("statusLine")
         self.setSizeGripEnabled(False)
-        self._label = QLabel()
+        self._label = ElidedLabel()
         self._label.setObjectName("hint")
+        self._label.setContentsMargins(6, 0, 6, 0)
         # A long hint is cut, it never widens the window.
         self._label.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
         self._place, self._t, self._lebesgue = QLabel(), QLabel(), QLabel()
@@ -30,22 +38,17 @@ class StatusLine(QStatusBar):
         self._t.setObjectName("pointerT")
         self._lebesgue.setObjectName("lebesgueConstant")
         self._lebesgue.setToolTip("Lebesgue constant: how much errors in the points can grow on the curve")
-        self._offer = QToolButton()
-        self._offer.setObjectName("offeredAction")
-        self._offer.setAccessibleName("What can be done about it")
-        self._offer.setToolTip("What can be done about it")
-        self._offer.setAutoRaise(True)
-        self._offer.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
-        self._offer.setIconSize(QSize(14, 14))
-        self._offer.hide()
-        self.addWidget(self._offer)
         self.addWidget(self._label, 1)
         for label in (self._place, self._t, self._lebesgue):
             self.addPermanentWidget(label)
-        self._hint = self._said = ""
+        self._progress = self._tip = self._said = self._hint = ""
+        self._t_here: float | None = None
+        self._t_scrub: float | None = None
         self.unit = ""
         self._timer = QTimer(self, singleShot=True, interval=_SAID_MS)
-        self._timer.timeout.connect(self._forget_said)
+        # A coarse timer would not know a press's own sentence from an older one.
+        self._timer.setTimerType(Qt.TimerType.PreciseTimer)
+        self._timer.timeout.connect(self.forget_said)
 
     @property
     def text(self) -> str:
@@ -57,39 +60,55 @@ class StatusLine(QStatusBar):
         """What a press at the pointer would do, whatever has been said since."""
         return self._hint
 
+    def _render(self) -> None:
+        self._label.setText(self._progress or self._tip or self._said or self._hint)
+
     def show_hint(self, text: str) -> None:
         """Show what a press would do; a sentence just said stays in front."""
         is_new, self._hint = text != self._hint, text
         could_be_read = self._timer.remainingTime() < _SAID_MS - _READ_MS
-        if not self._said or (is_new and text and could_be_read):
-            self._said = ""
-            self._label.setText(text)
+        if is_new and text:
+            self._tip = ""
+            if could_be_read:
+                self._said = ""
+        self._render()
 
     def show_progress(self, text: str) -> None:
-        """Show how far a gesture has come, in front of whatever has been said; empty leaves it to others."""
+        """Show how far a gesture has come, in place of what was said before it; empty when it has ended."""
+        self._progress = text
         if text:
-            self._timer.stop()
-            self._said = ""
-            self._label.setText(text)
+            self._said = self._tip = ""
+        self._render()
+
+    def show_tip(self, text: str) -> None:
+        """Show what the entry under the pointer does; empty when the pointer has left it."""
+        self._tip = text
+        self._render()
 
     def say(self, text: str) -> None:
         """Show a sentence for some seconds."""
-        self._said = text
-        self._label.setText(text)
-        self._offer.hide()
+        self._said, self._tip = text, ""
         self._timer.start()
+        self._render()
 
-    def offer(self, text: str, action: QAction) -> None:
-        """Show a sentence, and a button for what can be done about it."""
-        self.say(text)
-        self._offer.setDefaultAction(action)
-        self._offer.setAccessibleName(action.text())
-        self._offer.show()
+    def begin_gesture(self) -> None:
+        """Put away what was said before this press."""
+        self._tip = ""
+        if self._timer.remainingTime() < _SAID_MS - _SAME_PRESS_MS:
+            self.forget_said()
 
-    def _forget_said(self) -> None:
+    def forget_said(self) -> None:
+        """Put away what was said: it has stood long enough."""
         self._said = ""
-        self._offer.hide()
-        self._label.setText(self._hint)
+        self._timer.stop()
+        self._render()
+
+    def forget(self) -> None:
+        """Put away all sentences: they were about a document that is another one now."""
+        self._progress = self._tip = self._hint = ""
+        self._t_here = None
+        self.forget_said()
+        self._render_t()
 
     def show_place(self, place: Vector | None) -> None:
         """Show where the pointer is on the canvas."""
@@ -98,7 +117,17 @@ class StatusLine(QStatusBar):
         self._place.setText(text.replace("-", "−"))
 
     def show_t(self, t: float | None) -> None:
-        """Show the t under the pointer or the scrub line."""
+        """Show the t under the pointer; None when the pointer is elsewhere."""
+        self._t_here = t
+        self._render_t()
+
+    def show_scrub(self, t: float | None) -> None:
+        """Show the t of the scrub line while the pointer is elsewhere; None without one."""
+        self._t_scrub = t
+        self._render_t()
+
+    def _render_t(self) -> None:
+        t = self._t_scrub if self._t_here is None else self._t_here
         self._t.setText("" if t is None else f"t {t:.4g}".replace("-", "−"))
 
     def show_lebesgue(self, basis: BasisView | None) -> None:

@@ -46,7 +46,7 @@ class Reshaped:
         """What became of the shape."""
         change = f"largest change {self.residual:.2g}"
         if self.parameters_moved:
-            return f"The parameters moved: {change} · Freeze parameters first to keep the shape"
+            return f"The parameters moved: {change}."
         return f"Shape kept, {change}."
 
 

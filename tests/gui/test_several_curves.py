@@ -456,8 +456,8 @@ def test_a_click_on_the_curve_keeps_its_shape_under_manual_parameters(three):
 def test_under_a_rule_the_change_is_told_and_freezing_is_offered(three):
     before = three.session.active_view
     three.add_point(*before.curve.evaluate(0.41))
-    assert three.status.startswith("The parameters moved: largest change 0.0")
-    button = three.window.status_line.findChild(object, "offeredAction")
+    assert three.message.startswith("The parameters moved: largest change 0.0")
+    button = three.window.message_bar.findChild(object, "offeredAction")
     assert button.isVisible()
     assert button.text() == "Freeze and Keep the Shape"
     QTest.mouseClick(button, LEFT)

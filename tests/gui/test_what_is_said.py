@@ -1,0 +1,279 @@
+"""What the window says, and for how long: a sentence goes when it is no longer about what is shown."""
+
+from __future__ import annotations
+
+import pytest
+from PySide6.QtCore import QEvent, QPoint, QPointF, Qt
+from PySide6.QtGui import QEnterEvent, QGuiApplication, QImage, QStatusTipEvent
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QApplication, QLabel, QToolButton
+
+from app.document.model import Document, Family, make_curve
+
+LEFT = Qt.MouseButton.LeftButton
+WAVE = ((0, 0), (1, 1), (2, 0), (3, 1))
+
+
+@pytest.fixture
+def pair(editor):
+    """Two Hermite waves; B, the upper one, is active."""
+    curves = tuple(
+        make_curve([(x, y + 3 * level) for x, y in WAVE], name=name, family=Family.HERMITE)
+        for level, name in enumerate("AB")
+    )
+    editor.session.commit(Document(curves), "Begin", active=1)
+    editor.fit()
+    return editor
+
+
+def insert(editor):
+    editor.add_point(*editor.session.active_view.curve.evaluate(0.41))
+    assert editor.message.startswith("The parameters moved")
+
+
+def enter(widget):
+    """Move the pointer onto a widget, as the window system reports it."""
+    middle = QPointF(widget.rect().center())
+    place = widget.mapToGlobal(middle)
+    QApplication.sendEvent(widget, QEnterEvent(middle, middle, place))
+    QTest.mouseMove(widget, middle.toPoint())
+
+
+def shown_t(editor):
+    return editor.window.status_line.findChild(QLabel, "pointerT").text()
+
+
+def offer_button(editor):
+    return editor.window.message_bar.findChild(QToolButton, "offeredAction")
+
+
+def test_the_offer_stays_under_the_pointer(pair):
+    before = pair.session.active_view
+    insert(pair)
+    button = offer_button(pair)
+    enter(button)
+    pair.settle()
+    assert button.isVisible()
+    assert pair.status == pair.action("keepShape").statusTip()
+    QTest.mouseClick(button, LEFT)
+    pair.settle()
+    assert pair.curve.is_manual
+    assert pair.message == ""
+    assert pair.status.startswith("Shape kept")
+    pair.trigger("undo")
+    assert pair.session.active_view.source == before.source
+
+
+@pytest.mark.parametrize(
+    "act",
+    [
+        lambda editor: editor.trigger("undo"),
+        lambda editor: editor.trigger("familyLagrange"),
+        lambda editor: editor.trigger("reverseCurve"),
+        lambda editor: editor.session.activate(0),
+        lambda editor: editor.new(),
+        lambda editor: editor.window.message_bar.findChild(QToolButton, "closeMessage").click(),
+    ],
+)
+def test_the_offer_goes_with_what_it_was_about(pair, act):
+    insert(pair)
+    act(pair)
+    pair.settle()
+    assert not offer_button(pair).isVisible()
+    assert "The parameters moved" not in pair.message + pair.status
+
+
+def test_a_tip_goes_in_front_of_what_was_said_and_gives_it_back(pair):
+    pair.session.say("Something.")
+    button = pair.window.toolbar.widgetForAction(pair.action("fitView"))
+    QApplication.sendEvent(button, QStatusTipEvent("Show everything"))
+    assert pair.status == "Show everything"
+    QApplication.sendEvent(button, QStatusTipEvent(""))
+    assert pair.status == "Something."
+    QApplication.sendEvent(button, QStatusTipEvent("Show everything"))
+    pair.session.say("Done.")
+    assert pair.status == "Done."
+
+
+@pytest.mark.parametrize(
+    "act",
+    [
+        lambda editor: editor.trigger("familyLagrange"),
+        lambda editor: editor.session.undo_stack.undo(),
+        lambda editor: editor.session.activate(0),
+        lambda editor: editor.session.new(),
+    ],
+)
+def test_a_sentence_goes_with_the_document_it_was_about(pair, act):
+    pair.session.say("Old.")
+    act(pair)
+    assert pair.status == ""
+
+
+def test_undo_and_redo_say_what_they_did(pair):
+    pair.drag_point(1, to=(1.2, 4.2))
+    pair.trigger("undo")
+    assert pair.status == "Undone: Move point 1."
+    pair.trigger("redo")
+    assert pair.status == "Redone: Move point 1."
+
+
+def test_the_amount_of_a_cancelled_drag_goes_at_once(pair):
+    pair.press(pair.point(1))
+    pair.move((1.3, 4.4))
+    assert pair.status.startswith("Move point 1")
+    pair.escape()
+    assert pair.status == "Cancelled."
+    pair.release((1.3, 4.4))
+    assert not pair.status.startswith("Move point 1")
+
+
+@pytest.mark.parametrize("act", ["deleteSelection", "undo", "familyLagrange"])
+def test_the_amount_of_a_drag_goes_with_a_command_in_its_midst(pair, act):
+    pair.press(pair.point(1))
+    pair.move((1.3, 4.4))
+    pair.trigger(act)
+    assert not pair.status.startswith("Move point 1")
+
+
+def test_a_transform_that_keys_began_leaves_nothing_behind(pair):
+    pair.select([1, 2])
+    pair.trigger("moveSelection")
+    pair.hover((1.5, 4.5))
+    assert "Move" in pair.status
+    pair.escape()
+    assert pair.status == "Cancelled."
+
+
+def test_a_drag_on_the_rail_tells_t_and_that_escape_cancels(pair):
+    panel = pair.window.basis_panel
+    start, to = panel.rail_pixel(pair.parameters[1]), panel.rail_pixel(0.4)
+    pair.send(panel, QEvent.Type.MouseButtonPress, start)
+    pair.send(panel, QEvent.Type.MouseMove, to)
+    assert pair.status.startswith("t of point 1 = 0.4")
+    assert pair.status.endswith("E: all ticks on that side · Escape cancels")
+    panel.setFocus()
+    QTest.keyClick(panel, Qt.Key.Key_Escape)
+    assert pair.status == "Cancelled."
+    pair.send(panel, QEvent.Type.MouseButtonRelease, to, held=False)
+    assert pair.parameters[1] == pytest.approx(1 / 3, abs=0.1)
+
+
+def test_t_goes_when_the_pointer_leaves_the_rail(pair):
+    panel = pair.window.basis_panel
+    pair.drag_parameter(1, to=0.4)
+    assert shown_t(pair).startswith("t 0.4")
+    QApplication.sendEvent(panel, QEvent(QEvent.Type.Leave))
+    assert shown_t(pair) == ""
+    pair.session.set_scrub(0.25)
+    assert shown_t(pair) == "t 0.25"
+    pair.send(panel, QEvent.Type.MouseMove, panel.to_pixel(0.5, 0.5), held=False)
+    assert shown_t(pair) != "t 0.25"
+    QApplication.sendEvent(panel, QEvent(QEvent.Type.Leave))
+    assert shown_t(pair) == "t 0.25"
+
+
+def test_t_goes_when_a_drag_ends_outside(pair):
+    panel = pair.window.basis_panel
+    start = panel.rail_pixel(pair.parameters[1])
+    pair.drag_pixels(panel, start, start + QPointF(30, -900))
+    assert shown_t(pair) == ""
+
+
+def test_t_goes_with_the_document(pair):
+    pair.drag_parameter(1, to=0.4)
+    pair.trigger("undo")
+    assert shown_t(pair) == ""
+
+
+def test_pasting_says_so(pair):
+    pair.paste_text("5\t5\n6\t6\n")
+    pair.trigger("pastePoints")
+    assert pair.status == "Pasted 2 points."
+    pair.select([1])
+    pair.trigger("copyDerivatives")
+    pair.select([2])
+    pair.trigger("pasteDerivatives")
+    assert pair.status == "Pasted the derivatives into point 2."
+    pair.trigger("cutPoints")
+    assert pair.status == "Cut 1 point."
+
+
+def test_a_refused_paste_is_forgotten_with_the_next_good_one(pair):
+    table = pair.window.table_panel
+    table.view.setCurrentIndex(table.model.index(0, 1))
+    QGuiApplication.clipboard().setText("1\t2\n3\tx\n")
+    table.paste()
+    assert "is not a number" in pair.status
+    QGuiApplication.clipboard().setText("1\t2\n3\t4\n")
+    table.paste()
+    assert "is not a number" not in pair.status
+    assert "Pasted" in pair.status or "velocit" in pair.status
+
+
+def test_the_hint_of_an_empty_canvas_can_be_put_away(editor):
+    editor.new()
+    assert editor.message.startswith("Click on the canvas")
+    close = editor.window.message_bar.findChild(QToolButton, "closeMessage")
+    QTest.mouseClick(close, LEFT)
+    editor.settle()
+    assert editor.message == ""
+    editor.add_point(0.5, 0.5)
+    assert editor.message == ""
+    editor.new()
+    assert editor.message.startswith("Click on the canvas")
+
+
+def test_a_long_sentence_ends_in_dots_and_is_whole_in_the_tooltip(pair):
+    pair.window.resize(1024, 700)
+    text = "Word " * 100
+    pair.session.say(text)
+    pair.settle()
+    assert pair.window.width() == 1024
+    assert pair.window.status_line.findChild(QLabel, "hint").toolTip() == text
+
+
+def test_escape_gives_the_slider_its_old_value_with_the_button_down(pair):
+    pair.choose_parametrization("centripetal")
+    bar = pair.window.parametrization_bar
+    slider = bar.findChild(object, "alphaSlider")
+    document, old = pair.session.document, slider.value()
+    middle = QPoint(slider.width() // 2, slider.height() // 2)
+    QTest.mousePress(slider, LEFT, pos=middle)
+    QTest.mouseMove(slider, middle + QPoint(20, 0))
+    pair.settle()
+    assert slider.value() > old
+    QTest.keyClick(slider, Qt.Key.Key_Escape)
+    assert (slider.value(), pair.session.document) == (old, document)
+    assert pair.status == "Cancelled."
+    QTest.mouseMove(slider, middle + QPoint(30, 0))
+    pair.settle()
+    QTest.mouseRelease(slider, LEFT, pos=middle + QPoint(30, 0))
+    assert (slider.value(), pair.session.document) == (old, document)
+    QTest.mousePress(slider, LEFT, pos=middle)
+    QTest.mouseMove(slider, middle + QPoint(20, 0))
+    QTest.mouseRelease(slider, LEFT, pos=middle + QPoint(20, 0))
+    assert pair.session.document is not document
+
+
+def test_a_closed_curve_that_lagrange_opens_says_why(pair):
+    pair.trigger("closeCurve")
+    pair.choose_family(Family.LAGRANGE)
+    assert "cannot close" in pair.status
+    pair.choose_family(Family.HERMITE)
+    assert pair.curve.is_closed
+    assert pair.status == ""
+
+
+def test_redoing_an_image_leaves_the_tab_in_front(pair, tmp_path):
+    image = QImage(40, 30, QImage.Format.Format_RGB32)
+    image.fill(Qt.GlobalColor.red)
+    image.save(str(tmp_path / "red.png"))
+    pair.window.add_image(tmp_path / "red.png")
+    pair.settle()
+    assert not pair.window.image_panel.visibleRegion().isEmpty()
+    pair.show_dock("historyDock")
+    pair.trigger("undo")
+    pair.trigger("redo")
+    in_front = [dock.objectName() for dock in pair.window.docks if not dock.visibleRegion().isEmpty()]
+    assert in_front == ["pointsDock", "historyDock"]
