@@ -153,7 +153,9 @@ class MainWindow(QMainWindow):
         if title == "Curve":
             self.parameters_menu = menu.addMenu("Parameters")
             self.tangent_menu = menu.addMenu("Tangent")
-            for _, action in self.actions_by_name.of_menu("Tangent"):
+            for spec, action in self.actions_by_name.of_menu("Tangent"):
+                if spec.separated:
+                    self.tangent_menu.addSeparator()
                 self.tangent_menu.addAction(action)
 
     def _parts(self) -> Parts:

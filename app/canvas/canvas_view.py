@@ -143,6 +143,11 @@ class CanvasView(PlotWidget):
         """The distance of the grid's lines along x and y at this zoom."""
         return self._grid.spacing(self.pixel_map)
 
+    @property
+    def pixel_size(self) -> float:
+        """The size of a pixel in the plane, at this zoom."""
+        return 1.0 / self.pixel_map.sx
+
     # The picture to trace
 
     def set_image(self, image: ReferenceImage | None, pixels: QImage | None) -> None:

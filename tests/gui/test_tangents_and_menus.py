@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import numpy as np
 import pytest
 from PySide6.QtCore import QLocale, Qt
 from PySide6.QtGui import QGuiApplication
 from PySide6.QtTest import QTest
 
+from app.document import edits
 from app.document.model import Document, Family, ParametrizationKind, make_curve
 
 CTRL = Qt.KeyboardModifier.ControlModifier
@@ -69,11 +71,84 @@ def test_estimated_leaves_everything_to_the_rules(wave):
     wave.select([1, 2])
     wave.trigger("tangentCorner")
     assert wave.session.undo_stack.undoText() == "Corner at 2 points"
+    # The ends, whose estimates the corners would have changed, are estimated again as well.
+    wave.select([0, 1, 2, 3])
     wave.key(Qt.Key.Key_3, ALT)
     assert wave.curve.nodes == make_curve(WAVE).nodes
     for _ in range(2):
         wave.trigger("undo")
     assert wave.curve.nodes == make_curve(WAVE).nodes
+
+
+@pytest.mark.parametrize("closed", [False, True])
+@pytest.mark.parametrize("family", [Family.HERMITE, Family.QUINTIC_HERMITE])
+def test_a_corner_moves_nothing_before_it_is_touched(wave, family, closed):
+    wave.choose_family(family)
+    if closed:
+        wave.trigger("closeCurve")
+    before = wave.session.active_view.curve.evaluate(np.linspace(0, 1, 999))
+    wave.select([1])
+    wave.key(Qt.Key.Key_2, ALT)
+    assert wave.curve.nodes[1].corner
+    assert wave.session.active_view.curve.evaluate(np.linspace(0, 1, 999)) == pytest.approx(before, abs=1e-13)
+    wave.key(Qt.Key.Key_1, ALT)
+    assert not wave.curve.nodes[1].corner
+    assert wave.session.active_view.curve.evaluate(np.linspace(0, 1, 999)) == pytest.approx(before, abs=1e-13)
+
+
+def marked(editor):
+    names = ("tangentSmooth", "tangentCorner", "tangentEstimated")
+    return [name.removeprefix("tangent") for name in names if editor.action(name).isChecked()]
+
+
+def test_the_menu_marks_what_the_points_are(wave):
+    assert marked(wave) == []
+    wave.select([1])
+    assert marked(wave) == ["Estimated"]
+    wave.trigger("tangentCorner")
+    assert marked(wave) == ["Corner"]
+    wave.trigger("tangentCorner")
+    assert marked(wave) == ["Corner"]
+    wave.trigger("tangentSmooth")
+    assert marked(wave) == ["Smooth"]
+    wave.trigger("tangentCorner")
+    wave.select([1, 2])
+    assert marked(wave) == []
+    wave.select([])
+    assert marked(wave) == []
+
+
+def test_a_hidden_velocity_is_pulled_out(wave):
+    wave.select([1])
+    wave.session.commit(edits.set_velocity(wave.session.document, 0, 1, (0.0, 0.0)), "Stop")
+    wave.open_menu(wave.point(1))
+    wave.choose("pullVelocity")
+    assert wave.session.undo_stack.undoText() == "Pull out velocity of point 1"
+    # Along the points, from (0, 0) to (2, 0), a third of the way to (2, 0).
+    assert wave.handle(ahead=True).position == pytest.approx((1 + 2**0.5 / 3, 1))
+    document = wave.session.document
+    wave.trigger("pullVelocity")
+    assert wave.session.document is document
+    assert wave.status == "The velocity stands out already; drag the square handle."
+    wave.trigger("undo")
+    assert wave.curve.nodes[1].velocity == (0, 0)
+
+
+def test_an_estimated_velocity_that_is_seen_becomes_explicit_as_it_is(wave):
+    wave.select([0, 3])
+    before = wave.session.active_view
+    wave.trigger("pullVelocity")
+    assert wave.session.undo_stack.undoText() == "Pull out velocity of 2 points"
+    assert wave.curve.nodes[3].velocity == before.velocity_of(3, ahead=False)
+    assert wave.session.active_view.polyline == pytest.approx(before.polyline)
+
+
+def test_both_velocities_of_a_corner_are_pulled_out(wave):
+    wave.select([1])
+    wave.session.commit(edits.make_corner(wave.session.document, 0, 1, (0, 0), (0, 0)), "Corner")
+    wave.trigger("pullVelocity")
+    assert wave.handle(ahead=True).position == pytest.approx((4 / 3, 2 / 3))
+    assert wave.handle(ahead=False).position == pytest.approx((2 / 3, 2 / 3))
 
 
 def test_an_end_is_no_corner(wave):
