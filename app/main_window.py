@@ -290,9 +290,7 @@ class MainWindow(QMainWindow):
 
     def _show_points(self) -> None:
         """Fit the view where points of the active curve lie outside it."""
-        left, bottom, right, top = self.canvas.pixel_map.box
-        x, y = self.session.active_view.points.T
-        if ((x < left) | (x > right) | (y < bottom) | (y > top)).any():
+        if not self.canvas.shows_all_points:
             self._fit()
 
     # Theme and layout

@@ -9,7 +9,7 @@ from PySide6.QtGui import QGuiApplication
 from PySide6.QtTest import QTest
 
 from app.document import edits
-from app.document.model import Document, Family, ParametrizationKind, make_curve
+from app.document.model import Document, Family, Parametrization, ParametrizationKind, make_curve
 
 CTRL = Qt.KeyboardModifier.ControlModifier
 SHIFT = Qt.KeyboardModifier.ShiftModifier
@@ -189,6 +189,48 @@ def test_the_table_tells_which_side_of_a_corner_it_shows(wave):
     assert "before the corner" not in model.data(model.index(2, 3), Qt.ItemDataRole.ToolTipRole)
 
 
+def test_the_table_marks_a_corner(wave):
+    table = wave.window.point_table
+    model, changed = table.model(), []
+    disc = model.headerData(1, Qt.Orientation.Vertical, Qt.ItemDataRole.DecorationRole).toImage()
+    wave.select([1])
+    wave.trigger("tangentSmooth")
+    model.dataChanged.connect(lambda top, bottom: changed.append((top.row(), bottom.row())))
+    wave.trigger("tangentCorner")
+    # The numbers are those before; the mark is new.
+    assert any(top <= 1 <= bottom for top, bottom in changed)
+    assert [model.shows_one_side(row, 3) for row in range(4)] == [False, True, False, False]
+    assert not model.shows_one_side(1, 1)
+    assert model.headerData(1, Qt.Orientation.Vertical, Qt.ItemDataRole.DecorationRole).toImage() != disc
+    assert "Point 1, a corner" in model.headerData(1, Qt.Orientation.Vertical, Qt.ItemDataRole.ToolTipRole)
+    assert "after it" in model.data(model.index(1, 3), Qt.ItemDataRole.AccessibleTextRole)
+    place = table.visualRect(model.index(1, 3)).topLeft()
+    inside = table.viewport().grab().toImage().pixelColor(place.x() + 3, place.y() + 3)
+    wave.trigger("tangentEstimated")
+    assert not model.shows_one_side(1, 3)
+    assert table.viewport().grab().toImage().pixelColor(place.x() + 3, place.y() + 3) != inside
+
+
+def test_a_click_on_a_handle_over_a_point_selects_the_point(wave):
+    velocity = (1.0, -1.0)
+    span = wave.parameters[2] - wave.parameters[1]
+    reach = tuple(3 * part / span for part in velocity)
+    wave.session.commit(edits.set_velocity(wave.session.document, 0, 1, reach), "Aim")
+    wave.select([1])
+    assert wave.handle().position == pytest.approx(wave.point(2))
+    document = wave.session.document
+    wave.click(wave.point(2))
+    assert wave.session.selection == {2}
+    assert wave.session.document is document
+    wave.select([1])
+    wave.click(wave.point(2), keys=SHIFT)
+    assert wave.session.selection == {1, 2}
+    wave.select([1])
+    wave.drag_handle((2.5, 0.5))
+    assert wave.point(2) == (2, 0)
+    assert wave.curve.nodes[1].velocity != pytest.approx(reach)
+
+
 def test_a_corner_s_own_side_counts_as_set_by_the_person(wave):
     wave.select_point(1)
     wave.trigger("tangentCorner")
@@ -276,7 +318,64 @@ def test_there_is_no_menu_in_the_middle_of_a_drag(wave):
     wave.escape()
 
 
+def test_a_right_press_takes_a_drag_back_and_opens_no_menu(wave):
+    document = wave.session.document
+    wave.press(wave.point(1))
+    wave.move((1, 2))
+    assert wave.session.document is not document
+    with pytest.raises(LookupError, match="no menu open"):
+        wave.open_menu((1, 2))
+    assert wave.session.document is document
+    wave.move((2, 2))
+    wave.release((2, 2))
+    assert wave.session.document is document
+    wave.open_menu((1.5, 1.4))
+    close(wave)
+
+
+def test_the_menu_of_the_canvas_has_snap_beside_grid(wave):
+    names = list(entries(wave.open_menu((1.5, 1.4))))
+    assert names.index("toggleSnap") == names.index("toggleGrid") + 1
+    close(wave)
+
+
 # Points on the clipboard
+
+
+@pytest.mark.parametrize("name", ["pastePoints", "pasteAsCurve"])
+def test_points_pasted_out_of_sight_are_brought_into_view(wave, name):
+    wave.paste_text("40 0\n50 10")
+    wave.trigger(name)
+    assert wave.window.canvas.shows_all_points
+
+
+def test_a_new_curve_begins_with_parameters_of_its_own(wave):
+    document = edits.set_interval(wave.session.document, 0, 0.5, 2.0)
+    wave.session.commit(document, "Interval")
+    wave.trigger("freezeParameters")
+    wave.paste_text("0 5\n1 6\n2 5")
+    wave.trigger("pasteAsCurve")
+    assert wave.curve.parametrization == Parametrization()
+    wave.session.activate(0)
+    wave.trigger("newCurve")
+    assert (wave.curve.family, wave.curve.parametrization) == (Family.HERMITE, Parametrization())
+    wave.session.activate(0)
+    before = wave.session.active_view.polyline
+    wave.trigger("selectAll")
+    wave.trigger("copyPoints")
+    wave.trigger("pasteAsCurve")
+    assert wave.parameters[0] == 0
+    assert wave.parameters[-1] == 1
+    assert wave.session.active_view.polyline.shape[1] == before.shape[1]
+    assert [node.position for node in wave.curve.nodes] == list(WAVE)
+
+
+def test_an_empty_document_shows_t_from_0_to_1(wave):
+    wave.session.commit(edits.set_interval(wave.session.document, 0, 0.5, 2.0), "Interval")
+    wave.new()
+    low, _, high, _ = wave.window.basis_panel.pixel_map.box
+    assert low == pytest.approx(-0.035, abs=1e-3)
+    assert high == pytest.approx(1.035, abs=1e-3)
 
 
 def test_points_are_copied_to_another_curve_with_their_derivatives(wave):
