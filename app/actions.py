@@ -445,6 +445,7 @@ SPECS = (
         "Alt+1",
         "spline",
         "One velocity on both sides of the selected points",
+        checkable=True,
     ),
     ActionSpec(
         "tangentCorner",
@@ -453,6 +454,7 @@ SPECS = (
         "Alt+2",
         "corner",
         "A velocity of its own on either side of the selected points",
+        checkable=True,
     ),
     ActionSpec(
         "tangentEstimated",
@@ -461,6 +463,16 @@ SPECS = (
         "Alt+3",
         "reset",
         "Let the rules estimate the tangents of the selected points",
+        checkable=True,
+    ),
+    ActionSpec(
+        "pullVelocity",
+        "Pull Out Velocity",
+        "Tangent",
+        "",
+        "",
+        "Give the selected points velocities of their own, with handles long enough to drag",
+        separated=True,
     ),
     ActionSpec("fitView", "Fit", "View", "F", "fit", "Show the whole curve"),
     ActionSpec("zoomIn", "Zoom In", "View", "+, =", "zoom-in", "Zoom in on the canvas"),

@@ -155,7 +155,9 @@ class MainWindow(QMainWindow):
         if title == "Curve":
             self.parameters_menu = menu.addMenu("Parameters")
             self.tangent_menu = menu.addMenu("Tangent")
-            for _, action in self.actions_by_name.of_menu("Tangent"):
+            for spec, action in self.actions_by_name.of_menu("Tangent"):
+                if spec.separated:
+                    self.tangent_menu.addSeparator()
                 self.tangent_menu.addAction(action)
 
     def _parts(self) -> Parts:
@@ -293,9 +295,7 @@ class MainWindow(QMainWindow):
 
     def _show_points(self) -> None:
         """Fit the view where points of the active curve lie outside it."""
-        left, bottom, right, top = self.canvas.pixel_map.box
-        x, y = self.session.active_view.points.T
-        if ((x < left) | (x > right) | (y < bottom) | (y > top)).any():
+        if not self.canvas.shows_all_points:
             self._fit()
 
     # Theme and layout

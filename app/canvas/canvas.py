@@ -233,9 +233,9 @@ class Canvas(CanvasView):
         self.viewport().setCursor(cursor_of(hint, kind, self._theme))
 
     def mousePressEvent(self, event: QMouseEvent) -> None:
-        # A right click ends a transform; it must not open a menu as well.
+        # A right click ends a gesture, a drag as well as a transform; it must not open a menu as well.
         is_right = event.button() == Qt.MouseButton.RightButton
-        self._menu_refused = is_right and self._tool.is_modal and self.cancel_gesture()
+        self._menu_refused = is_right and self._active_tool.is_pressed and self.cancel_gesture()
         if not self._menu_refused:
             super().mousePressEvent(event)
 

@@ -143,6 +143,20 @@ class CanvasView(PlotWidget):
         """The distance of the grid's lines along x and y at this zoom."""
         return self._grid.spacing(self.pixel_map)
 
+    @property
+    def shows_all_points(self) -> bool:
+        """Whether every point of the active curve is in sight."""
+        if self._view is None or not len(self._view.points):
+            return True
+        shown = self.pixel_map
+        pixels = shown.points(self._view.points)
+        return bool(((pixels >= 0) & (pixels <= (shown.width, shown.height))).all())
+
+    @property
+    def pixel_size(self) -> float:
+        """The size of a pixel in the plane, at this zoom."""
+        return 1.0 / self.pixel_map.sx
+
     # The picture to trace
 
     def set_image(self, image: ReferenceImage | None, pixels: QImage | None) -> None:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from PySide6.QtCore import QRectF
 from PySide6.QtGui import QPainter, QPen
 
+from app.canvas.point_layer import opacity_of
 from app.colours import point_colours
 from app.plot.pixel_map import PixelMap
 from app.plot.plot_widget import PlotWidget
@@ -30,6 +31,7 @@ class CornerLayer:
         """Draw the corners of `view` from the next paint on."""
         self._view = view
         self._corners = corners_of(view.source)
+        self._layer.setOpacity(opacity_of(view))
         self._layer.setVisible(bool(self._corners))
         self._layer.update()
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 
 import numpy as np
 
@@ -33,9 +34,10 @@ def hit_test(
     handle = _nearest_handle(pixel, shown, handles, selection)
     if selected is not None and (handle is None or selected[1] <= handle[1]):
         return selected[0]
-    if handle is not None:
-        return handle[0]
     point = _nearest_point(pixel, shown, view, range(len(view.points)))
+    if handle is not None:
+        over = point[0].index if point is not None and point[0].index not in selection else -1
+        return replace(handle[0], over=over)
     if point is not None:
         return point[0]
     return _on_curve(pixel, shown, view, polyline) if polyline is not None else None

@@ -24,6 +24,9 @@ _WEIGHED_UP_TO = 24
 _LEAST_WEIGHT = 5e-3
 _FAR = 1e5
 _SAMPLED = 256
+_HIDDEN = 0.35
+"""Opacity of the points of a curve that is hidden, while it is edited."""
+
 _STAMPED_FROM = 64
 """Points from which on discs are stamped, on whole pixels, in place of drawn."""
 
@@ -52,6 +55,7 @@ class PointLayer:
     def render(self, view: CurveView) -> None:
         """Draw `view` from the next paint on."""
         self._view = view
+        self._layer.setOpacity(opacity_of(view))
         self._handles = self._handles_now()
         self._layer.update()
 
@@ -256,6 +260,11 @@ class PointLayer:
         painter.setPen(QPen(self.theme.paper, 2 * self.scale))
         painter.setBrush(self.theme.accent)
         painter.drawEllipse(QPointF(*pixel), 6.5 * self.scale, 6.5 * self.scale)
+
+
+def opacity_of(view: CurveView) -> float:
+    """Return how strongly what belongs to a curve is drawn: faintly where it is hidden and only edited."""
+    return 1.0 if view.source.visible else _HIDDEN
 
 
 def _disc(painter: QPainter, radius: float) -> None:

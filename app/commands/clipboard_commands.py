@@ -23,6 +23,7 @@ from app.view_model.pasting import (
     appended_with_parameters,
     as_new_curve,
     copied,
+    copied_as_new_curve,
     nodes_of_rows,
     refuse_unordered,
 )
@@ -118,22 +119,27 @@ class ClipboardCommands:
         document = curve_edits.replace_curve(session.document, session.active_index, curve)
         if self._change(f"Paste {count_of(len(pasted.nodes), 'point')}", document):
             session.select(range(count, count + len(pasted.nodes)))
+            self._show_points()
             session.say(f"Pasted {count_of(len(pasted.nodes), 'point')}.")
 
     def _add_curve(self, pasted: _Pasted) -> None:
         session, place = self._session, self._session.active_index + 1
         name = curve_edits.free_name(session.document)
         if pasted.like is not None:
-            # Under a rule the parameters that came along are only distances; the rule gives its own.
-            nodes = pasted.nodes if pasted.like.is_manual else _without_parameters(pasted.nodes)
-            curve = replace(pasted.like, name=name, nodes=tuple(nodes))
+            curve = copied_as_new_curve(pasted.like, name)
         else:
             refuse_unordered(pasted.nodes, pasted.first_row) if pasted.nodes[0].t is not None else None
             curve = as_new_curve(session.active_curve, pasted.nodes, name)
         document = curve_edits.add_curve(session.document, place, curve)
         edits.set_nodes(document, place, curve.nodes)
         if self._change(f"Paste as {name}", document, active=place):
+            self._show_points()
             session.say(f"Pasted {count_of(len(curve.nodes), 'point')} as “{name}”.")
+
+    def _show_points(self) -> None:
+        """Fit the view if points that were pasted lie outside it."""
+        if not self._parts.canvas.shows_all_points:
+            self._parts.actions["fitView"].trigger()
 
     # Derivatives
 
@@ -185,10 +191,6 @@ class ClipboardCommands:
 
 def _row(node: Node, *, timed: bool) -> Sequence[float]:
     return (node.t, *node.position) if timed and node.t is not None else node.position
-
-
-def _without_parameters(nodes: Sequence[Node]) -> list[Node]:
-    return [replace(node, t=None) for node in nodes]
 
 
 def _on_clipboard() -> _Pasted:

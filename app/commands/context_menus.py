@@ -11,7 +11,7 @@ from app.gestures.pointer import Hit, Part
 
 _SEPARATOR = ""
 _POINT = (
-    "tangentSmooth", "tangentCorner", "tangentEstimated", _SEPARATOR,
+    "tangentSmooth", "tangentCorner", "tangentEstimated", "pullVelocity", _SEPARATOR,
     "splitCurve", _SEPARATOR,
     "cutPoints", "copyPoints", "copyDerivatives", "pasteDerivatives", _SEPARATOR,
     "deleteSelection",
@@ -24,7 +24,7 @@ _CURVE = (
 _CANVAS = (
     "addTool", "selectAll", _SEPARATOR,
     "pastePoints", "pasteAsCurve", "newCurve", _SEPARATOR,
-    "fitView", "toggleGrid", "toggleScrub",
+    "fitView", "toggleGrid", "toggleSnap", "toggleScrub",
 )  # fmt: skip
 _LIST = (
     "renameCurve", "curveColour", "curveVisible", "curveLocked", _SEPARATOR,

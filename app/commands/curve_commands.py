@@ -7,10 +7,11 @@ from collections.abc import Callable
 import numpy as np
 from msgspec.structs import replace
 
+from app.colours import CURVE_COLOURS
 from app.commands.parts import Handlers, Parts
 from app.document import curve_edits, edits
 from app.document.edits import EditError
-from app.document.model import Curve, Document
+from app.document.model import Curve, Document, Parametrization
 from app.view_model.curve_view import CurveView, squeeze_of, view_of
 from app.view_model.reshape import Reshaped, reversed_curve, with_point_inserted
 from app.view_model.split_join import joined, split
@@ -78,7 +79,7 @@ class CurveCommands:
         fresh = Curve(
             curve_edits.free_name(session.document),
             model.family,
-            replace(model.parametrization),
+            Parametrization(),
             (),
             model.velocity_rule,
             model.acceleration_rule,
@@ -91,7 +92,9 @@ class CurveCommands:
     def _duplicate(self) -> None:
         session = self._session
         old, place = session.active_curve, session.active_index + 1
-        copy = replace(old, name=f"{old.name} copy", visible=True, locked=False)
+        copy = replace(
+            old, name=f"{old.name} copy", visible=True, locked=False, colour=self._next_colour(old.colour)
+        )
         self._change(
             f"Duplicate {old.name}",
             lambda: curve_edits.add_curve(session.document, place, copy),
@@ -99,6 +102,16 @@ class CurveCommands:
         )
         session.select(range(len(copy.nodes)))
         session.say(f"“{copy.name}” lies on the original; all its points are selected, drag one to move it.")
+
+    def _next_colour(self, colour: str) -> str:
+        """Return the next colour of the palette that no curve has; a curve in ink is copied in ink."""
+        if not colour:
+            return colour
+        codes = [code for code in CURVE_COLOURS.values() if code]
+        start = codes.index(colour) + 1 if colour in codes else 0
+        others = [*codes[start:], *codes[:start]]
+        used = {curve.colour for curve in self._session.document.curves}
+        return next((code for code in others if code not in used), others[0])
 
     def _delete(self) -> None:
         session, index = self._session, self._session.active_index

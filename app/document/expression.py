@@ -39,7 +39,8 @@ def parse_number(text: str, locale_decimal: str = ".") -> float:
         ``,`` where that is not the decimal mark.
     locale_decimal
         The decimal mark of the person's locale. A point is always a decimal mark, a comma only where this
-        is one; there are no group separators, so that 1.234 never becomes 1234.
+        is one or where it can be nothing else, as in ``0,8``. There are no group separators, so that 1.234
+        never becomes 1234, and 1,234 is refused.
 
     Returns
     -------
@@ -54,7 +55,8 @@ def parse_number(text: str, locale_decimal: str = ".") -> float:
     if len(text) > MAX_LENGTH:
         raise ExpressionError(f"This is too long to be a number; {MAX_LENGTH} characters are read at most.")
     text = text.translate(_SIGNS).strip().removeprefix("=")
-    tokens = _tokens(text, decimal_comma=locale_decimal == ",")
+    decimal_comma = locale_decimal == "," or _is_plain_with_comma(text)
+    tokens = _tokens(text, decimal_comma=decimal_comma)
     _check_grammar(tokens)
     value = _plain_number(tokens)
     if value is None:
@@ -62,6 +64,11 @@ def parse_number(text: str, locale_decimal: str = ".") -> float:
     if not abs(value) <= MAX_MAGNITUDE:
         raise ExpressionError("A number here must lie between −1e12 and 1e12.")
     return value
+
+
+def _is_plain_with_comma(text: str) -> bool:
+    """Tell whether `text` is one number whose comma can only be a decimal mark: not one of thousands."""
+    return bool(_PLAIN_WITH_COMMA.fullmatch(text)) and not _IN_THOUSANDS.match(text)
 
 
 def _plain_number(tokens: list[_Token]) -> float | None:
@@ -188,6 +195,8 @@ _SYMBOL = r"(?P<name>[A-Za-z_][A-Za-z0-9_]*)|(?P<symbol>\*\*|[-+*/^(),;])|(?P<sp
 _POINT = r"[0-9]+(?:\.[0-9]*)?|\.[0-9]+"
 _COMMA = r"[0-9]*,[0-9]+"  # with digits after it: "max(1, 5)" has none
 _EXPONENT = r"(?:[eE][-+]?[0-9]+)?"
+_PLAIN_WITH_COMMA = re.compile(rf"\s*[-+]?[0-9]+,[0-9]+{_EXPONENT}")
+_IN_THOUSANDS = re.compile(r"\s*[-+]?[1-9][0-9]{0,2},[0-9]{3}(?![0-9])")
 _WITH_POINT = re.compile(rf"(?P<number>(?:{_POINT}){_EXPONENT})|{_SYMBOL}", re.DOTALL)
 _WITH_COMMA = re.compile(rf"(?P<number>(?:{_COMMA}|{_POINT}){_EXPONENT})|{_SYMBOL}", re.DOTALL)
 

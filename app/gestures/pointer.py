@@ -45,6 +45,8 @@ class Hit:
     knot
         For a tick: the knot it stands at; a closed curve has one more knot than nodes. For a corner of the
         picture to trace: 0 to 3, counterclockwise from the lower left.
+    over
+        For a handle: the node that it lies over, −1 for none.
     """
 
     part: Part
@@ -54,6 +56,7 @@ class Hit:
     t: float = 0.0
     kind: int = 0
     knot: int = -1
+    over: int = -1
 
 
 @dataclass(frozen=True)

@@ -340,16 +340,23 @@ class CanvasTool:
             self._machine.press(pointer, self._point_drag(pointer, hit), on_click=click)
             return
         drag = DragHandle(host.document, host.active_index, host.active_view, hit, pointer.position)
-        self._machine.press(pointer, drag)
+        # A drag drags the handle; a click means what lies below it, for a click does nothing to a handle.
+        self._machine.press(pointer, drag, self._click_on(pointer, hit.over) if hit.over >= 0 else None)
+
+    def _click_on(self, pointer: Pointer, index: int) -> Callable[[], None]:
+        """Return what a click selects: a point alone, or with Shift added to the others or taken away."""
+        before = self._host.selection
+        return lambda: self._host.select(before ^ {index} if pointer.shift else [index])
 
     def _select_at_press(self, pointer: Pointer, index: int) -> Callable[[], None]:
         """Select so that a drag moves what it should; return what a click would select."""
         host, before = self._host, self._host.selection
         if index not in before:
             # Alone, for a drag with Shift moves this point along an axis; only a click adds it to the others.
+            click = self._click_on(pointer, index)
             host.select([index])
-            return lambda: host.select(before | {index} if pointer.shift else [index])
-        return lambda: host.select(before - {index} if pointer.shift else [index])
+            return click
+        return self._click_on(pointer, index)
 
     def _press_on_curve(self, pointer: Pointer, hit: Hit) -> None:
         host = self._host

@@ -85,7 +85,7 @@ class BasisPanel(PlotWidget):
         self._functions.render(self._basis)
         self._rail.render(self._basis)
         moved = self._basis is not None and (old is None or old.curve.domain != self._basis.curve.domain)
-        if moved and not self._tool.is_pressed:
+        if (moved or not view.source.nodes) and not self._tool.is_pressed:
             self.fit_domain()
         self._report_extent()
 
@@ -146,11 +146,21 @@ class BasisPanel(PlotWidget):
 
     def fit_domain(self) -> None:
         """Show the whole interval of t."""
-        if self._basis is not None:
-            start, end = self._basis.curve.domain
+        domain = self._domain()
+        if domain is not None:
+            start, end = domain
             padding = _PADDING * (end - start)
             self.getViewBox().setXRange(start - padding, end + padding, padding=0)
         self._show_values()
+
+    def _domain(self) -> tuple[float, float] | None:
+        """Return the interval of t; without points that which the rule is going to span, else None."""
+        if self._basis is not None:
+            return self._basis.curve.domain
+        if self._view is None or self._view.source.nodes:
+            return None
+        rule = self._view.source.parametrization
+        return rule.start, rule.end
 
     def fit_values(self) -> None:
         """Show the functions from their least to their greatest value."""

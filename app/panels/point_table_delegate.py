@@ -11,6 +11,7 @@ from PySide6.QtCore import (
     QModelIndex,
     QObject,
     QPersistentModelIndex,
+    QPoint,
     QRect,
     Qt,
     Signal,
@@ -36,6 +37,9 @@ from app.panels.number_text import (
 )
 from app.panels.point_table_model import PointTableModel
 from app.theme import LIGHT, Theme, mix
+
+_MARK = 6
+"""Pixels along the sides of the mark that a number has a second one, after the corner."""
 
 PADDING = 3
 """Pixels left and right of a number."""
@@ -125,6 +129,8 @@ class PointTableDelegate(QStyledItemDelegate):
             painter.fillRect(rect, mix(theme.accent, theme.paper, 0.2))
         painter.setPen(theme.grid_fine)
         painter.drawLine(rect.bottomLeft(), rect.bottomRight())
+        if self._model.shows_one_side(row, column):
+            _paint_corner_mark(painter, rect, theme)
         text = self.text(row, column)
         painter.setFont(_italic(option.font) if estimated else option.font)
         painter.setPen(theme.muted if estimated else theme.ink)
@@ -249,6 +255,17 @@ class PointTableDelegate(QStyledItemDelegate):
         width = min(max(wanted, cell.width()), viewport.width())
         left = max(min(cell.right() + 1 - width, viewport.width() - width), 0)
         editor.setGeometry(QRect(left, cell.top(), width, cell.height()))
+
+
+def _paint_corner_mark(painter: QPainter, rect: QRect, theme: Theme) -> None:
+    """Fill the upper left corner of a cell, as spreadsheets mark a note: the tooltip has the rest."""
+    painter.save()
+    painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+    painter.setPen(Qt.PenStyle.NoPen)
+    painter.setBrush(theme.accent)
+    x, y = rect.left() + 1, rect.top() + 1
+    painter.drawPolygon([QPoint(x, y), QPoint(x + _MARK, y), QPoint(x, y + _MARK)])
+    painter.restore()
 
 
 def _italic(font: QFont) -> QFont:

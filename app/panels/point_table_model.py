@@ -27,6 +27,7 @@ from app.panels.words import ACCELERATION_ESTIMATES, VELOCITY_ESTIMATES
 from app.session import Session
 from app.theme import LIGHT, Theme
 from app.view_model.curve_view import CurveView
+from app.view_model.jets import corners_of
 
 Index = QModelIndex | QPersistentModelIndex
 _NO_INDEX = QModelIndex()
@@ -63,6 +64,7 @@ class PointTableModel(QAbstractTableModel):
         self._view: CurveView | None = None
         self._shown = _EMPTY
         self.columns: tuple[Column, ...] = columns_of(Family.LAGRANGE)
+        self._corners: frozenset[int] = frozenset()
         self._theme = LIGHT
         self._swatches: list[QPixmap] = []
         self._answers: dict[int, Callable[[int, int], object]] = {
@@ -91,11 +93,13 @@ class PointTableModel(QAbstractTableModel):
         columns, new = columns_of(view.source.family), table_values(view)
         if columns != self.columns:
             self.beginResetModel()
+            self._corners, self._swatches = frozenset(corners_of(view.source)), []
             self.columns, self._shown = columns, new
             self.endResetModel()
             return
         self._announce_rows(new)
-        changed = self._changed_rows(new)
+        changed = self._rows_with_other_corners(view) | self._changed_rows(new)
+        changed = np.flatnonzero(changed)
         self._shown = new
         if len(changed):
             last = self.index(int(changed[-1]), len(columns) - 1)
@@ -117,9 +121,23 @@ class PointTableModel(QAbstractTableModel):
             self._swatches = []
             self.headerDataChanged.emit(Qt.Orientation.Vertical, 0, max(count - 1, 0))
 
+    def _rows_with_other_corners(self, view: CurveView) -> np.ndarray:
+        """Take over which points are corners, and return which rows that changes."""
+        old, self._corners = self._corners, frozenset(corners_of(view.source))
+        rows = np.zeros(len(view.source.nodes), dtype=bool)
+        rows[[row for row in old ^ self._corners if row < len(rows)]] = True
+        if rows.any():
+            self._swatches = []
+            self.headerDataChanged.emit(Qt.Orientation.Vertical, 0, len(rows) - 1)
+        return rows
+
+    def shows_one_side(self, row: int, column: int) -> bool:
+        """Whether the point has two of these derivatives, of which the cell shows one."""
+        return row in self._corners and self.columns[column].is_derivative
+
     def _changed_rows(self, new: TableValues) -> np.ndarray:
         same = (self.values == new.values) | (np.isnan(self.values) & np.isnan(new.values))
-        return np.flatnonzero(~(same & (self.estimated == new.estimated)).all(axis=1))
+        return np.asarray(~(same & (self.estimated == new.estimated)).all(axis=1))
 
     def set_theme(self, theme: Theme) -> None:
         """Take the colours of `theme`."""
@@ -170,7 +188,8 @@ class PointTableModel(QAbstractTableModel):
             case Qt.ItemDataRole.TextAlignmentRole:
                 return _RIGHT
             case Qt.ItemDataRole.ToolTipRole:
-                return f"Point {section}; click to select it"
+                kind = ", a corner" if section in self._corners else ""
+                return f"Point {section}{kind}; click to select it"
         return None
 
     @staticmethod
@@ -208,7 +227,7 @@ class PointTableModel(QAbstractTableModel):
         return rounded_text(value, decimal_mark())
 
     def _read_aloud(self, row: int, column: int) -> str:
-        return f"{self.label(row, column)}: {self._rounded(row, column)}"
+        return f"{self.label(row, column)}: {self._rounded(row, column)}{self._corner_note(row, column)}"
 
     def _describe(self, row: int, column: int) -> str:
         exact = exact_text(float(self.values[row, column]), decimal_mark()).replace("-", "−")
@@ -219,9 +238,7 @@ class PointTableModel(QAbstractTableModel):
     def _corner_note(self, row: int, column: int) -> str:
         """Return what the tooltip adds where a point has two derivatives, of which the table shows one."""
         what, view = self.columns[column], self._view
-        if view is None or view.sides is None or not (what.is_derivative and view.source.nodes[row].corner):
-            return ""
-        if not (view.source.is_closed or 0 < row < len(self.values) - 1):
+        if view is None or view.sides is None or not self.shows_one_side(row, column):
             return ""
         ahead = float(view.sides.after[row, what.order, what.component])
         return f", before the corner; {exact_text(ahead, decimal_mark()).replace('-', '−')} after it"
@@ -234,7 +251,10 @@ class PointTableModel(QAbstractTableModel):
 
     def _swatch(self, row: int) -> QPixmap | None:
         if len(self._swatches) != len(self.values):
-            self._swatches = [_disc(colour) for colour in point_colours(len(self.values), self._theme)]
+            colours = point_colours(len(self.values), self._theme)
+            self._swatches = [
+                _swatch_of(colour, square=index in self._corners) for index, colour in enumerate(colours)
+            ]
         return self._swatches[row] if row < len(self._swatches) else None
 
     # Edits
@@ -258,8 +278,11 @@ def _number(given: object) -> float:
     raise ExpressionError("This is not a number.")
 
 
-def _disc(colour: QColor) -> QPixmap:
-    """Return a small disc; the header scales what is smaller than its icons are."""
+def _swatch_of(colour: QColor, *, square: bool) -> QPixmap:
+    """Return a small disc, for a corner a square as on the canvas.
+
+    The header scales what is smaller than its icons are.
+    """
     pixmap = QPixmap(2 * _SWATCH_CANVAS, 2 * _SWATCH_CANVAS)
     pixmap.setDevicePixelRatio(2)
     pixmap.fill(Qt.GlobalColor.transparent)
@@ -268,6 +291,10 @@ def _disc(colour: QColor) -> QPixmap:
     painter.setPen(Qt.PenStyle.NoPen)
     painter.setBrush(colour)
     margin = (_SWATCH_CANVAS - _SWATCH) / 2
-    painter.drawEllipse(QRectF(margin, margin, _SWATCH, _SWATCH))
+    box = QRectF(margin, margin, _SWATCH, _SWATCH)
+    if square:
+        painter.drawRect(box)
+    else:
+        painter.drawEllipse(box)
     painter.end()
     return pixmap

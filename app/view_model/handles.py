@@ -6,9 +6,12 @@ and p ± 2h·v/5 + h²·a/20 (plus ahead of the node, minus behind it, with the 
 
 from __future__ import annotations
 
+import math
+from collections.abc import Collection
 from dataclasses import dataclass
 
-from app.document.model import Family, Vector
+from app.document.edits import EditError, set_velocity
+from app.document.model import Curve, Document, Family, Vector
 from app.view_model.curve_view import CurveView
 
 
@@ -82,6 +85,64 @@ def acceleration_from_handle(view: CurveView, index: int, position: Vector, *, a
     base = _along(view.source.nodes[index].position, velocity, 2 * h / 5)
     factor = 20 / (h * h)
     return ((position[0] - base[0]) * factor, (position[1] - base[1]) * factor)
+
+
+def with_velocities_pulled(view: CurveView, indices: Collection[int], visible: float) -> Curve:
+    """Return the curve with explicit velocities at these nodes whose handles can be seen.
+
+    A handle nearer to its node than `visible` is pulled out by a third of the way to the neighbour, in the
+    direction of the velocity, or along the curve's points where that is zero.
+
+    Raises
+    ------
+    EditError
+        If there is no curve, or the neighbours lie at the same place.
+    """
+    document = Document((view.source,))
+    for index in indices:
+        for ahead in _own_sides(view, index):
+            document = set_velocity(document, 0, index, _pulled(view, index, visible, ahead), ahead=ahead)
+    return document.curves[0]
+
+
+def _own_sides(view: CurveView, index: int) -> list[bool]:
+    """Return the sides of a node with velocities of their own: at a corner both, else ahead of it."""
+    if not view.source.nodes[index].corner:
+        return [True]
+    return [ahead for ahead in (False, True) if view.spacing(index, ahead=ahead) is not None]
+
+
+def _pulled(view: CurveView, index: int, visible: float, ahead: bool) -> Vector:
+    """Return a velocity whose handle can be seen: the present one, or one that points the same way."""
+    velocity, h = view.velocity_of(index, ahead=ahead), _signed_spacing(view, index, ahead=ahead)
+    if velocity is None or h is None:
+        raise EditError(f"There is no tangent at point {index} yet. {view.problem}")
+    if math.hypot(*velocity) * abs(h) / _degree(view) >= visible:
+        return velocity
+    before, after = _neighbours(view, index)
+    if view.source.nodes[index].corner:
+        p = view.source.nodes[index].position
+        before, after = (p, after) if ahead else (before, p)
+    direction = velocity if math.hypot(*velocity) > 0 else (after[0] - before[0], after[1] - before[1])
+    length, reach = math.hypot(*direction), _way_to_neighbour(view, index, ahead=ahead)
+    if length == 0 or reach == 0:
+        raise EditError(f"The neighbours of point {index} give its velocity no direction or length.")
+    factor = reach / 3 * _degree(view) / abs(h) / length
+    return (direction[0] * factor, direction[1] * factor)
+
+
+def _neighbours(view: CurveView, index: int) -> tuple[Vector, Vector]:
+    """Return the points before and after a node; at an end the node itself is one of them."""
+    nodes, last = view.source.nodes, len(view.source.nodes) - 1
+    if view.source.is_closed:
+        return nodes[index - 1].position, nodes[(index + 1) % len(nodes)].position
+    return nodes[max(index - 1, 0)].position, nodes[min(index + 1, last)].position
+
+
+def _way_to_neighbour(view: CurveView, index: int, *, ahead: bool) -> float:
+    before, after = _neighbours(view, index)
+    p = view.source.nodes[index].position
+    return math.dist(p, after if ahead else before) or math.dist(p, before if ahead else after)
 
 
 def _signed_spacing(view: CurveView, index: int, *, ahead: bool) -> float | None:

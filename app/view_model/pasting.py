@@ -7,8 +7,16 @@ from itertools import pairwise
 
 from msgspec.structs import replace
 
-from app.document.edits import EditError, append_node, freeze_parameters, insert_nodes, set_nodes, stretched
-from app.document.model import Curve, Document, Node, ParametrizationKind, make_curve
+from app.document.edits import (
+    EditError,
+    append_node,
+    freeze_parameters,
+    insert_nodes,
+    set_interval,
+    set_nodes,
+    stretched,
+)
+from app.document.model import Curve, Document, Node, Parametrization, ParametrizationKind, make_curve
 from app.view_model.curve_view import CurveView, appended_parameter, appended_squeeze, view_of
 
 
@@ -120,16 +128,29 @@ def _columns(width: int) -> str:
 
 
 def as_new_curve(like: Curve, pasted: Sequence[Node], name: str) -> Curve:
-    """Return a curve of `pasted` under the rules of `like`; manual where the points carry parameters."""
+    """Return a curve of `pasted` with the family and tangent rules of `like`; manual where they carry t.
+
+    Otherwise its parameters are those of every new curve: interval and rule of another say nothing of it.
+    """
     curve = replace(make_curve((), name=name, family=like.family), nodes=tuple(pasted))
-    rules = like.parametrization
-    if all(node.t is not None for node in pasted):
-        rules = replace(rules, kind=ParametrizationKind.MANUAL)
-    elif like.is_manual:
-        rules = replace(rules, kind=ParametrizationKind.CHORD_LENGTH)
+    timed = all(node.t is not None for node in pasted)
+    kind = ParametrizationKind.MANUAL if timed else ParametrizationKind.CHORD_LENGTH
     return replace(
         curve,
-        parametrization=rules,
+        parametrization=Parametrization(kind),
         velocity_rule=like.velocity_rule,
         acceleration_rule=like.acceleration_rule,
     )
+
+
+def copied_as_new_curve(copy: Curve, name: str) -> Curve:
+    """Return a curve of points that were copied with their rules; its parameters span 0 … 1.
+
+    Under a rule the parameters that came along are only distances; the rule gives its own. Manual ones are
+    mapped, and the derivatives with them: the shape is that of the copy.
+    """
+    if not copy.is_manual or len(copy.nodes) < 2:
+        nodes = tuple(replace(node, t=None) for node in copy.nodes)
+        kind = ParametrizationKind.CHORD_LENGTH if copy.is_manual else copy.parametrization.kind
+        copy = replace(copy, nodes=nodes, parametrization=replace(copy.parametrization, kind=kind))
+    return replace(set_interval(Document((copy,)), 0, 0.0, 1.0).curves[0], name=name)

@@ -15,7 +15,7 @@ from msgspec.structs import replace
 from app.document.curve_edits import reverse_curve
 from app.document.edits import EditError, freeze_parameters, stretched
 from app.document.model import Curve, Document, Node, Vector
-from app.view_model.curve_view import CurveView, Floats, view_of
+from app.view_model.curve_view import CurveView, Floats, Integers, view_of
 from app.view_model.jets import Sides
 from app.view_model.measure import dense, largest_distance
 
@@ -57,7 +57,7 @@ def baked(view: CurveView) -> Curve:
     curve = document.curves[0]
     if view.sides is None:
         return curve
-    nodes = (_with_jets(node, view.sides, index) for index, node in enumerate(curve.nodes))
+    nodes = (with_jets(node, view.sides, index) for index, node in enumerate(curve.nodes))
     return replace(curve, nodes=tuple(nodes))
 
 
@@ -67,8 +67,8 @@ def refuse_without_curve(view: CurveView) -> None:
         raise EditError(f"There is no curve yet. {view.problem}")
 
 
-def _with_jets(node: Node, sides: Sides, index: int) -> Node:
-    """Return `node` with the derivatives at knot `index` made explicit."""
+def with_jets(node: Node, sides: Sides, index: int) -> Node:
+    """Return `node` with the derivatives at knot `index` made explicit, on both sides of a corner."""
     names = ("velocity", "acceleration")[: sides.before.shape[1] - 1]
     changed: dict[str, Vector] = {}
     for order, name in enumerate(names, start=1):
@@ -103,7 +103,8 @@ def with_point_inserted(view: CurveView, t: float) -> Reshaped:
     node = _sampled(view, t)
     if curve.is_manual:
         grown = replace(curve, nodes=(*curve.nodes[:index], node, *curve.nodes[index:]))
-        grown = _with_changed_estimates(view, grown, index)
+        own = np.arange(len(curve.nodes))
+        grown = estimates_kept(view, grown, own, np.where(own < index, own, own + 1))
         after = view_of(grown)
         return Reshaped(grown, _change(view, after, after.parameters))
     node = replace(node, t=None)
@@ -132,24 +133,24 @@ def _sampled(view: CurveView, t: float) -> Node:
     return Node(*position, t=t, velocity=velocity, acceleration=acceleration)
 
 
-def _with_changed_estimates(before: CurveView, grown: Curve, index: int) -> Curve:
-    """Make explicit, as they were in `before`, the estimates that node `index` of `grown` changed."""
-    after = view_of(grown)
+def estimates_kept(before: CurveView, changed: Curve, old: Integers, new: Integers) -> Curve:
+    """Make explicit, as they were in `before`, the estimates that are others in `changed`.
+
+    The nodes `old` of the curve before are the nodes `new` of the changed one.
+    """
+    after = view_of(changed)
     refuse_without_curve(after)
     if before.sides is None or after.sides is None:
-        return grown
-    kept = np.delete(np.arange(len(grown.nodes)), index)
-    count = len(kept)
-    changed = np.zeros(count, dtype=bool)
-    for old, new in ((before.sides.before, after.sides.before), (before.sides.after, after.sides.after)):
-        scale = np.abs(old[:, 1:]).max(axis=(0, 2), keepdims=True)
-        moved = np.abs(new[kept, 1:] - old[:count, 1:]) > _ROUNDING * scale
-        changed |= moved.any(axis=(1, 2))
-    nodes = list(grown.nodes)
-    for old_index in np.flatnonzero(changed).tolist():
-        place = int(kept[old_index])
-        nodes[place] = _with_jets(nodes[place], before.sides, old_index)
-    return replace(grown, nodes=tuple(nodes))
+        return changed
+    others = np.zeros(len(old), dtype=bool)
+    for was, now in ((before.sides.before, after.sides.before), (before.sides.after, after.sides.after)):
+        scale = np.abs(was[:, 1:]).max(axis=(0, 2), keepdims=True)
+        moved = np.abs(now[new, 1:] - was[old, 1:]) > _ROUNDING * scale
+        others |= moved.any(axis=(1, 2))
+    nodes = list(changed.nodes)
+    for old_index, place in zip(old[others].tolist(), new[others].tolist(), strict=True):
+        nodes[place] = with_jets(nodes[place], before.sides, old_index)
+    return replace(changed, nodes=tuple(nodes))
 
 
 def _stretched_along(before: CurveView, grown: Curve, index: int, t: float) -> Curve:

@@ -52,6 +52,23 @@ def test_it_reads(text, value):
 @pytest.mark.parametrize(
     ("text", "value"),
     [
+        ("0,8", 0.8),
+        ("-1,25", -1.25),
+        ("−1,25", -1.25),
+        ("+0,5", 0.5),
+        (" 1,5e-3 ", 1.5e-3),
+        ("0,125", 0.125),
+        ("1234,567", 1234.567),
+        ("1,2345", 1.2345),
+    ],
+)
+def test_a_comma_that_can_only_be_a_decimal_mark(text, value):
+    assert parse_number(text) == value
+
+
+@pytest.mark.parametrize(
+    ("text", "value"),
+    [
         ("1,5", 1.5),
         ("-,5", -0.5),
         ("1,5e-3", 1.5e-3),
@@ -71,7 +88,11 @@ def test_with_a_decimal_comma(text, value):
     [
         ("", ".", "missing"),
         ("abc", ".", "“abc” is not a number"),
-        ("1,5", ".", "1.5 with a point"),
+        ("1,234", ".", "1.234 with a point"),
+        ("-12,345", ".", "unclear"),
+        ("1,234e2", ".", "unclear"),
+        ("1,5+1", ".", "unclear"),
+        ("1.5,5", ".", "group separators"),
         ("1,234,567", ".", "1,234"),
         ("1,234.5", ".", "group separators"),
         ("1.234,5", ",", "group separators"),

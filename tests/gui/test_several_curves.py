@@ -10,6 +10,7 @@ from PySide6.QtGui import QContextMenuEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 
+from app.document.curve_edits import set_colour
 from app.document.model import Document, Family, make_curve
 from app.panels.curve_list_view import Spot, spot_rect
 
@@ -181,6 +182,31 @@ def test_a_colour_is_chosen_from_the_palette_by_keys(three):
         QTest.keyClick(menu, key)
     three.settle()
     assert three.curve.colour == "#0072b2"
+
+
+def test_a_copy_has_the_next_colour_that_is_free(three):
+    three.session.commit(set_colour(three.session.document, 1, "#0072b2"), "Blue")
+    three.session.commit(set_colour(three.session.document, 0, "#d55e00"), "Vermillion")
+    three.session.activate(1)
+    three.trigger("duplicateCurve")
+    assert three.curve.colour == "#009e73"
+    three.session.activate(3)
+    assert three.curve.colour == ""
+    three.trigger("duplicateCurve")
+    assert three.curve.colour == ""
+
+
+def test_the_points_of_a_hidden_curve_are_faint_while_it_is_edited(three):
+    def ink():
+        x, y = three.window.canvas.to_pixel(*three.point(1)).toTuple()
+        colour = three.window.canvas.viewport().grab().toImage().pixelColor(x, y)
+        return colour.hslSaturation()
+
+    strong = ink()
+    three.trigger("curveVisible")
+    assert ink() < strong
+    three.trigger("curveVisible")
+    assert ink() == strong
 
 
 def test_escape_leaves_the_palette_and_the_colour(three):

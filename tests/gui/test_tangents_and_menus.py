@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import numpy as np
 import pytest
 from PySide6.QtCore import QLocale, Qt
 from PySide6.QtGui import QGuiApplication
 from PySide6.QtTest import QTest
 
-from app.document.model import Document, Family, ParametrizationKind, make_curve
+from app.document import edits
+from app.document.model import Document, Family, Parametrization, ParametrizationKind, make_curve
 
 CTRL = Qt.KeyboardModifier.ControlModifier
 SHIFT = Qt.KeyboardModifier.ShiftModifier
@@ -69,11 +71,84 @@ def test_estimated_leaves_everything_to_the_rules(wave):
     wave.select([1, 2])
     wave.trigger("tangentCorner")
     assert wave.session.undo_stack.undoText() == "Corner at 2 points"
+    # The ends, whose estimates the corners would have changed, are estimated again as well.
+    wave.select([0, 1, 2, 3])
     wave.key(Qt.Key.Key_3, ALT)
     assert wave.curve.nodes == make_curve(WAVE).nodes
     for _ in range(2):
         wave.trigger("undo")
     assert wave.curve.nodes == make_curve(WAVE).nodes
+
+
+@pytest.mark.parametrize("closed", [False, True])
+@pytest.mark.parametrize("family", [Family.HERMITE, Family.QUINTIC_HERMITE])
+def test_a_corner_moves_nothing_before_it_is_touched(wave, family, closed):
+    wave.choose_family(family)
+    if closed:
+        wave.trigger("closeCurve")
+    before = wave.session.active_view.curve.evaluate(np.linspace(0, 1, 999))
+    wave.select([1])
+    wave.key(Qt.Key.Key_2, ALT)
+    assert wave.curve.nodes[1].corner
+    assert wave.session.active_view.curve.evaluate(np.linspace(0, 1, 999)) == pytest.approx(before, abs=1e-13)
+    wave.key(Qt.Key.Key_1, ALT)
+    assert not wave.curve.nodes[1].corner
+    assert wave.session.active_view.curve.evaluate(np.linspace(0, 1, 999)) == pytest.approx(before, abs=1e-13)
+
+
+def marked(editor):
+    names = ("tangentSmooth", "tangentCorner", "tangentEstimated")
+    return [name.removeprefix("tangent") for name in names if editor.action(name).isChecked()]
+
+
+def test_the_menu_marks_what_the_points_are(wave):
+    assert marked(wave) == []
+    wave.select([1])
+    assert marked(wave) == ["Estimated"]
+    wave.trigger("tangentCorner")
+    assert marked(wave) == ["Corner"]
+    wave.trigger("tangentCorner")
+    assert marked(wave) == ["Corner"]
+    wave.trigger("tangentSmooth")
+    assert marked(wave) == ["Smooth"]
+    wave.trigger("tangentCorner")
+    wave.select([1, 2])
+    assert marked(wave) == []
+    wave.select([])
+    assert marked(wave) == []
+
+
+def test_a_hidden_velocity_is_pulled_out(wave):
+    wave.select([1])
+    wave.session.commit(edits.set_velocity(wave.session.document, 0, 1, (0.0, 0.0)), "Stop")
+    wave.open_menu(wave.point(1))
+    wave.choose("pullVelocity")
+    assert wave.session.undo_stack.undoText() == "Pull out velocity of point 1"
+    # Along the points, from (0, 0) to (2, 0), a third of the way to (2, 0).
+    assert wave.handle(ahead=True).position == pytest.approx((1 + 2**0.5 / 3, 1))
+    document = wave.session.document
+    wave.trigger("pullVelocity")
+    assert wave.session.document is document
+    assert wave.status == "The velocity stands out already; drag the square handle."
+    wave.trigger("undo")
+    assert wave.curve.nodes[1].velocity == (0, 0)
+
+
+def test_an_estimated_velocity_that_is_seen_becomes_explicit_as_it_is(wave):
+    wave.select([0, 3])
+    before = wave.session.active_view
+    wave.trigger("pullVelocity")
+    assert wave.session.undo_stack.undoText() == "Pull out velocity of 2 points"
+    assert wave.curve.nodes[3].velocity == before.velocity_of(3, ahead=False)
+    assert wave.session.active_view.polyline == pytest.approx(before.polyline)
+
+
+def test_both_velocities_of_a_corner_are_pulled_out(wave):
+    wave.select([1])
+    wave.session.commit(edits.make_corner(wave.session.document, 0, 1, (0, 0), (0, 0)), "Corner")
+    wave.trigger("pullVelocity")
+    assert wave.handle(ahead=True).position == pytest.approx((4 / 3, 2 / 3))
+    assert wave.handle(ahead=False).position == pytest.approx((2 / 3, 2 / 3))
 
 
 def test_an_end_is_no_corner(wave):
@@ -112,6 +187,48 @@ def test_the_table_tells_which_side_of_a_corner_it_shows(wave):
     tip = model.data(model.index(1, 3), Qt.ItemDataRole.ToolTipRole)
     assert "before the corner" in tip
     assert "before the corner" not in model.data(model.index(2, 3), Qt.ItemDataRole.ToolTipRole)
+
+
+def test_the_table_marks_a_corner(wave):
+    table = wave.window.point_table
+    model, changed = table.model(), []
+    disc = model.headerData(1, Qt.Orientation.Vertical, Qt.ItemDataRole.DecorationRole).toImage()
+    wave.select([1])
+    wave.trigger("tangentSmooth")
+    model.dataChanged.connect(lambda top, bottom: changed.append((top.row(), bottom.row())))
+    wave.trigger("tangentCorner")
+    # The numbers are those before; the mark is new.
+    assert any(top <= 1 <= bottom for top, bottom in changed)
+    assert [model.shows_one_side(row, 3) for row in range(4)] == [False, True, False, False]
+    assert not model.shows_one_side(1, 1)
+    assert model.headerData(1, Qt.Orientation.Vertical, Qt.ItemDataRole.DecorationRole).toImage() != disc
+    assert "Point 1, a corner" in model.headerData(1, Qt.Orientation.Vertical, Qt.ItemDataRole.ToolTipRole)
+    assert "after it" in model.data(model.index(1, 3), Qt.ItemDataRole.AccessibleTextRole)
+    place = table.visualRect(model.index(1, 3)).topLeft()
+    inside = table.viewport().grab().toImage().pixelColor(place.x() + 3, place.y() + 3)
+    wave.trigger("tangentEstimated")
+    assert not model.shows_one_side(1, 3)
+    assert table.viewport().grab().toImage().pixelColor(place.x() + 3, place.y() + 3) != inside
+
+
+def test_a_click_on_a_handle_over_a_point_selects_the_point(wave):
+    velocity = (1.0, -1.0)
+    span = wave.parameters[2] - wave.parameters[1]
+    reach = tuple(3 * part / span for part in velocity)
+    wave.session.commit(edits.set_velocity(wave.session.document, 0, 1, reach), "Aim")
+    wave.select([1])
+    assert wave.handle().position == pytest.approx(wave.point(2))
+    document = wave.session.document
+    wave.click(wave.point(2))
+    assert wave.session.selection == {2}
+    assert wave.session.document is document
+    wave.select([1])
+    wave.click(wave.point(2), keys=SHIFT)
+    assert wave.session.selection == {1, 2}
+    wave.select([1])
+    wave.drag_handle((2.5, 0.5))
+    assert wave.point(2) == (2, 0)
+    assert wave.curve.nodes[1].velocity != pytest.approx(reach)
 
 
 def test_a_corner_s_own_side_counts_as_set_by_the_person(wave):
@@ -201,7 +318,63 @@ def test_there_is_no_menu_in_the_middle_of_a_drag(wave):
     wave.escape()
 
 
+def test_a_right_press_takes_a_drag_back_and_opens_no_menu(wave):
+    document = wave.session.document
+    wave.press(wave.point(1))
+    wave.move((1, 2))
+    assert wave.session.document is not document
+    with pytest.raises(LookupError, match="no menu open"):
+        wave.open_menu((1, 2))
+    assert wave.session.document is document
+    wave.move((2, 2))
+    wave.release((2, 2))
+    assert wave.session.document is document
+    wave.open_menu((1.5, 1.4))
+    close(wave)
+
+
+def test_the_menu_of_the_canvas_has_snap_beside_grid(wave):
+    names = list(entries(wave.open_menu((1.5, 1.4))))
+    assert names.index("toggleSnap") == names.index("toggleGrid") + 1
+    close(wave)
+
+
 # Points on the clipboard
+
+
+@pytest.mark.parametrize("name", ["pastePoints", "pasteAsCurve"])
+def test_points_pasted_out_of_sight_are_brought_into_view(wave, name):
+    wave.paste_text("40 0\n50 10")
+    wave.trigger(name)
+    assert wave.window.canvas.shows_all_points
+
+
+def test_a_new_curve_begins_with_parameters_of_its_own(wave):
+    document = edits.set_interval(wave.session.document, 0, 0.5, 2.0)
+    wave.session.commit(document, "Interval")
+    wave.trigger("freezeParameters")
+    wave.paste_text("0 5\n1 6\n2 5")
+    wave.trigger("pasteAsCurve")
+    assert wave.curve.parametrization == Parametrization()
+    wave.session.activate(0)
+    wave.trigger("newCurve")
+    assert (wave.curve.family, wave.curve.parametrization) == (Family.HERMITE, Parametrization())
+    wave.session.activate(0)
+    before = wave.session.active_view.curve.evaluate(np.linspace(0.5, 2, 99))
+    wave.trigger("selectAll")
+    wave.trigger("copyPoints")
+    wave.trigger("pasteAsCurve")
+    assert wave.parameters[0] == 0
+    assert wave.parameters[-1] == 1
+    assert wave.session.active_view.curve.evaluate(np.linspace(0, 1, 99)) == pytest.approx(before, abs=1e-13)
+
+
+def test_an_empty_document_shows_t_from_0_to_1(wave):
+    wave.session.commit(edits.set_interval(wave.session.document, 0, 0.5, 2.0), "Interval")
+    wave.new()
+    low, _, high, _ = wave.window.basis_panel.pixel_map.box
+    assert low == pytest.approx(-0.035, abs=1e-3)
+    assert high == pytest.approx(1.035, abs=1e-3)
 
 
 def test_points_are_copied_to_another_curve_with_their_derivatives(wave):

@@ -12,6 +12,7 @@ from app.document.model import Document, Family, Node, ParametrizationKind, Velo
 from app.view_model.curve_view import view_of
 from app.view_model.measure import dense
 from app.view_model.reshape import baked, reversed_curve, with_point_inserted
+from app.view_model.smoothness import made_smooth, with_corners
 from app.view_model.split_join import joined, split
 
 POINTS = ((0.0, 0.0), (1.0, 2.0), (3.0, 2.5), (4.0, 0.0), (6.0, -1.0), (7.0, 1.0))
@@ -325,3 +326,47 @@ def test_a_corner_at_the_seam_has_two_sides():
     assert closed.velocity_of(0, ahead=True) == pytest.approx(tuple(closed.curve.evaluate(start, 1)))
     assert closed.velocity_of(0, ahead=False) == pytest.approx(tuple(closed.curve.evaluate(end, 1)))
     assert closed.velocity_of(0, ahead=True) != pytest.approx(closed.velocity_of(0, ahead=False))
+
+
+# Corners
+
+
+@pytest.mark.parametrize("closed", [False, True])
+@pytest.mark.parametrize("rule", VelocityRule)
+@pytest.mark.parametrize("family", HERMITE)
+@pytest.mark.parametrize("chosen", [[2], [1, 2, 4]])
+def test_corners_and_smooth_points_keep_the_shape(family, rule, closed, chosen):
+    before = view(family, closed=closed, velocity_rule=rule, manual=False)
+    cornered = view_of(with_corners(before, chosen))
+    assert [index for index, node in enumerate(cornered.source.nodes) if node.corner] == chosen
+    assert distance(before, cornered) < ROUNDING
+    smooth = view_of(made_smooth(cornered, chosen))
+    assert not any(node.corner for node in smooth.source.nodes)
+    assert distance(before, smooth) < ROUNDING
+
+
+def test_the_start_of_a_closed_curve_may_be_a_corner():
+    before = view(Family.QUINTIC_HERMITE, closed=True, manual=False)
+    cornered = view_of(with_corners(before, [0]))
+    assert cornered.source.nodes[0].velocity_after == before.velocity_of(0)
+    assert distance(before, cornered) < ROUNDING
+    assert distance(before, view_of(made_smooth(cornered, [0]))) < ROUNDING
+
+
+def test_smooth_changes_nothing_but_beside_the_corner():
+    cornered = view_of(with_corners(view(points=[(float(x), float(x % 3)) for x in range(9)]), [4]))
+    document = edits.set_velocity(Document((cornered.source,)), 0, 4, (30.0, -20.0), ahead=True)
+    turned = view_of(document.curves[0])
+    smooth = view_of(made_smooth(turned, [4]))
+    assert smooth.velocity_of(4) == pytest.approx(
+        (np.array(turned.velocity_of(4)) + turned.velocity_of(4, ahead=False)) / 2
+    )
+    t = np.append(np.linspace(0, turned.parameters[3]), np.linspace(turned.parameters[5], 1))
+    assert np.abs(turned.curve.evaluate(t) - smooth.curve.evaluate(t)).max() < ROUNDING
+
+
+def test_without_a_curve_there_are_no_tangents():
+    nothing = view_of(make_curve([(0, 0)], family=Family.HERMITE))
+    for make in (with_corners, made_smooth):
+        with pytest.raises(EditError, match="no tangent at point 0"):
+            make(nothing, [0])
