@@ -13,6 +13,8 @@ _SAID_MS = 6000
 _READ_MS = 1500
 """How long a sentence stays in any case, before a new hint may take its place."""
 
+_SOON_MS = 33
+
 _SAME_PRESS_MS = 200
 """A sentence this young was said by the press that begins a gesture: the focus left a field, for instance."""
 
@@ -42,9 +44,12 @@ class StatusLine(QStatusBar):
         for label in (self._place, self._t, self._lebesgue):
             self.addPermanentWidget(label)
         self._progress = self._tip = self._said = self._hint = ""
+        self._place_now: Vector | None = None
         self._t_here: float | None = None
         self._t_scrub: float | None = None
         self.unit = ""
+        self._soon = QTimer(self, singleShot=True, interval=_SOON_MS)
+        self._soon.timeout.connect(self._render)
         self._timer = QTimer(self, singleShot=True, interval=_SAID_MS)
         # A coarse timer would not know a press's own sentence from an older one.
         self._timer.setTimerType(Qt.TimerType.PreciseTimer)
@@ -53,7 +58,7 @@ class StatusLine(QStatusBar):
     @property
     def text(self) -> str:
         """The sentence at the left."""
-        return self._label.text()
+        return self._progress or self._tip or self._said or self._hint
 
     @property
     def hint(self) -> str:
@@ -61,7 +66,15 @@ class StatusLine(QStatusBar):
         return self._hint
 
     def _render(self) -> None:
-        self._label.setText(self._progress or self._tip or self._said or self._hint)
+        self._soon.stop()
+        self._label.setText(self.text)
+        self._place.setText(self._place_text())
+        self._t.setText(self._t_text())
+
+    def _render_soon(self) -> None:
+        """Write what changes with every move: a label lays the whole line out, which takes time from a drag."""
+        if not self._soon.isActive():
+            self._soon.start()
 
     def show_hint(self, text: str) -> None:
         """Show what a press would do; a sentence just said stays in front."""
@@ -76,9 +89,11 @@ class StatusLine(QStatusBar):
     def show_progress(self, text: str) -> None:
         """Show how far a gesture has come, in place of what was said before it; empty when it has ended."""
         self._progress = text
-        if text:
-            self._said = self._tip = ""
-        self._render()
+        if not text:
+            self._render()
+            return
+        self._said = self._tip = ""
+        self._render_soon()
 
     def show_tip(self, text: str) -> None:
         """Show what the entry under the pointer does; empty when the pointer has left it."""
@@ -108,27 +123,32 @@ class StatusLine(QStatusBar):
         self._progress = self._tip = self._hint = ""
         self._t_here = None
         self.forget_said()
-        self._render_t()
 
     def show_place(self, place: Vector | None) -> None:
         """Show where the pointer is on the canvas."""
+        self._place_now = place
+        self._render_soon()
+
+    def _place_text(self) -> str:
+        if self._place_now is None:
+            return ""
+        x, y = self._place_now
         unit = f" {self.unit}" if self.unit else ""
-        text = "" if place is None else f"x {place[0]:.4g}{unit}   y {place[1]:.4g}{unit}"
-        self._place.setText(text.replace("-", "−"))
+        return f"x {x:.4g}{unit}   y {y:.4g}{unit}".replace("-", "−")
 
     def show_t(self, t: float | None) -> None:
         """Show the t under the pointer; None when the pointer is elsewhere."""
         self._t_here = t
-        self._render_t()
+        self._render_soon()
 
     def show_scrub(self, t: float | None) -> None:
         """Show the t of the scrub line while the pointer is elsewhere; None without one."""
         self._t_scrub = t
-        self._render_t()
+        self._render_soon()
 
-    def _render_t(self) -> None:
+    def _t_text(self) -> str:
         t = self._t_scrub if self._t_here is None else self._t_here
-        self._t.setText("" if t is None else f"t {t:.4g}".replace("-", "−"))
+        return "" if t is None else f"t {t:.4g}".replace("-", "−")
 
     def show_lebesgue(self, basis: BasisView | None) -> None:
         """Show the Lebesgue constant of the functions on screen."""

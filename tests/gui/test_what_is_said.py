@@ -40,6 +40,8 @@ def enter(widget):
 
 
 def shown_t(editor):
+    # The numbers at the right follow the pointer at thirty a second.
+    QTest.qWait(50)
     return editor.window.status_line.findChild(QLabel, "pointerT").text()
 
 
