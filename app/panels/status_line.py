@@ -72,7 +72,7 @@ class StatusLine(QStatusBar):
         self._t.setText(self._t_text())
 
     def _render_soon(self) -> None:
-        """Write what changes with every move: a label lays the whole line out, which takes time from a drag."""
+        """Write what changes with every move, but not each time: a label lays the whole line out anew."""
         if not self._soon.isActive():
             self._soon.start()
 
