@@ -25,8 +25,8 @@ derivatives         c', c'' at many parameters, by a short cut
 bernstein_algebra   polynomials in Bernstein form: products, roots
 pieces              any curve as Bezier pieces of low degree
 geometry            curvature, box, inflections, extrema of curvature
-arc_length          lengths within a bound, and the way back
-nearest             the nearest point of a curve
+lengths             lengths within a bound, and the way back
+nearest_point       the nearest point of a curve
 intersections       where a curve crosses itself
 continuity          jumps at the joints, and the class that follows
 exact               polynomials through data, in integers
@@ -34,7 +34,7 @@ bezier_conversion   exact control points of any stretch, degree elevation
 stability           Lebesgue function and constant
 condition           condition numbers of monomial systems
 sensitivity         derivatives by the data, worst cases
-ensemble            curves with random errors
+ensembles           curves with random errors
 rounding            curves computed with k decimal digits, and the truth
 decimal_methods     its methods, operation by operation
 operation_counts    what they cost
@@ -46,59 +46,24 @@ of t - and ``basis(t)`` is B with shape (m, n, R).
 
 Arguments are copied and checked; attributes are read-only; there is no global
 state. Indices count from 0.
+
+
+What draws a curve is imported with the package; the analysis (lengths, geometry, continuity, stability,
+rounding and the like) when one of its names is first asked for.
 """
 
-from curvecore.arc_length import (
-    ArcLength,
-    Length,
-    arc_length,
-    equal_arc_length_parameters,
-    parameter_at_length,
-)
+from importlib import import_module
+from typing import TYPE_CHECKING
+
 from curvecore.bezier import CubicPath, bezier_segments, cubic_path
-from curvecore.bezier_conversion import LagrangeBezier, bezier_stretch, elevate_degree, lagrange_to_bezier
 from curvecore.chain import Chain
-from curvecore.condition import monomial_condition, segment_conditions, vandermonde_condition
-from curvecore.continuity import Joint, joint_report
 from curvecore.curve import Curve
-from curvecore.ensemble import Ensemble, ensemble
 from curvecore.errors import CurveError
 from curvecore.flatten import MAX_VERTICES, flatten, flatten_parameters
 from curvecore.frozen import FrozenFlattening
-from curvecore.geometry import (
-    Box,
-    CurvatureExtrema,
-    bounding_box,
-    curvature,
-    curvature_extrema,
-    curvature_of,
-    inflections,
-    speed,
-)
 from curvecore.hermite import HermiteCurve, LocalBasis, QuinticHermiteCurve
-from curvecore.intersections import SelfIntersections, self_intersections
 from curvecore.lagrange import LagrangeCurve
-from curvecore.nearest import Nearest, nearest
-from curvecore.operation_counts import OperationCounts, operation_counts
 from curvecore.parametrization import centripetal, chebyshev, chord_length, power, uniform
-from curvecore.rounding import (
-    Method,
-    available_methods,
-    digits_lost,
-    evaluate_rounded,
-    exact_values,
-    round_data,
-    rounded_decimals,
-)
-from curvecore.sensitivity import (
-    Band,
-    acceleration_sensitivity,
-    parameter_sensitivity,
-    point_sensitivity,
-    velocity_sensitivity,
-    worst_case_band,
-)
-from curvecore.stability import derivative_sums, lebesgue_constant, lebesgue_function
 from curvecore.tangents import (
     bessel_velocities,
     catmull_rom_velocities,
@@ -107,6 +72,90 @@ from curvecore.tangents import (
     natural_spline_velocities,
     zero_accelerations,
 )
+
+if TYPE_CHECKING:
+    from curvecore.bezier_conversion import LagrangeBezier, bezier_stretch, elevate_degree, lagrange_to_bezier
+    from curvecore.condition import monomial_condition, segment_conditions, vandermonde_condition
+    from curvecore.continuity import Joint, joint_report
+    from curvecore.ensembles import Ensemble, ensemble
+    from curvecore.geometry import (
+        Box,
+        CurvatureExtrema,
+        bounding_box,
+        curvature,
+        curvature_extrema,
+        curvature_of,
+        inflections,
+        speed,
+    )
+    from curvecore.intersections import SelfIntersections, self_intersections
+    from curvecore.lengths import (
+        ArcLength,
+        Length,
+        arc_length,
+        equal_arc_length_parameters,
+        parameter_at_length,
+    )
+    from curvecore.nearest_point import Nearest, nearest
+    from curvecore.operation_counts import OperationCounts, operation_counts
+    from curvecore.rounding import (
+        Method,
+        available_methods,
+        digits_lost,
+        evaluate_rounded,
+        exact_values,
+        round_data,
+        rounded_decimals,
+    )
+    from curvecore.sensitivity import (
+        Band,
+        acceleration_sensitivity,
+        parameter_sensitivity,
+        point_sensitivity,
+        velocity_sensitivity,
+        worst_case_band,
+    )
+    from curvecore.stability import derivative_sums, lebesgue_constant, lebesgue_function
+
+_ANALYSIS = {
+    "lengths": ["ArcLength", "Length", "arc_length", "equal_arc_length_parameters", "parameter_at_length"],
+    "bezier_conversion": ["LagrangeBezier", "bezier_stretch", "elevate_degree", "lagrange_to_bezier"],
+    "condition": ["monomial_condition", "segment_conditions", "vandermonde_condition"],
+    "continuity": ["Joint", "joint_report"],
+    "ensembles": ["Ensemble", "ensemble"],
+    "geometry": [
+        "Box",
+        "CurvatureExtrema",
+        "bounding_box",
+        "curvature",
+        "curvature_extrema",
+        "curvature_of",
+        "inflections",
+        "speed",
+    ],
+    "intersections": ["SelfIntersections", "self_intersections"],
+    "nearest_point": ["Nearest", "nearest"],
+    "operation_counts": ["OperationCounts", "operation_counts"],
+    "rounding": [
+        "Method",
+        "available_methods",
+        "digits_lost",
+        "evaluate_rounded",
+        "exact_values",
+        "round_data",
+        "rounded_decimals",
+    ],
+    "sensitivity": [
+        "Band",
+        "acceleration_sensitivity",
+        "parameter_sensitivity",
+        "point_sensitivity",
+        "velocity_sensitivity",
+        "worst_case_band",
+    ],
+    "stability": ["derivative_sums", "lebesgue_constant", "lebesgue_function"],
+}
+_MODULE_OF = {name: module for module, names in _ANALYSIS.items() for name in names}
 
 __all__ = [
     "MAX_VERTICES",
@@ -181,3 +230,17 @@ __all__ = [
     "worst_case_band",
     "zero_accelerations",
 ]
+
+
+def __getattr__(name: str) -> object:
+    """Import the analysis when it is first asked for."""
+    if name not in _MODULE_OF:
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    value: object = getattr(import_module(f"{__name__}.{_MODULE_OF[name]}"), name)
+    globals()[name] = value
+    return value
+
+
+def __dir__() -> list[str]:
+    """Name what is imported later, too."""
+    return sorted({*globals(), *__all__})
