@@ -21,7 +21,20 @@ NEW_NAME = empty_document().curves[0].name
 
 _LONGEST_STEM = 80
 _DOCUMENTS = f"Curvebench documents (*{SUFFIX});;All files (*)"
-_PICTURES = "PNG picture (*.png);;SVG drawing (*.svg);;PDF document (*.pdf)"
+_EXPORTS = ";;".join(
+    (
+        "PNG picture (*.png)",
+        "SVG drawing (*.svg)",
+        "PDF document (*.pdf)",
+        "DXF splines (*.dxf)",
+        "Python with NumPy (*.py)",
+        "Python with SciPy (*.scipy.py)",
+        "LaTeX formula (*.tex)",
+        "TikZ picture (*.tikz)",
+        "Table of samples (*.csv)",
+        "Polynomial coefficients (*.coefficients.json)",
+    )
+)
 
 
 class FileCommands:
@@ -96,22 +109,24 @@ class FileCommands:
         return True
 
     def ask_and_export(self) -> None:
-        """Let the person choose a picture file and write it."""
+        """Let the person choose a file and write the document there, as a picture, code or numbers."""
         start = self._preferences.last_folder / f"{file_stem(self._session)}.png"
-        name, chosen = QFileDialog.getSaveFileName(self._window, "Export", str(start), _PICTURES)
+        name, chosen = QFileDialog.getSaveFileName(self._window, "Export", str(start), _EXPORTS)
         if name:
             path = Path(name)
-            self.export(path if path.suffix else path.with_suffix(_suffix_of(chosen)))
+            self.export(path if path.suffix else path.with_name(path.name + _suffix_of(chosen)))
 
     def export(self, path: Path) -> None:
-        """Write a picture of the document."""
+        """Write the document in the format that the ending names, and say how exactly."""
         try:
-            export(self._session.document, path)
+            written = export(self._session.document, path)
         except (ExchangeError, StorageError, FormatError) as problem:
             self._warn(_sentence(f"{path.name} was not written", problem))
             return
         self._preferences.last_folder = path.parent
-        self._session.say(f"Wrote {path.name}.")
+        away = written.deviation
+        exact = f"at most {away:.2g} from the true curve" if away else "exact"
+        self._session.say(f"Wrote {path.name}, {exact}.")
 
     def _remember(self, path: Path) -> None:
         self._preferences.add_recent_file(path)

@@ -195,7 +195,7 @@ def test_recent_files_are_listed(editor, tmp_path):
     assert editor.window.recent_menu.actions()[0].text() == "mine.curve.json"
 
 
-@pytest.mark.parametrize("suffix", [".png", ".svg", ".pdf"])
+@pytest.mark.parametrize("suffix", [".png", ".svg", ".pdf", ".dxf", ".py", ".tex", ".tikz", ".csv"])
 def test_pictures_are_exported(editor, tmp_path, suffix):
     path = tmp_path / f"curve{suffix}"
     editor.window.export_file(path)
