@@ -85,7 +85,8 @@ class PlotWidget(pg.PlotWidget):  # type: ignore[misc]  # pyqtgraph has no types
     map_changed = Signal()
 
     def __init__(self, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+        # Menus of its own that are never shown take pyqtgraph a tenth of the start to build.
+        super().__init__(parent, enableMenu=False)
         self._layers: list[Layer] = []
         self._map: PixelMap | None = None
         self._pan_from: QPointF | None = None
@@ -110,6 +111,9 @@ class PlotWidget(pg.PlotWidget):  # type: ignore[misc]  # pyqtgraph has no types
         )
         box.sigRangeChanged.connect(self._forget_map)
         box.sigResized.connect(self._forget_map)
+        for name in ("left", "bottom", "top", "right"):
+            # There is no unit to put a prefix to, but pyqtgraph would lay its label out at every new range.
+            self.getAxis(name).enableAutoSIPrefix(False)
         for name in ("left", "bottom"):
             self.getAxis(name).setStyle(tickLength=5, tickTextOffset=4, hideOverlappingLabels=True)
         # The left axes of all plots have one width: they stay aligned, and nothing jumps when numbers grow.
