@@ -67,7 +67,9 @@ SPECS = (
         "save-as",
         "Save the document under another name",
     ),
-    ActionSpec("exportPicture", "Export…", "File", "Ctrl+E", "export", "Export a picture, splines, code or numbers"),
+    ActionSpec(
+        "exportPicture", "Export…", "File", "Ctrl+E", "export", "Export a picture, splines, code or numbers"
+    ),
     ActionSpec(
         "addImage",
         "Reference Image…",
