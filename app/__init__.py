@@ -12,7 +12,7 @@ The layers, top to bottom; a module imports only from its own layer and those ab
 - ``keymap``: which keys do what.
 - ``plot``: what canvas and basis panel share: a pixel map, fast drawing, pan and zoom.
 - ``canvas``, ``panels``: draw a value and report what the person did. They never call each other.
-- ``actions``, ``file_commands``, ``commands``: what can be done, and what it does.
+- ``action_specs``, ``actions``, ``file_commands``, ``commands``: what can be done, and what it does.
 - ``toolbar``, ``main_window``: build, dock, connect.
 - ``cli``: the command line.  ``testing``: a driver for pytest-qt.
 """

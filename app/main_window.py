@@ -16,7 +16,8 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from app.actions import MENUS, Actions
+from app.action_specs import MENUS
+from app.actions import Actions
 from app.canvas.canvas import Canvas
 from app.commands.connect import Commands
 from app.commands.curve_commands import CURVE_LIST_BUTTONS

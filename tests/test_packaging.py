@@ -10,7 +10,7 @@ from pathlib import Path
 import pytest
 
 import app
-from app.actions import SPECS
+from app.action_specs import SPECS
 from app.resources import resource
 
 ROOT = Path(__file__).resolve().parent.parent

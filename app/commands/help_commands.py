@@ -5,7 +5,7 @@ from __future__ import annotations
 from PySide6.QtWidgets import QMessageBox
 
 from app import __version__
-from app.actions import MENUS
+from app.action_specs import MENUS
 from app.commands.parts import Handlers, Parts
 from app.panels.shortcut_sheet import Moment, ShortcutSheet
 from app.view_model.curve_view import CurveView

@@ -9,7 +9,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtGui import QAction
 from PySide6.QtTest import QTest
 
-from app.actions import SPECS
+from app.action_specs import SPECS
 from app.document.model import Family, ParametrizationKind
 from app.panels.command_palette import CommandPalette
 from app.panels.fuzzy import fitness
