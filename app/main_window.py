@@ -81,7 +81,9 @@ class MainWindow(QMainWindow):
         self._render_file()
         self.canvas.fit()
         self.basis_pane.fit()
-        self._commands.messages.greet()
+        if self.session.path is None:
+            # Who opens a document came to work on it.
+            self._commands.messages.greet()
 
     # Building
 

@@ -163,11 +163,6 @@ class CanvasView(PlotWidget):
         """Show a picture behind the curves; without `pixels` the frame where it belongs."""
         self._image_layer.render(image, pixels)
 
-    @property
-    def is_grid_visible(self) -> bool:
-        """Whether the grid is shown."""
-        return self._grid.visible
-
     def _show_weights(self) -> None:
         layer, view, t = self._point_layer, self._view, self._scrub
         if t is None or view is None or view.curve is None or not view.is_current:

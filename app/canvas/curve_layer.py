@@ -47,11 +47,6 @@ class CurveLayer:
         self._fade.start()
 
     @property
-    def is_ghost_held(self) -> bool:
-        """Whether a ghost stands still for the length of a gesture."""
-        return self._ghost_held
-
-    @property
     def ghost_opacity(self) -> float:
         """How much of the ghost is seen, from 0 to 1."""
         if self._ghost_held:

@@ -8,10 +8,7 @@ from PySide6.QtGui import QAction
 from app.commands.parts import Parts
 from app.view_model.curve_view import CurveView
 
-_GREETING = (
-    "Drag a point and watch the basis functions below. "
-    "P adds points, 1 2 3 switch the family, F1 shows all keys."
-)
+_GREETING = "Drag a point and watch its functions below. P adds points, F1 shows all keys."
 _EMPTY = "Click on the canvas to add points; two of them make a curve."
 
 

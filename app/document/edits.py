@@ -131,12 +131,7 @@ def set_velocity(
 
     At a corner the one before the node, or the one `ahead` of it.
     """
-    if velocity is not None:
-        velocity = _checked_vector(velocity, f"the velocity of point {index}")
-    node = document.curves[curve].nodes[index]
-    if node.corner and ahead:
-        return _with_node(document, curve, index, replace(node, velocity_after=velocity))
-    return _with_node(document, curve, index, replace(node, velocity=velocity))
+    return _with_derivative(document, curve, index, "velocity", velocity, ahead=ahead)
 
 
 def set_acceleration(
@@ -146,12 +141,17 @@ def set_acceleration(
 
     At a corner the one before the node, or the one `ahead` of it.
     """
-    if acceleration is not None:
-        acceleration = _checked_vector(acceleration, f"the acceleration of point {index}")
+    return _with_derivative(document, curve, index, "acceleration", acceleration, ahead=ahead)
+
+
+def _with_derivative(
+    document: Document, curve: int, index: int, name: str, vector: Vector | None, *, ahead: bool
+) -> Document:
+    if vector is not None:
+        vector = _checked_vector(vector, f"the {name} of point {index}")
     node = document.curves[curve].nodes[index]
-    if node.corner and ahead:
-        return _with_node(document, curve, index, replace(node, acceleration_after=acceleration))
-    return _with_node(document, curve, index, replace(node, acceleration=acceleration))
+    side = f"{name}_after" if node.corner and ahead else name
+    return _with_node(document, curve, index, replace(node, **{side: vector}))
 
 
 def make_corner(

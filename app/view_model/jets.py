@@ -61,11 +61,6 @@ def corner_knots(arrays: NodeArrays, count: int) -> list[int]:
     return corners
 
 
-def knots_of(curve: Curve) -> tuple[Node, ...]:
-    """Return the nodes at the knots: for a closed curve, the first once more at the end."""
-    return (*curve.nodes, curve.nodes[0]) if curve.is_closed else curve.nodes
-
-
 def corners_of(curve: Curve) -> list[int]:
     """Return the nodes at which the curve may turn sharply; the ends of an open curve have one side only."""
     last = len(curve.nodes) - 1

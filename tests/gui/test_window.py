@@ -36,6 +36,12 @@ def test_the_first_start_shows_a_curve_and_a_hint(editor):
     assert not editor.session.is_modified
 
 
+def test_a_document_is_opened_without_a_greeting(qtbot, tmp_path):
+    session = Session()
+    session.save(tmp_path / "mine.curve.json")
+    assert Editor(qtbot, session).message == ""
+
+
 def test_switching_families_brings_the_same_curve_back(editor):
     editor.choose_family(Family.HERMITE)
     editor.session.commit(set_velocity(editor.session.document, 0, 2, (3.0, -1.0)), "Set velocity")
