@@ -45,7 +45,7 @@ class ActionSpec:
     submenu: str = ""
 
 
-MENUS = ("File", "Edit", "Curve", "View", "Help")
+MENUS = ("File", "Edit", "Curve", "Analysis", "View", "Help")
 
 SPECS = (
     ActionSpec("newDocument", "New", "File", "Ctrl+N", "new", "Start an empty document"),
@@ -467,6 +467,15 @@ SPECS = (
         "",
         "Give the selected points velocities of their own, with handles long enough to drag",
         separated=True,
+    ),
+    ActionSpec(
+        "overlayComb",
+        "Curvature Comb",
+        "Analysis",
+        "Ctrl+Alt+1",
+        "comb",
+        "Draw how the curve bends, at right angles to it",
+        checkable=True,
     ),
     ActionSpec("fitView", "Fit", "View", "F", "fit", "Show the whole curve"),
     ActionSpec("zoomIn", "Zoom In", "View", "+, =", "zoom-in", "Zoom in on the canvas"),

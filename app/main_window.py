@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from pathlib import Path
 
 from PySide6.QtCore import QEvent, Qt, QTimer
@@ -18,6 +19,7 @@ from PySide6.QtWidgets import (
 
 from app.action_specs import MENUS
 from app.actions import Actions
+from app.analysis import Analysis
 from app.canvas.canvas import Canvas
 from app.commands.connect import Commands
 from app.commands.curve_commands import CURVE_LIST_BUTTONS
@@ -34,6 +36,7 @@ from app.panels.curve_list import CurveList
 from app.panels.curve_settings import CurveSettings
 from app.panels.history import HistoryPanel
 from app.panels.image_panel import ImagePanel
+from app.panels.late_dock import LateDock
 from app.panels.message_bar import MessageBar
 from app.panels.parametrization_bar import ParametrizationBar
 from app.panels.point_table import PointTable
@@ -67,6 +70,7 @@ class MainWindow(QMainWindow):
         self.setWindowIcon(app_icon())
         self.setAcceptDrops(True)
         self.actions_by_name = Actions(self)
+        self.analysis = Analysis(self)
         self._build_plots()
         self._build_docks()
         self._build_bars()
@@ -113,21 +117,35 @@ class MainWindow(QMainWindow):
         curve = self._add_dock("curveDock", "Curve", self.curve_settings)
         curves = self._add_dock("curvesDock", "Curves", self.curve_list)
         history = self._add_dock("historyDock", "History", self.history)
-        self.tabifyDockWidget(curve, curves)
-        self.tabifyDockWidget(curves, history)
-        curve.raise_()
         self.image_panel = ImagePanel(self.session)
         self.image_dock = self._add_dock("imageDock", "Image", self.image_panel)
-        self.tabifyDockWidget(history, self.image_dock)
-        curve.raise_()
-        self.docks = (points, curve, curves, history, self.image_dock)
+        analysis = self._add_late_dock("analysisDock", "Analysis", self._build_analysis)
+        for upper in (curves, history):
+            self.tabifyDockWidget(points, upper)
+        for lower in (analysis, self.image_dock):
+            self.tabifyDockWidget(curve, lower)
+        for front in (points, curve):
+            front.raise_()
+        self.docks = (points, curves, history, curve, analysis, self.image_dock)
         self.resizeDocks([points], [360], Qt.Orientation.Horizontal)
         self.resizeDocks([points, curve], [480, 300], Qt.Orientation.Vertical)
 
+    def _build_analysis(self) -> QWidget:
+        from app.panels.analysis_panel import AnalysisPanel  # noqa: PLC0415
+
+        return AnalysisPanel(self.analysis, self.actions_by_name.__getitem__)
+
     def _add_dock(self, name: str, title: str, content: QWidget) -> QDockWidget:
         dock = QDockWidget(title, self)
-        dock.setObjectName(name)
         dock.setWidget(content)
+        return self._place_dock(dock, name)
+
+    def _add_late_dock(self, name: str, title: str, build: Callable[[], QWidget]) -> QDockWidget:
+        """Add a dock whose content is built when it is first shown: nobody waits for it at the start."""
+        return self._place_dock(LateDock(title, build, self), name)
+
+    def _place_dock(self, dock: QDockWidget, name: str) -> QDockWidget:
+        dock.setObjectName(name)
         dock.setAllowedAreas(Qt.DockWidgetArea.LeftDockWidgetArea | Qt.DockWidgetArea.RightDockWidgetArea)
         self.addDockWidget(Qt.DockWidgetArea.RightDockWidgetArea, dock)
         return dock
@@ -167,6 +185,7 @@ class MainWindow(QMainWindow):
         return Parts(
             window=self,
             session=self.session,
+            analysis=self.analysis,
             actions=self.actions_by_name,
             files=self._files,
             canvas=self.canvas,
@@ -253,6 +272,7 @@ class MainWindow(QMainWindow):
         self.canvas.render_others(self.session.views, self.session.active_index)
         self.basis_pane.render_view(view)
         self.table_panel.render_view(view)
+        self._commands.follow(view)
         if not self.session.is_previewing:
             self._render_panels()
         elif not self._panels_due.isActive():

@@ -12,6 +12,7 @@ from PySide6.QtWidgets import QWidget
 
 from app.canvas.corner_layer import CornerLayer
 from app.canvas.curve_layer import CurveLayer
+from app.canvas.figure_layer import FigureLayer
 from app.canvas.grid_layer import GridLayer
 from app.canvas.image_layer import ImageLayer
 from app.canvas.other_curves_layer import OtherCurvesLayer
@@ -20,6 +21,7 @@ from app.canvas.unit_layer import UnitLayer
 from app.document.model import Curve, ReferenceImage, Vector
 from app.plot.plot_widget import PlotWidget
 from app.theme import LIGHT, Theme
+from app.view_model.analysis.figures import Figure
 from app.view_model.basis_view import weights_at
 from app.view_model.curve_view import CurveView, Floats
 from app.view_model.handles import Handle
@@ -47,6 +49,7 @@ class CanvasView(PlotWidget):
         self._grid = GridLayer(self, LIGHT)
         self._units = UnitLayer(self, LIGHT)
         self._other_curves = OtherCurvesLayer(self, LIGHT)
+        self._figures = FigureLayer(self, LIGHT, z=-0.5)
         self._curve_layer = CurveLayer(self, LIGHT)
         self._point_layer = PointLayer(self, LIGHT)
         self._corner_layer = CornerLayer(self, LIGHT)
@@ -79,6 +82,15 @@ class CanvasView(PlotWidget):
         self._views = views
         self._other_curves.render(views, active)
 
+    def render_figures(self, figures: Sequence[Figure]) -> None:
+        """Show combs, vectors, bands and the like beside the active curve."""
+        self._figures.render(figures)
+
+    @property
+    def figures(self) -> Sequence[Figure]:
+        """What is shown beside the active curve."""
+        return self._figures.figures
+
     def _show_ghost_of_other_rules(self, view: CurveView) -> None:
         old = self._view
         if old is None or self.is_dragging or not old.is_current or not view.is_current:
@@ -108,13 +120,13 @@ class CanvasView(PlotWidget):
         self._theme = theme
         for layer in (self._image_layer, self._grid, self._units, self._curve_layer, self._point_layer):
             layer.theme = theme
-        self._other_curves.theme = self._corner_layer.theme = theme
+        self._other_curves.theme = self._corner_layer.theme = self._figures.theme = theme
         super().set_theme(theme)
 
     def set_scale(self, scale: float) -> None:
         """Enlarge points, lines and numbers, for a projector."""
         self._curve_layer.scale = self._point_layer.scale = scale
-        self._other_curves.scale = self._corner_layer.scale = scale
+        self._other_curves.scale = self._corner_layer.scale = self._figures.scale = scale
         super().set_scale(scale)
 
     def set_hovered(self, index: int) -> None:

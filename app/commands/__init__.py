@@ -3,6 +3,7 @@
 - ``parts``: the parts of a window that commands act on, and what a set of commands is.
 - ``edit_commands``: history, points, family and parameters.
 - ``selection_commands``: move, scale, rotate, align and distribute the selected points.
+- ``overlay_commands``: what is drawn over the curve to show why it goes where it goes.
 - ``snap_commands``: snapping, the grid's spacing and the unit, as the preferences have them.
 - ``view_commands``: tools, zoom, panels, presentation, theme.
 - ``rail_commands``: the menu of the t-rail.

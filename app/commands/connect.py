@@ -9,7 +9,8 @@ from app.commands.edit_commands import EditCommands
 from app.commands.help_commands import HelpCommands
 from app.commands.image_commands import ImageCommands
 from app.commands.messages import Messages
-from app.commands.parts import CommandSet, Handlers, Parts
+from app.commands.overlay_commands import OverlayCommands
+from app.commands.parts import CommandSet, Handlers, LiveSet, Parts
 from app.commands.rail_commands import RailCommands
 from app.commands.selection_commands import SelectionCommands
 from app.commands.snap_commands import SnapCommands
@@ -29,7 +30,9 @@ class Commands:
         self.snap = SnapCommands(parts)
         self.images = ImageCommands(parts, self.messages)
         curves = CurveCommands(parts)
+        self._live: tuple[LiveSet, ...] = (OverlayCommands(parts),)
         self._sets: tuple[CommandSet, ...] = (
+            *self._live,
             EditCommands(parts),
             SelectionCommands(parts),
             curves,
@@ -62,6 +65,11 @@ class Commands:
         self._parts.files.new()
         if not self._parts.session.active_curve.nodes:
             self._parts.actions["addTool"].trigger()
+
+    def follow(self, view: CurveView) -> None:
+        """Show what follows a drag frame by frame."""
+        for each in self._live:
+            each.follow(view)
 
     def render(self, view: CurveView) -> None:
         """Check and enable actions, and show the line on the canvas, as `view` has it."""

@@ -9,6 +9,7 @@ from typing import Protocol
 from PySide6.QtWidgets import QDockWidget, QMainWindow, QMenu, QToolBar
 
 from app.actions import Actions
+from app.analysis import Analysis
 from app.canvas.canvas import Canvas
 from app.document.edits import EditError
 from app.document.model import Document
@@ -33,6 +34,7 @@ class Parts:
 
     window: QMainWindow
     session: Session
+    analysis: Analysis
     actions: Actions
     files: FileCommands
     canvas: Canvas
@@ -75,3 +77,10 @@ class CommandSet(Protocol):
 
     def render(self, view: CurveView) -> None:
         """Check and enable the actions as the active curve and the selection have it."""
+
+
+class LiveSet(CommandSet, Protocol):
+    """Commands behind something that follows a drag frame by frame."""
+
+    def follow(self, view: CurveView) -> None:
+        """Show what belongs to `view`; called for every preview, hence quick where nothing is switched on."""

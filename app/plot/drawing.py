@@ -28,11 +28,16 @@ def visible_segments(points: Floats, width: float, height: float) -> Floats:
 
     Curves may reach 1e300 pixels; what is passed to Qt stays within the area and a small margin.
     """
-    starts, ends = points[:-1], points[1:]
+    return cut_segments(np.hstack([points[:-1], points[1:]]), width, height)
+
+
+def cut_segments(segments: Floats, width: float, height: float) -> Floats:
+    """Cut segments (m, 4) = x1, y1, x2, y2 in pixels to what lies near the visible area, as above."""
+    starts, ends = segments[:, :2], segments[:, 2:]
     low, high = np.minimum(starts, ends), np.maximum(starts, ends)
     limit = np.array([width + MARGIN, height + MARGIN])
     near = np.all((high >= -MARGIN) & (low <= limit), axis=1)
-    segments = np.hstack([starts[near], ends[near]])
+    segments = segments[near]
     is_long = np.any((segments < -MARGIN) | (segments > np.tile(limit, 2)), axis=1)
     if is_long.any():
         kept = np.ones(len(segments), dtype=bool)

@@ -119,7 +119,7 @@ class PlotWidget(pg.PlotWidget):  # type: ignore[misc]  # pyqtgraph has no types
         # The left axes of all plots have one width: they stay aligned, and nothing jumps when numbers grow.
         PlotWidget.set_scale(self, 1.0)
 
-    def add_layer(self, paint: Callable[[QPainter, PixelMap], None], *, z: int) -> Layer:
+    def add_layer(self, paint: Callable[[QPainter, PixelMap], None], *, z: float) -> Layer:
         """Add a layer that `paint` draws; higher `z` is nearer to the eye."""
         layer = Layer(self, paint)
         layer.setZValue(z)

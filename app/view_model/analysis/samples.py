@@ -1,0 +1,52 @@
+"""The curve and its derivatives at parameters that suit drawing."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+import numpy.typing as npt
+
+from app.view_model.curve_view import CurveView
+from curvecore.derivatives import derivatives_at
+
+Floats = npt.NDArray[np.float64]
+
+MOST = 600
+"""Samples of a whole curve; more are not told apart on a screen."""
+
+LEAST_A_SEGMENT = 6
+
+
+@dataclass(frozen=True, eq=False)
+class Samples:
+    """A piece of a curve without corners: parameters (m,), and c, c', c'' there, (m, 2) each."""
+
+    parameters: Floats
+    points: Floats
+    velocities: Floats
+    accelerations: Floats
+
+
+def samples_of(view: CurveView) -> list[Samples]:
+    """Return samples of every piece, the joints among them, one-sided at both ends of each segment.
+
+    A joint of a Hermite curve stands there twice: its second derivative is another one on either side.
+    """
+    if view.curve is None or not view.is_current:
+        return []
+    segments = len(view.parameters) - 1
+    return [
+        Samples(t, *derivatives_at(piece, t, (0, 1, 2)))
+        for piece in view.pieces
+        for t in [_parameters(piece.parameters, max(LEAST_A_SEGMENT, min(MOST // segments, 60)))]
+    ]
+
+
+def _parameters(knots: Floats, count: int) -> Floats:
+    """Return `count` parameters in every segment, the last of one segment just before the knot."""
+    shares = np.linspace(0.0, 1.0, count)
+    t = knots[:-1, None] + np.diff(knots)[:, None] * shares
+    t[:, -1] = np.nextafter(knots[1:], -np.inf)
+    t[-1, -1] = knots[-1]
+    return np.asarray(t.ravel())

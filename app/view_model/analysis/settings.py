@@ -1,0 +1,28 @@
+"""What is shown over the curve, and how: neither saved with the document nor undone."""
+
+from __future__ import annotations
+
+import enum
+
+import msgspec
+
+
+class Overlay(enum.StrEnum):
+    """Something that can be drawn over the curve."""
+
+    COMB = "comb"
+
+
+class AnalysisSettings(msgspec.Struct, frozen=True):
+    """Everything that can be chosen about overlays.
+
+    Attributes
+    ----------
+    overlays
+        What is switched on.
+    comb_scale
+        Length of the comb's teeth; 1 makes the longest a fifth of the curve's size.
+    """
+
+    overlays: frozenset[Overlay] = frozenset()
+    comb_scale: float = 1.0
