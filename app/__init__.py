@@ -8,7 +8,7 @@ The layers, top to bottom; a module imports only from its own layer and those ab
 - ``exchange``: files in and out. Qt only in ``image``.
 - ``resources``, ``examples``: what comes with the program.
 - ``session``: the one mutable owner of the current document, its history and the selection.
-- ``analysis``: what is shown over the curve beside the curve itself.
+- ``analysis``, ``settle``: what is shown over the curve; what is computed beside the window.
 - ``theme``, ``colours``, ``icons``, ``preferences``: how it looks; what is remembered between starts.
 - ``keymap``: which keys do what.
 - ``plot``: what canvas and basis panel share: a pixel map, fast drawing, pan and zoom.
