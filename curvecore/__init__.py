@@ -21,6 +21,7 @@ tangents            velocities and accelerations estimated from points
 bezier              exact and approximate Bezier control points
 flatten             polylines within a tolerance
 frozen              the same while points move and parameters stay
+moved_parameters    Lagrange functions after a few parameters moved
 derivatives         c', c'' at many parameters, by a short cut
 bernstein_algebra   polynomials in Bernstein form: products, roots
 pieces              any curve as Bezier pieces of low degree

@@ -3,7 +3,8 @@
 The curve is linear in its points. While the parameters stay, samples follow
 a moved point by B_i(t) times the way it went: no basis function is evaluated
 again. When parameters move, the curve is evaluated once at the same samples,
-not sampled and refined anew. Whether the samples still lie close enough is
+not sampled and refined anew; for a few of very many, from the functions there
+that are known. Whether the samples still lie close enough is
 read off the samples themselves. They start twice as close as the degree can
 make necessary, which is why nothing can hide between them.
 """
@@ -16,12 +17,15 @@ from numpy.typing import ArrayLike
 from curvecore.arrays import FloatArray, box_edges, tolerance_value
 from curvecore.flatten import Pieces, may_enter, merged_pieces, sampled_pieces, segment_distance
 from curvecore.lagrange import LagrangeCurve
+from curvecore.moved_parameters import MovedParameters
 
 __all__ = ["FrozenFlattening"]
 
 _FINER = 4.0  # of the tolerance: room for the curve to bend more before new samples are needed
 _MARGIN = 1.6  # on an estimate from one place for the whole of a piece
 _LIMIT = 1e300
+_MANY = 100  # points, from which on knowing all functions at all samples is worth it
+_MOST_KNOWN = 1 << 23  # values of functions kept, 64 MB
 _MOST_COLUMNS = 16  # moved points, above which evaluating anew is as fast
 
 
@@ -51,6 +55,7 @@ class FrozenFlattening:
             pieces = sampled_pieces(curve, self._tolerance / _FINER, self._edges)
         self._parameters, self._points = pieces.parameters, pieces.points
         self._columns: dict[int, FloatArray] = {}
+        self._moved: MovedParameters | None = None
 
     def follow(self, curve: LagrangeCurve) -> Pieces | None:
         """Return the polyline of another curve.
@@ -78,7 +83,7 @@ class FrozenFlattening:
     def _samples(self, curve: LagrangeCurve) -> FloatArray:
         """Return the curve at all samples, (m, 2)."""
         if not np.array_equal(curve.parameters, self._curve.parameters):
-            return np.clip(curve.evaluate(self._parameters), -_LIMIT, _LIMIT)
+            return np.clip(self._at_moved_parameters(curve), -_LIMIT, _LIMIT)
         moved = np.flatnonzero((curve.points != self._curve.points).any(axis=1))
         if len(moved) > _MOST_COLUMNS:
             return np.clip(curve.evaluate(self._parameters), -_LIMIT, _LIMIT)
@@ -87,6 +92,15 @@ class FrozenFlattening:
         columns = np.stack([self._column(index) for index in moved.tolist()], axis=1)
         way = curve.points[moved] - self._curve.points[moved]
         return np.clip(self._points + columns @ way, -_LIMIT, _LIMIT)
+
+    def _at_moved_parameters(self, curve: LagrangeCurve) -> FloatArray:
+        n = len(curve.parameters)
+        points = None
+        if n >= _MANY and n * len(self._parameters) <= _MOST_KNOWN:
+            if self._moved is None:
+                self._moved = MovedParameters(self._curve, self._parameters)
+            points = self._moved.evaluate(curve)
+        return curve.evaluate(self._parameters) if points is None else points
 
     def _column(self, index: int) -> FloatArray:
         """Return the basis function of a point at all samples, (m,)."""

@@ -58,18 +58,44 @@ class LagrangeCurve:
     says nothing about the sum itself: on many uniform parameters it is huge,
     and no method can do better with points given to 53 bits.
 
-    Construction takes O(n**2), evaluation O(n) operations per t; memory
-    beyond the result is bounded. Results beyond the floating point range
+    The first evaluation takes O(n**2) operations more than the later ones,
+    which take O(n) per t; memory beyond the result is bounded. Results beyond the floating point range
     become the largest finite number of their sign.
     """
 
-    __slots__ = ("_jets", "_nodes", "_parameters")
+    __slots__ = ("_jets", "_parameters", "_prepared")
 
     def __init__(self, points: ArrayLike, parameters: ArrayLike) -> None:
         data = point_array(points)
         self._jets = read_only(data[:, None, :])
         self._parameters = read_only(parameter_array(parameters, len(data)))
-        self._nodes = Nodes.of(self._parameters)
+        self._prepared: Nodes | None = None
+
+    @property
+    def _nodes(self) -> Nodes:
+        # Made when first needed: what draws a curve under a hand often knows a shorter way.
+        if self._prepared is None:
+            self._prepared = Nodes.of(self._parameters)
+        return self._prepared
+
+    def weight_ratios(self, index: int) -> FloatArray:
+        """Return w_i / w_index for all i, with w_i = 1 / prod_(j != i) (t_i - t_j).
+
+        Parameters
+        ----------
+        index : int
+            From 0 to n - 1.
+
+        Returns
+        -------
+        ndarray, shape (n,)
+            Infinite or 0 beyond the range of floating point.
+        """
+        weights = self._nodes.weights
+        mantissa = weights.mantissa / weights.mantissa[index]
+        exponent = np.clip(weights.exponent - weights.exponent[index], -5000, 5000)
+        with np.errstate(over="ignore", under="ignore"):
+            return np.asarray(np.ldexp(mantissa, exponent.astype(np.intc)))
 
     @property
     def points(self) -> FloatArray:
@@ -175,5 +201,5 @@ class LagrangeCurve:
         curve = object.__new__(LagrangeCurve)
         curve._jets = read_only(jet_array(jets, (len(self._parameters), 1)))
         curve._parameters = self._parameters
-        curve._nodes = self._nodes
+        curve._prepared = self._nodes
         return curve

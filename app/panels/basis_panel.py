@@ -81,7 +81,7 @@ class BasisPanel(PlotWidget):
         if _is_of(self._basis, view):
             return
         old = self._basis
-        self._basis = basis_view(view)
+        self._basis = basis_view(view, self._basis)
         self._functions.render(self._basis)
         self._rail.render(self._basis)
         moved = self._basis is not None and (old is None or old.curve.domain != self._basis.curve.domain)

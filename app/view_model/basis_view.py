@@ -12,9 +12,13 @@ import numpy as np
 from app.document.model import Family
 from app.view_model.curve_view import CurveView, Floats, Integers, SimpleCurve
 from curvecore import HermiteCurve, LagrangeCurve, QuinticHermiteCurve
+from curvecore.moved_parameters import MovedParameters
 
 SAMPLES = 400
 """Samples over the domain; one per two or three pixels of a wide panel."""
+
+_MANY = 100
+"""Functions of a Lagrange curve from which on those before a parameter moved are made use of."""
 
 _AT_ENDS = 0.5
 """Share of the samples that crowd at the ends of a Lagrange curve's domain, where it swings most."""
@@ -53,6 +57,8 @@ class BasisView:
         For the piecewise families the index of the first sample of each segment and the end, (n,).
     scales
         What B_ir was multiplied with, (k, R).
+    known
+        What makes the functions of a Lagrange curve after a few parameters moved; None where they are few.
     """
 
     curve: SimpleCurve
@@ -61,6 +67,7 @@ class BasisView:
     values: Floats
     first: Integers | None
     scales: Floats
+    known: MovedParameters | None = None
 
     @property
     def kinds(self) -> int:
@@ -155,8 +162,11 @@ def _spread(combine: np.ufunc, values: Floats) -> Floats:
     return result
 
 
-def basis_view(view: CurveView) -> BasisView | None:
-    """Sample all basis functions of a curve over its domain; None where there is no curve."""
+def basis_view(view: CurveView, previous: BasisView | None = None) -> BasisView | None:
+    """Sample all basis functions of a curve over its domain; None where there is no curve.
+
+    `previous` lends the functions from before a parameter moved, where there are many.
+    """
     curve = view.skeleton
     if curve is None or not view.is_current:
         return None
@@ -165,9 +175,25 @@ def basis_view(view: CurveView) -> BasisView | None:
     # The last knot of a closed curve is its first node again.
     owners = tuple(range(count)) if len(curve.parameters) == count else (*range(count), 0)
     if isinstance(curve, LagrangeCurve):
-        t = _lagrange_samples(*curve.domain)
-        return BasisView(curve, owners, t, curve.basis(t), None, scales)
+        if len(owners) < _MANY:
+            t = _lagrange_samples(*curve.domain)
+            return BasisView(curve, owners, t, curve.basis(t), None, scales)
+        return _many_functions(curve, owners, scales, previous)
     return _piecewise_view(curve, owners, scales)
+
+
+def _many_functions(
+    curve: LagrangeCurve, owners: tuple[int, ...], scales: Floats, previous: BasisView | None
+) -> BasisView:
+    if previous is not None and previous.known is not None and previous.curve.domain == curve.domain:
+        values = previous.known.basis(curve)
+        if values is not None:
+            return BasisView(curve, owners, previous.t, values, None, scales, previous.known)
+    t = _lagrange_samples(*curve.domain)
+    known = MovedParameters(curve, t)
+    values = known.basis(curve)
+    assert values is not None
+    return BasisView(curve, owners, t, values, None, scales, known)
 
 
 def _lagrange_samples(start: float, end: float) -> Floats:

@@ -125,6 +125,16 @@ def test_a_thousand_points(open_wave, family):
     assert noted(f"{NAMES[family]} n = 1000, a point", times, 6)
 
 
+def test_a_parameter_of_a_thousand(open_wave):
+    """All functions of a Lagrange curve change; the ticks are made a hundred pixels apart first."""
+    editor = open_wave(1000, Family.LAGRANGE, ParametrizationKind.CHEBYSHEV)
+    panel = editor.window.basis_panel
+    tick = panel.rail_pixel(editor.parameters[500])
+    panel.zoom(100.0, tick)
+    times = calmest(lambda: drag_tick(editor))
+    assert noted("Lagrange n = 1000, a parameter", times, 6)
+
+
 def test_a_thousand_points_whose_functions_all_change(open_wave):
     """The basis panel and its evaluation are in this figure."""
     editor = open_wave(1000, Family.HERMITE, ParametrizationKind.CHORD_LENGTH)

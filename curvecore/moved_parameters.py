@@ -1,0 +1,134 @@
+"""Lagrange basis functions after a few parameters have moved, from those before.
+
+L_i is a product over all parameters. Where one of them, t_k, moves to t'_k,
+one factor of its numerator and one of its denominator become others:
+
+    L'_i(t) = L_i(t) (t - t'_k) / (t - t_k) (t_i - t_k) / (t_i - t'_k)    i != k
+    L'_k(t) = L_k(t) prod_(j != k) (t_k - t_j) / (t'_k - t_j)
+
+so that known values at m places become those for the new parameters in O(n m)
+multiplications, and the curve in one product of a matrix and a vector. Every
+factor is a quotient of differences of given numbers: k moved parameters add
+about 6 k + 2 n / 1000 roundings, relative to the value itself.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from curvecore.arrays import FloatArray, IntArray, parameter_values
+from curvecore.lagrange import LagrangeCurve
+
+__all__ = ["MovedParameters"]
+
+_MOST_MOVED = 4  # parameters, above which the saving is gone
+
+
+class MovedParameters:
+    """The basis of one curve at fixed places, and of others whose parameters are nearly the same.
+
+    Parameters
+    ----------
+    curve : LagrangeCurve
+        Where to begin.
+    t : array_like, shape (m,)
+        Finite. The values there are kept: n m numbers.
+    """
+
+    def __init__(self, curve: LagrangeCurve, t: FloatArray) -> None:
+        self._curve, self._parameters = curve, curve.parameters
+        self._t = parameter_values(t).values
+        self._basis = curve.basis(self._t)[:, :, 0]
+
+    def basis(self, curve: LagrangeCurve) -> FloatArray | None:
+        """Return the basis functions of `curve`, shape (m, n, 1), as `LagrangeCurve.basis` does.
+
+        Returns None where `curve` has another number of parameters, or too many that moved.
+        """
+        moved = self._moved(curve)
+        if moved is None:
+            return None
+        if not len(moved):
+            return self._basis[:, :, None]
+        with np.errstate(divide="ignore", invalid="ignore", over="ignore", under="ignore"):
+            ratio, weights = self._ratio(curve, moved), self._weights(curve, moved)
+            values = self._basis * weights
+            values *= ratio[:, None]
+            values[:, moved] *= self._own(curve, moved)
+            places, rows = self._rows_at_moved(curve, moved, weights)
+        values[places] = rows
+        return values[:, :, None]
+
+    def evaluate(self, curve: LagrangeCurve) -> FloatArray | None:
+        """Return `curve` at the places, shape (m, dim), or None as `basis` does.
+
+        Numbers beyond the range of floating point are infinite or NaN.
+        """
+        moved = self._moved(curve)
+        if moved is None:
+            return None
+        if not len(moved):
+            return self._basis @ curve.points
+        with np.errstate(divide="ignore", invalid="ignore", over="ignore", under="ignore"):
+            ratio, weights = self._ratio(curve, moved), self._weights(curve, moved)
+            terms = weights[:, None] * curve.points
+            own = self._basis[:, moved] * self._own(curve, moved)
+            terms_of_moved = terms[moved]
+            terms[moved] = 0.0
+            result: FloatArray = (self._basis @ terms + own @ terms_of_moved) * ratio[:, None]
+            places, rows = self._rows_at_moved(curve, moved, weights)
+            result[places] = rows @ curve.points
+        return result
+
+    def _moved(self, curve: LagrangeCurve) -> IntArray | None:
+        if len(curve.parameters) != len(self._parameters):
+            return None
+        moved = np.flatnonzero(curve.parameters != self._parameters)
+        return moved if len(moved) <= _MOST_MOVED else None
+
+    def _ratio(self, curve: LagrangeCurve, moved: IntArray) -> FloatArray:
+        """Return l'(t) / l(t), (m,); without meaning where some t is one of the moved parameters."""
+        t = self._t[:, None]
+        ratio: FloatArray = ((t - curve.parameters[moved]) / (t - self._parameters[moved])).prod(axis=1)
+        return ratio
+
+    def _own(self, curve: LagrangeCurve, moved: IntArray) -> FloatArray:
+        """Return the factor that the functions of moved parameters lack in l, (m, k)."""
+        t = self._t[:, None]
+        own: FloatArray = (t - self._parameters[moved]) / (t - curve.parameters[moved])
+        return own
+
+    def _weights(self, curve: LagrangeCurve, moved: IntArray) -> FloatArray:
+        """Return w'_i / w_i, (n,)."""
+        old, new = self._parameters, curve.parameters
+        factors = (old[:, None] - old[moved]) / (new[:, None] - new[moved])
+        factors[moved, np.arange(len(moved))] = 1.0
+        ratios: FloatArray = factors.prod(axis=1)
+        for k in moved.tolist():
+            others = np.arange(len(old)) != k
+            ratios[k] = ((old[k] - old[others]) / (new[k] - new[others])).prod()
+        return ratios
+
+    def _rows_at_moved(
+        self, curve: LagrangeCurve, moved: IntArray, weights: FloatArray
+    ) -> tuple[IntArray, FloatArray]:
+        """Return the places t that are moved parameters, old or new, and the functions there, (k, n).
+
+        The quotients above are 0 / 0 there. At the old place of t_k, L_i(t) / (t - t_k) tends to
+        (w_i / w_k) / (t_k - t_i).
+        """
+        old, new = self._parameters, curve.parameters
+        places, rows = [], []
+        for k in moved.tolist():
+            for place in np.flatnonzero(self._t == new[k]).tolist():
+                places.append(place)
+                rows.append(np.eye(1, len(new), k)[0])
+            for place in np.flatnonzero((self._t == old[k]) & ~np.isin(self._t, new)).tolist():
+                row = self._curve.weight_ratios(k) * weights / (old[k] - old) * (old[k] - new[k])
+                row[k] = weights[k]
+                for m in moved[moved != k].tolist():
+                    row *= (old[k] - new[m]) / (old[k] - old[m])
+                    row[m] *= (old[k] - old[m]) / (old[k] - new[m])
+                places.append(place)
+                rows.append(row)
+        return np.array(places, dtype=np.intp), np.array(rows).reshape(-1, len(new))
