@@ -11,7 +11,6 @@ from app.plot.pixel_map import PixelMap
 from app.plot.plot_widget import PlotWidget
 from app.theme import Theme
 from app.view_model.curve_view import CurveView
-from app.view_model.jets import corners_of
 
 _HALF = 5.0
 _FAR = 1e5
@@ -30,7 +29,7 @@ class CornerLayer:
     def render(self, view: CurveView) -> None:
         """Draw the corners of `view` from the next paint on."""
         self._view = view
-        self._corners = corners_of(view.source)
+        self._corners = view.corners
         self._layer.setOpacity(opacity_of(view))
         self._layer.setVisible(bool(self._corners))
         self._layer.update()

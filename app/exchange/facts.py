@@ -11,7 +11,6 @@ from msgspec.structs import replace
 from app.document.model import Curve, Document, Family, Parametrization
 from app.exchange.drawing import ExchangeError, Floats, drawing_of, extent_of, too_much
 from app.view_model.curve_view import CoreCurve, view_of
-from app.view_model.jets import corners_of
 from curvecore import LagrangeCurve
 
 LENGTH_TOLERANCE = 1e-9
@@ -98,7 +97,7 @@ def _curve_facts(curve: Curve) -> CurveFacts:
         box=box,
         warnings=(*warnings, *_amplification(core)),
         closed=curve.is_closed,
-        corners=len(corners_of(curve)),
+        corners=len(view.corners),
         visible=curve.visible,
     )
 

@@ -22,7 +22,6 @@ from app.panels.words import ACCELERATION_RULES, VELOCITY_RULES, count_of
 from app.session import Session
 from app.theme import theme_of
 from app.view_model.curve_view import CurveView
-from app.view_model.jets import corners_of
 
 Rule = TypeVar("Rule", bound=StrEnum)
 
@@ -225,7 +224,7 @@ def _facts(view: CurveView) -> str:
 def _shape_facts(view: CurveView) -> list[str]:
     """Return whether the curve is closed, and how many corners it has."""
     facts = ["closed"] if view.source.is_closed else []
-    corners = corners_of(view.source)
+    corners = view.corners
     return [*facts, count_of(len(corners), "corner")] if corners else facts
 
 

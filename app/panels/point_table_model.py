@@ -27,7 +27,6 @@ from app.panels.words import ACCELERATION_ESTIMATES, VELOCITY_ESTIMATES
 from app.session import Session
 from app.theme import LIGHT, Theme
 from app.view_model.curve_view import CurveView
-from app.view_model.jets import corners_of
 
 Index = QModelIndex | QPersistentModelIndex
 _NO_INDEX = QModelIndex()
@@ -93,7 +92,7 @@ class PointTableModel(QAbstractTableModel):
         columns, new = columns_of(view.source.family), table_values(view)
         if columns != self.columns:
             self.beginResetModel()
-            self._corners, self._swatches = frozenset(corners_of(view.source)), []
+            self._corners, self._swatches = frozenset(view.corners), []
             self.columns, self._shown = columns, new
             self.endResetModel()
             return
@@ -123,7 +122,7 @@ class PointTableModel(QAbstractTableModel):
 
     def _rows_with_other_corners(self, view: CurveView) -> np.ndarray:
         """Take over which points are corners, and return which rows that changes."""
-        old, self._corners = self._corners, frozenset(corners_of(view.source))
+        old, self._corners = self._corners, frozenset(view.corners)
         rows = np.zeros(len(view.source.nodes), dtype=bool)
         rows[[row for row in old ^ self._corners if row < len(rows)]] = True
         if rows.any():

@@ -218,10 +218,33 @@ def _piecewise_view(
     # The last sample of a segment lies a hair before the joint, so that it is counted to that segment.
     t[first[1:] - 1] = np.nextafter(knots[1:], knots[:-1])
     t[-1] = knots[-1]
-    values = curve.local_basis(t).values
-    values[:, 0] *= scales[segment]
-    values[:, 1] *= scales[segment + 1]
+    if len(spacing) < _MOST_UNEVEN:
+        values = curve.local_basis(t).values
+        values[:, 0] *= scales[segment]
+        values[:, 1] *= scales[segment + 1]
+    else:
+        values = _alike(curve, s[: counts[0]], scales)
     return BasisView(curve, owners, t, values, first, scales)
+
+
+def _alike(curve: HermiteCurve | QuinticHermiteCurve, s: Floats, scales: Floats) -> Floats:
+    """Return the scaled functions at the same places `s` of every segment, (m, 2, R).
+
+    B_ir is h^r times a shape that all segments have in common.
+    """
+    kinds, nothing, ends = curve.jets.shape[1], np.zeros((2, 2)), np.array([0.0, 1.0])
+    is_cubic = isinstance(curve, HermiteCurve)
+    unit = (
+        HermiteCurve(nothing, nothing, ends)
+        if is_cubic
+        else QuinticHermiteCurve(nothing, nothing, nothing, ends)
+    )
+    # At 1 the next segment would begin.
+    shapes = unit.local_basis(np.minimum(s, np.nextafter(1.0, 0.0))).values
+    powers = np.diff(curve.parameters)[:, None] ** np.arange(kinds)
+    factors = np.stack([powers * scales[:-1], powers * scales[1:]], axis=1)
+    values: Floats = (shapes * factors[:, None]).reshape(-1, 2, kinds)
+    return values
 
 
 def _sample_counts(spacing: Floats) -> Integers:

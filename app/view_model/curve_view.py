@@ -94,6 +94,15 @@ class CurveView:
         """Whether `curve` belongs to the present nodes and rules."""
         return self.curve is not None and not self.problem
 
+    @cached_property
+    def corners(self) -> list[int]:
+        """The nodes at which the curve may turn sharply; the ends of an open curve have one side only."""
+        if not self.source.family.derivatives:
+            return []
+        last = len(self.points) - 1
+        found: list[int] = np.flatnonzero(self.arrays.corners).tolist()
+        return [index for index in found if self.source.is_closed or 0 < index < last]
+
     @property
     def parameters(self) -> Floats:
         """The parameters of the knots of `curve`, empty without one."""

@@ -61,16 +61,6 @@ def corner_knots(arrays: NodeArrays, count: int) -> list[int]:
     return corners
 
 
-def corners_of(curve: Curve) -> list[int]:
-    """Return the nodes at which the curve may turn sharply; the ends of an open curve have one side only."""
-    last = len(curve.nodes) - 1
-    return [
-        index
-        for index, node in enumerate(curve.nodes)
-        if node.corner and curve.family.derivatives and (curve.is_closed or 0 < index < last)
-    ]
-
-
 def _estimates(curve: Curve) -> list[Estimate]:
     alpha = curve.parametrization.alpha
     velocities: dict[VelocityRule, Estimate] = {

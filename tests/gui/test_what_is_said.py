@@ -274,8 +274,8 @@ def test_redoing_an_image_leaves_the_tab_in_front(pair, tmp_path):
     pair.window.add_image(tmp_path / "red.png")
     pair.settle()
     assert not pair.window.image_panel.visibleRegion().isEmpty()
-    pair.show_dock("historyDock")
+    pair.show_dock("curveDock")
     pair.trigger("undo")
     pair.trigger("redo")
     in_front = [dock.objectName() for dock in pair.window.docks if not dock.visibleRegion().isEmpty()]
-    assert in_front == ["pointsDock", "historyDock"]
+    assert in_front == ["pointsDock", "curveDock"]
