@@ -12,6 +12,7 @@ from PySide6.QtWidgets import QWidget
 
 from app.canvas.corner_layer import CornerLayer
 from app.canvas.curve_layer import CurveLayer
+from app.canvas.file_layer import FileLayer
 from app.canvas.grid_layer import GridLayer
 from app.canvas.image_layer import ImageLayer
 from app.canvas.other_curves_layer import OtherCurvesLayer
@@ -47,6 +48,7 @@ class CanvasView(PlotWidget):
         self._grid = GridLayer(self, LIGHT)
         self._units = UnitLayer(self, LIGHT)
         self._other_curves = OtherCurvesLayer(self, LIGHT)
+        self._file_layer = FileLayer(self, LIGHT)
         self._curve_layer = CurveLayer(self, LIGHT)
         self._point_layer = PointLayer(self, LIGHT)
         self._corner_layer = CornerLayer(self, LIGHT)
@@ -79,6 +81,15 @@ class CanvasView(PlotWidget):
         self._views = views
         self._other_curves.render(views, active)
 
+    def show_file_version(self, views: Sequence[CurveView], name: str) -> None:
+        """Show the curves that a file holds, dashed and with this name; none: put them away."""
+        self._file_layer.render(views, name)
+
+    @property
+    def file_version(self) -> str:
+        """The name beside the curves of a file; empty while none are shown."""
+        return self._file_layer.name
+
     def _show_ghost_of_other_rules(self, view: CurveView) -> None:
         old = self._view
         if old is None or self.is_dragging or not old.is_current or not view.is_current:
@@ -108,13 +119,13 @@ class CanvasView(PlotWidget):
         self._theme = theme
         for layer in (self._image_layer, self._grid, self._units, self._curve_layer, self._point_layer):
             layer.theme = theme
-        self._other_curves.theme = self._corner_layer.theme = theme
+        self._other_curves.theme = self._corner_layer.theme = self._file_layer.theme = theme
         super().set_theme(theme)
 
     def set_scale(self, scale: float) -> None:
         """Enlarge points, lines and numbers, for a projector."""
         self._curve_layer.scale = self._point_layer.scale = scale
-        self._other_curves.scale = self._corner_layer.scale = scale
+        self._other_curves.scale = self._corner_layer.scale = self._file_layer.scale = scale
         super().set_scale(scale)
 
     def set_hovered(self, index: int) -> None:
