@@ -117,7 +117,7 @@ class FileCommands:
 
     def _save(self, path: Path, *, overwrite: bool = False) -> bool:
         file = self._session.file
-        backup = file.backup_name if file is not None and file.is_at(path) else ""
+        was_older = file is not None and file.is_older and file.is_at(path)
         try:
             self._session.save(path, overwrite=overwrite)
         except FormatError as problem:
@@ -127,7 +127,7 @@ class FileCommands:
             self.refused(path, _sentence(f"{path.name} was not saved", problem), problem)
             return False
         self._remember(path)
-        kept = f" The older version is kept as {backup}." if backup else ""
+        kept = " The old version is kept beside it." if was_older else ""
         self._session.say(f"Saved {path.name}.{kept}")
         return True
 

@@ -97,9 +97,9 @@ class DiskCommands(QObject):
         file = self._session.file
         if file is None:
             return
-        if file.backup_name:
+        if file.is_older:
             self._session.say(
-                f"{file.path.name} is of an older version; saving keeps the old file as {file.backup_name}."
+                f"{file.path.name} is of an older version; the first save keeps the old file beside it."
             )
         elif file.lock_problem and file.owner is None:
             self._session.say(

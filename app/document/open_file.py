@@ -81,7 +81,7 @@ class OpenFile:
         # What somebody writes between the reading and the lock is noticed like any later change.
         attempt = _lock_for(path, previous)
         sweep(_target(path).parent)
-        return Opened(document, cls(path, content.stamp, attempt, version_of(content.data) or VERSION))
+        return Opened(document, cls(path, content.stamp, attempt, _version(content.data)))
 
     @classmethod
     def adopt(cls, path: Path) -> OpenFile:
@@ -155,9 +155,9 @@ class OpenFile:
         return _target(path) == _target(self.path)
 
     @property
-    def backup_name(self) -> str:
-        """What a file of an older version is called after the first save; empty for one of this version."""
-        return f"{_target(self.path).name}.v{self.version}.bak" if self.version < VERSION else ""
+    def is_older(self) -> bool:
+        """Whether it is of an older version of the format; the first save then keeps a copy beside it."""
+        return self.version < VERSION
 
     # Whose it is
 
@@ -236,7 +236,7 @@ class OpenFile:
         content = storage.read_content(self.path)
         document = storage.document_in(content.data, self.path)
         self.stamp, self._seen = content.stamp, None
-        self.version = version_of(content.data) or VERSION
+        self.version = _version(content.data)
         return document
 
 
@@ -249,6 +249,11 @@ def _lock_for(path: Path, previous: OpenFile | None) -> Attempt:
         return Attempt(owner=owner)
     lock, previous._lock = previous._lock, None
     return Attempt(lock=lock)
+
+
+def _version(data: bytes) -> int:
+    found = version_of(data)
+    return VERSION if found is None else found
 
 
 def _target(path: Path) -> Path:
