@@ -18,8 +18,8 @@ from app.view_model.curve_view import CurveView
 
 _DASHES = (6.0, 4.0)
 _WIDTH = 1.5
-_RISE = 12.0
-_MARGIN = 6.0
+_MARGIN = 8.0
+_SAMPLE = 26.0
 
 
 class FileLayer:
@@ -74,18 +74,17 @@ class FileLayer:
         return picture
 
     def _paint_name(self, painter: QPainter, shown: PixelMap) -> None:
-        """Write the name above the highest point of the first curve, but always in sight."""
-        points = self._views[0].points
-        x, y = shown.point(*points[points[:, 1].argmax()].tolist())
+        """Write the name into the lower left corner, beside a sample of the line."""
         metrics = QFontMetricsF(painter.font())
-        width, height = metrics.horizontalAdvance(self._name), metrics.height()
-        left = min(max(x - width / 2, _MARGIN), shown.width - width - 3 * _MARGIN)
-        top = min(max(y - _RISE - height, _MARGIN), shown.height - height - _MARGIN)
-        place = QRectF(QPointF(left, top), metrics.size(0, self._name)).adjusted(-4, -1, 4, 1)
+        size = metrics.size(0, self._name)
+        place = QRectF(
+            2 * _MARGIN + _SAMPLE, shown.height - size.height() - _MARGIN, size.width(), size.height()
+        )
         paper = QColor(self.theme.paper)
         paper.setAlphaF(0.85)
-        painter.fillRect(place, paper)
-        painter.setPen(QColor(self.theme.muted))
+        painter.fillRect(place.adjusted(-_SAMPLE - 2 * _MARGIN, -2, _MARGIN, 2), paper)
+        middle = place.center().y()
+        painter.drawLine(QPointF(_MARGIN, middle), QPointF(_MARGIN + _SAMPLE, middle))
         painter.drawText(place, int(Qt.AlignmentFlag.AlignCenter), self._name)
 
 

@@ -49,6 +49,8 @@ class DiskCommands(QObject):
         self._session.file_changed.connect(self._follow)
         self._session.opened.connect(self._say_what_matters)
         self._follow()
+        # A document that was opened before there was a window.
+        self._say_what_matters()
 
     def _forget(self) -> None:
         """Begin anew, with what was just opened, saved or reloaded."""
@@ -98,11 +100,11 @@ class DiskCommands(QObject):
         if file is None:
             return
         if file.is_older:
-            self._session.say(
+            self._parts.status_line.say(
                 f"{file.path.name} is of an older version; the first save keeps the old file beside it."
             )
         elif file.lock_problem and file.owner is None:
-            self._session.say(
+            self._parts.status_line.say(
                 f"Others cannot see that {file.path.name} is open here: no lock in its folder "
                 f"({file.lock_problem})."
             )

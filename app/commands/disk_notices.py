@@ -34,9 +34,11 @@ class Standing(Enum):
 def about_content(name: str, sight: Sight, *, modified: bool, owner: Owner | None) -> Notice | None:
     """Return what there is to say when the file `name` holds something else than was seen last."""
     if sight is Sight.CHANGED:
-        who = _who(owner) + " saved changes to it" if owner else "It was changed by another program"
-        here = ", and here too" if modified and not owner else ""
-        text = f"“{name}” is another one on the disk now. {who}{here}."
+        here = ", and here too" if modified else ""
+        text = f"“{name}” was changed on the disk by another program{here}."
+        if owner is not None:
+            here = "; you have changes of your own here" if modified else ""
+            text = f"{_who(owner)} saved changes to “{name}”{_where(owner)}{here}."
         return Notice(text, ("reloadFile", "keepMine", "compareWithFile"))
     if sight is Sight.UNREADABLE:
         text = f"“{name}” was changed by another program and holds no document now. Yours is still here."
@@ -69,7 +71,7 @@ def about_lock(name: str, standing: Standing, owner: Owner | None) -> Notice | N
 def about_refusal(name: str, sentence: str, problem: StorageError, *, own: bool) -> Notice:
     """Return what to say when the document was not saved to the file `name`, its own one or another."""
     if isinstance(problem, ChangedOnDiskError):
-        text = f"“{name}” was changed by another program since it was opened, so it was not saved over it."
+        text = f"“{name}” was changed by another program; it was not saved."
         return Notice(text, ("overwriteFile", "saveDocumentAs", "reloadFile", "compareWithFile"))
     if isinstance(problem, LockedError):
         owner = problem.owner

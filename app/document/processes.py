@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import hashlib
 import os
 import platform
 import sys
@@ -50,6 +49,8 @@ def _process(pid: int) -> Process:
 @lru_cache(maxsize=1)
 def machine() -> str:
     """Return a name of this computer that others hardly have: computers named “localhost” are many."""
+    import hashlib  # noqa: PLC0415 - the start of the editor does without
+
     identity = ""
     with suppress(OSError, ValueError):
         identity = Path("/etc/machine-id").read_text(encoding="ascii").strip()

@@ -8,12 +8,12 @@ from PySide6.QtCore import QEvent, QObject, QSize, Qt, Signal
 from PySide6.QtGui import QAction
 from PySide6.QtWidgets import (
     QApplication,
+    QBoxLayout,
     QFrame,
     QHBoxLayout,
     QLabel,
     QSizePolicy,
     QToolButton,
-    QVBoxLayout,
     QWidget,
 )
 
@@ -44,6 +44,8 @@ class FileBar(QFrame):
         self._is_warning = False
         self._sign, self._text = QLabel(), QLabel()
         self._text.setObjectName("fileText")
+        # Names of files and of people stand in it.
+        self._text.setTextFormat(Qt.TextFormat.PlainText)
         self._text.setWordWrap(True)
         self._text.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Preferred)
         self._close = QToolButton()
@@ -59,19 +61,19 @@ class FileBar(QFrame):
         self.hide()
 
     def _lay_out(self) -> None:
-        top, self._row = QHBoxLayout(), QHBoxLayout()
-        for layout in (top, self._row):
-            layout.setSpacing(_GAP)
-        for widget, stretch in ((self._sign, 0), (self._text, 1), (self._close, 0)):
-            top.addWidget(widget, stretch)
-        # In line with the sentence.
-        self._row.setContentsMargins(16 + _GAP, 0, 0, 0)
+        self._row = QHBoxLayout()
+        self._row.setSpacing(_GAP)
         self._row.addStretch(1)
-        whole = QVBoxLayout(self)
-        whole.setContentsMargins(12, 6, 8, 8)
-        whole.setSpacing(4)
-        whole.addLayout(top)
-        whole.addLayout(self._row)
+        self._middle = QBoxLayout(QBoxLayout.Direction.TopToBottom)
+        self._middle.setSpacing(4)
+        self._middle.addWidget(self._text, 1)
+        self._middle.addLayout(self._row)
+        whole = QHBoxLayout(self)
+        whole.setContentsMargins(12, 6, 8, 6)
+        whole.setSpacing(_GAP)
+        whole.addWidget(self._sign)
+        whole.addLayout(self._middle, 1)
+        whole.addWidget(self._close)
 
     @property
     def text(self) -> str:
@@ -116,11 +118,15 @@ class FileBar(QFrame):
         return button
 
     def _place(self) -> None:
-        """Lie at the top, in the middle, as wide as sentence and buttons need."""
-        room = self._below.width() - 2 * _SIDE
-        needed = self._text.fontMetrics().horizontalAdvance(self._text.text()) + 90
-        buttons = sum(button.sizeHint().width() + _GAP for button in self._buttons) + 60
-        width = max(min(max(needed, buttons), room, _WIDEST), 120)
+        """Lie at the top, in the middle; the buttons stand beside the sentence if they fit, else below."""
+        room = min(self._below.width() - 2 * _SIDE, _WIDEST)
+        sentence = self._text.fontMetrics().horizontalAdvance(self._text.text()) + 90
+        buttons = sum(button.sizeHint().width() + _GAP for button in self._buttons)
+        is_one_row = sentence + buttons <= room
+        across, down = QBoxLayout.Direction.LeftToRight, QBoxLayout.Direction.TopToBottom
+        self._middle.setDirection(across if is_one_row else down)
+        width = sentence + buttons if is_one_row else max(sentence, buttons + 60)
+        width = max(min(width, room), 120)
         layout = self.layout()
         assert layout is not None
         layout.activate()

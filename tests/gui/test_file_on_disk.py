@@ -5,14 +5,16 @@ from __future__ import annotations
 import errno
 import os
 import shutil
+import subprocess
+import sys
 import time
 from pathlib import Path
 
 import msgspec
 import pytest
-from PySide6.QtCore import Qt, QTimer
+from PySide6.QtCore import QEvent, QFileSystemWatcher, Qt, QTimer
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QFileDialog, QMessageBox, QToolButton
+from PySide6.QtWidgets import QApplication, QFileDialog, QMessageBox, QToolButton
 
 from app.commands.disk_notices import Standing, about_lock
 from app.document import storage
@@ -85,10 +87,8 @@ def test_a_change_is_said_and_can_be_reloaded_and_undone(saved, path, until):
     mine = edit(saved)
     save(path, THEIRS)
     until(lambda: saved.file_message)
-    assert saved.file_message == (
-        "“drawing.curve.json” is another one on the disk now. "
-        "It was changed by another program, and here too."
-    )
+    words = "“drawing.curve.json” was changed on the disk by another program, and here too."
+    assert saved.file_message == words
     assert offered(saved) == ["reloadFile", "keepMine", "compareWithFile"]
     assert saved.session.document is mine
     saved.answer_file_message("reloadFile")
@@ -166,7 +166,7 @@ def test_saving_over_an_unseen_change_asks(saved, path):
     assert load(path) == THEIRS
     assert saved.session.is_modified
     assert saved.session.document is mine
-    assert saved.file_message.endswith("so it was not saved over it.")
+    assert saved.file_message.endswith("was changed by another program; it was not saved.")
     assert offered(saved) == ["overwriteFile", "saveDocumentAs", "reloadFile", "compareWithFile"]
     saved.answer_file_message("overwriteFile")
     assert load(path) == mine
@@ -194,7 +194,7 @@ def test_a_cancelled_save_as_changes_nothing(saved, path):
     saved.answer_file_message("saveDocumentAs")
     assert saved.session.path == path
     assert saved.session.document is mine
-    assert saved.file_message.endswith("so it was not saved over it.")
+    assert saved.file_message.endswith("was changed by another program; it was not saved.")
 
 
 def test_the_question_can_be_put_away_and_comes_again(saved, path):
@@ -231,8 +231,7 @@ def test_half_a_file_is_waited_for(saved, path, until, qtbot):
     assert saved.file_message == ""
     path.write_bytes(content)
     until(lambda: saved.file_message)
-    assert "is another one on the disk now" in saved.file_message
-    assert "no document" not in saved.file_message
+    assert saved.file_message.endswith("was changed on the disk by another program.")
 
 
 def test_a_file_that_stays_broken_is_said(saved, path, until, monkeypatch):
@@ -296,6 +295,30 @@ def test_a_gesture_in_flight_survives_the_news(saved, path, until):
     assert saved.session.document is document
 
 
+def test_without_any_sign_a_look_is_due_when_the_window_comes_to_the_front(saved, path, qtbot, until):
+    """Some file systems of a network tell nothing of changes."""
+    watcher = saved.window.findChild(QFileSystemWatcher)
+    watcher.removePaths([*watcher.files(), *watcher.directories()])
+    save(path, THEIRS)
+    qtbot.wait(150)
+    assert saved.file_message == ""
+    QApplication.sendEvent(saved.window, QEvent(QEvent.Type.WindowActivate))
+    until(lambda: saved.file_message)
+
+
+def test_a_link_is_watched_where_it_leads(editor, path, tmp_path, until):
+    save(path, THEIRS)
+    folder = tmp_path / "links"
+    folder.mkdir()
+    link = folder / "link.curve.json"
+    link.symlink_to(path)
+    editor.window.open_file(link)
+    save(path, OTHERS)
+    until(lambda: editor.file_message)
+    editor.answer_file_message("reloadFile")
+    assert editor.session.document == OTHERS
+
+
 # Open elsewhere
 
 
@@ -356,11 +379,45 @@ def test_the_reader_is_told_when_the_owner_closes(saved, path, qtbot, until):
     assert load(path) == changed
 
 
+def test_an_owner_who_crashed_is_noticed(editor, path, until, monkeypatch):
+    """A process that is killed removes no lock, so nothing tells; the reader looks from time to time."""
+    monkeypatch.setattr("app.commands.disk_commands._OWNER_MS", 50)
+    save(path, THEIRS)
+    code = "import sys; from pathlib import Path; from app.document.lock import acquire\n"
+    code += "kept = acquire(Path(sys.argv[1])); print(1, flush=True); sys.stdin.read()"
+    environment = {**os.environ, "PYTHONPATH": str(Path(__file__).parents[2])}
+    owner = subprocess.Popen(
+        [sys.executable, "-c", code, str(path)],
+        env=environment,
+        stdin=subprocess.PIPE,
+        stdout=subprocess.PIPE,
+    )
+    owner.stdout.readline()
+    editor.window.open_file(path)
+    assert "in another Curvebench, since" in editor.file_message
+    owner.kill()
+    owner.communicate()
+    until(lambda: "is free again" in editor.file_message)
+    editor.answer_file_message("takeOver")
+    assert not editor.session.is_read_only
+
+
+def test_two_windows_of_one_start(qtbot, path):
+    """`curvebench FILE FILE`: the sessions are there before the windows."""
+    save(path, THEIRS)
+    sessions = [Session(), Session()]
+    for session in sessions:
+        session.open(path)
+    editors = [Editor(qtbot, session) for session in sessions]
+    assert [each.session.is_read_only for each in editors] == [False, True]
+    assert "opened read-only" in editors[1].file_message
+
+
 def test_the_reader_is_told_when_the_owner_saves(saved, path, qtbot, until):
     second = second_window(qtbot, path)
     document = edit(saved)
     saved.trigger("saveDocument")
-    until(lambda: "You saved changes to it" in second.file_message)
+    until(lambda: "You saved changes to “drawing.curve.json” in another" in second.file_message)
     second.answer_file_message("reloadFile")
     assert second.session.document == document
     assert second.session.is_read_only
