@@ -131,11 +131,6 @@ class FileCommands:
         self._session.say(f"Saved {path.name}.{kept}")
         return True
 
-    def let_go(self) -> None:
-        """Tell others that the document is open here no longer."""
-        if self._session.file is not None:
-            self._session.file.close()
-
     def ask_and_export(self) -> None:
         """Let the person choose a file and write the document there, as a picture, code or numbers."""
         start = self._preferences.last_folder / f"{file_stem(self._session)}.png"
@@ -169,6 +164,11 @@ class FileCommands:
         if answer == QMessageBox.StandardButton.Save:
             return self.save()
         return answer == QMessageBox.StandardButton.Discard
+
+    def let_go(self) -> None:
+        """Tell others that the document is open here no longer."""
+        if self._session.file is not None:
+            self._session.file.close()
 
     def _ask_about_changes(self) -> int:
         name = title_of(self._session).replace("Untitled", "the sketch")

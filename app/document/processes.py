@@ -111,6 +111,8 @@ def _started_elsewhere(pid: int) -> str | None:
         done = subprocess.run(["ps", "-o", "lstart=", "-p", str(pid)], capture_output=True, check=False)
     except OSError:
         return ""
+    if done.stderr:
+        return ""  # A ps that does not know what it was asked.
     return " ".join(done.stdout.decode("ascii", "replace").split()) or None
 
 

@@ -299,6 +299,27 @@ def test_a_folder_that_may_be_written_but_not_listed(as_nobody):
     assert load(path) == LARGE
 
 
+def test_a_file_that_may_be_written_but_not_read(as_nobody):
+    folder, run = as_nobody
+    path = folder / "drawing.curve.json"
+
+    def work():
+        save(path, OLD)
+        file = OpenFile.open(path).file
+        path.chmod(0o200)
+        file = OpenFile.saved(path, LARGE, file)  # by what the folder says it is the one that was seen
+        path.write_bytes(b"somebody else's")
+        try:
+            OpenFile.saved(path, OLD, file)
+        except ChangedOnDiskError:
+            file.close()
+            return "noticed"
+        return "not noticed"
+
+    assert run(work) == "noticed"
+    assert path.read_bytes() == b"somebody else's"
+
+
 @pytest.mark.skipif(os.name == "nt" or os.geteuid() != 0, reason="only root may give files away")
 def test_root_leaves_the_file_to_its_owner(path):
     os.chown(path, NOBODY, NOBODY)

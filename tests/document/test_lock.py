@@ -6,6 +6,7 @@ import errno
 import gc
 import json
 import os
+import shutil
 import subprocess
 import sys
 import textwrap
@@ -16,6 +17,7 @@ import msgspec
 import pytest
 
 from app.document import lock as lock_module
+from app.document import processes
 from app.document.leftovers import sweep, temporary_name
 from app.document.lock import OLD, Owner, acquire, lock_place, owner_of, take_over
 from app.document.processes import Process, is_alive, is_number_alive, machine, this_process
@@ -116,6 +118,27 @@ def test_nothing_survives_a_restart_of_the_computer(target):
 def test_a_process_of_another_container_cannot_be_judged():
     boot, _, start = this_process().started.split("/")
     assert is_alive(Process(machine(), 4_000_000, f"{boot}/another/{start}")) is None
+
+
+@pytest.mark.skipif(shutil.which("ps") is None, reason="there is no ps")
+def test_where_there_is_no_proc_ps_tells(monkeypatch):
+    """As on macOS."""
+    monkeypatch.setattr(processes, "_started", processes._started_elsewhere)
+    own = Process(machine(), os.getpid(), processes._started(os.getpid()))
+    assert own.started
+    assert is_alive(own)
+    assert is_alive(Process(machine(), os.getpid(), "another time")) is False
+    assert is_alive(Process(machine(), ended_process().pid, own.started)) is False
+
+
+def test_where_nobody_tells_nobody_is_judged(target, monkeypatch):
+    """As on Windows: the person decides."""
+    dead = ended_process()
+    monkeypatch.setattr(processes, "_started", lambda _pid: "")
+    assert is_alive(dead) is None
+    assert is_number_alive(dead.pid) is None
+    leave_lock(target, dead)
+    assert acquire(target).owner is not None
 
 
 def test_the_lock_of_another_computer_is_never_judged_dead(target):

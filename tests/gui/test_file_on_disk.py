@@ -139,6 +139,25 @@ def test_keep_mine_saves_over_it(saved, path, until):
     assert not saved.session.is_modified
 
 
+def test_reload_goes_back_to_the_file_and_can_be_undone(saved, path):
+    on_disk = saved.session.document
+    mine = edit(saved)
+    saved.trigger("reloadFile")
+    assert saved.session.document == on_disk
+    assert not saved.session.is_modified
+    assert saved.status == "Reloaded drawing.curve.json; Undo brings back what was here."
+    count = saved.session.undo_stack.count()
+    saved.trigger("reloadFile")  # the same again is no step
+    assert saved.session.undo_stack.count() == count
+    saved.trigger("undo")
+    assert saved.session.document == mine
+
+
+def test_without_a_file_there_is_nothing_to_reload(editor):
+    for name in ("reloadFile", "keepMine", "compareWithFile", "overwriteFile", "takeOver", "editAnyway"):
+        assert not editor.action(name).isEnabled()
+
+
 def test_compare_shows_the_file_dashed_and_named(saved, path, until):
     edit(saved)
     save(path, THEIRS)
@@ -421,6 +440,24 @@ def test_the_reader_is_told_when_the_owner_saves(saved, path, qtbot, until):
     second.answer_file_message("reloadFile")
     assert second.session.document == document
     assert second.session.is_read_only
+
+
+def test_taken_over_after_the_owner_saved_nothing_is_lost(saved, path, qtbot, until):
+    second = second_window(qtbot, path)
+    mine = edit(second)
+    saved.session.commit(move_nodes(saved.session.document, 0, [5], (1.0, 0.0)), "Move")
+    theirs = saved.session.document
+    saved.trigger("saveDocument")
+    assert saved.window.close()
+    until(lambda: "is free again" in second.file_message)
+    second.answer_file_message("takeOver")
+    assert offered(second) == ["reloadFile", "keepMine", "compareWithFile"]
+    second.trigger("saveDocument")
+    assert load(path) == theirs
+    second.answer_file_message("reloadFile")
+    assert second.session.document == theirs
+    second.trigger("undo")
+    assert second.session.document == mine
 
 
 def test_taking_over_asks_once_and_the_other_is_told(saved, path, qtbot, until):
