@@ -160,7 +160,13 @@ def version_of(data: bytes) -> int | None:
 
 def _raised(data: bytes, version: int) -> _File:
     """Return the content of a file of an older version as one of this."""
-    values = migrated(msgspec.json.decode(data), version, VERSION)
+    try:
+        values = migrated(msgspec.json.decode(data), version, VERSION)
+    except (LookupError, TypeError, ValueError, AttributeError) as problem:
+        # A migration takes a file for what it claims to be.
+        raise FormatError(
+            f"it claims version {version}, but does not hold what that version has"
+        ) from problem
     return msgspec.convert(values, _File)
 
 

@@ -25,7 +25,7 @@ OLD, NEW = (Document((make_curve([(x, 0.0)] * 40),)) for x in (1.0, 2.0))
 SYSTEM = {"posix", "nt", "_io", "io", "fcntl"}
 
 
-def save_until(path: Path, steps: int) -> None:
+def save_until(path: Path, steps: int, *, while_opening: bool) -> None:
     """Open, save and close; be killed before the step number `steps`."""
     left = steps
 
@@ -37,8 +37,10 @@ def save_until(path: Path, steps: int) -> None:
             if left < 0:
                 os.kill(os.getpid(), signal.SIGKILL)
 
-    sys.setprofile(step)
+    if while_opening:
+        sys.setprofile(step)
     file = OpenFile.open(path).file
+    sys.setprofile(step)
     OpenFile.saved(path, NEW, file)
     file.close()
     sys.setprofile(None)
@@ -51,7 +53,7 @@ def age_empty_lock(path: Path) -> None:
         os.utime(place, (1, 1))
 
 
-def run(folder: Path, old: bytes) -> list[dict[str, object]]:
+def run(folder: Path, old: bytes, *, while_opening: bool) -> list[dict[str, object]]:
     """Return what is left after each number of steps, until a child comes to the end."""
     path = folder / "drawing.curve.json"
     results = []
@@ -59,7 +61,7 @@ def run(folder: Path, old: bytes) -> list[dict[str, object]]:
         path.write_bytes(old)
         child = os.fork()
         if child == 0:
-            save_until(path, steps)
+            save_until(path, steps, while_opening=while_opening)
             os._exit(0)
         _, status = os.waitpid(child, 0)
         content = path.read_bytes()
@@ -91,4 +93,8 @@ if __name__ == "__main__":
     target = Path(sys.argv[1])
     MIGRATIONS[0] = lambda values: values
     older = encode(OLD).replace(b'"version": 1', b'"version": 0')
-    print(json.dumps({"present": run(target, encode(OLD)), "older": run(target, older)}))
+    results = {
+        "present": run(target, encode(OLD), while_opening=True),
+        "older": run(target, older, while_opening=False),
+    }
+    print(json.dumps(results))

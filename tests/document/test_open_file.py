@@ -302,6 +302,8 @@ def test_migrations_go_step_by_step(monkeypatch):
     [
         (old_content().replace(b"[0, 0]", b'["0", 0]'), r"curves\[0\]\.points\[0\]\.x must be a number"),
         (old_content(1e13), r"points\[1\]\.x must lie between"),
+        (b'{"format": "curvebench", "version": 0}', "does not hold what that version has"),
+        (old_content().replace(b"[[[0, 0], [1.0, 1]]]", b"7"), "does not hold what that version has"),
         (b'{"version": 0, ' + old_content()[1:], "version appears twice"),
     ],
 )
