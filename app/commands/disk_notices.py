@@ -55,7 +55,7 @@ def about_lock(name: str, standing: Standing, owner: Owner | None) -> Notice | N
         return None
     who, have = _who(owner), _have(owner)
     if standing is Standing.FREED:
-        text = f"“{name}” is free again: {_who(owner, first=False)} {have} closed it."
+        text = f"“{name}” is free again; nobody else has it open now."
         return Notice(text, ("takeOver",), warns=False)
     if standing is Standing.ASKED:
         text = f"{who} may still be editing “{name}”. If both save, one will have to choose between the two."
