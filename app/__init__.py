@@ -11,6 +11,7 @@ The layers, top to bottom; a module imports only from its own layer and those ab
 - ``analysis``, ``settle``: what is shown over the curve; what is computed beside the window.
 - ``theme``, ``colours``, ``icons``, ``preferences``: how it looks; what is remembered between starts.
 - ``keymap``: which keys do what.
+- ``disk_watch``: notices when a file may have changed.
 - ``plot``: what canvas and basis panel share: a pixel map, fast drawing, pan and zoom.
 - ``canvas``, ``panels``: draw a value and report what the person did. They never call each other.
 - ``action_specs``, ``actions``, ``file_commands``, ``commands``: what can be done, and what it does.

@@ -53,6 +53,8 @@ class FileCommands:
     ) -> None:
         self._session, self._preferences = session, preferences
         self._window, self._warn = window, warn
+        self.refused: Callable[[Path, str, StorageError], None] = lambda _path, sentence, _why: warn(sentence)
+        """Says why a document was not saved, and what can be done about it."""
 
     def new(self) -> None:
         """Start an empty document, after asking about unsaved changes."""
@@ -88,24 +90,45 @@ class FileCommands:
 
     def save(self) -> bool:
         """Save to the document's file, or ask for one; return whether it was saved."""
-        if self._session.path is None:
+        file = self._session.file
+        if self._session.path is None or (self._session.is_read_only and file and not file.take_if_free()):
             return self.ask_and_save()
         return self._save(self._session.path)
+
+    def overwrite(self) -> bool:
+        """Save to the document's file although it was changed meanwhile; return whether it was saved."""
+        return self._session.path is not None and self._save(self._session.path, overwrite=True)
 
     def ask_and_save(self) -> bool:
         """Let the person choose a file and save there."""
         start = self._session.path or self._preferences.last_folder / (file_stem(self._session) + SUFFIX)
+        if self._session.is_read_only:
+            start = start.with_name(f"{file_stem(self._session)} copy{SUFFIX}")
         name, _ = QFileDialog.getSaveFileName(self._window, "Save As", str(start), _DOCUMENTS)
-        return bool(name) and self._save(with_suffix(Path(name)))
+        if not name:
+            return False
+        path = with_suffix(Path(name))
+        if path != Path(name) and path.exists():
+            # The dialog asked about the name without the suffix, if it asked at all.
+            why = StorageError(f"“{path.name}” is there already. Choose it in the list to replace it.")
+            self.refused(path, f"{path.name} was not saved. {why}", why)
+            return False
+        return self._save(path)
 
-    def _save(self, path: Path) -> bool:
+    def _save(self, path: Path, *, overwrite: bool = False) -> bool:
+        file = self._session.file
+        was_older = file is not None and file.is_older and file.is_at(path)
         try:
-            self._session.save(path)
-        except (FormatError, StorageError) as problem:
+            self._session.save(path, overwrite=overwrite)
+        except FormatError as problem:
             self._warn(_sentence(f"{path.name} was not saved", problem))
             return False
+        except StorageError as problem:
+            self.refused(path, _sentence(f"{path.name} was not saved", problem), problem)
+            return False
         self._remember(path)
-        self._session.say(f"Saved {path.name}.")
+        kept = " The old version is kept beside it." if was_older else ""
+        self._session.say(f"Saved {path.name}.{kept}")
         return True
 
     def ask_and_export(self) -> None:
@@ -141,6 +164,11 @@ class FileCommands:
         if answer == QMessageBox.StandardButton.Save:
             return self.save()
         return answer == QMessageBox.StandardButton.Discard
+
+    def let_go(self) -> None:
+        """Tell others that the document is open here no longer."""
+        if self._session.file is not None:
+            self._session.file.close()
 
     def _ask_about_changes(self) -> int:
         name = title_of(self._session).replace("Untitled", "the sketch")

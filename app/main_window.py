@@ -304,7 +304,8 @@ class MainWindow(QMainWindow):
         path = self.session.path
         name = title_of(self.session).replace("[*]", "[*][*]")
         self.setWindowFilePath(str(path) if path is not None else "")
-        self.setWindowTitle(f"{name}[*] – Curvebench")
+        read_only = " (read-only)" if self.session.is_read_only else ""
+        self.setWindowTitle(f"{name}[*]{read_only} – Curvebench")
         self.setWindowModified(self.session.is_modified)
 
     def _offer(self, text: str, action: str) -> None:
@@ -418,6 +419,7 @@ class MainWindow(QMainWindow):
         if not self._files.may_discard():
             event.ignore()
             return
+        self._files.let_go()
         self._remember_layout()
         for dialog in self.findChildren(QDialog):
             dialog.close()

@@ -13,6 +13,7 @@ from app.document import storage
 from app.document.curve_edits import refuse_locked
 from app.document.edits import EditError
 from app.document.model import Curve, Document, empty_document
+from app.document.open_file import OpenFile
 from app.examples import first_sketch
 from app.view_model.curve_view import CurveView, view_of
 
@@ -87,6 +88,7 @@ class Session(QObject):
         self.undo_stack.cleanChanged.connect(self._report_clean)
         self.undo_stack.indexChanged.connect(self._report_index)
         self.path: Path | None = None
+        self.file: OpenFile | None = None
         self.active_index = 0
         self.selection: frozenset[int] = frozenset()
         self.hovered = -1
@@ -272,24 +274,55 @@ class Session(QObject):
     def open(self, path: str | Path) -> None:
         """Open the document at `path`; when it cannot be read, raise and leave the open one as it was."""
         path = Path(path)
-        self._replace(storage.load(path), path)
+        opened = OpenFile.open(path, self.file)
+        self._replace(opened.document, path, opened.file)
 
     def open_copy(self, path: str | Path) -> None:
         """Open the document at `path` as a new one without a file of its own (examples)."""
         self._replace(storage.load(Path(path)), None)
 
-    def save(self, path: str | Path | None = None) -> None:
-        """Write the document to `path`, or to the file it came from."""
+    def reload(self) -> None:
+        """Take over what the file holds now, as a step of the history; raises as `open` does."""
+        if self.file is None:
+            return
+        document = self.file.read_again()
+        self.cancel()
+        if document != self._committed:
+            before, after = _State(self._committed, self.active_index), _State(document, 0)
+            if self.active_index < len(document.curves):
+                after = _State(document, self.active_index)
+            self.undo_stack.push(_Change(self, before, after, "Reload"))
+        self.undo_stack.setClean()
+        self.file_changed.emit()
+
+    @property
+    def is_read_only(self) -> bool:
+        """Whether somebody else has the file open, so that only Save As keeps changes."""
+        return self.file is not None and self.file.owner is not None
+
+    def save(self, path: str | Path | None = None, *, overwrite: bool = False) -> None:
+        """Write the document to `path`, or to the file it came from.
+
+        A file that was changed since it was seen last is replaced only if `overwrite` says so; see
+        `OpenFile.saved` for what is refused besides.
+        """
         target = Path(path) if path is not None else self.path
         if target is None:
             raise EditError("The document has no file yet; choose one with Save As.")
         self.cancel()
-        storage.save(target, self._committed)
+        file = OpenFile.saved(target, self._committed, self.file, overwrite=overwrite)
+        self._take_file(file)
         self.path = target
         self.undo_stack.setClean()
         self.file_changed.emit()
 
-    def _replace(self, document: Document, path: Path | None) -> None:
+    def _take_file(self, file: OpenFile | None) -> None:
+        if self.file is not None and self.file is not file:
+            self.file.close()
+        self.file = file
+
+    def _replace(self, document: Document, path: Path | None, file: OpenFile | None = None) -> None:
+        self._take_file(OpenFile.adopt(path) if file is None and path is not None else file)
         self.path = path
         self.select([])
         self.set_scrub(None)

@@ -31,6 +31,7 @@ from app.document.model import Curve, Family, ParametrizationKind, Vector
 from app.main_window import MainWindow
 from app.panels.command_palette import CommandPalette
 from app.panels.curve_list_view import Spot, spot_rect
+from app.panels.file_bar import FileBar
 from app.plot.plot_widget import PlotWidget
 from app.preferences import Preferences
 from app.session import Session
@@ -135,7 +136,21 @@ class Editor:
         """The sentence at the left of the status line."""
         return self.window.status_line.text
 
+    @property
+    def file_message(self) -> str:
+        """The sentence about the document's file; empty when there is none."""
+        bar = self.window.findChild(FileBar)
+        return bar.text if bar is not None else ""
+
     # What a person does
+
+    def answer_file_message(self, action: str) -> None:
+        """Click the button that the sentence about the file offers for the action of this name."""
+        bar = self.window.findChild(FileBar)
+        if bar is None or action not in bar.offered:
+            raise LookupError(f"{action!r} is not offered; {bar.offered if bar else 'there is no line'}.")
+        QTest.mouseClick(bar.button(action), _LEFT)
+        self.settle()
 
     def new(self) -> None:
         """Start an empty document with the view from (−0.5, −0.5) on, adding points."""

@@ -13,6 +13,7 @@ from PySide6.QtWidgets import QWidget
 from app.canvas.corner_layer import CornerLayer
 from app.canvas.curve_layer import CurveLayer
 from app.canvas.figure_layer import FigureLayer
+from app.canvas.file_layer import FileLayer
 from app.canvas.grid_layer import GridLayer
 from app.canvas.image_layer import ImageLayer
 from app.canvas.other_curves_layer import OtherCurvesLayer
@@ -50,6 +51,7 @@ class CanvasView(PlotWidget):
         self._units = UnitLayer(self, LIGHT)
         self._other_curves = OtherCurvesLayer(self, LIGHT)
         self._figures = FigureLayer(self, LIGHT, z=-0.5)
+        self._file_layer = FileLayer(self, LIGHT)
         self._curve_layer = CurveLayer(self, LIGHT)
         self._point_layer = PointLayer(self, LIGHT)
         self._corner_layer = CornerLayer(self, LIGHT)
@@ -91,6 +93,15 @@ class CanvasView(PlotWidget):
         """What is shown beside the active curve."""
         return self._figures.figures
 
+    def show_file_version(self, views: Sequence[CurveView], name: str) -> None:
+        """Show the curves that a file holds, dashed and with this name; none: put them away."""
+        self._file_layer.render(views, name)
+
+    @property
+    def file_version(self) -> str:
+        """The name beside the curves of a file; empty while none are shown."""
+        return self._file_layer.name
+
     def _show_ghost_of_other_rules(self, view: CurveView) -> None:
         old = self._view
         if old is None or self.is_dragging or not old.is_current or not view.is_current:
@@ -120,13 +131,15 @@ class CanvasView(PlotWidget):
         self._theme = theme
         for layer in (self._image_layer, self._grid, self._units, self._curve_layer, self._point_layer):
             layer.theme = theme
-        self._other_curves.theme = self._corner_layer.theme = self._figures.theme = theme
+        for other in (self._other_curves, self._corner_layer, self._figures, self._file_layer):
+            other.theme = theme
         super().set_theme(theme)
 
     def set_scale(self, scale: float) -> None:
         """Enlarge points, lines and numbers, for a projector."""
         self._curve_layer.scale = self._point_layer.scale = scale
-        self._other_curves.scale = self._corner_layer.scale = self._figures.scale = scale
+        for other in (self._other_curves, self._corner_layer, self._figures, self._file_layer):
+            other.scale = scale
         super().set_scale(scale)
 
     def set_hovered(self, index: int) -> None:

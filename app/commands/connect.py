@@ -5,6 +5,7 @@ from __future__ import annotations
 from app.commands.clipboard_commands import ClipboardCommands
 from app.commands.context_menus import ContextMenus
 from app.commands.curve_commands import CurveCommands
+from app.commands.disk_commands import DiskCommands
 from app.commands.edit_commands import EditCommands
 from app.commands.help_commands import HelpCommands
 from app.commands.image_commands import ImageCommands
@@ -43,6 +44,7 @@ class Commands:
             HelpCommands(parts),
             RailCommands(parts),
             self.images,
+            DiskCommands(parts),
             ToolCommands(parts, self.snap.apply_preferences),
         )
         self.context_menus = ContextMenus(parts, curves)

@@ -15,6 +15,7 @@ from typing import Literal
 
 import msgspec
 
+from app.document.migration import can_migrate, migrated
 from app.document.model import (
     MAX_MAGNITUDE,
     Curve,
@@ -133,8 +134,9 @@ def decode(data: bytes) -> Document:
     """
     _refuse_other_text(data)
     try:
-        _check_header(_HEADER_DECODER.decode(data))
-        file = _FILE_DECODER.decode(data)
+        header = _HEADER_DECODER.decode(data)
+        _check_header(header)
+        file = _FILE_DECODER.decode(data) if header.version == VERSION else _raised(data, header.version)
     except msgspec.ValidationError as problem:
         raise FormatError(_in_words(str(problem))) from None
     except msgspec.DecodeError as problem:
@@ -145,6 +147,27 @@ def decode(data: bytes) -> Document:
     document = Document(file.curves, file.image)
     validate(document)
     return document
+
+
+def version_of(data: bytes) -> int | None:
+    """Return the version that the content of a file claims; None where it is no document of ours."""
+    try:
+        header = _HEADER_DECODER.decode(data)
+    except (msgspec.MsgspecError, RecursionError, UnicodeDecodeError):
+        return None
+    return header.version if header.format == FORMAT else None
+
+
+def _raised(data: bytes, version: int) -> _File:
+    """Return the content of a file of an older version as one of this."""
+    try:
+        values = migrated(msgspec.json.decode(data), version, VERSION)
+    except (LookupError, TypeError, ValueError, AttributeError) as problem:
+        # A migration takes a file for what it claims to be.
+        raise FormatError(
+            f"it claims version {version}, but does not hold what that version has"
+        ) from problem
+    return msgspec.convert(values, _File)
 
 
 def _refuse_other_text(data: bytes) -> None:
@@ -172,7 +195,7 @@ def _check_header(header: _Header) -> None:
             "it was written by a newer version of Curvebench "
             f"(format version {header.version}; this program reads {VERSION})"
         )
-    if header.version < VERSION:
+    if header.version < VERSION and not can_migrate(header.version, VERSION):
         raise FormatError(f"version must be {VERSION}, not {header.version}")
 
 

@@ -1,0 +1,286 @@
+"""The document's file while it is open: changed, gone, or open elsewhere, and what can be done then."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from PySide6.QtCore import QObject, QTimer
+
+from app.commands.disk_notices import Notice, Standing, about_content, about_lock, about_refusal
+from app.commands.parts import Handlers, Parts
+from app.disk_watch import DiskWatch
+from app.document.format import FormatError
+from app.document.model import Document
+from app.document.open_file import OpenFile, Sight
+from app.document.storage import Stamp, StorageError
+from app.panels.file_bar import FileBar
+from app.view_model.curve_view import CurveView, view_of
+
+_AGAIN_MS = 100
+_LOOKS = 5
+"""How often to look again, each time after twice as long, before a file counts as gone or broken: other
+programs may be just writing it."""
+
+_OWNER_MS = 2000
+"""How often to look whether the one who owns the document is still there; a crash gives no sign."""
+
+_NAMES = ("reloadFile", "keepMine", "compareWithFile", "overwriteFile", "takeOver", "editAnyway")
+
+
+class DiskCommands(QObject):
+    """Keeps the line about the file in step with the disk, and does what it offers."""
+
+    def __init__(self, parts: Parts) -> None:
+        super().__init__(parts.window)
+        self._parts, self._session = parts, parts.session
+        self._actions = {name: parts.actions[name] for name in (*_NAMES, "saveDocument", "saveDocumentAs")}
+        self._bar: FileBar | None = None
+        self._watch = DiskWatch(parts.window)
+        self._watch.stirred.connect(self._look)
+        self._again = QTimer(self, singleShot=True)
+        self._again.timeout.connect(self._look)
+        self._file: OpenFile | None = None
+        self._path: Path | None = None
+        self._stamp: Stamp | None = None
+        self._standing = Standing.OURS
+        self._put_away: set[Notice] = set()
+        self._forget()
+        parts.files.refused = self._show_refusal
+        self._session.file_changed.connect(self._follow)
+        self._session.opened.connect(self._say_what_matters)
+        self._follow()
+        # A document that was opened before there was a window.
+        self._say_what_matters()
+
+    def _forget(self) -> None:
+        """Begin anew, with what was just opened, saved or reloaded."""
+        self._again.stop()
+        self._looks = 0
+        self._sight = Sight.SAME
+        self._other: Document | None = None
+        self._refusal: Notice | None = None
+        self._hide_ghost()
+
+    def handlers(self) -> Handlers:
+        """Return what each action does."""
+        return {
+            "reloadFile": self._reload,
+            "keepMine": self._keep_mine,
+            "compareWithFile": self._compare,
+            "overwriteFile": self._parts.files.overwrite,
+            "takeOver": self._take_over,
+            "editAnyway": self._edit_anyway,
+        }
+
+    def render(self, view: CurveView) -> None:
+        """Nothing here depends on the curves."""
+
+    # Keeping in step
+
+    def _follow(self) -> None:
+        """Take note of another file, or of the same one saved."""
+        file = self._session.file
+        stamp = file.stamp if file is not None else None
+        if file is not self._file or stamp is not self._stamp:
+            self._stamp = stamp
+            self._forget()
+        if file is not self._file:
+            self._file = file
+            self._put_away.clear()
+            is_other = file is not None and file.owner is not None
+            self._standing = Standing.OPENED_ELSEWHERE if is_other else Standing.OURS
+        if self._session.path != self._path:
+            self._path = self._session.path
+            self._watch.watch(self._path)
+        self._show()
+
+    def _say_what_matters(self) -> None:
+        """Say what one should know about a file that was just opened."""
+        file = self._session.file
+        if file is None:
+            return
+        if file.is_older:
+            self._parts.status_line.say(
+                f"{file.path.name} is of an older version; the first save keeps the old file beside it."
+            )
+        elif file.lock_problem and file.owner is None:
+            self._parts.status_line.say(
+                f"Others cannot see that {file.path.name} is open here: no lock in its folder "
+                f"({file.lock_problem})."
+            )
+
+    def _look(self) -> None:
+        """Look at the file and at its lock."""
+        file = self._file
+        if file is None:
+            return
+        self._look_at_lock(file)
+        sight = file.look()
+        unsettled = sight in (Sight.UNREADABLE, Sight.GONE) and sight is not self._sight
+        if unsettled and self._looks < _LOOKS:
+            self._again.start(_AGAIN_MS << self._looks)
+            self._looks += 1
+            return
+        self._looks = 0
+        self._stamp = file.stamp
+        if sight is not self._sight or sight is Sight.CHANGED:
+            self._settle(file, sight)
+        self._show()
+
+    def _settle(self, file: OpenFile, sight: Sight) -> None:
+        """Take note of what has become of the file."""
+        is_news = sight is not self._sight or self._other is not file.other_document
+        self._sight, self._other = sight, file.other_document
+        if is_news:
+            self._put_away.clear()
+            if sight is not Sight.CHANGED:
+                self._hide_ghost()
+            elif self._actions["compareWithFile"].isChecked():
+                self._show_ghost()
+        if sight is Sight.GONE:
+            # What is here is nowhere else now.
+            self._session.undo_stack.resetClean()
+
+    def _look_at_lock(self, file: OpenFile) -> None:
+        owner = file.look_at_lock()
+        if owner is None:
+            if file.owner is not None:
+                self._standing = Standing.FREED
+            return
+        if self._standing is Standing.OURS:
+            self._standing = Standing.TAKEN_AWAY
+            file.lose_to(owner)
+            self._session.file_changed.emit()
+        elif self._standing is Standing.FREED:
+            self._standing = Standing.OPENED_ELSEWHERE
+            file.lose_to(owner)
+
+    # What is shown
+
+    def _show(self) -> None:
+        """Show what matters most now."""
+        file = self._file
+        is_changed = self._sight is Sight.CHANGED
+        read_only = self._session.is_read_only
+        self._watch.look_every(_OWNER_MS if read_only else 0)
+        enabled = {
+            "reloadFile": file is not None and self._sight in (Sight.SAME, Sight.CHANGED),
+            "keepMine": self._sight in (Sight.CHANGED, Sight.UNREADABLE),
+            "compareWithFile": is_changed,
+            "overwriteFile": self._may_overwrite,
+            "takeOver": read_only,
+            "editAnyway": self._standing is Standing.ASKED,
+        }
+        for name, is_enabled in enabled.items():
+            self._actions[name].setEnabled(is_enabled)
+        notice = next((each for each in self._notices() if each not in self._put_away), None)
+        if notice is not None:
+            self._show_notice(notice)
+        elif self._bar is not None:
+            self._bar.hide()
+
+    @property
+    def _may_overwrite(self) -> bool:
+        is_asked = self._refusal is not None and "overwriteFile" in self._refusal.actions
+        is_other = is_asked or self._sight in (Sight.CHANGED, Sight.UNREADABLE)
+        return is_other and not self._session.is_read_only
+
+    def _notices(self) -> list[Notice]:
+        """Return what there is to say, the most urgent first."""
+        file = self._file
+        found: list[Notice | None] = [self._refusal]
+        if file is not None:
+            name, owner = file.path.name, file.owner
+            lock = about_lock(name, self._standing, owner)
+            content = about_content(name, self._sight, modified=self._session.is_modified, owner=owner)
+            is_urgent = self._standing in (Standing.ASKED, Standing.FREED, Standing.TAKEN_AWAY)
+            found += [lock, content] if is_urgent else [content, lock]
+        return [each for each in found if each is not None]
+
+    def _show_notice(self, notice: Notice) -> None:
+        if self._bar is None:
+            self._bar = FileBar(self._parts.canvas, self._parts.message_bar)
+            self._bar.closed.connect(self._close)
+        self._shown = notice
+        self._bar.show_notice(
+            notice.text, [self._actions[name] for name in notice.actions], warns=notice.warns
+        )
+
+    def _close(self) -> None:
+        """Put the sentence away; if there is another one behind it, show that."""
+        if self._shown is self._refusal:
+            self._refusal = None
+        elif self._standing is Standing.ASKED:
+            self._standing = Standing.OPENED_ELSEWHERE
+        else:
+            self._put_away.add(self._shown)
+        self._show()
+
+    def _show_refusal(self, path: Path, sentence: str, problem: StorageError) -> None:
+        """Say why the document was not saved, and offer a way."""
+        own = self._file is not None and self._file.is_at(path)
+        self._refusal = about_refusal(path.name, sentence, problem, own=own)
+        if own:
+            self._look()
+        self._show()
+
+    # What can be done
+
+    def _reload(self) -> None:
+        if self._file is None:
+            return
+        name = self._file.path.name
+        try:
+            self._session.reload()
+        except (FormatError, StorageError) as problem:
+            self._refusal = Notice(f"{name} was not reloaded: {problem}", ("saveDocumentAs",))
+            self._show()
+            return
+        self._session.say(f"Reloaded {name}; Undo brings back what was here.")
+
+    def _keep_mine(self) -> None:
+        if self._file is not None:
+            self._file.accept()
+            # What is here is in no file.
+            self._session.undo_stack.resetClean()
+            self._follow()
+
+    def _compare(self) -> None:
+        if self._actions["compareWithFile"].isChecked():
+            self._show_ghost()
+        else:
+            self._hide_ghost()
+
+    def _show_ghost(self) -> None:
+        document = self._file.other_document if self._file is not None else None
+        if document is None or self._path is None:
+            self._hide_ghost()
+            return
+        views = [view_of(curve) for curve in document.curves]
+        self._parts.canvas.show_file_version(views, f"{self._path.name} on the disk")
+
+    def _hide_ghost(self) -> None:
+        self._actions["compareWithFile"].setChecked(False)
+        self._parts.canvas.show_file_version([], "")
+
+    def _take_over(self) -> None:
+        """Make the document ours at once if nobody has it; else ask first."""
+        file = self._file
+        if file is None:
+            return
+        owner = file.look_at_lock()
+        if owner is None or owner.may_have_forgotten:
+            self._edit_anyway()
+            return
+        self._refusal = None
+        self._standing = Standing.ASKED
+        self._show()
+
+    def _edit_anyway(self) -> None:
+        if self._file is None:
+            return
+        self._file.take_over()
+        self._standing, self._refusal = Standing.OURS, None
+        self._session.file_changed.emit()
+        self._session.say(f"{self._file.path.name} can be saved from here now.")
+        self._look()

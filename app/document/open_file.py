@@ -1,0 +1,264 @@
+"""The file behind an open document: what was seen of it last, and whose it is."""
+
+from __future__ import annotations
+
+import os
+from dataclasses import dataclass
+from enum import Enum, auto
+from pathlib import Path
+
+from app.document import storage
+from app.document.format import VERSION, FormatError, version_of
+from app.document.leftovers import sweep
+from app.document.lock import Attempt, Lock, Owner, acquire, owner_of, take_over
+from app.document.model import Document
+from app.document.storage import MissingError, Stamp, StorageError, UnconfirmedError
+
+
+class LockedError(StorageError):
+    """Somebody else has the file open; `owner` is who."""
+
+    def __init__(self, path: Path, owner: Owner) -> None:
+        super().__init__(f"“{path.name}” is open elsewhere. Save under another name.")
+        self.owner = owner
+
+
+class Sight(Enum):
+    """What a look at the file gives."""
+
+    SAME = auto()
+    CHANGED = auto()
+    """It holds another document than was seen last."""
+    UNREADABLE = auto()
+    """It holds no document, perhaps because another program is just writing it."""
+    GONE = auto()
+
+
+@dataclass(frozen=True)
+class Opened:
+    """A document and the file it came from."""
+
+    document: Document
+    file: OpenFile
+
+
+class OpenFile:
+    """What one window knows of its document's file.
+
+    Attributes
+    ----------
+    path
+        Its name, as the person gave it.
+    stamp
+        What it was when it was last read, written or accepted; None where it was not there.
+    version
+        The version of the format it was in when it was opened.
+    owner
+        Who else has it open, so that it is not saved from here; None where it is ours.
+    lock_problem
+        Why nobody can be told that it is open here; empty where they are.
+    """
+
+    def __init__(self, path: Path, stamp: Stamp | None, attempt: Attempt, version: int = VERSION) -> None:
+        self.path, self.stamp, self.version = path, stamp, version
+        self._lock: Lock | None = None
+        self._seen: tuple[Stamp, Sight, Document | None] | None = None
+        self._take(attempt)
+
+    def _take(self, attempt: Attempt) -> None:
+        self._lock, self.owner, self.lock_problem = attempt.lock, attempt.owner, attempt.problem
+
+    # Opening and saving
+
+    @classmethod
+    def open(cls, path: Path, previous: OpenFile | None = None) -> Opened:
+        """Read the document at `path` and mark it as open; see `storage.load` for what may be wrong.
+
+        `previous` is the file that was open in this window until now; its lock goes on where it is the same.
+        """
+        content = storage.read_content(path)
+        document = storage.document_in(content.data, path)
+        # What somebody writes between the reading and the lock is noticed like any later change.
+        attempt = _lock_for(path, previous)
+        sweep(_target(path).parent)
+        return Opened(document, cls(path, content.stamp, attempt, _version(content.data)))
+
+    @classmethod
+    def adopt(cls, path: Path) -> OpenFile:
+        """Return the file at `path` for a document that did not come from it, such as one that was recovered.
+
+        What it holds now counts as seen.
+        """
+        try:
+            stamp = storage.read_content(path).stamp
+        except StorageError:
+            stamp = None
+        return cls(path, stamp, acquire(_target(path)))
+
+    @classmethod
+    def saved(
+        cls, path: Path, document: Document, previous: OpenFile | None = None, *, overwrite: bool = False
+    ) -> OpenFile:
+        """Write `document` to `path` and return the file it lies in from then on.
+
+        Parameters
+        ----------
+        overwrite
+            Also where the file was changed since it was seen last.
+
+        Raises
+        ------
+        LockedError
+            If somebody else has that file open.
+        StorageError, FormatError
+            As `storage.save`; `previous` then still is the file of the document.
+        """
+        if previous is not None and previous.is_at(path):
+            previous._save(document, overwrite=overwrite)
+            previous.path = path
+            return previous
+        file = cls(path, None, acquire(_target(path)))
+        try:
+            file._save(document, overwrite=True)
+        except BaseException:
+            file.close()
+            raise
+        return file
+
+    def _save(self, document: Document, *, overwrite: bool) -> None:
+        self._refuse_if_not_ours()
+        try:
+            self.stamp = storage.save(self.path, document, seen=None if overwrite else self.stamp)
+        except UnconfirmedError as problem:
+            self.stamp = problem.stamp
+            raise
+        self.version = VERSION
+        sweep(_target(self.path).parent)
+
+    def _refuse_if_not_ours(self) -> None:
+        if self.owner is None and self._lock is not None and (owner := self._lock.lost_to()) is not None:
+            self.lose_to(owner)
+        if self.owner is not None and not self.take_if_free():
+            raise LockedError(self.path, self.owner)
+
+    def take_if_free(self) -> bool:
+        """Make the file ours if nobody else has it open by now; return whether it is ours."""
+        attempt = acquire(_target(self.path))
+        if attempt.owner is not None:
+            self.owner = attempt.owner
+            return False
+        self._take(attempt)
+        return True
+
+    def is_at(self, path: Path) -> bool:
+        """Whether `path` leads to this file."""
+        return _target(path) == _target(self.path)
+
+    @property
+    def is_older(self) -> bool:
+        """Whether it is of an older version of the format; the first save then keeps a copy beside it."""
+        return self.version < VERSION
+
+    # Whose it is
+
+    def look_at_lock(self) -> Owner | None:
+        """Return who has the file open now; None where it is ours or free. `owner` stays as it was."""
+        if self._lock is not None:
+            return self._lock.lost_to()
+        return owner_of(_target(self.path)) if self.owner is not None else None
+
+    def lose_to(self, owner: Owner) -> None:
+        """Take note that somebody else has the file now."""
+        self.owner, self._lock = owner, None
+
+    def take_over(self) -> None:
+        """Make the file ours, whoever has it open."""
+        if not self.take_if_free():
+            self._take(take_over(_target(self.path)))
+
+    def close(self) -> None:
+        """Tell the others that the file is open here no longer."""
+        if self._lock is not None:
+            self._lock.release()
+            self._lock = None
+
+    # What it holds
+
+    def look(self) -> Sight:
+        """Return what has become of the file since it was seen last; quick where nothing has."""
+        try:
+            status = _target(self.path).stat()
+        except FileNotFoundError:
+            return Sight.SAME if self.stamp is None else Sight.GONE
+        except OSError:
+            return Sight.UNREADABLE
+        if self.stamp is not None and self.stamp.is_of(status):
+            return Sight.SAME
+        if self._seen is not None and self._seen[0].is_of(status):
+            return self._seen[1]
+        return self._read_again()
+
+    def _read_again(self) -> Sight:
+        try:
+            content = storage.read_content(self.path)
+        except MissingError:
+            return Sight.GONE
+        except StorageError:
+            return Sight.UNREADABLE
+        if self.stamp is not None and content.stamp.digest == self.stamp.digest:
+            # Touched, copied or checked out again, with the same content.
+            self.stamp = content.stamp
+            return Sight.SAME
+        document = None
+        try:
+            document = storage.document_in(content.data, self.path)
+        except FormatError:
+            sight = Sight.UNREADABLE
+        else:
+            sight = Sight.CHANGED
+        self._seen = (content.stamp, sight, document)
+        return sight
+
+    @property
+    def other_document(self) -> Document | None:
+        """The document that the last look found in the file, where it was changed."""
+        return self._seen[2] if self._seen is not None else None
+
+    def accept(self) -> None:
+        """Take what the file holds now as seen: the next save replaces it."""
+        self.look()
+        if self._seen is not None:
+            self.stamp = self._seen[0]
+            self._seen = None
+
+    def read_again(self) -> Document:
+        """Return the document that the file holds now, and take it as seen; see `storage.load`."""
+        content = storage.read_content(self.path)
+        document = storage.document_in(content.data, self.path)
+        self.stamp, self._seen = content.stamp, None
+        self.version = _version(content.data)
+        return document
+
+
+def _lock_for(path: Path, previous: OpenFile | None) -> Attempt:
+    """Return the lock of the file at `path`, from `previous` where that has it."""
+    if previous is None or previous._lock is None or not previous.is_at(path):
+        return acquire(_target(path))
+    owner = previous._lock.lost_to()
+    if owner is not None:
+        return Attempt(owner=owner)
+    lock, previous._lock = previous._lock, None
+    return Attempt(lock=lock)
+
+
+def _version(data: bytes) -> int:
+    found = version_of(data)
+    return VERSION if found is None else found
+
+
+def _target(path: Path) -> Path:
+    """Return the file itself where `path` is a link to it."""
+    try:
+        return Path(os.path.realpath(path))
+    except (OSError, ValueError):
+        return path

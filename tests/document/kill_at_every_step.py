@@ -1,0 +1,100 @@
+"""Saves in one child process after another, each killed one step later than the one before it.
+
+A step is a call of the operating system: `sys.setprofile` tells of each just before it happens. Prints,
+as JSON, what each child left behind.
+
+Usage: python kill_at_every_step.py FOLDER
+"""
+
+from __future__ import annotations
+
+import json
+import os
+import signal
+import sys
+from pathlib import Path
+
+from app.document.format import encode
+from app.document.leftovers import TEMPORARY_PREFIX, sweep
+from app.document.lock import lock_place
+from app.document.migration import MIGRATIONS
+from app.document.model import Document, make_curve
+from app.document.open_file import OpenFile
+
+OLD, NEW = (Document((make_curve([(x, 0.0)] * 40),)) for x in (1.0, 2.0))
+SYSTEM = {"posix", "nt", "_io", "io", "fcntl"}
+
+
+def save_until(path: Path, steps: int, *, while_opening: bool) -> None:
+    """Open, save and close; be killed before the step number `steps`."""
+    left = steps
+
+    def step(_frame: object, event: str, called: object) -> None:
+        nonlocal left
+        owner = type(getattr(called, "__self__", None)).__module__
+        if event == "c_call" and {getattr(called, "__module__", ""), owner} & SYSTEM:
+            left -= 1
+            if left < 0:
+                os.kill(os.getpid(), signal.SIGKILL)
+
+    if while_opening:
+        sys.setprofile(step)
+    file = OpenFile.open(path).file
+    sys.setprofile(step)
+    OpenFile.saved(path, NEW, file)
+    file.close()
+    sys.setprofile(None)
+
+
+def age_empty_lock(path: Path) -> None:
+    """Let the time pass in which an empty lock may be one that is being written."""
+    place = lock_place(path)
+    if place.exists() and not place.stat().st_size:
+        os.utime(place, (1, 1))
+
+
+def run(folder: Path, old: bytes, *, while_opening: bool) -> list[dict[str, object]]:
+    """Return what is left after each number of steps, until a child comes to the end."""
+    path = folder / "drawing.curve.json"
+    results = []
+    for steps in range(100_000):
+        path.write_bytes(old)
+        child = os.fork()
+        if child == 0:
+            save_until(path, steps, while_opening=while_opening)
+            os._exit(0)
+        _, status = os.waitpid(child, 0)
+        content = path.read_bytes()
+        temporary = [each.name for each in folder.glob(f"{TEMPORARY_PREFIX}*")]
+        swept = sweep(folder, older_than=-1.0)
+        others = sorted(each.name for each in folder.iterdir() if each != path)
+        backups = [each for each in others if each.endswith(".bak")]
+        results.append(
+            {
+                "killed": os.WIFSIGNALED(status),
+                "holds": "old" if content == old else "new" if content == encode(NEW) else "neither",
+                "temporary": len(temporary),
+                "swept": swept,
+                "others": others,
+                "whole_backups": all((folder / each).read_bytes() == old for each in backups),
+            }
+        )
+        if os.WIFEXITED(status):
+            assert os.WEXITSTATUS(status) == 0
+            break
+        # The lock stays: the next child has to see that its owner is dead.
+        age_empty_lock(path)
+        for each in backups:
+            (folder / each).unlink()
+    return results
+
+
+if __name__ == "__main__":
+    target = Path(sys.argv[1])
+    MIGRATIONS[0] = lambda values: values
+    older = encode(OLD).replace(b'"version": 1', b'"version": 0')
+    results = {
+        "present": run(target, encode(OLD), while_opening=True),
+        "older": run(target, older, while_opening=False),
+    }
+    print(json.dumps(results))

@@ -1,0 +1,346 @@
+"""Locks: one owner at a time, and none that outlives its process."""
+
+from __future__ import annotations
+
+import errno
+import gc
+import json
+import os
+import shutil
+import subprocess
+import sys
+import textwrap
+import time
+from pathlib import Path
+
+import msgspec
+import pytest
+
+from app.document import lock as lock_module
+from app.document import processes
+from app.document.leftovers import sweep, temporary_name
+from app.document.lock import OLD, Owner, acquire, lock_place, owner_of, take_over
+from app.document.processes import Process, is_alive, is_number_alive, machine, this_process
+
+ROOT = Path(__file__).parents[2]
+posix_only = pytest.mark.skipif(os.name == "nt", reason="processes are told apart on POSIX")
+
+
+@pytest.fixture
+def target(tmp_path):
+    return tmp_path / "drawing.curve.json"
+
+
+def ended_process():
+    """A process of this computer that has ended."""
+    child = subprocess.Popen([sys.executable, "-c", ""])
+    child.wait()
+    started = this_process().started.rpartition("/")[0] + "/1"
+    return Process(machine(), child.pid, started)
+
+
+def leave_lock(target, process, *, since=None, mark="theirs", user="ada", host="engine"):
+    owner = Owner(user, host, process.machine, process.pid, process.started, since or time.time(), mark)
+    lock_place(target).write_bytes(msgspec.json.encode(owner))
+    return owner
+
+
+def test_the_lock_lies_beside_the_document_and_goes(target):
+    attempt = acquire(target)
+    place = target.parent / ".drawing.curve.json.lock"
+    content = json.loads(place.read_bytes())
+    assert content["pid"] == os.getpid()
+    assert set(content) == {"user", "host", "machine", "pid", "started", "since", "mark"}
+    attempt.lock.release()
+    assert not place.exists()
+    assert owner_of(target) is None
+
+
+def test_a_second_one_is_told_who_has_it(target):
+    first = acquire(target)
+    second = acquire(target)
+    assert second.lock is None
+    assert second.owner.is_this_process
+    assert second.owner.is_same_person
+    assert owner_of(target) == second.owner
+    first.lock.release()
+    assert acquire(target).lock is not None
+
+
+def test_a_forgotten_lock_goes_with_its_object(target):
+    acquire(target)
+    gc.collect()
+    assert not lock_place(target).exists()
+
+
+def test_releasing_leaves_the_lock_of_somebody_else(target):
+    lock = acquire(target).lock
+    other = leave_lock(target, Process("elsewhere", 7, "x"))
+    assert lock.lost_to() == other
+    lock.release()
+    assert owner_of(target) == other
+
+
+def test_a_lock_that_was_deleted_is_made_anew(target):
+    lock = acquire(target).lock
+    lock_place(target).unlink()
+    assert lock.lost_to() is None
+    assert acquire(target).owner is not None
+
+
+@posix_only
+def test_the_lock_of_a_dead_process_is_reclaimed(target):
+    leave_lock(target, ended_process())
+    assert owner_of(target) is None
+    attempt = acquire(target)
+    assert attempt.lock is not None
+    assert sorted(path.name for path in target.parent.iterdir()) == [lock_place(target).name]
+
+
+@posix_only
+def test_a_later_process_with_the_same_number_does_not_count(target):
+    """Numbers come round again; the time of the start tells them apart."""
+    parent = os.getppid()
+    assert is_number_alive(parent)
+    started = this_process().started.rpartition("/")[0] + "/1"
+    leave_lock(target, Process(machine(), parent, started))
+    assert acquire(target).lock is not None
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="the boot's identity is Linux's")
+def test_nothing_survives_a_restart_of_the_computer(target):
+    _, rest = this_process().started.split("/", 1)
+    leave_lock(target, Process(machine(), os.getpid(), f"another-boot/{rest}"))
+    assert acquire(target).lock is not None
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="containers are Linux's")
+def test_a_process_of_another_container_cannot_be_judged():
+    boot, _, start = this_process().started.split("/")
+    assert is_alive(Process(machine(), 4_000_000, f"{boot}/another/{start}")) is None
+
+
+@pytest.mark.skipif(shutil.which("ps") is None, reason="there is no ps")
+def test_where_there_is_no_proc_ps_tells(monkeypatch):
+    """As on macOS."""
+    monkeypatch.setattr(processes, "_started", processes._started_elsewhere)
+    own = Process(machine(), os.getpid(), processes._started(os.getpid()))
+    assert own.started
+    assert is_alive(own)
+    assert is_alive(Process(machine(), os.getpid(), "another time")) is False
+    assert is_alive(Process(machine(), ended_process().pid, own.started)) is False
+
+
+def test_where_nobody_tells_nobody_is_judged(target, monkeypatch):
+    """As on Windows: the person decides."""
+    dead = ended_process()
+    monkeypatch.setattr(processes, "_started", lambda _pid: "")
+    assert is_alive(dead) is None
+    assert is_number_alive(dead.pid) is None
+    leave_lock(target, dead)
+    assert acquire(target).owner is not None
+
+
+def test_the_lock_of_another_computer_is_never_judged_dead(target):
+    owner = leave_lock(target, Process("elsewhere", 1, "x"), since=time.time() - OLD - 60)
+    attempt = acquire(target)
+    assert attempt.owner == owner
+    assert attempt.owner.may_have_forgotten
+    assert not attempt.owner.is_same_person
+
+
+def test_a_leftover_of_this_very_process_is_reclaimed(target):
+    leave_lock(target, this_process())
+    assert acquire(target).lock is not None
+
+
+def test_taking_over_is_noticed_by_the_other(target):
+    first = acquire(target).lock
+    second = take_over(target).lock
+    assert first.lost_to().mark == json.loads(lock_place(target).read_bytes())["mark"]
+    first.release()
+    assert second.lost_to() is None
+    second.release()
+    assert list(target.parent.iterdir()) == []
+
+
+def test_an_empty_lock_is_being_written_for_ten_seconds(target):
+    """Between making the file and writing it lies a moment in which a process can be killed."""
+    place = lock_place(target)
+    place.touch()
+    assert acquire(target).owner is not None
+    os.utime(place, (time.time() - 20, time.time() - 20))
+    assert acquire(target).lock is not None
+
+
+@pytest.mark.parametrize(
+    "content",
+    [b"garbage", b"{}", b"\xff\xfe", b'{"pid": "x"}', b"[" * 5000, b"null"],
+    ids=["text", "empty object", "bytes", "wrong type", "deep", "null"],
+)
+def test_a_lock_that_cannot_be_read_belongs_to_somebody(target, content):
+    lock_place(target).write_bytes(content)
+    assert acquire(target).owner.user == ""
+    assert take_over(target).lock is not None
+
+
+def test_names_from_a_lock_are_fit_for_a_sentence(target):
+    leave_lock(target, Process("elsewhere", 1, "x"), user="a\n\x1b[31m" + "b" * 500, host="\u202eh")
+    owner = acquire(target).owner
+    assert owner.user.isprintable()
+    assert len(owner.user) <= 60
+    assert owner.host == "h"
+
+
+@posix_only
+def test_a_pipe_in_its_place_is_nothing_to_wait_for(target):
+    os.mkfifo(lock_place(target))
+    assert acquire(target).owner is not None
+
+
+@posix_only
+def test_a_link_in_its_place_is_not_followed(target, tmp_path):
+    (tmp_path / "secret").write_bytes(b"x")
+    lock_place(target).symlink_to(tmp_path / "secret")
+    attempt = acquire(target)
+    assert attempt.lock is None
+    assert (tmp_path / "secret").read_bytes() == b"x"
+
+
+@pytest.mark.parametrize("code", [errno.EROFS, errno.EACCES, errno.ENOLCK, errno.ENOSPC, errno.ENOTSUP])
+def test_without_a_lock_work_goes_on(target, monkeypatch, code):
+    def fail(*_):
+        raise OSError(code, os.strerror(code))
+
+    with monkeypatch.context() as faulty:
+        faulty.setattr(lock_module, "_create", fail)
+        attempt = acquire(target)
+        assert take_over(target).problem == os.strerror(code)
+    assert attempt.lock is None
+    assert attempt.owner is None
+    assert attempt.problem == os.strerror(code)
+    assert list(target.parent.iterdir()) == []
+
+
+def test_a_name_too_long_for_a_lock_takes_none(tmp_path):
+    attempt = acquire(tmp_path / ("n" * 252))
+    assert attempt.owner is None
+    assert attempt.problem
+
+
+@posix_only
+def test_without_turns_a_lock_is_still_exclusive(target, monkeypatch):
+    """A network's file system without locks: `fcntl.flock` says ENOLCK."""
+    import fcntl
+
+    def fail(*_):
+        raise OSError(errno.ENOLCK, os.strerror(errno.ENOLCK))
+
+    monkeypatch.setattr(fcntl, "flock", fail)
+    first = acquire(target)
+    assert first.lock is not None
+    assert acquire(target).owner is not None
+    first.lock.release()
+    leave_lock(target, ended_process())
+    assert acquire(target).lock is not None
+
+
+@posix_only
+def test_a_new_lock_is_put_back_by_one_who_thought_it_stale(target, monkeypatch):
+    """Two judge the same lock stale, and the slower one moves the new lock of the quicker one away."""
+    stale = leave_lock(target, ended_process())
+    quick = acquire(target)
+    assert quick.lock is not None
+    assert not lock_module._set_aside(lock_place(target), stale)
+    assert quick.lock.lost_to() is None
+    assert list(target.parent.iterdir()) == [lock_place(target)]
+
+
+RACE = """
+import os, sys, time
+from pathlib import Path
+from app.document.lock import acquire
+while not Path(sys.argv[2]).exists():
+    time.sleep(0.001)
+attempt = acquire(Path(sys.argv[1]))
+print("mine" if attempt.lock else "theirs", flush=True)
+sys.stdin.read()
+os._exit(0)
+"""
+
+
+@posix_only
+def test_of_several_at_once_one_gets_a_stale_lock(target, tmp_path):
+    leave_lock(target, ended_process())
+    signal = tmp_path / "go"
+    environment = {**os.environ, "PYTHONPATH": str(ROOT)}
+    racers = [
+        subprocess.Popen(
+            [sys.executable, "-c", textwrap.dedent(RACE), str(target), str(signal)],
+            stdin=subprocess.PIPE,
+            stdout=subprocess.PIPE,
+            env=environment,
+        )
+        for _ in range(4)
+    ]
+    time.sleep(0.4)
+    signal.touch()
+    answers = sorted(racer.stdout.readline().strip() for racer in racers)
+    for racer in racers:
+        racer.communicate(b"")
+    assert answers == [b"mine", b"theirs", b"theirs", b"theirs"]
+
+
+@posix_only
+def test_a_process_that_ends_gives_its_locks_up(target):
+    code = "import sys; from pathlib import Path; from app.document.lock import acquire\n"
+    code += "kept = acquire(Path(sys.argv[1])); print(kept.lock.place.exists())"
+    environment = {**os.environ, "PYTHONPATH": str(ROOT)}
+    done = subprocess.run(
+        [sys.executable, "-c", code, str(target)], env=environment, capture_output=True, check=True
+    )
+    assert done.stdout.strip() == b"True"
+    assert not lock_place(target).exists()
+
+
+# What a crash leaves behind
+
+
+def old_file(path, seconds=3600.0):
+    path.write_bytes(b"half")
+    os.utime(path, (time.time() - seconds, time.time() - seconds))
+    return path
+
+
+def name_of(process):
+    return f".curvebench-{process.machine[:8]}-{process.pid}-{'0' * 16}.tmp"
+
+
+@posix_only
+def test_leftovers_of_ended_processes_are_swept(tmp_path):
+    left = old_file(tmp_path / name_of(ended_process()))
+    assert sweep(tmp_path) == 1
+    assert not left.exists()
+
+
+@posix_only
+def test_nothing_else_is_swept(tmp_path):
+    dead = ended_process()
+    kept = [
+        old_file(tmp_path / temporary_name()),  # a process that runs: this one
+        old_file(tmp_path / name_of(dead), seconds=5.0),  # perhaps just being written
+        old_file(tmp_path / name_of(Process("f" * 16, dead.pid, ""))),  # of another computer
+        old_file(tmp_path / ".curvebench-notes.tmp"),
+        old_file(tmp_path / (name_of(dead) + "~")),
+        old_file(tmp_path / "drawing.curve.json"),
+    ]
+    folder = tmp_path / name_of(dead).replace("0" * 16, "1" * 16)
+    folder.mkdir()
+    link = tmp_path / name_of(dead).replace("0" * 16, "2" * 16)
+    link.symlink_to(kept[0])
+    assert sweep(tmp_path, older_than=60) == 0
+    assert all(path.exists() for path in (*kept, folder, link))
+
+
+def test_sweeping_a_folder_that_is_gone_is_nothing(tmp_path):
+    assert sweep(tmp_path / "gone") == 0

@@ -1,0 +1,699 @@
+"""The document's file while it is open: changed, gone, open elsewhere, or not to be written."""
+
+from __future__ import annotations
+
+import errno
+import os
+import shutil
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import msgspec
+import pytest
+from PySide6.QtCore import QEvent, QFileSystemWatcher, Qt, QTimer
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QApplication, QFileDialog, QMessageBox, QToolButton
+
+from app.commands.disk_notices import Standing, about_lock
+from app.document import storage
+from app.document.edits import move_nodes
+from app.document.format import encode
+from app.document.lock import OLD, Owner, lock_place
+from app.document.migration import MIGRATIONS
+from app.document.model import Document, make_curve
+from app.document.open_file import LockedError
+from app.document.storage import ChangedOnDiskError, StorageError, load, save
+from app.panels.file_bar import FileBar
+from app.session import Session
+from app.testing import Editor
+from app.theme import ThemeMode
+
+THEIRS = Document((make_curve([(0.0, 0.0), (1.0, 2.0), (3.0, 1.0)]),))
+OTHERS = Document((make_curve([(0.0, 0.0), (5.0, 5.0)]),))
+
+
+@pytest.fixture
+def path(tmp_path):
+    return tmp_path / "drawing.curve.json"
+
+
+@pytest.fixture
+def saved(editor, path):
+    """An editor with a document that is in a file."""
+    editor.session.save(path)
+    return editor
+
+
+@pytest.fixture
+def until(qtbot):
+    """Wait until something is so."""
+    return lambda condition: qtbot.waitUntil(lambda: bool(condition()), timeout=5000)
+
+
+def edit(editor):
+    """Make a step."""
+    editor.drag_point(2, to=(0.5, 4.2))
+    assert editor.session.is_modified
+    return editor.session.document
+
+
+def answer_dialog(editor, path):
+    """Type a name into the Save As dialog when it opens, and accept it."""
+    seen = []
+
+    def answer():
+        dialog = editor.window.findChild(QFileDialog)
+        seen.append(Path(dialog.selectedFiles()[0]).name)
+        if path is None:
+            dialog.reject()
+            return
+        dialog.selectFile(str(path))
+        dialog.accept()
+
+    QTimer.singleShot(0, answer)
+    return seen
+
+
+def offered(editor):
+    return editor.window.findChild(FileBar).offered
+
+
+# Changed by another program
+
+
+def test_a_change_is_said_and_can_be_reloaded_and_undone(saved, path, until):
+    mine = edit(saved)
+    save(path, THEIRS)
+    until(lambda: saved.file_message)
+    words = "“drawing.curve.json” was changed on the disk by another program, and here too."
+    assert saved.file_message == words
+    assert offered(saved) == ["reloadFile", "keepMine", "compareWithFile"]
+    assert saved.session.document is mine
+    saved.answer_file_message("reloadFile")
+    assert saved.session.document == THEIRS
+    assert not saved.session.is_modified
+    assert saved.file_message == ""
+    assert saved.session.undo_stack.undoText() == "Reload"
+    saved.trigger("undo")
+    assert saved.session.document == mine
+    assert saved.session.is_modified
+    saved.trigger("saveDocument")
+    assert load(path) == mine
+
+
+def test_a_reload_brings_back_what_a_lock_of_a_curve_protects(saved, path, until):
+    """The lock of a curve is against slips of the hand, not against the file."""
+    locked = msgspec.structs.replace(
+        saved.session.document, curves=(msgspec.structs.replace(saved.curve, locked=True),)
+    )
+    saved.session.commit(locked, "Lock")
+    saved.trigger("saveDocument")
+    save(path, THEIRS)
+    until(lambda: saved.file_message)
+    saved.answer_file_message("reloadFile")
+    assert saved.session.document == THEIRS
+
+
+def test_files_replaced_again_and_again_are_noticed(saved, path, until):
+    """A file that is replaced by renaming loses its watch."""
+    for document in (THEIRS, OTHERS, THEIRS):
+        save(path, document)
+        until(lambda: saved.file_message)
+        saved.answer_file_message("reloadFile")
+        assert saved.session.document == document
+    path.write_bytes(encode(OTHERS))
+    until(lambda: saved.file_message)
+
+
+def test_keep_mine_saves_over_it(saved, path, until):
+    mine = saved.session.document
+    save(path, THEIRS)
+    until(lambda: saved.file_message)
+    saved.answer_file_message("keepMine")
+    assert saved.file_message == ""
+    assert saved.session.is_modified
+    saved.trigger("saveDocument")
+    assert load(path) == mine
+    assert not saved.session.is_modified
+
+
+def test_reload_goes_back_to_the_file_and_can_be_undone(saved, path):
+    on_disk = saved.session.document
+    mine = edit(saved)
+    saved.trigger("reloadFile")
+    assert saved.session.document == on_disk
+    assert not saved.session.is_modified
+    assert saved.status == "Reloaded drawing.curve.json; Undo brings back what was here."
+    count = saved.session.undo_stack.count()
+    saved.trigger("reloadFile")  # the same again is no step
+    assert saved.session.undo_stack.count() == count
+    saved.trigger("undo")
+    assert saved.session.document == mine
+
+
+def test_without_a_file_there_is_nothing_to_reload(editor):
+    for name in ("reloadFile", "keepMine", "compareWithFile", "overwriteFile", "takeOver", "editAnyway"):
+        assert not editor.action(name).isEnabled()
+
+
+def test_compare_shows_the_file_dashed_and_named(saved, path, until):
+    edit(saved)
+    save(path, THEIRS)
+    until(lambda: saved.file_message)
+    before = saved.screenshot()
+    saved.answer_file_message("compareWithFile")
+    canvas = saved.window.canvas
+    assert canvas.file_version == "drawing.curve.json on the disk"
+    assert saved.screenshot() != before
+    save(path, OTHERS)  # another one: the ghost goes with it
+    until(lambda: saved.window.canvas._file_layer._views[0].points[-1, 0] == 5.0)
+    saved.answer_file_message("compareWithFile")
+    assert canvas.file_version == ""
+    assert saved.file_message
+    saved.answer_file_message("compareWithFile")
+    saved.answer_file_message("keepMine")
+    assert canvas.file_version == ""
+
+
+def test_saving_over_an_unseen_change_asks(saved, path):
+    """Before any watch has had the time to tell."""
+    mine = edit(saved)
+    save(path, THEIRS)
+    saved.trigger("saveDocument")
+    assert load(path) == THEIRS
+    assert saved.session.is_modified
+    assert saved.session.document is mine
+    assert saved.file_message.endswith("was changed by another program; it was not saved.")
+    assert offered(saved) == ["overwriteFile", "saveDocumentAs", "reloadFile", "compareWithFile"]
+    saved.answer_file_message("overwriteFile")
+    assert load(path) == mine
+    assert not saved.session.is_modified
+    assert saved.file_message == ""
+
+
+def test_save_as_is_a_way_out(saved, path, tmp_path):
+    mine = edit(saved)
+    save(path, THEIRS)
+    saved.trigger("saveDocument")
+    answer_dialog(saved, tmp_path / "mine.curve.json")
+    saved.answer_file_message("saveDocumentAs")
+    assert load(tmp_path / "mine.curve.json") == mine
+    assert load(path) == THEIRS
+    assert saved.file_message == ""
+    assert saved.session.path == tmp_path / "mine.curve.json"
+
+
+def test_a_cancelled_save_as_changes_nothing(saved, path):
+    mine = edit(saved)
+    save(path, THEIRS)
+    saved.trigger("saveDocument")
+    answer_dialog(saved, None)
+    saved.answer_file_message("saveDocumentAs")
+    assert saved.session.path == path
+    assert saved.session.document is mine
+    assert saved.file_message.endswith("was changed by another program; it was not saved.")
+
+
+def test_the_question_can_be_put_away_and_comes_again(saved, path):
+    edit(saved)
+    save(path, THEIRS)
+    saved.trigger("saveDocument")
+    close = saved.window.findChild(QToolButton, "closeFileBar")
+    while saved.file_message:
+        QTest.mouseClick(close, Qt.MouseButton.LeftButton)
+    assert load(path) == THEIRS
+    saved.trigger("saveDocument")
+    assert "overwriteFile" in offered(saved)
+
+
+def test_closing_does_not_lose_what_could_not_be_saved(saved, path):
+    edit(saved)
+    save(path, THEIRS)
+
+    def answer():
+        box = saved.window.findChild(QMessageBox, "saveChanges")
+        box.button(QMessageBox.StandardButton.Save).click()
+
+    QTimer.singleShot(0, answer)
+    assert not saved.window.close()
+    assert saved.window.isVisible()
+    assert "overwriteFile" in offered(saved)
+    assert load(path) == THEIRS
+
+
+def test_half_a_file_is_waited_for(saved, path, until, qtbot):
+    content = encode(THEIRS)
+    path.write_bytes(content[: len(content) // 2])
+    qtbot.wait(250)
+    assert saved.file_message == ""
+    path.write_bytes(content)
+    until(lambda: saved.file_message)
+    assert saved.file_message.endswith("was changed on the disk by another program.")
+
+
+def test_a_file_that_stays_broken_is_said(saved, path, until, monkeypatch):
+    monkeypatch.setattr("app.commands.disk_commands._LOOKS", 2)
+    mine = saved.session.document
+    path.write_bytes(b"not ours")
+    until(lambda: saved.file_message)
+    assert "holds no document now. Yours is still here." in saved.file_message
+    assert not saved.action("reloadFile").isEnabled()
+    saved.answer_file_message("keepMine")
+    saved.trigger("saveDocument")
+    assert load(path) == mine
+
+
+def test_a_file_that_is_gone_leaves_a_modified_document(saved, path, until, monkeypatch):
+    monkeypatch.setattr("app.commands.disk_commands._LOOKS", 2)
+    path.rename(path.with_name("elsewhere"))
+    until(lambda: saved.file_message)
+    assert "is gone from its folder" in saved.file_message
+    assert saved.session.is_modified
+    saved.answer_file_message("saveDocument")
+    assert load(path) == saved.session.document
+    assert saved.file_message == ""
+    assert not saved.session.is_modified
+
+
+def test_a_file_put_back_at_once_was_never_gone(saved, path, qtbot):
+    content = path.read_bytes()
+    path.unlink()
+    qtbot.wait(150)
+    path.write_bytes(content)
+    qtbot.wait(400)
+    assert saved.file_message == ""
+    assert not saved.session.is_modified
+
+
+def test_own_saves_are_no_news(saved, path, qtbot):
+    edit(saved)
+    for _ in range(3):
+        saved.trigger("saveDocument")
+        qtbot.wait(130)
+        assert saved.file_message == ""
+
+
+def test_a_new_document_has_nothing_to_do_with_the_old_file(saved, path, qtbot):
+    saved.new()
+    save(path, THEIRS)
+    qtbot.wait(250)
+    assert saved.file_message == ""
+    assert not lock_place(path).exists()
+
+
+def test_a_gesture_in_flight_survives_the_news(saved, path, until):
+    document = saved.session.document
+    saved.press(saved.point(2))
+    saved.move((0.2, 4.0))
+    save(path, THEIRS)
+    until(lambda: saved.file_message)
+    assert saved.session.is_previewing
+    saved.escape()
+    assert saved.session.document is document
+
+
+def test_without_any_sign_a_look_is_due_when_the_window_comes_to_the_front(saved, path, qtbot, until):
+    """Some file systems of a network tell nothing of changes."""
+    watcher = saved.window.findChild(QFileSystemWatcher)
+    watcher.removePaths([*watcher.files(), *watcher.directories()])
+    save(path, THEIRS)
+    qtbot.wait(150)
+    assert saved.file_message == ""
+    QApplication.sendEvent(saved.window, QEvent(QEvent.Type.WindowActivate))
+    until(lambda: saved.file_message)
+
+
+def test_a_link_is_watched_where_it_leads(editor, path, tmp_path, until):
+    save(path, THEIRS)
+    folder = tmp_path / "links"
+    folder.mkdir()
+    link = folder / "link.curve.json"
+    link.symlink_to(path)
+    editor.window.open_file(link)
+    save(path, OTHERS)
+    until(lambda: editor.file_message)
+    editor.answer_file_message("reloadFile")
+    assert editor.session.document == OTHERS
+
+
+# Open elsewhere
+
+
+def second_window(qtbot, path):
+    session = Session()
+    session.open(path)
+    return Editor(qtbot, session)
+
+
+def foreign_lock(path, *, user="Ada", since=None):
+    owner = Owner(user, "engine", "another computer", 7, "x", since or time.time(), "foreign")
+    lock_place(path).write_bytes(msgspec.json.encode(owner))
+    return owner
+
+
+def test_a_second_window_opens_read_only(saved, path, qtbot):
+    second = second_window(qtbot, path)
+    assert second.session.is_read_only
+    assert second.window.windowTitle() == "drawing.curve.json[*] (read-only) – Curvebench"
+    assert second.file_message.startswith("You have this open in another window, since ")
+    assert second.file_message.endswith("; opened read-only.")
+    assert saved.window.windowTitle() == "drawing.curve.json[*] – Curvebench"
+    assert saved.file_message == ""
+
+
+def test_the_owner_is_named(editor, path):
+    save(path, THEIRS)
+    foreign_lock(path)
+    editor.window.open_file(path)
+    assert editor.file_message.startswith("Ada has this open on engine, since ")
+    assert offered(editor) == ["takeOver", "saveDocumentAs"]
+
+
+def test_read_only_can_be_edited_and_saved_elsewhere(saved, path, qtbot, tmp_path):
+    kept = load(path)
+    second = second_window(qtbot, path)
+    changed = edit(second)
+    names = answer_dialog(second, tmp_path / "copy.curve.json")
+    second.trigger("saveDocument")
+    assert names == ["drawing copy.curve.json"]
+    assert load(tmp_path / "copy.curve.json") == changed
+    assert load(path) == kept
+    assert not second.session.is_read_only
+    assert "(read-only)" not in second.window.windowTitle()
+    assert second.file_message == ""
+
+
+def test_the_reader_is_told_when_the_owner_closes(saved, path, qtbot, until):
+    second = second_window(qtbot, path)
+    changed = edit(second)
+    assert saved.window.close()
+    until(lambda: "is free again" in second.file_message)
+    assert offered(second) == ["takeOver"]
+    second.answer_file_message("takeOver")
+    assert second.window.windowTitle() == "drawing.curve.json[*] – Curvebench"
+    assert second.file_message == ""
+    second.trigger("saveDocument")
+    assert load(path) == changed
+
+
+def test_an_owner_who_crashed_is_noticed(editor, path, until, monkeypatch):
+    """A process that is killed removes no lock, so nothing tells; the reader looks from time to time."""
+    monkeypatch.setattr("app.commands.disk_commands._OWNER_MS", 50)
+    save(path, THEIRS)
+    code = "import sys; from pathlib import Path; from app.document.lock import acquire\n"
+    code += "kept = acquire(Path(sys.argv[1])); print(1, flush=True); sys.stdin.read()"
+    environment = {**os.environ, "PYTHONPATH": str(Path(__file__).parents[2])}
+    owner = subprocess.Popen(
+        [sys.executable, "-c", code, str(path)],
+        env=environment,
+        stdin=subprocess.PIPE,
+        stdout=subprocess.PIPE,
+    )
+    owner.stdout.readline()
+    editor.window.open_file(path)
+    assert "in another Curvebench, since" in editor.file_message
+    owner.kill()
+    owner.communicate()
+    until(lambda: "is free again" in editor.file_message)
+    editor.answer_file_message("takeOver")
+    assert not editor.session.is_read_only
+
+
+def test_two_windows_of_one_start(qtbot, path):
+    """`curvebench FILE FILE`: the sessions are there before the windows."""
+    save(path, THEIRS)
+    sessions = [Session(), Session()]
+    for session in sessions:
+        session.open(path)
+    editors = [Editor(qtbot, session) for session in sessions]
+    assert [each.session.is_read_only for each in editors] == [False, True]
+    assert "opened read-only" in editors[1].file_message
+
+
+def test_the_reader_is_told_when_the_owner_saves(saved, path, qtbot, until):
+    second = second_window(qtbot, path)
+    document = edit(saved)
+    saved.trigger("saveDocument")
+    until(lambda: "You saved changes to “drawing.curve.json” in another" in second.file_message)
+    second.answer_file_message("reloadFile")
+    assert second.session.document == document
+    assert second.session.is_read_only
+
+
+def test_taken_over_after_the_owner_saved_nothing_is_lost(saved, path, qtbot, until):
+    second = second_window(qtbot, path)
+    mine = edit(second)
+    saved.session.commit(move_nodes(saved.session.document, 0, [5], (1.0, 0.0)), "Move")
+    theirs = saved.session.document
+    saved.trigger("saveDocument")
+    assert saved.window.close()
+    until(lambda: "is free again" in second.file_message)
+    second.answer_file_message("takeOver")
+    assert offered(second) == ["reloadFile", "keepMine", "compareWithFile"]
+    second.trigger("saveDocument")
+    assert load(path) == theirs
+    second.answer_file_message("reloadFile")
+    assert second.session.document == theirs
+    second.trigger("undo")
+    assert second.session.document == mine
+
+
+def test_taking_over_asks_once_and_the_other_is_told(saved, path, qtbot, until):
+    second = second_window(qtbot, path)
+    changed = edit(second)
+    second.answer_file_message("takeOver")
+    assert "may still be editing" in second.file_message
+    assert second.session.is_read_only
+    QTest.mouseClick(second.window.findChild(QToolButton, "closeFileBar"), Qt.MouseButton.LeftButton)
+    assert second.session.is_read_only
+    second.answer_file_message("takeOver")
+    second.answer_file_message("editAnyway")
+    assert not second.session.is_read_only
+    until(lambda: "taken “drawing.curve.json” over" in saved.file_message)
+    assert saved.window.windowTitle().endswith("[*] (read-only) – Curvebench")
+    second.trigger("saveDocument")
+    assert load(path) == changed
+    with pytest.raises(LockedError):
+        saved.session.save()
+
+
+def test_one_who_has_forgotten_it_is_not_asked(editor, path):
+    save(path, THEIRS)
+    foreign_lock(path, since=time.time() - OLD - 60)
+    editor.window.open_file(path)
+    assert editor.file_message.endswith("opened read-only. Perhaps Ada forgot it.")
+    editor.answer_file_message("takeOver")
+    assert not editor.session.is_read_only
+
+
+def test_save_as_onto_a_document_that_is_open_elsewhere(saved, path, qtbot, tmp_path):
+    kept = load(path)
+    other = Editor(qtbot)
+    other.session.save(tmp_path / "other.curve.json")
+    document = edit(other)
+    with pytest.raises(LockedError):
+        other.session.save(path)
+    answer_dialog(other, path)
+    asked = confirm_replacing(other)
+    other.trigger("saveDocumentAs")
+    assert len(asked) == 1
+    assert "You have “drawing.curve.json” open in another window; it was not saved." in other.file_message
+    assert offered(other) == ["saveDocumentAs"]
+    assert load(path) == kept
+    assert other.session.document is document
+    assert other.session.is_modified
+    assert other.session.path == tmp_path / "other.curve.json"
+    other.trigger("saveDocument")
+    assert load(tmp_path / "other.curve.json") == document
+
+
+def confirm_replacing(editor):
+    """Answer the dialog's own question whether to replace the file; return the questions it asked."""
+    asked = []
+    timer = QTimer(editor.window, interval=20)
+
+    def answer():
+        dialog = editor.window.findChild(QFileDialog)
+        box = dialog.findChild(QMessageBox) if dialog is not None else None
+        if box is not None:
+            timer.stop()
+            asked.append(box.text())
+            box.button(QMessageBox.StandardButton.Yes).click()
+
+    timer.timeout.connect(answer)
+    timer.start()
+    return asked
+
+
+def test_a_lock_that_cannot_be_made_is_said_once(editor, path, monkeypatch):
+    save(path, THEIRS)
+
+    def fail(*_):
+        raise OSError(errno.EROFS, os.strerror(errno.EROFS))
+
+    monkeypatch.setattr("app.document.lock._create", fail)
+    editor.window.open_file(path)
+    assert editor.status.startswith("Others cannot see that drawing.curve.json is open here")
+    assert not editor.session.is_read_only
+    edit(editor)
+    editor.trigger("saveDocument")
+    assert load(path) == editor.session.document
+
+
+def test_a_lock_file_cannot_break_the_words():
+    owner = Owner("", "", "m", 7, "x", 1e300, "mark")
+    text = about_lock("a", Standing.OPENED_ELSEWHERE, owner).text
+    assert text.startswith("Somebody has this open, since some time; opened read-only.")
+
+
+# Saving that fails
+
+
+def fail_with(code):
+    def fail(*_arguments, **_keywords):
+        raise OSError(code, os.strerror(code))
+
+    return fail
+
+
+FAULTS = {
+    "disk full": (storage.os, "fsync", errno.ENOSPC, "The disk is full"),
+    "broken disk": (storage.os, "fsync", errno.EIO, "was not written (Input/output error)"),
+    "no replacing": (storage.Path, "replace", errno.EIO, "was not written (Input/output error)"),
+    "read-only": (storage, "_write_temporary", errno.EROFS, "may not be written in that folder"),
+}
+
+
+@pytest.mark.parametrize("fault", FAULTS)
+def test_a_save_that_fails_keeps_everything_and_offers_save_as(saved, path, monkeypatch, tmp_path, fault):
+    old = path.read_bytes()
+    document = edit(saved)
+    owner, step, code, words = FAULTS[fault]
+    with monkeypatch.context() as faulty:
+        faulty.setattr(owner, step, fail_with(code))
+        saved.trigger("saveDocument")
+    assert saved.file_message.startswith("drawing.curve.json was not saved. ")
+    assert words in saved.file_message
+    assert offered(saved) == ["saveDocumentAs"]
+    assert saved.session.is_modified
+    assert saved.session.document is document
+    assert path.read_bytes() == old
+    answer_dialog(saved, tmp_path / "rescued.curve.json")
+    saved.answer_file_message("saveDocumentAs")
+    assert load(tmp_path / "rescued.curve.json") == document
+    assert not saved.session.is_modified
+    assert saved.file_message == ""
+
+
+def test_a_folder_that_is_gone_keeps_the_document(saved, tmp_path):
+    folder = tmp_path / "folder"
+    folder.mkdir()
+    saved.session.save(folder / "a.curve.json")
+    document = edit(saved)
+    shutil.rmtree(folder)
+    saved.trigger("saveDocument")
+    assert "does not exist. Choose another folder." in saved.file_message
+    assert "saveDocumentAs" in offered(saved)
+    assert saved.session.is_modified
+    assert saved.session.document is document
+
+
+def test_a_failed_save_does_not_hide_another_ones_change(saved, path, monkeypatch):
+    edit(saved)
+    with monkeypatch.context() as faulty:
+        faulty.setattr(os, "fsync", fail_with(errno.EIO))
+        saved.trigger("saveDocument")
+    save(path, THEIRS)
+    with pytest.raises(ChangedOnDiskError):
+        saved.session.save()
+    assert load(path) == THEIRS
+
+
+def test_a_newer_version_on_the_disk_is_never_replaced(saved, path):
+    document = edit(saved)
+    newer = encode(THEIRS).replace(b'"version": 1', b'"version": 2')
+    path.write_bytes(newer)
+    saved.trigger("saveDocument")
+    saved.answer_file_message("overwriteFile")
+    assert "was written by a newer version of Curvebench and stays as it is" in saved.file_message
+    assert "saveDocumentAs" in offered(saved)
+    assert path.read_bytes() == newer
+    assert saved.session.document is document
+    assert saved.session.is_modified
+    other = path.with_name("newer.curve.json")
+    other.write_bytes(newer)
+    saved.session.undo_stack.setClean()
+    saved.window.open_file(other)
+    assert "newer.curve.json was not opened: it was written by a newer version" in saved.message
+    assert saved.session.document is document
+
+
+def test_an_older_version_is_said_and_kept(editor, path, monkeypatch):
+    monkeypatch.setitem(MIGRATIONS, 0, lambda values: values)
+    old = encode(THEIRS).replace(b'"version": 1', b'"version": 0')
+    path.write_bytes(old)
+    editor.window.open_file(path)
+    assert editor.session.document == THEIRS
+    assert editor.status == (
+        "drawing.curve.json is of an older version; the first save keeps the old file beside it."
+    )
+    editor.session.commit(move_nodes(editor.session.document, 0, [0], (1.0, 0.0)), "Move")
+    editor.trigger("saveDocument")
+    assert editor.status == "Saved drawing.curve.json. The old version is kept beside it."
+    assert path.with_name("drawing.curve.json.v0.bak").read_bytes() == old
+    editor.trigger("saveDocument")
+    assert editor.status == "Saved drawing.curve.json."
+
+
+# The line itself
+
+
+@pytest.mark.parametrize("mode", [ThemeMode.LIGHT, ThemeMode.DARK])
+def test_the_line_fits_into_a_small_window(qtbot, path, mode, until):
+    editor = Editor(qtbot, size=(1024, 700))
+    editor.session.save(path)
+    editor.window.set_theme_mode(mode)
+    edit(editor)
+    save(path, THEIRS)
+    editor.trigger("saveDocument")
+    bar = editor.window.findChild(FileBar)
+    canvas = editor.window.canvas
+    assert canvas.rect().contains(bar.geometry())
+    for name in bar.offered:
+        button = bar.button(name)
+        assert bar.rect().contains(button.geometry())
+        assert button.toolTip()
+        assert button.accessibleName()
+    editor.session.select([])
+    editor.window.message_bar.warn("Something else that has to be said at the same time.")
+    editor.settle()
+    assert not bar.geometry().intersects(editor.window.message_bar.geometry())
+    editor.window.message_bar.hide()
+    editor.settle()
+    assert bar.y() == 10
+    editor.window.set_theme_mode(ThemeMode.SYSTEM)
+
+
+def test_save_as_does_not_replace_what_the_suffix_leads_to(saved, path, tmp_path):
+    """The dialog asks about the name that was typed; the suffix that is added may make it another file."""
+    edit(saved)
+    save(tmp_path / "there.curve.json", THEIRS)
+    answer_dialog(saved, tmp_path / "there")
+    saved.trigger("saveDocumentAs")
+    assert "“there.curve.json” is there already." in saved.file_message
+    assert load(tmp_path / "there.curve.json") == THEIRS
+    assert saved.session.is_modified
+
+
+def test_a_session_alone_refuses_too(tmp_path, qapp):
+    path = tmp_path / "a.curve.json"
+    first, second = Session(), Session()
+    first.save(path)
+    second.open(path)
+    with pytest.raises(StorageError):
+        second.save()
+    first.new()
+    second.save()
+    second.file.close()
