@@ -8,12 +8,14 @@ The layers, top to bottom; a module imports only from its own layer and those ab
 - ``exchange``: files in and out. Qt only in ``image``.
 - ``resources``, ``examples``: what comes with the program.
 - ``session``: the one mutable owner of the current document, its history and the selection.
+- ``autosave``: keeps a snapshot of what is not saved yet.
 - ``theme``, ``colours``, ``icons``, ``preferences``: how it looks; what is remembered between starts.
 - ``keymap``: which keys do what.
 - ``plot``: what canvas and basis panel share: a pixel map, fast drawing, pan and zoom.
 - ``canvas``, ``panels``: draw a value and report what the person did. They never call each other.
 - ``action_specs``, ``actions``, ``file_commands``, ``commands``: what can be done, and what it does.
 - ``toolbar``, ``main_window``: build, dock, connect.
+- ``crash_report``, ``crash_handler``, ``lifecycle``: what surrounds the windows from start to end.
 - ``cli``: the command line.  ``testing``: a driver for pytest-qt.
 """
 

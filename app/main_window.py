@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from PySide6.QtCore import QEvent, Qt, QTimer
+from PySide6.QtCore import QEvent, Qt, QTimer, Signal
 from PySide6.QtGui import QAction, QCloseEvent, QDragEnterEvent, QDropEvent, QKeyEvent, QStatusTipEvent
 from PySide6.QtWidgets import (
     QApplication,
@@ -18,6 +18,7 @@ from PySide6.QtWidgets import (
 
 from app.action_specs import MENUS
 from app.actions import Actions
+from app.autosave import Autosave
 from app.canvas.canvas import Canvas
 from app.commands.connect import Commands
 from app.commands.curve_commands import CURVE_LIST_BUTTONS
@@ -56,11 +57,21 @@ class MainWindow(QMainWindow):
         The two plots.
     point_table
         The QTableView with the numbers.
+    asks_before_closing
+        Whether closing asks about unsaved changes; not where the system is about to end.
+
+    Signals
+    -------
+    closed
+        The window is closed, and what was not saved has been given up.
     """
+
+    closed = Signal()
 
     def __init__(self, session: Session, preferences: Preferences | None = None) -> None:
         super().__init__()
         self.session = session
+        self.asks_before_closing = True
         self.preferences = preferences or Preferences()
         # First of all: panels read the palette when they are built.
         self._dress()
@@ -84,6 +95,8 @@ class MainWindow(QMainWindow):
         if self.session.path is None:
             # Who opens a document came to work on it.
             self._commands.messages.greet()
+        if self.preferences.complaint:
+            self.status_line.say(self.preferences.complaint)
 
     # Building
 
@@ -314,6 +327,14 @@ class MainWindow(QMainWindow):
         """Open a document, or say why not."""
         self._files.open(path)
 
+    def keep_with(self, autosave: Autosave) -> None:
+        """Keep with `autosave`, at once, what is restored in this window."""
+        self._commands.recovery.autosave = autosave
+
+    def offer_unsaved_work(self) -> None:
+        """Offer what was not saved when the program last ended, if there is any."""
+        self._commands.recovery.look()
+
     def export_file(self, path: Path) -> None:
         """Write a picture, or say why not."""
         self._files.export(path)
@@ -395,13 +416,15 @@ class MainWindow(QMainWindow):
                 self._files.open(path)
 
     def closeEvent(self, event: QCloseEvent) -> None:
-        if not self._files.may_discard():
+        if self.asks_before_closing and not self._files.may_discard():
             event.ignore()
             return
         self._remember_layout()
         for dialog in self.findChildren(QDialog):
             dialog.close()
+        self._commands.recovery.leave()
         event.accept()
+        self.closed.emit()
 
 
 def _dropped_file(event: QDropEvent) -> Path | None:

@@ -11,6 +11,7 @@ from app.commands.image_commands import ImageCommands
 from app.commands.messages import Messages
 from app.commands.parts import CommandSet, Handlers, Parts
 from app.commands.rail_commands import RailCommands
+from app.commands.recovery_commands import RecoveryCommands
 from app.commands.selection_commands import SelectionCommands
 from app.commands.snap_commands import SnapCommands
 from app.commands.tangent_commands import TangentCommands
@@ -28,6 +29,7 @@ class Commands:
         self.messages = Messages(parts)
         self.snap = SnapCommands(parts)
         self.images = ImageCommands(parts, self.messages)
+        self.recovery = RecoveryCommands(parts)
         curves = CurveCommands(parts)
         self._sets: tuple[CommandSet, ...] = (
             EditCommands(parts),
@@ -40,6 +42,7 @@ class Commands:
             HelpCommands(parts),
             RailCommands(parts),
             self.images,
+            self.recovery,
             ToolCommands(parts, self.snap.apply_preferences),
         )
         self.context_menus = ContextMenus(parts, curves)
