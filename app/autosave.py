@@ -12,8 +12,8 @@ from app.document.model import Document
 from app.document.recovery import Origin, SnapshotFile
 from app.session import Session
 
-_DELAY_MS = 1000
-"""How old the oldest change without a snapshot may become."""
+DELAY_MS = 1000
+"""A second for the timer leaves one for the disk: nobody shall lose more than two."""
 
 _PATIENCE_S = 10.0
 """How long the end of the program waits for a disk."""
@@ -32,11 +32,15 @@ class Autosave(QObject):
         What is edited.
     folder
         Where the snapshot is kept.
+    delay
+        How old the oldest change without a snapshot may become, in milliseconds.
     """
 
     _finished = Signal(str)
 
-    def __init__(self, session: Session, folder: Path, parent: QObject | None = None) -> None:
+    def __init__(
+        self, session: Session, folder: Path, parent: QObject | None = None, *, delay: int = DELAY_MS
+    ) -> None:
         super().__init__(parent)
         self._session = session
         self._file = SnapshotFile(folder)
@@ -46,7 +50,7 @@ class Autosave(QObject):
         # One thread: what is asked for first happens first.
         self._worker = ThreadPoolExecutor(1, "autosave")
         self._writing: Future[str] | None = None
-        self._soon = QTimer(self, singleShot=True, interval=_DELAY_MS)
+        self._soon = QTimer(self, singleShot=True, interval=delay)
         self._soon.timeout.connect(self._write_soon)
         self._finished.connect(self._report)
         session.document_changed.connect(self._note_change)

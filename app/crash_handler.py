@@ -9,7 +9,7 @@ from types import TracebackType
 from typing import Any
 
 from PySide6.QtCore import QObject, QTimer, Signal
-from PySide6.QtWidgets import QApplication
+from PySide6.QtWidgets import QApplication, QDialog
 
 from app.crash_report import report_of, signature_of
 
@@ -52,7 +52,7 @@ class CrashHandler(QObject):
         self._secure, self._private = secure, private
         self._seen: set[str] = set()
         self._waiting: list[str] = []
-        self._is_shown = False
+        self._dialog: QDialog | None = None
         self._hooks: tuple[Any, ...] = ()
         self._soon = QTimer(self, singleShot=True, interval=0)
         self._soon.timeout.connect(self._show_next)
@@ -105,21 +105,21 @@ class CrashHandler(QObject):
         self._soon.start()
 
     def _show_next(self) -> None:
-        if self._is_shown or not self._waiting:
+        if self._dialog is not None or not self._waiting:
             return
         # Only now: nobody waits for it before the program is needed.
         from app.panels.crash_dialog import CrashDialog  # noqa: PLC0415
 
-        self._is_shown = True
         is_safe = self._secure()
         dialog = CrashDialog(QApplication.activeWindow(), self._waiting.pop(0), is_safe=is_safe)
+        self._dialog = dialog
         dialog.quit_asked.connect(self.quit_asked)
         dialog.finished.connect(self._shown)
         dialog.finished.connect(dialog.deleteLater)
         dialog.open()
 
     def _shown(self) -> None:
-        self._is_shown = False
+        self._dialog = None
         self._soon.start()
 
 

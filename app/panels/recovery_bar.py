@@ -77,6 +77,7 @@ class RecoveryBar(QFrame):
         self.setAccessibleName("Unsaved work")
         self._below = parent
         self._offers: tuple[Offer, ...] = ()
+        self._pictures: list[QLabel] = []
         self._theme = theme_of(QApplication.palette())
         self._title, self._note = QLabel(), QLabel()
         self._title.setObjectName("recoveryTitle")
@@ -135,25 +136,24 @@ class RecoveryBar(QFrame):
 
     def _build_rows(self) -> None:
         content = QWidget()
+        self._pictures.clear()
         layout = QVBoxLayout(content)
         layout.setContentsMargins(0, 0, 6, 0)
         layout.setSpacing(8)
         for index, offer in enumerate(self._offers):
             layout.addLayout(self._row(index, offer))
         layout.addStretch(1)
+        self._paint_pictures()
         self._rows.setWidget(content)
         content.setAutoFillBackground(False)
         self._rows.viewport().setAutoFillBackground(False)
         self._rows.setVisible(bool(self._offers))
 
     def _row(self, index: int, offer: Offer) -> QHBoxLayout:
-        theme = self._theme
         picture = QLabel()
         picture.setObjectName(f"recoveryPicture{index}")
         picture.setAccessibleName(f"Picture of {offer.name}")
-        picture.setPixmap(
-            QPixmap.fromImage(thumbnail(offer.document, *_PICTURE, theme, self.devicePixelRatioF()))
-        )
+        self._pictures.append(picture)
         picture.setFixedSize(*_PICTURE)
         name, told = ElidedLabel(), ElidedLabel()
         name.setText(offer.name)
@@ -161,7 +161,7 @@ class RecoveryBar(QFrame):
         font.setBold(True)
         name.setFont(font)
         told.setText(offer.told)
-        told.setStyleSheet(f"color: {theme.muted.name()}")
+        told.setObjectName("recoveryTold")
         name.setToolTip(offer.tip or offer.name)
         words = QVBoxLayout()
         words.setSpacing(2)
@@ -214,7 +214,6 @@ class RecoveryBar(QFrame):
         # A style sheet of one's own is a change of the palette too.
         if event.type() == QEvent.Type.PaletteChange and theme_of(QApplication.palette()) is not self._theme:
             self._dress()
-            self._build_rows()
 
     def _dress(self) -> None:
         theme = self._theme = theme_of(QApplication.palette())
@@ -225,7 +224,15 @@ class RecoveryBar(QFrame):
             " border-radius: 8px }"
             "#recoveryTitle { font-weight: bold }"
             f"#recoveryNote {{ color: {theme.warning.name()} }}"
+            f"#recoveryTold {{ color: {theme.muted.name()} }}"
         )
+        self._paint_pictures()
+
+    def _paint_pictures(self) -> None:
+        ratio = self.devicePixelRatioF()
+        for picture, offer in zip(self._pictures, self._offers, strict=True):
+            image = thumbnail(offer.document, *_PICTURE, self._theme, ratio)
+            picture.setPixmap(QPixmap.fromImage(image))
 
 
 def age_in_words(seconds: float) -> str:
