@@ -43,6 +43,7 @@ from app.preferences import Preferences
 from app.session import Session
 from app.theme import ThemeMode, apply_theme, theme_of
 from app.toolbar import Toolbar
+from app.window_layout import restore_layout
 
 _PANELS_MS = 100
 """How far the panels may lag behind a drag, in milliseconds; the canvas and the functions never do."""
@@ -86,7 +87,7 @@ class MainWindow(QMainWindow):
         self._files = FileCommands(session, self.preferences, self, self.message_bar.warn)
         self._commands = Commands(self._parts())
         self._connect()
-        self._restore_layout()
+        restore_layout(self, self.splitter, self.preferences)
         self._apply_theme_mode()
         self._render_document()
         self._render_file()
@@ -372,14 +373,6 @@ class MainWindow(QMainWindow):
         super().changeEvent(event)
         if event.type() == QEvent.Type.PaletteChange and hasattr(self, "message_bar"):
             self._render_theme()
-
-    def _restore_layout(self) -> None:
-        self.resize(1280, 860)
-        if not self.preferences.window_geometry.isEmpty():
-            self.restoreGeometry(self.preferences.window_geometry)
-            self.restoreState(self.preferences.window_state)
-        if not self.preferences.splitter_state.isEmpty():
-            self.splitter.restoreState(self.preferences.splitter_state)
 
     def _remember_layout(self) -> None:
         self._commands.view.leave_presentation()
