@@ -2,15 +2,18 @@
 
 from __future__ import annotations
 
-from concurrent.futures import Future, ThreadPoolExecutor
-from concurrent.futures import TimeoutError as FutureTimeoutError
+from functools import cached_property
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject, QStandardPaths, QTimer, Signal
 
 from app.document.model import Document
 from app.document.recovery import Origin, SnapshotFile
 from app.session import Session
+
+if TYPE_CHECKING:
+    from concurrent.futures import Future, ThreadPoolExecutor
 
 DELAY_MS = 1000
 """A second for the timer leaves one for the disk: nobody shall lose more than two."""
@@ -47,8 +50,6 @@ class Autosave(QObject):
         self._origin = Origin.of(session.path)
         self._kept: Document | None = None
         self._has_complained = self._has_written = False
-        # One thread: what is asked for first happens first.
-        self._worker = ThreadPoolExecutor(1, "autosave")
         self._writing: Future[str] | None = None
         self._soon = QTimer(self, singleShot=True, interval=delay)
         self._soon.timeout.connect(self._write_soon)
@@ -58,6 +59,14 @@ class Autosave(QObject):
         session.opened.connect(self._note_origin)
         session.saved.connect(self._note_origin)
         self._note_file()
+
+    @cached_property
+    def _worker(self) -> ThreadPoolExecutor:
+        # Imported with the first change: the start has no need of it.
+        from concurrent.futures import ThreadPoolExecutor  # noqa: PLC0415
+
+        # One thread: what is asked for first happens first.
+        return ThreadPoolExecutor(1, "autosave")
 
     @property
     def is_needed(self) -> bool:
@@ -123,7 +132,7 @@ class Autosave(QObject):
             return True
         try:
             return not self._write().result(_PATIENCE_S)
-        except FutureTimeoutError:
+        except TimeoutError:
             return False
 
     def finish(self) -> None:

@@ -1,8 +1,7 @@
-"""What to tell the makers when something went wrong inside: no file names, nothing of a drawing."""
+"""What to tell the makers when something went wrong inside, without the names of files and folders."""
 
 from __future__ import annotations
 
-import importlib.metadata
 import platform
 import re
 import sys
@@ -66,6 +65,9 @@ def versions() -> str:
 
 
 def _version(name: str) -> str:
+    # Takes a while to import, and with luck nobody ever needs it.
+    import importlib.metadata  # noqa: PLC0415
+
     try:
         return importlib.metadata.version(name)
     except importlib.metadata.PackageNotFoundError:

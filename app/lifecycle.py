@@ -16,7 +16,9 @@ from PySide6.QtWidgets import QApplication
 
 from app.autosave import Autosave, snapshot_folder, state_folder
 from app.crash_handler import CrashHandler
+from app.document.model import Document
 from app.main_window import MainWindow
+from app.session import Session
 
 _SIGNALS = tuple(
     getattr(signal, name) for name in ("SIGTERM", "SIGHUP", "SIGINT", "SIGBREAK") if hasattr(signal, name)
@@ -39,17 +41,30 @@ class Lifecycle(QObject):
     def __init__(self, application: QApplication, windows: list[MainWindow]) -> None:
         super().__init__()
         self._application = application
-        self._autosaves = {window: Autosave(window.session, snapshot_folder(), self) for window in windows}
+        self._autosaves: dict[MainWindow, Autosave] = {}
         self._signals = SignalWatch(self.end, self)
         self._faults = FaultFile()
         self.crashes = CrashHandler(self.write_now, self._private_words, self)
         self.crashes.quit_asked.connect(self._save_and_quit)
         self.crashes.interrupted.connect(lambda: self.end(signal.SIGINT))
-        for window, autosave in self._autosaves.items():
-            window.keep_with(autosave)
-            window.closed.connect(lambda window=window: self._finish(window))
-            # Who goes on working has called the end of the system off.
-            window.session.history_changed.connect(lambda window=window: _ask_again(window))
+        for window in windows:
+            self._watch(window)
+
+    def _watch(self, window: MainWindow) -> None:
+        autosave = self._autosaves[window] = Autosave(window.session, snapshot_folder(), self)
+        window.keep_with(autosave, self._open_beside)
+        window.closed.connect(lambda: self._finish(window))
+        # Who goes on working has called the end of the system off.
+        window.session.history_changed.connect(lambda: _ask_again(window))
+
+    def _open_beside(self, document: Document, path: Path | None) -> Autosave:
+        """Go on with unsaved work in another window, and return what keeps it."""
+        session = Session()
+        session.restore(document, path)
+        window = MainWindow(session)
+        self._watch(window)
+        window.show()
+        return self._autosaves[window]
 
     def start(self) -> None:
         """Take signals and crashes from now on, and offer what was not saved last time."""

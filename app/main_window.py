@@ -24,6 +24,7 @@ from app.commands.connect import Commands
 from app.commands.curve_commands import CURVE_LIST_BUTTONS
 from app.commands.image_commands import PICTURE_SUFFIXES
 from app.commands.parts import Parts
+from app.commands.recovery_commands import OpenBeside
 from app.examples import example_name, example_paths
 from app.file_commands import FileCommands, title_of
 from app.gestures.rail import RailTool
@@ -328,9 +329,9 @@ class MainWindow(QMainWindow):
         """Open a document, or say why not."""
         self._files.open(path)
 
-    def keep_with(self, autosave: Autosave) -> None:
-        """Keep with `autosave`, at once, what is restored in this window."""
-        self._commands.recovery.autosave = autosave
+    def keep_with(self, autosave: Autosave, open_beside: OpenBeside) -> None:
+        """Keep with `autosave` what is restored in this window; where it is in use, open another."""
+        self._commands.recovery.keep_with(autosave, open_beside)
 
     def offer_unsaved_work(self) -> None:
         """Offer what was not saved when the program last ended, if there is any."""

@@ -3,34 +3,38 @@
 from __future__ import annotations
 
 import time
+from collections.abc import Callable
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from app.autosave import snapshot_folder
+from app.autosave import Autosave, snapshot_folder
 from app.commands.parts import Handlers, Parts
+from app.document.model import Document
 from app.document.recovery import Found, Snapshot, list_snapshots
 from app.file_commands import NEW_NAME
 from app.view_model.curve_view import CurveView
 
 if TYPE_CHECKING:
-    from app.autosave import Autosave
     from app.panels.recovery_bar import Offer, RecoveryBar
 
 
-class RecoveryCommands:
-    """Unsaved work: restored, discarded or left for later.
+OpenBeside = Callable[[Document, Path | None], Autosave]
+"""Opens another window on a document with changes that are not in its file."""
 
-    Attributes
-    ----------
-    autosave
-        Keeps what is restored from then on, where the program runs with one.
-    """
+
+class RecoveryCommands:
+    """Unsaved work: restored, discarded or left for later."""
 
     def __init__(self, parts: Parts) -> None:
         self._parts = parts
         self._bar: RecoveryBar | None = None
         self._found = Found()
-        self.autosave: Autosave | None = None
+        self._autosave: Autosave | None = None
+        self._open_beside: OpenBeside | None = None
+
+    def keep_with(self, autosave: Autosave, open_beside: OpenBeside) -> None:
+        """Keep with `autosave` what is restored here; where there is other work, restore it elsewhere."""
+        self._autosave, self._open_beside = autosave, open_beside
 
     def handlers(self) -> Handlers:
         """Return what each action does, by the action's name."""
@@ -79,16 +83,23 @@ class RecoveryCommands:
         return snapshot
 
     def _restore(self, index: int) -> None:
-        if not self._parts.files.may_discard():
+        session = self._parts.session
+        # Another window, rather than a question about the work in this one.
+        open_beside = self._open_beside if session.is_modified else None
+        if open_beside is None and not self._parts.files.may_discard():
             return
         snapshot = self._take(index)
-        origin, session = snapshot.origin, self._parts.session
-        session.restore(snapshot.document, origin.path if origin.is_unchanged else None)
-        if self.autosave is not None and self.autosave.write_now():
+        origin, autosave = snapshot.origin, self._autosave
+        path = origin.path if origin.is_unchanged else None
+        if open_beside is not None:
+            autosave = open_beside(snapshot.document, path)
+        else:
+            session.restore(snapshot.document, path)
+        if autosave is not None and autosave.write_now():
             snapshot.discard()
         else:
             snapshot.leave()  # rather offered twice than lost
-        session.say(_told_after(origin.path, is_unchanged=origin.is_unchanged))
+        session.say(_told_after(origin.path, is_unchanged=path is not None))
 
     def _discard(self, index: int) -> None:
         self._take(index).discard()

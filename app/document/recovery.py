@@ -6,7 +6,6 @@ claim: as long as the process runs that writes the snapshot, nobody else is offe
 
 from __future__ import annotations
 
-import hashlib
 import math
 import os
 import time
@@ -215,10 +214,17 @@ def _record_of(text: bytes, origin: Origin) -> bytes:
             # Bytes, because a file's name need not be text.
             path=os.fsencode(origin.path.absolute()) if origin.path is not None else None,
             stamp=origin.stamp,
-            checksum=hashlib.sha256(text).hexdigest(),
+            checksum=_checksum(text),
             document=text.decode(),
         )
     )
+
+
+def _checksum(text: bytes) -> str:
+    # Imported with the first snapshot: the start has no need of it.
+    import hashlib  # noqa: PLC0415
+
+    return hashlib.sha256(text).hexdigest()
 
 
 def _load(file: Path, claim: Claim) -> Snapshot:
@@ -230,7 +236,7 @@ def _load(file: Path, claim: Claim) -> Snapshot:
     except (msgspec.DecodeError, RecursionError) as problem:
         raise ValueError(str(problem)) from None
     text = record.document.encode()
-    if hashlib.sha256(text).hexdigest() != record.checksum or not math.isfinite(record.written):
+    if _checksum(text) != record.checksum or not math.isfinite(record.written):
         raise ValueError("the checksum is another one")
     path = Path(os.fsdecode(record.path)) if record.path is not None else None
     return Snapshot(decode(text), Origin(path, record.stamp), record.written, file, claim)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import sys
 import time
 
@@ -27,12 +28,24 @@ SOON_MS = 100
 
 
 @pytest.fixture
-def kept(editor):
+def kept(editor, qtbot):
     """An editor whose work is kept."""
     autosave = Autosave(editor.session, snapshot_folder(), delay=SOON_MS)
-    editor.window.keep_with(autosave)
+    opened = []
+
+    def open_beside(document, path):
+        session = Session()
+        session.restore(document, path)
+        other = Editor(qtbot, session, size=(800, 600))
+        opened.append(other)
+        other.autosave = Autosave(session, snapshot_folder())
+        return other.autosave
+
+    editor.window.keep_with(autosave, open_beside)
+    editor.opened = opened
     yield editor
-    autosave.finish()
+    for each in (autosave, *(other.autosave for other in opened)):
+        each.finish()
 
 
 def files():
@@ -146,17 +159,18 @@ def test_the_snapshot_says_which_file_and_that_it_changed(kept, qtbot, tmp_path)
     assert snapshot.origin.is_unchanged
 
 
-def test_a_large_document_never_holds_up_the_window(kept, qtbot):
+def test_neither_a_large_document_nor_a_slow_disk_holds_up_the_window(kept, qtbot, monkeypatch):
+    monkeypatch.setattr(os, "fsync", lambda _descriptor: time.sleep(0.6))
     points = [(i / 3, (i % 17) / 7) for i in range(10_000)]
     large = Document((make_curve(points, family=Family.HERMITE),))
     kept.session.commit(large, "Ten thousand points")
     kept.settle()
     longest, last, began = 0.0, time.monotonic(), time.monotonic()
-    while not files() and time.monotonic() - began < 3:
+    while not files() and time.monotonic() - began < 5:
         qtbot.wait(1)
         longest, last = max(longest, time.monotonic() - last), time.monotonic()
-    assert longest < 0.1
     assert document_kept() == large
+    assert longest < 0.5  # some 10 ms, where nobody else needs the processor
 
 
 def test_a_folder_that_cannot_be_made_is_said_once_and_editing_goes_on(kept, qtbot):
@@ -285,6 +299,21 @@ def test_restoring_asks_about_the_present_document_first(editor, monkeypatch):
     assert editor.session.document == present
     assert bar(editor).isVisible()
     assert len(files()) == 1
+
+
+def test_with_work_in_the_window_another_one_is_opened_and_nothing_asked(kept, qtbot):
+    leave_behind()
+    leave_behind(Document((make_curve([(5, 5), (6, 6)]),)))
+    kept.drag_point(1, to=(2, 3))
+    present = kept.session.document
+    kept.window.offer_unsaved_work()
+    press(kept, "restoreWork1")
+    assert kept.session.document == present
+    (other,) = kept.opened
+    assert other.session.document == SKETCH
+    assert other.session.is_modified
+    assert bar(kept).text == "A document with unsaved work from last time:"
+    qtbot.waitUntil(lambda: len(files()) == 3, timeout=WAIT_MS)  # here, there, and the one not decided
 
 
 def test_closing_the_window_decides_nothing(qtbot, editor):

@@ -28,10 +28,10 @@ def guarded(editor, qapp):
     """An editor in a program that takes its exceptions itself, as `curvebench` does."""
     before = (sys.excepthook, threading.excepthook, sys.unraisablehook)
     lifecycle = Lifecycle(qapp, [editor.window])
-    lifecycle.crashes.install()
+    lifecycle.start()
     editor.lifecycle = lifecycle
     yield editor
-    lifecycle.crashes.uninstall()
+    lifecycle.stop()
     assert (sys.excepthook, threading.excepthook, sys.unraisablehook) == before
     editor.window.close()
 

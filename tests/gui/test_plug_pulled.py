@@ -15,7 +15,7 @@ from app.autosave import snapshot_folder
 from app.document import storage
 from app.document.format import decode, encode
 from app.document.model import Document, make_curve
-from app.document.recovery import list_snapshots
+from app.document.recovery import Origin, SnapshotFile, list_snapshots
 
 ROOT = Path(__file__).resolve().parents[2]
 pytestmark = pytest.mark.skipif(not hasattr(signal, "SIGKILL"), reason="needs signals")
@@ -75,13 +75,16 @@ def drive():
 LOOK = """
 def drive():
     bar = editor.window.findChild(RecoveryBar)
-    tell("offered", bar is not None and bar.isVisible())
-    if bar is not None:
-        bar.restore_asked.emit(0)
-        tell_document("restored")
-        tell("path", editor.session.path, editor.session.is_modified)
-    editor.session.undo_stack.setClean()
-    editor.window.close()
+    tell("offered", bar.isVisible(), bar.text)
+    bar.restore_asked.emit(0)
+    tell_document("restored")
+    tell("path", editor.session.path, editor.session.is_modified)
+    bar.restore_asked.emit(0)
+    windows = [each for each in QApplication.topLevelWidgets() if isinstance(each, MainWindow)]
+    tell("windows", *(len(each.session.document.curves[0].nodes) for each in windows))
+    for window in windows:
+        window.session.undo_stack.setClean()
+        window.close()
 """
 
 
@@ -119,37 +122,43 @@ def rest(process):
     return [(float(moment), text) for _, moment, text in lines], errors.replace(CHATTER, "")
 
 
-def has_snapshot():
-    return snapshot_folder().exists() and any(snapshot_folder().glob("*.snapshot.json"))
+def count_snapshots():
+    return len(list(snapshot_folder().glob("*.snapshot.json"))) if snapshot_folder().exists() else 0
 
 
 def test_killed_while_dragging_at_most_two_seconds_are_lost(tmp_path):
     path = tmp_path / "mine.curve.json"
     storage.save(path, Document((make_curve([(0, 0), (1, 2), (3, 1 / 3), (4, 4)]),)))
     on_disk = path.read_bytes()
+    older = SnapshotFile(snapshot_folder())
+    older.write(Document((make_curve([(0, 0), (1, 2)]),)), Origin())
+    older.leave()
     process = start(DRAG, path)
     began = time.time()
-    shown = read_until(process, lambda: has_snapshot() and time.time() - began > 2.5)
+    shown = read_until(process, lambda: count_snapshots() == 2 and time.time() - began > 2)
     assert list_snapshots(snapshot_folder()).snapshots == (), "the work of a running program is its own"
     process.kill()
     killed = time.time()
     more, _errors = rest(process)
     assert process.returncode == -signal.SIGKILL
-    (snapshot,) = list_snapshots(snapshot_folder()).snapshots
+    snapshot, old = list_snapshots(snapshot_folder()).snapshots
     snapshot.leave()
+    old.leave()
     kept = [moment for moment, text in shown + more if decode(text.encode()) == snapshot.document]
     assert kept, "it is one of the documents that were on the screen"
     assert killed - max(kept) <= 2
     assert path.read_bytes() == on_disk
     told, errors = start(LOOK).communicate(timeout=20)
     assert errors.replace(CHATTER, "") == ""
-    offered, restored, place = told.splitlines()
-    assert offered == "offered True"
+    offered, restored, place, windows = told.splitlines()
+    assert offered == "offered True 2 documents with unsaved work from last time:"
     assert encode(decode(restored.split(" ", 2)[2].encode())) == encode(snapshot.document)
     assert place == f"path {path} True"
+    assert sorted(windows.split()[1:]) == ["2", "4"], "the second one in a window of its own"
+    assert count_snapshots() == 0
 
 
-@pytest.mark.parametrize("number", [signal.SIGTERM, signal.SIGHUP, signal.SIGINT], ids=lambda each: each.name)
+@pytest.mark.parametrize("number", [signal.SIGHUP, signal.SIGINT], ids=lambda each: each.name)
 def test_a_signal_ends_it_without_a_question_and_without_loss(number):
     process = start(EDIT_AND_WAIT)
     ((_, text),) = read_until(process, lambda: True)
@@ -170,23 +179,16 @@ def test_a_signal_ends_it_while_it_asks_something():
     process.terminate()
     _, errors = rest(process)
     assert (process.returncode, errors) == (128 + signal.SIGTERM, "")
-    assert has_snapshot()
+    assert count_snapshots() == 1
 
 
-def test_without_changes_a_signal_leaves_nothing():
-    process = start('def drive():\n    tell_document("shown")\n')
-    read_until(process, lambda: True)
+def test_damaged_leftovers_do_not_stop_a_start_and_without_changes_a_signal_leaves_nothing():
+    snapshot_folder().mkdir(parents=True)
+    (snapshot_folder() / "x.snapshot.json").write_bytes(b"\xff\x00{")
+    process = start('def drive():\n    tell("told", 0, editor.window.findChild(RecoveryBar).text)\n')
+    ((_, text),) = read_until(process, lambda: True)
+    assert "set aside" in text
     process.terminate()
     _, errors = rest(process)
     assert (process.returncode, errors) == (128 + signal.SIGTERM, "")
-    assert not has_snapshot()
-
-
-def test_damaged_leftovers_do_not_stop_a_start():
-    snapshot_folder().mkdir(parents=True)
-    (snapshot_folder() / "x.snapshot.json").write_bytes(b"\xff\x00{")
-    told, errors = start(
-        "def drive():\n    tell(editor.window.findChild(RecoveryBar).text)\n    editor.window.close()\n"
-    ).communicate(timeout=20)
-    assert errors.replace(CHATTER, "") == ""
-    assert "set aside" in told
+    assert [path.name for path in snapshot_folder().iterdir()] == ["x.snapshot.json.damaged"]
