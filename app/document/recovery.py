@@ -19,7 +19,7 @@ import msgspec
 from app.document.claim import Claim
 from app.document.format import FormatError, decode, encode
 from app.document.model import Document
-from app.document.storage import TEMPORARY_PREFIX, read, write
+from app.document.storage import TEMPORARY_PREFIX, StorageError, load, read, write
 
 SUFFIX = ".snapshot.json"
 DAMAGED = ".damaged"
@@ -184,7 +184,11 @@ def list_snapshots(folder: Path) -> Found:
         if claim is None:
             continue
         try:
-            snapshots.append(_load(file, claim))
+            snapshot = _load(file, claim)
+            if _is_saved(snapshot):
+                snapshot.discard()
+            else:
+                snapshots.append(snapshot)
         except FileNotFoundError:
             claim.release()  # another start has just dealt with it
         except (OSError, ValueError):
@@ -240,6 +244,14 @@ def _load(file: Path, claim: Claim) -> Snapshot:
         raise ValueError("the checksum is another one")
     path = Path(os.fsdecode(record.path)) if record.path is not None else None
     return Snapshot(decode(text), Origin(path, record.stamp), record.written, file, claim)
+
+
+def _is_saved(snapshot: Snapshot) -> bool:
+    """Whether the file holds the work after all: the process ended between saving and tidying up."""
+    try:
+        return snapshot.origin.path is not None and load(snapshot.origin.path) == snapshot.document
+    except (FormatError, StorageError):
+        return False
 
 
 def _set_aside(file: Path) -> Path:

@@ -56,6 +56,19 @@ def test_the_original_is_remembered_and_whether_it_changed(tmp_path, name):
     assert not found.snapshots[0].origin.is_unchanged
 
 
+def test_what_its_file_holds_after_all_is_not_offered(tmp_path):
+    path = tmp_path / "mine.curve.json"
+    save(path, OTHER)
+    origin = Origin.of(path)
+    save(path, THIRDS)
+    left_behind(tmp_path / "unsaved", THIRDS, origin)
+    assert list_snapshots(tmp_path / "unsaved").snapshots == ()
+    assert list((tmp_path / "unsaved").iterdir()) == []
+    left_behind(tmp_path / "unsaved", OTHER, origin)
+    path.write_text("no document")
+    assert len(list_snapshots(tmp_path / "unsaved").snapshots) == 1
+
+
 def test_the_latest_comes_first(tmp_path):
     for name in ("one", "two", "three"):
         left_behind(tmp_path, Document((make_curve([(0, 0)], name=name),)))
@@ -222,7 +235,7 @@ from app.document.format import encode
 from app.document.model import Document, make_curve
 from app.document.recovery import Origin, SnapshotFile, list_snapshots
 
-old, new = (Document((make_curve([(i, k / 3) for i in range(40)]),)) for k in (1, 2))
+old, new = (Document((make_curve([(i, k / 3) for i in range(3)]),)) for k in (1, 2))
 watched = ("recovery.py", "storage.py", "claim.py")
 
 def run(folder, last, begin):
