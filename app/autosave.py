@@ -18,6 +18,9 @@ if TYPE_CHECKING:
 DELAY_MS = 1000
 """A second for the timer leaves one for the disk: nobody shall lose more than two."""
 
+_RETRY_MS = 10_000
+"""When to try again after a disk has refused, should nothing be changed before."""
+
 _PATIENCE_S = 10.0
 """How long the end of the program waits for a disk."""
 
@@ -37,12 +40,20 @@ class Autosave(QObject):
         Where the snapshot is kept.
     delay
         How old the oldest change without a snapshot may become, in milliseconds.
+    retry
+        When to try again after the disk has refused, in milliseconds.
     """
 
     _finished = Signal(str)
 
     def __init__(
-        self, session: Session, folder: Path, parent: QObject | None = None, *, delay: int = DELAY_MS
+        self,
+        session: Session,
+        folder: Path,
+        parent: QObject | None = None,
+        *,
+        delay: int = DELAY_MS,
+        retry: int = _RETRY_MS,
     ) -> None:
         super().__init__(parent)
         self._session = session
@@ -53,6 +64,8 @@ class Autosave(QObject):
         self._writing: Future[str] | None = None
         self._soon = QTimer(self, singleShot=True, interval=delay)
         self._soon.timeout.connect(self._write_soon)
+        self._again = QTimer(self, singleShot=True, interval=retry)
+        self._again.timeout.connect(self._note_file)
         self._finished.connect(self._report)
         session.document_changed.connect(self._note_change)
         session.file_changed.connect(self._note_file)
@@ -113,9 +126,10 @@ class Autosave(QObject):
             return
 
     def _report(self, problem: str) -> None:
-        """Say once that there is no snapshot; try again with the next change."""
+        """Say once that there is no snapshot; try again with the next change, or after a while."""
         if problem:
             self._kept = None
+            self._again.start()
         if problem and not self._has_complained:
             self._session.say(problem)
         self._has_complained = bool(problem)
@@ -151,6 +165,8 @@ class Autosave(QObject):
 
     def _close(self) -> None:
         self._soon.stop()
+        self._again.stop()
+        self._finished.disconnect(self._report)
         session = self._session
         session.document_changed.disconnect(self._note_change)
         session.file_changed.disconnect(self._note_file)

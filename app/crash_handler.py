@@ -40,7 +40,7 @@ class CrashHandler(QObject):
 
     quit_asked = Signal()
     interrupted = Signal()
-    _arrived = Signal(str)
+    _arrived = Signal(object)
 
     def __init__(
         self,
@@ -56,7 +56,7 @@ class CrashHandler(QObject):
         self._hooks: tuple[Any, ...] = ()
         self._soon = QTimer(self, singleShot=True, interval=0)
         self._soon.timeout.connect(self._show_next)
-        self._arrived.connect(self._queue)
+        self._arrived.connect(self._note)
 
     def install(self) -> None:
         """Take the interpreter's hooks."""
@@ -76,7 +76,8 @@ class CrashHandler(QObject):
             self.interrupted.emit()
             return
         _print(kind, problem, trace)
-        self._note(problem.with_traceback(trace))
+        # Into the thread of the window: only there may anybody look at what is open.
+        self._arrived.emit(problem.with_traceback(trace))
 
     def _take_from_thread(self, arguments: threading.ExceptHookArgs) -> None:
         problem = arguments.exc_value
@@ -89,18 +90,15 @@ class CrashHandler(QObject):
             _print(arguments.exc_type, arguments.exc_value, arguments.exc_traceback)
 
     def _note(self, problem: BaseException) -> None:
-        """Pass a report to the window's thread; never raises, for who would catch that."""
+        """Queue a report, unless it is known; never raises, for who would catch that."""
         try:
             signature = signature_of(problem)
             if signature in self._seen or len(self._seen) >= _MOST_DIALOGS:
                 return
             self._seen.add(signature)
-            self._arrived.emit(report_of(problem, self._private()))
+            self._waiting.append(report_of(problem, self._private()))
         except Exception as another:
             _print(type(another), another, another.__traceback__)
-
-    def _queue(self, report: str) -> None:
-        self._waiting.append(report)
         # Not from within: it may be a paint that failed.
         self._soon.start()
 

@@ -47,6 +47,8 @@ class RecoveryCommands:
         self.look()
         if not self._found.snapshots and not self._found.damaged:
             self._parts.session.say("There is no unsaved work.")
+        elif self._bar is not None:
+            self._bar.take_focus()
 
     def look(self) -> None:
         """Offer what there is; say nothing where there is nothing."""

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from PySide6.QtCore import QDateTime, QEvent, QLocale, QObject, Qt, Signal
-from PySide6.QtGui import QPixmap
+from PySide6.QtGui import QKeyEvent, QPixmap
 from PySide6.QtWidgets import (
     QApplication,
     QFrame,
@@ -203,6 +203,17 @@ class RecoveryBar(QFrame):
         height = max(self.heightForWidth(width), self.minimumSizeHint().height())
         top = max(self._below.height() - height - _BELOW, 0)
         self.setGeometry((self._below.width() - width) // 2, top, width, height)
+
+    def take_focus(self) -> None:
+        """Put the keyboard's focus on the first button."""
+        button = self.findChild(QPushButton, "restoreWork0") or self._close
+        button.setFocus(Qt.FocusReason.ShortcutFocusReason)
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        if event.key() == Qt.Key.Key_Escape:
+            self.closed.emit()
+            return
+        super().keyPressEvent(event)
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         if event.type() == QEvent.Type.Resize and not self.isHidden():

@@ -14,7 +14,7 @@ from msgspec.structs import replace
 
 from app.document.claim import Claim
 from app.document.format import FormatError, encode
-from app.document.model import Document, Node, make_curve
+from app.document.model import Document, Node, ReferenceImage, make_curve
 from app.document.recovery import DAMAGED, SUFFIX, Origin, SnapshotFile, list_snapshots
 from app.document.storage import TEMPORARY_PREFIX, save
 
@@ -75,6 +75,12 @@ def test_the_latest_comes_first(tmp_path):
         time.sleep(0.002)
     names = [each.document.curves[0].name for each in list_snapshots(tmp_path).snapshots]
     assert names == ["three", "two", "one"]
+
+
+def test_the_picture_to_trace_is_found_again_from_anywhere(tmp_path):
+    image = ReferenceImage(str(tmp_path / "photo.png"), 0, 0, 4, 3)
+    left_behind(tmp_path / "unsaved", replace(OTHER, image=image))
+    assert list_snapshots(tmp_path / "unsaved").snapshots[0].document.image == image
 
 
 def test_a_folder_that_is_not_there_holds_nothing(tmp_path):

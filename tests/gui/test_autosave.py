@@ -190,6 +190,17 @@ def test_a_folder_that_cannot_be_made_is_said_once_and_editing_goes_on(kept, qtb
     qtbot.waitUntil(is_kept, timeout=WAIT_MS)
 
 
+def test_what_a_disk_refused_is_tried_again_without_another_change(editor, qtbot):
+    state_folder().parent.mkdir(parents=True, exist_ok=True)
+    state_folder().write_text("in the way")
+    autosave = Autosave(editor.session, snapshot_folder(), delay=10, retry=50)
+    editor.drag_point(1, to=(2, 3))
+    qtbot.waitUntil(lambda: "backed up" in editor.status, timeout=WAIT_MS)
+    state_folder().unlink()
+    qtbot.waitUntil(is_kept, timeout=WAIT_MS)
+    autosave.finish()
+
+
 @pytest.mark.skipif(sys.platform == "win32", reason="needs limits of POSIX")
 def test_a_full_disk_keeps_the_old_snapshot_and_is_said(kept, qtbot):
     import resource
@@ -287,6 +298,17 @@ def test_discard_deletes_and_later_keeps(editor):
     press(editor, "closeRecovery")
     assert not bar(editor).isVisible()
     assert len(files()) == 1
+
+
+def test_the_keyboard_is_enough(editor):
+    leave_behind()
+    editor.trigger("recoverWork")
+    assert editor.window.focusWidget().objectName() == "restoreWork0"
+    QTest.keyClick(editor.window.focusWidget(), Qt.Key.Key_Escape)
+    assert not bar(editor).isVisible()
+    editor.trigger("recoverWork")
+    QTest.keyClick(editor.window.focusWidget(), Qt.Key.Key_Space)
+    assert editor.session.document == SKETCH
 
 
 def test_restoring_asks_about_the_present_document_first(editor, monkeypatch):
