@@ -93,17 +93,18 @@ class Lifecycle(QObject):
         return all(outcomes)
 
     def prepare_for_end(self, _manager: object = None) -> None:
-        """Write a backup of everything unsaved; from now on, windows close without a question.
+        """Write a backup of everything unsaved; a window whose work is safe closes without a question.
 
         The system calls this before it ends, and closes the windows afterwards or does not even do that.
         """
-        self.write_now()
-        for window in self._autosaves:
-            window.asks_before_closing = False
+        for window, autosave in self._autosaves.items():
+            window.asks_before_closing = not autosave.write_now()
 
     def end(self, number: int = 0) -> None:
         """Keep everything unsaved for the next start, and end the program; `number` is that of a signal."""
         self.prepare_for_end()
+        for window in self._autosaves:
+            window.asks_before_closing = False  # nobody may be there to answer
         self._application.setQuitOnLastWindowClosed(False)
         for window in list(self._autosaves):
             window.close()
@@ -127,7 +128,8 @@ class Lifecycle(QObject):
                 window.actions_by_name["saveDocument"].trigger()
                 if session.is_modified:
                     return  # the window says why
-        self.end()
+        if self.write_now():
+            self.end()
 
     def _private_words(self) -> list[str]:
         paths = [window.session.path for window in self._autosaves]

@@ -101,7 +101,9 @@ def test_without_a_backup_it_says_what_to_do(guarded, qtbot):
     raise_soon(qtbot, ZeroDivisionError())
     (dialog,) = dialogs()
     assert any("Save your work under another name" in each.text() for each in dialog.findChildren(QLabel))
-    press("goOn")
+    press("saveAndQuit")
+    assert guarded.window.isVisible(), "there is no file to save it to, and no backup"
+    guarded.session.undo_stack.setClean()
 
 
 def test_the_same_fault_is_shown_once(guarded, qtbot):
@@ -235,6 +237,15 @@ def test_the_end_of_the_system_asks_nothing_and_keeps_the_work(guarded):
     (snapshot,) = list_snapshots(snapshot_folder()).snapshots
     assert snapshot.document == document
     snapshot.discard()
+
+
+def test_the_end_of_the_system_still_asks_about_work_that_is_not_safe(guarded):
+    snapshot_folder().parent.parent.mkdir(parents=True, exist_ok=True)
+    snapshot_folder().parent.write_text("in the way")
+    guarded.drag_point(1, to=(2, 3))
+    guarded.lifecycle.prepare_for_end()
+    assert guarded.window.asks_before_closing
+    guarded.session.undo_stack.setClean()
 
 
 def test_an_end_that_was_called_off_asks_again(guarded):
