@@ -9,13 +9,15 @@ The layers, top to bottom; a module imports only from its own layer and those ab
 - ``resources``, ``examples``: what comes with the program.
 - ``session``: the one mutable owner of the current document, its history and the selection.
 - ``analysis``, ``settle``: what is shown over the curve; what is computed beside the window.
+- ``autosave``: keeps a snapshot of what is not saved yet.
 - ``theme``, ``colours``, ``icons``, ``preferences``: how it looks; what is remembered between starts.
 - ``keymap``: which keys do what.
 - ``disk_watch``: notices when a file may have changed.
 - ``plot``: what canvas and basis panel share: a pixel map, fast drawing, pan and zoom.
 - ``canvas``, ``panels``: draw a value and report what the person did. They never call each other.
 - ``action_specs``, ``actions``, ``file_commands``, ``commands``: what can be done, and what it does.
-- ``toolbar``, ``main_window``: build, dock, connect.
+- ``toolbar``, ``window_layout``, ``main_window``: build, dock, connect.
+- ``crash_report``, ``crash_handler``, ``lifecycle``: what surrounds the windows from start to end.
 - ``cli``: the command line.  ``testing``: a driver for pytest-qt.
 """
 

@@ -214,17 +214,23 @@ def _edit(files: Sequence[str]) -> int:
     # The editor and Qt take a while to import, and the other commands do without.
     from PySide6.QtWidgets import QApplication  # noqa: PLC0415
 
+    from app.lifecycle import Lifecycle  # noqa: PLC0415
     from app.main_window import MainWindow  # noqa: PLC0415
     from app.session import Session  # noqa: PLC0415
 
     application = QApplication.instance() or QApplication([sys.argv[0]])
+    assert isinstance(application, QApplication)
     sessions = [Session() for _ in files or [""]]
     for session, path in zip(sessions, files, strict=False):
         session.open(Path(path))
     windows = [MainWindow(session) for session in sessions]
     for window in windows:
         window.show()
-    return int(application.exec())
+    lifecycle = Lifecycle(application, windows)
+    lifecycle.start()
+    code = int(application.exec())
+    lifecycle.stop()
+    return code
 
 
 def _has_display() -> bool:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from pathlib import Path
 
-from PySide6.QtCore import QEvent, Qt, QTimer
+from PySide6.QtCore import QEvent, Qt, QTimer, Signal
 from PySide6.QtGui import QAction, QCloseEvent, QDragEnterEvent, QDropEvent, QKeyEvent, QStatusTipEvent
 from PySide6.QtWidgets import (
     QApplication,
@@ -20,11 +20,13 @@ from PySide6.QtWidgets import (
 from app.action_specs import MENUS
 from app.actions import Actions
 from app.analysis import Analysis
+from app.autosave import Autosave
 from app.canvas.canvas import Canvas
 from app.commands.connect import Commands
 from app.commands.curve_commands import CURVE_LIST_BUTTONS
 from app.commands.image_commands import PICTURE_SUFFIXES
 from app.commands.parts import Parts
+from app.commands.recovery_commands import OpenBeside
 from app.examples import example_name, example_paths
 from app.file_commands import FileCommands, title_of
 from app.gestures.rail import RailTool
@@ -45,6 +47,7 @@ from app.preferences import Preferences
 from app.session import Session
 from app.theme import ThemeMode, apply_theme, theme_of
 from app.toolbar import Toolbar
+from app.window_layout import restore_layout
 
 _PANELS_MS = 100
 """How far the panels may lag behind a drag, in milliseconds; the canvas and the functions never do."""
@@ -59,11 +62,21 @@ class MainWindow(QMainWindow):
         The two plots.
     point_table
         The QTableView with the numbers.
+    asks_before_closing
+        Whether closing asks about unsaved changes; not where the system is about to end.
+
+    Signals
+    -------
+    closed
+        The window is closed, and what was not saved has been given up.
     """
+
+    closed = Signal()
 
     def __init__(self, session: Session, preferences: Preferences | None = None) -> None:
         super().__init__()
         self.session = session
+        self.asks_before_closing = True
         self.preferences = preferences or Preferences()
         # First of all: panels read the palette when they are built.
         self._dress()
@@ -79,7 +92,7 @@ class MainWindow(QMainWindow):
         self._files = FileCommands(session, self.preferences, self, self.message_bar.warn)
         self._commands = Commands(self._parts())
         self._connect()
-        self._restore_layout()
+        restore_layout(self, self.splitter, self.preferences)
         self._apply_theme_mode()
         self._render_document()
         self._render_file()
@@ -88,6 +101,8 @@ class MainWindow(QMainWindow):
         if self.session.path is None:
             # Who opens a document came to work on it.
             self._commands.messages.greet()
+        if self.preferences.complaint:
+            self.status_line.say(self.preferences.complaint)
 
     # Building
 
@@ -335,6 +350,14 @@ class MainWindow(QMainWindow):
         """Open a document, or say why not."""
         self._files.open(path)
 
+    def keep_with(self, autosave: Autosave, open_beside: OpenBeside) -> None:
+        """Keep with `autosave` what is restored in this window; where it is in use, open another."""
+        self._commands.recovery.keep_with(autosave, open_beside)
+
+    def offer_unsaved_work(self) -> None:
+        """Offer what was not saved when the program last ended, if there is any."""
+        self._commands.recovery.look()
+
     def export_file(self, path: Path) -> None:
         """Write a picture, or say why not."""
         self._files.export(path)
@@ -373,14 +396,6 @@ class MainWindow(QMainWindow):
         if event.type() == QEvent.Type.PaletteChange and hasattr(self, "message_bar"):
             self._render_theme()
 
-    def _restore_layout(self) -> None:
-        self.resize(1280, 860)
-        if not self.preferences.window_geometry.isEmpty():
-            self.restoreGeometry(self.preferences.window_geometry)
-            self.restoreState(self.preferences.window_state)
-        if not self.preferences.splitter_state.isEmpty():
-            self.splitter.restoreState(self.preferences.splitter_state)
-
     def _remember_layout(self) -> None:
         self._commands.view.leave_presentation()
         self.preferences.window_geometry = self.saveGeometry()
@@ -416,14 +431,16 @@ class MainWindow(QMainWindow):
                 self._files.open(path)
 
     def closeEvent(self, event: QCloseEvent) -> None:
-        if not self._files.may_discard():
+        if self.asks_before_closing and not self._files.may_discard():
             event.ignore()
             return
         self._files.let_go()
         self._remember_layout()
         for dialog in self.findChildren(QDialog):
             dialog.close()
+        self._commands.recovery.leave()
         event.accept()
+        self.closed.emit()
 
 
 def _dropped_file(event: QDropEvent) -> Path | None:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import math
+import re
 from collections.abc import Collection, Mapping
 from pathlib import Path
 from typing import Final
@@ -17,6 +18,8 @@ _NAME: Final = "curvebench"
 _MAX_RECENT: Final = 10
 _SWITCHES: Final = ("off", "on")
 _LEAST_SPACING, _GREATEST_SPACING = 1e-9, 1e9
+
+_SETTING = re.compile(r"\[.*\]$|[^=]+=")
 
 LONGEST_UNIT: Final = 12
 """Letters that the name of a unit may have."""
@@ -41,8 +44,13 @@ class Preferences:
     """
 
     def __init__(self, store: Path | QSettings | None = None) -> None:
-        self._settings = _open(store)
         self.complaint = ""
+        self._settings = _open(store)
+        if not isinstance(store, QSettings) and _set_aside_damaged(Path(self._settings.fileName())):
+            self.complaint = f"{self._settings.fileName()} was damaged and set aside; the defaults are used."
+            # What the first one has read of it is forgotten.
+            self._settings.sync()
+            self._settings = _open(store)
         if self._settings.status() is not QSettings.Status.NoError:
             self.complaint = f"{self._settings.fileName()} cannot be read; the defaults are used."
 
@@ -99,7 +107,7 @@ class Preferences:
     @property
     def snap_kinds(self) -> frozenset[SnapKind]:
         """What they snap to."""
-        stored = self._settings.value("snap/kinds")
+        stored = self._value("snap/kinds")
         if stored is None:
             return frozenset(SnapKind)
         try:
@@ -191,7 +199,7 @@ class Preferences:
         self._settings.setValue("files/folder", str(folder.absolute()))
 
     def _recent(self) -> list[Path]:
-        stored = self._settings.value("files/recent")
+        stored = self._value("files/recent")
         if stored is None or stored == "":
             return []
         # The ini format stores a list of one string as that string.
@@ -210,15 +218,28 @@ class Preferences:
             self._complain(key, f"“{stored}” is neither on nor off")
         return stored == "on" if stored in _SWITCHES else default
 
+    def refuse(self, key: str, reason: str) -> None:
+        """Say that the value of `key` could be read but not used."""
+        self._complain(key, reason)
+
+    def _value(self, key: str) -> object:
+        """Return what is stored, None where there is nothing, or nothing that Python knows."""
+        try:
+            return self._settings.value(key)
+        except Exception:
+            # PySide raises a RuntimeError for the types of QVariant that have no counterpart.
+            self._complain(key, "it is of a foreign type")
+            return None
+
     def _text(self, key: str) -> str:
-        stored = self._settings.value(key)
+        stored = self._value(key)
         if stored is None or isinstance(stored, str):
             return stored or ""
         self._complain(key, "it is not a text")
         return ""
 
     def _bytes(self, key: str) -> QByteArray:
-        stored = self._settings.value(key)
+        stored = self._value(key)
         if stored is None or isinstance(stored, QByteArray):
             return stored or QByteArray()
         self._complain(key, "it is not a saved layout")
@@ -234,6 +255,32 @@ def _open(store: Path | QSettings | None) -> QSettings:
     if store is not None:
         return QSettings(str(store), QSettings.Format.IniFormat)
     return QSettings(QSettings.Format.IniFormat, QSettings.Scope.UserScope, _NAME, _NAME)
+
+
+def _set_aside_damaged(path: Path) -> bool:
+    """Rename the file of settings at `path` where it is none; return whether it was.
+
+    QSettings takes any bytes for settings, and writes what it made of them back for good.
+    """
+    try:
+        if not path.is_file() or not _is_damaged(path.read_bytes()):
+            return False
+        path.replace(path.with_name(path.name + ".damaged"))
+    except OSError:
+        return False
+    return True
+
+
+def _is_damaged(data: bytes) -> bool:
+    """Whether this can be no ini file: no text, an open section, or nothing that is a section or setting."""
+    try:
+        text = data.decode("utf-8")
+    except UnicodeDecodeError:
+        return True
+    lines = [line.strip() for line in text.splitlines()]
+    lines = [line for line in lines if line and not line.startswith((";", "#"))]
+    is_open = any(line.startswith("[") and "]" not in line for line in lines)
+    return "\0" in text or is_open or bool(lines and not any(map(_SETTING.match, lines)))
 
 
 def _is_file(path: Path) -> bool:

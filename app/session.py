@@ -61,6 +61,8 @@ class Session(QObject):
         There is another step to undo or redo.
     opened
         Another document was opened or begun.
+    saved
+        The document was written to its file.
     interrupted
         The document or the curve that is edited is being replaced (a step, undo, open): a gesture in flight
         is void, and what has been said about the old one is out of date.
@@ -78,6 +80,7 @@ class Session(QObject):
     file_changed = Signal()
     history_changed = Signal()
     opened = Signal()
+    saved = Signal()
     interrupted = Signal()
     said = Signal(str)
     offered = Signal(str, str)
@@ -170,6 +173,11 @@ class Session(QObject):
     def is_previewing(self) -> bool:
         """Whether a gesture in flight shows something else than the history's last state."""
         return self._shown is not self._committed
+
+    @property
+    def committed(self) -> Document:
+        """The history's last state, whatever a gesture in flight shows."""
+        return self._committed
 
     @property
     def is_modified(self) -> bool:
@@ -314,12 +322,18 @@ class Session(QObject):
         self._take_file(file)
         self.path = target
         self.undo_stack.setClean()
+        self.saved.emit()
         self.file_changed.emit()
 
     def _take_file(self, file: OpenFile | None) -> None:
         if self.file is not None and self.file is not file:
             self.file.close()
         self.file = file
+
+    def restore(self, document: Document, path: Path | None) -> None:
+        """Go on with unsaved work: `document`, with changes that are not in the file at `path`."""
+        self._replace(document, path)
+        self.undo_stack.resetClean()
 
     def _replace(self, document: Document, path: Path | None, file: OpenFile | None = None) -> None:
         self._take_file(OpenFile.adopt(path) if file is None and path is not None else file)

@@ -94,6 +94,13 @@ class Editor:
             self.window.show()
         self.fit()
 
+    @classmethod
+    def on(cls, window: MainWindow) -> Editor:
+        """Return a driver of a window that is open already, in a program that runs without pytest."""
+        editor = cls.__new__(cls)
+        editor.session, editor.window = window.session, window
+        return editor
+
     def _discard_changes(self) -> None:
         # Else closing asks whether to save, and the test run waits for an answer.
         self.session.undo_stack.setClean()

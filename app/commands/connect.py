@@ -13,6 +13,7 @@ from app.commands.messages import Messages
 from app.commands.overlay_commands import OverlayCommands
 from app.commands.parts import CommandSet, Handlers, LiveSet, Parts
 from app.commands.rail_commands import RailCommands
+from app.commands.recovery_commands import RecoveryCommands
 from app.commands.selection_commands import SelectionCommands
 from app.commands.snap_commands import SnapCommands
 from app.commands.tangent_commands import TangentCommands
@@ -30,6 +31,7 @@ class Commands:
         self.messages = Messages(parts)
         self.snap = SnapCommands(parts)
         self.images = ImageCommands(parts, self.messages)
+        self.recovery = RecoveryCommands(parts)
         curves = CurveCommands(parts)
         self._live: tuple[LiveSet, ...] = (OverlayCommands(parts),)
         self._sets: tuple[CommandSet, ...] = (
@@ -45,6 +47,7 @@ class Commands:
             RailCommands(parts),
             self.images,
             DiskCommands(parts),
+            self.recovery,
             ToolCommands(parts, self.snap.apply_preferences),
         )
         self.context_menus = ContextMenus(parts, curves)

@@ -10,6 +10,7 @@ from __future__ import annotations
 
 import gc
 from collections.abc import Callable
+from time import perf_counter
 
 import numpy as np
 import pytest
@@ -17,6 +18,8 @@ import targets
 from harness import Paints, Times, drag
 from msgspec.structs import replace
 from PySide6.QtCore import QPointF
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QWidget
 
 from app.document.model import Curve, Document, Family, Node, Parametrization, ParametrizationKind
 from app.session import Session
@@ -172,3 +175,17 @@ def test_faster_than_matplotlib_with_scipy(open_wave, qtbot, n, mode, factor, mo
     peer = drag_in_matplotlib(qtbot, n, mode=mode, moves=moves)
     what = f"n = {n}: matplotlib + SciPy, {mode}, {peer.median:.1f} ms, over ours"
     assert targets.at_least(what, peer.median / ours.median, factor)
+
+
+def test_a_letter_typed_into_the_palette(qtbot):
+    """One frame at 60 Hz for each letter."""
+    editor = Editor(qtbot)
+    editor.find_command("")
+    palette = editor.window.findChild(QWidget, "commandPalettePanel")
+    times = []
+    for letter in "parameters":
+        start = perf_counter()
+        QTest.keyClicks(palette.search, letter)
+        palette.repaint()
+        times.append(1e3 * (perf_counter() - start))
+    assert targets.at_most("a letter typed into the palette, median", float(np.median(times)), 16)

@@ -3,9 +3,11 @@
 from pathlib import Path
 
 import pytest
-from PySide6.QtCore import QByteArray, QPoint, QSettings
+from PySide6.QtCore import QByteArray, QPoint, QRect, QSettings
+from PySide6.QtWidgets import QWidget
 
 from app.preferences import Preferences
+from app.testing import Editor
 from app.theme import ThemeMode
 
 
@@ -147,12 +149,134 @@ def test_foreign_values_give_the_default_and_a_sentence(store, key, value, name,
     assert preferences.complaint.endswith(".")
 
 
-def test_a_file_of_rubbish_gives_defaults(store):
-    store.write_bytes(bytes(range(256)) * 20)
+RUBBISH = {
+    "all bytes": bytes(range(256)) * 20,
+    "zeros": bytes(500),
+    "half a character": b"theme=dark\n\xc3",
+    "another format": b'{"theme": "dark"}',
+    "open section": b"[window\ngeometry=1",
+}
+
+
+@pytest.mark.parametrize("content", RUBBISH.values(), ids=RUBBISH)
+def test_a_file_of_rubbish_is_set_aside_and_gives_defaults(store, content):
+    store.write_bytes(content)
     preferences = Preferences(store)
     assert preferences.theme_mode is ThemeMode.SYSTEM
     assert preferences.recent_files == []
     assert preferences.window_state.isEmpty()
+    assert "damaged" in preferences.complaint
+    assert store.with_name("settings.ini.damaged").read_bytes() == content
+    preferences.theme_mode = ThemeMode.LIGHT
+    del preferences
+    later = again(store)
+    assert later.theme_mode is ThemeMode.LIGHT
+    assert later.complaint == ""
+
+
+@pytest.mark.parametrize("content", [b"", b"\n", b"# mine\ntheme=dark\nnonsense\n", b"; nothing\n"])
+def test_a_file_edited_by_hand_is_read(store, content):
+    store.write_bytes(content)
+    preferences = Preferences(store)
+    assert preferences.theme_mode is (ThemeMode.DARK if b"dark" in content else ThemeMode.SYSTEM)
+    assert preferences.complaint == ""
+    assert store.read_bytes() == content
+
+
+NAMES = [name for name, member in vars(Preferences).items() if isinstance(member, property)]
+
+
+def every_key(folder):
+    """The keys of everything that is remembered, those of later versions included."""
+    preferences = Preferences(folder / "all.ini")
+    for name in NAMES:
+        if vars(Preferences)[name].fset is not None:
+            setattr(preferences, name, getattr(preferences, name))
+    preferences.add_recent_file(folder)
+    keys = QSettings(str(folder / "all.ini"), QSettings.Format.IniFormat).allKeys()
+    assert len(keys) >= 11
+    return keys
+
+
+WRONG = {
+    "point": QPoint(1, 2),
+    "list": ["a", 3.5],
+    "map": {"a": 1},
+    "number": 3.5,
+    "boolean": True,
+    "nan": "nan",
+    "zero": "\0",
+    "long": "x" * 100_000,
+    "bytes": QByteArray(b"\xff\x00"),
+    "json": '{"undo": ["Ctrl+Z"], "": "x"}',
+}
+
+
+@pytest.mark.parametrize("value", WRONG.values(), ids=WRONG)
+def test_no_key_of_a_wrong_type_stops_a_start(qtbot, store, tmp_path, value):
+    defaults = {name: getattr(Preferences(tmp_path / "none.ini"), name) for name in NAMES}
+    keys = every_key(tmp_path)
+    for key in keys:
+        settings = QSettings(str(tmp_path / f"{key.replace('/', ' ')}.ini"), QSettings.Format.IniFormat)
+        settings.setValue(key, value)
+        preferences = Preferences(settings)
+        for name in NAMES:
+            assert type(getattr(preferences, name)) is type(defaults[name]), key
+        if isinstance(value, QPoint | dict):
+            assert {name: getattr(preferences, name) for name in NAMES} == defaults
+            assert key in preferences.complaint
+    settings = QSettings(str(store), QSettings.Format.IniFormat)
+    for key in keys:
+        settings.setValue(key, value)
+    editor = Editor(qtbot, preferences=Preferences(settings))
+    assert "is not usable" in editor.status
+    editor.drag_point(1, to=(2, 3))
+    assert editor.point(1) == pytest.approx((2, 3), abs=editor.pixel)
+
+
+def test_a_type_that_python_does_not_know_is_no_type(store):
+    store.write_bytes(b"theme=@Variant(\\0\\0\\0\\x99\\xff)\n")
+    preferences = Preferences(store)
+    assert preferences.theme_mode is ThemeMode.SYSTEM
+    assert "theme" in preferences.complaint
+
+
+def saved_geometry(qtbot, rect):
+    other = QWidget()
+    qtbot.addWidget(other)
+    other.setGeometry(rect)
+    return other.saveGeometry()
+
+
+@pytest.mark.parametrize(
+    "rect",
+    [
+        QRect(50_000, 50_000, 800, 600),
+        QRect(-90_000, -9, 800, 600),
+        QRect(0, 0, 9**7, 9**7),
+        QRect(0, 0, 1, 1),
+    ],
+    ids=["right", "left", "huge", "tiny"],
+)
+def test_a_place_off_every_screen_is_not_taken(qtbot, qapp, store, rect):
+    preferences = Preferences(store)
+    preferences.window_geometry = saved_geometry(qtbot, rect)
+    editor = Editor(qtbot, preferences=preferences)
+    screen = qapp.primaryScreen().availableGeometry()
+    shown = editor.window.geometry().intersected(screen)
+    assert shown.width() >= 400
+    assert shown.height() >= 300
+
+
+@pytest.mark.parametrize("content", [b"", b"\xff" * 60, bytes(60), b"\x7f\xff\xff\xff" * 15])
+def test_a_layout_that_is_none_gives_the_default_and_a_word(qtbot, store, content):
+    layout = QByteArray(b"\x01\xd9\xd0\xcb\x00\x03\x00\x00" + content)
+    preferences = Preferences(store)
+    preferences.window_geometry = preferences.window_state = preferences.splitter_state = layout
+    editor = Editor(qtbot, preferences=preferences)
+    assert "is not usable" in editor.status
+    assert min(editor.window.splitter.sizes()) > 100
+    assert editor.window.point_table.isVisible()
 
 
 def test_a_place_that_cannot_be_read_is_said(tmp_path):

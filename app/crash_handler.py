@@ -1,0 +1,127 @@
+"""Exceptions that nobody caught: the work is kept, the person is told once, and the program goes on."""
+
+from __future__ import annotations
+
+import sys
+import threading
+from collections.abc import Callable, Collection
+from types import TracebackType
+from typing import Any
+
+from PySide6.QtCore import QObject, QTimer, Signal
+from PySide6.QtWidgets import QApplication, QDialog
+
+from app.crash_report import report_of, signature_of
+
+_MOST_DIALOGS = 5
+"""Different faults that are shown in one run; whoever has seen these knows that something is wrong."""
+
+
+class CrashHandler(QObject):
+    """What the interpreter calls with an exception that nobody caught.
+
+    The same fault is shown once, however often a paint or a timer runs into it again, and there is one
+    dialog at a time. What comes from another thread is shown by that of the window.
+
+    Parameters
+    ----------
+    secure
+        Writes a backup of everything unsaved; returns whether that was possible.
+    private
+        Returns the words that a report must not hold.
+
+    Signals
+    -------
+    quit_asked
+        The person wants the work saved and the program to end.
+    interrupted
+        Ctrl+C.
+    """
+
+    quit_asked = Signal()
+    interrupted = Signal()
+    _arrived = Signal(object)
+
+    def __init__(
+        self,
+        secure: Callable[[], bool],
+        private: Callable[[], Collection[str]],
+        parent: QObject | None = None,
+    ) -> None:
+        super().__init__(parent)
+        self._secure, self._private = secure, private
+        self._seen: set[str] = set()
+        self._waiting: list[str] = []
+        self._dialog: QDialog | None = None
+        self._hooks: tuple[Any, ...] = ()
+        self._soon = QTimer(self, singleShot=True, interval=0)
+        self._soon.timeout.connect(self._show_next)
+        self._arrived.connect(self._note)
+
+    def install(self) -> None:
+        """Take the interpreter's hooks."""
+        self._hooks = (sys.excepthook, threading.excepthook, sys.unraisablehook)
+        sys.excepthook = self._take
+        threading.excepthook = self._take_from_thread
+        sys.unraisablehook = self._take_unraisable
+
+    def uninstall(self) -> None:
+        """Give the interpreter's hooks back."""
+        if self._hooks:
+            sys.excepthook, threading.excepthook, sys.unraisablehook = self._hooks
+            self._hooks = ()
+
+    def _take(self, kind: type[BaseException], problem: BaseException, trace: TracebackType | None) -> None:
+        if issubclass(kind, KeyboardInterrupt):
+            self.interrupted.emit()
+            return
+        _print(kind, problem, trace)
+        # Into the thread of the window: only there may anybody look at what is open.
+        self._arrived.emit(problem.with_traceback(trace))
+
+    def _take_from_thread(self, arguments: threading.ExceptHookArgs) -> None:
+        problem = arguments.exc_value
+        if problem is not None and not isinstance(problem, SystemExit):
+            self._take(arguments.exc_type, problem, arguments.exc_traceback)
+
+    def _take_unraisable(self, arguments: Any) -> None:  # noqa: ANN401 - sys.UnraisableHookArgs exists for checkers only
+        # Raised while something was thrown away: nothing that the person did has failed, so no dialog.
+        if arguments.exc_value is not None:
+            _print(arguments.exc_type, arguments.exc_value, arguments.exc_traceback)
+
+    def _note(self, problem: BaseException) -> None:
+        """Queue a report, unless it is known; never raises, for who would catch that."""
+        try:
+            signature = signature_of(problem)
+            if signature in self._seen or len(self._seen) >= _MOST_DIALOGS:
+                return
+            self._seen.add(signature)
+            self._waiting.append(report_of(problem, self._private()))
+        except Exception as another:
+            _print(type(another), another, another.__traceback__)
+        # Not from within: it may be a paint that failed.
+        self._soon.start()
+
+    def _show_next(self) -> None:
+        if self._dialog is not None or not self._waiting:
+            return
+        # Only now: nobody waits for it before the program is needed.
+        from app.panels.crash_dialog import CrashDialog  # noqa: PLC0415
+
+        is_safe = self._secure()
+        dialog = CrashDialog(QApplication.activeWindow(), self._waiting.pop(0), is_safe=is_safe)
+        self._dialog = dialog
+        dialog.quit_asked.connect(self.quit_asked)
+        dialog.finished.connect(self._shown)
+        dialog.finished.connect(dialog.deleteLater)
+        dialog.open()
+
+    def _shown(self) -> None:
+        self._dialog = None
+        self._soon.start()
+
+
+def _print(kind: type[BaseException], problem: BaseException, trace: TracebackType | None) -> None:
+    """Write the whole traceback to the terminal, where there is one: for whoever works on the program."""
+    if sys.stderr is not None:
+        sys.__excepthook__(kind, problem, trace)

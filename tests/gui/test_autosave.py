@@ -1,0 +1,412 @@
+"""Unsaved work is on the disk a second later, and the next start offers it."""
+
+from __future__ import annotations
+
+import os
+import sys
+import time
+
+import pytest
+from PySide6.QtCore import Qt
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QAbstractButton, QLabel, QMessageBox, QPushButton, QToolButton
+
+from app.autosave import Autosave, snapshot_folder, state_folder
+from app.document import storage
+from app.document.edits import move_nodes
+from app.document.model import Document, Family, make_curve
+from app.document.recovery import SUFFIX, Origin, SnapshotFile, list_snapshots
+from app.panels.recovery_bar import RecoveryBar, age_in_words
+from app.preferences import Preferences
+from app.session import Session
+from app.testing import Editor
+from app.theme import ThemeMode
+
+SKETCH = Document((make_curve([(0, 0), (1, 2), (3, 1 / 3)], name="Left over"),))
+WAIT_MS = 3000
+SOON_MS = 100
+
+
+@pytest.fixture
+def kept(editor, qtbot):
+    """An editor whose work is kept."""
+    autosave = Autosave(editor.session, snapshot_folder(), delay=SOON_MS)
+    opened = []
+
+    def open_beside(document, path):
+        session = Session()
+        session.restore(document, path)
+        other = Editor(qtbot, session, size=(800, 600))
+        opened.append(other)
+        other.autosave = Autosave(session, snapshot_folder())
+        return other.autosave
+
+    editor.window.keep_with(autosave, open_beside)
+    editor.opened = opened
+    yield editor
+    for each in (autosave, *(other.autosave for other in opened)):
+        each.finish()
+
+
+def files():
+    return sorted(snapshot_folder().glob(f"*{SUFFIX}")) if snapshot_folder().exists() else []
+
+
+def is_kept():
+    return bool(files())
+
+
+def document_kept():
+    """What the next start would find, read behind the back of the claim."""
+    storage_of = snapshot_folder() / "look"
+    storage_of.mkdir(exist_ok=True)
+    (file,) = files()
+    (storage_of / file.name).write_bytes(file.read_bytes())
+    (snapshot,) = list_snapshots(storage_of).snapshots
+    snapshot.discard()
+    return snapshot.document
+
+
+def leave_behind(document=SKETCH, origin=None):
+    file = SnapshotFile(snapshot_folder())
+    file.write(document, origin or Origin())
+    file.leave()
+
+
+def bar(editor):
+    return editor.window.findChild(RecoveryBar)
+
+
+def press(editor, name):
+    button = editor.window.findChild(QPushButton, name) or editor.window.findChild(QToolButton, name)
+    QTest.mouseClick(button, Qt.MouseButton.LeftButton)
+    editor.settle()
+
+
+def answer(monkeypatch, choice):
+    monkeypatch.setattr(QMessageBox, "exec", lambda _box: choice)
+
+
+# Keeping
+
+
+def test_tests_write_into_a_home_of_their_own(own_home):
+    assert state_folder().is_relative_to(own_home)
+
+
+def test_steps_that_never_pause_are_kept_within_two_seconds(editor, qtbot):
+    autosave = Autosave(editor.session, snapshot_folder())
+    began = time.monotonic()
+    while not is_kept() and time.monotonic() - began < 3:
+        editor.session.commit(move_nodes(editor.session.document, 0, [0], (0.01, 0.01)), "Move")
+        qtbot.wait(100)
+    assert time.monotonic() - began < 2
+    autosave.finish()
+
+
+def test_a_step_is_kept(kept, qtbot):
+    kept.drag_point(1, to=(2, 3))
+    qtbot.waitUntil(is_kept, timeout=WAIT_MS)
+    assert document_kept() == kept.session.document
+
+
+def test_a_drag_in_flight_is_kept(kept, qtbot):
+    committed = kept.session.committed
+    kept.press(kept.point(2))
+    kept.move((1.0, 1.0))
+    kept.move((0.7, 0.6))
+    qtbot.waitUntil(is_kept, timeout=WAIT_MS)
+    assert document_kept() == kept.session.document != committed
+    kept.escape()
+    kept.release((0.7, 0.6))
+    qtbot.waitUntil(lambda: not files(), timeout=WAIT_MS)
+    assert kept.session.document == committed
+
+
+def test_without_a_change_nothing_is_written(kept, qtbot):
+    qtbot.wait(2 * SOON_MS)
+    assert not snapshot_folder().exists()
+
+
+@pytest.mark.parametrize("how", ["save", "new", "open", "undo"])
+def test_what_is_saved_given_up_or_undone_is_not_kept(kept, qtbot, tmp_path, monkeypatch, how):
+    answer(monkeypatch, QMessageBox.StandardButton.Discard)
+    other = tmp_path / "other.curve.json"
+    storage.save(other, SKETCH)
+    kept.drag_point(1, to=(2, 3))
+    qtbot.waitUntil(is_kept, timeout=WAIT_MS)
+    if how == "save":
+        kept.session.save(tmp_path / "mine.curve.json")
+    elif how == "open":
+        kept.window.open_file(other)
+    else:
+        kept.trigger({"new": "newDocument", "undo": "undo"}[how])
+    qtbot.waitUntil(lambda: not files(), timeout=300)
+    qtbot.wait(2 * SOON_MS)
+    assert files() == []
+
+
+def test_the_snapshot_says_which_file_and_that_it_changed(kept, qtbot, tmp_path):
+    path = tmp_path / "mine.curve.json"
+    kept.session.save(path)
+    kept.drag_point(1, to=(2, 3))
+    qtbot.waitUntil(is_kept, timeout=WAIT_MS)
+    record = files()[0].read_bytes()
+    (snapshot_folder() / "copy").mkdir()
+    (snapshot_folder() / "copy" / files()[0].name).write_bytes(record)
+    (snapshot,) = list_snapshots(snapshot_folder() / "copy").snapshots
+    assert snapshot.origin == Origin.of(path)
+    assert snapshot.origin.is_unchanged
+
+
+def test_neither_a_large_document_nor_a_slow_disk_holds_up_the_window(kept, qtbot, monkeypatch):
+    monkeypatch.setattr(os, "fsync", lambda _descriptor: time.sleep(0.6))
+    points = [(i / 3, (i % 17) / 7) for i in range(10_000)]
+    large = Document((make_curve(points, family=Family.HERMITE),))
+    kept.session.commit(large, "Ten thousand points")
+    kept.settle()
+    longest, last, began = 0.0, time.monotonic(), time.monotonic()
+    while not files() and time.monotonic() - began < 5:
+        qtbot.wait(1)
+        longest, last = max(longest, time.monotonic() - last), time.monotonic()
+    assert document_kept() == large
+    assert longest < 0.5  # some 10 ms, where nobody else needs the processor
+
+
+def test_a_folder_that_cannot_be_made_is_said_once_and_editing_goes_on(kept, qtbot):
+    state_folder().parent.mkdir(parents=True, exist_ok=True)
+    state_folder().write_text("in the way")
+    sentences = []
+    kept.session.said.connect(sentences.append)
+    for place in ((2, 3), (1, 3)):
+        kept.drag_point(1, to=place)
+        qtbot.wait(3 * SOON_MS)
+    backups = [each for each in sentences if "backed up" in each]
+    assert len(backups) == 1
+    assert "save often" in backups[0]
+    assert kept.point(1) == pytest.approx((1, 3), abs=kept.pixel)
+    state_folder().unlink()
+    kept.drag_point(1, to=(2, 2))
+    qtbot.waitUntil(is_kept, timeout=WAIT_MS)
+
+
+def test_what_a_disk_refused_is_tried_again_without_another_change(editor, qtbot):
+    state_folder().parent.mkdir(parents=True, exist_ok=True)
+    state_folder().write_text("in the way")
+    autosave = Autosave(editor.session, snapshot_folder(), delay=10, retry=50)
+    editor.drag_point(1, to=(2, 3))
+    qtbot.waitUntil(lambda: "backed up" in editor.status, timeout=WAIT_MS)
+    state_folder().unlink()
+    qtbot.waitUntil(is_kept, timeout=WAIT_MS)
+    autosave.finish()
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="needs limits of POSIX")
+def test_a_full_disk_keeps_the_old_snapshot_and_is_said(kept, qtbot):
+    import resource
+
+    kept.drag_point(1, to=(2, 3))
+    qtbot.waitUntil(is_kept, timeout=WAIT_MS)
+    before = document_kept()
+    sentences = []
+    kept.session.said.connect(sentences.append)
+    limits = resource.getrlimit(resource.RLIMIT_FSIZE)
+    resource.setrlimit(resource.RLIMIT_FSIZE, (100_000, limits[1]))
+    try:
+        points = [(i / 3, (i % 17) / 7) for i in range(10_000)]
+        kept.session.commit(Document((make_curve(points, family=Family.HERMITE),)), "Large")
+        qtbot.waitUntil(lambda: any("backed up" in each for each in sentences), timeout=WAIT_MS)
+    finally:
+        resource.setrlimit(resource.RLIMIT_FSIZE, limits)
+    assert document_kept() == before
+    assert [each.name for each in snapshot_folder().glob("*.tmp")] == []
+
+
+def test_closing_after_a_question_leaves_nothing(editor, qtbot, monkeypatch):
+    answer(monkeypatch, QMessageBox.StandardButton.Discard)
+    autosave = Autosave(editor.session, snapshot_folder(), delay=SOON_MS)
+    editor.window.closed.connect(autosave.finish)
+    editor.drag_point(1, to=(2, 3))
+    qtbot.waitUntil(is_kept, timeout=WAIT_MS)
+    editor.window.close()
+    assert list(snapshot_folder().iterdir()) == []
+
+
+def test_two_editors_do_not_offer_each_other_s_work(kept, qtbot, tmp_path):
+    kept.drag_point(1, to=(2, 3))
+    qtbot.waitUntil(is_kept, timeout=WAIT_MS)
+    second = Editor(qtbot, Session(), Preferences(tmp_path / "settings.ini"))
+    second.window.offer_unsaved_work()
+    assert bar(second) is None
+    second.trigger("recoverWork")
+    assert second.status == "There is no unsaved work."
+
+
+# Offering
+
+
+def test_what_was_left_is_offered_and_restored(kept, qtbot, tmp_path):
+    path = tmp_path / "mine.curve.json"
+    storage.save(path, Document((make_curve([(0, 0), (1, 1)]),)))
+    leave_behind(origin=Origin.of(path))
+    kept.window.offer_unsaved_work()
+    assert bar(kept).isVisible()
+    labels = [each.text() for each in bar(kept).findChildren(QLabel)]
+    assert "mine.curve.json" in labels
+    assert "a moment ago" in labels
+    press(kept, "restoreWork0")
+    assert kept.session.document == SKETCH
+    assert kept.session.path == path
+    assert kept.session.is_modified
+    assert not bar(kept).isVisible()
+    # The new snapshot is there before the old one goes.
+    assert document_kept() == SKETCH
+    kept.session.save()
+    assert storage.load(path) == SKETCH
+
+
+@pytest.mark.parametrize("fate", ["changed", "gone"])
+def test_work_on_a_file_that_is_another_one_now_becomes_a_new_document(kept, tmp_path, fate):
+    path = tmp_path / "mine.curve.json"
+    storage.save(path, Document((make_curve([(0, 0), (1, 1)]),)))
+    origin = Origin.of(path)
+    if fate == "changed":
+        storage.save(path, Document((make_curve([(5, 5), (6, 6), (7, 7)]),)))
+    else:
+        path.unlink()
+    leave_behind(origin=origin)
+    kept.window.offer_unsaved_work()
+    assert any(f"file {fate}" in each.text() for each in bar(kept).findChildren(QLabel))
+    press(kept, "restoreWork0")
+    assert kept.session.document == SKETCH
+    assert kept.session.path is None
+    assert fate in kept.status
+
+
+def test_discard_deletes_and_later_keeps(editor):
+    leave_behind()
+    leave_behind()
+    editor.window.offer_unsaved_work()
+    assert bar(editor).text == "2 documents with unsaved work from last time:"
+    press(editor, "discardWork0")
+    assert bar(editor).text == "A document with unsaved work from last time:"
+    press(editor, "laterWork0")
+    assert not bar(editor).isVisible()
+    assert len(files()) == 1
+    editor.trigger("recoverWork")
+    assert bar(editor).isVisible()
+    press(editor, "closeRecovery")
+    assert not bar(editor).isVisible()
+    assert len(files()) == 1
+
+
+def test_the_keyboard_is_enough(editor):
+    leave_behind()
+    editor.trigger("recoverWork")
+    assert editor.window.focusWidget().objectName() == "restoreWork0"
+    QTest.keyClick(editor.window.focusWidget(), Qt.Key.Key_Escape)
+    assert not bar(editor).isVisible()
+    editor.trigger("recoverWork")
+    QTest.keyClick(editor.window.focusWidget(), Qt.Key.Key_Space)
+    assert editor.session.document == SKETCH
+
+
+def test_restoring_asks_about_the_present_document_first(editor, monkeypatch):
+    leave_behind()
+    editor.drag_point(1, to=(2, 3))
+    present = editor.session.document
+    editor.window.offer_unsaved_work()
+    answer(monkeypatch, QMessageBox.StandardButton.Cancel)
+    press(editor, "restoreWork0")
+    assert editor.session.document == present
+    assert bar(editor).isVisible()
+    assert len(files()) == 1
+
+
+def test_with_work_in_the_window_another_one_is_opened_and_nothing_asked(kept, qtbot):
+    leave_behind()
+    leave_behind(Document((make_curve([(5, 5), (6, 6)]),)))
+    kept.drag_point(1, to=(2, 3))
+    present = kept.session.document
+    kept.window.offer_unsaved_work()
+    press(kept, "restoreWork1")
+    assert kept.session.document == present
+    (other,) = kept.opened
+    assert other.session.document == SKETCH
+    assert other.session.is_modified
+    assert bar(kept).text == "A document with unsaved work from last time:"
+    qtbot.waitUntil(lambda: len(files()) == 3, timeout=WAIT_MS)  # here, there, and the one not decided
+
+
+def test_closing_the_window_decides_nothing(qtbot, editor):
+    leave_behind()
+    editor.window.offer_unsaved_work()
+    editor.window.close()
+    (snapshot,) = list_snapshots(snapshot_folder()).snapshots
+    snapshot.leave()
+
+
+def test_a_damaged_one_is_a_sentence_and_no_more(editor):
+    snapshot_folder().mkdir(parents=True)
+    (snapshot_folder() / f"x{SUFFIX}").write_bytes(b"\x00" * 10)
+    editor.window.offer_unsaved_work()
+    assert "set aside as x.snapshot.json.damaged" in bar(editor).text
+    press(editor, "closeRecovery")
+    editor.drag_point(1, to=(2, 3))
+    assert editor.point(1) == pytest.approx((2, 3), abs=editor.pixel)
+
+
+def test_work_goes_on_behind_the_offer(editor):
+    leave_behind()
+    editor.window.offer_unsaved_work()
+    editor.click((2.95, 3.3))
+    editor.drag_point(0, to=(3.3, 3.6))
+    assert editor.point(0) == pytest.approx((3.3, 3.6), abs=editor.pixel)
+    assert bar(editor).isVisible()
+
+
+def test_nothing_is_cut_off_and_the_theme_is_followed(qtbot, tmp_path):
+    editor = Editor(qtbot, preferences=Preferences(tmp_path / "settings.ini"), size=(1024, 700))
+    for _ in range(5):
+        leave_behind()
+    editor.window.offer_unsaved_work()
+    for mode in (ThemeMode.DARK, ThemeMode.LIGHT):
+        editor.window.set_theme_mode(mode)
+        editor.settle()
+        shown = bar(editor)
+        assert editor.window.canvas.rect().contains(shown.geometry())
+        button = shown.findChild(QPushButton, "laterWork0")
+        assert shown.width() > button.mapTo(shown, button.rect().bottomRight()).x()
+        paper = editor.window.grab().toImage().pixelColor(shown.mapTo(editor.window, shown.rect().center()))
+        assert (paper.lightnessF() < 0.5) is (mode is ThemeMode.DARK)
+
+
+def test_every_button_says_what_it_does(editor):
+    leave_behind()
+    editor.window.offer_unsaved_work()
+    buttons = bar(editor).findChildren(QAbstractButton)
+    names = {each.objectName() for each in buttons if each.isVisible()}
+    assert names == {"restoreWork0", "discardWork0", "laterWork0", "closeRecovery"}
+    assert all(each.toolTip() and each.accessibleName() for each in buttons if each.isVisible())
+
+
+@pytest.mark.parametrize(
+    ("seconds", "words"),
+    [
+        (-5, "a moment ago"),
+        (44, "a moment ago"),
+        (50, "a minute ago"),
+        (240, "4 minutes ago"),
+        (44 * 60, "44 minutes ago"),
+        (50 * 60, "an hour ago"),
+        (5 * 3600, "5 hours ago"),
+        (20 * 3600, "a day ago"),
+        (3 * 86400, "3 days ago"),
+    ],
+)
+def test_ages_are_told_in_words(seconds, words):
+    assert age_in_words(seconds) == words
+
+
+def test_an_old_snapshot_is_told_by_its_date():
+    assert age_in_words(400 * 86400).startswith("on ")

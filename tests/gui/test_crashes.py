@@ -1,0 +1,361 @@
+"""What nobody caught: the work is kept, the person is told once, and the program goes on."""
+
+from __future__ import annotations
+
+import faulthandler
+import gc
+import json
+import shutil
+import sys
+import threading
+from pathlib import Path
+
+import pytest
+from PySide6.QtCore import Qt, QTimer
+from PySide6.QtGui import QGuiApplication
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QApplication, QDialog, QLabel, QPlainTextEdit, QPushButton
+
+from app.autosave import snapshot_folder
+from app.crash_handler import CrashHandler
+from app.crash_report import report_of, versions
+from app.document import storage
+from app.document.recovery import list_snapshots
+from app.lifecycle import FaultFile, Lifecycle
+
+
+@pytest.fixture
+def guarded(editor, qapp):
+    """An editor in a program that takes its exceptions itself, as `curvebench` does."""
+    before = (sys.excepthook, threading.excepthook, sys.unraisablehook)
+    lifecycle = Lifecycle(qapp, [editor.window])
+    lifecycle.start()
+    editor.lifecycle = lifecycle
+    yield editor
+    lifecycle.stop()
+    assert (sys.excepthook, threading.excepthook, sys.unraisablehook) == before
+    editor.window.close()
+
+
+def dialogs():
+    return [
+        each
+        for each in QApplication.topLevelWidgets()
+        if each.objectName() == "crashDialog" and each.isVisible()
+    ]
+
+
+def raise_soon(qtbot, problem, count=1):
+    def fail():
+        raise problem
+
+    for _ in range(count):
+        QTimer.singleShot(0, fail)
+    qtbot.wait(30)
+
+
+def run(qapp, *steps):
+    """Do `steps`, one after the other, in the event loop that `curvebench` runs, and return its code."""
+    for delay, step in enumerate(steps):
+        QTimer.singleShot(50 * delay, step)
+    watchdog = QTimer(singleShot=True, interval=5000)
+    watchdog.timeout.connect(lambda: qapp.exit(99))
+    watchdog.start()
+    return qapp.exec()
+
+
+def fail():
+    raise ZeroDivisionError("a fault of ours")
+
+
+def interrupt():
+    raise KeyboardInterrupt
+
+
+def press(name):
+    (dialog,) = dialogs()
+    QTest.mouseClick(dialog.findChild(QPushButton, name), Qt.MouseButton.LeftButton)
+
+
+def report():
+    (dialog,) = dialogs()
+    return dialog.findChild(QPlainTextEdit, "crashReport").toPlainText()
+
+
+def test_the_work_is_kept_before_anything_is_said(guarded, qtbot):
+    guarded.drag_point(1, to=(2, 3))
+    raise_soon(qtbot, ZeroDivisionError("a fault of ours"))
+    assert len(list(snapshot_folder().glob("*.snapshot.json"))) == 1
+    (dialog,) = dialogs()
+    assert any("Your work is safe" in each.text() for each in dialog.findChildren(QLabel))
+    assert "ZeroDivisionError: a fault of ours" in report()
+    press("goOn")
+    assert dialogs() == []
+    guarded.drag_point(1, to=(1, 3))
+    assert guarded.point(1) == pytest.approx((1, 3), abs=guarded.pixel)
+
+
+def test_without_a_backup_it_says_what_to_do(guarded, qtbot):
+    snapshot_folder().parent.parent.mkdir(parents=True, exist_ok=True)
+    snapshot_folder().parent.write_text("in the way")
+    guarded.drag_point(1, to=(2, 3))
+    raise_soon(qtbot, ZeroDivisionError())
+    (dialog,) = dialogs()
+    assert any("Save your work under another name" in each.text() for each in dialog.findChildren(QLabel))
+    press("saveAndQuit")
+    assert guarded.window.isVisible(), "there is no file to save it to, and no backup"
+    guarded.session.undo_stack.setClean()
+
+
+def test_the_same_fault_is_shown_once(guarded, qtbot):
+    raise_soon(qtbot, ZeroDivisionError("again"), count=100)
+    assert len(dialogs()) == 1
+    press("goOn")
+    raise_soon(qtbot, ZeroDivisionError("again"), count=10)
+    assert dialogs() == []
+
+
+def test_another_fault_waits_until_the_first_is_put_away(guarded, qtbot):
+    raise_soon(qtbot, ZeroDivisionError("one"))
+    sys.excepthook(*raised(KeyError("two")))
+    assert "one" in report()
+    press("goOn")
+    qtbot.waitUntil(lambda: len(dialogs()) == 1)
+    assert "two" in report()
+    press("goOn")
+
+
+def test_escape_goes_on(guarded, qtbot):
+    raise_soon(qtbot, ZeroDivisionError())
+    (dialog,) = dialogs()
+    QTest.keyClick(dialog, Qt.Key.Key_Escape)
+    assert dialogs() == []
+    assert guarded.window.isVisible()
+
+
+def test_a_fault_while_painting_is_told_and_painting_goes_on(guarded, qtbot, monkeypatch):
+    (layer, *_) = guarded.window.canvas._layers
+
+    def fail(*_arguments):
+        raise RuntimeError("cannot paint")
+
+    with monkeypatch.context() as patch:
+        patch.setattr(layer, "_paint", fail)
+        for _ in range(5):
+            guarded.window.canvas.viewport().update()
+            qtbot.wait(10)
+    assert "cannot paint" in report()
+    press("goOn")
+    guarded.drag_point(1, to=(2, 3))
+    assert dialogs() == []
+
+
+def test_a_fault_in_a_thread_is_told_by_the_window(guarded, qtbot):
+    def fail():
+        raise RuntimeError("in a thread")
+
+    thread = threading.Thread(target=fail)
+    thread.start()
+    thread.join()
+    qtbot.waitUntil(lambda: len(dialogs()) == 1)
+    assert "in a thread" in report()
+    press("goOn")
+
+
+def test_what_fails_while_it_is_thrown_away_is_no_matter_for_a_dialog(guarded, qtbot, capsys):
+    class Bad:
+        def __del__(self):
+            raise RuntimeError("thrown away")
+
+    Bad()
+    gc.collect()
+    qtbot.wait(20)
+    assert dialogs() == []
+    assert "thrown away" in capsys.readouterr().err
+
+
+def test_the_report_can_be_copied(guarded, qtbot):
+    raise_soon(qtbot, ZeroDivisionError())
+    shown = report()
+    press("copyReport")
+    assert QGuiApplication.clipboard().text() == shown
+    assert len(dialogs()) == 1
+    press("goOn")
+
+
+def test_save_and_quit_saves_what_has_a_file(guarded, qapp, tmp_path):
+    path = tmp_path / "mine.curve.json"
+    guarded.session.save(path)
+    guarded.drag_point(1, to=(2, 3))
+    document = guarded.session.document
+    assert run(qapp, fail, lambda: press("saveAndQuit")) == 0
+    assert storage.load(path) == document
+    assert not guarded.window.isVisible()
+    assert list(snapshot_folder().iterdir()) == []
+
+
+def test_save_and_quit_keeps_what_has_no_file_for_the_next_start(guarded, qapp):
+    guarded.drag_point(1, to=(2, 3))
+    document = guarded.session.document
+    assert run(qapp, fail, lambda: press("saveAndQuit")) == 0
+    assert not guarded.window.isVisible()
+    (snapshot,) = list_snapshots(snapshot_folder()).snapshots
+    assert snapshot.document == document
+    snapshot.discard()
+
+
+def test_save_and_quit_goes_on_where_saving_fails(guarded, qtbot, tmp_path):
+    path = tmp_path / "folder" / "mine.curve.json"
+    path.parent.mkdir()
+    guarded.session.save(path)
+    guarded.drag_point(1, to=(2, 3))
+    shutil.rmtree(path.parent)
+    raise_soon(qtbot, ZeroDivisionError())
+    press("saveAndQuit")
+    assert guarded.window.isVisible()
+    assert "was not saved" in guarded.file_message
+    guarded.session.undo_stack.setClean()
+
+
+def test_ctrl_c_ends_the_program_and_keeps_the_work(guarded, qapp):
+    guarded.drag_point(1, to=(2, 3))
+    document = guarded.session.document
+    assert run(qapp, interrupt) == 130
+    assert dialogs() == []
+    assert not guarded.window.isVisible()
+    (snapshot,) = list_snapshots(snapshot_folder()).snapshots
+    assert snapshot.document == document
+    snapshot.discard()
+
+
+def test_the_end_of_the_system_asks_nothing_and_keeps_the_work(guarded):
+    guarded.drag_point(1, to=(2, 3))
+    document = guarded.session.document
+    guarded.lifecycle.prepare_for_end()
+    guarded.window.close()
+    assert not guarded.window.isVisible()
+    (snapshot,) = list_snapshots(snapshot_folder()).snapshots
+    assert snapshot.document == document
+    snapshot.discard()
+
+
+def test_the_end_of_the_system_still_asks_about_work_that_is_not_safe(guarded):
+    snapshot_folder().parent.parent.mkdir(parents=True, exist_ok=True)
+    snapshot_folder().parent.write_text("in the way")
+    guarded.drag_point(1, to=(2, 3))
+    guarded.lifecycle.prepare_for_end()
+    assert guarded.window.asks_before_closing
+    guarded.session.undo_stack.setClean()
+
+
+def test_an_end_that_was_called_off_asks_again(guarded):
+    guarded.drag_point(1, to=(2, 3))
+    guarded.lifecycle.prepare_for_end()
+    assert not guarded.window.asks_before_closing
+    guarded.drag_point(1, to=(1, 3))
+    assert guarded.window.asks_before_closing
+    guarded.session.undo_stack.setClean()
+
+
+def test_at_most_five_different_faults_are_shown(qtbot):
+    handler = CrashHandler(lambda: True, list)
+    handler.install()
+    try:
+        shown = 0
+        for number in range(8):
+            sys.excepthook(*raised(type(f"Fault{number}", (Exception,), {})()))
+            qtbot.wait(5)
+            shown += len(dialogs())
+            if dialogs():
+                press("goOn")
+    finally:
+        handler.uninstall()
+    assert shown == 5
+
+
+# The report
+
+
+def raised(problem):
+    try:
+        raise problem
+    except Exception:
+        return sys.exc_info()
+
+
+def test_the_report_names_versions_and_the_place():
+    problem = raised(ValueError("what it is"))[1]
+    text = report_of(problem)
+    for word in ("Curvebench", "Python", "PySide6", "Qt", "pyqtgraph", "numpy", "ValueError: what it is"):
+        assert word in text
+    assert 'File "tests/gui/test_crashes.py"' in text
+    assert versions() in text
+
+
+def test_the_report_holds_no_names_of_the_person(tmp_path, own_home):
+    secret = own_home / "Love letters" / "to Eve.curve.json"
+    texts = [
+        f"[Errno 2] No such file: {str(secret)!r}",
+        f"{secret} is gone",
+        "“to Eve.curve.json” cannot be read",
+        "to Eve.curve.json: points[3].x",
+        "file:///srv/share/people/eve.png",
+        r"C:\Users\eve\drawing.json",
+    ]
+    for text in texts:
+        try:
+            try:
+                raise OSError(text)
+            except OSError as cause:
+                raise ValueError(text) from cause
+        except ValueError as problem:
+            told = report_of(problem, [str(secret), secret.name, "to Eve"]).lower()
+        messages = [line for line in told.splitlines() if line.startswith(("oserror", "valueerror"))]
+        assert len(messages) == 2
+        for word in ("eve", str(own_home).lower(), "letters"):
+            assert not any(word in line for line in messages), messages
+
+
+def test_files_are_named_from_their_package_on():
+    with pytest.raises(ValueError, match="Expecting") as caught:
+        json.loads("{")
+    text = report_of(caught.value)
+    assert 'File "json/decoder.py"' in text
+    for path in (Path.home(), Path(sys.prefix), Path(__file__).parents[2]):
+        assert str(path) not in text
+
+
+def test_endless_recursion_gives_a_report_of_bearable_length():
+    def again(n):
+        return again(n + 1) + 1
+
+    with pytest.raises(RecursionError) as caught:
+        again(0)
+    assert len(report_of(caught.value)) < 21_000
+
+
+def test_last_words_go_to_a_file_where_there_is_no_terminal(own_home, monkeypatch):
+    was_enabled = faulthandler.is_enabled()
+    faulthandler.disable()
+    monkeypatch.setattr(sys, "stderr", None)
+    faults = FaultFile()
+    try:
+        faults.open()
+        assert faulthandler.is_enabled()
+        assert [path.name for path in own_home.rglob("faults.txt")] == ["faults.txt"]
+    finally:
+        faults.close()
+        assert not faulthandler.is_enabled()
+        if was_enabled:
+            faulthandler.enable(sys.__stderr__)
+
+
+def test_the_dialog_is_spoken_of_in_full(guarded, qtbot):
+    raise_soon(qtbot, ZeroDivisionError())
+    (dialog,) = dialogs()
+    assert isinstance(dialog, QDialog)
+    for name in ("goOn", "saveAndQuit", "copyReport"):
+        button = dialog.findChild(QPushButton, name)
+        assert button.toolTip()
+        assert button.accessibleName()
+    press("goOn")

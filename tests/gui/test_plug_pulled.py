@@ -1,0 +1,194 @@
+"""The real program in a process of its own, ended in every way a process can end."""
+
+from __future__ import annotations
+
+import os
+import signal
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import pytest
+
+from app.autosave import snapshot_folder
+from app.document import storage
+from app.document.format import decode, encode
+from app.document.model import Document, make_curve
+from app.document.recovery import Origin, SnapshotFile, list_snapshots
+
+ROOT = Path(__file__).resolve().parents[2]
+pytestmark = pytest.mark.skipif(not hasattr(signal, "SIGKILL"), reason="needs signals")
+
+PROGRAM = """
+import sys, time
+from PySide6.QtCore import QTimer
+from PySide6.QtWidgets import QApplication
+from app.cli import main
+from app.document.format import encode
+from app.main_window import MainWindow
+from app.panels.recovery_bar import RecoveryBar
+from app.testing import Editor
+
+application = QApplication([])
+
+def tell(*words):
+    print(*words, flush=True)
+
+def tell_document(word):
+    text = encode(editor.session.document).decode().replace("\\n", " ")
+    tell(word, time.time(), text)
+
+def begin():
+    global editor
+    (window,) = [each for each in QApplication.topLevelWidgets() if isinstance(each, MainWindow)]
+    editor = Editor.on(window)
+    drive()
+
+%s
+
+QTimer.singleShot(100, begin)
+sys.exit(main(sys.argv[1:]))
+"""
+
+# Drags for as long as it lives, and tells every document before it is shown.
+DRAG = """
+def drive():
+    editor.drag_point(1, to=(2, 3))
+    editor.press(editor.point(2))
+    step()
+
+def step():
+    t = time.time() % 1
+    tell_document("shown")
+    editor.move((1 + t, 2 + t * t))
+    tell_document("shown")
+    QTimer.singleShot(10, step)
+"""
+
+EDIT_AND_WAIT = """
+def drive():
+    editor.drag_point(1, to=(2, 3))
+    tell_document("shown")
+"""
+
+LOOK = """
+def drive():
+    bar = editor.window.findChild(RecoveryBar)
+    tell("offered", bar.isVisible(), bar.text)
+    bar.restore_asked.emit(0)
+    tell_document("restored")
+    tell("path", editor.session.path, editor.session.is_modified)
+    bar.restore_asked.emit(0)
+    windows = [each for each in QApplication.topLevelWidgets() if isinstance(each, MainWindow)]
+    tell("windows", *(len(each.session.document.curves[0].nodes) for each in windows))
+    for window in windows:
+        window.session.undo_stack.setClean()
+        window.close()
+"""
+
+
+# What the offscreen platform says of every window.
+CHATTER = "This plugin does not support propagateSizeHints()\n"
+
+
+def start(drive, *arguments):
+    # The environment holds the home of the test.
+    return subprocess.Popen(
+        [sys.executable, "-W", "error", "-c", PROGRAM % drive, *map(str, arguments)],
+        cwd=ROOT,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        text=True,
+        env={**os.environ, "QT_QPA_PLATFORM": "offscreen"},
+    )
+
+
+def read_until(process, ready):
+    """Read what the process tells until `ready`; return (time, document) of what was shown."""
+    shown = []
+    for line in process.stdout:
+        _, moment, text = line.split(" ", 2)
+        shown.append((float(moment), text))
+        if ready():
+            break
+    return shown
+
+
+def rest(process):
+    """What it told before it died; the last line may be a torn one."""
+    told, errors = process.communicate(timeout=20)
+    lines = [line.split(" ", 2) for line in told.splitlines(keepends=True) if line.endswith("\n")]
+    return [(float(moment), text) for _, moment, text in lines], errors.replace(CHATTER, "")
+
+
+def count_snapshots():
+    return len(list(snapshot_folder().glob("*.snapshot.json"))) if snapshot_folder().exists() else 0
+
+
+def test_killed_while_dragging_at_most_two_seconds_are_lost(tmp_path):
+    path = tmp_path / "mine.curve.json"
+    storage.save(path, Document((make_curve([(0, 0), (1, 2), (3, 1 / 3), (4, 4)]),)))
+    on_disk = path.read_bytes()
+    older = SnapshotFile(snapshot_folder())
+    older.write(Document((make_curve([(0, 0), (1, 2)]),)), Origin())
+    older.leave()
+    process = start(DRAG, path)
+    shown = read_until(process, lambda: True)
+    began = time.time()
+    shown += read_until(process, lambda: time.time() - began > 2.3)
+    assert list_snapshots(snapshot_folder()).snapshots == (), "the work of a running program is its own"
+    process.kill()
+    killed = time.time()
+    more, _errors = rest(process)
+    assert process.returncode == -signal.SIGKILL
+    snapshot, old = list_snapshots(snapshot_folder()).snapshots
+    snapshot.leave()
+    old.leave()
+    kept = [moment for moment, text in shown + more if decode(text.encode()) == snapshot.document]
+    assert kept, "it is one of the documents that were on the screen"
+    assert killed - max(kept) <= 2
+    assert path.read_bytes() == on_disk
+    told, errors = start(LOOK).communicate(timeout=20)
+    assert errors.replace(CHATTER, "") == ""
+    offered, restored, place, windows = told.splitlines()
+    assert offered == "offered True 2 documents with unsaved work from last time:"
+    assert encode(decode(restored.split(" ", 2)[2].encode())) == encode(snapshot.document)
+    assert place == f"path {path} True"
+    assert sorted(windows.split()[1:]) == ["2", "4"], "the second one in a window of its own"
+    assert count_snapshots() == 0
+
+
+def test_a_signal_ends_it_without_a_question_and_without_loss():
+    process = start(EDIT_AND_WAIT)
+    ((_, text),) = read_until(process, lambda: True)
+    began = time.monotonic()
+    process.send_signal(signal.SIGINT)
+    _, errors = rest(process)
+    assert time.monotonic() - began < 5
+    assert (process.returncode, errors) == (128 + signal.SIGINT, "")
+    (snapshot,) = list_snapshots(snapshot_folder()).snapshots
+    assert snapshot.document == decode(text.encode())
+    snapshot.discard()
+
+
+def test_a_signal_ends_it_while_it_asks_something():
+    process = start(EDIT_AND_WAIT + "    QTimer.singleShot(0, editor.window.close)\n")
+    read_until(process, lambda: True)
+    time.sleep(0.3)
+    process.terminate()
+    _, errors = rest(process)
+    assert (process.returncode, errors) == (128 + signal.SIGTERM, "")
+    assert count_snapshots() == 1
+
+
+def test_damaged_leftovers_do_not_stop_a_start_and_without_changes_a_signal_leaves_nothing():
+    snapshot_folder().mkdir(parents=True)
+    (snapshot_folder() / "x.snapshot.json").write_bytes(b"\xff\x00{")
+    process = start('def drive():\n    tell("told", 0, editor.window.findChild(RecoveryBar).text)\n')
+    ((_, text),) = read_until(process, lambda: True)
+    assert "set aside" in text
+    process.send_signal(signal.SIGHUP)
+    _, errors = rest(process)
+    assert (process.returncode, errors) == (128 + signal.SIGHUP, "")
+    assert [path.name for path in snapshot_folder().iterdir()] == ["x.snapshot.json.damaged"]
