@@ -122,6 +122,7 @@ class DragHandle:
     view: CurveView
     hit: Hit
     start: Vector
+    magnet: Magnet | None = None
 
     @property
     def name(self) -> str:
@@ -129,7 +130,7 @@ class DragHandle:
         what = "velocity" if self.hit.part is Part.VELOCITY_HANDLE else "acceleration"
         return f"Set {what} of point {self.hit.index}"
 
-    keys = "Shift: steps of 15° · Alt: length only"
+    keys = "Shift: steps of 15° · Alt: length only · Ctrl: snap, or not"
 
     def note_at(self, pointer: Pointer) -> str:
         """Tell the derivative by its length and direction."""
@@ -144,7 +145,7 @@ class DragHandle:
         return edits.set_acceleration(self.document, self.curve, index, derivative, ahead=ahead)
 
     def _derivative_at(self, pointer: Pointer) -> Vector:
-        tip = _plus(self.hit.position, _minus(pointer.position, self.start))
+        tip = self._snapped(_plus(self.hit.position, _minus(pointer.position, self.start)), pointer)
         index, ahead, view = self.hit.index, self.hit.ahead, self.view
         if self.hit.part is Part.VELOCITY_HANDLE:
             free = velocity_from_handle(view, index, tip, ahead=ahead)
@@ -155,6 +156,15 @@ class DragHandle:
         if pointer.alt and before is not None and any(before):
             return _along_direction(free, before)
         return _in_steps(free) if pointer.shift else free
+
+    def _snapped(self, tip: Vector, pointer: Pointer) -> Vector:
+        if self.magnet is None:
+            return tip
+        if pointer.shift or pointer.alt:
+            # An angle or a direction that is held leaves nothing to be drawn elsewhere.
+            self.magnet.release()
+            return tip
+        return self.magnet.pull(tip, pointer)
 
 
 def _along_direction(v: Vector, direction: Vector) -> Vector:
@@ -184,6 +194,7 @@ class PullVelocity:
     curve: int
     view: CurveView
     index: int
+    magnet: Magnet | None = None
 
     @property
     def name(self) -> str:
@@ -192,7 +203,8 @@ class PullVelocity:
 
     def document_at(self, pointer: Pointer) -> Document:
         """Put the handle ahead of the node under the pointer."""
-        velocity = velocity_from_handle(self.view, self.index, pointer.position, ahead=True)
+        tip = _pulled(pointer, self.magnet)
+        velocity = velocity_from_handle(self.view, self.index, tip, ahead=True)
         ahead = self.view.spacing(self.index, ahead=True) is not None
         return edits.set_velocity(self.document, self.curve, self.index, velocity, ahead=ahead)
 

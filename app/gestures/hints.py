@@ -19,8 +19,8 @@ def on_part(hit: Hit, view: CurveView, selection: frozenset[int], *, snaps: bool
             text += " · Alt: pull out its velocity"
         return Hint(text, grab=True)
     what = "velocity" if hit.part is Part.VELOCITY_HANDLE else "acceleration"
-    text = f"Drag to set the {what} of point {hit.index} · Shift: steps of 15° · Alt: length only"
-    return Hint(text, grab=True)
+    keys = f"Shift: steps of 15° · Alt: length only · Ctrl: {_snap_word(snaps)}"
+    return Hint(f"Drag to set the {what} of point {hit.index} · {keys}", grab=True)
 
 
 def on_grip(grip: Grip, selection: frozenset[int]) -> Hint:

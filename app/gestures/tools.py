@@ -16,7 +16,15 @@ from app.gestures.marquee import Marquee
 from app.gestures.measure import Measure
 from app.gestures.overlay import Note, Overlay
 from app.gestures.pointer import Hint, Hit, Part, Pointer
-from app.gestures.snapping import Magnet, SnapKind, Snapping, targets_of
+from app.gestures.snapping import (
+    Magnet,
+    SnapKind,
+    Snapping,
+    Targets,
+    targets_of,
+    targets_of_handle,
+    targets_of_side,
+)
 from app.gestures.transform import ModalTransform, Transform, TransformKind
 from app.gestures.transform_box import Grip, ScaleBox, TransformBox, box_of
 
@@ -84,7 +92,7 @@ class CanvasTool:
         self._end()
         hit, grip = pointer.hit, self._grip_at(pointer)
         if self.kind is ToolKind.MEASURE:
-            self._measure, self._measuring = Measure(pointer, self._magnet_for((), -2), self.unit), True
+            self._measure, self._measuring = Measure(pointer, self._magnet_for((), -1), self.unit), True
         elif hit is not None and hit.part is Part.OTHER_CURVE:
             self._machine.press(pointer, None, on_click=lambda: self._host.activate(hit.index))
         elif hit is not None and hit.part is not Part.CURVE:
@@ -190,11 +198,26 @@ class CanvasTool:
 
     def _magnet_for(self, moving: Collection[int], place: int) -> Magnet:
         host = self._host
-        self._magnet = Magnet(
-            lambda: self.snapping,
-            lambda: self.grid,
-            lambda: targets_of(host.views, host.active_index, moving, place, self.snapping.kinds),
+        return self._magnet_to(
+            lambda: targets_of(host.views, host.active_index, moving, place, self.snapping.kinds)
         )
+
+    def _handle_magnet(self, node: int) -> Magnet:
+        host = self._host
+        return self._magnet_to(
+            lambda: targets_of_handle(host.views, host.active_index, node, self.snapping.kinds)
+        )
+
+    def _box_magnet(self, grip: Grip) -> Magnet:
+        host = self._host
+        if grip.x and grip.y:
+            return self._magnet_for(host.selection, -1)
+        return self._magnet_to(
+            lambda: targets_of_side(host.views, host.active_index, host.selection, self.snapping.kinds)
+        )
+
+    def _magnet_to(self, collect: Callable[[], Targets]) -> Magnet:
+        self._magnet = Magnet(lambda: self.snapping, lambda: self.grid, collect)
         return self._magnet
 
     def _box(self) -> TransformBox | None:
@@ -249,7 +272,8 @@ class CanvasTool:
             transform = self._transform(TransformKind.ROTATE, pointer, box.centre)
             self._machine.press(pointer, replace(transform, by_grip=True))
             return
-        drag = ScaleBox(host.document, host.active_index, host.selection, box, grip, pointer.position)
+        magnet = self._box_magnet(grip)
+        drag = ScaleBox(host.document, host.active_index, host.selection, box, grip, pointer.position, magnet)
         self._machine.press(pointer, drag)
 
     def walk(self, step: int) -> bool:
@@ -326,7 +350,7 @@ class CanvasTool:
             self._magnet = None
             return
         host = self._host
-        place = len(host.active_view.source.nodes) if self.kind is ToolKind.ADD else -2
+        place = len(host.active_view.source.nodes) if self.kind is ToolKind.ADD else -1
         made_for = (host.document, host.active_index, place, self.snapping)
         if self._hovered is None or self._hovered[0] != made_for:
             self._hovered = (made_for, self._magnet_for((), place))
@@ -339,7 +363,8 @@ class CanvasTool:
             click = self._select_at_press(pointer, hit.index)
             self._machine.press(pointer, self._point_drag(pointer, hit), on_click=click)
             return
-        drag = DragHandle(host.document, host.active_index, host.active_view, hit, pointer.position)
+        magnet = self._handle_magnet(hit.index)
+        drag = DragHandle(host.document, host.active_index, host.active_view, hit, pointer.position, magnet)
         # A drag drags the handle; a click means what lies below it, for a click does nothing to a handle.
         self._machine.press(pointer, drag, self._click_on(pointer, hit.over) if hit.over >= 0 else None)
 
@@ -371,7 +396,8 @@ class CanvasTool:
     def _point_drag(self, pointer: Pointer, hit: Hit) -> MovePoints | PullVelocity:
         host = self._host
         if pointer.alt and host.active_view.source.family.derivatives:
-            return PullVelocity(host.document, host.active_index, host.active_view, hit.index)
+            pulled = self._handle_magnet(hit.index)
+            return PullVelocity(host.document, host.active_index, host.active_view, hit.index, pulled)
         magnet = self._magnet_for(host.selection, hit.index)
         return MovePoints(
             host.document, host.active_index, host.selection, pointer.position, magnet, hit.index
