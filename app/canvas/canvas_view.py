@@ -51,11 +51,6 @@ class CanvasView(PlotWidget):
         self._point_layer = PointLayer(self, LIGHT)
         self._corner_layer = CornerLayer(self, LIGHT)
 
-    @property
-    def is_dragging(self) -> bool:
-        """Whether a gesture is in flight."""
-        return False
-
     def render_view(self, view: CurveView) -> None:
         """Show `view`; a ghost of the old curve stays for a moment when a rule has changed."""
         self._show_ghost_of_other_rules(view)

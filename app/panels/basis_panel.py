@@ -339,11 +339,10 @@ class BasisPanel(PlotWidget):
             return
         self.tick_edit.close_and_return()
 
-    def contextMenuEvent(self, event: QContextMenuEvent) -> None:
-        if not self._tool.is_pressed:
-            self._select_for_menu(event)
-            self.menu_requested.emit(event.globalPos())
-        event.accept()
+    def menu_wanted(self, event: QContextMenuEvent) -> None:
+        """Ask for the menu of the t-rail."""
+        self._select_for_menu(event)
+        self.menu_requested.emit(event.globalPos())
 
     def _select_for_menu(self, event: QContextMenuEvent) -> None:
         """Let a right click on a tick that is not selected select it: the menu is about it."""
