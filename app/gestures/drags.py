@@ -89,6 +89,16 @@ class MovePoints:
 
 
 @dataclass(frozen=True)
+class NudgePoints(MovePoints):
+    """Move nodes by a key."""
+
+    @property
+    def name(self) -> str:
+        """The name of the step."""
+        return f"Nudge {words.points(self.indices)}"
+
+
+@dataclass(frozen=True)
 class StepPoints:
     """Move nodes by a step of the grid, in decimal numbers."""
 
@@ -102,7 +112,7 @@ class StepPoints:
     @property
     def name(self) -> str:
         """The name of the step."""
-        return f"Move {words.points(self.indices)}"
+        return f"Nudge {words.points(self.indices)}"
 
     def document_at(self, _pointer: Pointer) -> Document:
         """Move by the step, wherever the pointer is."""

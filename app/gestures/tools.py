@@ -10,7 +10,15 @@ from enum import Enum
 from app.document.model import Document, Vector
 from app.gestures import hints, words
 from app.gestures.bend_drag import BendCurve
-from app.gestures.drags import AppendPoint, DragHandle, InsertPoint, MovePoints, PullVelocity, StepPoints
+from app.gestures.drags import (
+    AppendPoint,
+    DragHandle,
+    InsertPoint,
+    MovePoints,
+    NudgePoints,
+    PullVelocity,
+    StepPoints,
+)
 from app.gestures.machine import DragMachine, Host
 from app.gestures.marquee import Marquee
 from app.gestures.measure import Measure
@@ -293,14 +301,12 @@ class CanvasTool:
         if not host.selection:
             return
         by: Vector = (direction[0] * pixel * factor, direction[1] * pixel * factor)
-        drag: MovePoints | StepPoints = MovePoints(
+        drag: NudgePoints | StepPoints = NudgePoints(
             host.document, host.active_index, host.selection, (0.0, 0.0)
         )
         if self.snapping.on and SnapKind.GRID in self.snapping.kinds:
             drag = StepPoints(host.document, host.active_index, host.selection, direction, self.grid, factor)
-        moved = Pointer(by, (0.0, 0.0))
-        self._machine.press_at_once(moved, drag)
-        self._machine.release(moved)
+        self._machine.nudge(Pointer(by, (0.0, 0.0)), drag, ("points", host.active_index, host.selection))
 
     def hover(self, pointer: Pointer) -> Hint:
         """Return what a press here would do."""
