@@ -52,7 +52,7 @@ class Canvas(CanvasView):
         self._image_tool: ImageTool | None = None
         self._overlay_layer = OverlayLayer(self, LIGHT)
         self._pointer: Pointer | None = None
-        self.map_changed.connect(self._hover_again)
+        self.map_changed.connect(self.hover_again)
 
     # What is shown
 
@@ -192,7 +192,7 @@ class Canvas(CanvasView):
         self._show_overlay()
         self.pointed_at.emit(pointer.position)
 
-    def _hover_again(self) -> None:
+    def hover_again(self) -> None:
         """Tell anew what lies under a pointer that rests while the view moves."""
         if self._pointer is not None and not self.is_dragging and self._pan_from is None:
             self.hovered_at(self._pointer_now())

@@ -102,7 +102,7 @@ class CanvasTool:
         if self.kind is ToolKind.MEASURE:
             self._measure, self._measuring = Measure(pointer, self._magnet_for((), -1), self.unit), True
         elif hit is not None and hit.part is Part.OTHER_CURVE:
-            self._machine.press(pointer, None, on_click=lambda: self._host.activate(hit.index))
+            self._machine.press(pointer, None, on_click=lambda: self._edit(hit.index))
         elif hit is not None and hit.part is not Part.CURVE:
             self._press_on_part(pointer, hit)
         elif self.kind is ToolKind.ADD:
@@ -362,6 +362,10 @@ class CanvasTool:
             self._hovered = (made_for, self._magnet_for((), place))
         self._magnet = self._hovered[1]
         self._magnet.pull(pointer.position, pointer)
+
+    def _edit(self, curve: int) -> None:
+        self._host.activate(curve)
+        self._host.say(f"Editing “{self._host.document.curves[curve].name}” now.")
 
     def _press_on_part(self, pointer: Pointer, hit: Hit) -> None:
         host = self._host
