@@ -299,6 +299,14 @@ SPECS = (
         separated=True,
     ),
     ActionSpec(
+        "useUniform",
+        "Use Uniform Parameters",
+        "Curve",
+        "",
+        "spline",
+        "Space the parameters evenly, wherever the points lie",
+    ),
+    ActionSpec(
         "typeParameter", "Type t…", "Curve", "", "", "Type the parameter of the selected point at its tick"
     ),
     ActionSpec(

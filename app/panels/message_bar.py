@@ -66,9 +66,9 @@ class MessageBar(QFrame):
         """The sentence on screen, empty while the bar is hidden."""
         return "" if self.isHidden() else self._text.text()
 
-    def warn(self, text: str) -> None:
-        """Show what is wrong and what to do."""
-        self._show(text, warning=True)
+    def warn(self, text: str, action: QAction | None = None) -> None:
+        """Show what is wrong and what to do, with a button where one thing does it."""
+        self._show(text, warning=True, action=action)
 
     def tell(self, text: str) -> None:
         """Show a hint."""
