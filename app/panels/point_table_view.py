@@ -23,6 +23,9 @@ _ENTER = (Qt.Key.Key_Return, Qt.Key.Key_Enter)
 _DELETE = (Qt.Key.Key_Delete, Qt.Key.Key_Backspace)
 _PLAIN = Qt.KeyboardModifier.ShiftModifier | Qt.KeyboardModifier.KeypadModifier
 
+_EDGE = 8
+"""Pixels to the right of the last column, if there is room."""
+
 
 class PointTableView(QTableView):
     """A table that is typed into like a spreadsheet.
@@ -104,7 +107,9 @@ class PointTableView(QTableView):
         room = self.viewport().width()
         candidates = [self._needed(digits) for digits in COMPACT_DIGITS]
         needed = next((each for each in candidates if sum(each) <= room), candidates[-1])
-        spare, rest = divmod(max(room - sum(needed), 0), max(len(needed), 1))
+        spare = max(room - sum(needed), 0)
+        # Numbers at the very edge of the window are hard to read.
+        spare, rest = divmod(spare - min(spare, _EDGE), max(len(needed), 1))
         for column, width in enumerate(needed):
             self.horizontalHeader().resizeSection(column, width + spare + (1 if column < rest else 0))
 
