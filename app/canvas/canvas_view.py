@@ -164,6 +164,7 @@ class CanvasView(PlotWidget):
     def set_image(self, image: ReferenceImage | None, pixels: QImage | None) -> None:
         """Show a picture behind the curves; without `pixels` the frame where it belongs."""
         self._image_layer.render(image, pixels)
+        self._point_layer.over_picture = pixels is not None
 
     def _show_weights(self) -> None:
         layer, view, t = self._point_layer, self._view, self._scrub

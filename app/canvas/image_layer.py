@@ -81,7 +81,11 @@ class ImageLayer:
             self._drawn = drawn
         if self._shot is not None:
             painter.setOpacity(image.opacity)
+            if self._lies_dark:
+                # Ink alone: the black that a page has become adds nothing to the paper.
+                painter.setCompositionMode(QPainter.CompositionMode.CompositionMode_Screen)
             painter.drawPixmap(QPointF(0, 0), self._shot)
+            painter.setCompositionMode(QPainter.CompositionMode.CompositionMode_SourceOver)
             painter.setOpacity(1)
 
     def _level_for(self, rect: QRectF, ratio: float) -> QImage:
@@ -103,13 +107,15 @@ class ImageLayer:
                 )
         return self._levels[level]
 
+    @property
+    def _lies_dark(self) -> bool:
+        return bool(self._is_page) and self.theme.paper.lightness() < 128
+
     def _for_paper(self, level: QImage) -> QImage:
         """Return what is drawn of a level: on dark paper, a page with light ink on dark."""
-        if self.theme.paper.lightness() >= 128:
-            return level
         if self._is_page is None:
             self._is_page = is_page(level)
-        if not self._is_page:
+        if not self._lies_dark:
             return level
         if self._dark is None or self._dark[0] is not level:
             self._dark = (level, inverted_lightness(level))

@@ -10,14 +10,14 @@ import numpy as np
 from PySide6.QtCore import QSize, Qt
 from PySide6.QtGui import QImage
 
-_LIGHT, _SHARE = 200, 0.5
-"""A page is a picture of which at least half is as light as that (of 255)."""
+_LIGHT, _DARK = 200, 60
+"""Paper is at least as light as that in all colours, ink at most as light as that (of 255)."""
 
 _SAMPLE = QSize(64, 64)
 
 
 def is_page(image: QImage) -> bool:
-    """Tell whether a picture is mostly light, as scans and drawings on paper are."""
+    """Tell whether a picture is mostly light, or light and dark with little between: a scan or a drawing."""
     few = image.scaled(
         image.size().boundedTo(_SAMPLE),
         Qt.AspectRatioMode.IgnoreAspectRatio,
@@ -28,8 +28,9 @@ def is_page(image: QImage) -> bool:
     solid = pixels[..., 3] > 0
     if not solid.any():
         return False
-    lightness = pixels[..., :3].min(axis=2)[solid]
-    return bool((lightness >= _LIGHT).mean() >= _SHARE)
+    paper = float((pixels[..., :3].min(axis=2)[solid] >= _LIGHT).mean())
+    ink = float((pixels[..., :3].max(axis=2)[solid] <= _DARK).mean())
+    return paper >= 0.5 or (paper >= 0.2 and paper + ink >= 0.9)
 
 
 def inverted_lightness(image: QImage) -> QImage:

@@ -98,6 +98,7 @@ def page(path):
 
 
 def test_a_page_lies_dark_on_dark_paper_and_its_colours_stay(editor, tmp_path):
+    editor.new()
     editor.window.add_image(page(tmp_path / "page.png"))
     editor.trigger("toggleGrid")
     image = image_of(editor)
