@@ -363,6 +363,14 @@ SPECS = (
         separated=True,
     ),
     ActionSpec(
+        "useUniform",
+        "Use Uniform Parameters",
+        "Curve",
+        "",
+        "spline",
+        "Space the parameters evenly, wherever the points lie",
+    ),
+    ActionSpec(
         "typeParameter", "Type t…", "Curve", "", "", "Type the parameter of the selected point at its tick"
     ),
     ActionSpec(
@@ -528,8 +536,8 @@ SPECS = (
         "Pull Out Velocity",
         "Tangent",
         "",
-        "",
-        "Give the selected points velocities of their own, with handles long enough to drag",
+        "spline-pointer",
+        "Give the selected points velocities of their own, with handles to drag; Alt+drag a point does it too",
         separated=True,
     ),
     ActionSpec(

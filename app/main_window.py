@@ -96,13 +96,13 @@ class MainWindow(QMainWindow):
         self._apply_theme_mode()
         self._render_document()
         self._render_file()
-        self.canvas.fit()
-        self.basis_pane.fit()
         if self.session.path is None:
             # Who opens a document came to work on it.
             self._commands.messages.greet()
         if self.preferences.complaint:
             self.status_line.say(self.preferences.complaint)
+        self.canvas.fit()
+        self.basis_pane.fit()
 
     # Building
 
@@ -111,6 +111,7 @@ class MainWindow(QMainWindow):
         self.basis_panel = BasisPanel(RailTool(self.session))
         self.basis_pane = BasisPane(self.basis_panel)
         self.message_bar = MessageBar(self.canvas)
+        self.canvas.covered_top = lambda: self.message_bar.covered
         self.splitter = QSplitter(Qt.Orientation.Vertical)
         self.splitter.setObjectName("drawingSplitter")
         self.splitter.addWidget(self.canvas)

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection
+import time
+from collections.abc import Callable, Collection, Hashable
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -26,12 +27,32 @@ class _State:
     active: int
 
 
-class _Change(QUndoCommand):
-    """A step from one state to the next; the values are computed before it is made."""
+_RUN_SECONDS = 1.0
+"""Changes of the same run that follow each other as quickly as this are one step."""
 
-    def __init__(self, session: Session, before: _State, after: _State, text: str) -> None:
+
+class _Change(QUndoCommand):
+    """A step from one state to the next; the values are computed before it is made.
+
+    One that `joins` becomes a part of the step before it.
+    """
+
+    def __init__(
+        self, session: Session, before: _State, after: _State, text: str, *, joins: bool = False
+    ) -> None:
         super().__init__(text)
-        self._session, self._before, self._after = session, before, after
+        self._session, self._before, self._after, self._joins = session, before, after, joins
+
+    def id(self) -> int:
+        return 1  # Qt asks only commands of one number whether they can be merged
+
+    def mergeWith(self, other: QUndoCommand) -> bool:  # noqa: N802
+        if not isinstance(other, _Change) or not other._joins:
+            return False
+        self._after = other._after
+        # There and back again is no step.
+        self.setObsolete(self._after == self._before)
+        return True
 
     def redo(self) -> None:
         self._session._restore(self._after)
@@ -70,6 +91,11 @@ class Session(QObject):
         A sentence for the status line.
     offered
         A sentence that stays until the next step, and the name of an action that goes with it.
+
+    Attributes
+    ----------
+    clock
+        Tells the seconds between the changes of a run; tests give their own.
     """
 
     document_changed = Signal(object)
@@ -97,6 +123,9 @@ class Session(QObject):
         self.hovered = -1
         self.scrub: float | None = None
         self.offered_at: float | None = None
+        self.clock: Callable[[], float] = time.monotonic
+        # The run that the last step belongs to, and when that was.
+        self._run: tuple[Hashable, float] | None = None
         self._committed = first_sketch()
         self._shown = self._committed
         self._views: list[CurveView] = []
@@ -200,18 +229,29 @@ class Session(QObject):
             return False
         return True
 
-    def commit(self, document: Document, text: str, *, active: int | None = None) -> None:
+    def commit(
+        self, document: Document, text: str, *, active: int | None = None, run: Hashable = None
+    ) -> None:
         """Make `document` the current one, as one step of the history called `text`.
 
-        `active` is the curve to edit from then on, where that changes. A document in which a locked curve is
-        another one is refused with a sentence.
+        `active` is the curve to edit from then on, where that changes. Changes of the same `run` that follow
+        each other within a second, with nothing between them, are one step: arrow keys. A document in which
+        a locked curve is another one is refused with a sentence.
         """
         if document == self._committed or not self._is_free(document):
             self.cancel()
             return
         after = self.active_index if active is None else active
         before = _State(self._committed, self.active_index)
-        self.undo_stack.push(_Change(self, before, _State(document, after), text))
+        joins, steps = self._goes_on(run), self.undo_stack.index()
+        self.undo_stack.push(_Change(self, before, _State(document, after), text, joins=joins))
+        # Where the change has taken its run back, the last step is another one.
+        is_there = self.undo_stack.index() >= steps
+        self._run = (run, self.clock()) if run is not None and is_there else None
+
+    def _goes_on(self, run: Hashable) -> bool:
+        """Whether a change of this run follows the last one closely enough to be the same step."""
+        return self._run is not None and self._run[0] == run and self.clock() - self._run[1] <= _RUN_SECONDS
 
     def cancel(self) -> None:
         """Drop the preview; nothing is left of it."""
@@ -219,6 +259,7 @@ class Session(QObject):
             self._show(self._committed)
 
     def _restore(self, state: _State) -> None:
+        self._run = None
         self.interrupted.emit()
         if state.active != self.active_index:
             self._enter(state.active)
@@ -245,6 +286,7 @@ class Session(QObject):
         """Select the nodes at `indices` of the active curve."""
         chosen = frozenset(indices)
         if chosen != self.selection:
+            self._run = None
             self.selection = chosen
             self.selection_changed.emit(chosen)
 

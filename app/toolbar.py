@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from PySide6.QtCore import QSize, Qt
-from PySide6.QtGui import QResizeEvent
+from PySide6.QtGui import QResizeEvent, QShowEvent
 from PySide6.QtWidgets import QToolBar, QToolButton, QWidget
 
 from app.actions import Actions
@@ -37,7 +37,7 @@ class Toolbar(QToolBar):
         self._actions, self._parameters = actions, parameters
         for name in _ORDER:
             self._add(name)
-        self._full_width = self.sizeHint().width()
+        self._full_width: int | None = None
 
     def _add(self, name: str) -> None:
         if name == _SEPARATOR:
@@ -51,9 +51,19 @@ class Toolbar(QToolBar):
                 assert isinstance(button, QToolButton)
                 button.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
 
+    def showEvent(self, event: QShowEvent) -> None:
+        super().showEvent(event)
+        if self._full_width is None:
+            # Not before: until the style has come, everything is thought to be wider.
+            self._full_width = self.sizeHint().width()
+            self._fit_words()
+
     def resizeEvent(self, event: QResizeEvent) -> None:
         super().resizeEvent(event)
-        compact = event.size().width() < self._full_width
+        self._fit_words()
+
+    def _fit_words(self) -> None:
+        compact = self._full_width is not None and self.width() < self._full_width
         self._parameters.set_compact(compact)
         for name, text in (_SHORT if compact else _FAMILIES).items():
             self._actions[name].setIconText(text)

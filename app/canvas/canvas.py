@@ -6,7 +6,7 @@ from dataclasses import replace
 
 import numpy as np
 from PySide6.QtCore import QEvent, QPoint, QPointF, Qt, Signal
-from PySide6.QtGui import QContextMenuEvent, QFocusEvent, QKeyEvent, QMouseEvent
+from PySide6.QtGui import QContextMenuEvent, QFocusEvent, QKeyEvent
 from PySide6.QtWidgets import QWidget
 
 from app.canvas.canvas_view import CanvasView
@@ -52,8 +52,7 @@ class Canvas(CanvasView):
         self._image_tool: ImageTool | None = None
         self._overlay_layer = OverlayLayer(self, LIGHT)
         self._pointer: Pointer | None = None
-        self._menu_refused = False
-        self.map_changed.connect(self._hover_again)
+        self.map_changed.connect(self.hover_again)
 
     # What is shown
 
@@ -193,7 +192,7 @@ class Canvas(CanvasView):
         self._show_overlay()
         self.pointed_at.emit(pointer.position)
 
-    def _hover_again(self) -> None:
+    def hover_again(self) -> None:
         """Tell anew what lies under a pointer that rests while the view moves."""
         if self._pointer is not None and not self.is_dragging and self._pan_from is None:
             self.hovered_at(self._pointer_now())
@@ -232,13 +231,6 @@ class Canvas(CanvasView):
         kind = ToolKind.SELECT if self._image_tool is not None else self._tool.kind
         self.viewport().setCursor(cursor_of(hint, kind, self._theme))
 
-    def mousePressEvent(self, event: QMouseEvent) -> None:
-        # A right click ends a gesture, a drag as well as a transform; it must not open a menu as well.
-        is_right = event.button() == Qt.MouseButton.RightButton
-        self._menu_refused = is_right and self._active_tool.is_pressed and self.cancel_gesture()
-        if not self._menu_refused:
-            super().mousePressEvent(event)
-
     def event(self, event: QEvent) -> bool:
         # While a transform is in flight, digits and letters are its own and no shortcuts.
         is_override = event.type() == QEvent.Type.ShortcutOverride and self._tool.is_modal
@@ -247,12 +239,8 @@ class Canvas(CanvasView):
             return True
         return bool(super().event(event))
 
-    def contextMenuEvent(self, event: QContextMenuEvent) -> None:
+    def menu_wanted(self, event: QContextMenuEvent) -> None:
         """Ask for a menu: for what lies under the pointer; by the Menu key, for the selected point."""
-        event.accept()
-        refused, self._menu_refused = self._menu_refused, False
-        if refused or self._active_tool.is_pressed:
-            return
         by_key = event.reason() == QContextMenuEvent.Reason.Keyboard
         place = self._selected_place() if by_key else QPointF(event.pos())
         hit = self._with_hit(self.pointer_at(place)).hit if place is not None else None

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 
 import msgspec
 import numpy as np
@@ -34,7 +34,13 @@ _REVEAL_MARGIN = 40.0
 
 
 class CanvasView(PlotWidget):
-    """Draws the document; equal aspect."""
+    """Draws the document; equal aspect.
+
+    Attributes
+    ----------
+    covered_top
+        Tells how many pixels at the top a message covers; what is fitted into the view stays clear of it.
+    """
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -55,11 +61,7 @@ class CanvasView(PlotWidget):
         self._curve_layer = CurveLayer(self, LIGHT)
         self._point_layer = PointLayer(self, LIGHT)
         self._corner_layer = CornerLayer(self, LIGHT)
-
-    @property
-    def is_dragging(self) -> bool:
-        """Whether a gesture is in flight."""
-        return False
+        self.covered_top: Callable[[], float] = lambda: 0.0
 
     def render_view(self, view: CurveView) -> None:
         """Show `view`; a ghost of the old curve stays for a moment when a rule has changed."""
@@ -187,6 +189,7 @@ class CanvasView(PlotWidget):
     def set_image(self, image: ReferenceImage | None, pixels: QImage | None) -> None:
         """Show a picture behind the curves; without `pixels` the frame where it belongs."""
         self._image_layer.render(image, pixels)
+        self._point_layer.over_picture = pixels is not None
 
     def _show_weights(self) -> None:
         layer, view, t = self._point_layer, self._view, self._scrub
@@ -208,7 +211,16 @@ class CanvasView(PlotWidget):
             return
         low = np.min([box[0] for box in boxes], axis=0)
         high = np.max([box[1] for box in boxes], axis=0)
-        self.show_box((low[0], high[0]), (low[1], high[1]))
+        self._show_below(low, high, self.covered_top())
+
+    def _show_below(self, low: Floats, high: Floats, covered: float) -> None:
+        """Show a box below `covered` pixels at the top, on which a message lies."""
+        shown = self.pixel_map
+        room = max(shown.height - covered, 0.5 * shown.height)
+        # As tall as it becomes with equal units along x and y.
+        tall = max(high[1] - low[1], (high[0] - low[0]) * room / shown.width)
+        top = (low[1] + high[1] + tall) / 2 + tall * (shown.height - room) / room
+        self.show_box((low[0], high[0]), ((low[1] + high[1] - tall) / 2, top))
 
     @property
     def weights(self) -> Floats | None:

@@ -7,6 +7,7 @@ import math
 from PySide6.QtCore import QPointF, QRectF, QSize, Qt
 from PySide6.QtGui import QImage, QPainter, QPen, QPixmap
 
+from app.canvas.page_image import inverted_lightness, is_page
 from app.document.model import ReferenceImage, Vector
 from app.gestures.image_tool import CORNERS, corner_of
 from app.gestures.pointer import Hit, Part
@@ -30,9 +31,12 @@ class ImageLayer:
         self.has_grips = False
         self._image: ReferenceImage | None = None
         self._pixels: QImage | None = None
-        self._drawn: tuple[ReferenceImage | None, QImage | None, PixelMap | None] = (None, None, None)
+        self._drawn: tuple[object, ...] = (None,) * 4
         self._shot: QPixmap | None = None
         self._levels: list[QImage] = []
+        self._is_page: bool | None = None
+        # A level for dark paper, and what it was made of.
+        self._dark: tuple[QImage, QImage] | None = None
         self._layer = plot.add_layer(self.paint, z=-6)
         # The grips lie over curves and points: the mouse is theirs while they show.
         self._grips = plot.add_layer(self._paint_grips, z=20)
@@ -40,9 +44,11 @@ class ImageLayer:
     def render(self, image: ReferenceImage | None, pixels: QImage | None) -> None:
         """Draw this picture from the next paint on."""
         if image is not self._image or pixels is not self._pixels:
+            if pixels is not self._pixels:
+                self._is_page = None
             self._image, self._pixels = image, pixels
             if pixels is None:
-                self._shot, self._levels = None, []
+                self._shot, self._levels, self._dark = None, [], None
             self._layer.update()
             self._grips.update()
 
@@ -68,13 +74,18 @@ class ImageLayer:
         if self._pixels is None:
             self._paint_frame(painter, rect)
             return
-        if self._drawn[0] is not image or self._drawn[1] is not self._pixels or self._drawn[2] is not shown:
+        drawn = (image, self._pixels, shown, self.theme)
+        if any(old is not new for old, new in zip(self._drawn, drawn, strict=True)):
             ratio = painter.device().devicePixelRatioF()
-            self._shot = _shot(self._level_for(rect, ratio), rect, shown, ratio)
-            self._drawn = (image, self._pixels, shown)
+            self._shot = _shot(self._for_paper(self._level_for(rect, ratio)), rect, shown, ratio)
+            self._drawn = drawn
         if self._shot is not None:
             painter.setOpacity(image.opacity)
+            if self._lies_dark:
+                # Ink alone: the black that a page has become adds nothing to the paper.
+                painter.setCompositionMode(QPainter.CompositionMode.CompositionMode_Screen)
             painter.drawPixmap(QPointF(0, 0), self._shot)
+            painter.setCompositionMode(QPainter.CompositionMode.CompositionMode_SourceOver)
             painter.setOpacity(1)
 
     def _level_for(self, rect: QRectF, ratio: float) -> QImage:
@@ -95,6 +106,20 @@ class ImageLayer:
                     )
                 )
         return self._levels[level]
+
+    @property
+    def _lies_dark(self) -> bool:
+        return bool(self._is_page) and self.theme.paper.lightness() < 128
+
+    def _for_paper(self, level: QImage) -> QImage:
+        """Return what is drawn of a level: on dark paper, a page with light ink on dark."""
+        if self._is_page is None:
+            self._is_page = is_page(level)
+        if not self._lies_dark:
+            return level
+        if self._dark is None or self._dark[0] is not level:
+            self._dark = (level, inverted_lightness(level))
+        return self._dark[1]
 
     def _paint_frame(self, painter: QPainter, rect: QRectF) -> None:
         visible = rect.intersected(QRectF(-_FAR, -_FAR, 2 * _FAR, 2 * _FAR))

@@ -41,6 +41,8 @@ class PointLayer:
         self.hovered = -1
         # While points are added, the handle of the new one is the one under the pointer: ahead of the end.
         self.is_adding = False
+        # Over a picture, what is thin and grey needs paper around it to be seen.
+        self.over_picture = False
         self.weights: Floats | None = None
         self.scrub: tuple[float, float, float] | None = None
         self._view: CurveView | None = None
@@ -169,9 +171,21 @@ class PointLayer:
                 # Beyond the disc, so that neither covers the curve.
                 away = max(away, self._weight_radius(weight) + 14 * self.scale)
             centre = self._number_place(pixels, index, away)
+            if self.over_picture:
+                self._paint_plate(painter, centre, text)
             box = QRectF(centre.x() - 60, centre.y() - 12, 120, 24)
             painter.setPen(colour)
             painter.drawText(box, int(Qt.AlignmentFlag.AlignCenter), text)
+
+    def _paint_plate(self, painter: QPainter, centre: QPointF, text: str) -> None:
+        """Lay a piece of paper under a number."""
+        paper, size = QColor(self.theme.paper), painter.fontMetrics().size(0, text)
+        paper.setAlphaF(0.75)
+        plate = QRectF(0, 0, size.width() + 6, size.height() + 2)
+        plate.moveCenter(centre)
+        painter.setPen(Qt.PenStyle.NoPen)
+        painter.setBrush(paper)
+        painter.drawRoundedRect(plate, 3, 3)
 
     def _has_weight_text(self, count: int) -> Flags:
         """Tell beside which points their weight is written."""
@@ -197,25 +211,43 @@ class PointLayer:
     # Handles
 
     def _paint_handles(self, painter: QPainter, shown: PixelMap) -> None:
-        for handle in self._handles:
-            tip, anchor = shown.point(*handle.position), shown.point(*handle.anchor)
-            if max(map(abs, (*tip, *anchor))) > _FAR:
-                continue
-            self._paint_handle(painter, handle, QPointF(*tip), QPointF(*anchor))
+        placed = [
+            (handle, QPointF(*tip), QPointF(*anchor))
+            for handle in self._handles
+            for tip, anchor in [(shown.point(*handle.position), shown.point(*handle.anchor))]
+            if max(map(abs, (*tip, *anchor))) <= _FAR
+        ]
+        colour = self.theme.handle
+        if self.over_picture:
+            # In the grey of a faded letter grey handles cannot be seen.
+            colour = self.theme.curve
+            self._paint_paper(painter, placed)
+        for handle, tip, anchor in placed:
+            self._paint_handle(painter, handle, tip, anchor, colour)
 
-    def _paint_handle(self, painter: QPainter, handle: Handle, tip: QPointF, anchor: QPointF) -> None:
-        line = QPen(self.theme.handle, 1.2 * self.scale)
+    def _paint_paper(self, painter: QPainter, placed: Sequence[tuple[Handle, QPointF, QPointF]]) -> None:
+        """Lay paper under handles and their lines."""
+        painter.setBrush(self.theme.paper)
+        for handle, tip, anchor in placed:
+            painter.setPen(QPen(self.theme.paper, 4 * self.scale))
+            painter.drawLine(anchor, tip)
+            painter.setPen(Qt.PenStyle.NoPen)
+            _paint_mark(painter, handle, tip, self._mark_size(handle) + 2.5 * self.scale)
+
+    def _paint_handle(
+        self, painter: QPainter, handle: Handle, tip: QPointF, anchor: QPointF, colour: QColor
+    ) -> None:
+        line = QPen(colour, 1.2 * self.scale)
         line.setStyle(Qt.PenStyle.SolidLine if handle.kind == 1 else Qt.PenStyle.DotLine)
         painter.setPen(line)
         painter.drawLine(anchor, tip)
-        painter.setPen(QPen(self.theme.handle, 1.5 * self.scale))
+        painter.setPen(QPen(colour, 1.5 * self.scale))
         # Filled: set by the person. Hollow: estimated by a rule.
-        painter.setBrush(self.theme.handle if handle.explicit else self.theme.paper)
-        size = (4.0 if handle.kind == 1 else 5.5) * self.scale
-        if handle.kind == 1:
-            painter.drawRect(QRectF(tip.x() - size, tip.y() - size, 2 * size, 2 * size))
-        else:
-            painter.drawPolygon(_diamond(tip, size))
+        painter.setBrush(colour if handle.explicit else self.theme.paper)
+        _paint_mark(painter, handle, tip, self._mark_size(handle))
+
+    def _mark_size(self, handle: Handle) -> float:
+        return (4.0 if handle.kind == 1 else 5.5) * self.scale
 
     # Weights
 
@@ -285,6 +317,14 @@ def _beside(direction: Floats) -> Floats:
         return np.array([0.0, -1.0])
     across = np.array([direction[1], -direction[0]]) / length
     return -across if across[1] > 0 else across
+
+
+def _paint_mark(painter: QPainter, handle: Handle, tip: QPointF, size: float) -> None:
+    """Draw a square for a velocity, a diamond for an acceleration."""
+    if handle.kind == 1:
+        painter.drawRect(QRectF(tip.x() - size, tip.y() - size, 2 * size, 2 * size))
+    else:
+        painter.drawPolygon(_diamond(tip, size))
 
 
 def _diamond(centre: QPointF, size: float) -> QPolygonF:

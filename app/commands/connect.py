@@ -7,6 +7,7 @@ from app.commands.context_menus import ContextMenus
 from app.commands.curve_commands import CurveCommands
 from app.commands.disk_commands import DiskCommands
 from app.commands.edit_commands import EditCommands
+from app.commands.fresh_hints import FreshHints
 from app.commands.help_commands import HelpCommands
 from app.commands.image_commands import ImageCommands
 from app.commands.messages import Messages
@@ -29,6 +30,7 @@ class Commands:
         self._parts = parts
         self.view = ViewCommands(parts)
         self.messages = Messages(parts)
+        self.hints = FreshHints(parts)
         self.snap = SnapCommands(parts)
         self.images = ImageCommands(parts, self.messages)
         self.recovery = RecoveryCommands(parts)

@@ -43,6 +43,7 @@ class EditCommands:
             "familyHermite": lambda: self._use_family(Family.HERMITE),
             "familyQuinticHermite": lambda: self._use_family(Family.QUINTIC_HERMITE),
             "freezeParameters": self._freeze_parameters,
+            "useUniform": lambda: self._use_parametrization(ParametrizationKind.UNIFORM),
             "resetVelocities": self._reset_derivatives,
         }
 
@@ -59,6 +60,8 @@ class EditCommands:
         )
         self._actions["resetVelocities"].setEnabled(has_explicit)
         self._actions["freezeParameters"].setEnabled(view.is_current and not view.source.is_manual)
+        is_uniform = view.source.parametrization.kind is ParametrizationKind.UNIFORM
+        self._actions["useUniform"].setEnabled(not is_uniform)
 
     def _fill_parameters_menu(self) -> None:
         for kind, name in KIND_NAMES.items():

@@ -6,10 +6,18 @@ from PySide6.QtCore import QObject
 from PySide6.QtGui import QAction
 
 from app.commands.parts import Parts
+from app.document.model import ParametrizationKind
 from app.view_model.curve_view import CurveView
 
 _GREETING = "Drag a point and watch its functions below. P adds points, F1 shows all keys."
 _EMPTY = "Click on the canvas to add points; two of them make a curve."
+
+_BY_DISTANCE = (
+    ParametrizationKind.CHORD_LENGTH,
+    ParametrizationKind.CENTRIPETAL,
+    ParametrizationKind.POWER,
+)
+"""Rules that need distances between points; uniform parameters are the way out where there are none."""
 
 
 class Messages(QObject):
@@ -21,6 +29,7 @@ class Messages(QObject):
     def __init__(self, parts: Parts) -> None:
         super().__init__(parts.window)
         self._bar, self._session = parts.message_bar, parts.session
+        self._use_uniform = parts.actions["useUniform"]
         self._greeting = ""
         self._image_problem = ""
         self._put_away = ""
@@ -79,9 +88,14 @@ class Messages(QObject):
         elif self._offered is not None and text == self._offered[0]:
             self._bar.offer(*self._offered)
         elif warns:
-            self._bar.warn(text)
+            self._bar.warn(text, self._way_out(view, text))
         else:
             self._bar.tell(text)
+
+    def _way_out(self, view: CurveView, text: str) -> QAction | None:
+        """Return what would help against what is wrong."""
+        by_distance = view.source.parametrization.kind in _BY_DISTANCE
+        return self._use_uniform if by_distance and text == view.problem else None
 
     def _sentence(self, view: CurveView) -> tuple[str, bool]:
         """Return the most urgent sentence, empty for none, and whether it is a warning."""

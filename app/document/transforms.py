@@ -148,7 +148,7 @@ def align_nodes(document: Document, curve: int, indices: Collection[int], edge: 
     nodes, axis = document.curves[curve].nodes, _AXES[edge]
     values = [nodes[index].position[axis] for index in indices]
     target = _TARGETS[edge](values)
-    return _with_coordinate(document, curve, dict.fromkeys(indices, target), axis)
+    return with_coordinates(document, curve, dict.fromkeys(indices, target), axis)
 
 
 def distribute_nodes(document: Document, curve: int, indices: Collection[int], axis: int) -> Document:
@@ -162,10 +162,11 @@ def distribute_nodes(document: Document, curve: int, indices: Collection[int], a
     values = {
         index: first * ((count - place) / count) + last * (place / count) for place, index in enumerate(order)
     }
-    return _with_coordinate(document, curve, values, axis)
+    return with_coordinates(document, curve, values, axis)
 
 
-def _with_coordinate(document: Document, curve: int, values: dict[int, float], axis: int) -> Document:
+def with_coordinates(document: Document, curve: int, values: dict[int, float], axis: int) -> Document:
+    """Set the x (axis 0) or the y (axis 1) of some nodes."""
     old, name = document.curves[curve], ("x", "y")[axis]
     nodes = [
         replace(node, **{name: values[index]}) if index in values else node

@@ -6,7 +6,8 @@
 - ``bend_drag``: the curve itself, grabbed and bent.
 - ``transform``, ``transform_box``: move, scale and rotate the selection by keys, or by the grips of a box.
 - ``marquee``, ``measure``: gestures that change nothing in the document.
-- ``snapping``: what a point is drawn to.  ``overlay``: what a gesture shows over the drawing.
+- ``snapping``: what a point is drawn to.  ``magnets``: which of it for which gesture.
+- ``overlay``: what a gesture shows over the drawing.
 - ``hints``: what a press would do, in words.
 - ``tools``: Select, Add points and Measure: which gesture a press begins.  ``words``: numbers for people.
 - ``rail``: the gestures of the basis panel: ticks and the scrub line.

@@ -89,6 +89,16 @@ class MovePoints:
 
 
 @dataclass(frozen=True)
+class NudgePoints(MovePoints):
+    """Move nodes by a key."""
+
+    @property
+    def name(self) -> str:
+        """The name of the step."""
+        return f"Nudge {words.points(self.indices)}"
+
+
+@dataclass(frozen=True)
 class StepPoints:
     """Move nodes by a step of the grid, in decimal numbers."""
 
@@ -102,7 +112,7 @@ class StepPoints:
     @property
     def name(self) -> str:
         """The name of the step."""
-        return f"Move {words.points(self.indices)}"
+        return f"Nudge {words.points(self.indices)}"
 
     def document_at(self, _pointer: Pointer) -> Document:
         """Move by the step, wherever the pointer is."""
@@ -122,6 +132,7 @@ class DragHandle:
     view: CurveView
     hit: Hit
     start: Vector
+    magnet: Magnet | None = None
 
     @property
     def name(self) -> str:
@@ -129,7 +140,7 @@ class DragHandle:
         what = "velocity" if self.hit.part is Part.VELOCITY_HANDLE else "acceleration"
         return f"Set {what} of point {self.hit.index}"
 
-    keys = "Shift: steps of 15° · Alt: length only"
+    keys = "Shift: steps of 15° · Alt: length only · Ctrl: snap, or not"
 
     def note_at(self, pointer: Pointer) -> str:
         """Tell the derivative by its length and direction."""
@@ -144,7 +155,7 @@ class DragHandle:
         return edits.set_acceleration(self.document, self.curve, index, derivative, ahead=ahead)
 
     def _derivative_at(self, pointer: Pointer) -> Vector:
-        tip = _plus(self.hit.position, _minus(pointer.position, self.start))
+        tip = self._snapped(_plus(self.hit.position, _minus(pointer.position, self.start)), pointer)
         index, ahead, view = self.hit.index, self.hit.ahead, self.view
         if self.hit.part is Part.VELOCITY_HANDLE:
             free = velocity_from_handle(view, index, tip, ahead=ahead)
@@ -155,6 +166,15 @@ class DragHandle:
         if pointer.alt and before is not None and any(before):
             return _along_direction(free, before)
         return _in_steps(free) if pointer.shift else free
+
+    def _snapped(self, tip: Vector, pointer: Pointer) -> Vector:
+        if self.magnet is None:
+            return tip
+        if pointer.shift or pointer.alt:
+            # An angle or a direction that is held leaves nothing to be drawn elsewhere.
+            self.magnet.release()
+            return tip
+        return self.magnet.pull(tip, pointer)
 
 
 def _along_direction(v: Vector, direction: Vector) -> Vector:
@@ -184,15 +204,25 @@ class PullVelocity:
     curve: int
     view: CurveView
     index: int
+    magnet: Magnet | None = None
 
     @property
     def name(self) -> str:
         """The name of the step."""
         return f"Set velocity of point {self.index}"
 
+    keys = "Ctrl: snap, or not"
+
+    def note_at(self, pointer: Pointer) -> str:
+        """Tell the velocity by its length and direction."""
+        return f"Velocity of point {self.index}: {words.polar(self._velocity_at(pointer))}"
+
+    def _velocity_at(self, pointer: Pointer) -> Vector:
+        return velocity_from_handle(self.view, self.index, _pulled(pointer, self.magnet), ahead=True)
+
     def document_at(self, pointer: Pointer) -> Document:
         """Put the handle ahead of the node under the pointer."""
-        velocity = velocity_from_handle(self.view, self.index, pointer.position, ahead=True)
+        velocity = self._velocity_at(pointer)
         ahead = self.view.spacing(self.index, ahead=True) is not None
         return edits.set_velocity(self.document, self.curve, self.index, velocity, ahead=ahead)
 
@@ -216,13 +246,31 @@ class AppendPoint:
         """The name of the step."""
         return f"Add point {len(self.view.source.nodes)}"
 
+    keys = "Ctrl: snap, or not"
+
+    def note_at(self, pointer: Pointer) -> str:
+        """Tell where it goes, and where its velocity points."""
+        place = self._place(pointer)
+        note = f"{self.name} at {words.vector(place)}"
+        if not self._sets_velocity(pointer):
+            return note
+        x, y = _minus(pointer.position, place)
+        return f"{note}, velocity at {words.angle(math.degrees(math.atan2(y, x)))}"
+
+    def _is_dragged(self, pointer: Pointer) -> bool:
+        return max(map(abs, _minus(pointer.pixel, self.press.pixel))) >= 3
+
+    def _sets_velocity(self, pointer: Pointer) -> bool:
+        return self._is_dragged(pointer) and self.view.source.family.derivatives > 0
+
+    def _place(self, pointer: Pointer) -> Vector:
+        moves = self._is_dragged(pointer) and not self._sets_velocity(pointer)
+        return _pulled(pointer if moves else self.press, self.magnet)
+
     def document_at(self, pointer: Pointer) -> Document:
         """Return the document with the new point."""
-        dragged = max(map(abs, _minus(pointer.pixel, self.press.pixel))) >= 3
-        has_velocity = self.view.source.family.derivatives > 0
-        x, y = _pulled(self.press if has_velocity or not dragged else pointer, self.magnet)
-        document = self._with_point(Node(x, y))
-        if not (dragged and has_velocity):
+        document = self._with_point(Node(*self._place(pointer)))
+        if not self._sets_velocity(pointer):
             return document
         index = len(self.view.source.nodes)
         view = view_of(document.curves[self.curve])
@@ -252,6 +300,17 @@ class InsertPoint:
         """The name of the step."""
         return f"Insert point {self.hit.index}"
 
+    keys = "Ctrl: snap, or not"
+
+    def note_at(self, pointer: Pointer) -> str:
+        """Tell where it goes."""
+        if self._is_on_curve(pointer):
+            return f"{self.name} at t = {words.number(self.hit.t)}"
+        return f"{self.name} at {words.vector(_pulled(pointer, self.magnet))}"
+
+    def _is_on_curve(self, pointer: Pointer) -> bool:
+        return max(map(abs, _minus(pointer.pixel, self.press.pixel))) < 3
+
     @cached_property
     def on_curve(self) -> Reshaped:
         """The curve with the point where it was pressed."""
@@ -259,7 +318,7 @@ class InsertPoint:
 
     def document_at(self, pointer: Pointer) -> Document:
         """Return the document with the new point."""
-        if max(map(abs, _minus(pointer.pixel, self.press.pixel))) < 3:
+        if self._is_on_curve(pointer):
             return replace_curve(self.document, self.curve, self.on_curve.curve)
         is_manual = self.document.curves[self.curve].is_manual
         node = Node(*_pulled(pointer, self.magnet), t=self.hit.t if is_manual else None)

@@ -8,6 +8,34 @@ from app.gestures.pointer import Cursor, Hint, Hit, Part
 from app.gestures.transform_box import Grip, ScaleBox
 from app.view_model.curve_view import CurveView
 
+LOCKED = "“{}” is locked; unlock it in the list of curves to change it."
+
+
+def hint_at(
+    hit: Hit | None,
+    view: CurveView,
+    selection: frozenset[int],
+    *,
+    grip: Grip | None,
+    adding: bool,
+    snaps: bool,
+) -> Hint:
+    """Return the hint of the Select and Add tools over what belongs to the curve edited, or beside it.
+
+    `grip` is the grip of the box around the selection that lies there.
+    """
+    if view.source.locked and (adding or hit is not None):
+        return Hint(LOCKED.format(view.source.name))
+    if hit is not None and hit.part is not Part.CURVE:
+        return on_part(hit, view, selection, snaps=snaps)
+    if adding:
+        return to_add(hit, view, snaps=snaps)
+    if grip is not None:
+        return on_grip(grip, selection)
+    if hit is not None:
+        return to_bend(hit, view)
+    return Hint("Drag to select points, Shift adds · Press P to add points · Wheel zooms · Space pans")
+
 
 def on_part(hit: Hit, view: CurveView, selection: frozenset[int], *, snaps: bool) -> Hint:
     """Return the hint over a point or a handle."""
@@ -19,8 +47,8 @@ def on_part(hit: Hit, view: CurveView, selection: frozenset[int], *, snaps: bool
             text += " · Alt: pull out its velocity"
         return Hint(text, grab=True)
     what = "velocity" if hit.part is Part.VELOCITY_HANDLE else "acceleration"
-    text = f"Drag to set the {what} of point {hit.index} · Shift: steps of 15° · Alt: length only"
-    return Hint(text, grab=True)
+    keys = f"Shift: steps of 15° · Alt: length only · Ctrl: {_snap_word(snaps)}"
+    return Hint(f"Drag to set the {what} of point {hit.index} · {keys}", grab=True)
 
 
 def on_grip(grip: Grip, selection: frozenset[int]) -> Hint:

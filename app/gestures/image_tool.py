@@ -103,7 +103,7 @@ class ImageTool:
         """Move the picture by a little."""
         document = self._host.document
         if document.image is not None and not document.image.locked:
-            self._host.commit(move_image(document, by), "Move image")
+            self._host.commit(move_image(document, by), "Nudge image", run="image")
 
     def hover(self, pointer: Pointer) -> Hint:
         """Return what a press here would do."""

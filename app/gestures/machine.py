@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Collection
+from collections.abc import Callable, Collection, Hashable
 from dataclasses import dataclass
 from typing import Protocol, runtime_checkable
 
@@ -40,8 +40,8 @@ class Host(Protocol):
     def preview(self, document: Document) -> None:
         """Show a document for the length of the gesture."""
 
-    def commit(self, document: Document, text: str) -> None:
-        """Make it a step of the history."""
+    def commit(self, document: Document, text: str, *, run: Hashable = None) -> None:
+        """Make it a step of the history; quick steps of the same run are one."""
 
     def cancel(self) -> None:
         """Drop the preview."""
@@ -153,6 +153,13 @@ class DragMachine:
             return
         press.last, press.refused = document, ""
         self._host.preview(document)
+
+    def nudge(self, pointer: Pointer, drag: Drag, run: Hashable) -> None:
+        """Do at once what a drag to `pointer` would do; quick nudges of the same run are one step."""
+        try:
+            self._host.commit(drag.document_at(pointer), drag.name, run=run)
+        except EditError as reason:
+            self._host.say(str(reason))
 
     def exchange(self, pointer: Pointer, drag: Drag) -> None:
         """Go on with another drag from the same press: an axis was locked, an amount typed."""

@@ -68,8 +68,8 @@ class RailTool:
             return False
         first = min(host.selection)
         moved = Pointer((by, 0.0), (0.0, 0.0))
-        self._machine.press_at_once(moved, self._drag(0.0, first, first))
-        self._machine.release(moved)
+        run = ("ticks", host.active_index, host.selection)
+        self._machine.nudge(moved, self._drag(0.0, first, first), run)
         return True
 
     def set_value(self, knot: int, t: float) -> None:

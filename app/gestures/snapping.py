@@ -78,8 +78,7 @@ class _Points:
         if distances[best] > reach:
             return None
         x, y = self.positions[best].tolist()
-        of = f" of {self.of}" if self.of else ""
-        return float(distances[best]), Snap((x, y), f"point {self.numbers[best]}{of}")
+        return float(distances[best]), Snap((x, y), _name(int(self.numbers[best]), self.of))
 
 
 @dataclass(frozen=True)
@@ -100,13 +99,13 @@ class Targets:
     points
         Points of this and of other curves.
     neighbours
-        The points whose heights and verticals count, with their numbers.
+        The points whose heights and verticals count, with their names.
     curves
         The other curves with their names.
     """
 
     points: tuple[_Points, ...] = ()
-    neighbours: tuple[tuple[Vector, int], ...] = ()
+    neighbours: tuple[tuple[Vector, str], ...] = ()
     curves: tuple[tuple[NearestPoint, str], ...] = ()
 
 
@@ -122,7 +121,7 @@ def targets_of(
     moving
         Its nodes that move along and are nothing to snap to.
     place
-        The index of the point that is drawn, or of the point about to be added.
+        The index of the point that is drawn or about to be added; −1 for what has no neighbours.
     kinds
         The kinds wanted; what is not wanted costs nothing.
     """
@@ -135,8 +134,44 @@ def targets_of(
         points = [_points(own, {*moving, *beside}), *(_points(view, (), view.source.name) for view in others)]
     if SnapKind.CURVES in kinds:
         curves = [(NearestPoint(view), view.source.name) for view in others]
-    level = [(own.source.nodes[index].position, index) for index in beside] if SnapKind.LEVEL in kinds else []
-    return Targets(tuple(points), tuple(level), tuple(curves))
+    level = _named(own, beside) if SnapKind.LEVEL in kinds else ()
+    return Targets(tuple(points), level, tuple(curves))
+
+
+def targets_of_handle(
+    views: Sequence[CurveView], active: int, node: int, kinds: Collection[SnapKind]
+) -> Targets:
+    """Collect what the end of a handle of `node` can snap to: level with its node it is a flat tangent."""
+    others = targets_of(views, active, (), -1, kinds)
+    own = views[active]
+    points = others.points
+    if SnapKind.POINTS in kinds:
+        # Not to its own node: a handle of no length has no direction.
+        points = (_points(own, {node}), *others.points[1:])
+    level = _named(own, [node, *_neighbours(own, (), node)]) if SnapKind.LEVEL in kinds else ()
+    return Targets(points, level, others.curves)
+
+
+def targets_of_side(
+    views: Sequence[CurveView], active: int, moving: Collection[int], kinds: Collection[SnapKind]
+) -> Targets:
+    """Collect what a side of the box around `moving` can snap to: it meets points that it is level with."""
+    points: tuple[tuple[Vector, str], ...] = ()
+    if SnapKind.POINTS in kinds:
+        for index, view in enumerate(views):
+            if index == active or view.source.visible:
+                rest = [at for at in range(len(view.points)) if index != active or at not in moving]
+                points += _named(view, rest, "" if index == active else view.source.name)
+    return Targets(neighbours=points)
+
+
+def _named(view: CurveView, indices: Sequence[int], of: str = "") -> tuple[tuple[Vector, str], ...]:
+    nodes = view.source.nodes
+    return tuple((nodes[index].position, _name(index, of)) for index in indices)
+
+
+def _name(index: int, of: str) -> str:
+    return f"point {index} of {of}" if of else f"point {index}"
 
 
 def _points(view: CurveView, without: Collection[int], of: str = "") -> _Points:
@@ -145,6 +180,8 @@ def _points(view: CurveView, without: Collection[int], of: str = "") -> _Points:
 
 
 def _neighbours(view: CurveView, moving: Collection[int], place: int) -> list[int]:
+    if place < 0:
+        return []
     count = len(view.source.nodes)
     beside = [place - 1, place + 1]
     if view.source.is_closed:
@@ -219,7 +256,7 @@ class Magnet:
         """Return the coordinate to snap to along one axis; a neighbour's comes before the grid's."""
         assert self._targets is not None
         value = position[axis]
-        level = [_level(at, index, position, axis) for at, index in self._targets.neighbours]
+        level = [_level(at, name, position, axis) for at, name in self._targets.neighbours]
         grid = []
         if SnapKind.GRID in self._settings().kinds:
             grid = [_Line(grid_value(value, self._grid()[axis]), "grid")]
@@ -230,11 +267,11 @@ class Magnet:
         return None
 
 
-def _level(at: Vector, index: int, position: Vector, axis: int) -> _Line:
+def _level(at: Vector, name: str, position: Vector, axis: int) -> _Line:
     if axis == 1:
-        return _Line(at[1], f"level with point {index}", at)
+        return _Line(at[1], f"level with {name}", at)
     side = "above" if position[1] >= at[1] else "below"
-    return _Line(at[0], f"straight {side} point {index}", at)
+    return _Line(at[0], f"straight {side} {name}", at)
 
 
 def grid_value(value: float, spacing: float) -> float:

@@ -3,24 +3,31 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Collection
+from collections.abc import Callable
 from dataclasses import replace
 from enum import Enum
 
-from app.document.model import Document, Vector
+from app.document.model import Vector
 from app.gestures import hints, words
 from app.gestures.bend_drag import BendCurve
-from app.gestures.drags import AppendPoint, DragHandle, InsertPoint, MovePoints, PullVelocity, StepPoints
+from app.gestures.drags import (
+    AppendPoint,
+    DragHandle,
+    InsertPoint,
+    MovePoints,
+    NudgePoints,
+    PullVelocity,
+    StepPoints,
+)
 from app.gestures.machine import DragMachine, Host
+from app.gestures.magnets import Magnets
 from app.gestures.marquee import Marquee
 from app.gestures.measure import Measure
 from app.gestures.overlay import Note, Overlay
 from app.gestures.pointer import Hint, Hit, Part, Pointer
-from app.gestures.snapping import Magnet, SnapKind, Snapping, targets_of
+from app.gestures.snapping import Magnet, SnapKind, Snapping
 from app.gestures.transform import ModalTransform, Transform, TransformKind
 from app.gestures.transform_box import Grip, ScaleBox, TransformBox, box_of
-
-_LOCKED = "“{}” is locked; unlock it in the list of curves to change it."
 
 
 class ToolKind(Enum):
@@ -50,14 +57,12 @@ class CanvasTool:
         self._host = host
         self._machine = DragMachine(host)
         self._modal = ModalTransform(host, self._machine)
-        self._magnet: Magnet | None = None
+        self._magnets = Magnets(host, lambda: self.snapping, lambda: self.grid)
         self._marquee: Marquee | None = None
         self._measure: Measure | None = None
         self._measuring = False
         self._note_wanted = False
         self._last: Pointer | None = None
-        # The magnet of the last hover, and what it was made for.
-        self._hovered: tuple[tuple[Document, int, int, Snapping], Magnet] | None = None
         self.kind = ToolKind.SELECT
         self.snapping = Snapping()
         self.grid: Vector = (1.0, 1.0)
@@ -84,9 +89,12 @@ class CanvasTool:
         self._end()
         hit, grip = pointer.hit, self._grip_at(pointer)
         if self.kind is ToolKind.MEASURE:
-            self._measure, self._measuring = Measure(pointer, self._magnet_for((), -2), self.unit), True
+            self._measure, self._measuring = (
+                Measure(pointer, self._magnets.for_points((), -1), self.unit),
+                True,
+            )
         elif hit is not None and hit.part is Part.OTHER_CURVE:
-            self._machine.press(pointer, None, on_click=lambda: self._host.activate(hit.index))
+            self._machine.press(pointer, None, on_click=lambda: self._edit(hit.index))
         elif hit is not None and hit.part is not Part.CURVE:
             self._press_on_part(pointer, hit)
         elif self.kind is ToolKind.ADD:
@@ -143,7 +151,8 @@ class CanvasTool:
 
     def _end(self) -> None:
         self._modal.drop()
-        self._marquee, self._magnet = None, None
+        self._marquee = None
+        self._magnets.drop()
         self._measuring = self._note_wanted = False
 
     # What is shown meanwhile
@@ -156,7 +165,7 @@ class CanvasTool:
             return self._with_snap(self._measure.ruler.text, self._measure.magnet)
         if self._last is None:
             return ""
-        return self._with_snap(self._machine.progress_at(self._last), self._magnet)
+        return self._with_snap(self._machine.progress_at(self._last), self._magnets.now)
 
     @staticmethod
     def _with_snap(text: str, magnet: Magnet | None) -> str:
@@ -165,7 +174,7 @@ class CanvasTool:
 
     def overlay(self) -> Overlay:
         """Return what is shown over the drawing."""
-        measured, magnet = self._measure, self._magnet
+        measured, magnet = self._measure, self._magnets.now
         if measured is not None:
             magnet = measured.magnet if self._measuring else None
         return Overlay(
@@ -187,15 +196,6 @@ class CanvasTool:
         now = self._modal.now
         is_locked = now is not None and now.axis is not None and now.kind is not TransformKind.ROTATE
         return (now.centre, now.axis) if now is not None and now.axis is not None and is_locked else None
-
-    def _magnet_for(self, moving: Collection[int], place: int) -> Magnet:
-        host = self._host
-        self._magnet = Magnet(
-            lambda: self.snapping,
-            lambda: self.grid,
-            lambda: targets_of(host.views, host.active_index, moving, place, self.snapping.kinds),
-        )
-        return self._magnet
 
     def _box(self) -> TransformBox | None:
         if not self.shows_box or self.kind is not ToolKind.SELECT:
@@ -232,7 +232,7 @@ class CanvasTool:
         host = self._host
         nodes = host.active_view.source.nodes
         grip = min(host.selection, key=lambda index: math.dist(nodes[index].position, pointer.position))
-        magnet = self._magnet_for(host.selection, grip)
+        magnet = self._magnets.for_points(host.selection, grip)
         return Transform(
             kind, host.document, host.active_index, host.selection, centre, pointer.position, magnet, grip
         )
@@ -249,7 +249,8 @@ class CanvasTool:
             transform = self._transform(TransformKind.ROTATE, pointer, box.centre)
             self._machine.press(pointer, replace(transform, by_grip=True))
             return
-        drag = ScaleBox(host.document, host.active_index, host.selection, box, grip, pointer.position)
+        magnet = self._magnets.for_grip(grip)
+        drag = ScaleBox(host.document, host.active_index, host.selection, box, grip, pointer.position, magnet)
         self._machine.press(pointer, drag)
 
     def walk(self, step: int) -> bool:
@@ -269,14 +270,12 @@ class CanvasTool:
         if not host.selection:
             return
         by: Vector = (direction[0] * pixel * factor, direction[1] * pixel * factor)
-        drag: MovePoints | StepPoints = MovePoints(
+        drag: NudgePoints | StepPoints = NudgePoints(
             host.document, host.active_index, host.selection, (0.0, 0.0)
         )
         if self.snapping.on and SnapKind.GRID in self.snapping.kinds:
             drag = StepPoints(host.document, host.active_index, host.selection, direction, self.grid, factor)
-        moved = Pointer(by, (0.0, 0.0))
-        self._machine.press_at_once(moved, drag)
-        self._machine.release(moved)
+        self._machine.nudge(Pointer(by, (0.0, 0.0)), drag, ("points", host.active_index, host.selection))
 
     def hover(self, pointer: Pointer) -> Hint:
         """Return what a press here would do."""
@@ -287,51 +286,30 @@ class CanvasTool:
             return Hint(
                 "Drag to measure a distance and an angle · Ctrl: snap, or not · V goes back to Select"
             )
-        return self._hint_beside(pointer) if hit is None else self._hint_on(pointer, hit)
-
-    def _hint_on(self, pointer: Pointer, hit: Hit) -> Hint:
-        curve = self._host.active_view.source
-        if hit.part is Part.OTHER_CURVE:
+        if hit is not None and hit.part is Part.OTHER_CURVE:
             return Hint(f"Click to edit “{self._host.document.curves[hit.index].name}”", grab=True)
-        if curve.locked:
-            return Hint(_LOCKED.format(curve.name))
-        if hit.part is not Part.CURVE:
-            return hints.on_part(hit, self._host.active_view, self._host.selection, snaps=self.snapping.on)
-        if self.kind is ToolKind.ADD:
-            return hints.to_add(hit, self._host.active_view, snaps=self.snapping.on)
         grip = self._grip_at(pointer)
-        return (
-            hints.to_bend(hit, self._host.active_view)
-            if grip is None
-            else hints.on_grip(grip[1], self._host.selection)
+        return hints.hint_at(
+            hit,
+            self._host.active_view,
+            self._host.selection,
+            grip=grip[1] if grip is not None else None,
+            adding=self.kind is ToolKind.ADD,
+            snaps=self.snapping.on,
         )
-
-    def _hint_beside(self, pointer: Pointer) -> Hint:
-        if self.kind is ToolKind.ADD:
-            curve = self._host.active_view.source
-            return (
-                Hint(_LOCKED.format(curve.name))
-                if curve.locked
-                else hints.to_add(None, self._host.active_view, snaps=self.snapping.on)
-            )
-        grip = self._grip_at(pointer)
-        if grip is not None:
-            return hints.on_grip(grip[1], self._host.selection)
-        return Hint("Drag to select points, Shift adds · Press P to add points · Wheel zooms · Space pans")
 
     def _preview_snap(self, pointer: Pointer) -> None:
         """Show where a press would put something, while a tool would put something."""
         puts = self.kind is ToolKind.MEASURE or (self.kind is ToolKind.ADD and pointer.hit is None)
         if not puts or not self.snapping.is_active(pointer) or not math.isfinite(pointer.position[0]):
-            self._magnet = None
+            self._magnets.drop()
             return
-        host = self._host
-        place = len(host.active_view.source.nodes) if self.kind is ToolKind.ADD else -2
-        made_for = (host.document, host.active_index, place, self.snapping)
-        if self._hovered is None or self._hovered[0] != made_for:
-            self._hovered = (made_for, self._magnet_for((), place))
-        self._magnet = self._hovered[1]
-        self._magnet.pull(pointer.position, pointer)
+        place = len(self._host.active_view.source.nodes) if self.kind is ToolKind.ADD else -1
+        self._magnets.show_before_press(pointer, place)
+
+    def _edit(self, curve: int) -> None:
+        self._host.activate(curve)
+        self._host.say(f"Editing “{self._host.document.curves[curve].name}” now.")
 
     def _press_on_part(self, pointer: Pointer, hit: Hit) -> None:
         host = self._host
@@ -339,7 +317,8 @@ class CanvasTool:
             click = self._select_at_press(pointer, hit.index)
             self._machine.press(pointer, self._point_drag(pointer, hit), on_click=click)
             return
-        drag = DragHandle(host.document, host.active_index, host.active_view, hit, pointer.position)
+        magnet = self._magnets.for_handle(hit.index)
+        drag = DragHandle(host.document, host.active_index, host.active_view, hit, pointer.position, magnet)
         # A drag drags the handle; a click means what lies below it, for a click does nothing to a handle.
         self._machine.press(pointer, drag, self._click_on(pointer, hit.over) if hit.over >= 0 else None)
 
@@ -371,8 +350,9 @@ class CanvasTool:
     def _point_drag(self, pointer: Pointer, hit: Hit) -> MovePoints | PullVelocity:
         host = self._host
         if pointer.alt and host.active_view.source.family.derivatives:
-            return PullVelocity(host.document, host.active_index, host.active_view, hit.index)
-        magnet = self._magnet_for(host.selection, hit.index)
+            pulled = self._magnets.for_handle(hit.index)
+            return PullVelocity(host.document, host.active_index, host.active_view, hit.index, pulled)
+        magnet = self._magnets.for_points(host.selection, hit.index)
         return MovePoints(
             host.document, host.active_index, host.selection, pointer.position, magnet, hit.index
         )
@@ -380,20 +360,20 @@ class CanvasTool:
     def _press_to_add(self, pointer: Pointer, hit: Hit | None) -> None:
         host = self._host
         if host.active_view.source.locked:
-            host.say(_LOCKED.format(host.active_view.source.name))
+            host.say(hints.LOCKED.format(host.active_view.source.name))
             return
         if hit is not None:
             self._insert(pointer, hit)
             return
         index = len(host.active_view.source.nodes)
-        magnet = self._magnet_for((), index)
+        magnet = self._magnets.for_points((), index)
         append = AppendPoint(host.document, host.active_index, host.active_view, pointer, magnet)
         self._machine.press_at_once(pointer, append)
         host.select([index])
 
     def _insert(self, pointer: Pointer, hit: Hit) -> None:
         host = self._host
-        magnet = self._magnet_for((), hit.index)
+        magnet = self._magnets.for_points((), hit.index)
         insert = InsertPoint(host.document, host.active_index, host.active_view, hit, pointer, magnet)
         count = len(host.active_view.source.nodes)
         self._machine.press_at_once(pointer, insert, on_done=lambda: self._say_outcome(insert))

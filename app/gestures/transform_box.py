@@ -7,9 +7,10 @@ from collections.abc import Collection
 from dataclasses import dataclass
 
 from app.document.model import Document, Vector
-from app.document.transforms import scaling, transform_nodes
+from app.document.transforms import scaling, transform_nodes, with_coordinates
 from app.gestures import words
 from app.gestures.pointer import Cursor, Pointer
+from app.gestures.snapping import Magnet
 from app.view_model.curve_view import CurveView
 
 PADDING = 16.0
@@ -93,7 +94,11 @@ def box_of(view: CurveView, selection: Collection[int]) -> TransformBox | None:
 
 @dataclass(frozen=True)
 class ScaleBox:
-    """Scale the selected points by a grip of their box."""
+    """Scale the selected points by a grip of their box.
+
+    What snaps, where there is a `magnet`, is the corner or the side of the box that the grip moves: it lies
+    on the outermost points, the grip beside them.
+    """
 
     document: Document
     curve: int
@@ -101,8 +106,9 @@ class ScaleBox:
     box: TransformBox
     grip: Grip
     start: Vector
+    magnet: Magnet | None = None
 
-    keys = "Shift: keep proportions · Alt: about the centre"
+    keys = "Shift: keep proportions · Alt: about the centre · Ctrl: snap, or not"
 
     @property
     def name(self) -> str:
@@ -111,14 +117,34 @@ class ScaleBox:
 
     def note_at(self, pointer: Pointer) -> str:
         """Tell the factors."""
-        x, y = self._factors(pointer)
+        x, y = self._factors(self._way(pointer), pointer)
         return f"Scale {words.number(x)}" if x == y else f"Scale {words.number(x)} × {words.number(y)}"
 
     def document_at(self, pointer: Pointer) -> Document:
         """Scale about the opposite side, or about the centre with Alt."""
-        x, y = self._factors(pointer)
+        way = self._way(pointer)
+        x, y = self._factors(way, pointer)
         by = scaling(x, y, self._fixed(pointer))
-        return transform_nodes(self.document, self.curve, self.indices, by)
+        document = transform_nodes(self.document, self.curve, self.indices, by)
+        caught = self.magnet.caught if self.magnet is not None else None
+        for axis in caught.axes if caught is not None else ():
+            # To the last bit where it snapped to.
+            document = self._with_side(document, axis, caught.position[axis])  # type: ignore[union-attr]
+        return document
+
+    def _with_side(self, document: Document, axis: int, value: float) -> Document:
+        side, nodes = self._corner[axis], self.document.curves[self.curve].nodes
+        outermost = [index for index in self.indices if nodes[index].position[axis] == side]
+        return with_coordinates(document, self.curve, dict.fromkeys(outermost, value), axis)
+
+    @property
+    def _corner(self) -> Vector:
+        """The corner of the box that moves, or the middle of the side."""
+        middle = self.box.centre
+        return (
+            (self.box.low[0], middle[0], self.box.high[0])[self.grip.x + 1],
+            (self.box.low[1], middle[1], self.box.high[1])[self.grip.y + 1],
+        )
 
     def _fixed(self, pointer: Pointer) -> Vector:
         middle = self.box.centre
@@ -128,16 +154,30 @@ class ScaleBox:
         y = (self.box.high[1], middle[1], self.box.low[1])[self.grip.y + 1]
         return (x, y)
 
-    def _factors(self, pointer: Pointer) -> Vector:
-        fixed = self._fixed(pointer)
-        arm = (
-            ((self.box.low[0], fixed[0], self.box.high[0])[self.grip.x + 1]) - fixed[0],
-            ((self.box.low[1], fixed[1], self.box.high[1])[self.grip.y + 1]) - fixed[1],
-        )
+    def _arm(self, pointer: Pointer) -> Vector:
+        """Return the way from what stays to what moves."""
+        corner, fixed = self._corner, self._fixed(pointer)
+        return (corner[0] - fixed[0], corner[1] - fixed[1])
+
+    def _way(self, pointer: Pointer) -> Vector:
+        """Return how far the corner goes, after snapping."""
+        corner, arm = self._corner, self._arm(pointer)
         way = (pointer.position[0] - self.start[0], pointer.position[1] - self.start[1])
+        axis = None if self.grip.x and self.grip.y else 0 if self.grip.x else 1
         if pointer.shift:
-            # As far as the way goes along the diagonal.
-            factor = 1 + (way[0] * arm[0] + way[1] * arm[1]) / (arm[0] ** 2 + arm[1] ** 2)
+            # As far as the way goes along the diagonal; only its longer side can snap without leaving it.
+            along = (way[0] * arm[0] + way[1] * arm[1]) / (arm[0] ** 2 + arm[1] ** 2)
+            way, axis = (along * arm[0], along * arm[1]), 0 if abs(arm[0]) >= abs(arm[1]) else 1
+        if self.magnet is None:
+            return way
+        x, y = self.magnet.pull((corner[0] + way[0], corner[1] + way[1]), pointer, axis)
+        return way if self.magnet.caught is None else (x - corner[0], y - corner[1])
+
+    def _factors(self, way: Vector, pointer: Pointer) -> Vector:
+        arm = self._arm(pointer)
+        if pointer.shift:
+            axis = 0 if abs(arm[0]) >= abs(arm[1]) else 1
+            factor = 1 + way[axis] / arm[axis]
             return (factor, factor)
         return (
             1 + way[0] / arm[0] if arm[0] else 1.0,

@@ -93,7 +93,7 @@ class BasisPane(QWidget):
         for kind, button in enumerate(self._kinds):
             button.setVisible(kind < len(formulas) and len(formulas) > 1)
         basis = self._panel.basis
-        drawing = note_on_drawing(basis) if basis is not None else _NOTHING if view.problem else ""
+        drawing = note_on_drawing(basis) if basis is not None else _NOTHING if len(view.points) > 1 else ""
         # Laying the header out costs more than drawing the curve: only when it says something else.
         if (formulas, drawing) != (self._formulas, self._drawing.text()):
             self._formulas = formulas

@@ -70,6 +70,7 @@ class BasisPanel(PlotWidget):
         self._rail = RailLayer(self, LIGHT)
         self.getViewBox().sigResized.connect(self._show_values)
         self._ripple_down = False
+        self._pointer: Pointer | None = None
         self.tick_edit = TickEdit(self)
         self.tick_edit.typed.connect(self._set_tick)
 
@@ -253,14 +254,22 @@ class BasisPanel(PlotWidget):
             self.left()
 
     def hovered_at(self, pointer: Pointer) -> None:
+        self._pointer = pointer
         hint = self._tool.hover(replace(pointer, hit=self._hit(pointer)))
         shape = Qt.CursorShape.SizeHorCursor if hint.grab else Qt.CursorShape.ArrowCursor
         self.viewport().setCursor(shape)
         self.hint_changed.emit(hint.text)
         self.pointed_at.emit(pointer.position[0])
 
+    def hover_again(self) -> None:
+        """Tell anew what lies under a pointer that rests while the functions change."""
+        if self._pointer is not None and not self.is_dragging and self._pan_from is None:
+            pixel = self._pointer.pixel
+            self.hovered_at(Pointer(self.pixel_map.plane(*pixel), pixel, scale=self.pixel_map.sx))
+
     def left(self) -> None:
         if not self._tool.is_pressed:
+            self._pointer = None
             self._tool.hover(Pointer((np.inf, np.inf), (np.inf, np.inf)))
             self.hint_changed.emit("")
             self.pointed_at.emit(None)
@@ -339,11 +348,10 @@ class BasisPanel(PlotWidget):
             return
         self.tick_edit.close_and_return()
 
-    def contextMenuEvent(self, event: QContextMenuEvent) -> None:
-        if not self._tool.is_pressed:
-            self._select_for_menu(event)
-            self.menu_requested.emit(event.globalPos())
-        event.accept()
+    def menu_wanted(self, event: QContextMenuEvent) -> None:
+        """Ask for the menu of the t-rail."""
+        self._select_for_menu(event)
+        self.menu_requested.emit(event.globalPos())
 
     def _select_for_menu(self, event: QContextMenuEvent) -> None:
         """Let a right click on a tick that is not selected select it: the menu is about it."""

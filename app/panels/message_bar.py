@@ -66,9 +66,14 @@ class MessageBar(QFrame):
         """The sentence on screen, empty while the bar is hidden."""
         return "" if self.isHidden() else self._text.text()
 
-    def warn(self, text: str) -> None:
-        """Show what is wrong and what to do."""
-        self._show(text, warning=True)
+    @property
+    def covered(self) -> int:
+        """How many pixels of its parent's height it takes at the top."""
+        return 0 if self.isHidden() else self.geometry().bottom() + 1
+
+    def warn(self, text: str, action: QAction | None = None) -> None:
+        """Show what is wrong and what to do, with a button where one thing does it."""
+        self._show(text, warning=True, action=action)
 
     def tell(self, text: str) -> None:
         """Show a hint."""

@@ -41,7 +41,7 @@ from app.theme import LIGHT, Theme, mix
 _MARK = 6
 """Pixels along the sides of the mark that a number has a second one, after the corner."""
 
-PADDING = 3
+PADDING, LEFT_PADDING = 3, 2
 """Pixels left and right of a number."""
 
 COMPACT_DIGITS = (4, 3)
@@ -168,7 +168,7 @@ class PointTableDelegate(QStyledItemDelegate):
         self, column: int, width: int, metrics: QFontMetrics, before: Sequence[ColumnFormat]
     ) -> ColumnFormat:
         values = self._model.values[:, column]
-        signs, room = "−." if (values < 0).any() else ".", width - 2 * PADDING
+        signs, room = "−." if (values < 0).any() else ".", width - PADDING - LEFT_PADDING
         fitting = (each for each in _DIGITS if metrics.horizontalAdvance(signs + "0" * each) <= room)
         digits = next(fitting, _DIGITS[-1])
         if not self._streaming:

@@ -16,12 +16,15 @@ from PySide6.QtCore import (
 from PySide6.QtGui import QFont, QKeyEvent, QKeySequence, QResizeEvent
 from PySide6.QtWidgets import QAbstractButton, QAbstractItemView, QHeaderView, QTableView, QWidget
 
-from app.panels.point_table_delegate import COMPACT_DIGITS, PADDING, PointTableDelegate
+from app.panels.point_table_delegate import COMPACT_DIGITS, LEFT_PADDING, PADDING, PointTableDelegate
 from app.panels.point_table_model import PointTableModel
 
 _ENTER = (Qt.Key.Key_Return, Qt.Key.Key_Enter)
 _DELETE = (Qt.Key.Key_Delete, Qt.Key.Key_Backspace)
 _PLAIN = Qt.KeyboardModifier.ShiftModifier | Qt.KeyboardModifier.KeypadModifier
+
+_EDGE = 8
+"""Pixels to the right of the last column, if there is room."""
 
 
 class PointTableView(QTableView):
@@ -103,15 +106,17 @@ class PointTableView(QTableView):
         """Share the width among the columns; none gets less than a few digits need."""
         room = self.viewport().width()
         candidates = [self._needed(digits) for digits in COMPACT_DIGITS]
-        needed = next((each for each in candidates if sum(each) <= room), candidates[-1])
-        spare, rest = divmod(max(room - sum(needed), 0), max(len(needed), 1))
+        needed = next((each for each in candidates if sum(each) + _EDGE // 2 <= room), candidates[-1])
+        spare = max(room - sum(needed), 0)
+        # Numbers at the very edge of the window are hard to read.
+        spare, rest = divmod(spare - min(spare, _EDGE), max(len(needed), 1))
         for column, width in enumerate(needed):
             self.horizontalHeader().resizeSection(column, width + spare + (1 if column < rest else 0))
 
     def _needed(self, digits: int) -> list[int]:
         """Return how wide the columns are at least that hold so many digits, a point and a sign."""
         metrics = self.fontMetrics()
-        plain = metrics.horizontalAdvance("0" * digits + ".") + 2 * PADDING
+        plain = metrics.horizontalAdvance("0" * digits + ".") + PADDING + LEFT_PADDING
         minus = metrics.horizontalAdvance("−")
         return [plain + minus * bool((each < 0).any()) for each in self.numbers.values.T]
 

@@ -8,6 +8,7 @@ from PySide6.QtWidgets import (
     QCheckBox,
     QComboBox,
     QDialog,
+    QDialogButtonBox,
     QFormLayout,
     QLabel,
     QLineEdit,
@@ -76,9 +77,22 @@ class PreferencesDialog(QDialog):
         layout = QVBoxLayout(self)
         layout.setContentsMargins(0, 4, 0, 0)
         layout.addWidget(self.tabs)
+        layout.addWidget(self._buttons())
         self.resize(540, 560)
         self._connect()
         self.show_values()
+
+    def _buttons(self) -> QDialogButtonBox:
+        buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Close)
+        buttons.setContentsMargins(12, 4, 12, 12)
+        close = buttons.button(QDialogButtonBox.StandardButton.Close)
+        close.setObjectName("closePreferences")
+        close.setAccessibleName("Close the preferences")
+        close.setToolTip("Close; what you changed is in force already (Esc)")
+        # Enter confirms what is typed in a field; it must not press this.
+        close.setAutoDefault(False)
+        buttons.rejected.connect(self.reject)
+        return buttons
 
     def _general(self) -> QWidget:
         page = QWidget()

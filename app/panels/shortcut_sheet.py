@@ -85,17 +85,23 @@ _GESTURES = (
     _Gesture("Click", "add a point", adding=True),
     _Gesture("Press and drag", "add a point and set its velocity", adding=True, needs_derivatives=True),
     _Gesture("Click the curve", "insert a point between its neighbours", adding=True),
-    _Gesture("Drag a point", "move it; Shift keeps to one axis, Ctrl snaps or not, Escape cancels"),
+    _Gesture("Drag a point", "move it; Shift keeps to one axis"),
+    _Gesture("Hold Ctrl", "while something is placed, dragged or measured: snap, or not"),
+    _Gesture("Escape, right button", "during a drag: take it back"),
+    _Gesture("Click a point", "select it alone", adding=False),
     _Gesture("Shift+click a point", "select it too, or no longer", adding=False),
     _Gesture("Drag beside the curve", "select with a rubber band; Shift adds", adding=False),
     _Gesture("Drag the curve", "bend it; Ctrl changes points only, Alt derivatives only", adding=False),
+    _Gesture("Click the curve", "tell t and c(t) there", adding=False),
     _Gesture(
         "Drag a grip of the box",
-        "scale or rotate; Shift keeps proportions, Alt the centre",
+        "scale (Shift keeps proportions, Alt the centre) or rotate (Shift: 15° steps)",
         adding=False,
         selected=True,
     ),
-    _Gesture("Moving, scaling, rotating", "X or Y locks an axis, digits type the amount", selected=True),
+    _Gesture(
+        "Moving, scaling, rotating", "X or Y locks an axis, digits type the amount, Enter ends", selected=True
+    ),
     _Gesture("Alt+drag a point", "pull out its velocity", needs_derivatives=True),
     _Gesture(
         "Drag a handle",
@@ -103,7 +109,9 @@ _GESTURES = (
         selected=True,
         needs_derivatives=True,
     ),
-    _Gesture("Arrow keys", "nudge the selected points", adding=False, selected=True),
+    _Gesture(
+        "Arrow keys", "nudge the points, or ticks in the t-rail; Shift: ten, Ctrl: a tenth", selected=True
+    ),
     _Gesture("Tab, Shift+Tab", "select the next or previous point", adding=False),
     _Gesture("Escape", "back to selecting", adding=True),
     _Gesture("Escape", "select nothing", adding=False, selected=True),
@@ -111,9 +119,13 @@ _GESTURES = (
     _Gesture("Hold E, dragging a tick", "all ticks on the side you move to go along"),
     _Gesture("Shift+click ticks", "select several; dragging one moves all"),
     _Gesture("Double-click a tick", "type its t; right-click for more"),
-    _Gesture("Drag in the basis panel", "scrub: every point shows its weight at t"),
+    _Gesture("Drag in the basis panel", "scrub: every point shows its weight at t; Escape puts it away"),
+    _Gesture("Click a basis function", "select its point"),
+    _Gesture("Drag, measuring", "distance and angle; Escape puts it away"),
+    _Gesture("Drag, moving the image", "move it, or scale it by a corner; arrow keys nudge it"),
     _Gesture("Click another curve", "edit it", adding=False),
     _Gesture("Right button, Menu key", "what can be done there"),
+    _Gesture("Drop a file", "open a document, or trace a picture"),
     _Gesture("Wheel", "zoom at the pointer"),
     _Gesture("Middle button, Space+drag", "pan"),
 )

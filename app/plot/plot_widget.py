@@ -13,6 +13,7 @@ import pyqtgraph as pg
 from PySide6.QtCore import QEvent, QPoint, QPointF, QRectF, Qt, Signal
 from PySide6.QtGui import (
     QColor,
+    QContextMenuEvent,
     QEnterEvent,
     QFocusEvent,
     QFont,
@@ -91,6 +92,7 @@ class PlotWidget(pg.PlotWidget):  # type: ignore[misc]  # pyqtgraph has no types
         self._map: PixelMap | None = None
         self._pan_from: QPointF | None = None
         self._space_down = False
+        self._menu_refused = False
         self._set_up_plot()
         self.setMouseTracking(True)
         self.viewport().setMouseTracking(True)
@@ -207,7 +209,7 @@ class PlotWidget(pg.PlotWidget):  # type: ignore[misc]  # pyqtgraph has no types
         by_x, by_y = -dx / shown.sx, dy / shown.sy
         self.show_box((x_min + by_x, x_max + by_x), (y_min + by_y, y_max + by_y))
 
-    # Events. A subclass fills in the five methods below.
+    # Events. A subclass fills in the methods below.
 
     def pressed(self, pointer: Pointer) -> None:
         """Handle a press of the left button."""
@@ -224,6 +226,18 @@ class PlotWidget(pg.PlotWidget):  # type: ignore[misc]  # pyqtgraph has no types
     def left(self) -> None:
         """Handle the pointer leaving the widget."""
 
+    @property
+    def is_dragging(self) -> bool:
+        """Whether a gesture is in flight."""
+        return False
+
+    def cancel_gesture(self) -> bool:
+        """Drop the gesture in flight; return whether there was one."""
+        return False
+
+    def menu_wanted(self, event: QContextMenuEvent) -> None:
+        """Handle the wish for a menu, while no gesture is in flight."""
+
     def pointer_at(self, event: QMouseEvent | QPointF) -> Pointer:
         """Return the record of a mouse event (or of a bare viewport position)."""
         position = event if isinstance(event, QPointF) else event.position()
@@ -239,6 +253,13 @@ class PlotWidget(pg.PlotWidget):  # type: ignore[misc]  # pyqtgraph has no types
         )
 
     def mousePressEvent(self, event: QMouseEvent) -> None:
+        if event.button() == Qt.MouseButton.RightButton:
+            # It takes a gesture back, a drag as well as a transform; it must not open a menu as well.
+            panning = self._pan_from is not None
+            self._menu_refused = panning or (self.is_dragging and self.cancel_gesture())
+            if self._menu_refused:
+                event.accept()
+                return
         self.setFocus(Qt.FocusReason.MouseFocusReason)
         pans = event.button() == Qt.MouseButton.MiddleButton or (
             event.button() == Qt.MouseButton.LeftButton and self._space_down
@@ -249,6 +270,12 @@ class PlotWidget(pg.PlotWidget):  # type: ignore[misc]  # pyqtgraph has no types
         elif event.button() == Qt.MouseButton.LeftButton:
             self.pressed(self.pointer_at(event))
         event.accept()
+
+    def contextMenuEvent(self, event: QContextMenuEvent) -> None:
+        event.accept()
+        refused, self._menu_refused = self._menu_refused, False
+        if not refused and not self.is_dragging:
+            self.menu_wanted(event)
 
     def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:
         # The second press of a double click is a press like any other: quick clicks must all count.

@@ -86,6 +86,15 @@ def drag_tick(editor: Editor) -> Times:
     return drag(panel.viewport(), place, counted(editor), ["canvas", "basis"], horizontal=True, reach=10)
 
 
+def bend(editor: Editor) -> Times:
+    """Grab the curve between two points near the middle and drag it."""
+    editor.select([])
+    canvas, view = editor.window.canvas, editor.session.active_view
+    middle = len(view.parameters) // 2
+    place = QPointF(canvas.to_pixel(*view.curve.evaluate(view.parameters[middle : middle + 2].mean())))
+    return drag(canvas.viewport(), place, counted(editor), ["canvas"])
+
+
 NAMES = {Family.LAGRANGE: "Lagrange", Family.HERMITE: "Hermite", Family.QUINTIC_HERMITE: "quintic"}
 
 
@@ -119,6 +128,14 @@ def test_a_point_dragged_under_chord_length(open_wave, family):
 def test_a_parameter_dragged(open_wave, family):
     editor = open_wave(20, family, frozen(family))
     assert noted(f"{NAMES[family]} n = 20, a parameter", calmest(lambda: drag_tick(editor)), 4, 6)
+
+
+@pytest.mark.parametrize("kind", [ParametrizationKind.CHORD_LENGTH, ParametrizationKind.CENTRIPETAL])
+@pytest.mark.parametrize("family", list(Family))
+def test_the_curve_bent_while_a_rule_answers(open_wave, family, kind):
+    editor = open_wave(20, family, kind)
+    times = calmest(lambda: bend(editor))
+    assert noted(f"{NAMES[family]} n = 20, bent, {kind.value.replace('_', ' ')}", times, 4)
 
 
 @pytest.mark.parametrize("family", [Family.LAGRANGE, Family.HERMITE])

@@ -332,7 +332,7 @@ def test_tab_walks_the_points_and_arrows_nudge(arch):
     arch.key(Qt.Key.Key_Right)
     arch.key(Qt.Key.Key_Up, SHIFT)
     assert arch.point(0) == pytest.approx((x + arch.pixel, y + 10 * arch.pixel), rel=1e-9)
-    assert arch.session.undo_stack.undoText() == "Move point 0"
+    assert arch.session.undo_stack.undoText() == "Nudge point 0"
 
 
 def test_an_enormous_curve_neither_crashes_nor_draws_nonsense(editor):

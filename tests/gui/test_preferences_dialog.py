@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QLabel
+from PySide6.QtWidgets import QLabel, QPushButton
 
 from app.canvas.grid_layer import grid_steps, tick_labels
 from app.gestures.snapping import SnapKind
@@ -43,6 +43,20 @@ def test_the_theme_changes_at_once(editor, dialog):
     assert editor.action("themeDark").isChecked()
     QTest.keyClick(dialog.theme_box, Qt.Key.Key_Home)
     assert editor.window.preferences.theme_mode is ThemeMode.SYSTEM
+
+
+def test_the_button_and_escape_close_it_and_enter_does_not(editor, dialog):
+    button = dialog.findChild(QPushButton, "closePreferences")
+    QTest.mouseClick(button, Qt.MouseButton.LeftButton)
+    assert not dialog.isVisible()
+    for field in (dialog.theme_box, dialog.grid_edit, dialog.unit_box, button):
+        editor.trigger("preferences")
+        assert dialog.isVisible()
+        field.setFocus()
+        QTest.keyClick(field, Qt.Key.Key_Return)
+        assert dialog.isVisible()
+        QTest.keyClick(field, Qt.Key.Key_Escape)
+        assert not dialog.isVisible()
 
 
 def test_the_unit_is_shown_at_the_axes_and_in_the_status_line(editor, dialog):

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from PySide6.QtCore import QEvent, QPointF, Qt
+from PySide6.QtCore import QEvent, QPoint, QPointF, Qt
 from PySide6.QtGui import QContextMenuEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QMenu, QSlider
@@ -301,3 +301,37 @@ def test_the_alpha_slider_has_a_ghost_too(editor):
     assert canvas.ghost_opacity == 1
     slider.setSliderDown(False)
     assert canvas.ghost_opacity > 0
+
+
+# The right button takes a drag back
+
+
+@pytest.mark.parametrize("what", ["tick", "scrub line", "pan"])
+def test_a_right_press_takes_a_drag_back_and_opens_no_menu(editor, panel, what):
+    document, scrub = editor.session.document, editor.session.scrub
+    t = editor.parameters[3]
+    rail = what == "tick"
+    start = panel.rail_pixel(t) if rail else QPointF(panel.to_pixel(t + 0.02, 1.1))
+    button = Qt.MouseButton.MiddleButton if what == "pan" else Qt.MouseButton.LeftButton
+    away = start + QPointF(12, 0)
+    editor.send(panel, QEvent.Type.MouseMove, start, held=False)
+    editor.send(panel, QEvent.Type.MouseButtonPress, start, button=button)
+    editor.send(panel, QEvent.Type.MouseMove, away, button=button)
+    assert (editor.session.document != document) is rail
+    assert (editor.session.scrub != scrub) is (what == "scrub line")
+    right = Qt.MouseButton.RightButton
+    editor.send(panel, QEvent.Type.MouseButtonPress, away, button=right)
+    menu = QContextMenuEvent(QContextMenuEvent.Reason.Mouse, away.toPoint(), QPoint())
+    QApplication.sendEvent(panel.viewport(), menu)
+    editor.send(panel, QEvent.Type.MouseButtonRelease, away, button=right)
+    assert QApplication.activePopupWidget() is None
+    editor.send(panel, QEvent.Type.MouseMove, away + QPointF(9, 0), button=button)
+    editor.send(panel, QEvent.Type.MouseButtonRelease, away, held=False, button=button)
+    assert editor.session.document is document
+    assert editor.session.scrub == scrub
+    assert editor.session.undo_stack.count() == 0
+    # The next right press is one like any other.
+    editor.send(panel, QEvent.Type.MouseButtonPress, away, button=right)
+    QApplication.sendEvent(panel.viewport(), menu)
+    assert isinstance(QApplication.activePopupWidget(), QMenu)
+    QApplication.activePopupWidget().close()

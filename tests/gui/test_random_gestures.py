@@ -52,6 +52,8 @@ class Gestures(RuleBasedStateMachine):
         self.session._replace(Document(curves), None)
         self.tool, self.rail = CanvasTool(self.session), RailTool(self.session)
         self.tool.grid = (0.5, 0.5)
+        self.now = 0.0
+        self.session.clock = lambda: self.now
         # As the window connects them.
         self.session.interrupted.connect(self.tool.forget)
         self.session.interrupted.connect(self.rail.forget)
@@ -81,6 +83,7 @@ class Gestures(RuleBasedStateMachine):
             return
         assert stack.index() == self.at + 1
         assert stack.undoText()
+        self.last_step = stack.undoText()
         self.values[self.at + 1 :] = [self.session.document]
         self.at += 1
 
@@ -198,9 +201,21 @@ class Gestures(RuleBasedStateMachine):
         self.rail.move(pointer)
         self.end(self.rail, ending, pointer)
 
-    @rule(direction=st.sampled_from([(1, 0), (0, -1)]), factor=st.sampled_from([0.1, 1.0, 10.0]))
-    def nudge(self, direction, factor):
+    @rule(
+        direction=st.sampled_from([(1, 0), (-1, 0), (0, -1)]),
+        factor=st.sampled_from([0.1, 1.0, 10.0]),
+        pause=st.sampled_from([0.0, 2.0]),
+    )
+    def nudge(self, direction, factor, pause):
+        self.now += pause
         self.tool.nudge(direction, 0.01, factor)
+        # A quick one belongs to the step before, or takes it back.
+        if pause == 0.0 and self.session.document != self.values[self.at]:
+            index = self.session.undo_stack.index()
+            if index <= self.at:
+                assert "Nudge" in self.last_step
+                self.values[self.at :] = [self.session.document] * (index == self.at)
+                self.at = index
         self.note()
 
     # Edits from panels and menus

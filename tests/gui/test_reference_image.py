@@ -7,14 +7,16 @@ import zlib
 
 import pytest
 from PySide6.QtCore import QMimeData, QPoint, QPointF, Qt, QUrl
-from PySide6.QtGui import QColor, QDragEnterEvent, QDropEvent, QImage
+from PySide6.QtGui import QColor, QDragEnterEvent, QDropEvent, QImage, QPainter
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QLabel, QToolButton
 
 from app.canvas import image_file
 from app.canvas.image_file import ImageFileError, read_image
+from app.canvas.page_image import inverted_lightness
 from app.document.storage import load
 from app.testing import Editor
+from app.theme import theme_of
 
 
 def picture(path, width=60, height=80, colour="#ff0000"):
@@ -81,6 +83,63 @@ def test_it_is_drawn_under_the_grid_as_strong_as_its_opacity(traced):
     retype_opacity(traced, 100)
     strong = colour_at(traced, place)
     assert strong.green() < 10
+
+
+def page(path):
+    """A black and a red stroke on white paper."""
+    image = QImage(80, 80, QImage.Format.Format_RGB32)
+    image.fill(QColor("white"))
+    painter = QPainter(image)
+    painter.fillRect(20, 0, 10, 80, QColor("black"))
+    painter.fillRect(60, 0, 10, 80, QColor("red"))
+    painter.end()
+    assert image.save(str(path))
+    return path
+
+
+def test_a_page_lies_dark_on_dark_paper_and_its_colours_stay(editor, tmp_path):
+    editor.new()
+    editor.window.add_image(page(tmp_path / "page.png"))
+    editor.trigger("toggleGrid")
+    image = image_of(editor)
+
+    def colours():
+        at = [(image.x + share * image.width, image.y + 0.05 * image.height) for share in (0.1, 0.31, 0.81)]
+        return [colour_at(editor, place) for place in at]
+
+    paper, black, red = colours()
+    assert paper.lightness() > 240
+    assert black.lightness() < 140
+    editor.trigger("themeDark")
+    paper, black, red = colours()
+    background = theme_of(editor.window.palette()).paper
+    # Black ink on a sheet that cannot be told from the canvas; it was 138 on 138 grey.
+    assert abs(paper.lightness() - background.lightness()) < 15
+    assert black.lightness() > 120
+    assert red.hue() % 360 in (*range(5), *range(355, 360))
+    editor.trigger("themeLight")
+    assert colours()[0].lightness() > 240
+
+
+def test_a_photograph_is_no_page(editor, tmp_path):
+    editor.window.add_image(picture(tmp_path / "grey.png", colour="#808080"))
+    editor.trigger("themeDark")
+    place = (image_of(editor).x + 0.07, image_of(editor).y + 0.07)
+    background = theme_of(editor.window.palette()).paper
+    assert colour_at(editor, place).lightness() == pytest.approx((128 + background.lightness()) / 2, abs=3)
+
+
+def test_lightness_is_turned_and_hue_and_saturation_stay():
+    image = QImage(4, 1, QImage.Format.Format_ARGB32)
+    for x, colour in enumerate(("#ffffff", "#000000", "#80ff2010", "#3060c0")):
+        image.setPixelColor(x, 0, QColor(colour))
+    turned = inverted_lightness(image)
+    for x in range(4):
+        before, after = image.pixelColor(x, 0), turned.pixelColor(x, 0)
+        assert after.lightnessF() == pytest.approx(1 - before.lightnessF(), abs=0.005)
+        assert after.hslHue() == pytest.approx(before.hslHue(), abs=1)
+        assert after.hslSaturationF() == pytest.approx(before.hslSaturationF(), abs=0.01)
+        assert after.alpha() == before.alpha()
 
 
 def retype_opacity(editor, percent):

@@ -157,6 +157,147 @@ def test_a_move_by_keys_snaps(pair):
     assert pair.point(1) == (2.0, 3.0)
 
 
+# The grips of the box, and handles
+
+
+def drag_grip(pair, x, y, corner, to, *, keys=Qt.KeyboardModifier.NoModifier):
+    """Press a grip and move the corner of the box, which lies beside it, near `to`."""
+    grip = pair.grip(x, y)
+    pair.press(grip)
+    by = np.subtract(near(pair, to), corner)
+    pair.move(tuple(np.add(grip, by)), keys=keys)
+    return tuple(np.add(grip, by))
+
+
+def test_the_corner_of_the_box_lands_exactly_on_the_grid(pair):
+    pair.select([0, 1, 2])
+    at = drag_grip(pair, 1, 1, (3.07, 2.11), (4.5, 3.5))
+    assert pair.point(2) == (4.5, 3.5)
+    assert pair.point(0) == (0, 0)
+    assert pair.point(1) == pytest.approx((1.03 * 4.5 / 3.07, 2.04 * 3.5 / 2.11))
+    assert pair.window.canvas.overlay.snap.position == (4.5, 3.5)
+    assert pair.status.endswith("snapped to: grid")
+    pair.release(at)
+    assert pair.point(2) == (4.5, 3.5)
+    assert pair.session.undo_stack.undoText() == "Scale 3 points"
+    assert pair.window.canvas.overlay.snap is None
+
+
+def test_the_corner_of_the_box_lands_exactly_on_a_point_of_another_curve(pair):
+    pair.select([0, 1])
+    pair.release(drag_grip(pair, 1, -1, (1.03, 0.0), OTHER[1]))
+    assert (pair.point(1)[0], pair.point(0)[1]) == OTHER[1]
+
+
+def test_the_corner_of_the_box_meets_another_curve(pair):
+    place = pair.session.views[1].curve.evaluate(0.3)
+    pair.select([0, 1])
+    pair.window.preferences.snap_kinds = {SnapKind.CURVES}
+    pair.window.apply_preferences()
+    at = drag_grip(pair, 1, -1, (1.03, 0.0), place)
+    assert pair.window.canvas.overlay.snap.label == "Base"
+    assert pair.window.canvas.overlay.snap.position == (pair.point(1)[0], pair.point(0)[1])
+    pair.release(at)
+
+
+@pytest.mark.parametrize(("to", "label"), [(3.5, "grid"), (4.0, "straight above point 3")])
+def test_a_side_of_the_box_snaps_along_its_way(pair, to, label):
+    pair.select([0, 1, 2])
+    at = drag_grip(pair, 1, 0, (3.07, 1.055), (to, 1.055))
+    assert pair.window.canvas.overlay.snap.label == label
+    pair.release(at)
+    assert pair.point(2) == (to, 2.11)
+
+
+def test_a_box_in_proportion_snaps_with_its_longer_side(pair):
+    pair.select([0, 2])
+    pair.release(drag_grip(pair, 1, 1, (3.07, 2.11), (4.5, 4.5 / 3.07 * 2.11), keys=SHIFT), keys=SHIFT)
+    assert pair.point(2)[0] == 4.5
+    assert pair.point(2)[1] / 4.5 == pytest.approx(2.11 / 3.07)
+
+
+def test_a_scaled_box_is_free_with_ctrl_and_escape_takes_it_back(pair):
+    pair.select([0, 1, 2])
+    document = pair.session.document
+    at = drag_grip(pair, 1, 1, (3.07, 2.11), (4.5, 3.5), keys=CTRL)
+    assert pair.point(2) != (4.5, 3.5)
+    assert pair.window.canvas.overlay.snap is None
+    pair.move(at)
+    assert pair.point(2) == (4.5, 3.5)
+    pair.escape()
+    pair.release(at)
+    assert pair.session.document is document
+    assert pair.window.canvas.overlay.snap is None
+
+
+@pytest.fixture
+def quintic(pair):
+    pair.choose_family(Family.QUINTIC_HERMITE)
+    pair.select([1])
+    return pair
+
+
+def handle_end(editor, kind):
+    return editor.handle(kind).position
+
+
+@pytest.mark.parametrize("kind", [1, 2])
+@pytest.mark.parametrize(
+    ("target", "label"),
+    [((2.5, 3.5), "grid"), (OTHER[1], "point 1 of Base"), ((2.3, 2.04), "level with point 1")],
+)
+def test_the_end_of_a_handle_snaps(quintic, kind, target, label):
+    start = handle_end(quintic, kind)
+    quintic.press(start)
+    quintic.move(near(quintic, target, dx=0))
+    assert quintic.window.canvas.overlay.snap.label == label
+    assert f"snapped to: {label}" in quintic.status
+    quintic.release(near(quintic, target, dx=0))
+    along = 1 if label.startswith("level") else slice(None)
+    assert np.array(handle_end(quintic, kind))[along] == pytest.approx(np.array(target)[along], abs=1e-12)
+    assert quintic.window.canvas.overlay.snap is None
+
+
+def test_the_end_of_a_handle_meets_another_curve(quintic):
+    place = tuple(quintic.session.views[1].curve.evaluate(0.3))
+    quintic.press(handle_end(quintic, 1))
+    quintic.move(near(quintic, place))
+    snap = quintic.window.canvas.overlay.snap
+    assert snap.label == "Base"
+    assert handle_end(quintic, 1) == pytest.approx(snap.position, abs=1e-12)
+    quintic.release(place)
+
+
+@pytest.mark.parametrize("keys", [CTRL, SHIFT, Qt.KeyboardModifier.AltModifier])
+def test_a_handle_is_free_with_ctrl_and_at_a_held_angle_or_direction(quintic, keys):
+    document = quintic.session.document
+    quintic.press(handle_end(quintic, 1))
+    quintic.move(near(quintic, (2.5, 3.5)), keys=keys)
+    assert math.dist(handle_end(quintic, 1), (2.5, 3.5)) > quintic.pixel
+    assert quintic.window.canvas.overlay.snap is None
+    quintic.move(near(quintic, (2.5, 3.5)))
+    assert quintic.window.canvas.overlay.snap is not None
+    quintic.escape()
+    quintic.release((0, 0))
+    assert quintic.session.document is document
+    assert quintic.window.canvas.overlay.snap is None
+
+
+def test_a_velocity_pulled_out_of_a_point_snaps(quintic):
+    quintic.press(quintic.point(1), keys=Qt.KeyboardModifier.AltModifier)
+    quintic.move(near(quintic, (2.5, 3.5)), keys=Qt.KeyboardModifier.AltModifier)
+    assert handle_end(quintic, 1) == pytest.approx((2.5, 3.5), abs=1e-12)
+    quintic.release((2.5, 3.5), keys=Qt.KeyboardModifier.AltModifier)
+
+
+def test_a_closed_curve_is_measured_from_all_its_points(pair):
+    pair.choose_family(Family.HERMITE)
+    pair.trigger("closeCurve")
+    pair.trigger("measureTool")
+    pair.hover(near(pair, pair.point(3)))
+    assert pair.window.canvas.overlay.snap.label == "point 3"
+
+
 def test_the_grid_that_is_snapped_to_is_the_one_on_screen(editor):
     canvas = editor.window.canvas
     canvas.show_box((0, 10), (0, 8))

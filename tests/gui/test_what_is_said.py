@@ -8,6 +8,7 @@ from PySide6.QtGui import QEnterEvent, QGuiApplication, QImage, QStatusTipEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QLabel, QToolButton
 
+from app.document import edits
 from app.document.model import Document, Family, make_curve
 
 LEFT = Qt.MouseButton.LeftButton
@@ -184,8 +185,11 @@ def test_t_goes_when_a_drag_ends_outside(pair):
 
 def test_t_goes_with_the_document(pair):
     pair.drag_parameter(1, to=0.4)
-    pair.trigger("undo")
-    assert shown_t(pair) == ""
+    session = pair.session
+    session.commit(edits.set_interval(session.document, session.active_index, 0.0, 20.0), "Stretch")
+    pair.settle()
+    # The pointer rests, and t is another one below it.
+    assert float(shown_t(pair).removeprefix("t ")) == pytest.approx(8, abs=0.1)
 
 
 def test_pasting_says_so(pair):
@@ -279,3 +283,50 @@ def test_redoing_an_image_leaves_the_tab_in_front(pair, tmp_path):
     pair.trigger("redo")
     in_front = [dock.objectName() for dock in pair.window.docks if not dock.visibleRegion().isEmpty()]
     assert in_front == ["pointsDock", "curveDock"]
+
+
+# What a press would do, under a pointer that rests
+
+
+def test_a_click_edits_another_curve_and_says_so(pair):
+    place = tuple(pair.session.views[0].curve.evaluate(0.5))
+    pair.hover(place)
+    assert pair.status == "Click to edit “A”"
+    pair.click(place)
+    assert pair.session.active_index == 0
+    assert pair.status == "Editing “A” now."
+    assert pair.window.status_line.hint.startswith("Drag to bend the curve")
+
+
+def test_the_hint_follows_a_step_without_a_move(pair):
+    home = pair.point(1)
+    pair.drag_point(1, to=(home[0] + 0.4, home[1] + 0.4))
+    assert pair.window.status_line.hint.startswith("Drag to move point 1")
+    pair.trigger("undo")
+    assert not pair.window.status_line.hint.startswith("Drag to move point 1")
+    assert pair.window.status_line.hint
+    pair.hover(home)
+    assert pair.window.status_line.hint.startswith("Drag to move point 1")
+    pair.trigger("redo")
+    assert not pair.window.status_line.hint.startswith("Drag to move point 1")
+
+
+def test_the_hint_follows_the_curve_that_is_edited(pair):
+    place = tuple(pair.session.views[0].curve.evaluate(0.5))
+    pair.hover(place)
+    pair.session.activate(0)
+    pair.settle()
+    assert pair.window.status_line.hint.startswith("Drag to bend the curve")
+
+
+def test_the_hint_of_the_rail_follows_a_step(pair):
+    panel = pair.window.basis_panel
+    t = pair.parameters[1]
+    pair.drag_parameter(1, to=t + 0.1)
+    assert "t of point 1" in pair.window.status_line.hint
+    pair.trigger("undo")
+    assert "t of point 1" not in pair.window.status_line.hint
+    pair.send(panel, QEvent.Type.MouseMove, panel.rail_pixel(t), held=False)
+    assert "t of point 1" in pair.window.status_line.hint
+    pair.trigger("redo")
+    assert "t of point 1" not in pair.window.status_line.hint

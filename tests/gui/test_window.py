@@ -14,6 +14,7 @@ from PySide6.QtWidgets import (
     QMessageBox,
     QScrollArea,
     QSlider,
+    QToolButton,
     QWidget,
 )
 
@@ -450,7 +451,6 @@ def test_pasted_points_come_into_view(editor):
     editor.paste_text("100 100\n200 50")
     table.setFocus()
     table.setCurrentIndex(table.model().index(6, 1))
-    box = editor.window.canvas.pixel_map.box
     QTest.keyClick(table, Qt.Key.Key_V, Qt.KeyboardModifier.ControlModifier)
     assert editor.point(7) == (200, 50)
     left, bottom, right, top = editor.window.canvas.pixel_map.box
@@ -460,6 +460,7 @@ def test_pasted_points_come_into_view(editor):
     assert top > 100
     editor.trigger("undo")
     editor.fit()
+    box = editor.window.canvas.pixel_map.box
     editor.paste_text("1.3 0.2")
     table.setCurrentIndex(table.model().index(6, 1))
     QTest.keyClick(table, Qt.Key.Key_V, Qt.KeyboardModifier.ControlModifier)
@@ -516,3 +517,40 @@ def test_a_start_in_dark_is_dark_everywhere(qtbot, tmp_path):
     note = editor.window.findChild(QWidget, "basisExtent")
     assert DARK.warning.name() in note.styleSheet()
     editor.window.set_theme_mode(ThemeMode.SYSTEM)
+
+
+def pixel_in(window, widget, x, y):
+    return widget.mapTo(window, widget.to_pixel(x, y))
+
+
+@pytest.mark.parametrize("size", [(1024, 700), (1280, 860), (1400, 900)])
+def test_the_greeting_covers_nothing_of_the_first_sketch(qtbot, size):
+    editor = Editor(qtbot, size=size)
+    bar, canvas = editor.window.message_bar, editor.window.canvas
+    assert bar.text.startswith("Drag a point")
+    line = editor.session.active_view.polyline
+    tops = [canvas.to_pixel(x, y).y() for x, y in line]
+    assert min(tops) > bar.geometry().bottom() + 5
+    assert max(tops) < canvas.to_pixel(0, canvas.pixel_map.box[1]).y()
+
+
+def test_without_a_message_the_view_is_fitted_to_the_whole_canvas(qtbot):
+    editor = Editor(qtbot)
+    QTest.mouseClick(editor.window.findChild(QToolButton, "closeMessage"), Qt.MouseButton.LeftButton)
+    editor.fit()
+    _, y_min, _, y_max = editor.window.canvas.pixel_map.box
+    line = editor.session.active_view.polyline
+    assert (y_min + y_max) / 2 == pytest.approx((line[:, 1].min() + line[:, 1].max()) / 2, abs=0.02)
+
+
+@pytest.mark.parametrize(("width", "words"), [(1280, "Quintic Hermite"), (1024, "Quintic")])
+def test_the_toolbar_keeps_its_words_while_there_is_room(qtbot, width, words):
+    editor = Editor(qtbot, size=(width, 800))
+    assert editor.action("familyQuinticHermite").iconText() == words
+    toolbar = editor.window.toolbar
+    assert toolbar.sizeHint().width() <= toolbar.width() == width
+
+
+def test_the_numbers_of_the_table_stay_off_its_edge(editor):
+    table = editor.window.point_table
+    assert table.horizontalHeader().length() == table.viewport().width() - 8

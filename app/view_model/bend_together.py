@@ -1,0 +1,135 @@
+"""Which part of a pull bends the curve, and which takes it along as a whole.
+
+Where a rule gives the parameters, c(t*) answers to a bend u = (ux, uy) with some F(u), not with u, and far
+away there may be no u at all with the answer that is wanted. Every rule lets a shift m of all points pass
+unchanged, though, so u and m = Δ − F(u) together always meet a pull Δ, whatever u. Of these the one of least
+norm is wanted,
+
+    a |u|² + 2 b u·m + n |m|²,      a = Σ w_i²,   b = the sum of w_i over the points,   n points,
+
+where the bend changes datum i by w_i u. That is a problem of least squares in two unknowns, solved by the
+damped Gauss-Newton method (Nocedal & Wright, Numerical Optimization, 2006, pp. 258–262) with a Jacobian that
+begins as differences and is kept up to date by Broyden's rule. It begins from u = 0 every time, so the
+result depends on the pull alone and not on the way there; and it may stop early, for every u is exact.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+import numpy.typing as npt
+
+Floats = npt.NDArray[np.float64]
+
+_STEPS = 3
+_FIRST_STAGE = 0.5
+_SMALL_STEP = 1e-2
+_DIFFERENCE = 1e-4
+_LEAST_DAMPING, _FIRST_DAMPING = 1e-9, 1e-3
+
+
+@dataclass(frozen=True)
+class Shares:
+    """A pull divided: what bends the curve, and what shifts all of its points."""
+
+    bend: Floats
+    shift: Floats
+
+
+@dataclass(frozen=True)
+class Cost:
+    """The squared norm of a bend u and a shift m together: a |u|² + 2 b u·m + n |m|²."""
+
+    a: float
+    b: float
+    n: float
+
+    def of(self, u: Floats, m: Floats) -> float:
+        """Return the cost."""
+        return float(self.a * (u @ u) + 2 * self.b * (u @ m) + self.n * (m @ m))
+
+    def step(self, u: Floats, m: Floats, slope: Floats, damping: float) -> Floats:
+        """Return the damped Gauss-Newton step from u, where a bend by du shifts by −slope du less."""
+        cross = self.b * slope
+        normal = self.a * np.eye(2) - cross - cross.T + self.n * (slope.T @ slope)
+        normal[[0, 1], [0, 1]] *= 1 + damping
+        (p, q), (_, r) = normal.tolist()
+        x, y = (slope.T @ (self.b * u + self.n * m) - self.a * u - self.b * m).tolist()
+        determinant = p * r - q * q
+        if not determinant > 0.0:
+            return np.zeros(2)
+        return np.array([(r * x - q * y) / determinant, (p * y - q * x) / determinant])
+
+
+def divided(answer: Callable[[Floats], Floats | None], pull: Floats, cost: Cost, size: float) -> Shares:
+    """Divide a pull so that bend and shift together are the least change, or nearly.
+
+    Parameters
+    ----------
+    answer
+        How far a bend (2,) moves the grabbed point, (2,); None where there is no curve.
+    pull
+        How far it is to move, (2,).
+    cost
+        The norm of a change.
+    size
+        The size of the curve.
+    """
+    search = _Search(answer, cost, size)
+    for share in _stages(float(np.hypot(*pull)) / size):
+        search.improve(share * pull)
+    return Shares(search.bend, pull - search.answer)
+
+
+def _stages(length: float) -> list[float]:
+    """Return the shares of a pull by which to go: a far pull in steps of three times as far each."""
+    lengths = [length]
+    while lengths[0] > _FIRST_STAGE:
+        lengths.insert(0, lengths[0] / 3)
+    return [each / length for each in lengths] if length else []
+
+
+class _Search:
+    """The best bend so far, what it does, and the Jacobian there."""
+
+    def __init__(self, answer: Callable[[Floats], Floats | None], cost: Cost, size: float) -> None:
+        self._answer, self._cost = answer, cost
+        self.bend, self.answer = np.zeros(2), np.zeros(2)
+        self._slope = _slope(answer, _DIFFERENCE * size)
+        self._damping = _FIRST_DAMPING
+
+    def improve(self, pull: Floats) -> None:
+        """Take some steps towards the least change that meets `pull`."""
+        least = self._cost.of(self.bend, pull - self.answer)
+        self._damping = min(self._damping, _FIRST_DAMPING)
+        for _ in range(_STEPS):
+            step = self._cost.step(self.bend, pull - self.answer, self._slope, self._damping)
+            if step @ step <= _SMALL_STEP**2 * (pull @ pull):
+                return
+            bend = self.bend + step
+            answer = self._answer(bend)
+            cost = math.inf if answer is None else self._cost.of(bend, pull - answer)
+            if answer is not None:
+                self._slope = _broyden(self._slope, step, answer - self.answer)
+            if answer is not None and cost < least:
+                self.bend, self.answer, least = bend, answer, cost
+                self._damping = max(self._damping / 10, _LEAST_DAMPING)
+            else:
+                self._damping = max(self._damping, _FIRST_DAMPING) * 100
+
+
+def _slope(answer: Callable[[Floats], Floats | None], h: float) -> Floats:
+    """Return the Jacobian of `answer` at no bend, by differences; where there is none, the identity."""
+    columns = [answer(np.array(way) * h) for way in ((1.0, 0.0), (0.0, 1.0))]
+    if columns[0] is None or columns[1] is None:
+        return np.eye(2)
+    return np.column_stack([columns[0], columns[1]]) / h
+
+
+def _broyden(slope: Floats, step: Floats, answer: Floats) -> Floats:
+    """Return the Jacobian that also explains that `step` gave `answer`."""
+    updated: Floats = slope + np.outer(answer - slope @ step, step) / (step @ step)
+    return updated

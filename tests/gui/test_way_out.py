@@ -1,0 +1,43 @@
+"""Coincident points: the rules that go by distances offer the one that does not."""
+
+from __future__ import annotations
+
+import pytest
+from PySide6.QtCore import Qt
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QToolButton
+
+from app.document.model import Document, Family, ParametrizationKind, make_curve
+
+TWICE = ((0.0, 0.0), (1.0, 2.0), (1.0, 2.0), (4.0, 0.0))
+
+
+def button(editor):
+    return editor.window.message_bar.findChild(QToolButton, "offeredAction")
+
+
+@pytest.mark.parametrize("family", list(Family))
+def test_a_click_uses_uniform_parameters(editor, family):
+    editor.session.commit(Document((make_curve(TWICE, family=family),)), "Begin")
+    editor.settle()
+    assert "1 and 2 coincide" in editor.message
+    assert button(editor).isVisible()
+    assert button(editor).text() == "Use Uniform Parameters"
+    QTest.mouseClick(button(editor), Qt.MouseButton.LeftButton)
+    editor.settle()
+    assert editor.curve.parametrization.kind is ParametrizationKind.UNIFORM
+    assert editor.session.active_view.is_current
+    assert editor.message == ""
+    assert editor.session.undo_stack.undoText() == "Use uniform parameters"
+    editor.trigger("undo")
+    assert button(editor).isVisible()
+
+
+def test_it_goes_with_the_problem(editor):
+    editor.session.commit(Document((make_curve(TWICE),)), "Begin")
+    editor.settle()
+    editor.drag_point(1, to=(2, 3))
+    assert editor.message == ""
+    editor.new()
+    assert editor.message.startswith("Click on the canvas")
+    assert not button(editor).isVisible()
