@@ -7,10 +7,13 @@ from app.commands.context_menus import ContextMenus
 from app.commands.curve_commands import CurveCommands
 from app.commands.edit_commands import EditCommands
 from app.commands.help_commands import HelpCommands
+from app.commands.hodograph_commands import HodographCommands
 from app.commands.image_commands import ImageCommands
+from app.commands.joint_commands import JointCommands
 from app.commands.messages import Messages
 from app.commands.overlay_commands import OverlayCommands
 from app.commands.parts import CommandSet, Handlers, LiveSet, Parts
+from app.commands.plot_commands import PlotCommands
 from app.commands.rail_commands import RailCommands
 from app.commands.selection_commands import SelectionCommands
 from app.commands.snap_commands import SnapCommands
@@ -30,9 +33,12 @@ class Commands:
         self.snap = SnapCommands(parts)
         self.images = ImageCommands(parts, self.messages)
         curves = CurveCommands(parts)
-        self._live: tuple[LiveSet, ...] = (OverlayCommands(parts),)
+        self.hodograph = HodographCommands(parts)
+        self.joints = JointCommands(parts)
+        self._live: tuple[LiveSet, ...] = (OverlayCommands(parts), PlotCommands(parts), self.hodograph)
         self._sets: tuple[CommandSet, ...] = (
             *self._live,
+            self.joints,
             EditCommands(parts),
             SelectionCommands(parts),
             curves,
