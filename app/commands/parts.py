@@ -69,7 +69,11 @@ class Parts:
 
     def cancel_gesture(self) -> bool:
         """Drop the gesture in flight; return whether there was one."""
-        return self.canvas.cancel_gesture() or self.basis_panel.cancel_gesture()
+        return (
+            self.canvas.cancel_gesture()
+            or self.basis_panel.cancel_gesture()
+            or self.plot_panel.cancel_gesture()
+        )
 
 
 class CommandSet(Protocol):

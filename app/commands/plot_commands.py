@@ -46,6 +46,7 @@ class PlotCommands:
         self._calm = QTimer(parts.window, singleShot=True, interval=_CALM_MS)
         self._calm.timeout.connect(self._fit_values)
         self._plotted: CurveView | None = None
+        self._was_calm = False
         parts.analysis.changed.connect(self._render_settings)
         parts.plot_panel.changed.connect(self._arrange)
         parts.session.scrub_changed.connect(self._show_scrub)
@@ -61,16 +62,14 @@ class PlotCommands:
 
     def follow(self, view: CurveView) -> None:
         """Plot `view`; during a drag the scales only grow."""
-        if self._is_on and not self._shows_same(view):
-            self._plot(view, calm=self._parts.session.is_previewing)
+        calm = self._parts.session.is_previewing
+        if self._is_on and not (self._shows_same(view) and calm == self._was_calm):
+            self._plot(view, calm=calm)
 
     def _shows_same(self, view: CurveView) -> bool:
         """Whether only points have moved, and nothing but the Lebesgue function is plotted."""
-        if (
-            not view.is_current
-            or self._plotted is None
-            or self._parts.analysis.settings.plots - {Plot.LEBESGUE}
-        ):
+        others = self._parts.analysis.settings.plots - {Plot.LEBESGUE}
+        if others or self._plotted is None or not view.is_current:
             return False
         same = view.source.family is self._plotted.source.family
         return same and np.array_equal(view.parameters, self._plotted.parameters)
@@ -98,10 +97,11 @@ class PlotCommands:
             panel.hide()
             return
         pane = panel.fill(self._build)
-        was_hidden = panel.isHidden()
+        # What it was before: on its way to the screen the panel gets other heights.
+        kept = panel.kept_height if panel.isHidden() else 0
         panel.show()
         count = len(self._parts.analysis.settings.plots) + len(panel.added)
-        self._make_room(max(pane.wanted_height(count), panel.kept_height if was_hidden else 0))
+        self._make_room(max(pane.wanted_height(count), kept))
         pane.canvas.set_t_range(*self._parts.basis_panel.t_range)
         pane.canvas.set_scrub(self._parts.session.scrub)
         self._plot(self._parts.session.active_view, calm=False)
@@ -143,7 +143,7 @@ class PlotCommands:
 
         pane, kinds = self._parts.plot_panel.pane, self._parts.analysis.settings.plots
         assert pane is not None
-        self._plotted = view if view.is_current else None
+        self._plotted, self._was_calm = view if view.is_current else None, calm
         if not view.is_current:
             self._settler.drop()
             pane.canvas.say(view.problem)

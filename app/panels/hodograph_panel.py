@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 from PySide6.QtCore import QEvent, QPointF, Qt, Signal
-from PySide6.QtGui import QFont, QPainter, QPen, QShowEvent
+from PySide6.QtGui import QFont, QKeyEvent, QPainter, QPen, QShowEvent
 from PySide6.QtWidgets import QButtonGroup, QHBoxLayout, QSizePolicy, QToolButton, QVBoxLayout, QWidget
 
 from app.gestures.pointer import Pointer
@@ -20,11 +20,7 @@ from app.theme import LIGHT, Theme, theme_of
 from app.view_model.analysis.hodograph import Hodograph
 
 _MARGIN = 1.12
-_REACH = 12.0
-"""Pixels within which the curve is grabbed."""
-
 _NUMBERED_UP_TO = 16
-_HEAD = 9.0
 _NAMES = {1: ("c′", "velocity"), 2: ("c″", "acceleration")}
 
 
@@ -37,10 +33,10 @@ class HodographPlot(PlotWidget):
     Signals
     -------
     scrub_asked
-        The scrub line shall be at this t.
+        The scrub line shall be at this t, or nowhere (None).
     """
 
-    scrub_asked = Signal(float)
+    scrub_asked = Signal(object)
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -57,6 +53,8 @@ class HodographPlot(PlotWidget):
         self.note = ""
         self.is_fitted = True
         self._reach = 0.0
+        self._scrubs = False
+        self._scrub_before: float | None = None
         self._layer = self.add_layer(self.paint_layer, z=0)
 
     def render_hodograph(self, hodograph: Hodograph, owners: int, *, calm: bool) -> None:
@@ -106,16 +104,28 @@ class HodographPlot(PlotWidget):
     # Gestures
 
     def pressed(self, pointer: Pointer) -> None:
+        self._scrubs, self._scrub_before = True, self.scrub[0] if self.scrub is not None else None
         self.moved(pointer)
 
     def moved(self, pointer: Pointer) -> None:
         """Scrub to the nearest place of the hodograph."""
-        if self.hodograph is None or not len(self.hodograph.t):
+        if not self._scrubs or self.hodograph is None or not len(self.hodograph.t):
             return
         pixels = self.pixel_map.points(self.hodograph.points / self.unit)
         with np.errstate(all="ignore"):
             distances = np.nan_to_num(np.hypot(*(pixels - pointer.pixel).T), nan=np.inf)
         self.scrub_asked.emit(float(self.hodograph.t[int(np.argmin(distances))]))
+
+    def released(self, pointer: Pointer) -> None:
+        self._scrubs = False
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        if event.key() == Qt.Key.Key_Escape and self._scrubs:
+            self._scrubs = False
+            self.scrub_asked.emit(self._scrub_before)
+            event.accept()
+        else:
+            super().keyPressEvent(event)
 
     # Painting
 

@@ -196,7 +196,9 @@ class JointsPanel(QWidget):
             return
         row = self._model.rows[place]
         t = rounded_text(row.t, decimal_mark(), 4)
-        self._detail.setText(f"{SIGNS[row.kind]} Joint {row.joint} at t = {t}: {row.smoothness}\n{row.words}")
+        # Only a closed curve has a joint at its first point.
+        where = f"Joint {row.joint} at t = {t}" if row.joint else "Joint 0, where the curve closes"
+        self._detail.setText(f"{SIGNS[row.kind]} {where}: {row.smoothness}\n{row.words}")
 
     def _render_theme(self) -> None:
         theme = theme_of(self.palette())

@@ -103,7 +103,12 @@ class PlotLayer:
             self._paint_levels(painter, plot, band, scale, shown.width)
             painter.setRenderHint(QPainter.RenderHint.Antialiasing, True)
             for line, stroke in zip(plot.lines, self._strokes[index], strict=True):
-                painter.setPen(self._pen(line))
+                pen = self._pen(line)
+                if isinstance(stroke, Segments):
+                    # Side by side, wider ones would make a bar.
+                    pen.setWidthF(self.scale)
+                    pen.setStyle(Qt.PenStyle.SolidLine)
+                painter.setPen(pen)
                 stroke.draw(painter)
                 self._paint_jumps(painter, line, band, scale, shown)
             painter.restore()

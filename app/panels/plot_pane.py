@@ -15,7 +15,6 @@ from app.panels.number_text import decimal_mark, rounded_text
 from app.panels.plot_canvas import PlotCanvas
 from app.theme import theme_of
 
-_TITLE = "Plots"
 _HEIGHT_A_PLOT = 64
 """Pixels that a plot should have at least where there is room."""
 

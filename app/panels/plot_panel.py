@@ -59,6 +59,10 @@ class PlotPanel(QWidget):
         if self._added.pop(title, None) is not None:
             self.changed.emit()
 
+    def cancel_gesture(self) -> bool:
+        """Drop the gesture in flight; return whether there was one."""
+        return self.pane is not None and self.pane.canvas.cancel_gesture()
+
     def set_scale(self, scale: float) -> None:
         """Enlarge lines and numbers, for a projector."""
         self._scale = scale
