@@ -322,3 +322,23 @@ def test_a_logarithmic_axis_has_powers_of_ten(low, high):
     assert scale.share(low) == pytest.approx(0.0, abs=1e-9)
     assert scale.share(high) <= 1.0
     assert scale.share(0.0) < -1.0
+
+
+def test_the_plots_zoom_while_the_basis_functions_are_hidden(editor):
+    editor.trigger("plotSpeed")
+    editor.trigger("toggleBasis")
+    plots = canvas(editor)
+    before = plots.t_range
+    wheel(editor, plots, plots.to_pixel(0.3, 0.5), 3)
+    assert plots.t_range[1] - plots.t_range[0] < 0.7 * (before[1] - before[0])
+    editor.trigger("toggleBasis")
+    assert editor.window.basis_panel.t_range == pytest.approx(plots.t_range)
+
+
+def test_the_scale_stays_while_t_is_zoomed_and_fits_when_it_rests(editor, qtbot):
+    editor.trigger("plotCurvature")
+    plots, title = canvas(editor), TITLES[Plot.CURVATURE]
+    before = plots.scale_of(title)
+    wheel(editor, plots, plots.to_pixel(0.25, 0.5), 8)
+    assert plots.scale_of(title).holding(before) == plots.scale_of(title)
+    qtbot.waitUntil(lambda: plots.scale_of(title).high < 0.9 * before.high, timeout=3000)

@@ -171,10 +171,10 @@ def _reaches(view: CurveView) -> list[float]:
 
 
 def _summary(rows: Sequence[JointRow]) -> str:
-    """Say the class of most joints, and which ones are less smooth."""
+    """Say the class of most joints, and which ones are less smooth, or have no direction."""
     usual = Counter(row.smoothness for row in rows).most_common(1)[0][0]
     rank = {row.smoothness: _rank(row) for row in rows}
-    worse = [row for row in rows if rank[row.smoothness] < rank[usual]]
+    worse = [row for row in rows if rank[row.smoothness] < rank[usual] or row.kind is Kind.REST]
     if not worse:
         return f"{usual} everywhere." if len(rows) > 1 else f"{usual} at its one joint."
     if len(worse) > _MOST_NAMED:
@@ -191,6 +191,8 @@ def _rank(row: JointRow) -> tuple[int, int]:
 
 def _brief(row: JointRow) -> str:
     """Name what is less smooth: of C⁰, G¹ the G¹, for the C⁰ goes without saying."""
+    if row.kind is Kind.REST:
+        return "stands still"
     return f"{row.smoothness} (corner)" if row.kind is Kind.CORNER else row.smoothness.removeprefix("C⁰, ")
 
 
