@@ -45,10 +45,11 @@ class PlotCommands:
         self._settler.ready.connect(self._show_settled)
         self._calm = QTimer(parts.window, singleShot=True, interval=_CALM_MS)
         self._calm.timeout.connect(self._fit_values)
+        self._own: list[PlotData] = []
         self._plotted: CurveView | None = None
         self._was_calm = False
         parts.analysis.changed.connect(self._render_settings)
-        parts.plot_panel.changed.connect(self._arrange)
+        parts.plot_panel.changed.connect(self._follow_added)
         parts.session.scrub_changed.connect(self._show_scrub)
         parts.session.interrupted.connect(self._forget_gesture)
         parts.basis_panel.map_changed.connect(self._follow_range)
@@ -104,7 +105,16 @@ class PlotCommands:
         self._make_room(max(pane.wanted_height(count), kept))
         pane.canvas.set_t_range(*self._parts.basis_panel.t_range)
         pane.canvas.set_scrub(self._parts.session.scrub)
-        self._plot(self._parts.session.active_view, calm=False)
+        self._plot(self._parts.session.active_view, calm=self._parts.session.is_previewing)
+
+    def _follow_added(self) -> None:
+        """Show what others have added; where only their values are other ones, the rest stays."""
+        pane = self._parts.plot_panel.pane
+        count = len(self._parts.analysis.settings.plots) + len(self._parts.plot_panel.added)
+        if self._is_on and pane is not None and count == len(pane.canvas.plots):
+            self._show(self._own, calm=self._parts.session.is_previewing)
+        else:
+            self._arrange()
 
     def _build(self) -> PlotPane:
         # Imported when there is something to plot: nobody waits for it at the start.
@@ -116,6 +126,7 @@ class PlotCommands:
         parts = self._parts
         canvas = PlotCanvas(RailTool(parts.session))
         canvas.range_asked.connect(parts.basis_panel.set_t_range)
+        canvas.scrub_nudged.connect(self._nudge_scrub)
         canvas.hint_changed.connect(parts.status_line.show_hint)
         canvas.pointed_at.connect(parts.status_line.show_t)
         choices = [(SYMBOLS[plot], parts.actions[name]) for name, plot in PLOTS.items()]
@@ -165,6 +176,7 @@ class PlotCommands:
     def _show(self, own: list[PlotData], *, calm: bool) -> None:
         pane = self._parts.plot_panel.pane
         assert pane is not None
+        self._own = own
         plots = [*own, *self._parts.plot_panel.added]
         pane.canvas.render_plots(plots, self._parts.session.active_view.parameters, calm=calm)
         self._show_values()
@@ -190,6 +202,15 @@ class PlotCommands:
             assert pane is not None
             pane.canvas.set_scrub(t)
             self._show_values()
+
+    def _nudge_scrub(self, by: float) -> None:
+        """Move the scrub line along t; without one, show it in the middle of what is visible."""
+        session, pane = self._parts.session, self._parts.plot_panel.pane
+        if session.active_view.curve is None or pane is None:
+            return
+        start, end = session.active_view.curve.domain
+        t = sum(pane.canvas.t_range) / 2 if session.scrub is None else session.scrub + by
+        session.set_scrub(min(max(t, start), end))
 
     def _show_values(self) -> None:
         from app.view_model.analysis.plots import SYMBOLS, values_at  # noqa: PLC0415

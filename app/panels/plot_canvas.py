@@ -22,6 +22,8 @@ _PIXELS_A_NUMBER = 24.0
 _EDGE = 7.0
 """Pixels from the edge within which a number at the axis would be cut off."""
 
+_DIRECTIONS = {Qt.Key.Key_Left: -1, Qt.Key.Key_Right: 1}
+
 
 class PlotCanvas(PlotWidget):
     """Draws plots; x axis t. A drag scrubs, the wheel zooms along t.
@@ -32,6 +34,8 @@ class PlotCanvas(PlotWidget):
     -------
     range_asked
         Another part of t shall be visible: (start, end).
+    scrub_nudged
+        The scrub line shall move by so much along t: an arrow key was pressed.
     hint_changed
         What a press here would do (a sentence).
     pointed_at
@@ -39,6 +43,7 @@ class PlotCanvas(PlotWidget):
     """
 
     range_asked = Signal(float, float)
+    scrub_nudged = Signal(float)
     hint_changed = Signal(str)
     pointed_at = Signal(object)
 
@@ -185,7 +190,7 @@ class PlotCanvas(PlotWidget):
             self._tool.release(pointer)
 
     def hovered_at(self, pointer: Pointer) -> None:
-        self.hint_changed.emit("Drag to scrub: values stand above · Wheel zooms along t")
+        self.hint_changed.emit("Drag, or press ← →, to scrub (Shift: ten times as far) · Wheel zooms along t")
         self.pointed_at.emit(pointer.position[0])
 
     def left(self) -> None:
@@ -195,6 +200,10 @@ class PlotCanvas(PlotWidget):
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         if event.key() == Qt.Key.Key_Escape and self.cancel_gesture():
+            event.accept()
+        elif event.key() in _DIRECTIONS:
+            steps = 10 if event.modifiers() & Qt.KeyboardModifier.ShiftModifier else 1
+            self.scrub_nudged.emit(_DIRECTIONS[Qt.Key(event.key())] * steps / self.pixel_map.sx)
             event.accept()
         else:
             super().keyPressEvent(event)

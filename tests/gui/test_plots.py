@@ -342,3 +342,40 @@ def test_the_scale_stays_while_t_is_zoomed_and_fits_when_it_rests(editor, qtbot)
     wheel(editor, plots, plots.to_pixel(0.25, 0.5), 8)
     assert plots.scale_of(title).holding(before) == plots.scale_of(title)
     qtbot.waitUntil(lambda: plots.scale_of(title).high < 0.9 * before.high, timeout=3000)
+
+
+def test_arrow_keys_move_the_scrub_line(editor):
+    editor.trigger("plotSpeed")
+    plots = canvas(editor)
+    plots.setFocus()
+    QTest.keyClick(plots, Qt.Key.Key_Right)
+    first = editor.session.scrub
+    assert first == pytest.approx(0.5)
+    QTest.keyClick(plots, Qt.Key.Key_Right)
+    QTest.keyClick(plots, Qt.Key.Key_Left, Qt.KeyboardModifier.ShiftModifier)
+    assert editor.session.scrub == pytest.approx(first - 9 / plots.pixel_map.sx)
+    for _ in range(100):
+        QTest.keyClick(plots, Qt.Key.Key_Left, Qt.KeyboardModifier.ShiftModifier)
+    assert editor.session.scrub == 0.0
+
+
+def test_lines_that_others_add_follow_a_drag_without_a_jump_of_the_scale(editor):
+    panel, title, t = editor.window.plot_panel, "Errors", np.linspace(0, 1, 50)
+
+    def show(size):
+        panel.show_lines([PlotLine("", t, size * (1 + t))], Scale.LINEAR, title, "e")
+
+    editor.trigger("plotSpeed")
+    show(1.0)
+    rest = canvas(editor).scale_of(title).high
+    x, y = editor.point(1)
+    editor.press((x, y))
+    editor.move((x + 0.3, y + 0.3))
+    own = canvas(editor).plots[0]
+    show(5.0)
+    assert canvas(editor).plots[0] is own
+    show(0.5)
+    assert canvas(editor).scale_of(title).high == pytest.approx(5 * rest)
+    editor.escape()
+    show(1.0)
+    assert canvas(editor).scale_of(title).high == pytest.approx(rest)
