@@ -5,7 +5,7 @@ from __future__ import annotations
 from msgspec.structs import replace
 from PySide6.QtCore import QObject, Signal
 
-from app.view_model.analysis.settings import AnalysisSettings, Overlay
+from app.view_model.analysis.settings import AnalysisSettings, Overlay, Plot
 
 
 class Analysis(QObject):
@@ -34,3 +34,8 @@ class Analysis(QObject):
         """Switch an overlay on or off."""
         others = self.settings.overlays - {overlay}
         self.change(overlays=others | {overlay} if shown else others)
+
+    def show_plot(self, plot: Plot, shown: bool) -> None:
+        """Switch a plot over t on or off."""
+        others = self.settings.plots - {plot}
+        self.change(plots=others | {plot} if shown else others)

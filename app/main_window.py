@@ -41,10 +41,12 @@ from app.panels.image_panel import ImagePanel
 from app.panels.late_dock import LateDock
 from app.panels.message_bar import MessageBar
 from app.panels.parametrization_bar import ParametrizationBar
+from app.panels.plot_panel import PlotPanel
 from app.panels.point_table import PointTable
 from app.panels.status_line import StatusLine
 from app.preferences import Preferences
 from app.session import Session
+from app.settle import Settler
 from app.theme import ThemeMode, apply_theme, theme_of
 from app.toolbar import Toolbar
 from app.window_layout import restore_layout
@@ -93,6 +95,8 @@ class MainWindow(QMainWindow):
         self._commands = Commands(self._parts())
         self._connect()
         restore_layout(self, self.splitter, self.preferences)
+        self.plot_panel.hide()
+        self.plot_panel.kept_height = self.preferences.plot_height or self.plot_panel.kept_height
         self._apply_theme_mode()
         self._render_document()
         self._render_file()
@@ -116,10 +120,14 @@ class MainWindow(QMainWindow):
         self.splitter.setObjectName("drawingSplitter")
         self.splitter.addWidget(self.canvas)
         self.splitter.addWidget(self.basis_pane)
+        self.plot_panel = PlotPanel()
+        self.splitter.addWidget(self.plot_panel)
         self.splitter.setStretchFactor(0, 2)
         self.splitter.setStretchFactor(1, 1)
         self.splitter.setSizes([560, 280])
         self.splitter.setChildrenCollapsible(False)
+        # Else what lies behind the window's middle is seen beside the thin line of a handle.
+        self.splitter.setAutoFillBackground(True)
         self.setCentralWidget(self.splitter)
 
     def _build_docks(self) -> None:
@@ -136,13 +144,17 @@ class MainWindow(QMainWindow):
         self.image_panel = ImagePanel(self.session)
         self.image_dock = self._add_dock("imageDock", "Image", self.image_panel)
         analysis = self._add_late_dock("analysisDock", "Analysis", self._build_analysis)
+        joints = self._add_late_dock("jointsDock", "Joints", self._build_joints)
+        hodograph = self._add_late_dock("hodographDock", "Hodograph", self._build_hodograph)
         for upper in (curves, history):
             self.tabifyDockWidget(points, upper)
-        for lower in (analysis, self.image_dock):
+        for lower in (joints, analysis, hodograph, self.image_dock):
             self.tabifyDockWidget(curve, lower)
         for front in (points, curve):
             front.raise_()
-        self.docks = (points, curves, history, curve, analysis, self.image_dock)
+        # One of many tabs, until it is asked for.
+        hodograph.hide()
+        self.docks = (points, curves, history, curve, joints, analysis, hodograph, self.image_dock)
         self.resizeDocks([points], [360], Qt.Orientation.Horizontal)
         self.resizeDocks([points, curve], [480, 300], Qt.Orientation.Vertical)
 
@@ -150,6 +162,12 @@ class MainWindow(QMainWindow):
         from app.panels.analysis_panel import AnalysisPanel  # noqa: PLC0415
 
         return AnalysisPanel(self.analysis, self.actions_by_name.__getitem__)
+
+    def _build_joints(self) -> QWidget:
+        return self._commands.joints.build()
+
+    def _build_hodograph(self) -> QWidget:
+        return self._commands.hodograph.build()
 
     def _add_dock(self, name: str, title: str, content: QWidget) -> QDockWidget:
         dock = QDockWidget(title, self)
@@ -217,6 +235,8 @@ class MainWindow(QMainWindow):
             set_theme_mode=self.set_theme_mode,
             image_panel=self.image_panel,
             image_dock=self.image_dock,
+            splitter=self.splitter,
+            plot_panel=self.plot_panel,
         )
 
     # Connecting
@@ -402,6 +422,7 @@ class MainWindow(QMainWindow):
         self.preferences.window_geometry = self.saveGeometry()
         self.preferences.window_state = self.saveState()
         self.preferences.splitter_state = self.splitter.saveState()
+        self.preferences.plot_height = self.plot_panel.kept_height
 
     # Qt's events
 
@@ -437,6 +458,8 @@ class MainWindow(QMainWindow):
             return
         self._files.let_go()
         self._remember_layout()
+        for settler in self.findChildren(Settler):
+            settler.wait()
         for dialog in self.findChildren(QDialog):
             dialog.close()
         self._commands.recovery.leave()

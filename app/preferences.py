@@ -96,6 +96,19 @@ class Preferences:
         self._settings.setValue("window/splitter", value)
 
     @property
+    def plot_height(self) -> int:
+        """How high the plots below the basis functions are, in pixels; 0 when nothing is remembered."""
+        stored = self._text("window/plots")
+        if not stored or (stored.isdecimal() and len(stored) < 6):
+            return int(stored or 0)
+        self._complain("window/plots", f"“{stored}” is no height")
+        return 0
+
+    @plot_height.setter
+    def plot_height(self, height: int) -> None:
+        self._settings.setValue("window/plots", str(height))
+
+    @property
     def snap_on(self) -> bool:
         """Whether dragged and added points snap."""
         return self._switch("snap/on", default=False)

@@ -9,10 +9,13 @@ from app.commands.disk_commands import DiskCommands
 from app.commands.edit_commands import EditCommands
 from app.commands.fresh_hints import FreshHints
 from app.commands.help_commands import HelpCommands
+from app.commands.hodograph_commands import HodographCommands
 from app.commands.image_commands import ImageCommands
+from app.commands.joint_commands import JointCommands
 from app.commands.messages import Messages
 from app.commands.overlay_commands import OverlayCommands
 from app.commands.parts import CommandSet, Handlers, LiveSet, Parts
+from app.commands.plot_commands import PlotCommands
 from app.commands.rail_commands import RailCommands
 from app.commands.recovery_commands import RecoveryCommands
 from app.commands.selection_commands import SelectionCommands
@@ -35,9 +38,12 @@ class Commands:
         self.images = ImageCommands(parts, self.messages)
         self.recovery = RecoveryCommands(parts)
         curves = CurveCommands(parts)
-        self._live: tuple[LiveSet, ...] = (OverlayCommands(parts),)
+        self.hodograph = HodographCommands(parts)
+        self.joints = JointCommands(parts)
+        self._live: tuple[LiveSet, ...] = (OverlayCommands(parts), PlotCommands(parts), self.hodograph)
         self._sets: tuple[CommandSet, ...] = (
             *self._live,
+            self.joints,
             EditCommands(parts),
             SelectionCommands(parts),
             curves,

@@ -6,7 +6,7 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Protocol
 
-from PySide6.QtWidgets import QDockWidget, QMainWindow, QMenu, QToolBar
+from PySide6.QtWidgets import QDockWidget, QMainWindow, QMenu, QSplitter, QToolBar
 
 from app.actions import Actions
 from app.analysis import Analysis
@@ -19,6 +19,7 @@ from app.panels.basis_panel import BasisPanel
 from app.panels.curve_list import CurveList
 from app.panels.image_panel import ImagePanel
 from app.panels.message_bar import MessageBar
+from app.panels.plot_panel import PlotPanel
 from app.panels.status_line import StatusLine
 from app.preferences import Preferences
 from app.session import Session
@@ -50,6 +51,8 @@ class Parts:
     set_theme_mode: Callable[[ThemeMode], None]
     image_panel: ImagePanel
     image_dock: QDockWidget
+    splitter: QSplitter
+    plot_panel: PlotPanel
 
     def change(self, text: str, edit: Callable[[], Document], *, active: int | None = None) -> bool:
         """Commit what `edit` makes as the step `text`, or say why it cannot be done.
@@ -66,7 +69,11 @@ class Parts:
 
     def cancel_gesture(self) -> bool:
         """Drop the gesture in flight; return whether there was one."""
-        return self.canvas.cancel_gesture() or self.basis_panel.cancel_gesture()
+        return (
+            self.canvas.cancel_gesture()
+            or self.basis_panel.cancel_gesture()
+            or self.plot_panel.cancel_gesture()
+        )
 
 
 class CommandSet(Protocol):

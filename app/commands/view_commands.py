@@ -120,6 +120,7 @@ class ViewCommands:
         self._scale = scale
         self._parts.canvas.set_scale(self._scale)
         self._parts.basis_panel.set_scale(self._scale)
+        self._parts.plot_panel.set_scale(self._scale)
         self._session.say(f"Drawing at {self._scale:.0%}.")
 
     def _toggle_presentation(self) -> None:

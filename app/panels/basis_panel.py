@@ -154,6 +154,16 @@ class BasisPanel(PlotWidget):
             self.getViewBox().setXRange(start - padding, end + padding, padding=0)
         self._show_values()
 
+    @property
+    def t_range(self) -> tuple[float, float]:
+        """The part of t that is visible."""
+        start, _, end, _ = self.pixel_map.box
+        return start, end
+
+    def set_t_range(self, start: float, end: float) -> None:
+        """Show this part of t."""
+        self.getViewBox().setXRange(start, end, padding=0)
+
     def _domain(self) -> tuple[float, float] | None:
         """Return the interval of t; without points that which the rule is going to span, else None."""
         if self._basis is not None:

@@ -128,7 +128,9 @@ class Segments:
 def polygon(x: Floats, y: Floats) -> QPolygonF:
     """Return a QPolygonF with the given coordinates."""
     result: QPolygonF = create_qpolygonf(len(x))
-    view = ndarray_from_qpolygonf(result)
-    view[:, 0] = x
-    view[:, 1] = y
+    # The array of an empty polygon cannot be written to.
+    if len(x):
+        view = ndarray_from_qpolygonf(result)
+        view[:, 0] = x
+        view[:, 1] = y
     return result

@@ -116,3 +116,10 @@ def test_stamped_points_are_seen(open_wave):
     ratio = image.devicePixelRatio()
     colour = image.pixelColor(round(offset.x() * ratio), round(offset.y() * ratio))
     assert colour.name() not in (LIGHT.paper.name(), LIGHT.curve.name())
+
+
+def test_an_envelope_beyond_the_edge_of_the_panel_is_empty():
+    """It raised: nothing can be written to the array of a polygon without points."""
+    basis = basis_view(view_of(wave(65, Family.LAGRANGE)))
+    lines = FunctionLines(basis, PixelMap.of_ranges((5.0, 6.0), (-0.6, 1.3), 880, 200))
+    assert len(lines.edge(0, upper=True)) == 0

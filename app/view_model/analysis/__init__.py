@@ -5,4 +5,6 @@
 - ``overlays``: the figures of everything that is switched on.
 - ``samples``: the curve and its derivatives at parameters that suit drawing.
 - ``comb``: the curvature comb.
+- ``plot_lines``, ``plot_samples``, ``plots``: plots over t; ``hodograph``: c' and c'' in the plane.
+- ``joints``: how smooth the curve is at each joint, in numbers and words.
 """

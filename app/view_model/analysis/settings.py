@@ -13,6 +13,16 @@ class Overlay(enum.StrEnum):
     COMB = "comb"
 
 
+class Plot(enum.StrEnum):
+    """Something that can be plotted over t, in the order in which plots stand below each other."""
+
+    SPEED = "speed"
+    ACCELERATION = "acceleration"
+    JERK = "jerk"
+    CURVATURE = "curvature"
+    LEBESGUE = "lebesgue"
+
+
 class AnalysisSettings(msgspec.Struct, frozen=True):
     """Everything that can be chosen about overlays.
 
@@ -22,7 +32,10 @@ class AnalysisSettings(msgspec.Struct, frozen=True):
         What is switched on.
     comb_scale
         Length of the comb's teeth; 1 makes the longest a fifth of the curve's size.
+    plots
+        What is plotted over t.
     """
 
     overlays: frozenset[Overlay] = frozenset()
     comb_scale: float = 1.0
+    plots: frozenset[Plot] = frozenset()

@@ -1,0 +1,91 @@
+"""The hodograph: built when it is first looked at, and in step with the curve while it is."""
+
+from __future__ import annotations
+
+from functools import partial
+from typing import TYPE_CHECKING
+
+from PySide6.QtWidgets import QDockWidget, QWidget
+
+from app.commands.parts import Handlers, Parts
+from app.settle import Settler
+from app.view_model.curve_view import CurveView
+
+if TYPE_CHECKING:
+    from app.panels.hodograph_panel import HodographPanel
+    from app.view_model.analysis.hodograph import Hodograph
+
+
+class HodographCommands:
+    """Keeps the hodograph in step with curve and scrub line."""
+
+    def __init__(self, parts: Parts) -> None:
+        self._parts = parts
+        self._panel: HodographPanel | None = None
+        self._settler = Settler(parts.window)
+        self._settler.ready.connect(self._show)
+        parts.session.scrub_changed.connect(self._show_scrub)
+
+    def handlers(self) -> Handlers:
+        """Return what each action does."""
+        return {"plotHodograph": self._bring_up}
+
+    def render(self, view: CurveView) -> None:
+        """Do nothing: the hodograph says itself why it is empty."""
+
+    def build(self) -> QWidget:
+        """Build the panel; called when its dock is first shown."""
+        from app.panels.hodograph_panel import HodographPanel  # noqa: PLC0415
+
+        self._panel = HodographPanel()
+        self._panel.changed.connect(lambda: self.follow(self._parts.session.active_view))
+        self._panel.plot.scrub_asked.connect(self._parts.session.set_scrub)
+        return self._panel
+
+    def _bring_up(self) -> None:
+        dock = self._parts.window.findChild(QDockWidget, "hodographDock")
+        assert dock is not None
+        dock.show()
+        dock.raise_()
+
+    @property
+    def _shown(self) -> HodographPanel | None:
+        return self._panel if self._panel is not None and self._panel.isVisible() else None
+
+    def follow(self, view: CurveView) -> None:
+        """Draw the hodograph of `view` if anybody sees it."""
+        panel = self._shown
+        if panel is None:
+            return
+        # Imported when there is something to show, as the panel is.
+        from app.view_model.analysis.hodograph import hodograph_of  # noqa: PLC0415
+        from app.view_model.analysis.plot_samples import is_slow  # noqa: PLC0415
+
+        if not view.is_current:
+            self._settler.drop()
+            panel.plot.say(view.problem)
+            return
+        compute = partial(hodograph_of, view, panel.order)
+        if is_slow(view):
+            panel.plot.waits = True
+            panel.plot.refresh()
+            self._settler.ask(lambda _is_stale: compute())
+            return
+        self._settler.drop()
+        self._show(compute())
+
+    def _show(self, hodograph: Hodograph) -> None:
+        panel, session = self._shown, self._parts.session
+        if panel is not None:
+            owners = len(session.active_curve.nodes)
+            panel.plot.render_hodograph(hodograph, owners, calm=session.is_previewing)
+            self._show_scrub(session.scrub)
+
+    def _show_scrub(self, t: float | None) -> None:
+        panel, view = self._shown, self._parts.session.active_view
+        if panel is None:
+            return
+        from app.view_model.analysis.hodograph import derivative_at  # noqa: PLC0415
+
+        known = t is not None and view.is_current
+        panel.show_value(t, derivative_at(view, t, panel.order) if known and t is not None else None)

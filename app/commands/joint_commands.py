@@ -1,0 +1,76 @@
+"""The joint certificate: built when it is first looked at; a click on a joint goes there."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from PySide6.QtGui import QGuiApplication
+from PySide6.QtWidgets import QDockWidget, QWidget
+
+from app.commands.parts import Handlers, Parts
+from app.view_model.curve_view import CurveView
+
+if TYPE_CHECKING:
+    from app.panels.joints_panel import JointsPanel
+    from app.view_model.analysis.joints import JointRow
+
+_CLOSE_UP = 0.6
+"""Half the width of a close-up, in distances to the nearer neighbour."""
+
+_LEAST = 1e-6
+
+
+class JointCommands:
+    """Keeps the certificate in step with the curve, at the pace of the panels."""
+
+    def __init__(self, parts: Parts) -> None:
+        self._parts = parts
+        self._panel: JointsPanel | None = None
+        self._view: CurveView | None = None
+
+    def handlers(self) -> Handlers:
+        """Return what each action does."""
+        return {"showJoints": self._bring_up, "copyJoints": self._copy}
+
+    def build(self) -> QWidget:
+        """Build the panel; called when its dock is first shown."""
+        from app.panels.joints_panel import JointsPanel  # noqa: PLC0415
+
+        self._panel = JointsPanel(self._parts.actions["copyJoints"])
+        self._panel.visited.connect(self._visit)
+        self._panel.shown.connect(lambda: self.render(self._parts.session.active_view))
+        return self._panel
+
+    def render(self, view: CurveView) -> None:
+        """Show the joints of `view` if anybody sees them."""
+        panel = self._panel
+        if panel is None or not panel.isVisible():
+            return
+        if view is not self._view:
+            # Imported when there is something to show, as the panel is.
+            from app.view_model.analysis.joints import certificate_of  # noqa: PLC0415
+
+            self._view = view
+            panel.render_certificate(certificate_of(view))
+        panel.set_selection(self._parts.session.selection)
+
+    def _bring_up(self) -> None:
+        dock = self._parts.window.findChild(QDockWidget, "jointsDock")
+        assert dock is not None
+        dock.show()
+        dock.raise_()
+
+    def _copy(self) -> None:
+        from app.view_model.analysis.joints import as_text, certificate_of  # noqa: PLC0415
+
+        certificate = certificate_of(self._parts.session.active_view)
+        QGuiApplication.clipboard().setText(as_text(certificate))
+        self._parts.session.say(f"Copied: {certificate.summary}")
+
+    def _visit(self, row: JointRow) -> None:
+        """Look at a joint close up, and select its point."""
+        x, y = row.place
+        half = max(_CLOSE_UP * row.reach, _LEAST)
+        self._parts.canvas.show_box((x - half, x + half), (y - half, y + half))
+        self._parts.session.select([row.joint])
+        self._parts.session.say(f"Joint {row.joint} close up; F shows the whole curve again.")

@@ -1,0 +1,298 @@
+"""The hodograph: where the velocity points and how long it is, all along the curve."""
+
+from __future__ import annotations
+
+import numpy as np
+from PySide6.QtCore import QEvent, QPointF, Qt, Signal
+from PySide6.QtGui import QFont, QKeyEvent, QPainter, QPen, QShowEvent
+from PySide6.QtWidgets import QButtonGroup, QHBoxLayout, QSizePolicy, QToolButton, QVBoxLayout, QWidget
+
+from app.gestures.pointer import Pointer
+from app.icons import icon
+from app.panels.choice_style import choice_style
+from app.panels.elided_label import ElidedLabel
+from app.panels.number_text import decimal_mark, rounded_text
+from app.plot.colours import colours_of
+from app.plot.drawing import MARGIN, Segments, Stroke, cut_segments
+from app.plot.pixel_map import PixelMap
+from app.plot.plot_widget import PlotWidget
+from app.theme import LIGHT, Theme, theme_of
+from app.view_model.analysis.hodograph import Hodograph
+
+_MARGIN = 1.12
+_NUMBERED_UP_TO = 16
+_NAMES = {1: ("c′", "velocity"), 2: ("c″", "acceleration")}
+
+
+class HodographPlot(PlotWidget):
+    """Draws the hodograph; equal aspect, the origin marked. Drag along the curve to scrub.
+
+    The view box's coordinates are those of the derivative over a power of ten, `unit`: pyqtgraph loses
+    ranges above 1e150.
+
+    Signals
+    -------
+    scrub_asked
+        The scrub line shall be at this t, or nowhere (None).
+    """
+
+    scrub_asked = Signal(object)
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setObjectName("hodograph")
+        self.setAccessibleName("Hodograph")
+        self.setAccessibleDescription("The velocity as a curve in the plane; drag along it to scrub.")
+        self.getViewBox().setAspectLocked(True)
+        self.hodograph: Hodograph | None = None
+        self.scrub: tuple[float, tuple[float, float]] | None = None
+        self.owners = 0
+        self.unit = 1.0
+        self.theme = LIGHT
+        self.waits = False
+        self.note = ""
+        self.is_fitted = True
+        self._reach = 0.0
+        self._scrubs = False
+        self._scrub_before: float | None = None
+        self._layer = self.add_layer(self.paint_layer, z=0)
+
+    def render_hodograph(self, hodograph: Hodograph, owners: int, *, calm: bool) -> None:
+        """Show a hodograph of a curve with so many nodes; while `calm`, the view only grows."""
+        self.hodograph, self.owners, self.waits, self.note = hodograph, owners, False, ""
+        if self.is_fitted and (not calm or hodograph.reach > self._reach):
+            self.fit()
+        self._layer.update()
+
+    def say(self, note: str) -> None:
+        """Show a sentence in place of the hodograph."""
+        self.hodograph, self.note = None, note
+        self._layer.update()
+
+    def refresh(self) -> None:
+        """Draw again after one of the attributes was set."""
+        self._layer.update()
+
+    def fit(self) -> None:
+        """Show all of it, and the origin."""
+        self.is_fitted = True
+        if self.hodograph is None:
+            return
+        self._reach = reach = self.hodograph.reach or 1.0
+        self.unit = 10.0 ** np.floor(np.log10(reach)) if not 1e-3 <= reach < 1e5 else 1.0
+        for name in ("left", "bottom"):
+            self.getAxis(name).setScale(float(self.unit))
+        with np.errstate(all="ignore"):
+            points = self.hodograph.points / self.unit
+        points = np.vstack([points[np.isfinite(points).all(axis=1)], np.zeros((1, 2))])
+        low, high = points.min(axis=0), points.max(axis=0)
+        size = max(float((high - low).max()), 1e-6) * (_MARGIN - 1)
+        self.show_box((low[0] - size, high[0] + size), (low[1] - size, high[1] + size))
+
+    def zoom(self, factor: float, pixel: QPointF) -> None:
+        self.is_fitted = False
+        super().zoom(factor, pixel)
+
+    def pan(self, dx: float, dy: float) -> None:
+        self.is_fitted = False
+        super().pan(dx, dy)
+
+    def set_theme(self, theme: Theme) -> None:
+        self.theme = theme
+        super().set_theme(theme)
+
+    # Gestures
+
+    def pressed(self, pointer: Pointer) -> None:
+        self._scrubs, self._scrub_before = True, self.scrub[0] if self.scrub is not None else None
+        self.moved(pointer)
+
+    def moved(self, pointer: Pointer) -> None:
+        """Scrub to the nearest place of the hodograph."""
+        if not self._scrubs or self.hodograph is None or not len(self.hodograph.t):
+            return
+        pixels = self.pixel_map.points(self.hodograph.points / self.unit)
+        with np.errstate(all="ignore"):
+            distances = np.nan_to_num(np.hypot(*(pixels - pointer.pixel).T), nan=np.inf)
+        self.scrub_asked.emit(float(self.hodograph.t[int(np.argmin(distances))]))
+
+    def released(self, pointer: Pointer) -> None:
+        self._scrubs = False
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        if event.key() == Qt.Key.Key_Escape and self._scrubs:
+            self._scrubs = False
+            self.scrub_asked.emit(self._scrub_before)
+            event.accept()
+        else:
+            super().keyPressEvent(event)
+
+    # Painting
+
+    def paint_layer(self, painter: QPainter, shown: PixelMap) -> None:
+        """Draw axes through the origin, the hodograph, the derivative at the knots and at the scrub line."""
+        theme = self.theme
+        if self.hodograph is None:
+            painter.setPen(theme.muted)
+            flags = int(Qt.AlignmentFlag.AlignCenter | Qt.TextFlag.TextWordWrap)
+            painter.drawText(self._layer.boundingRect().adjusted(12, 0, -12, 0), flags, self.note)
+            return
+        self._paint_origin(painter, shown)
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing, True)
+        pen = QPen(theme.ghost if self.waits else theme.curve, 1.8)
+        painter.setPen(pen)
+        stroke = Stroke()
+        with np.errstate(all="ignore"):
+            stroke.fill(shown.points(self.hodograph.points / self.unit), shown.width, shown.height)
+        stroke.draw(painter)
+        self._paint_knots(painter, shown, self.hodograph)
+        if self.scrub is not None:
+            self._paint_scrub(painter, shown, self.scrub[1])
+
+    def _paint_origin(self, painter: QPainter, shown: PixelMap) -> None:
+        x, y = (round(min(max(each, -9.0), 1e5)) for each in shown.point(0.0, 0.0))
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing, False)
+        painter.setPen(QPen(self.theme.grid_coarse, 1))
+        painter.drawLine(0, y, int(shown.width), y)
+        painter.drawLine(x, 0, x, int(shown.height))
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing, True)
+        painter.setPen(QPen(self.theme.muted, 1.5))
+        painter.drawEllipse(QPointF(x, y), 3.5, 3.5)
+        painter.setPen(self.theme.muted)
+        painter.drawText(QPointF(x + 6, y + 14), "0")
+
+    def _paint_knots(self, painter: QPainter, shown: PixelMap, hodograph: Hodograph) -> None:
+        if len(hodograph.knots) > 64:
+            return
+        colours = colours_of(self.owners, self.theme)
+        font = QFont(self.font())
+        font.setPointSizeF(max(font.pointSizeF() - 1.5, 7.0))
+        painter.setFont(font)
+        with np.errstate(all="ignore"):
+            pixels = shown.points(hodograph.knots / self.unit)
+        for knot, (x, y) in enumerate(pixels.tolist()):
+            if not (-MARGIN < x < shown.width + MARGIN and -MARGIN < y < shown.height + MARGIN):
+                continue
+            painter.setPen(QPen(self.theme.paper, 1))
+            painter.setBrush(colours[knot % self.owners])
+            painter.drawEllipse(QPointF(x, y), 3.5, 3.5)
+            if len(pixels) <= _NUMBERED_UP_TO and knot < self.owners:
+                painter.setPen(self.theme.muted)
+                painter.drawText(QPointF(x + 6, y - 4), str(knot))
+        painter.setBrush(Qt.BrushStyle.NoBrush)
+
+    def _paint_scrub(self, painter: QPainter, shown: PixelMap, value: tuple[float, float]) -> None:
+        """Draw an arrow from the origin, and a dot at its end."""
+        start = np.array(shown.point(0.0, 0.0))
+        end = np.array(shown.point(value[0] / self.unit, value[1] / self.unit))
+        if not np.isfinite(end).all():
+            return
+        shaft = Segments()
+        shaft.fill(cut_segments(np.concatenate([start, end])[None], shown.width, shown.height))
+        painter.setPen(QPen(self.theme.accent, 1.8))
+        shaft.draw(painter)
+        if (end >= -MARGIN).all() and (end <= (shown.width + MARGIN, shown.height + MARGIN)).all():
+            painter.setPen(QPen(self.theme.paper, 1.5))
+            painter.setBrush(self.theme.accent)
+            painter.drawEllipse(QPointF(*end.tolist()), 5.0, 5.0)
+            painter.setBrush(Qt.BrushStyle.NoBrush)
+
+
+class HodographPanel(QWidget):
+    """The hodograph with its header.
+
+    Signals
+    -------
+    changed
+        Another derivative was chosen, or the panel has come into sight.
+    """
+
+    changed = Signal()
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setObjectName("hodographPanel")
+        self.order = 1
+        self.plot = HodographPlot()
+        self._value = ElidedLabel()
+        self._value.setObjectName("hodographValue")
+        self._value.setAccessibleName("Derivative at the scrub line")
+        self._value.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
+        self._fit = QToolButton()
+        self._fit.setObjectName("fitHodograph")
+        self._fit.setAutoRaise(True)
+        self._fit.setAccessibleName("Fit the hodograph")
+        self._fit.setToolTip("Show all of the hodograph, and keep it in sight")
+        self._fit.clicked.connect(self.plot.fit)
+        self._group = QButtonGroup(self)
+        header = QHBoxLayout()
+        header.setContentsMargins(10, 4, 8, 4)
+        self._choices = QWidget()
+        row = QHBoxLayout(self._choices)
+        row.setContentsMargins(0, 0, 0, 0)
+        row.setSpacing(4)
+        for order in _NAMES:
+            row.addWidget(self._order_button(order))
+        header.addWidget(self._choices)
+        header.addSpacing(6)
+        header.addWidget(self._value, 1)
+        header.addWidget(self._fit)
+        layout = QVBoxLayout(self)
+        layout.setContentsMargins(0, 0, 0, 0)
+        layout.setSpacing(0)
+        layout.addLayout(header)
+        layout.addWidget(self.plot, 1)
+        self._render_theme()
+
+    def _order_button(self, order: int) -> QToolButton:
+        symbol, name = _NAMES[order]
+        button = QToolButton()
+        button.setObjectName(f"hodograph{name.capitalize()}")
+        button.setText(symbol)
+        button.setCheckable(True)
+        button.setChecked(order == self.order)
+        button.setAccessibleName(f"Hodograph of the {name}")
+        button.setToolTip(f"Draw the {name} {symbol}(t), from the origin, for all t")
+        button.clicked.connect(lambda: self._choose(order))
+        self._group.addButton(button)
+        return button
+
+    def _choose(self, order: int) -> None:
+        self.order = order
+        self.plot.is_fitted = True
+        self.changed.emit()
+
+    @property
+    def value_text(self) -> str:
+        """What is written about the scrub line."""
+        return self._value.text()
+
+    def show_value(self, t: float | None, value: tuple[float, float] | None) -> None:
+        """Write and draw the derivative at the scrub line; None without one."""
+        if t is None or value is None:
+            self.plot.scrub = None
+            self._value.setText("T shows the scrub line here")
+        else:
+            self.plot.scrub = (t, value)
+            mark, gap = decimal_mark(), "; " if decimal_mark() == "," else ", "
+            x, y = (rounded_text(each, mark, 4) for each in value)
+            angle = rounded_text(float(np.degrees(np.arctan2(value[1], value[0]))), mark, 3)
+            name = f"{_NAMES[self.order][0]}({rounded_text(t, mark, 3)})"
+            self._value.setText(f"{name} = ({x}{gap}{y}), {angle}°")
+        self.plot.refresh()
+
+    def _render_theme(self) -> None:
+        theme = theme_of(self.palette())
+        self.plot.set_theme(theme)
+        self._value.setStyleSheet(f"color: {theme.muted.name()}")
+        self._choices.setStyleSheet(choice_style(theme))
+        self._fit.setIcon(icon("fit", theme))
+
+    def showEvent(self, event: QShowEvent) -> None:
+        super().showEvent(event)
+        self.changed.emit()
+
+    def changeEvent(self, event: QEvent) -> None:
+        super().changeEvent(event)
+        if event.type() == QEvent.Type.PaletteChange and hasattr(self, "_choices"):
+            self._render_theme()

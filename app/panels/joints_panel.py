@@ -1,0 +1,216 @@
+"""The joint certificate: how smooth the curve is at each joint, measured."""
+
+from __future__ import annotations
+
+from collections.abc import Collection
+
+from PySide6.QtCore import QEvent, QModelIndex, Qt, Signal
+from PySide6.QtGui import QAction, QFont, QKeyEvent, QKeySequence, QShowEvent
+from PySide6.QtWidgets import (
+    QAbstractItemView,
+    QHBoxLayout,
+    QHeaderView,
+    QLabel,
+    QTableView,
+    QToolButton,
+    QVBoxLayout,
+    QWidget,
+)
+
+from app.panels.joints_model import SIGNS, JointsModel
+from app.panels.number_text import decimal_mark, rounded_text
+from app.theme import theme_of
+from app.view_model.analysis.joints import Certificate, JointRow, Kind
+
+_ENTER = (Qt.Key.Key_Return, Qt.Key.Key_Enter)
+_PADDING = 5
+_DETAIL_LINES = 4
+_HOW = "Click a joint, or press Enter, to see it close up."
+
+
+class JointsView(QTableView):
+    """The table of joints.
+
+    Signals
+    -------
+    visited
+        A row was clicked, or Enter was pressed in it.
+    copy_requested
+        The keys for it were pressed.
+    """
+
+    visited = Signal(int)
+    copy_requested = Signal()
+
+    def __init__(self, model: JointsModel, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setObjectName("jointsTable")
+        self.setAccessibleName("Joints")
+        self.setModel(model)
+        self.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
+        self.setSelectionMode(QAbstractItemView.SelectionMode.SingleSelection)
+        self.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
+        self.setShowGrid(False)
+        self.setWordWrap(False)
+        self.setTabKeyNavigation(False)
+        font = QFont(self.font())
+        font.setFeature(QFont.Tag("tnum"), 1)
+        self.setFont(font)
+        self._set_up_headers()
+        self.clicked.connect(lambda index: self.visited.emit(index.row()))
+
+    def _set_up_headers(self) -> None:
+        across, down, metrics = self.horizontalHeader(), self.verticalHeader(), self.fontMetrics()
+        across.setObjectName("jointsColumns")
+        across.setHighlightSections(False)
+        across.setMinimumSectionSize(18)
+        across.setStyleSheet(f"QHeaderView::section {{ padding: 5px {_PADDING}px }}")
+        across.setSectionResizeMode(QHeaderView.ResizeMode.Stretch)
+        for column, widest in ((0, "Joint "), (1, "C⁰, G¹ "), (2, "c 0")):
+            across.setSectionResizeMode(column, QHeaderView.ResizeMode.Fixed)
+            across.resizeSection(column, metrics.horizontalAdvance(widest) + 2 * _PADDING)
+        down.hide()
+        down.setSectionResizeMode(QHeaderView.ResizeMode.Fixed)
+        down.setDefaultSectionSize(metrics.height() + 8)
+
+    def event(self, event: QEvent) -> bool:
+        # Where a shortcut of the window is also one of the widget, Qt does nothing at all.
+        if (
+            isinstance(event, QKeyEvent)
+            and event.type() == QEvent.Type.ShortcutOverride
+            and event.matches(QKeySequence.StandardKey.Copy)
+        ):
+            event.accept()
+            return True
+        return super().event(event)
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        if event.matches(QKeySequence.StandardKey.Copy):
+            self.copy_requested.emit()
+        elif event.key() in _ENTER and self.currentIndex().isValid():
+            self.visited.emit(self.currentIndex().row())
+        else:
+            super().keyPressEvent(event)
+
+
+class JointsPanel(QWidget):
+    """Summary, table, and the chosen joint in words.
+
+    Signals
+    -------
+    visited
+        A joint shall be seen close up: its `JointRow`.
+    shown
+        The panel has come into sight.
+    """
+
+    visited = Signal(object)
+    shown = Signal()
+
+    def __init__(self, copy: QAction, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setObjectName("jointsPanel")
+        self._model = JointsModel(self)
+        self.view = JointsView(self._model)
+        self._summary = QLabel()
+        self._summary.setObjectName("jointsSummary")
+        self._summary.setAccessibleName("Summary of the joints")
+        self._summary.setWordWrap(True)
+        self._summary.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
+        self._detail = QLabel()
+        self._detail.setObjectName("jointsDetail")
+        self._detail.setAccessibleName("The chosen joint in words")
+        self._detail.setWordWrap(True)
+        self._detail.setAlignment(Qt.AlignmentFlag.AlignTop | Qt.AlignmentFlag.AlignLeft)
+        # It keeps its height, whatever it says.
+        self._detail.setMinimumHeight(self.fontMetrics().lineSpacing() * _DETAIL_LINES)
+        button = QToolButton()
+        button.setObjectName("copyJointsButton")
+        button.setDefaultAction(copy)
+        button.setAutoRaise(True)
+        button.setAccessibleName(copy.text())
+        self._copy = button
+        self._lay_out()
+        self._render_theme()
+        self.view.visited.connect(lambda row: self.visited.emit(self._model.rows[row]))
+        self.view.copy_requested.connect(copy.trigger)
+        self.view.selectionModel().currentChanged.connect(self._show_detail)
+        self._show_detail()
+
+    def _lay_out(self) -> None:
+        head = QHBoxLayout()
+        head.setContentsMargins(12, 8, 8, 6)
+        head.addWidget(self._summary, 1)
+        head.addWidget(self._copy, 0, Qt.AlignmentFlag.AlignTop)
+        foot = QVBoxLayout()
+        foot.setContentsMargins(12, 6, 12, 8)
+        foot.addWidget(self._detail)
+        layout = QVBoxLayout(self)
+        layout.setContentsMargins(0, 0, 0, 0)
+        layout.setSpacing(0)
+        layout.addLayout(head)
+        layout.addWidget(self.view, 1)
+        layout.addLayout(foot)
+        self._spare = QWidget()
+        layout.addWidget(self._spare, 1)
+        self._spare.hide()
+
+    @property
+    def summary(self) -> str:
+        """The sentence above the table."""
+        return self._summary.text()
+
+    @property
+    def rows(self) -> list[JointRow]:
+        """What the table shows."""
+        return list(self._model.rows)
+
+    def render_certificate(self, certificate: Certificate) -> None:
+        """Show a certificate; without joints only its sentence."""
+        self._model.render(certificate.rows)
+        has_rows = bool(certificate.rows)
+        # The worst of all joints; kinds are listed from smooth to broken.
+        worst = max((row.kind for row in certificate.rows), key=list(Kind).index, default=Kind.SMOOTH)
+        sign = f"{SIGNS[worst]} " if has_rows else ""
+        self._summary.setText(sign + certificate.summary)
+        for part, seen in ((self.view, has_rows), (self._detail, has_rows), (self._spare, not has_rows)):
+            part.setVisible(seen)
+        self._copy.setVisible(has_rows)
+        self._show_detail()
+
+    def set_selection(self, nodes: Collection[int]) -> None:
+        """Choose the joint at the selected point, where there is just one."""
+        if len(nodes) != 1:
+            return
+        node = next(iter(nodes))
+        for place, row in enumerate(self._model.rows):
+            if row.joint == node:
+                if self.view.currentIndex().row() != place:
+                    self.view.setCurrentIndex(self._model.index(place, 0))
+                return
+
+    def _show_detail(self, _current: QModelIndex | None = None, _previous: QModelIndex | None = None) -> None:
+        place = self.view.currentIndex().row()
+        if not 0 <= place < len(self._model.rows):
+            self._detail.setText(_HOW)
+            return
+        row = self._model.rows[place]
+        t = rounded_text(row.t, decimal_mark(), 4)
+        # Only a closed curve has a joint at its first point.
+        where = f"Joint {row.joint} at t = {t}" if row.joint else "Joint 0, where the curve closes"
+        self._detail.setText(f"{SIGNS[row.kind]} {where}: {row.smoothness}\n{row.words}")
+
+    def _render_theme(self) -> None:
+        theme = theme_of(self.palette())
+        self._model.theme = theme
+        self._detail.setStyleSheet(f"color: {theme.muted.name()}")
+        self.view.viewport().update()
+
+    def showEvent(self, event: QShowEvent) -> None:
+        super().showEvent(event)
+        self.shown.emit()
+
+    def changeEvent(self, event: QEvent) -> None:
+        super().changeEvent(event)
+        if event.type() == QEvent.Type.PaletteChange and hasattr(self, "_spare"):
+            self._render_theme()

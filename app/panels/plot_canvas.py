@@ -1,0 +1,209 @@
+"""Plots over t, below each other, over the t axis of the basis panel."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+from PySide6.QtCore import QPointF, Qt, Signal
+from PySide6.QtGui import QKeyEvent
+from PySide6.QtWidgets import QWidget
+
+from app.gestures.pointer import Pointer
+from app.gestures.rail import RailTool
+from app.panels.plot_layers import PlotLayer, ScrubLayer, bands
+from app.panels.value_scale import ValueScale
+from app.plot.pixel_map import Floats
+from app.plot.plot_widget import PlotWidget
+from app.theme import LIGHT, Theme
+from app.view_model.analysis.plot_lines import PlotData
+
+_PIXELS_A_NUMBER = 24.0
+_EDGE = 7.0
+"""Pixels from the edge within which a number at the axis would be cut off."""
+
+_DIRECTIONS = {Qt.Key.Key_Left: -1, Qt.Key.Key_Right: 1}
+
+
+class PlotCanvas(PlotWidget):
+    """Draws plots; x axis t. A drag scrubs, the wheel zooms along t.
+
+    The view box's own y runs from 0 to 1 over the height; every plot has its scale within.
+
+    Signals
+    -------
+    range_asked
+        Another part of t shall be visible: (start, end).
+    scrub_nudged
+        The scrub line shall move by so much along t: an arrow key was pressed.
+    hint_changed
+        What a press here would do (a sentence).
+    pointed_at
+        The parameter t under the pointer, or None when it has left.
+    """
+
+    range_asked = Signal(float, float)
+    scrub_nudged = Signal(float)
+    hint_changed = Signal(str)
+    pointed_at = Signal(object)
+
+    def __init__(self, tool: RailTool, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setObjectName("plotCanvas")
+        self.setAccessibleName("Plots over t")
+        self.setAccessibleDescription("Speed, curvature and the like over t; drag to move the scrub line.")
+        self._tool = tool
+        self._scales: dict[str, ValueScale] = {}
+        self._ticks: list[tuple[float, str]] = []
+        self._lines = PlotLayer(self, LIGHT)
+        self._scrub = ScrubLayer(self, LIGHT, self._lines)
+        self.getViewBox().setYRange(0.0, 1.0, padding=0)
+        self.getViewBox().sigResized.connect(self._number_axis)
+        self._number_axis()
+
+    # What is shown
+
+    @property
+    def plots(self) -> Sequence[PlotData]:
+        """What is plotted, from the top down."""
+        return self._lines.plots
+
+    @property
+    def note(self) -> str:
+        """What is said in place of plots."""
+        return self._lines.note
+
+    @property
+    def columns(self) -> int:
+        """The width of the plots in pixels."""
+        return int(self.pixel_map.width)
+
+    @property
+    def t_range(self) -> tuple[float, float]:
+        """The part of t that is visible."""
+        start, _, end, _ = self.pixel_map.box
+        return start, end
+
+    def scale_of(self, title: str) -> ValueScale:
+        """Return the values at the foot and at the head of a plot."""
+        return self._scales[title]
+
+    def render_plots(self, plots: Sequence[PlotData], knots: Floats, *, calm: bool) -> None:
+        """Show these plots, with marks at the knots; while `calm`, no scale shrinks."""
+        scales = {}
+        for plot in plots:
+            fresh, old = ValueScale.of(plot), self._scales.get(plot.title)
+            scales[plot.title] = fresh.holding(old) if calm and old is not None else fresh
+        moved = scales != self._scales
+        self._scales = scales
+        layer = self._lines
+        layer.plots, layer.scales, layer.knots = plots, list(scales.values()), knots
+        layer.note, layer.waits = "", False
+        if moved:
+            self._number_axis()
+        self._refresh()
+
+    def say(self, note: str) -> None:
+        """Show a sentence in place of plots."""
+        layer = self._lines
+        layer.plots, layer.scales, layer.knots, layer.note = (), (), np.empty(0), note
+        self._scales = {}
+        self._number_axis()
+        self._refresh()
+
+    def set_waiting(self) -> None:
+        """Let the plots step back: newer ones are on their way."""
+        self._lines.waits = True
+        self._refresh()
+
+    def set_scrub(self, t: float | None) -> None:
+        """Move the scrub line, or put it away (None)."""
+        self._scrub.scrub = t
+        self._scrub.refresh()
+
+    def set_t_range(self, start: float, end: float) -> None:
+        """Show this part of t."""
+        self.getViewBox().setXRange(start, end, padding=0)
+
+    def set_theme(self, theme: Theme) -> None:
+        """Take the colours of `theme`."""
+        self._lines.theme = self._scrub.theme = theme
+        super().set_theme(theme)
+
+    def set_scale(self, scale: float) -> None:
+        """Enlarge lines and numbers, for a projector."""
+        self._lines.scale = self._scrub.scale = scale
+        super().set_scale(scale)
+        self._number_axis()
+
+    def _refresh(self) -> None:
+        self._lines.refresh()
+        self._scrub.refresh()
+
+    def _number_axis(self) -> None:
+        """Write the numbers of all plots at the one axis."""
+        height, layer = max(self.getViewBox().rect().height(), 1.0), self._lines
+        ticks = []
+        for band, scale in zip(bands(len(layer.plots), height, layer.scale), layer.scales, strict=True):
+            most = max(int(band.height / (_PIXELS_A_NUMBER * layer.scale)), 2)
+            for share, text in scale.ticks(most):
+                y = float(band.y(np.array([share]))[0])
+                ticks.append((1 - min(max(y, _EDGE), height - _EDGE) / height, text))
+        if ticks != self._ticks:
+            self._ticks = ticks
+            self.getAxis("left").setTicks([ticks])
+
+    # Ranges: whoever shares the t axis decides, and says so by `set_t_range`
+
+    def zoom(self, factor: float, pixel: QPointF) -> None:
+        """Zoom along t."""
+        t, _ = self.to_plane(pixel)
+        start, end = self.t_range
+        self.range_asked.emit(t + (start - t) / factor, t + (end - t) / factor)
+
+    def pan(self, dx: float, dy: float) -> None:
+        """Move along t."""
+        start, end = self.t_range
+        by = -dx / self.pixel_map.sx
+        self.range_asked.emit(start + by, end + by)
+
+    # Gestures
+
+    def cancel_gesture(self) -> bool:
+        """Drop the gesture in flight; return whether there was one."""
+        return self._tool.cancel()
+
+    def forget_gesture(self) -> None:
+        """Drop the gesture in flight; the document is another one."""
+        self._tool.forget()
+
+    def pressed(self, pointer: Pointer) -> None:
+        self._tool.press(pointer, self._scrub.scrub)
+
+    def moved(self, pointer: Pointer) -> None:
+        if self._tool.is_pressed:
+            self._tool.move(pointer)
+        self.pointed_at.emit(pointer.position[0])
+
+    def released(self, pointer: Pointer) -> None:
+        if self._tool.is_pressed:
+            self._tool.release(pointer)
+
+    def hovered_at(self, pointer: Pointer) -> None:
+        self.hint_changed.emit("Drag, or press ← →, to scrub (Shift: ten times as far) · Wheel zooms along t")
+        self.pointed_at.emit(pointer.position[0])
+
+    def left(self) -> None:
+        if not self._tool.is_pressed:
+            self.hint_changed.emit("")
+            self.pointed_at.emit(None)
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        if event.key() == Qt.Key.Key_Escape and self.cancel_gesture():
+            event.accept()
+        elif event.key() in _DIRECTIONS:
+            steps = 10 if event.modifiers() & Qt.KeyboardModifier.ShiftModifier else 1
+            self.scrub_nudged.emit(_DIRECTIONS[Qt.Key(event.key())] * steps / self.pixel_map.sx)
+            event.accept()
+        else:
+            super().keyPressEvent(event)

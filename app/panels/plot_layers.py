@@ -1,0 +1,288 @@
+"""What the plot panel draws: plots below each other, and the scrub line through all of them."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from PySide6.QtCore import QPointF, QRectF, Qt
+from PySide6.QtGui import QColor, QFont, QPainter, QPen
+
+from app.panels.value_scale import ValueScale
+from app.plot.drawing import Segments, Stroke, cut_segments
+from app.plot.pixel_map import Floats, PixelMap
+from app.plot.plot_widget import PlotWidget
+from app.theme import Theme, mix
+from app.view_model.analysis.plot_lines import Dash, PlotData, PlotLine
+
+PENS = {
+    Dash.SOLID: Qt.PenStyle.SolidLine,
+    Dash.DASHED: Qt.PenStyle.DashLine,
+    Dash.DOTTED: Qt.PenStyle.DotLine,
+    Dash.DASH_DOTTED: Qt.PenStyle.DashDotLine,
+}
+
+_STRIP, _LARGEST_STRIP = 17.0, 0.4
+"""Pixels above a plot for its title, and the share of the height that they never surpass."""
+
+_FOOT = 5.0
+_MOST_JUMPS = 200
+_LEAST_SPACING = 6.0
+"""Pixels between the marks of joints below which they would be a grey area."""
+
+_MOST_A_COLUMN = 1.8
+"""Samples for each column of pixels above which they are drawn by columns."""
+
+_FAR = 1e5
+
+
+@dataclass(frozen=True)
+class Band:
+    """Where one of the plots stands, in pixels: its title above, its foot below."""
+
+    top: float
+    head: float
+    foot: float
+
+    @property
+    def height(self) -> float:
+        """The height of the plot without its title."""
+        return self.foot - self.head
+
+    def y(self, shares: Floats) -> Floats:
+        """Return vertical pixels of shares of the height."""
+        return self.foot - shares * self.height
+
+
+def bands(count: int, height: float, scale: float) -> list[Band]:
+    """Divide a height among plots."""
+    each = height / max(count, 1)
+    strip = min(_STRIP * scale, _LARGEST_STRIP * each)
+    foot = min(_FOOT, 0.1 * each)
+    return [Band(i * each, i * each + strip, (i + 1) * each - foot) for i in range(count)]
+
+
+class PlotLayer:
+    """All plots, in one item."""
+
+    def __init__(self, plot: PlotWidget, theme: Theme) -> None:
+        self.theme = theme
+        self.scale = 1.0
+        self.plots: Sequence[PlotData] = ()
+        self.scales: Sequence[ValueScale] = ()
+        self.knots: Floats = np.empty(0)
+        self.note = ""
+        self.waits = False
+        self._strokes: list[list[Stroke | Segments]] = []
+        self._strokes_of: tuple[object, ...] = ()
+        self._font = QFont(plot.font())
+        self._layer = plot.add_layer(self.paint, z=0)
+
+    def refresh(self) -> None:
+        """Draw again after one of the attributes was set."""
+        self._layer.update()
+
+    def paint(self, painter: QPainter, shown: PixelMap) -> None:
+        """Draw every plot: levels and joints, lines, title."""
+        font = QFont(self._font)
+        font.setPointSizeF(max(self._font.pointSizeF() - 1.0, 7.0) * self.scale)
+        painter.setFont(font)
+        if self.note:
+            painter.setPen(self.theme.muted)
+            area = QRectF(0, 0, shown.width, shown.height)
+            painter.drawText(area, int(Qt.AlignmentFlag.AlignCenter | Qt.TextFlag.TextWordWrap), self.note)
+            return
+        self._prepare(shown)
+        self._paint_joints(painter, shown)
+        places = bands(len(self.plots), shown.height, self.scale)
+        for index, (plot, band, scale) in enumerate(zip(self.plots, places, self.scales, strict=True)):
+            self._paint_ground(painter, band, scale, shown.width, first=index == 0)
+            painter.save()
+            painter.setClipRect(QRectF(0, band.head - 1, shown.width, band.height + 2))
+            self._paint_levels(painter, plot, band, scale, shown.width)
+            painter.setRenderHint(QPainter.RenderHint.Antialiasing, True)
+            for line, stroke in zip(plot.lines, self._strokes[index], strict=True):
+                pen = self._pen(line)
+                if isinstance(stroke, Segments):
+                    # Side by side, wider ones would make a bar.
+                    pen.setWidthF(self.scale)
+                    pen.setStyle(Qt.PenStyle.SolidLine)
+                painter.setPen(pen)
+                stroke.draw(painter)
+                self._paint_jumps(painter, line, band, scale, shown)
+            painter.restore()
+            self._paint_title(painter, plot, band, shown.width)
+
+    # Lines
+
+    def _prepare(self, shown: PixelMap) -> None:
+        """Turn the values into pixels, unless they are already."""
+        key = (self.plots, self.scales, shown, self.scale)
+        if len(key) == len(self._strokes_of) and all(
+            a is b for a, b in zip(key, self._strokes_of, strict=True)
+        ):
+            return
+        self._strokes_of = key
+        places = bands(len(self.plots), shown.height, self.scale)
+        self._strokes = [
+            [_stroke(line, band, scale, shown) for line in plot.lines]
+            for plot, band, scale in zip(self.plots, places, self.scales, strict=True)
+        ]
+
+    def _pen(self, line: PlotLine) -> QPen:
+        colour = self.colour_of(line)
+        pen = QPen(mix(colour, self.theme.paper, 0.4) if self.waits else colour, 1.5 * self.scale)
+        pen.setStyle(PENS[line.dash])
+        return pen
+
+    def colour_of(self, line: PlotLine) -> QColor:
+        """Return the colour of a line under the theme."""
+        if line.colour.startswith("#"):
+            return QColor(line.colour)
+        colour: QColor = getattr(self.theme, line.colour)
+        return colour
+
+    def _paint_jumps(
+        self, painter: QPainter, line: PlotLine, band: Band, scale: ValueScale, shown: PixelMap
+    ) -> None:
+        """Mark both ends of every jump."""
+        gaps = np.flatnonzero(np.isnan(line.values[1:-1])) + 1
+        if not 0 < len(gaps) <= _MOST_JUMPS:
+            return
+        ends = np.concatenate([gaps - 1, gaps + 1])
+        x, y = shown.x(line.t[ends]), band.y(scale.shares(line.values[ends]))
+        near = (x > -9) & (x < shown.width + 9) & (y > band.top - 9) & (y < band.foot + 9)
+        painter.setPen(Qt.PenStyle.NoPen)
+        painter.setBrush(self.colour_of(line))
+        for place in np.column_stack([x, y])[near].tolist():
+            painter.drawEllipse(QPointF(*place), 2.2 * self.scale, 2.2 * self.scale)
+        painter.setBrush(Qt.BrushStyle.NoBrush)
+
+    # What stands behind and beside them
+
+    def _paint_ground(
+        self, painter: QPainter, band: Band, scale: ValueScale, width: float, *, first: bool
+    ) -> None:
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing, False)
+        painter.setPen(QPen(self.theme.grid_coarse, 1))
+        zero = scale.share(0.0) if scale.low < 0 else 0.0
+        y = round(float(band.y(np.array([zero]))[0]))
+        painter.drawLine(0, y, int(width), y)
+        if not first:
+            painter.drawLine(0, round(band.top), int(width), round(band.top))
+
+    def _paint_joints(self, painter: QPainter, shown: PixelMap) -> None:
+        x = shown.x(self.knots)
+        x = x[(x >= -1) & (x <= shown.width + 1)]
+        if len(x) > 1 and float(np.median(np.diff(x))) < _LEAST_SPACING:
+            return
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing, False)
+        painter.setPen(QPen(self.theme.grid_fine, 1))
+        for place in np.rint(x).astype(int).tolist():
+            painter.drawLine(place, 0, place, int(shown.height))
+
+    def _paint_levels(
+        self, painter: QPainter, plot: PlotData, band: Band, scale: ValueScale, width: float
+    ) -> None:
+        for level in plot.levels:
+            y = float(band.y(np.array([scale.share(level.value)]))[0])
+            painter.setPen(QPen(self.theme.muted, 1, Qt.PenStyle.DashLine))
+            painter.drawLine(QPointF(0, round(y)), QPointF(width, round(y)))
+
+    def _paint_title(self, painter: QPainter, plot: PlotData, band: Band, width: float) -> None:
+        """Write what the plot shows; where it has several lines, a sample and the name of each."""
+        strip = QRectF(4, band.top, width - 8, max(band.head - band.top, 11.0))
+        middle = int(Qt.AlignmentFlag.AlignVCenter | Qt.AlignmentFlag.AlignLeft)
+        title = f"{plot.title} …" if self.waits else plot.title
+        painter.setPen(self.theme.ink)
+        painter.drawText(strip, middle, title)
+        left = strip.left() + painter.fontMetrics().horizontalAdvance(title) + 14
+        if len(plot.lines) > 1:
+            left = self._paint_legend(painter, plot, strip, left)
+        remark = plot.note or "".join(level.name for level in plot.levels)
+        if remark:
+            painter.setPen(self.theme.warning if plot.note else self.theme.muted)
+            room = strip.adjusted(left - strip.left(), 0, 0, 0)
+            shown = painter.fontMetrics().elidedText(remark, Qt.TextElideMode.ElideRight, int(room.width()))
+            painter.drawText(room, int(Qt.AlignmentFlag.AlignVCenter | Qt.AlignmentFlag.AlignRight), shown)
+
+    def _paint_legend(self, painter: QPainter, plot: PlotData, strip: QRectF, left: float) -> float:
+        for line in plot.lines:
+            y = strip.center().y()
+            painter.setPen(self._pen(line))
+            painter.drawLine(QPointF(left, y), QPointF(left + 22, y))
+            painter.setPen(self.theme.muted)
+            painter.drawText(
+                strip.adjusted(left + 26 - strip.left(), 0, 0, 0),
+                int(Qt.AlignmentFlag.AlignVCenter | Qt.AlignmentFlag.AlignLeft),
+                line.name,
+            )
+            left += 26 + painter.fontMetrics().horizontalAdvance(line.name) + 14
+        return left
+
+
+def _stroke(line: PlotLine, band: Band, scale: ValueScale, shown: PixelMap) -> Stroke | Segments:
+    with np.errstate(over="ignore"):
+        x = np.clip(shown.x(line.t), -_FAR, _FAR)
+    y = band.y(scale.shares(line.values))
+    if len(x) > _MOST_A_COLUMN * shown.width:
+        return _by_columns(x, y, shown)
+    stroke = Stroke()
+    stroke.fill(np.column_stack([x, y]), shown.width, shown.height)
+    return stroke
+
+
+def _by_columns(x: Floats, y: Floats, shown: PixelMap) -> Segments:
+    """Draw one upright line for each column of pixels: where there are more samples, no more is seen."""
+    column = np.floor(x)
+    seen = (column >= 0) & (column <= shown.width) & ~np.isnan(y)
+    column, y = column[seen], y[seen]
+    upright = Segments()
+    if len(column):
+        first = np.flatnonzero(np.diff(column, prepend=-1.0))
+        low, high = np.minimum.reduceat(y, first), np.maximum.reduceat(y, first)
+        # Each reaches to the one before it, as a line through all samples would.
+        low[1:], high[1:] = np.minimum(low[1:], high[:-1]), np.maximum(high[1:], low[:-1])
+        middle = column[first] + 0.5
+        # A line without length would not be drawn.
+        ends = np.column_stack([middle, low - 0.5, middle, high + 0.5])
+        upright.fill(cut_segments(ends, shown.width, shown.height))
+    return upright
+
+
+class ScrubLayer:
+    """The scrub line, and a dot on every line where it crosses."""
+
+    def __init__(self, plot: PlotWidget, theme: Theme, plots: PlotLayer) -> None:
+        self.theme = theme
+        self.scale = 1.0
+        self.scrub: float | None = None
+        self._plots = plots
+        self._layer = plot.add_layer(self.paint, z=10)
+
+    def refresh(self) -> None:
+        """Draw again after one of the attributes was set."""
+        self._layer.update()
+
+    def paint(self, painter: QPainter, shown: PixelMap) -> None:
+        """Draw the line through all plots, and the dots."""
+        if self.scrub is None:
+            return
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing, True)
+        x = shown.point(self.scrub, 0.0)[0]
+        painter.setPen(QPen(self.theme.accent, 1.5 * self.scale))
+        painter.drawLine(QPointF(x, 0), QPointF(x, shown.height))
+        plots = self._plots
+        if plots.note:
+            return
+        places = bands(len(plots.plots), shown.height, self.scale)
+        for plot, band, scale in zip(plots.plots, places, plots.scales, strict=True):
+            for line in plot.lines:
+                share = scale.share(line.value_at(self.scrub))
+                if 0 <= share <= 1:
+                    y = float(band.y(np.array([share]))[0])
+                    painter.setPen(QPen(self.theme.paper, 1.5 * self.scale))
+                    painter.setBrush(plots.colour_of(line))
+                    painter.drawEllipse(QPointF(x, y), 4 * self.scale, 4 * self.scale)
+        painter.setBrush(Qt.BrushStyle.NoBrush)

@@ -1,0 +1,115 @@
+"""The plots over t with their header: which are shown, and their values at the scrub line."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+
+from PySide6.QtCore import QEvent, Qt, Signal
+from PySide6.QtGui import QAction
+from PySide6.QtWidgets import QHBoxLayout, QSizePolicy, QToolButton, QVBoxLayout, QWidget
+
+from app.icons import icon
+from app.panels.choice_style import choice_style
+from app.panels.elided_label import ElidedLabel
+from app.panels.number_text import decimal_mark, rounded_text
+from app.panels.plot_canvas import PlotCanvas
+from app.theme import theme_of
+
+_HEIGHT_A_PLOT = 64
+"""Pixels that a plot should have at least where there is room."""
+
+
+class PlotPane(QWidget):
+    """Header and plots.
+
+    Signals
+    -------
+    close_asked
+        All plots shall be put away.
+    """
+
+    close_asked = Signal()
+
+    def __init__(
+        self, canvas: PlotCanvas, choices: Sequence[tuple[str, QAction]], parent: QWidget | None = None
+    ) -> None:
+        super().__init__(parent)
+        self.setObjectName("plotPane")
+        self.canvas = canvas
+        self._values = ElidedLabel()
+        self._values.setObjectName("plotValues")
+        self._values.setAccessibleName("Values at the scrub line")
+        self._values.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
+        self._values.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
+        self._close = QToolButton()
+        self._close.setObjectName("closePlots")
+        self._close.setAutoRaise(True)
+        self._close.setAccessibleName("Close the plots")
+        self._close.setToolTip("Put all plots away")
+        self._close.clicked.connect(self.close_asked)
+        self._choices = QWidget()
+        row = QHBoxLayout(self._choices)
+        row.setContentsMargins(0, 0, 0, 0)
+        row.setSpacing(4)
+        for symbol, action in choices:
+            row.addWidget(_choice(symbol, action))
+        header = QHBoxLayout()
+        header.setContentsMargins(10, 4, 8, 4)
+        header.setSpacing(4)
+        header.addWidget(self._choices)
+        header.addSpacing(6)
+        header.addWidget(self._values, 1)
+        header.addWidget(self._close)
+        layout = QVBoxLayout(self)
+        layout.setContentsMargins(0, 0, 0, 0)
+        layout.setSpacing(0)
+        layout.addLayout(header)
+        layout.addWidget(canvas, 1)
+        self._render_theme()
+
+    @property
+    def values_text(self) -> str:
+        """What is written about the scrub line."""
+        return self._values.text()
+
+    def show_values(self, t: float | None, values: Mapping[str, float]) -> None:
+        """Write the values at the scrub line, by their symbols; nothing without one (None)."""
+        if t is None:
+            text = "T shows the values at a scrub line"
+        else:
+            mark = decimal_mark()
+            known = [f"{name} {rounded_text(value, mark, 4)}" for name, value in values.items()]
+            text = "   ".join([f"t {rounded_text(t, mark, 4)}", *known])
+        if text != self._values.text():
+            self._values.setText(text)
+
+    def wanted_height(self, count: int) -> int:
+        """Return how high the pane should be at least for so many plots."""
+        rest = self.height() - self.canvas.getViewBox().rect().height()
+        return int(min(max(rest, 40), 90)) + count * _HEIGHT_A_PLOT
+
+    def _render_theme(self) -> None:
+        theme = theme_of(self.palette())
+        self.canvas.set_theme(theme)
+        self._values.setStyleSheet(f"color: {theme.muted.name()}")
+        self._choices.setStyleSheet(choice_style(theme))
+        self._close.setIcon(icon("close", theme))
+
+    def changeEvent(self, event: QEvent) -> None:
+        super().changeEvent(event)
+        if event.type() == QEvent.Type.PaletteChange and hasattr(self, "_choices"):
+            self._render_theme()
+
+
+def _choice(symbol: str, action: QAction) -> QToolButton:
+    button = QToolButton()
+    button.setObjectName(f"{action.objectName()}Choice")
+    button.setText(symbol)
+    button.setCheckable(action.isCheckable())
+    button.setChecked(action.isChecked())
+    button.setAccessibleName(action.text())
+    button.setToolTip(action.toolTip())
+    button.clicked.connect(action.trigger)
+    if action.isCheckable():
+        action.toggled.connect(button.setChecked)
+    return button

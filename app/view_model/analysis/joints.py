@@ -1,0 +1,208 @@
+"""The joint certificate: what jumps at each joint, in numbers and in words."""
+
+from __future__ import annotations
+
+import math
+from collections import Counter
+from collections.abc import Sequence
+from dataclasses import dataclass
+from enum import Enum
+
+import numpy as np
+
+from app.document.model import Family
+from app.view_model.curve_view import CurveView
+from curvecore import Joint, joint_report
+
+_MOST_NAMED = 3
+"""Joints named one by one in the summary; of more, their number is told."""
+
+_RESIDUE = 1e-9
+"""A jump of the curvature below this share of the curvature itself is a rounding residue."""
+
+
+class Kind(Enum):
+    """What happens at a joint, from smooth to broken."""
+
+    SMOOTH = "smooth"
+    ACCELERATION = "acceleration jumps"
+    SPEED = "speed jumps"
+    REST = "stands still"
+    CORNER = "corner"
+    BREAK = "break"
+
+
+_RESTS = "The curve stands still here, so that it has no direction: a corner or a cusp may show."
+
+_WORDS = {
+    (2, 2): "Smooth: velocity and acceleration go on without a jump, and so do direction and curvature.",
+    (1, 2): "The acceleration jumps, the velocity does not. The curvature goes on: the eye sees no joint.",
+    (1, 1): "The velocity goes on, the acceleration jumps, and the curvature with it: a mover feels a jerk.",
+    (0, 2): "The speed jumps, but direction and curvature go on: the drawn line shows no joint.",
+    (0, 1): "Speed and curvature jump; the direction goes on: no corner, but a mover feels a blow.",
+    (0, 0): "A corner: the direction jumps.",
+}
+
+
+@dataclass(frozen=True)
+class JointRow:
+    """One joint.
+
+    Attributes
+    ----------
+    joint
+        The node it lies at.
+    place
+        The point.
+    reach
+        The distance to the nearer of its neighbours: how closely to look.
+    jumps
+        Sizes of the jumps of c, c' and c''; exactly 0 where there is none beyond rounding.
+    angle
+        Between the tangents before and after, in degrees; NaN where the curve stands still.
+    curvature
+        The jump of the curvature; NaN where the curve stands still.
+    smoothness
+        The class, as "C²", "C¹, G²" or "break".
+    kind, words
+        What that means.
+    """
+
+    joint: int
+    t: float
+    place: tuple[float, float]
+    reach: float
+    jumps: tuple[float, float, float]
+    angle: float
+    curvature: float
+    smoothness: str
+    kind: Kind
+    words: str
+
+
+@dataclass(frozen=True)
+class Certificate:
+    """All joints of a curve, and one sentence about them."""
+
+    rows: tuple[JointRow, ...]
+    summary: str
+
+
+def certificate_of(view: CurveView) -> Certificate:
+    """Return the certificate of a curve; without joints, with the reason in its summary."""
+    if view.curve is None or not view.is_current:
+        return Certificate((), view.problem)
+    if view.source.family is Family.LAGRANGE:
+        return Certificate((), "One polynomial: no joints. Every derivative goes on, everywhere.")
+    joints = joint_report(view.curve, closed=view.source.is_closed)
+    if not joints:
+        return Certificate((), "One piece between two points: no joints.")
+    reaches = _reaches(view)
+    rows = tuple(_row(view, joint, reaches) for joint in joints)
+    return Certificate(rows, _summary(rows))
+
+
+def _row(view: CurveView, joint: Joint, reaches: list[float]) -> JointRow:
+    node = view.owner(joint.joint)
+    x, y = view.points[node].tolist()
+    measured = (joint.point_jump, joint.velocity_jump, joint.acceleration_jump)
+    sizes = [0.0 if order <= joint.parametric else _size(each) for order, each in enumerate(measured)]
+    kind = _kind(joint)
+    words = _WORDS.get((joint.parametric, joint.geometric), "The curve is broken.")
+    return JointRow(
+        joint=node,
+        t=joint.parameter,
+        place=(x, y),
+        reach=reaches[node],
+        jumps=(sizes[0], sizes[1], sizes[2]),
+        angle=0.0 if joint.geometric >= 1 else math.degrees(joint.angle),
+        curvature=_curvature_jump(joint),
+        smoothness=_class_text(joint),
+        kind=kind,
+        words=_RESTS if kind is Kind.REST else words,
+    )
+
+
+def _size(jump: np.ndarray[tuple[int], np.dtype[np.float64]]) -> float:
+    return math.hypot(*jump.tolist())
+
+
+def _curvature_jump(joint: Joint) -> float:
+    scale = max(abs(joint.curvature_before), abs(joint.curvature_after))
+    is_none = joint.geometric >= 2 or abs(joint.curvature_jump) <= _RESIDUE * scale
+    return 0.0 if is_none else joint.curvature_jump
+
+
+def _kind(joint: Joint) -> Kind:
+    if joint.parametric < 0:
+        return Kind.BREAK
+    if math.isnan(joint.angle):
+        return Kind.REST
+    if joint.parametric >= 2:
+        return Kind.SMOOTH
+    if joint.parametric == 1:
+        return Kind.ACCELERATION
+    return Kind.SPEED if joint.geometric >= 1 else Kind.CORNER
+
+
+def _class_text(joint: Joint) -> str:
+    if joint.parametric < 0:
+        return "break"
+    more = f", G{_raised(joint.geometric)}" if joint.geometric > joint.parametric else ""
+    return f"C{_raised(joint.parametric)}{more}"
+
+
+def _raised(order: int) -> str:
+    return "⁰¹²"[order]
+
+
+def _reaches(view: CurveView) -> list[float]:
+    """Return for every node the distance to the nearer of its neighbours that is elsewhere."""
+    points = view.points
+    ring = np.vstack([points[-1:], points, points[:1]])
+    steps = np.hypot(*np.diff(ring, axis=0).T)
+    if not view.source.is_closed:
+        steps[0] = steps[-1] = np.inf
+    steps[steps == 0] = np.inf
+    nearer = np.minimum(steps[:-1], steps[1:])
+    size = float(np.ptp(points, axis=0).max()) or 1.0
+    reaches: list[float] = np.where(np.isfinite(nearer), nearer, size).tolist()
+    return reaches
+
+
+def _summary(rows: Sequence[JointRow]) -> str:
+    """Say the class of most joints, and which ones are less smooth, or have no direction."""
+    usual = Counter(row.smoothness for row in rows).most_common(1)[0][0]
+    rank = {row.smoothness: _rank(row) for row in rows}
+    worse = [row for row in rows if rank[row.smoothness] < rank[usual] or row.kind is Kind.REST]
+    if not worse:
+        return f"{usual} everywhere." if len(rows) > 1 else f"{usual} at its one joint."
+    if len(worse) > _MOST_NAMED:
+        return f"{usual} everywhere except at {len(worse)} of {len(rows)} joints."
+    named = "; ".join(f"joint {row.joint}: {_brief(row)}" for row in worse)
+    return f"{usual} everywhere except {named}."
+
+
+def _rank(row: JointRow) -> tuple[int, int]:
+    """Return how smooth a joint is: larger is smoother."""
+    digits = ["⁰¹²".index(mark) for mark in row.smoothness if mark in "⁰¹²"]
+    return (digits[0], digits[-1]) if digits else (-1, -1)
+
+
+def _brief(row: JointRow) -> str:
+    """Name what is less smooth: of C⁰, G¹ the G¹, for the C⁰ goes without saying."""
+    if row.kind is Kind.REST:
+        return "stands still"
+    return f"{row.smoothness} (corner)" if row.kind is Kind.CORNER else row.smoothness.removeprefix("C⁰, ")
+
+
+def as_text(certificate: Certificate) -> str:
+    """Return the certificate as a table of text, with tabs, for other programs; numbers are exact."""
+    jumps = [f"jump of {what}" for what in ("c", "c'", "c''")]
+    lines = [certificate.summary]
+    if certificate.rows:
+        lines.append("\t".join(["joint", "t", "class", *jumps, "angle (degrees)", "jump of curvature"]))
+    for row in certificate.rows:
+        numbers = (*row.jumps, row.angle, row.curvature)
+        lines.append("\t".join([str(row.joint), repr(row.t), row.smoothness, *map(repr, numbers)]))
+    return "\n".join(lines) + "\n"

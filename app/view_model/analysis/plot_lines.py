@@ -1,0 +1,111 @@
+"""What a plot over t shows: lines of (t, value), on a linear or a logarithmic scale."""
+
+from __future__ import annotations
+
+import enum
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+import numpy.typing as npt
+
+Floats = npt.NDArray[np.float64]
+
+
+class Scale(enum.Enum):
+    """How values are placed."""
+
+    LINEAR = enum.auto()
+    """Zero is always in sight."""
+    LOG = enum.auto()
+    """What is not positive lies below the plot."""
+
+
+class Dash(enum.Enum):
+    """How a line is drawn, so that colour is not all that tells lines apart."""
+
+    SOLID = enum.auto()
+    DASHED = enum.auto()
+    DOTTED = enum.auto()
+    DASH_DOTTED = enum.auto()
+
+
+@dataclass(frozen=True, eq=False)
+class PlotLine:
+    """Values over t.
+
+    Attributes
+    ----------
+    name
+        What it is; shown where a plot has several lines.
+    t, values
+        Ascending parameters (m,) and the values there (m,), of any size. At a NaN the line is interrupted,
+        and both ends are marked: a jump.
+    colour
+        "#rrggbb", or the name of a colour of the theme.
+    """
+
+    name: str
+    t: Floats
+    values: Floats
+    colour: str = "accent"
+    dash: Dash = Dash.SOLID
+
+    def value_at(self, t: float) -> float:
+        """Return the value of the nearest sample; NaN where there is none near."""
+        if not len(self.t) or not self.t[0] <= t <= self.t[-1]:
+            return float("nan")
+        after = int(np.searchsorted(self.t, t))
+        near = range(max(after - 2, 0), min(after + 2, len(self.t)))
+        known = [index for index in near if not np.isnan(self.values[index])]
+        if not known:
+            return float("nan")
+        return float(self.values[min(known, key=lambda index: abs(float(self.t[index]) - t))])
+
+
+@dataclass(frozen=True)
+class Level:
+    """A value that is marked across the whole plot, and what it is."""
+
+    value: float
+    name: str
+
+
+@dataclass(frozen=True, eq=False)
+class PlotData:
+    """One plot.
+
+    Attributes
+    ----------
+    title
+        What it shows; no two plots of a pane have the same.
+    symbol
+        What stands before its value in the header.
+    extent
+        The least and the greatest value worth seeing; values beyond run out of the plot.
+    note
+        A few words beside the title, such as how far the values run out of the plot.
+    """
+
+    title: str
+    symbol: str
+    scale: Scale
+    lines: tuple[PlotLine, ...]
+    extent: tuple[float, float]
+    levels: tuple[Level, ...] = ()
+    note: str = ""
+
+
+def plot_of(title: str, lines: Sequence[PlotLine], scale: Scale, symbol: str = "") -> PlotData:
+    """Return a plot of these lines that shows all of their values."""
+    return PlotData(title, symbol, scale, tuple(lines), extent_of([each.values for each in lines], scale))
+
+
+def extent_of(values: Sequence[Floats], scale: Scale) -> tuple[float, float]:
+    """Return the least and the greatest value that can be shown on a scale; (1, 1) for none."""
+    least, greatest = np.inf, -np.inf
+    for each in values:
+        shown = each[np.isfinite(each) & ((each > 0) | (scale is Scale.LINEAR))]
+        if len(shown):
+            least, greatest = min(least, float(shown.min())), max(greatest, float(shown.max()))
+    return (least, greatest) if least <= greatest else (1.0, 1.0)

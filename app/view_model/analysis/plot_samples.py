@@ -1,0 +1,116 @@
+"""Where a curve is sampled for plots over t: no more often than there are pixels, one-sided at joints."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+import numpy.typing as npt
+
+from app.view_model.curve_view import CurveView
+from curvecore import LagrangeCurve, lebesgue_function
+from curvecore.derivatives import derivatives_at
+
+Floats = npt.NDArray[np.float64]
+Integers = npt.NDArray[np.intp]
+
+_MOST = 500
+"""Samples of a polynomial, as many as the basis panel takes and some."""
+
+_PIXELS_A_SAMPLE = 2.5
+_LEAST, _MOST_A_SEGMENT = 3, 96
+
+_QUICK_POINTS = 64
+_QUICK_CONSTANT = 1e5
+"""Beyond either the core must differentiate a polynomial's basis at every t: many times a frame."""
+
+_ALWAYS_QUICK = 12
+
+_MANY_PIECES = 24
+
+_SAME = 1e-9
+"""Values at a joint that differ by less, relative to the greatest of all, are no jump."""
+
+
+@dataclass(frozen=True, eq=False)
+class PlotSamples:
+    """Ascending parameters (m,), and where stretches between joints begin, the first one left out."""
+
+    t: Floats
+    starts: Integers
+
+    def broken_at_jumps(self, values: Floats, all_values: Floats | None = None) -> tuple[Floats, Floats]:
+        """Return (t, values) with a NaN between the two sides of every jump.
+
+        Of values that belong together, `all_values` (m, k), one that jumps breaks them all.
+        """
+        if not len(self.starts):
+            return self.t, values
+        judged = values[:, None] if all_values is None else all_values
+        with np.errstate(invalid="ignore", over="ignore"):
+            size = float(np.max(np.abs(judged), where=np.isfinite(judged), initial=0.0))
+            steps = np.abs(judged[self.starts] - judged[self.starts - 1]).max(axis=1)
+        jumps = self.starts[steps > _SAME * size]
+        return np.insert(self.t, jumps, self.t[jumps]), np.insert(values, jumps, np.nan)
+
+
+def samples_over(view: CurveView, t_range: tuple[float, float], columns: int) -> PlotSamples:
+    """Return where to sample the part of a current curve within `t_range`, over `columns` pixels."""
+    knots = view.parameters
+    start, end = max(t_range[0], float(knots[0])), min(t_range[1], float(knots[-1]))
+    if not start < end:
+        return PlotSamples(np.empty(0), np.empty(0, dtype=np.intp))
+    if isinstance(view.curve, LagrangeCurve):
+        return PlotSamples(_of_polynomial(knots, start, end, columns), np.empty(0, dtype=np.intp))
+    first = max(int(np.searchsorted(knots, start, side="right")) - 1, 0)
+    last = min(int(np.searchsorted(knots, end, side="left")), len(knots) - 1)
+    pixels = columns / (t_range[1] - t_range[0])
+    return _of_segments(np.clip(knots[first : last + 1], start, end), pixels, knots)
+
+
+def _of_polynomial(knots: Floats, start: float, end: float, columns: int) -> Floats:
+    """Crowd the samples at both ends, where a polynomial swings most; the knots, where Λ is 1, are some."""
+    u = np.linspace(0.0, 1.0, min(max(columns, 2), _MOST))
+    t = start + (end - start) * (0.5 * u + 0.5 * np.sin(0.5 * np.pi * u) ** 2)
+    inside = knots[(knots > start) & (knots < end)]
+    t = np.concatenate([t, inside]) if len(inside) < len(t) / 2 else t
+    result: Floats = np.unique(np.clip(t, start, end))
+    return result
+
+
+def _of_segments(cuts: Floats, pixels: float, knots: Floats) -> PlotSamples:
+    """Sample every segment between cuts in proportion to the pixels it takes, both of its ends included."""
+    spacing = np.diff(cuts)
+    counts = np.clip(np.ceil(spacing * pixels / _PIXELS_A_SAMPLE), _LEAST, _MOST_A_SEGMENT).astype(np.intp)
+    first = np.concatenate([[0], np.cumsum(counts)])
+    segment = np.repeat(np.arange(len(spacing)), counts)
+    share = (np.arange(first[-1]) - first[segment]) / (counts[segment] - 1)
+    t = cuts[segment] + share * spacing[segment]
+    # A hair before the joint, so that it counts to the segment before.
+    t[first[1:] - 1] = np.nextafter(cuts[1:], cuts[:-1])
+    if cuts[-1] == knots[-1]:
+        t[-1] = cuts[-1]
+    return PlotSamples(t, first[1:-1].astype(np.intp))
+
+
+def derivatives_of(view: CurveView, t: Floats, orders: tuple[int, ...]) -> dict[int, Floats]:
+    """Return derivatives (m, 2) of a current curve by their order."""
+    assert view.curve is not None
+    if not orders:
+        return {}
+    # What overflows is infinite, and runs out of the plot.
+    with np.errstate(all="ignore"):
+        return dict(zip(orders, derivatives_at(view.curve, t, orders), strict=True))
+
+
+def is_slow(view: CurveView) -> bool:
+    """Whether derivatives at as many places as a plot has pixels take longer than a frame."""
+    curve = view.curve
+    if not isinstance(curve, LagrangeCurve):
+        return len(view.pieces) > _MANY_PIECES
+    count = len(curve.parameters)
+    if count <= _ALWAYS_QUICK or count > _QUICK_POINTS:
+        return count > _QUICK_POINTS
+    # It is largest near an end, and there in the middle between two parameters.
+    ends = curve.parameters[[0, 1, -2, -1]]
+    return bool(lebesgue_function(curve, (ends[::2] + ends[1::2]) / 2).max() > _QUICK_CONSTANT)

@@ -1,0 +1,165 @@
+"""The joint certificate, with real events."""
+
+from __future__ import annotations
+
+import time
+
+import numpy as np
+import pytest
+from msgspec.structs import replace
+from PySide6.QtCore import Qt
+from PySide6.QtGui import QGuiApplication
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QDockWidget, QLabel, QTableView, QToolButton
+
+from app.document.edits import set_position
+from app.document.model import Curve, Document, Family, Node, Parametrization, VelocityRule
+from app.panels.joints_panel import JointsPanel
+from app.view_model.analysis.joints import Kind
+
+
+@pytest.fixture
+def bessel(editor):
+    """The sketch as cubics that jump in the acceleration; the certificate in sight."""
+    curve = replace(editor.curve, family=Family.HERMITE, velocity_rule=VelocityRule.BESSEL)
+    editor.session.commit(Document((curve,)), "Begin")
+    editor.trigger("showJoints")
+    return editor
+
+
+def panel(editor):
+    return editor.window.findChild(JointsPanel, "jointsPanel")
+
+
+def table(editor):
+    return editor.window.findChild(QTableView, "jointsTable")
+
+
+def text(editor, row, column):
+    return table(editor).model().index(row, column).data()
+
+
+def click_row(editor, row):
+    view = table(editor)
+    place = view.visualRect(view.model().index(row, 1)).center()
+    QTest.mouseClick(view.viewport(), Qt.MouseButton.LeftButton, pos=place)
+    editor.settle()
+
+
+def test_it_is_built_when_it_is_first_looked_at(editor):
+    assert panel(editor) is None
+    editor.trigger("showJoints")
+    assert panel(editor).isVisible()
+    assert editor.window.findChild(QDockWidget, "jointsDock").isVisible()
+    assert "One polynomial: no joints" in panel(editor).summary
+    assert not table(editor).isVisible()
+
+
+def test_there_is_a_row_for_every_joint_with_sign_class_and_jumps(bessel):
+    assert panel(bessel).summary == "△ C¹ everywhere."
+    assert table(bessel).model().rowCount() == 6
+    assert text(bessel, 2, 0) == "△ 3"
+    assert text(bessel, 2, 1) == "C¹"
+    assert [text(bessel, 2, column) for column in (2, 3)] == ["0", "0"]
+    curve, t = bessel.session.active_view.curve, bessel.parameters[3]
+    jump = np.linalg.norm(curve.evaluate(t, 2) - curve.evaluate(np.nextafter(t, 0), 2))
+    assert text(bessel, 2, 4) == f"{jump:.3g}"
+
+
+def test_a_click_on_a_row_zooms_there_and_selects_the_point(bessel):
+    canvas = bessel.window.canvas
+    width = canvas.pixel_map.box[2] - canvas.pixel_map.box[0]
+    click_row(bessel, 2)
+    assert bessel.session.selection == {3}
+    x_min, y_min, x_max, y_max = canvas.pixel_map.box
+    assert ((x_min + x_max) / 2, (y_min + y_max) / 2) == pytest.approx(bessel.point(3))
+    assert x_max - x_min < 0.6 * width
+    assert "Joint 3" in bessel.window.findChild(QLabel, "jointsDetail").text()
+    assert "acceleration jumps" in bessel.window.findChild(QLabel, "jointsDetail").text()
+    assert bessel.session.undo_stack.count() == 1
+
+
+def test_enter_does_the_same_and_arrows_only_choose(bessel):
+    view = table(bessel)
+    view.setFocus()
+    view.setCurrentIndex(view.model().index(0, 0))
+    box = bessel.window.canvas.pixel_map.box
+    QTest.keyClick(view, Qt.Key.Key_Down)
+    assert bessel.window.canvas.pixel_map.box == box
+    assert "Joint 2" in bessel.window.findChild(QLabel, "jointsDetail").text()
+    QTest.keyClick(view, Qt.Key.Key_Return)
+    assert bessel.session.selection == {2}
+    assert bessel.window.canvas.pixel_map.box != box
+
+
+def test_selecting_a_point_chooses_its_row(bessel):
+    bessel.select_point(5)
+    assert table(bessel).currentIndex().row() == 4
+
+
+def test_it_follows_a_drag_at_the_pace_of_the_panels_and_escape_goes_back(bessel, qtbot):
+    before = panel(bessel).rows
+    x, y = bessel.point(3)
+    bessel.press((x, y))
+    bessel.move((x + 0.4, y + 0.4))
+    qtbot.waitUntil(lambda: panel(bessel).rows != before, timeout=2000)
+    bessel.escape()
+    assert panel(bessel).rows == before
+
+
+def test_a_corner_is_told_by_sign_and_word(bessel):
+    bessel.select([3])
+    bessel.trigger("tangentCorner")
+    x, y = bessel.handle(1, ahead=True).position
+    bessel.drag_handle((x + 0.4, y + 0.3), ahead=True)
+    row = panel(bessel).rows[2]
+    assert row.kind is Kind.CORNER
+    assert text(bessel, 2, 0) == "▲ 3"
+    assert text(bessel, 2, 5).endswith("°")
+    assert "joint 3: C⁰ (corner)" in panel(bessel).summary
+    assert panel(bessel).summary.startswith("▲")
+
+
+def test_the_closing_joint_is_the_last(bessel):
+    bessel.trigger("closeCurve")
+    assert table(bessel).model().rowCount() == 8
+    assert text(bessel, 7, 0).endswith(" 0")
+    table(bessel).scrollToBottom()
+    click_row(bessel, 7)
+    assert bessel.session.selection == {0}
+    assert "where the curve closes" in bessel.window.findChild(QLabel, "jointsDetail").text()
+
+
+def test_it_is_copied_by_button_and_by_keys(bessel, qtbot):
+    QGuiApplication.clipboard().clear()
+    qtbot.mouseClick(bessel.window.findChild(QToolButton, "copyJointsButton"), Qt.MouseButton.LeftButton)
+    copied = QGuiApplication.clipboard().text()
+    assert copied.startswith("C¹ everywhere.\njoint\tt\tclass")
+    assert len(copied.splitlines()) == 8
+    QGuiApplication.clipboard().clear()
+    click_row(bessel, 1)
+    table(bessel).setFocus()
+    QTest.keyClick(table(bessel), Qt.Key.Key_C, Qt.KeyboardModifier.ControlModifier)
+    assert QGuiApplication.clipboard().text() == copied
+    assert bessel.status.startswith("Copied")
+
+
+def test_without_a_curve_it_says_why(bessel):
+    bessel.session.commit(set_position(bessel.session.document, 0, 2, bessel.point(1)), "Meet")
+    bessel.settle()
+    assert panel(bessel).summary == bessel.session.active_view.problem
+    bessel.trigger("undo")
+    assert table(bessel).isVisible()
+
+
+def test_a_thousand_joints_are_quick(editor):
+    nodes = tuple(Node(i / 100, float(np.sin(i / 30))) for i in range(1000))
+    curve = Curve("Long", Family.HERMITE, Parametrization(), nodes, VelocityRule.BESSEL)
+    editor.session.commit(Document((curve,)), "Begin")
+    editor.trigger("showJoints")
+    assert table(editor).model().rowCount() == 998
+    began = time.thread_time()
+    editor.session.commit(set_position(editor.session.document, 0, 500, (5.0, 0.3)), "Move")
+    editor.settle()
+    # Some 30 ms; ten times that would be felt.
+    assert time.thread_time() - began < 0.3

@@ -1,0 +1,202 @@
+"""What the plots over t show, against finite differences, closed forms and the core."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+
+from app.document.model import Curve, Family, Node, Parametrization, ParametrizationKind, VelocityRule
+from app.view_model.analysis.hodograph import derivative_at, hodograph_of
+from app.view_model.analysis.plot_lines import PlotLine, Scale, extent_of, plot_of
+from app.view_model.analysis.plot_samples import is_slow, samples_over
+from app.view_model.analysis.plots import SYMBOLS, TITLES, plots_of, values_at
+from app.view_model.analysis.settings import Plot
+from app.view_model.curve_view import view_of
+from curvecore import lebesgue_constant
+
+
+def wave(count, family, kind=ParametrizationKind.CHORD_LENGTH, **fields):
+    s = np.linspace(0, 1, count)
+    nodes = tuple(Node(4 * float(a), 1 + 0.7 * math.sin(14 * a)) for a in s)
+    return view_of(Curve("Wave", family, Parametrization(kind), nodes, **fields))
+
+
+def plots(view, *kinds, t_range=None, columns=800):
+    t_range = t_range or (float(view.parameters[0]), float(view.parameters[-1]))
+    return plots_of(view, frozenset(kinds), t_range, columns, lebesgue_constant(view.skeleton))
+
+
+@pytest.mark.parametrize("family", list(Family))
+def test_the_derivatives_plotted_are_those_of_the_curve(family):
+    view = wave(9, family)
+    for kind, order in ((Plot.SPEED, 1), (Plot.ACCELERATION, 2), (Plot.JERK, 3)):
+        (plot,) = plots(view, kind)
+        (line,) = plot.lines
+        known = ~np.isnan(line.values)
+        exact = np.linalg.norm(view.curve.evaluate(line.t[known], order), axis=1)
+        assert line.values[known] == pytest.approx(exact, rel=1e-9, abs=1e-9 * exact.max())
+        assert plot.extent == (line.values[known].min(), line.values[known].max())
+
+
+def test_the_curvature_is_that_of_a_circle_and_its_sign_tells_left_from_right():
+    """Of a quintic through 12 points of a circle of radius 2; the error of the spline is far below 1 %."""
+    angles = np.linspace(0, 1.5 * np.pi, 12)
+    for sign in (1, -1):
+        nodes = tuple(
+            Node(
+                2 * math.cos(a),
+                2 * sign * math.sin(a),
+                velocity=(-2 * math.sin(a), 2 * sign * math.cos(a)),
+                acceleration=(-2 * math.cos(a), -2 * sign * math.sin(a)),
+                t=float(a),
+            )
+            for a in angles
+        )
+        rule = Parametrization(ParametrizationKind.MANUAL, start=0.0, end=float(angles[-1]))
+        view = view_of(Curve("Circle", Family.QUINTIC_HERMITE, rule, nodes))
+        (plot,) = plots(view, Plot.CURVATURE)
+        values = plot.lines[0].values
+        assert values[~np.isnan(values)] == pytest.approx(sign * 0.5, rel=1e-4)
+
+
+def test_a_jump_has_no_line_across_and_a_smooth_joint_has_no_gap():
+    view = wave(7, Family.HERMITE, velocity_rule=VelocityRule.BESSEL)
+    speed, acceleration = plots(view, Plot.SPEED, Plot.ACCELERATION)
+    assert not np.isnan(speed.lines[0].values).any()
+    line = acceleration.lines[0]
+    gaps = np.flatnonzero(np.isnan(line.values))
+    inner = view.parameters[1:-1]
+    assert line.t[gaps] == pytest.approx(inner)
+    for side, offset in ((-1, -1e-9), (1, 1e-9)):
+        exact = np.linalg.norm(view.curve.evaluate(inner + offset, 2), axis=1)
+        assert line.values[gaps + side] == pytest.approx(exact, rel=1e-5)
+
+
+def test_a_corner_breaks_the_speed():
+    view = wave(5, Family.HERMITE)
+    nodes = list(view.source.nodes)
+    nodes[2] = Node(nodes[2].x, nodes[2].y, velocity=(1, 0), corner=True, velocity_after=(0, 5))
+    view = view_of(Curve("Corner", Family.HERMITE, Parametrization(), tuple(nodes)))
+    line = plots(view, Plot.SPEED)[0].lines[0]
+    (gap,) = np.flatnonzero(np.isnan(line.values))
+    assert line.t[gap] == view.parameters[2]
+    assert line.values[[gap - 1, gap + 1]] == pytest.approx([1, 5])
+
+
+def test_the_lebesgue_function_is_one_at_the_parameters_and_reaches_its_constant():
+    """n = 11 uniform: the constant 29.900 of Luttmann and Rivlin's table."""
+    view = wave(11, Family.LAGRANGE, ParametrizationKind.UNIFORM)
+    (plot,) = plots(view, Plot.LEBESGUE)
+    line = plot.lines[0]
+    assert plot.scale is Scale.LOG
+    assert line.values.max() == pytest.approx(29.900, rel=2e-3)
+    assert plot.levels[0].value == pytest.approx(29.900, abs=5e-4)
+    assert "29.9" in plot.levels[0].name
+    at_parameters = line.values[np.searchsorted(line.t, view.parameters)]
+    assert at_parameters == pytest.approx(np.ones(11), abs=1e-9)
+
+
+def test_of_a_hermite_curve_no_error_of_a_point_grows():
+    (plot,) = plots(wave(6, Family.QUINTIC_HERMITE), Plot.LEBESGUE)
+    assert plot.lines[0].values == pytest.approx(1.0, abs=1e-12)
+    assert "no error of a point grows" in plot.levels[0].name
+
+
+def test_only_the_visible_part_is_sampled_and_no_more_often_than_there_are_pixels():
+    view = wave(9, Family.QUINTIC_HERMITE)
+    samples = samples_over(view, (0.4, 0.5), 400)
+    assert samples.t[0] == 0.4
+    assert samples.t[-1] <= 0.5
+    assert len(samples.t) < 400
+    assert not len(samples_over(view, (2.0, 3.0), 400).t)
+    many = wave(1000, Family.HERMITE)
+    assert len(samples_over(many, (0.0, 1.0), 900).t) <= 3 * 999
+
+
+def test_samples_ascend_even_where_parameters_are_far_from_zero():
+    nodes = tuple(Node(float(i), i * i / 3, t=1e6 + i * 1e-3) for i in range(6))
+    rule = Parametrization(ParametrizationKind.MANUAL, start=1e6, end=1e6 + 5e-3)
+    for family in Family:
+        t = samples_over(view_of(Curve("Far", family, rule, nodes)), (1e6, 1e6 + 1), 500).t
+        assert (np.diff(t) >= 0).all()
+
+
+def test_a_spike_of_the_curvature_does_not_flatten_the_rest():
+    nodes = tuple(Node(x, y) for x, y in ((0, 0), (1, 1), (2, 0), (1.0001, 1), (0, 0.5)))
+    view = view_of(Curve("Needle", Family.HERMITE, Parametrization(), nodes))
+    (plot,) = plots(view, Plot.CURVATURE)
+    finite = plot.lines[0].values[np.isfinite(plot.lines[0].values)]
+    assert np.abs(finite).max() > 2 * max(-plot.extent[0], plot.extent[1])
+    assert plot.note.startswith("⚠ reaches")
+
+
+def test_values_at_the_scrub_line_are_exact():
+    view = wave(8, Family.LAGRANGE)
+    values = values_at(view, frozenset(Plot), 0.3)
+    c1, c2 = (view.curve.evaluate(0.3, order) for order in (1, 2))
+    assert values[Plot.SPEED] == pytest.approx(np.linalg.norm(c1))
+    assert values[Plot.CURVATURE] == pytest.approx((c1[0] * c2[1] - c1[1] * c2[0]) / np.linalg.norm(c1) ** 3)
+    assert set(SYMBOLS) == set(TITLES) == set(values)
+
+
+def test_without_a_curve_there_is_nothing_to_plot():
+    view = view_of(Curve("One", Family.LAGRANGE, Parametrization(), (Node(0.0, 0.0),)))
+    assert plots_of(view, frozenset(Plot), (0.0, 1.0), 100) == []
+    assert values_at(view, frozenset(Plot), 0.5) == {}
+
+
+def test_huge_numbers_stay_quiet():
+    nodes = tuple(Node(x * 1e12, y * 1e12, t=t * 1e-9) for x, y, t in ((0, 0, 0), (1, 1, 1), (2, -1, 2)))
+    rule = Parametrization(ParametrizationKind.MANUAL, start=0.0, end=2e-9)
+    for family in Family:
+        view = view_of(Curve("Huge", family, rule, nodes))
+        for plot in plots(view, *Plot):
+            assert np.isfinite(plot.extent).all()
+        assert np.isfinite(hodograph_of(view, 2).reach)
+
+
+def test_what_takes_longer_than_a_frame_is_known():
+    assert not is_slow(wave(20, Family.LAGRANGE))
+    assert not is_slow(wave(20, Family.LAGRANGE, ParametrizationKind.UNIFORM))
+    assert is_slow(wave(40, Family.LAGRANGE, ParametrizationKind.UNIFORM))
+    assert is_slow(wave(65, Family.LAGRANGE, ParametrizationKind.CHEBYSHEV))
+    assert not is_slow(wave(1000, Family.HERMITE))
+
+
+def test_on_a_logarithmic_scale_what_is_not_positive_does_not_count():
+    values = np.array([0.0, -1.0, np.nan, np.inf, 1e-12, 1e-3])
+    assert extent_of([values], Scale.LOG) == (1e-12, 1e-3)
+    assert extent_of([values], Scale.LINEAR) == (-1.0, 1e-3)
+    assert extent_of([np.array([np.nan])], Scale.LOG) == (1.0, 1.0)
+    assert plot_of("Errors", [], Scale.LOG).extent == (1.0, 1.0)
+
+
+def test_a_line_tells_the_value_of_its_nearest_sample():
+    line = PlotLine("", np.array([0.0, 1.0, 1.0, 1.0, 2.0]), np.array([5.0, 6.0, np.nan, 8.0, 9.0]))
+    assert line.value_at(0.2) == 5.0
+    assert line.value_at(1.9) == 9.0
+    assert line.value_at(1.1) == 8.0 or line.value_at(1.1) == 6.0
+    assert math.isnan(line.value_at(3.0))
+
+
+@pytest.mark.parametrize("family", list(Family))
+def test_the_hodograph_is_the_derivative_as_a_curve(family):
+    view = wave(6, family)
+    for order in (1, 2):
+        hodograph = hodograph_of(view, order)
+        known = ~np.isnan(hodograph.points[:, 0])
+        exact = view.curve.evaluate(hodograph.t[known], order)
+        assert hodograph.points[known] == pytest.approx(exact, rel=1e-9, abs=1e-9 * hodograph.reach)
+        at_knots = view.curve.evaluate(view.parameters, order)
+        assert hodograph.knots == pytest.approx(at_knots, rel=1e-6, abs=1e-6 * hodograph.reach)
+        assert derivative_at(view, 0.3, order) == pytest.approx(tuple(view.curve.evaluate(0.3, order)))
+
+
+def test_the_hodograph_of_a_cubic_jumps_where_the_acceleration_does():
+    view = wave(6, Family.HERMITE, velocity_rule=VelocityRule.BESSEL)
+    assert not np.isnan(hodograph_of(view, 1).points).any()
+    gaps = np.isnan(hodograph_of(view, 2).points)
+    assert (gaps[:, 0] == gaps[:, 1]).all()
+    assert gaps[:, 0].sum() == 4
