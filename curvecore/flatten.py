@@ -191,6 +191,8 @@ def _uniform_pieces(
     """Divide each arc into as many equal pieces as it needs."""
     joints = curve.parameters
     room = max(MAX_VERTICES, 4 * len(joints)) - 1
+    # Data that differ by hundreds of orders of magnitude may ask for more than any number.
+    need = np.minimum(np.nan_to_num(need, nan=room, posinf=room), room)
     if need.sum() > room:
         need = np.maximum(1.0, np.floor(need * ((room - need.size) / need.sum())))
     count = need.astype(np.intp)
