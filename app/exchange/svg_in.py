@@ -49,6 +49,7 @@ _COLOURS = {
     "green": "#008000", "lime": "#00ff00", "olive": "#808000", "yellow": "#ffff00", "navy": "#000080",
     "blue": "#0000ff", "teal": "#008080", "aqua": "#00ffff", "cyan": "#00ffff", "orange": "#ffa500",
 }  # fmt: skip
+_NO_CURVES = ("paper", "points", "grid", "handles", "basis")
 _OUR_MARK = "Largest deviation from the true curves"
 
 
@@ -162,7 +163,7 @@ class _Reader:
             self._lost.add(f"<{tag}>")
         state = self._entered(element, state)
         hidden = _property(element, "display") == "none"
-        if hidden or (self._ours and element.get("id") in ("paper", "points")):
+        if hidden or (self._ours and element.get("id") in _NO_CURVES):
             return
         if tag in _SHAPES:
             if state.visible:
