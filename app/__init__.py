@@ -6,6 +6,7 @@ The layers, top to bottom; a module imports only from its own layer and those ab
 - ``view_model``: a document's curve turned into arrays to draw. No Qt; calls ``curvecore``.
 - ``gestures``: press, move and release turned into edits. No Qt.
 - ``exchange``: files in and out. Qt only in ``image``.
+- ``worker``: work off the window's thread, with progress, that can be taken back.
 - ``resources``, ``examples``: what comes with the program.
 - ``session``: the one mutable owner of the current document, its history and the selection.
 - ``theme``, ``colours``, ``icons``, ``preferences``: how it looks; what is remembered between starts.

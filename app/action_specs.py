@@ -60,6 +60,15 @@ SPECS = (
         "Save the document under another name",
     ),
     ActionSpec(
+        "importFile",
+        "Import…",
+        "File",
+        "Ctrl+I",
+        "import",
+        "Take in curves from SVG, DXF, a table or another document",
+        separated=True,
+    ),
+    ActionSpec(
         "exportPicture", "Export…", "File", "Ctrl+E", "export", "Export a picture, splines, code or numbers"
     ),
     ActionSpec(
@@ -82,6 +91,15 @@ SPECS = (
     ),
     ActionSpec("findImage", "Find Image…", "File", "", "", "Say where the file of the reference image is"),
     ActionSpec("removeImage", "Remove Image", "File", "", "", "Take the reference image out of the document"),
+    ActionSpec(
+        "cancelWork",
+        "Stop What Is Running",
+        "File",
+        "Ctrl+.",
+        "stop",
+        "Stop reading or writing; nothing changes",
+        separated=True,
+    ),
     ActionSpec("quit", "Quit", "File", "Ctrl+Q", "quit", "Close the window", separated=True),
     ActionSpec("undo", "Undo", "Edit", "Ctrl+Z", "undo", "Take the last step back"),
     ActionSpec("redo", "Redo", "Edit", "Ctrl+Shift+Z, Ctrl+Y", "redo", "Do the step again"),
@@ -244,6 +262,18 @@ SPECS = (
         "Ctrl+Shift+V",
         "",
         "Make a curve of the points on the clipboard",
+    ),
+    ActionSpec(
+        "copyImage",
+        "Copy as Image",
+        "Edit",
+        "Ctrl+Shift+C",
+        "",
+        "Copy all curves as a picture without paper, PNG and SVG",
+        separated=True,
+    ),
+    ActionSpec(
+        "copyPathData", "Copy as SVG Path", "Edit", "", "", "Copy all curves as the path data of an SVG"
     ),
     ActionSpec(
         "copyDerivatives",

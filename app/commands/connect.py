@@ -6,6 +6,7 @@ from app.commands.clipboard_commands import ClipboardCommands
 from app.commands.context_menus import ContextMenus
 from app.commands.curve_commands import CurveCommands
 from app.commands.edit_commands import EditCommands
+from app.commands.exchange_commands import ExchangeCommands
 from app.commands.help_commands import HelpCommands
 from app.commands.image_commands import ImageCommands
 from app.commands.messages import Messages
@@ -28,6 +29,7 @@ class Commands:
         self.messages = Messages(parts)
         self.snap = SnapCommands(parts)
         self.images = ImageCommands(parts, self.messages)
+        self.exchange = ExchangeCommands(parts)
         curves = CurveCommands(parts)
         self._sets: tuple[CommandSet, ...] = (
             EditCommands(parts),
@@ -40,6 +42,7 @@ class Commands:
             HelpCommands(parts),
             RailCommands(parts),
             self.images,
+            self.exchange,
             ToolCommands(parts, self.snap.apply_preferences),
         )
         self.context_menus = ContextMenus(parts, curves)
@@ -54,7 +57,6 @@ class Commands:
             "openDocument": files.ask_and_open,
             "saveDocument": files.save,
             "saveDocumentAs": files.ask_and_save,
-            "exportPicture": files.ask_and_export,
             "quit": self._parts.window.close,
         }
 

@@ -24,7 +24,7 @@ _CALM = (-0.5, 1.2)
 _WILD = (-4.0, 4.0)
 _MOST_LINES = 24
 _FINE, _COARSE, _AXIS = 0.08, 0.16, 0.4
-_THIN, _USUAL = 0.001, 0.0016
+_THIN, _USUAL = 0.001, 0.002
 _SQUARE = 0.004
 _DASHES = ((), (0.008, 0.005), (0.002, 0.004))
 
@@ -70,7 +70,7 @@ def decorated(drawing: Drawing, document: Document, extras: Extras, theme: str) 
             raise ExchangeError(f"“{document.curves[extras.basis].name}” has no basis functions to draw.")
         height = PANEL * frame.side
         panel = Frame(frame.left, frame.bottom - height, frame.width, height)
-        decor += _basis(view, panel, theme)
+        decor += _basis(view, panel, frame.side, theme)
         frame = Frame(frame.left, panel.bottom, frame.width, frame.height + height)
     return replace(drawing, frame=frame, decor=tuple(decor))
 
@@ -118,7 +118,7 @@ def _handles(curve: Curve, side: float) -> list[Decor]:
     ]
 
 
-def _basis(view: BasisView, panel: Frame, theme: str) -> list[Decor]:
+def _basis(view: BasisView, panel: Frame, side: float, theme: str) -> list[Decor]:
     """Return the functions in their panel, with lines at 0 and 1 and at every parameter."""
     low, high = view.extent(range(view.kinds))
     low, high = max(min(low, _CALM[0]), _WILD[0]), min(max(high, _CALM[1]), _WILD[1])
@@ -134,7 +134,7 @@ def _basis(view: BasisView, panel: Frame, theme: str) -> list[Decor]:
     levels = tuple(placed(ends, np.full(2, float(value))) for value in (0, 1))
     ticks = tuple(placed(np.full(2, t), np.array([low, 0.0])) for t in view.curve.parameters.tolist())
     edge = np.array([(panel.left, panel.top), (panel.left + panel.width, panel.top)])
-    thin, side = _THIN * panel.width, panel.width
+    thin, usual = _THIN * side, _USUAL * side
     decor = [
         Decor("basis", (edge, levels[1]), thin, _COARSE),
         Decor("basis", (levels[0],), thin, _AXIS),
@@ -146,9 +146,9 @@ def _basis(view: BasisView, panel: Frame, theme: str) -> list[Decor]:
         if view.is_coarse:
             t, least, greatest = view.envelope(kind)
             outline = (placed(t, least), placed(t, greatest))
-            decor.append(Decor("basis", outline, _USUAL * side, dash=dash))
+            decor.append(Decor("basis", outline, usual, dash=dash))
             continue
         for index, owner in enumerate(view.owners):
             line = placed(*view.function(index, kind))
-            decor.append(Decor("basis", (line,), _USUAL * side, colour=colours[owner], dash=dash))
+            decor.append(Decor("basis", (line,), usual, colour=colours[owner], dash=dash))
     return decor

@@ -90,6 +90,10 @@ class Options:
     columns: tuple[str, ...] | None = None
     report: Report = silent
 
+    def reporting(self, report: Report) -> Options:
+        """Return the same options with somebody who hears how far it has come."""
+        return replace(self, report=report)
+
     @property
     def paper_style(self) -> Style:
         """The colours of a PNG, which has paper unless it is to be transparent."""

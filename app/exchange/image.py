@@ -6,6 +6,8 @@ never sees the coordinates of the document, however large, small or far away the
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+
 from PySide6.QtCore import QBuffer, QByteArray, QIODevice, QMarginsF, QRectF, QSizeF
 from PySide6.QtGui import (
     QColor,
@@ -47,6 +49,42 @@ def png_image(document: Document, options: Options) -> QImage:
     """
     style = options.paper_style
     drawing = _drawing(document, options, style)
+    width, height = _size(drawing, options)
+    application = _application()
+    image = _painted(drawing, (width, height), style, points=options.points)
+    image.setText("Software", f"Curvebench {__version__}")
+    image.setText("Description", accuracy_of(drawing))
+    dots = round(_DOTS_PER_METRE * options.scale)
+    image.setDotsPerMeterX(dots)
+    image.setDotsPerMeterY(dots)
+    del application
+    return image
+
+
+@dataclass(frozen=True)
+class Look:
+    """A small picture of a picture, and the size in pixels that it would have as a PNG."""
+
+    image: QImage
+    size: tuple[int, int]
+
+
+def look(document: Document, options: Options, style: Style, room: tuple[int, int]) -> Look:
+    """Return what a picture in these options and colours looks like, in so many pixels at most.
+
+    Raises
+    ------
+    ExchangeError
+        As `png_image`.
+    """
+    drawing = _drawing(document, options, style)
+    frame = drawing.frame
+    scale = min(room[0] / frame.width, room[1] / frame.height)
+    size = (max(round(frame.width * scale), 1), max(round(frame.height * scale), 1))
+    return Look(_painted(drawing, size, style, points=options.points), _size(drawing, options))
+
+
+def _size(drawing: Drawing, options: Options) -> tuple[int, int]:
     wanted = (DEFAULT_WIDTH if options.width is None else options.width) * options.scale
     # Huge factors shall be refused, not overflow.
     width = round(min(wanted, 1e9))
@@ -55,19 +93,16 @@ def png_image(document: Document, options: Options) -> QImage:
         raise ExchangeError(
             f"A picture of {width} × {height} pixels is not possible; the sides may have 1 to {LARGEST_SIDE}."
         )
-    application = _application()
-    image = QImage(width, height, QImage.Format.Format_ARGB32_Premultiplied)
+    return width, height
+
+
+def _painted(drawing: Drawing, size: tuple[int, int], style: Style, *, points: bool) -> QImage:
+    image = QImage(*size, QImage.Format.Format_ARGB32_Premultiplied)
     image.fill(QColor(0, 0, 0, 0))
-    image.setText("Software", f"Curvebench {__version__}")
-    image.setText("Description", accuracy_of(drawing))
-    dots = round(_DOTS_PER_METRE * options.scale)
-    image.setDotsPerMeterX(dots)
-    image.setDotsPerMeterY(dots)
     painter = QPainter(image)
     painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-    _render(drawing.fitted(width, height), painter, style, points=options.points)
+    _render(drawing.fitted(*size), painter, style, points=points)
     painter.end()
-    del application
     return image
 
 

@@ -21,6 +21,7 @@ from app.exchange.drawing import ExchangeError, Floats
 from app.exchange.progress import Report, part, silent
 from app.exchange.table_columns import AFTER, ROLES, Mapping, guessed
 from app.exchange.table_file import Table
+from app.exchange.table_layout import RowProblem
 from app.exchange.thinning import Thinning, thinned
 
 MOST_CURVES = 1_000
@@ -122,9 +123,7 @@ def _family_of(
         return Family(word.removeprefix(CLOSED)), word.startswith(CLOSED)
     except ValueError:
         known = ", ".join(Family)
-        raise ExchangeError(
-            f"Row {table.line_of(first)}, column {mapping.family + 1} must be one of {known}."
-        ) from None
+        raise RowProblem(f" must be one of {known}.", table.line_of(first), mapping.family + 1) from None
 
 
 @dataclass(frozen=True, eq=False)
@@ -152,11 +151,10 @@ class _Rows:
             raise ExchangeError("The table has one row of numbers; a curve needs two points.")
         if self.t is not None and not (np.diff(self.t) > 0).all():
             row = int(np.argmin(np.diff(self.t) > 0)) + 1
-            raise ExchangeError(f"Row {self.line_of(row)}: t must increase from row to row.")
+            raise RowProblem(": t must increase from row to row.", self.line_of(row))
 
     def _refuse_empty(self, role: str, row: int) -> None:
-        column = self.columns[role] + 1
-        raise ExchangeError(f"Row {self.line_of(row)}, column {column} is empty; it gives {role}.")
+        raise RowProblem(f" is empty; it gives {role}.", self.line_of(row), self.columns[role] + 1)
 
     def line_of(self, row: int) -> int:
         """Return the line of the file that holds a row."""

@@ -14,7 +14,7 @@ from app.document.model import MAX_MAGNITUDE
 from app.exchange.drawing import ExchangeError, Floats
 from app.exchange.progress import Report, silent
 from app.exchange.table_columns import AFTER, ROLES, WORDS, Mapping, guessed
-from app.exchange.table_layout import Layout, cells_of, is_number, sniffed, titles_of
+from app.exchange.table_layout import Layout, RowProblem, cells_of, is_number, sniffed, titles_of
 
 MAX_ROWS = 2_000_000
 MAX_COLUMNS = 64
@@ -22,6 +22,7 @@ PREVIEW_ROWS = 50
 
 _SNIFFED_LINES = 50
 _HEAD_BYTES = 2**16
+_LONGEST_SHOWN = 10_000
 _BLOCK = 2**19
 """Characters that are read at once: some milliseconds, in which no other thread can do anything."""
 
@@ -143,6 +144,15 @@ def read_table(
     return Table(layout, titles, collector.values, skipped + 1, tuple(collector.gaps), collector.words)
 
 
+def cells_of_row(data: bytes, layout: Layout, row: int) -> tuple[str, ...]:
+    """Return the cells of a line of the file, counted from 1, none beyond its end."""
+    lines = data.split(b"\n", row)
+    if not 1 <= row <= len(lines):
+        return ()
+    text = lines[row - 1][:_LONGEST_SHOWN].decode("utf-8", "replace")
+    return tuple(cells_of(text.strip("\r\0"), layout))
+
+
 # From bytes to lines
 
 
@@ -167,10 +177,10 @@ def _text(data: bytes) -> str:
         text = data[start:].decode(encoding)
     except UnicodeDecodeError as problem:
         row = data.count(b"\n", 0, start + problem.start) + 1
-        raise ExchangeError(f"Row {row} is not {encoding.upper()} text.") from None
+        raise RowProblem(f" is not {encoding.upper()} text.", row) from None
     if "\0" in text:
         row = text.count("\n", 0, text.index("\0")) + 1
-        raise ExchangeError(f"Row {row} holds a zero byte; this is no text.")
+        raise RowProblem(" holds a zero byte; this is no text.", row)
     if "\r" in text:
         text = text.replace("\r\n", "\n").replace("\r", "\n")
     if text.count("\n") > MAX_ROWS:
@@ -345,22 +355,21 @@ def _careful(lines: list[str], first: int, layout: Layout, wanted: _Wanted) -> F
             continue
         cells = cells_of(line, layout, wanted.width)
         if len(cells) != wanted.width:
-            raise ExchangeError(f"Row {number} has {len(cells)} cells; the first has {wanted.width}.")
+            raise RowProblem(f" has {len(cells)} cells; the first has {wanted.width}.", number)
         rows.append([_number(cells[column], number, column + 1, layout) for column in wanted.numbers])
     return _spread(np.array(rows, dtype=float).reshape(-1, len(wanted.numbers)), wanted)
 
 
 def _number(cell: str, row: int, column: int, layout: Layout) -> float:
-    where = f"Row {row}, column {column}"
     if not cell:
         return math.nan
     if not is_number(cell, layout):
         shown = (cell if len(cell) <= 20 else cell[:19] + "…").encode("utf-8", "replace").decode()
         words = cell[0] in "+-" and cell[1:].lower() not in ("inf", "infinity", "nan")
         if cell.startswith(_FORMULA) or (words and any(each.isalpha() for each in cell)):
-            raise ExchangeError(f"{where}: “{shown}” is a formula; only numbers are read.")
-        raise ExchangeError(f"{where}: “{shown}” is not a number.")
+            raise RowProblem(f": “{shown}” is a formula; only numbers are read.", row, column)
+        raise RowProblem(f": “{shown}” is not a number.", row, column)
     value = float(cell.replace(",", "."))
     if not math.isfinite(value) or abs(value) > MAX_MAGNITUDE:
-        raise ExchangeError(f"{where} must lie between −1e12 and 1e12.")
+        raise RowProblem(" must lie between −1e12 and 1e12.", row, column)
     return value

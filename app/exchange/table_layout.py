@@ -7,6 +7,23 @@ import re
 from dataclasses import dataclass
 from statistics import mode
 
+from app.exchange.drawing import ExchangeError
+
+
+class RowProblem(ExchangeError):  # noqa: N818 - the word for people
+    """What is wrong with a table, and where.
+
+    Attributes
+    ----------
+    row, column
+        Counted from 1, the row as an editor of text counts lines; None where no one cell is meant.
+    """
+
+    def __init__(self, what: str, row: int, column: int | None = None) -> None:
+        super().__init__(f"Row {row}{what}" if column is None else f"Row {row}, column {column}{what}")
+        self.row, self.column = row, column
+
+
 SEPARATORS = ("\t", ";", ",", " ")
 
 _NUMBER = re.compile(r"[-+]?(?:[0-9]+(?:\.[0-9]*)?|\.[0-9]+)(?:[eE][-+]?[0-9]+)?")

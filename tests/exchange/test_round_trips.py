@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import itertools
+
 import numpy as np
 import pytest
 from msgspec.structs import replace
@@ -144,7 +146,7 @@ def test_a_polyline_is_thinned_by_its_chords():
     """Douglas and Peucker keep the corners of a staircase, and nothing between."""
     steps = np.array([(0, 0), (1, 0), (1, 1), (2, 1), (2, 2), (3, 2)], dtype=float)
     share = np.linspace(0, 1, 200, endpoint=False)[:, None]
-    points = np.concatenate([a + share * (b - a) for a, b in zip(steps[:-1], steps[1:], strict=True)])
+    points = np.concatenate([a + share * (b - a) for a, b in itertools.pairwise(steps)])
     kept = thinned(np.vstack([points, steps[-1:]]), None, 1e-9, Thinning.POLYLINE)
     assert kept.rows.tolist() == [0, 200, 400, 600, 800, 1000]
     assert kept.deviation > 0.01  # the spline through the corners swings
