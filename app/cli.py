@@ -8,6 +8,7 @@ import json
 import os
 import sys
 from collections.abc import Sequence
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -23,12 +24,14 @@ from app.exchange import (
     SAMPLES,
     SUFFIXES,
     ExchangeError,
+    Options,
     Spacing,
-    export,
+    export_with,
     import_file,
 )
 
 if TYPE_CHECKING:
+    from app.exchange.decor import Extras
     from app.exchange.facts import CurveFacts
 
 FAMILY_NAMES = {
@@ -125,18 +128,12 @@ def _command_parser() -> argparse.ArgumentParser:
         "-o", "--output", required=True, metavar="OUT", help=f"the picture; ends in {', '.join(SUFFIXES)}"
     )
     render.add_argument(
-        "--width", type=_width, metavar="N", help="in pixels; in points of 1/72 inch for a PDF"
-    )
-    render.add_argument(
         "--tolerance",
         type=_tolerance,
         metavar="X",
         help="largest deviation from the true curve, in the document's unit (default: 1e-5 of its size)",
     )
-    render.add_argument(
-        "--theme", choices=_STYLES, help="colours, paper included (default: light; no paper in SVG and PDF)"
-    )
-    render.add_argument("--points", action="store_true", help="draw the points too")
+    _add_picture_options(render)
     _add_convert(commands.add_parser("convert", help="read and write other formats", description=_CONVERT))
     info = commands.add_parser(
         "info", help="print facts", description="Print facts about a document's curves."
@@ -144,6 +141,39 @@ def _command_parser() -> argparse.ArgumentParser:
     info.add_argument("file", metavar="FILE")
     info.add_argument("--json", action="store_true", help="as JSON")
     return parser
+
+
+def _add_picture_options(parser: argparse.ArgumentParser) -> None:
+    parser.add_argument(
+        "--width", type=_width, metavar="N", help="in pixels; in points of 1/72 inch for a PDF"
+    )
+    parser.add_argument(
+        "--scale",
+        type=_tolerance,
+        default=1.0,
+        metavar="X",
+        help="pixels of a PNG for each of the width, and for 1/96 inch (default: 1)",
+    )
+    parser.add_argument(
+        "--theme", choices=_STYLES, help="colours, paper included (default: light; no paper in SVG and PDF)"
+    )
+    parser.add_argument("--transparent", action="store_true", help="leave the paper out")
+    parser.add_argument(
+        "--points",
+        action=argparse.BooleanOptionalAction,
+        default=False,
+        help="draw the points too; in a DXF as well",
+    )
+    parser.add_argument("--handles", action="store_true", help="draw the Bézier control points")
+    parser.add_argument("--grid", action="store_true", help="draw a grid")
+    parser.add_argument(
+        "--basis",
+        type=_width,
+        nargs="?",
+        const=1,
+        metavar="N",
+        help="draw the basis functions of the N-th curve below the picture (default: the first)",
+    )
 
 
 def _add_convert(convert: argparse.ArgumentParser) -> None:
@@ -162,6 +192,11 @@ def _add_convert(convert: argparse.ArgumentParser) -> None:
         help="leave out the rows of a table that a curve comes this near",
     )
     convert.add_argument(
+        "--corners",
+        action="store_true",
+        help="with --thin: the rows that a polyline this near turns at (Douglas-Peucker)",
+    )
+    convert.add_argument(
         "--family",
         choices=[str(family) for family in Family],
         default=str(Family.HERMITE),
@@ -176,6 +211,10 @@ def _add_convert(convert: argparse.ArgumentParser) -> None:
         default=str(Spacing.T),
         help="equal steps of t or of the arc length, or as many rows as the tolerance takes",
     )
+    convert.add_argument(
+        "--columns", metavar="A,B", help="of a table of samples: t, x, y, vx, vy, ax, ay, curvature, length"
+    )
+    _add_picture_options(convert)
 
 
 def _width(text: str) -> int:
@@ -237,31 +276,51 @@ def _render(options: argparse.Namespace) -> int:
     if not options.output.lower().endswith(SUFFIXES):
         known = f"{', '.join(SUFFIXES[:-1])} or {SUFFIXES[-1]}"
         raise _RefusalError(f"“{options.output}” does not end in a known format for pictures; use {known}.")
-    style = _STYLES[options.theme] if options.theme else None
-    export(
-        _load(options.file),
-        options.output,
+    document = _load(options.file)
+    export_with(document, options.output, _options(options, document))
+    return 0
+
+
+def _options(options: argparse.Namespace, document: Document) -> Options:
+    """Return what was asked for of the file to write."""
+    return Options(
         width=options.width,
         tolerance=options.tolerance,
-        style=style,
+        style=_STYLES[options.theme] if options.theme else None,
         points=options.points,
+        scale=options.scale,
+        transparent=options.transparent,
+        extras=_extras(options, document),
     )
-    return 0
+
+
+def _extras(options: argparse.Namespace, document: Document) -> Extras | None:
+    if not (options.handles or options.grid or options.basis):
+        return None
+    from app.exchange.decor import Extras  # noqa: PLC0415
+
+    if options.basis and options.basis > len(document.curves):
+        raise _RefusalError(f"There is no curve {options.basis}; the document has {len(document.curves)}.")
+    return Extras(options.handles, options.grid, options.basis - 1 if options.basis else None)
 
 
 def _convert(options: argparse.Namespace) -> int:
     from app.exchange.parts import rounded_up  # noqa: PLC0415
 
     source = import_file(
-        options.file, tolerance=options.tolerance, thin=options.thin, family=Family(options.family)
-    )
-    written = export(
-        source.document,
-        options.output,
+        options.file,
         tolerance=options.tolerance,
+        thin=options.thin,
+        corners=options.corners,
+        family=Family(options.family),
+    )
+    wanted = replace(
+        _options(options, source.document),
         samples=options.samples,
         spacing=Spacing(options.by),
+        columns=tuple(options.columns.split(",")) if options.columns else None,
     )
+    written = export_with(source.document, options.output, wanted)
     for remark in (*source.remarks, *written.remarks):
         print(f"curvebench: {_one_line(remark)}", file=sys.stderr)
     total = rounded_up(source.deviation + written.deviation)

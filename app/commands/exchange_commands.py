@@ -91,9 +91,11 @@ class ExchangeCommands:
             self._session.say(f"{self.jobs.title} is still going on; stop it first.")
 
     def _refuse(self, path: Path, what: str, problem: Exception) -> None:
-        # A FormatError is a clause, the others are sentences.
-        end = "." if isinstance(problem, FormatError) else ""
-        self._parts.message_bar.warn(f"{path.name} was not {what}. {problem}{end}")
+        # Some are clauses; some name the file, and it need not be named twice.
+        reason = f"{str(problem).removesuffix('.')}."
+        self._parts.message_bar.warn(
+            reason if path.name in reason else f"{path.name} was not {what}. {reason}"
+        )
 
     def _cancel(self) -> None:
         if self.jobs.is_busy:

@@ -24,6 +24,7 @@ def import_file(
     *,
     tolerance: float | None = None,
     thin: float | None = None,
+    corners: bool = False,
     family: Family = Family.HERMITE,
     report: Report = silent,
 ) -> Imported:
@@ -37,6 +38,8 @@ def import_file(
         Of drawings: largest distance from arcs and the like, in the file's unit.
     thin
         Of tables: thin the rows out to a curve within this distance of all; by default none are left out.
+    corners
+        Of tables: thin them out to the corners of a polyline, not to a smooth curve.
     family
         Of tables: the curve's family, unless a column says it.
     report
@@ -57,7 +60,7 @@ def import_file(
         ".json": lambda: _document(data, path),
         ".svg": lambda: _drawing("svg", data, tolerance, report),
         ".dxf": lambda: _drawing("dxf", data, tolerance, report),
-        **dict.fromkeys(TABLES, lambda: _table(data, name, thin, family, report)),
+        **dict.fromkeys(TABLES, lambda: _table(data, name, thin, corners, family, report)),
     }
     try:
         return readers[ending]()
@@ -77,14 +80,22 @@ def _document(data: bytes, path: str | os.PathLike[str]) -> Imported:
     return Imported(resolved(decode(data), folder))
 
 
-def _table(data: bytes, name: str, thin: float | None, family: Family, report: Report) -> Imported:
+def _table(
+    data: bytes, name: str, thin: float | None, corners: bool, family: Family, report: Report
+) -> Imported:
     from app.exchange.cubics_in import Imported  # noqa: PLC0415
     from app.exchange.table_curve import document_of_table  # noqa: PLC0415
     from app.exchange.table_file import read_table  # noqa: PLC0415
+    from app.exchange.thinning import Thinning  # noqa: PLC0415
 
     table = read_table(data, report=part(report, 0.0, 0.5))
     document, deviation = document_of_table(
-        table, name=name, thin=thin, family=family, report=part(report, 0.5, 1.0)
+        table,
+        name=name,
+        thin=thin,
+        thinning=Thinning.POLYLINE if corners else Thinning.CURVE,
+        family=family,
+        report=part(report, 0.5, 1.0),
     )
     return Imported(document, deviation)
 

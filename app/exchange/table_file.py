@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import codecs
 import io
 import math
 from collections.abc import Iterator
@@ -22,7 +23,6 @@ PREVIEW_ROWS = 50
 
 _SNIFFED_LINES = 50
 _HEAD_BYTES = 2**16
-_LONGEST_SHOWN = 10_000
 _BLOCK = 2**19
 """Characters that are read at once: some milliseconds, in which no other thread can do anything."""
 
@@ -144,15 +144,6 @@ def read_table(
     return Table(layout, titles, collector.values, skipped + 1, tuple(collector.gaps), collector.words)
 
 
-def cells_of_row(data: bytes, layout: Layout, row: int) -> tuple[str, ...]:
-    """Return the cells of a line of the file, counted from 1, none beyond its end."""
-    lines = data.split(b"\n", row)
-    if not 1 <= row <= len(lines):
-        return ()
-    text = lines[row - 1][:_LONGEST_SHOWN].decode("utf-8", "replace")
-    return tuple(cells_of(text.strip("\r\0"), layout))
-
-
 # From bytes to lines
 
 
@@ -167,16 +158,17 @@ def _head(data: bytes) -> bytes:
 
 
 def _text(data: bytes) -> str:
-    if not data.strip():
+    if not data or data.isspace():
         raise ExchangeError("The file is empty.")
     encoding, start = "utf-8", 0
     for mark, name in _MARKS:
         if data.startswith(mark):
             encoding, start = name, len(mark)
     try:
-        text = data[start:].decode(encoding)
-    except UnicodeDecodeError as problem:
-        row = data.count(b"\n", 0, start + problem.start) + 1
+        text = _decoded(data, start, encoding)
+    except UnicodeDecodeError:
+        # Once more, as a whole: in parts, nobody knows where the bad byte was.
+        row = data.count(b"\n", 0, _first_bad(data, start, encoding)) + 1
         raise RowProblem(f" is not {encoding.upper()} text.", row) from None
     if "\0" in text:
         row = text.count("\n", 0, text.index("\0")) + 1
@@ -188,14 +180,39 @@ def _text(data: bytes) -> str:
     return text
 
 
+def _decoded(data: bytes, start: int, encoding: str) -> str:
+    """Return the text in parts put together, so that other threads have their turn between."""
+    decoder = codecs.getincrementaldecoder(encoding)()
+    places = range(start, len(data), _BLOCK)
+    parts = [decoder.decode(data[place : place + _BLOCK]) for place in places]
+    return "".join([*parts, decoder.decode(b"", final=True)])
+
+
+def _first_bad(data: bytes, start: int, encoding: str) -> int:
+    try:
+        data[start:].decode(encoding)
+    except UnicodeDecodeError as problem:
+        return start + problem.start
+    return len(data)
+
+
 def _is_data(line: str) -> bool:
     text = line.lstrip()
     return bool(text) and text[0] != "#"
 
 
+def _lines_of(text: str) -> Iterator[str]:
+    """Yield line by line; all at once they would be as long again as the text."""
+    start = 0
+    while start < len(text):
+        end = text.find("\n", start)
+        end = len(text) if end < 0 else end
+        yield text[start:end]
+        start = end + 1
+
+
 def _first_lines(text: str) -> list[str]:
-    lines = (line.rstrip("\n") for line in io.StringIO(text))
-    found = list(islice((line for line in lines if _is_data(line)), _SNIFFED_LINES))
+    found = list(islice(filter(_is_data, _lines_of(text)), _SNIFFED_LINES))
     if not found:
         raise ExchangeError("The table has no rows of numbers.")
     return found
@@ -215,7 +232,7 @@ def _lines_to_skip(text: str, layout: Layout) -> int:
         If there is none.
     """
     headers = 1 if layout.header else 0
-    for index, line in enumerate(io.StringIO(text)):
+    for index, line in enumerate(_lines_of(text)):
         if not _is_data(line):
             continue
         if headers == 0:

@@ -11,8 +11,8 @@ from app.exchange.drawing import ExchangeError
 from app.exchange.progress import Report, part, silent
 from app.exchange.table_columns import Mapping
 from app.exchange.table_curve import document_of_table
-from app.exchange.table_file import Table, cells_of_row, read_table
-from app.exchange.table_layout import Layout, RowProblem
+from app.exchange.table_file import Table, read_table
+from app.exchange.table_layout import Layout, RowProblem, cells_of_row
 from app.exchange.thinning import MOST_KEPT, Thinning
 
 MANY_ROWS = 1_000
@@ -84,16 +84,20 @@ class Prepared:
 
 
 class TableSource:
-    """The content of one file; what was read of it is kept for the next choice."""
+    """The content of one file; what was read of it is kept for the next choice.
+
+    Attributes
+    ----------
+    data
+        The content.
+    lines
+        How many lines it has: about as many as rows.
+    """
 
     def __init__(self, data: bytes) -> None:
         self.data = data
+        self.lines = data.count(b"\n")
         self._read: tuple[Layout, Mapping, Table] | None = None
-
-    @property
-    def lines(self) -> int:
-        """How many lines the file has: about as many as rows."""
-        return self.data.count(b"\n")
 
     def prepared(self, choice: TableChoice, report: Report = silent) -> Prepared:
         """Return what becomes of the table; whatever is wrong with it stands in the result."""

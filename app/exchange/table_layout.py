@@ -30,6 +30,9 @@ _NUMBER = re.compile(r"[-+]?(?:[0-9]+(?:\.[0-9]*)?|\.[0-9]+)(?:[eE][-+]?[0-9]+)?
 _DECIMAL_COMMA = re.compile(r"[-+]?[0-9]*,[0-9]+(?:[eE][-+]?[0-9]+)?")
 
 
+_LONGEST_SHOWN = 10_000
+
+
 @dataclass(frozen=True)
 class Layout:
     """How a text is divided into cells.
@@ -108,3 +111,12 @@ def titles_of(rows: list[list[str]], layout: Layout) -> tuple[str, ...]:
     if layout.header:
         return tuple(cell or f"Column {index + 1}" for index, cell in enumerate(rows[0]))
     return tuple(f"Column {index + 1}" for index in range(len(rows[0])))
+
+
+def cells_of_row(data: bytes, layout: Layout, row: int) -> tuple[str, ...]:
+    """Return the cells of a line of the file, counted from 1, none beyond its end."""
+    lines = data.split(b"\n", row)
+    if not 1 <= row <= len(lines):
+        return ()
+    text = lines[row - 1][:_LONGEST_SHOWN].decode("utf-8", "replace")
+    return tuple(cells_of(text.strip("\r\0"), layout))
