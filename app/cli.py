@@ -13,25 +13,22 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from app import __version__
+from app.cli_options import add_picture_options, picture_options, positive_number, whole_number
 from app.document.format import FormatError
 from app.document.model import Document, Family
 from app.document.storage import StorageError, load
 from app.exchange import (
-    DARK,
     ENDINGS,
-    LIGHT,
     READABLE,
     SAMPLES,
     SUFFIXES,
     ExchangeError,
-    Options,
     Spacing,
     export_with,
     import_file,
 )
 
 if TYPE_CHECKING:
-    from app.exchange.decor import Extras
     from app.exchange.facts import CurveFacts
 
 FAMILY_NAMES = {
@@ -46,7 +43,6 @@ _INTERRUPTED = 130
 """What a shell expects of a program that Ctrl+C ended."""
 
 _COMMANDS = ("render", "convert", "info")
-_STYLES = {"light": LIGHT, "dark": DARK}
 
 _DESCRIPTION = """\
 Sketch parametric polynomial curves and see why they go where they go.
@@ -129,11 +125,11 @@ def _command_parser() -> argparse.ArgumentParser:
     )
     render.add_argument(
         "--tolerance",
-        type=_tolerance,
+        type=positive_number,
         metavar="X",
         help="largest deviation from the true curve, in the document's unit (default: 1e-5 of its size)",
     )
-    _add_picture_options(render)
+    add_picture_options(render)
     _add_convert(commands.add_parser("convert", help="read and write other formats", description=_CONVERT))
     info = commands.add_parser(
         "info", help="print facts", description="Print facts about a document's curves."
@@ -143,51 +139,18 @@ def _command_parser() -> argparse.ArgumentParser:
     return parser
 
 
-def _add_picture_options(parser: argparse.ArgumentParser) -> None:
-    parser.add_argument(
-        "--width", type=_width, metavar="N", help="in pixels; in points of 1/72 inch for a PDF"
-    )
-    parser.add_argument(
-        "--scale",
-        type=_tolerance,
-        default=1.0,
-        metavar="X",
-        help="pixels of a PNG for each of the width, and for 1/96 inch (default: 1)",
-    )
-    parser.add_argument(
-        "--theme", choices=_STYLES, help="colours, paper included (default: light; no paper in SVG and PDF)"
-    )
-    parser.add_argument("--transparent", action="store_true", help="leave the paper out")
-    parser.add_argument(
-        "--points",
-        action=argparse.BooleanOptionalAction,
-        default=False,
-        help="draw the points too; in a DXF as well",
-    )
-    parser.add_argument("--handles", action="store_true", help="draw the Bézier control points")
-    parser.add_argument("--grid", action="store_true", help="draw a grid")
-    parser.add_argument(
-        "--basis",
-        type=_width,
-        nargs="?",
-        const=1,
-        metavar="N",
-        help="draw the basis functions of the N-th curve below the picture (default: the first)",
-    )
-
-
 def _add_convert(convert: argparse.ArgumentParser) -> None:
     convert.add_argument("file", metavar="IN", help=f"what to read; ends in {', '.join(READABLE)}")
     convert.add_argument("output", metavar="OUT", help=f"what to write; ends in {', '.join(ENDINGS)}")
     convert.add_argument(
         "--tolerance",
-        type=_tolerance,
+        type=positive_number,
         metavar="X",
         help="largest deviation where a format cannot hold the curve itself (default: 1e-5 of its size)",
     )
     convert.add_argument(
         "--thin",
-        type=_tolerance,
+        type=positive_number,
         metavar="X",
         help="leave out the rows of a table that a curve comes this near",
     )
@@ -203,7 +166,11 @@ def _add_convert(convert: argparse.ArgumentParser) -> None:
         help="of a curve through the rows of a table (default: %(default)s)",
     )
     convert.add_argument(
-        "--samples", type=_width, default=SAMPLES, metavar="N", help="rows of a table (default: %(default)s)"
+        "--samples",
+        type=whole_number,
+        default=SAMPLES,
+        metavar="N",
+        help="rows of a table (default: %(default)s)",
     )
     convert.add_argument(
         "--by",
@@ -214,25 +181,7 @@ def _add_convert(convert: argparse.ArgumentParser) -> None:
     convert.add_argument(
         "--columns", metavar="A,B", help="of a table of samples: t, x, y, vx, vy, ax, ay, curvature, length"
     )
-    _add_picture_options(convert)
-
-
-def _width(text: str) -> int:
-    return int(_positive(text, int))
-
-
-def _tolerance(text: str) -> float:
-    return _positive(text, float)
-
-
-def _positive(text: str, kind: type[int] | type[float]) -> float:
-    try:
-        value = kind(text)
-    except ValueError:
-        value = 0
-    if not 0 < value < float("inf"):
-        raise argparse.ArgumentTypeError(f"“{text}” is not a positive number")
-    return value
+    add_picture_options(convert)
 
 
 def _load(path: str) -> Document:
@@ -277,31 +226,8 @@ def _render(options: argparse.Namespace) -> int:
         known = f"{', '.join(SUFFIXES[:-1])} or {SUFFIXES[-1]}"
         raise _RefusalError(f"“{options.output}” does not end in a known format for pictures; use {known}.")
     document = _load(options.file)
-    export_with(document, options.output, _options(options, document))
+    export_with(document, options.output, picture_options(options, document))
     return 0
-
-
-def _options(options: argparse.Namespace, document: Document) -> Options:
-    """Return what was asked for of the file to write."""
-    return Options(
-        width=options.width,
-        tolerance=options.tolerance,
-        style=_STYLES[options.theme] if options.theme else None,
-        points=options.points,
-        scale=options.scale,
-        transparent=options.transparent,
-        extras=_extras(options, document),
-    )
-
-
-def _extras(options: argparse.Namespace, document: Document) -> Extras | None:
-    if not (options.handles or options.grid or options.basis):
-        return None
-    from app.exchange.decor import Extras  # noqa: PLC0415
-
-    if options.basis and options.basis > len(document.curves):
-        raise _RefusalError(f"There is no curve {options.basis}; the document has {len(document.curves)}.")
-    return Extras(options.handles, options.grid, options.basis - 1 if options.basis else None)
 
 
 def _convert(options: argparse.Namespace) -> int:
@@ -315,7 +241,7 @@ def _convert(options: argparse.Namespace) -> int:
         family=Family(options.family),
     )
     wanted = replace(
-        _options(options, source.document),
+        picture_options(options, source.document),
         samples=options.samples,
         spacing=Spacing(options.by),
         columns=tuple(options.columns.split(",")) if options.columns else None,

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from PySide6.QtCore import Qt, QTimer, Signal
-from PySide6.QtGui import QCloseEvent, QColor, QImage, QPainter, QPixmap
+from PySide6.QtGui import QCloseEvent, QColor, QImage, QKeyEvent, QPainter, QPixmap
 from PySide6.QtWidgets import (
     QDialog,
     QDialogButtonBox,
@@ -23,7 +23,7 @@ from app.exchange.image import Look, look
 from app.exchange.progress import Report
 from app.exchange.svg import Style
 from app.panels.export_form import ExportForm
-from app.panels.form_parts import problem_label
+from app.panels.form_parts import enters_number, problem_label
 from app.theme import DARK, LIGHT, mix, theme_of
 from app.worker import Jobs
 
@@ -168,6 +168,10 @@ class ExportDialog(QDialog):
         """Close; the look that is being drawn is dropped."""
         self.jobs.close()
         super().done(result)
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        if not enters_number(self, event):
+            super().keyPressEvent(event)
 
     def closeEvent(self, event: QCloseEvent) -> None:
         self.jobs.close()

@@ -4,9 +4,17 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from PySide6.QtWidgets import QComboBox, QLabel
+from PySide6.QtCore import Qt
+from PySide6.QtGui import QKeyEvent
+from PySide6.QtWidgets import QAbstractSpinBox, QComboBox, QDialog, QLabel, QLineEdit
 
 INTO = ("This document", "A new document")
+
+
+def enters_number(dialog: QDialog, event: QKeyEvent) -> bool:
+    """Whether a key is the Enter that ends typing into a field, and no order to go ahead."""
+    is_enter = event.key() in (Qt.Key.Key_Return, Qt.Key.Key_Enter)
+    return is_enter and isinstance(dialog.focusWidget(), QLineEdit | QAbstractSpinBox)
 
 
 def choice_box(name: str, label: str, tip: str, items: Sequence[str]) -> QComboBox:

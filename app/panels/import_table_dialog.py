@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from PySide6.QtCore import Qt, QTimer, Signal
-from PySide6.QtGui import QCloseEvent
+from PySide6.QtGui import QCloseEvent, QKeyEvent
 from PySide6.QtWidgets import (
     QCheckBox,
     QDialog,
@@ -24,7 +24,7 @@ from app.exchange.table_import import MANY_ROWS, Prepared, TableChoice, TableSou
 from app.exchange.table_layout import Layout
 from app.exchange.thinning import Thinning
 from app.panels.field_edit import FieldEdit
-from app.panels.form_parts import choice_box, into_box, problem_label
+from app.panels.form_parts import choice_box, enters_number, into_box, problem_label
 from app.panels.number_text import decimal_mark, rounded_text
 from app.panels.table_preview import TablePreview
 from app.panels.words import count_of
@@ -262,6 +262,10 @@ class ImportTableDialog(QDialog):
         """Close; what is being computed is dropped."""
         self.jobs.close()
         super().done(result)
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        if not enters_number(self, event):
+            super().keyPressEvent(event)
 
     def closeEvent(self, event: QCloseEvent) -> None:
         self.jobs.close()
