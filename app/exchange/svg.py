@@ -23,6 +23,8 @@ POINT_RADIUS = 0.006
 NOMINAL_SIDE = 800
 """Longer side, in CSS pixels, of a picture whose size nobody asked for."""
 
+_INKSCAPE = "http://www.inkscape.org/namespaces/inkscape"
+
 # XML 1.0 has no way at all to write these.
 _NOT_IN_XML = re.compile("[^\t\n\r\x20-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")
 
@@ -101,7 +103,8 @@ def svg_text(drawing: Drawing, *, style: Style, points: bool, width: float) -> s
     parts = [
         '<?xml version="1.0" encoding="UTF-8"?>',
         f"<!-- Curvebench {__version__}. {accuracy_of(drawing)} -->",
-        f'<svg xmlns="http://www.w3.org/2000/svg" width="{width:.6g}" height="{height:.6g}" viewBox="{box}">',
+        f'<svg xmlns="http://www.w3.org/2000/svg" xmlns:inkscape="{_INKSCAPE}" '
+        f'width="{width:.6g}" height="{height:.6g}" viewBox="{box}">',
         f"  <desc>{_text(' '.join([accuracy_of(drawing), *drawing.remarks]))}</desc>",
         *([_paper(frame, style.paper)] if style.paper else []),
         *_decor(drawing, style, "grid"),
@@ -135,12 +138,19 @@ def _curves(drawing: Drawing, style: Style) -> list[str]:
         f'  <g id="curves" fill="none" stroke="{style.ink}" stroke-width="{stroke}" '
         'stroke-linecap="round" stroke-linejoin="round">'
     )
-    paths = [
-        f'    <path d="{path_data(outline)}"{_own("stroke", outline)}>'
-        f"<title>{_text(outline.name)}</title></path>"
-        for outline in drawing.outlines
+    layers = [line for outline in drawing.outlines for line in _layer(outline)]
+    return [group, *layers, "  </g>"]
+
+
+def _layer(outline: Outline) -> list[str]:
+    """Return a curve in a group that Inkscape takes for a layer."""
+    name = _text(outline.name)
+    quoted = name.replace('"', "&quot;").replace("\n", " ")
+    return [
+        f'    <g inkscape:groupmode="layer" inkscape:label="{quoted}">',
+        f'    <path d="{path_data(outline)}"{_own("stroke", outline)}><title>{name}</title></path>',
+        "    </g>",
     ]
-    return [group, *paths, "  </g>"]
 
 
 def _own(attribute: str, outline: Outline) -> str:

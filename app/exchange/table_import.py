@@ -21,6 +21,9 @@ MANY_ROWS = 1_000
 MOST_POINTS = MOST_KEPT
 """Points that the window can edit; more of them come in only thinned out."""
 
+MOST_LAGRANGE = 500
+"""Points of a Lagrange curve beyond which it swings out of all proportion, and takes long to draw."""
+
 _RELATIVE_TOLERANCE = 1e-3
 
 
@@ -107,6 +110,11 @@ class TableSource:
             rows = len(table.values)
             if choice.thinning is None and rows > MOST_POINTS:
                 raise ExchangeError(f"{rows:,} rows are more points than {MOST_POINTS:,}; thin them out.")
+            if choice.thinning is None and choice.family is Family.LAGRANGE and rows > MOST_LAGRANGE:
+                raise ExchangeError(
+                    f"A Lagrange curve can take {MOST_LAGRANGE:,} rows, not {rows:,}; choose Hermite, "
+                    "or thin them out."
+                )
             tolerance = 0.0
             if choice.thinning is not None:
                 tolerance = choice.tolerance or _suggested(table, choice.mapping)

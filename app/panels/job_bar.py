@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import QSize
+from PySide6.QtCore import QSize, Qt
 from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QProgressBar, QToolButton, QWidget
 
@@ -26,8 +26,12 @@ class JobBar(QWidget):
         self.bar.setFixedSize(120, 8)
         self.button = QToolButton()
         self.button.setObjectName("cancelJobButton")
-        self.button.setDefaultAction(cancel)
+        self.button.setText("Stop")
         self.button.setAccessibleName(cancel.text())
+        self.button.setToolTip(cancel.toolTip())
+        self.button.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
+        self.button.clicked.connect(cancel.trigger)
+        self._cancel = cancel
         self.button.setIconSize(QSize(14, 14))
         self.button.setAutoRaise(True)
         layout = QHBoxLayout(self)
@@ -47,6 +51,7 @@ class JobBar(QWidget):
         """Show the line with a bar that is empty."""
         self._word.setText(title)
         self.bar.setValue(0)
+        self.button.setIcon(self._cancel.icon())  # tinted for the theme of the moment
         self.show()
 
     def show_share(self, share: float) -> None:

@@ -15,6 +15,7 @@ from app.exchange.cubics_in import Imported
 from app.exchange.decor import Extras
 from app.exchange.points_table import points_table
 from app.exchange.sampled import sampled_table
+from app.exchange.svg import DARK
 from app.exchange.svg_in import read_svg
 from app.exchange.table_columns import Mapping
 from app.exchange.table_curve import document_of_table
@@ -172,7 +173,8 @@ def test_a_picture_with_everything_in_it_reads_back_as_its_curves(document):
         assert f'<g id="{name}"' in full
         assert f'<g id="{name}"' not in plain
     one, other = read_svg(plain.encode()), read_svg(full.encode())
-    assert one.document == other.document
+    dark = read_svg(svg_of(document, style=DARK).encode())
+    assert one.document == other.document == dark.document
     assert [curve.name for curve in one.document.curves] == ["Pond", NAMES[1], "Line", "Line"]
     assert [curve.colour for curve in one.document.curves] == ["#0072b2", "", "", ""]
 

@@ -148,6 +148,15 @@ def test_a_bad_row_is_shown_where_it_stands(editor, tmp_path):
     dialog.close()
 
 
+def test_a_lagrange_curve_through_thousands_of_rows_is_refused(editor, tmp_path):
+    dialog = opened(editor, spiral(tmp_path / "spiral.csv", 900))
+    choose(dialog.family_box, "Lagrange")
+    settle(editor, dialog)
+    assert dialog.problem.text().startswith("⚠ A Lagrange curve can take 500 rows, not 900; choose Hermite")
+    assert not dialog.ok.isEnabled()
+    dialog.close()
+
+
 def test_another_separator_is_read_anew(editor, tmp_path):
     dialog = opened(editor, write(tmp_path / "a.csv", "1,5\n2,5\n3,75\n"))
     assert dialog.preview.columnCount() == 2
