@@ -91,11 +91,10 @@ class ExchangeCommands:
             self._session.say(f"{self.jobs.title} is still going on; stop it first.")
 
     def _refuse(self, path: Path, what: str, problem: Exception) -> None:
-        # Some are clauses; some name the file, and it need not be named twice.
+        # Some are clauses; what readers say names the file, and it need not be named twice.
         reason = f"{str(problem).removesuffix('.')}."
-        self._parts.message_bar.warn(
-            reason if path.name in reason else f"{path.name} was not {what}. {reason}"
-        )
+        named = what == "imported" and path.name in reason
+        self._parts.message_bar.warn(reason if named else f"{path.name} was not {what}. {reason}")
 
     def _cancel(self) -> None:
         if self.jobs.is_busy:
