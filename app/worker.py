@@ -16,7 +16,7 @@ from typing import Any
 
 from PySide6.QtCore import QObject, Qt, QTimer, Signal
 
-from app.exchange.progress import Cancelled, Report
+from app.exchange.progress import FINAL, Cancelled, Report
 
 SHOWN_AFTER_MS = 200
 """What is done sooner needs no bar."""
@@ -82,17 +82,24 @@ class Jobs(QObject):
         self._job.start()
         return True
 
-    def cancel(self) -> None:
-        """Take the work back: nothing comes of it, and other work may begin at once."""
-        if self._job is not None:
-            self._job.stop()
-            self._finish()
+    def cancel(self) -> bool:
+        """Take the work back: nothing comes of it, and other work may begin at once.
+
+        Returns False where it is too late: its last step has begun, and it ends as it would have.
+        """
+        if self._job is None:
+            return True
+        if not self._job.stop():
+            return False
+        self._finish()
+        return True
 
     def close(self) -> None:
         """Take the work back and wait until it has noticed, as long as that does not take too long."""
         job = self._job
-        self.cancel()
         if job is not None:
+            job.stop()
+            self._finish()
             job.wait(_PATIENCE)
 
     def _show(self) -> None:
@@ -138,6 +145,7 @@ class _Job(QObject):
         self._work = work
         self._stopped = threading.Event()
         self._told = 0.0
+        self._lock, self._is_final = threading.Lock(), False
         self._thread = threading.Thread(target=self._run, name="work", daemon=True)
 
     def start(self) -> None:
@@ -149,9 +157,12 @@ class _Job(QObject):
         self.finished.connect(self._let_go, Qt.ConnectionType.QueuedConnection)
         self._thread.start()
 
-    def stop(self) -> None:
-        """Let the next report raise `Cancelled`."""
-        self._stopped.set()
+    def stop(self) -> bool:
+        """Let the next report raise `Cancelled`; return False where the last step has begun."""
+        with self._lock:
+            if not self._is_final:
+                self._stopped.set()
+            return not self._is_final
 
     def wait(self, seconds: float) -> None:
         """Wait until the thread has ended, at most so long."""
@@ -169,8 +180,12 @@ class _Job(QObject):
             self.finished.emit()
 
     def _report(self, share: float, word: str) -> None:
-        if self._stopped.is_set():
-            raise Cancelled
+        with self._lock:
+            if self._stopped.is_set():
+                raise Cancelled
+            self._is_final = self._is_final or share == FINAL
+        if self._is_final:
+            return
         now = time.monotonic()
         if now - self._told > _TELL_EVERY:
             self._told = now

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from PySide6.QtCore import QMimeData
 from PySide6.QtGui import QGuiApplication
@@ -20,7 +21,7 @@ from app.file_commands import file_stem
 from app.panels.job_bar import JobBar
 from app.panels.words import count_of
 from app.view_model.curve_view import CurveView
-from app.worker import Jobs
+from app.worker import Jobs, Work
 
 if TYPE_CHECKING:
     from app.exchange.choice import ExportChoice
@@ -79,7 +80,7 @@ class ExchangeCommands:
 
     # Work
 
-    def _start(self, title: str, work: object, done: object, path: Path, what: str) -> None:
+    def _start(self, title: str, work: Work, done: Callable[[Any], object], path: Path, what: str) -> None:
         """Do work for a file; what it raises is said as “file was not `what`”."""
 
         def failed(problem: Exception) -> None:
@@ -87,7 +88,7 @@ class ExchangeCommands:
                 raise problem
             self._refuse(path, what, problem)
 
-        if not self.jobs.start(title, work, done, failed):  # type: ignore[arg-type]
+        if not self.jobs.start(title, work, done, failed):
             self._session.say(f"{self.jobs.title} is still going on; stop it first.")
 
     def _refuse(self, path: Path, what: str, problem: Exception) -> None:
@@ -99,8 +100,9 @@ class ExchangeCommands:
     def _cancel(self) -> None:
         if self.jobs.is_busy:
             title = self.jobs.title
-            self.jobs.cancel()
-            self._session.say(f"{title} was stopped; nothing has changed.")
+            stopped = self.jobs.cancel()
+            end = "was stopped; nothing has changed" if stopped else "cannot be stopped any more"
+            self._session.say(f"{title} {end}.")
 
     def _show_bar(self, title: str) -> None:
         if self._bar is None:

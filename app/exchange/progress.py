@@ -6,9 +6,13 @@ Work that may take longer than a moment takes a `Report` and calls it now and th
 from __future__ import annotations
 
 from collections.abc import Callable
+from math import inf
 
 Report = Callable[[float, str], None]
 """Takes the share that is done, 0 to 1, and a word for what is being done; raises `Cancelled`."""
+
+FINAL = inf
+"""Reported in place of a share before a step that cannot be taken back; from then on nothing is cancelled."""
 
 
 class Cancelled(Exception):  # noqa: N818 - nothing has gone wrong

@@ -19,7 +19,7 @@ MOST_SAMPLES = 1_000_000
 
 TITLES = ("t", "x", "y", "vx", "vy", "ax", "ay", "curvature", "length")
 
-_ROWS_AT_ONCE = 20_000
+_ROWS_AT_ONCE = 2_000
 _TABLE_STEPS = 16
 _NEWTON_STEPS = 8
 
@@ -75,13 +75,18 @@ def sampled_table(
         away = part(report, place / len(sources), (place + 1) / len(sources))
         away(0.0, "Computing samples")
         t = parameters_of(source.core, samples, spacing, allowed)
-        deviation = max(deviation, polyline_deviation(source.core, t))
         lead = cell_of_name(name, separator) + separator if named else ""
-        rows = rows_of(source.core, t)[:, chosen]
-        for first in range(0, len(rows), _ROWS_AT_ONCE):
-            away(0.5 + 0.5 * first / len(rows), "Writing samples")
-            some = rows[first : first + _ROWS_AT_ONCE].tolist()
-            lines += [lead + separator.join(map(_cell, row)) for row in some]
+        length = 0.0
+        for first in range(0, len(t) - 1, _ROWS_AT_ONCE):
+            away(first / len(t), "Computing samples")
+            # The last sample of a part is the first of the next.
+            some = t[first : first + _ROWS_AT_ONCE + 1]
+            deviation = max(deviation, polyline_deviation(source.core, some))
+            rows = rows_of(source.core, some)
+            rows[:, -1] += length
+            length = float(rows[-1, -1])
+            new = rows[1 if first else 0 :, chosen]
+            lines += [lead + separator.join(map(_cell, row)) for row in new.tolist()]
     return Written("\n".join(lines) + "\n", deviation, remarks)
 
 

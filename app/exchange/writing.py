@@ -10,7 +10,7 @@ from app.document.model import Document
 from app.document.storage import write
 from app.exchange.drawing import ExchangeError, drawing_of
 from app.exchange.formats import ENDINGS, SAMPLES, Exported, Options, Spacing, ending_of
-from app.exchange.progress import Report, silent
+from app.exchange.progress import FINAL, Report, silent
 from app.exchange.svg import Style
 
 if TYPE_CHECKING:
@@ -98,7 +98,7 @@ def export_with(document: Document, path: str | os.PathLike[str], options: Optio
 
         written = WRITERS[ending](document, options)
         data, deviation, remarks = written.text.encode(), written.deviation, written.remarks
-    options.report(0.95, "Writing")
+    options.report(FINAL, "Writing")
     write(path, data)
     return Exported(deviation, remarks)
 

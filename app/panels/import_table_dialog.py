@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from itertools import pairwise
+
 from PySide6.QtCore import Qt, QTimer, Signal
 from PySide6.QtGui import QCloseEvent, QKeyEvent
 from PySide6.QtWidgets import (
@@ -233,6 +235,10 @@ class ImportTableDialog(QDialog):
         for role, column in columns.items():
             roles[column] = role
         self.preview.show_table(preview.titles, preview.cells, roles)
+        # The boxes are made late; without this the keyboard would reach them last.
+        chain = [self.header_check, *self.preview.head.boxes, self.preview, self.thinning_box]
+        for before, after in pairwise(chain):
+            self.setTabOrder(before, after)
 
     def _show(self, prepared: Prepared) -> None:
         self._prepared = prepared

@@ -27,6 +27,7 @@ class TablePreview(QTableWidget):
         self.setTabKeyNavigation(False)
         self.head = RoleHeader(roles, self)
         self.setHorizontalHeader(self.head)
+        self.setCornerButtonEnabled(False)
         self.verticalHeader().setDefaultSectionSize(24)
         self._shown = 0
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import gc
 import math
 import time
 
@@ -10,11 +11,21 @@ import pytest
 from PySide6.QtCore import QElapsedTimer, QMimeData, QPoint, QPointF, Qt, QTimer, QUrl
 from PySide6.QtGui import QDragEnterEvent, QDropEvent
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication, QDialog, QFileDialog, QPushButton
+from PySide6.QtWidgets import (
+    QAbstractButton,
+    QAbstractItemView,
+    QApplication,
+    QComboBox,
+    QDialog,
+    QFileDialog,
+    QPushButton,
+    QSpinBox,
+)
 
 from app.document.model import Document, Family, make_curve
 from app.document.storage import save
-from app.exchange import export
+from app.exchange import Options, export
+from app.panels.field_edit import FieldEdit
 from app.view_model.curve_view import view_of
 
 SVG = (
@@ -120,6 +131,40 @@ def test_with_the_keyboard_alone(editor, tmp_path, monkeypatch):
     settle(editor, dialog)
     QTest.keyClick(dialog, Qt.Key.Key_Return)
     assert [node.position for node in editor.curve.nodes] == [(2, 1), (4, 3), (9, 5)]
+
+
+def test_tab_walks_through_the_dialog_in_reading_order(editor, tmp_path):
+    dialog = opened(editor, write(tmp_path / "a.csv", "1,2\n3,4\n"))
+    dialog.header_check.setFocus()
+    walked = []
+    for _ in range(4):
+        QTest.keyClick(QApplication.focusWidget(), Qt.Key.Key_Tab)
+        walked.append(QApplication.focusWidget().objectName())
+    assert walked == ["columnRole0", "columnRole1", "tablePreview", "tableThinning"]
+    dialog.close()
+
+
+@pytest.mark.parametrize("name", ["importTableDialog", "importDrawingDialog", "exportDialog"])
+def test_everything_to_press_or_type_into_has_a_name_and_a_tip(editor, tmp_path, name):
+    if name == "exportDialog":
+        editor.trigger("exportPicture")
+        dialog = dialog_of(editor, name)
+    else:
+        content = SVG if name == "importDrawingDialog" else "1,2\n3,4\n"
+        dialog = opened(editor, write(tmp_path / ("a.svg" if content == SVG else "a.csv"), content), name)
+    found = [
+        each
+        for kind in (QAbstractButton, QComboBox, FieldEdit, QSpinBox)
+        for each in dialog.findChildren(kind)
+    ]
+    # Parts of Qt's own widgets have no names.
+    own = [each for each in found if not isinstance(each.parent(), QAbstractItemView)]
+    assert len(own) > 2
+    for each in own:
+        assert each.objectName(), each
+        assert each.toolTip(), each.objectName()
+        assert each.accessibleName() or each.text(), each.objectName()
+    dialog.close()
 
 
 def test_escape_leaves_everything_as_it_was(editor, tmp_path):
@@ -308,6 +353,14 @@ def shown_bar(editor):
     return bar
 
 
+def until_collected():
+    """Wait until work that was taken back has noticed: only then is garbage collected again."""
+    deadline = time.monotonic() + 20
+    while not gc.isenabled():
+        assert time.monotonic() < deadline
+        QTest.qWait(10)
+
+
 def test_long_work_shows_how_far_it_is_and_can_be_stopped(editor, busy):
     before = editor.session.document
     editor.window.import_file(busy)
@@ -339,6 +392,19 @@ def test_one_thing_at_a_time(editor, busy, tmp_path):
     # And the next begins at once.
     write(tmp_path / "other.csv", "1,2\n3,4\n")
     opened(editor, tmp_path / "other.csv").close()
+
+
+def test_an_export_that_is_stopped_leaves_the_old_file(editor, tmp_path):
+    old = write(tmp_path / "out.csv", "mine")
+    editor.window._commands.exchange.export(old, Options(samples=100_000))
+    assert editor.window.jobs.is_busy
+    shown_bar(editor)
+    editor.trigger("cancelWork")
+    assert not editor.window.jobs.is_busy
+    assert "nothing has changed" in editor.status
+    until_collected()
+    assert old.read_text(encoding="utf-8") == "mine"
+    assert [each.name for each in tmp_path.iterdir()] == ["out.csv"]
 
 
 def test_closing_the_window_drops_the_work(editor, busy):

@@ -9,7 +9,7 @@ import time
 import pytest
 from PySide6.QtTest import QTest
 
-from app.exchange.progress import part
+from app.exchange.progress import FINAL, part
 from app.worker import Jobs
 
 
@@ -159,6 +159,26 @@ def test_closing_waits_until_the_work_has_noticed(jobs):
     time.sleep(0.05)
     assert len(steps) == count
     assert heard.results == heard.problems == []
+
+
+def test_the_last_step_cannot_be_taken_back(jobs):
+    """What has been put in place is there; it must not be called undone."""
+    heard, begun, release = Heard(), threading.Event(), threading.Event()
+
+    def work(report):
+        report(FINAL, "Putting it in place")
+        begun.set()
+        release.wait(10)
+        report(0.5, "Later reports are heard by nobody")
+        return "written"
+
+    jobs.start("Writing", work, heard.done, heard.failed)
+    assert begun.wait(10)
+    assert not jobs.cancel()
+    assert jobs.is_busy
+    release.set()
+    until(lambda: heard.results)
+    assert heard.results == ["written"]
 
 
 def test_nothing_is_collected_in_the_other_thread(jobs):
