@@ -6,6 +6,7 @@ The layers, top to bottom; a module imports only from its own layer and those ab
 - ``view_model``: a document's curve turned into arrays to draw. No Qt; calls ``curvecore``.
 - ``gestures``: press, move and release turned into edits. No Qt.
 - ``exchange``: files in and out. Qt only in ``image``.
+- ``worker``: work off the window's thread, with progress, that can be taken back.
 - ``resources``, ``examples``: what comes with the program.
 - ``session``: the one mutable owner of the current document, its history and the selection.
 - ``analysis``, ``settle``: what is shown over the curve; what is computed beside the window.
@@ -18,7 +19,7 @@ The layers, top to bottom; a module imports only from its own layer and those ab
 - ``action_specs``, ``actions``, ``file_commands``, ``commands``: what can be done, and what it does.
 - ``toolbar``, ``window_layout``, ``main_window``: build, dock, connect.
 - ``crash_report``, ``crash_handler``, ``lifecycle``: what surrounds the windows from start to end.
-- ``cli``: the command line.  ``testing``: a driver for pytest-qt.
+- ``cli``, ``cli_options``: the command line.  ``testing``: a driver for pytest-qt.
 """
 
 __version__ = "0.1.0"

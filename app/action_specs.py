@@ -115,6 +115,15 @@ SPECS = (
         submenu="Disk",
     ),
     ActionSpec(
+        "importFile",
+        "Import…",
+        "File",
+        "Ctrl+I",
+        "import",
+        "Take in curves from SVG, DXF, a table or another document",
+        separated=True,
+    ),
+    ActionSpec(
         "exportPicture", "Export…", "File", "Ctrl+E", "export", "Export a picture, splines, code or numbers"
     ),
     ActionSpec(
@@ -144,6 +153,15 @@ SPECS = (
         "",
         "history",
         "Offer what was not saved when the program last ended",
+        separated=True,
+    ),
+    ActionSpec(
+        "cancelWork",
+        "Stop What Is Running",
+        "File",
+        "Ctrl+.",
+        "stop",
+        "Stop reading or writing; nothing changes",
         separated=True,
     ),
     ActionSpec("quit", "Quit", "File", "Ctrl+Q", "quit", "Close the window", separated=True),
@@ -308,6 +326,18 @@ SPECS = (
         "Ctrl+Shift+V",
         "",
         "Make a curve of the points on the clipboard",
+    ),
+    ActionSpec(
+        "copyImage",
+        "Copy as Image",
+        "Edit",
+        "Ctrl+Shift+C",
+        "",
+        "Copy all curves as a picture without paper, PNG and SVG",
+        separated=True,
+    ),
+    ActionSpec(
+        "copyPathData", "Copy as SVG Path", "Edit", "", "", "Copy all curves as the path data of an SVG"
     ),
     ActionSpec(
         "copyDerivatives",

@@ -8,23 +8,23 @@ import json
 import os
 import sys
 from collections.abc import Sequence
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from app import __version__
+from app.cli_options import add_picture_options, picture_options, positive_number, whole_number
 from app.document.format import FormatError
 from app.document.model import Document, Family
 from app.document.storage import StorageError, load
 from app.exchange import (
-    DARK,
     ENDINGS,
-    LIGHT,
     READABLE,
     SAMPLES,
     SUFFIXES,
     ExchangeError,
     Spacing,
-    export,
+    export_with,
     import_file,
 )
 
@@ -43,7 +43,6 @@ _INTERRUPTED = 130
 """What a shell expects of a program that Ctrl+C ended."""
 
 _COMMANDS = ("render", "convert", "info")
-_STYLES = {"light": LIGHT, "dark": DARK}
 
 _DESCRIPTION = """\
 Sketch parametric polynomial curves and see why they go where they go.
@@ -125,18 +124,12 @@ def _command_parser() -> argparse.ArgumentParser:
         "-o", "--output", required=True, metavar="OUT", help=f"the picture; ends in {', '.join(SUFFIXES)}"
     )
     render.add_argument(
-        "--width", type=_width, metavar="N", help="in pixels; in points of 1/72 inch for a PDF"
-    )
-    render.add_argument(
         "--tolerance",
-        type=_tolerance,
+        type=positive_number,
         metavar="X",
         help="largest deviation from the true curve, in the document's unit (default: 1e-5 of its size)",
     )
-    render.add_argument(
-        "--theme", choices=_STYLES, help="colours, paper included (default: light; no paper in SVG and PDF)"
-    )
-    render.add_argument("--points", action="store_true", help="draw the points too")
+    add_picture_options(render)
     _add_convert(commands.add_parser("convert", help="read and write other formats", description=_CONVERT))
     info = commands.add_parser(
         "info", help="print facts", description="Print facts about a document's curves."
@@ -151,15 +144,20 @@ def _add_convert(convert: argparse.ArgumentParser) -> None:
     convert.add_argument("output", metavar="OUT", help=f"what to write; ends in {', '.join(ENDINGS)}")
     convert.add_argument(
         "--tolerance",
-        type=_tolerance,
+        type=positive_number,
         metavar="X",
         help="largest deviation where a format cannot hold the curve itself (default: 1e-5 of its size)",
     )
     convert.add_argument(
         "--thin",
-        type=_tolerance,
+        type=positive_number,
         metavar="X",
         help="leave out the rows of a table that a curve comes this near",
+    )
+    convert.add_argument(
+        "--corners",
+        action="store_true",
+        help="with --thin: the rows that a polyline this near turns at (Douglas-Peucker)",
     )
     convert.add_argument(
         "--family",
@@ -168,7 +166,11 @@ def _add_convert(convert: argparse.ArgumentParser) -> None:
         help="of a curve through the rows of a table (default: %(default)s)",
     )
     convert.add_argument(
-        "--samples", type=_width, default=SAMPLES, metavar="N", help="rows of a table (default: %(default)s)"
+        "--samples",
+        type=whole_number,
+        default=SAMPLES,
+        metavar="N",
+        help="rows of a table (default: %(default)s)",
     )
     convert.add_argument(
         "--by",
@@ -176,24 +178,10 @@ def _add_convert(convert: argparse.ArgumentParser) -> None:
         default=str(Spacing.T),
         help="equal steps of t or of the arc length, or as many rows as the tolerance takes",
     )
-
-
-def _width(text: str) -> int:
-    return int(_positive(text, int))
-
-
-def _tolerance(text: str) -> float:
-    return _positive(text, float)
-
-
-def _positive(text: str, kind: type[int] | type[float]) -> float:
-    try:
-        value = kind(text)
-    except ValueError:
-        value = 0
-    if not 0 < value < float("inf"):
-        raise argparse.ArgumentTypeError(f"“{text}” is not a positive number")
-    return value
+    convert.add_argument(
+        "--columns", metavar="A,B", help="of a table of samples: t, x, y, vx, vy, ax, ay, curvature, length"
+    )
+    add_picture_options(convert)
 
 
 def _load(path: str) -> Document:
@@ -243,15 +231,8 @@ def _render(options: argparse.Namespace) -> int:
     if not options.output.lower().endswith(SUFFIXES):
         known = f"{', '.join(SUFFIXES[:-1])} or {SUFFIXES[-1]}"
         raise _RefusalError(f"“{options.output}” does not end in a known format for pictures; use {known}.")
-    style = _STYLES[options.theme] if options.theme else None
-    export(
-        _load(options.file),
-        options.output,
-        width=options.width,
-        tolerance=options.tolerance,
-        style=style,
-        points=options.points,
-    )
+    document = _load(options.file)
+    export_with(document, options.output, picture_options(options, document))
     return 0
 
 
@@ -259,15 +240,19 @@ def _convert(options: argparse.Namespace) -> int:
     from app.exchange.parts import rounded_up  # noqa: PLC0415
 
     source = import_file(
-        options.file, tolerance=options.tolerance, thin=options.thin, family=Family(options.family)
-    )
-    written = export(
-        source.document,
-        options.output,
+        options.file,
         tolerance=options.tolerance,
+        thin=options.thin,
+        corners=options.corners,
+        family=Family(options.family),
+    )
+    wanted = replace(
+        picture_options(options, source.document),
         samples=options.samples,
         spacing=Spacing(options.by),
+        columns=tuple(options.columns.split(",")) if options.columns else None,
     )
+    written = export_with(source.document, options.output, wanted)
     for remark in (*source.remarks, *written.remarks):
         print(f"curvebench: {_one_line(remark)}", file=sys.stderr)
     total = rounded_up(source.deviation + written.deviation)

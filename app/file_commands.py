@@ -1,4 +1,4 @@
-"""Open, save, export: the dialogs and questions around files."""
+"""Open and save: the dialogs and questions around files."""
 
 from __future__ import annotations
 
@@ -11,7 +11,6 @@ from PySide6.QtWidgets import QFileDialog, QMessageBox, QWidget
 from app.document.format import FormatError
 from app.document.model import empty_document
 from app.document.storage import StorageError, load
-from app.exchange import ExchangeError, export
 from app.preferences import Preferences
 from app.session import Session
 
@@ -21,20 +20,6 @@ NEW_NAME = empty_document().curves[0].name
 
 _LONGEST_STEM = 80
 _DOCUMENTS = f"Curvebench documents (*{SUFFIX});;All files (*)"
-_EXPORTS = ";;".join(
-    (
-        "PNG picture (*.png)",
-        "SVG drawing (*.svg)",
-        "PDF document (*.pdf)",
-        "DXF splines (*.dxf)",
-        "Python with NumPy (*.py)",
-        "Python with SciPy (*.scipy.py)",
-        "LaTeX formula (*.tex)",
-        "TikZ picture (*.tikz)",
-        "Table of samples (*.csv)",
-        "Polynomial coefficients (*.coefficients.json)",
-    )
-)
 
 
 class FileCommands:
@@ -131,26 +116,6 @@ class FileCommands:
         self._session.say(f"Saved {path.name}.{kept}")
         return True
 
-    def ask_and_export(self) -> None:
-        """Let the person choose a file and write the document there, as a picture, code or numbers."""
-        start = self._preferences.last_folder / f"{file_stem(self._session)}.png"
-        name, chosen = QFileDialog.getSaveFileName(self._window, "Export", str(start), _EXPORTS)
-        if name:
-            path = Path(name)
-            self.export(path if path.suffix else path.with_name(path.name + _suffix_of(chosen)))
-
-    def export(self, path: Path) -> None:
-        """Write the document in the format that the ending names, and say how exactly."""
-        try:
-            written = export(self._session.document, path)
-        except (ExchangeError, StorageError, FormatError) as problem:
-            self._warn(_sentence(f"{path.name} was not written", problem))
-            return
-        self._preferences.last_folder = path.parent
-        away = written.deviation
-        exact = f"at most {away:.2g} from the true curve" if away else "exact"
-        self._session.say(f"Wrote {path.name}, {exact}.")
-
     def _remember(self, path: Path) -> None:
         self._preferences.add_recent_file(path)
         self._preferences.last_folder = path.parent
@@ -211,7 +176,3 @@ def _sentence(what: str, problem: Exception) -> str:
 def with_suffix(path: Path) -> Path:
     """Return `path` with the documents' suffix if it has none."""
     return path if path.suffix else path.with_name(path.name + SUFFIX)
-
-
-def _suffix_of(name_filter: str) -> str:
-    return name_filter.partition("(*")[2].rstrip(")")

@@ -24,6 +24,7 @@ from app.autosave import Autosave
 from app.canvas.canvas import Canvas
 from app.commands.connect import Commands
 from app.commands.curve_commands import CURVE_LIST_BUTTONS
+from app.commands.exchange_commands import can_import
 from app.commands.image_commands import PICTURE_SUFFIXES
 from app.commands.parts import Parts
 from app.commands.recovery_commands import OpenBeside
@@ -50,6 +51,7 @@ from app.settle import Settler
 from app.theme import ThemeMode, apply_theme, theme_of
 from app.toolbar import Toolbar
 from app.window_layout import restore_layout
+from app.worker import Jobs
 
 _PANELS_MS = 100
 """How far the panels may lag behind a drag, in milliseconds; the canvas and the functions never do."""
@@ -380,8 +382,17 @@ class MainWindow(QMainWindow):
         self._commands.recovery.look()
 
     def export_file(self, path: Path) -> None:
-        """Write a picture, or say why not."""
-        self._files.export(path)
+        """Write the document in the format that the ending names, or say why not."""
+        self._commands.exchange.export(path)
+
+    def import_file(self, path: Path) -> None:
+        """Take in the curves of a file of another format, or say why not."""
+        self._commands.exchange.import_file(path)
+
+    @property
+    def jobs(self) -> Jobs:
+        """What is being read or written beside the window."""
+        return self._commands.exchange.jobs
 
     def apply_preferences(self) -> None:
         """Take over what the preferences say about grid, unit and snapping."""
@@ -449,6 +460,8 @@ class MainWindow(QMainWindow):
             event.acceptProposedAction()
             if path.suffix.lower() in PICTURE_SUFFIXES:
                 self.add_image(path)
+            elif can_import(path):
+                self.import_file(path)
             else:
                 self._files.open(path)
 
@@ -457,6 +470,7 @@ class MainWindow(QMainWindow):
             event.ignore()
             return
         self._files.let_go()
+        self._commands.exchange.close()
         self._remember_layout()
         for settler in self.findChildren(Settler):
             settler.wait()

@@ -186,6 +186,15 @@ class Preferences:
         self._settings.setValue("shortcuts", json.dumps(dict(keys), sort_keys=True))
 
     @property
+    def export_choice(self) -> str:
+        """The options of the last export, as JSON; what cannot be used counts as none."""
+        return self._text("export/choice")
+
+    @export_choice.setter
+    def export_choice(self, text: str) -> None:
+        self._settings.setValue("export/choice", text)
+
+    @property
     def recent_files(self) -> list[Path]:
         """At most ten files, the latest first; those that are no longer there are left out."""
         return [path for path in self._recent() if _is_file(path)]

@@ -18,6 +18,7 @@ and a test reads as what a person does::
 
 from __future__ import annotations
 
+import time
 from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import Protocol
@@ -457,6 +458,15 @@ class Editor:
         """Let Qt deliver what is pending and paint."""
         for _ in range(2):
             QGuiApplication.processEvents()
+
+    def wait_for_work(self, seconds: float = 30.0) -> None:
+        """Wait until nothing is read or written beside the window."""
+        deadline = time.monotonic() + seconds
+        while self.window.jobs.is_busy:
+            if time.monotonic() > deadline:
+                raise TimeoutError(f"{self.window.jobs.title} takes longer than {seconds:g} s.")
+            QTest.qWait(5)
+        self.settle()
 
     def screenshot(self, path: str | Path | None = None) -> QImage:
         """Return a picture of the window, and write it to `path` if one is given."""

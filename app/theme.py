@@ -260,6 +260,8 @@ QTabBar::tab:selected:focus { color: $accent }
 QStatusBar { background: $surface; border-top: 1px solid $line; color: $muted }
 QStatusBar::item { border: none }
 QStatusBar QLabel { color: $muted; padding: 2px 6px }
+QProgressBar { background: $line; border: none; border-radius: 4px }
+QProgressBar::chunk { background: $accent; border-radius: 4px }
 QMenu { background: $raised; border: 1px solid $edge; padding: 4px }
 QMenu::item { padding: 5px 22px 5px 8px; border-radius: 4px; color: $ink }
 QMenu::item:selected { background: $selected; color: $ink }

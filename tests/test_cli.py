@@ -309,3 +309,93 @@ def test_the_editor_opens_a_window_for_every_file(qapp, capsys):
     assert main([LETTER, str(EXAMPLES / "robot_move.curve.json")]) == 0
     assert sorted(seen) == [("Letter S", True), ("Robot move", True)]
     assert capsys.readouterr() == ("", "")
+
+
+# What goes into a picture
+
+
+def rendered(tmp_path, *words, ending="svg"):
+    path = tmp_path / f"out.{ending}"
+    assert main(["render", LETTER, "-o", str(path), *words]) == 0
+    return path
+
+
+def test_a_picture_has_what_was_asked_for(tmp_path):
+    plain = rendered(tmp_path).read_text(encoding="utf-8")
+    full = rendered(tmp_path, "--points", "--handles", "--grid", "--basis").read_text(encoding="utf-8")
+    for name in ("points", "handles", "grid", "basis"):
+        assert f'id="{name}"' not in plain
+        assert f'id="{name}"' in full
+    assert rendered(tmp_path, "--no-points").read_text(encoding="utf-8") == plain
+
+
+def test_a_dark_svg_without_paper(tmp_path):
+    text = rendered(tmp_path, "--theme", "dark", "--transparent").read_text(encoding="utf-8")
+    assert "#e6e8ea" in text
+    assert 'id="paper"' not in text
+    assert 'id="paper"' in rendered(tmp_path, "--theme", "dark").read_text(encoding="utf-8")
+
+
+def test_a_sharper_png_without_paper(tmp_path):
+    images = pytest.importorskip("PySide6.QtGui")
+    plain = images.QImage(str(rendered(tmp_path, "--width", "300", ending="png")))
+    sharp = rendered(tmp_path, "--width", "300", "--scale", "2", "--transparent", ending="png")
+    image = images.QImage(str(sharp))
+    assert (plain.width(), image.width()) == (300, 600)
+    assert image.dotsPerMeterX() == pytest.approx(2 * plain.dotsPerMeterX(), abs=2)
+    assert plain.pixelColor(0, 0).alpha() == 255
+    assert image.pixelColor(0, 0).alpha() == 0
+
+
+def test_the_basis_of_a_curve_that_is_not_there(capsys, tmp_path):
+    out = str(tmp_path / "a.svg")
+    said = refusal(capsys, "render", LETTER, "-o", out, "--basis", "7")
+    assert said == "There is no curve 7; the document has 1."
+    assert not Path(out).exists()
+
+
+def test_a_picture_that_would_be_too_large(capsys, tmp_path):
+    said = refusal(capsys, "render", LETTER, "-o", str(tmp_path / "a.png"), "--scale", "1e300")
+    assert "the sides may have 1 to 16384" in said
+
+
+def test_convert_takes_columns_and_corners(capsys, tmp_path):
+    table = tmp_path / "a.csv"
+    words = ["convert", LETTER, str(table), "--samples", "2000", "--columns", "x,y"]
+    assert main(words) == 0
+    assert table.read_text(encoding="utf-8").startswith("x,y\n")
+    back = tmp_path / "a.curve.json"
+    assert main(["convert", str(table), str(back), "--thin", "0.01", "--corners"]) == 0
+    assert 10 < len(load(back).curves[0].nodes) < 400
+    capsys.readouterr()
+    assert "at least one is needed" in refusal(capsys, "convert", LETTER, str(table), "--columns", "z")
+
+
+def test_convert_puts_points_into_a_dxf(capsys, tmp_path):
+    ezdxf = pytest.importorskip("ezdxf")
+    out = tmp_path / "a.dxf"
+    assert main(["convert", LETTER, str(out), "--points"]) == 0
+    drawing = ezdxf.readfile(out)
+    kinds = [entity.dxftype() for entity in drawing.modelspace()]
+    assert (kinds.count("SPLINE"), kinds.count("POINT")) == (1, 9)
+    assert not drawing.audit().errors
+
+
+def test_the_start_takes_no_readers_writers_or_dialogs_along():
+    code = "import sys, app.main_window, app.cli; print(*sys.modules)"
+    names = set(run(code=code, env={"QT_QPA_PLATFORM": "offscreen"}).stdout.split())
+    light = {"drawing", "formats", "progress", "reading", "svg", "table_text", "writing"}
+    found = {name.removeprefix("app.exchange.") for name in names if name.startswith("app.exchange.")}
+    assert found == light
+    heavy = {
+        "ezdxf",
+        "defusedxml",
+        "simpleeval",
+        "fractions",
+        "PySide6.QtPrintSupport",
+    }
+    assert not heavy & names
+    dialogs = {
+        name for name in names if name.startswith("app.panels.") and ("import_" in name or "export_" in name)
+    }
+    assert not dialogs

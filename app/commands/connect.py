@@ -7,6 +7,7 @@ from app.commands.context_menus import ContextMenus
 from app.commands.curve_commands import CurveCommands
 from app.commands.disk_commands import DiskCommands
 from app.commands.edit_commands import EditCommands
+from app.commands.exchange_commands import ExchangeCommands
 from app.commands.fresh_hints import FreshHints
 from app.commands.help_commands import HelpCommands
 from app.commands.hodograph_commands import HodographCommands
@@ -37,6 +38,7 @@ class Commands:
         self.snap = SnapCommands(parts)
         self.images = ImageCommands(parts, self.messages)
         self.recovery = RecoveryCommands(parts)
+        self.exchange = ExchangeCommands(parts)
         curves = CurveCommands(parts)
         self.hodograph = HodographCommands(parts)
         self.joints = JointCommands(parts)
@@ -56,6 +58,7 @@ class Commands:
             self.images,
             DiskCommands(parts),
             self.recovery,
+            self.exchange,
             ToolCommands(parts, self.snap.apply_preferences),
         )
         self.context_menus = ContextMenus(parts, curves)
@@ -70,7 +73,6 @@ class Commands:
             "openDocument": files.ask_and_open,
             "saveDocument": files.save,
             "saveDocumentAs": files.ask_and_save,
-            "exportPicture": files.ask_and_export,
             "quit": self._parts.window.close,
         }
 

@@ -16,8 +16,6 @@ from dataclasses import dataclass
 from itertools import pairwise
 from typing import NoReturn
 
-from simpleeval import InvalidExpression, SimpleEval
-
 from app.document.model import MAX_MAGNITUDE
 
 MAX_LENGTH = 200
@@ -155,6 +153,9 @@ _OPERATORS = {
 
 
 def _evaluate(code: str) -> float:
+    # The first expression is typed long after the start.
+    from simpleeval import InvalidExpression, SimpleEval  # noqa: PLC0415
+
     try:
         value = SimpleEval(operators=_OPERATORS, functions=FUNCTIONS, names=CONSTANTS).eval(code)
     except ZeroDivisionError:

@@ -1,16 +1,19 @@
 """Files in and out.
 
 - ``drawing``: a document as cubic Bézier curves in a frame, the source of every picture.
+- ``decor``: a grid, handles and basis functions to go with it.
 - ``svg``: that drawing as SVG, exact or within a stated tolerance.
 - ``image``: that SVG as PNG and PDF; the only module here that needs Qt.
 - ``parts``: the curves of a document and their pieces, the source of everything else that is written.
 - ``code``, ``code_runtime``: Python with NumPy or SciPy.  ``latex``: formulas, TikZ, PGFPlots.
-- ``formulas``: Desmos, SVG path data, coefficients.  ``sampled``: tables of samples.
-- ``table_file``, ``table_curve``, ``thinning``: CSV and TSV in, thinned out if asked.
+- ``formulas``: Desmos, SVG path data, coefficients.  ``sampled``, ``points_table``: tables.
+- ``table_file``, ``table_layout``, ``table_columns``: CSV and TSV in.  ``table_curve``, ``thinning``: as
+  curves, thinned out if asked.  ``table_import``: as the window asks for them.
 - ``table_text``: blocks of numbers on the clipboard.
 - ``svg_in``, ``svg_path``, ``arcs``, ``cubics_in``: SVG in, as Hermite curves.  ``dxf``: DXF out and in.
 - ``child``: a process with limits for the files of others.  ``reading``: which ending names which reader.
 - ``formats``: the endings.  ``writing``, ``writers``: which ending names which writer.
+- ``progress``: how long work says how far it is.  ``choice``: what a person chose for an export.
 - ``facts``: what ``curvebench info`` prints.
 
 `export` chooses the writer by the name of the file.
@@ -19,10 +22,19 @@
 from __future__ import annotations
 
 from app.exchange.drawing import ExchangeError
-from app.exchange.formats import ENDINGS, READABLE, SAMPLES, SUFFIXES, Exported, Spacing
+from app.exchange.formats import (
+    ENDINGS,
+    READABLE,
+    SAMPLES,
+    SUFFIXES,
+    TABLES,
+    Exported,
+    Options,
+    Spacing,
+)
 from app.exchange.reading import import_file
 from app.exchange.svg import DARK, INK, LIGHT, Style, svg_of
-from app.exchange.writing import export
+from app.exchange.writing import export, export_with
 
 __all__ = [
     "DARK",
@@ -32,11 +44,14 @@ __all__ = [
     "READABLE",
     "SAMPLES",
     "SUFFIXES",
+    "TABLES",
     "ExchangeError",
     "Exported",
+    "Options",
     "Spacing",
     "Style",
     "export",
+    "export_with",
     "import_file",
     "svg_of",
 ]

@@ -10,6 +10,8 @@ import contextlib
 import os
 import subprocess
 import sys
+import tempfile
+import time
 from collections.abc import Callable
 
 import msgspec
@@ -17,9 +19,18 @@ import msgspec
 from app.document.format import FormatError, validate
 from app.exchange.cubics_in import Imported
 from app.exchange.drawing import ExchangeError
+from app.exchange.progress import Report, silent
 
-SECONDS = 20.0
-"""The longest that a file may take to be read."""
+SECONDS = 5.0
+"""The longest that a file of up to `SMALL` bytes may take to be read."""
+
+SMALL = 2**20
+SECONDS_PER_MB = 5.0
+"""What every further 2**20 bytes may take: a file that makes a parser work for hours can be small, and an
+honest large one takes its time. Whoever waits can cancel.
+"""
+
+_POLL = 0.05
 
 MEMORY = 400 * 2**20
 """Bytes that reading may need beyond what the program itself does, where the system can limit that."""
@@ -43,7 +54,13 @@ class _Answer(msgspec.Struct):
 
 
 def limited(
-    reader: str, data: bytes, tolerance: float | None, *, seconds: float = SECONDS, memory: int = MEMORY
+    reader: str,
+    data: bytes,
+    tolerance: float | None,
+    *,
+    seconds: float | None = None,
+    memory: int = MEMORY,
+    report: Report = silent,
 ) -> Imported:
     """Return what a reader makes of the content of a file, in a process with limits.
 
@@ -56,7 +73,9 @@ def limited(
     tolerance
         See the reader.
     seconds, memory
-        The limits; memory in bytes.
+        The limits, by default `seconds_for` the file and `MEMORY`; memory in bytes.
+    report
+        Called all the time; when it raises, the process is ended.
 
     Raises
     ------
@@ -64,28 +83,57 @@ def limited(
         What the reader raises, and where a limit is reached.
     """
     request = msgspec.msgpack.encode(_Request(reader, tolerance, data))
-    # One thread: each would reserve memory of its own.
-    environment = {**os.environ, "OPENBLAS_NUM_THREADS": "1"}
+    output = _output_of(request, memory, seconds_for(len(data)) if seconds is None else seconds, report)
     try:
-        done = subprocess.run(
-            [sys.executable, "-c", _START, str(memory), *sys.path],
-            input=request,
-            capture_output=True,
-            timeout=seconds,
-            env=environment,
-            check=False,
-        )
-    except subprocess.TimeoutExpired:
-        raise ExchangeError(f"Reading takes longer than {seconds:g} s; it was stopped.") from None
-    except OSError as problem:
-        raise ExchangeError(f"No process could be started to read it ({problem.strerror}).") from None
-    try:
-        answer = msgspec.msgpack.decode(done.stdout, type=_Answer)
+        answer = msgspec.msgpack.decode(output, type=_Answer)
     except msgspec.DecodeError:
         raise ExchangeError("Reading needs more memory than is allowed; it was stopped.") from None
     if answer.result is None:
         raise ExchangeError(answer.problem)
     return answer.result
+
+
+def seconds_for(size: int) -> float:
+    """Return how long a file of `size` bytes may take to be read."""
+    return SECONDS + SECONDS_PER_MB * max(size - SMALL, 0) / 2**20
+
+
+def _output_of(request: bytes, memory: int, seconds: float, report: Report) -> bytes:
+    """Return what the process answers."""
+    # One thread: each would reserve memory of its own.
+    environment = {**os.environ, "OPENBLAS_NUM_THREADS": "1"}
+    command = [sys.executable, "-c", _START, str(memory), *sys.path]
+    began = time.monotonic()
+    # Not by a pipe: Python before 3.12 stops feeding it after the first timeout.
+    with tempfile.TemporaryFile() as question:
+        try:
+            question.write(request)
+            question.seek(0)
+            process = subprocess.Popen(
+                command,
+                stdin=question,
+                stdout=subprocess.PIPE,
+                stderr=subprocess.DEVNULL,
+                env=environment,
+            )
+        except OSError as problem:
+            raise ExchangeError(f"No process could be started to read it ({problem.strerror}).") from None
+        with process:
+            try:
+                return _awaited(process, began, seconds, report)
+            finally:
+                process.kill()
+
+
+def _awaited(process: subprocess.Popen[bytes], began: float, seconds: float, report: Report) -> bytes:
+    while True:
+        spent = time.monotonic() - began
+        if spent > seconds:
+            raise ExchangeError(f"Reading takes longer than {seconds:.3g} s; it was stopped.")
+        # Nobody knows how far a foreign parser is: half of what is left is always ahead.
+        report(1 - 0.5 ** (4 * spent / seconds), "Reading")
+        with contextlib.suppress(subprocess.TimeoutExpired):
+            return process.communicate(timeout=_POLL)[0]
 
 
 def main(memory: str) -> None:

@@ -89,6 +89,37 @@ class Outline:
 
 
 @dataclass(frozen=True)
+class Decor:
+    """Lines that go with the curves.
+
+    Attributes
+    ----------
+    name
+        Of the group they belong to: "grid", "handles" or "basis".
+    lines
+        Polylines, each (k, 2).
+    width
+        Of their strokes, in the document's unit.
+    opacity
+        From 0 to 1.
+    colour
+        "#rrggbb", or empty for the ink of the picture.
+    filled
+        Whether they are outlines of areas, without a stroke.
+    dash
+        Lengths of dashes and gaps; empty for none.
+    """
+
+    name: str
+    lines: tuple[Floats, ...]
+    width: float
+    opacity: float = 1.0
+    colour: str = ""
+    filled: bool = False
+    dash: tuple[float, ...] = ()
+
+
+@dataclass(frozen=True)
 class Drawing:
     """All visible curves of a document that can be drawn.
 
@@ -102,12 +133,15 @@ class Drawing:
         The deviation that was allowed, in the document's unit.
     remarks
         One sentence for every curve that could not be drawn.
+    decor
+        What else is drawn.
     """
 
     outlines: tuple[Outline, ...]
     frame: Frame
     tolerance: float
     remarks: tuple[str, ...] = ()
+    decor: tuple[Decor, ...] = ()
 
     @property
     def deviation(self) -> float:
@@ -130,7 +164,16 @@ class Drawing:
             replace(outline, control_points=moved(outline.control_points), nodes=moved(outline.nodes))
             for outline in self.outlines
         )
-        return replace(self, outlines=outlines, frame=Frame(0.0, 0.0, width, height))
+        decor = tuple(
+            replace(
+                each,
+                lines=tuple(map(moved, each.lines)),
+                width=each.width * scale,
+                dash=tuple(length * scale for length in each.dash),
+            )
+            for each in self.decor
+        )
+        return replace(self, outlines=outlines, frame=Frame(0.0, 0.0, width, height), decor=decor)
 
 
 def drawing_of(document: Document, tolerance: float | None = None) -> Drawing:

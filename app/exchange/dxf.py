@@ -52,11 +52,12 @@ _END = re.compile(r"(^|\n)[ \t]*0[ \t]*\n[ \t]*EOF\s*\Z")
 # Out
 
 
-def dxf_text(document: Document, tolerance: float | None = None) -> Written:
+def dxf_text(document: Document, tolerance: float | None = None, *, points: bool = False) -> Written:
     """Return the curves as DXF (R2010): one SPLINE each, on a layer of its own.
 
     Cubic and quintic Hermite curves, and Lagrange curves up to degree 10, are written exactly but for
-    rounding, with their parameters as knots; others as cubics within the tolerance.
+    rounding, with their parameters as knots; others as cubics within the tolerance. With `points` the layer
+    of each curve holds its points as well, as POINTs.
 
     Raises
     ------
@@ -69,7 +70,10 @@ def dxf_text(document: Document, tolerance: float | None = None) -> Written:
     drawing: Drawing = ezdxf.new("R2010", units=0)
     deviation = 0.0
     for source in sources:
-        deviation = max(deviation, _add_spline(drawing, source, allowed))
+        layer = _layer(drawing, source)
+        deviation = max(deviation, _add_spline(drawing, source, allowed, layer))
+        for x, y in source.core.points[: len(source.curve.nodes)].tolist() if points else ():
+            drawing.modelspace().add_point((x, y, 0.0), dxfattribs={"layer": layer})
     comments = [accuracy(deviation), *map(one_line, remarks)]
     drawing.header.custom_vars.append("Accuracy", comments[0])
     stream = io.StringIO()
@@ -79,14 +83,13 @@ def dxf_text(document: Document, tolerance: float | None = None) -> Written:
     return Written(head + stream.getvalue(), deviation, remarks)
 
 
-def _add_spline(drawing: Drawing, source: Source, tolerance: float) -> float:
+def _add_spline(drawing: Drawing, source: Source, tolerance: float, layer: str) -> float:
     parts = [beziers_of(piece, tolerance) for piece in source.pieces]
     degree = parts[0].degree
     points = [parts[0].control_points[0, :1]]
     points += [part.control_points[:, 1:].reshape(-1, 2) for part in parts]
     joints = np.concatenate([parts[0].parameters, *(part.parameters[1:] for part in parts[1:])])
     knots = [joints[0], *np.repeat(joints, degree), joints[-1]]
-    layer = _layer(drawing, source)
     flags = _PLANAR | (_CLOSED if source.curve.is_closed else 0)
     # The usual tolerance, 1e-10, lets readers round the knots.
     attributes = {"layer": layer, "flags": flags, "knot_tolerance": 1e-15}

@@ -3,12 +3,17 @@
 from __future__ import annotations
 
 import os
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from enum import StrEnum
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from app.exchange.drawing import ExchangeError
-from app.exchange.svg import Style
+from app.exchange.progress import Report, silent
+from app.exchange.svg import INK, LIGHT, Style
+
+if TYPE_CHECKING:
+    from app.exchange.decor import Extras
 
 SUFFIXES = (".png", ".svg", ".pdf")
 """Endings of the pictures that `export` can write."""
@@ -24,6 +29,8 @@ ENDINGS = (
     ".tex",
     ".desmos.txt",
     ".path.txt",
+    ".points.csv",
+    ".points.tsv",
     ".csv",
     ".tsv",
     ".dxf",
@@ -33,8 +40,11 @@ ENDINGS = (
 )
 """Endings of all files that `export` can write; the first that fits counts."""
 
-READABLE = (".curve.json", ".csv", ".tsv", ".svg", ".dxf")
+READABLE = (".curve.json", ".json", ".csv", ".tsv", ".txt", ".svg", ".dxf")
 """Endings of the files that `import_file` can read."""
+
+TABLES = (".csv", ".tsv", ".txt")
+"""Those of them that are tables."""
 
 SAMPLES = 201
 """Rows of a table of samples, unless asked otherwise."""
@@ -74,6 +84,27 @@ class Options:
     points: bool = False
     samples: int = SAMPLES
     spacing: Spacing = Spacing.T
+    scale: float = 1.0
+    transparent: bool = False
+    extras: Extras | None = None
+    columns: tuple[str, ...] | None = None
+    report: Report = silent
+
+    def reporting(self, report: Report) -> Options:
+        """Return the same options with somebody who hears how far it has come."""
+        return replace(self, report=report)
+
+    @property
+    def paper_style(self) -> Style:
+        """The colours of a PNG, which has paper unless it is to be transparent."""
+        style = self.style or LIGHT
+        return replace(style, paper=None) if self.transparent else style
+
+    @property
+    def vector_style(self) -> Style:
+        """The colours of an SVG or PDF, which has paper only where colours were asked for."""
+        style = self.style or INK
+        return replace(style, paper=None) if self.transparent else style
 
 
 def ending_of(path: str | os.PathLike[str], endings: tuple[str, ...]) -> str:

@@ -6,7 +6,7 @@ never sees the coordinates of the document, however large, small or far away the
 
 from __future__ import annotations
 
-import os
+from dataclasses import dataclass
 
 from PySide6.QtCore import QBuffer, QByteArray, QIODevice, QMarginsF, QRectF, QSizeF
 from PySide6.QtGui import (
@@ -23,9 +23,10 @@ from PySide6.QtSvg import QSvgRenderer, QtSvg
 
 from app import __version__
 from app.document.model import Document
-from app.document.storage import write
+from app.exchange.decor import decorated
 from app.exchange.drawing import Drawing, ExchangeError, drawing_of
-from app.exchange.svg import INK, LIGHT, Style, accuracy_of, svg_text
+from app.exchange.formats import Options
+from app.exchange.svg import Style, accuracy_of, svg_text
 
 DEFAULT_WIDTH = 1600
 LARGEST_SIDE = 16384
@@ -35,70 +36,97 @@ PAGE_SIDE = 720.0
 """Longer side, in points of 1/72 inch, of a PDF page whose size nobody asked for."""
 
 _PDF_RESOLUTION = 1200
+_DOTS_PER_METRE = 96 / 0.0254
 
 
-def write_png(
-    document: Document,
-    path: str | os.PathLike[str],
-    *,
-    width: int = DEFAULT_WIDTH,
-    tolerance: float | None = None,
-    style: Style = LIGHT,
-    points: bool = False,
-) -> None:
-    """Write a picture of a document, `width` pixels wide; the height follows from the drawing.
+def png_image(document: Document, options: Options) -> QImage:
+    """Return a picture of a document, `options.width` × `options.scale` pixels wide.
 
     Raises
     ------
     ExchangeError
         If nothing can be drawn, or the picture would be too large.
-    StorageError
-        If the file cannot be written; an old one stays as it was.
     """
-    drawing = drawing_of(document, tolerance)
+    style = options.paper_style
+    drawing = _drawing(document, options, style)
+    width, height = _size(drawing, options)
+    application = _application()
+    image = _painted(drawing, (width, height), style, points=options.points)
+    image.setText("Software", f"Curvebench {__version__}")
+    image.setText("Description", accuracy_of(drawing))
+    dots = round(_DOTS_PER_METRE * options.scale)
+    image.setDotsPerMeterX(dots)
+    image.setDotsPerMeterY(dots)
+    del application
+    return image
+
+
+@dataclass(frozen=True)
+class Look:
+    """A small picture of a picture, and the size in pixels that it would have as a PNG."""
+
+    image: QImage
+    size: tuple[int, int]
+
+
+def look(document: Document, options: Options, style: Style, room: tuple[int, int]) -> Look:
+    """Return what a picture in these options and colours looks like, in so many pixels at most.
+
+    Raises
+    ------
+    ExchangeError
+        As `png_image`.
+    """
+    drawing = _drawing(document, options, style)
+    frame = drawing.frame
+    scale = min(room[0] / frame.width, room[1] / frame.height)
+    size = (max(round(frame.width * scale), 1), max(round(frame.height * scale), 1))
+    return Look(_painted(drawing, size, style, points=options.points), _size(drawing, options))
+
+
+def _size(drawing: Drawing, options: Options) -> tuple[int, int]:
+    wanted = (DEFAULT_WIDTH if options.width is None else options.width) * options.scale
+    # Huge factors shall be refused, not overflow.
+    width = round(min(wanted, 1e9))
     height = round(width * drawing.frame.height / drawing.frame.width)
     if not 1 <= min(width, height) <= max(width, height) <= LARGEST_SIDE:
         raise ExchangeError(
             f"A picture of {width} × {height} pixels is not possible; the sides may have 1 to {LARGEST_SIDE}."
         )
-    application = _application()
-    image = QImage(width, height, QImage.Format.Format_ARGB32_Premultiplied)
+    return width, height
+
+
+def _painted(drawing: Drawing, size: tuple[int, int], style: Style, *, points: bool) -> QImage:
+    image = QImage(*size, QImage.Format.Format_ARGB32_Premultiplied)
     image.fill(QColor(0, 0, 0, 0))
-    image.setText("Software", f"Curvebench {__version__}")
-    image.setText("Description", accuracy_of(drawing))
     painter = QPainter(image)
     painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-    _render(drawing.fitted(width, height), painter, style, points=points)
+    _render(drawing.fitted(*size), painter, style, points=points)
     painter.end()
-    del application
+    return image
+
+
+def png_bytes(document: Document, options: Options) -> bytes:
+    """Return the content of a PNG file; see `png_image`."""
     buffer = QBuffer()
     buffer.open(QIODevice.OpenModeFlag.WriteOnly)
-    if not QImageWriter(buffer, QByteArray(b"png")).write(image):
+    if not QImageWriter(buffer, QByteArray(b"png")).write(png_image(document, options)):
         raise ExchangeError("The picture could not be made; there may be too little memory.")
-    write(path, bytes(buffer.data().data()))
+    return bytes(buffer.data().data())
 
 
-def write_pdf(
-    document: Document,
-    path: str | os.PathLike[str],
-    *,
-    width: float | None = None,
-    tolerance: float | None = None,
-    style: Style = INK,
-    points: bool = False,
-) -> None:
-    """Write a document as a PDF of one page, as outlines; `width` in points of 1/72 inch.
+def pdf_bytes(document: Document, options: Options) -> bytes:
+    """Return a document as a PDF of one page, as outlines; `options.width` in points of 1/72 inch.
 
     Raises
     ------
     ExchangeError
         If nothing can be drawn.
-    StorageError
-        If the file cannot be written; an old one stays as it was.
     """
-    drawing = drawing_of(document, tolerance)
+    style = options.vector_style
+    drawing = _drawing(document, options, style)
     frame = drawing.frame
-    across = PAGE_SIDE * frame.width / frame.side if width is None else width
+    across = PAGE_SIDE * frame.width / frame.side if options.width is None else options.width
     page = QSizeF(across, across * frame.height / frame.width)
     application = _application()
     buffer = QBuffer()
@@ -111,10 +139,17 @@ def write_pdf(
     writer.setPageLayout(QPageLayout(size, QPageLayout.Orientation.Portrait, QMarginsF()))
     painter = QPainter(writer)
     device = painter.viewport()
-    _render(drawing.fitted(device.width(), device.height()), painter, style, points=points)
+    _render(drawing.fitted(device.width(), device.height()), painter, style, points=options.points)
     painter.end()
     del application
-    write(path, bytes(buffer.data().data()))
+    return bytes(buffer.data().data())
+
+
+def _drawing(document: Document, options: Options, style: Style) -> Drawing:
+    drawing = drawing_of(document, options.tolerance)
+    if options.extras is None:
+        return drawing
+    return decorated(drawing, document, options.extras, style.theme)
 
 
 def _render(fitted: Drawing, painter: QPainter, style: Style, *, points: bool) -> None:

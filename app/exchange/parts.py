@@ -156,6 +156,26 @@ def one_line(text: str) -> str:
     return "".join(each if each.isprintable() else " " for each in text).encode("utf-8", "replace").decode()
 
 
+def distinct_names(sources: list[Source]) -> list[str]:
+    """Return the names of the curves on one line each; where two are the same, one gets a number."""
+    names: list[str] = []
+    for source in sources:
+        base = " ".join(source.name.split()) or "Curve"
+        name, number = base, 2
+        while name in names:
+            name, number = f"{base} {number}", number + 1
+        names.append(name)
+    return names
+
+
+def cell_of_name(name: str, separator: str) -> str:
+    """Return a name as a cell of a table."""
+    # A name that begins like a formula would be run by a spreadsheet; the sign is taken off again when read.
+    name = f"'{name}" if name[:1] in ("=", "+", "-", "@", "'") else name
+    quoted = name.replace('"', '""')
+    return f'"{quoted}"' if separator in name or '"' in name or "#" in name else quoted
+
+
 def samples_of(piece: SimpleCurve) -> Floats:
     """Return parameters all along a piece, those of the points among them."""
     t = piece.parameters

@@ -10,7 +10,8 @@ from app.document.model import Document
 from app.exchange.drawing import ExchangeError, Floats
 from app.exchange.facts import lengths_between
 from app.exchange.formats import SAMPLES, Spacing
-from app.exchange.parts import Source, Written, checked_tolerance, sources_of
+from app.exchange.parts import Written, cell_of_name, checked_tolerance, distinct_names, sources_of
+from app.exchange.progress import Report, part, silent
 from app.view_model.curve_view import CoreCurve
 from curvecore import flatten_parameters
 
@@ -18,6 +19,7 @@ MOST_SAMPLES = 1_000_000
 
 TITLES = ("t", "x", "y", "vx", "vy", "ax", "ay", "curvature", "length")
 
+_ROWS_AT_ONCE = 2_000
 _TABLE_STEPS = 16
 _NEWTON_STEPS = 8
 
@@ -29,6 +31,8 @@ def sampled_table(
     samples: int = SAMPLES,
     spacing: Spacing = Spacing.T,
     tolerance: float | None = None,
+    columns: tuple[str, ...] | None = None,
+    report: Report = silent,
 ) -> Written:
     """Return the curves as a table; with several, the first column is the curve's name.
 
@@ -44,6 +48,10 @@ def sampled_table(
         Equal steps of t, of the arc length, or as many samples as a polyline within the tolerance needs.
     tolerance
         Largest deviation of that polyline, in the document's unit.
+    columns
+        Those of `TITLES` that are wanted; by default all.
+    report
+        Hears how far it has come.
 
     Returns
     -------
@@ -59,14 +67,35 @@ def sampled_table(
         raise ExchangeError(f"A table can have 2 to {MOST_SAMPLES} samples.")
     sources, remarks = sources_of(document)
     allowed = checked_tolerance(sources, tolerance)
+    chosen = _columns(columns)
     named = len(sources) > 1
-    lines, deviation = [separator.join(("curve", *TITLES) if named else TITLES)], 0.0
-    for source in sources:
+    titles = [TITLES[column] for column in chosen]
+    lines, deviation = [separator.join(["curve", *titles] if named else titles)], 0.0
+    for place, (source, name) in enumerate(zip(sources, distinct_names(sources), strict=True)):
+        away = part(report, place / len(sources), (place + 1) / len(sources))
+        away(0.0, "Computing samples")
         t = parameters_of(source.core, samples, spacing, allowed)
-        deviation = max(deviation, polyline_deviation(source.core, t))
-        lead = _quoted(source, separator) + separator if named else ""
-        lines += [lead + separator.join(map(_cell, row)) for row in rows_of(source.core, t).tolist()]
+        lead = cell_of_name(name, separator) + separator if named else ""
+        length = 0.0
+        for first in range(0, len(t) - 1, _ROWS_AT_ONCE):
+            away(first / len(t), "Computing samples")
+            # The last sample of a part is the first of the next.
+            some = t[first : first + _ROWS_AT_ONCE + 1]
+            deviation = max(deviation, polyline_deviation(source.core, some))
+            rows = rows_of(source.core, some)
+            rows[:, -1] += length
+            length = float(rows[-1, -1])
+            new = rows[1 if first else 0 :, chosen]
+            lines += [lead + separator.join(map(_cell, row)) for row in new.tolist()]
     return Written("\n".join(lines) + "\n", deviation, remarks)
+
+
+def _columns(titles: tuple[str, ...] | None) -> list[int]:
+    """Return the places of the columns wanted, in their usual order."""
+    unknown = [title for title in titles or () if title not in TITLES]
+    if unknown or titles == ():
+        raise ExchangeError(f"A table can have the columns {', '.join(TITLES)}; at least one is needed.")
+    return [place for place, title in enumerate(TITLES) if titles is None or title in titles]
 
 
 def parameters_of(core: CoreCurve, samples: int, spacing: Spacing, tolerance: float) -> Floats:
@@ -132,13 +161,6 @@ def _by_length(core: CoreCurve, samples: int) -> Floats:
         t = np.clip(t - step, low, high)
     start, end = core.domain
     return np.unique(np.concatenate([[start], t, [end]]))
-
-
-def _quoted(source: Source, separator: str) -> str:
-    name = " ".join(source.name.split()).replace('"', '""')
-    # A name that begins like a formula would be run by a spreadsheet.
-    name = f"'{name}" if name[:1] in ("=", "+", "-", "@") else name
-    return f'"{name}"' if separator in name or '"' in name else name
 
 
 def _cell(value: float) -> str:

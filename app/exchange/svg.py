@@ -5,10 +5,14 @@ from __future__ import annotations
 import re
 from dataclasses import dataclass
 from decimal import ROUND_UP, Context
+from typing import TYPE_CHECKING
 
 from app import __version__
 from app.document.model import Document
-from app.exchange.drawing import Drawing, Frame, Outline, drawing_of
+from app.exchange.drawing import Decor, Drawing, Frame, Outline, drawing_of
+
+if TYPE_CHECKING:
+    from app.exchange.decor import Extras
 
 STROKE = 0.003
 """Width of the curve against the picture's longer side."""
@@ -19,6 +23,8 @@ POINT_RADIUS = 0.006
 NOMINAL_SIDE = 800
 """Longer side, in CSS pixels, of a picture whose size nobody asked for."""
 
+_INKSCAPE = "http://www.inkscape.org/namespaces/inkscape"
+
 # XML 1.0 has no way at all to write these.
 _NOT_IN_XML = re.compile("[^\t\n\r\x20-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")
 
@@ -28,15 +34,19 @@ _ROUNDING_UP = Context(prec=3, rounding=ROUND_UP)
 
 @dataclass(frozen=True)
 class Style:
-    """The colours of a picture; without `paper` its background is transparent."""
+    """The colours of a picture; without `paper` its background is transparent.
+
+    `theme`, "light" or "dark", is the paper that the colours of the points are made for.
+    """
 
     ink: str
     paper: str | None = None
+    theme: str = "light"
 
 
 INK = Style("#1f2328")
 LIGHT = Style("#1f2328", "#fafafa")
-DARK = Style("#e6e8ea", "#15181c")
+DARK = Style("#e6e8ea", "#15181c", "dark")
 
 
 def svg_of(
@@ -46,6 +56,7 @@ def svg_of(
     style: Style = INK,
     points: bool = False,
     width: float | None = None,
+    extras: Extras | None = None,
 ) -> str:
     """Return a document as SVG.
 
@@ -66,6 +77,8 @@ def svg_of(
         Whether to draw the points as discs, in a group of their own.
     width
         Nominal width in CSS pixels; by default the longer side is `NOMINAL_SIDE`.
+    extras
+        What else to draw, in groups of their own.
 
     Raises
     ------
@@ -73,6 +86,11 @@ def svg_of(
         If nothing can be drawn, or if the coordinates are beyond what a picture can hold.
     """
     drawing = drawing_of(document, tolerance)
+    if extras is not None:
+        # Views of basis functions and handles are no business of a plain drawing.
+        from app.exchange.decor import decorated  # noqa: PLC0415
+
+        drawing = decorated(drawing, document, extras, style.theme)
     shown = NOMINAL_SIDE * drawing.frame.width / drawing.frame.side if width is None else width
     return svg_text(drawing, style=style, points=points, width=shown)
 
@@ -85,11 +103,15 @@ def svg_text(drawing: Drawing, *, style: Style, points: bool, width: float) -> s
     parts = [
         '<?xml version="1.0" encoding="UTF-8"?>',
         f"<!-- Curvebench {__version__}. {accuracy_of(drawing)} -->",
-        f'<svg xmlns="http://www.w3.org/2000/svg" width="{width:.6g}" height="{height:.6g}" viewBox="{box}">',
+        f'<svg xmlns="http://www.w3.org/2000/svg" xmlns:inkscape="{_INKSCAPE}" '
+        f'width="{width:.6g}" height="{height:.6g}" viewBox="{box}">',
         f"  <desc>{_text(' '.join([accuracy_of(drawing), *drawing.remarks]))}</desc>",
         *([_paper(frame, style.paper)] if style.paper else []),
+        *_decor(drawing, style, "grid"),
         *_curves(drawing, style),
+        *_decor(drawing, style, "handles"),
         *(_points(drawing, style) if points else []),
+        *_decor(drawing, style, "basis"),
         "</svg>",
     ]
     return "\n".join(parts) + "\n"
@@ -116,12 +138,19 @@ def _curves(drawing: Drawing, style: Style) -> list[str]:
         f'  <g id="curves" fill="none" stroke="{style.ink}" stroke-width="{stroke}" '
         'stroke-linecap="round" stroke-linejoin="round">'
     )
-    paths = [
-        f'    <path d="{path_data(outline)}"{_own("stroke", outline)}>'
-        f"<title>{_text(outline.name)}</title></path>"
-        for outline in drawing.outlines
+    layers = [line for outline in drawing.outlines for line in _layer(outline)]
+    return [group, *layers, "  </g>"]
+
+
+def _layer(outline: Outline) -> list[str]:
+    """Return a curve in a group that Inkscape takes for a layer."""
+    name = _text(outline.name)
+    quoted = name.replace('"', "&quot;").replace("\n", " ")
+    return [
+        f'    <g inkscape:groupmode="layer" inkscape:label="{quoted}">',
+        f'    <path d="{path_data(outline)}"{_own("stroke", outline)}><title>{name}</title></path>',
+        "    </g>",
     ]
-    return [group, *paths, "  </g>"]
 
 
 def _own(attribute: str, outline: Outline) -> str:
@@ -147,6 +176,22 @@ def _points(drawing: Drawing, style: Style) -> list[str]:
         for x, y in outline.nodes.tolist()
     ]
     return [f'  <g id="points" fill="{style.ink}">', *discs, "  </g>"]
+
+
+def _decor(drawing: Drawing, style: Style, name: str) -> list[str]:
+    """Return the group of lines with this name; nothing where there are none."""
+    paths = [_strokes(each, style) for each in drawing.decor if each.name == name]
+    return [f'  <g id="{name}" fill="none" stroke-linejoin="round">', *paths, "  </g>"] if paths else []
+
+
+def _strokes(decor: Decor, style: Style) -> str:
+    data = " ".join(f"M {' L '.join(_pair(point) for point in line.tolist())}" for line in decor.lines)
+    colour = decor.colour or style.ink
+    opacity = f' opacity="{decor.opacity:g}"' if decor.opacity < 1 else ""
+    if decor.filled:
+        return f'    <path d="{data}" fill="{colour}"{opacity}/>'
+    dash = f' stroke-dasharray="{" ".join(map(_number, decor.dash))}"' if decor.dash else ""
+    return f'    <path d="{data}" stroke="{colour}" stroke-width="{_number(decor.width)}"{dash}{opacity}/>'
 
 
 def _pair(point: list[float]) -> str:

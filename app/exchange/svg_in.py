@@ -19,7 +19,7 @@ from defusedxml.ElementTree import DefusedXMLParser
 from app.exchange.arcs import arc
 from app.exchange.cubics_in import Imported, Path, imported, lines
 from app.exchange.drawing import ExchangeError, Floats
-from app.exchange.svg import INK
+from app.exchange.svg import DARK, INK
 from app.exchange.svg_path import Subpath, read_path_data
 
 MAX_ELEMENTS = 10_000
@@ -49,6 +49,7 @@ _COLOURS = {
     "green": "#008000", "lime": "#00ff00", "olive": "#808000", "yellow": "#ffff00", "navy": "#000080",
     "blue": "#0000ff", "teal": "#008080", "aqua": "#00ffff", "cyan": "#00ffff", "orange": "#ffa500",
 }  # fmt: skip
+_NO_CURVES = ("paper", "points", "grid", "handles", "basis")
 _OUR_MARK = "Largest deviation from the true curves"
 
 
@@ -162,7 +163,7 @@ class _Reader:
             self._lost.add(f"<{tag}>")
         state = self._entered(element, state)
         hidden = _property(element, "display") == "none"
-        if hidden or (self._ours and element.get("id") in ("paper", "points")):
+        if hidden or (self._ours and element.get("id") in _NO_CURVES):
             return
         if tag in _SHAPES:
             if state.visible:
@@ -385,7 +386,7 @@ def _colour(text: str) -> str:
     if match := re.fullmatch(r"rgb\(\s*(\d{1,3})[\s,]+(\d{1,3})[\s,]+(\d{1,3})\s*\)", text):
         text = "#" + "".join(f"{min(int(value), 255):02x}" for value in match.groups())
     text = _COLOURS.get(text, text)
-    return text if re.fullmatch("#[0-9a-f]{6}", text) and text not in (INK.ink, "#000000") else ""
+    return text if re.fullmatch("#[0-9a-f]{6}", text) and text not in (INK.ink, DARK.ink, "#000000") else ""
 
 
 def _name(element: ET.Element) -> str:

@@ -2,13 +2,38 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+
 import numpy as np
+import numpy.typing as npt
 
 from app.document.format import FormatError, validate
-from app.document.model import Curve, Document, Family, Node, Parametrization, ParametrizationKind, Vector
+from app.document.model import (
+    Curve,
+    Document,
+    Family,
+    Node,
+    Parametrization,
+    ParametrizationKind,
+    Vector,
+)
 from app.exchange.drawing import ExchangeError, Floats
-from app.exchange.table_file import ROLES, Mapping, Table, guessed
-from app.exchange.thinning import thinned
+from app.exchange.progress import Report, part, silent
+from app.exchange.table_columns import AFTER, ROLES, Mapping, guessed
+from app.exchange.table_file import Table
+from app.exchange.table_layout import RowProblem
+from app.exchange.thinning import Thinning, thinned
+
+MOST_CURVES = 1_000
+CLOSED = "closed "
+"""Before the family of a curve whose last row is its first point again."""
+
+_PAIRS = {
+    "velocity": ("vx", "vy"),
+    "acceleration": ("ax", "ay"),
+    "velocity_after": ("vx_after", "vy_after"),
+    "acceleration_after": ("ax_after", "ay_after"),
+}
 
 
 def document_of_table(
@@ -18,22 +43,30 @@ def document_of_table(
     family: Family = Family.HERMITE,
     name: str = "Table",
     thin: float | None = None,
+    thinning: Thinning = Thinning.CURVE,
+    report: Report = silent,
 ) -> tuple[Document, float]:
-    """Return a document with one curve through the rows of a table, and how far it is from them at most.
+    """Return a document with the curves through the rows of a table, and how far they are from them at most.
+
+    There is one curve, or one for each name in the column of names.
 
     Parameters
     ----------
     table
-        At least two rows.
+        At least two rows for each curve.
     mapping
         Which columns are what; by default a guess from the titles.
     family
-        Of the curve. A column of velocities or accelerations that the family does not have is left out.
+        Of the curves, unless a column says it. Velocities or accelerations that the family does not have are
+        left out; where a pair of cells is empty, they are estimated.
     name
-        Of the curve.
+        Of the curve, unless a column says it.
     thin
-        None to take every row; otherwise the rows are thinned out to as few points as a cubic Hermite curve
-        needs to stay within this distance of every row.
+        None to take every row; otherwise the rows are thinned out, and the curves are cubic Hermite curves.
+    thinning
+        What stays within that distance of every row.
+    report
+        Hears how far it has come.
 
     Raises
     ------
@@ -43,61 +76,161 @@ def document_of_table(
     chosen = mapping or guessed(table.titles)
     if chosen is None:
         raise ExchangeError("The table has one column only; a curve needs x and y.")
-    columns = {role: getattr(chosen, role) for role in ROLES}
+    columns = chosen.columns((*ROLES, *AFTER))
     for role, column in columns.items():
-        if column is not None and not 0 <= column < table.values.shape[1]:
+        if not 0 <= column < table.values.shape[1]:
             raise ExchangeError(f"There is no column {column + 1} for {role}.")
-    values = {role: table.values[:, column] for role, column in columns.items() if column is not None}
-    for role, column in values.items():
-        if np.isnan(column).any():
-            line = table.line_of(int(np.argmax(np.isnan(column))))
-            raise ExchangeError(f"Row {line}, column {columns[role] + 1} is empty; it gives {role}.")
-    if len(table.values) < 2:
-        raise ExchangeError("The table has one row of numbers; a curve needs two points.")
-    t = values.get("t")
-    if t is not None and not (np.diff(t) > 0).all():
-        row = int(np.argmin(np.diff(t) > 0)) + 1
-        raise ExchangeError(f"Row {table.line_of(row)}: t must increase from row to row.")
-    points = np.column_stack([values["x"], values["y"]])
-    if thin is not None:
-        kept = thinned(points, t, thin)
-        curve = _manual_curve(name, Family.HERMITE, kept.parameters, points[kept.rows])
-        return _checked(curve), kept.deviation
-    return _checked(_full_curve(name, family, points, t, values)), 0.0
+    groups = _groups(table, chosen, name)
+    curves, deviation = [], 0.0
+    for place, (title, rows) in enumerate(groups):
+        own = _Rows(table, columns, rows)
+        away = part(report, place / len(groups), (place + 1) / len(groups))
+        if thin is not None:
+            kept = thinned(own.points, own.t, thin, thinning, report=away)
+            curves.append(_thinned_curve(title, own, kept.rows, kept.parameters))
+            deviation = max(deviation, kept.deviation)
+        else:
+            away(0.0, "Making a curve")
+            curves.append(_full_curve(title, own, *_family_of(table, chosen, rows, family)))
+    return _checked(curves), deviation
 
 
-def _full_curve(
-    name: str, family: Family, points: Floats, t: Floats | None, values: dict[str, Floats]
-) -> Curve:
-    curve = _manual_curve(name, family, t, points)
-    nodes = list(curve.nodes)
-    for order, field in enumerate(("velocity", "acceleration"), start=1):
-        pair = ("vx", "vy") if order == 1 else ("ax", "ay")
-        if order > family.derivatives or not set(pair) <= set(values):
-            continue
-        vectors = zip(values[pair[0]].tolist(), values[pair[1]].tolist(), strict=True)
-        nodes = [_with(node, field, vector) for node, vector in zip(nodes, vectors, strict=True)]
-    return Curve(name, family, curve.parametrization, tuple(nodes))
+def _groups(table: Table, mapping: Mapping, name: str) -> list[tuple[str, npt.NDArray[np.intp]]]:
+    """Return the name and the rows of each curve, in the order in which they begin."""
+    if mapping.curve is None or mapping.curve not in table.words:
+        return [(name, np.arange(len(table.values)))]
+    places: dict[str, int] = {}
+    group = np.array([places.setdefault(word, len(places)) for word in table.words[mapping.curve]])
+    if len(places) > MOST_CURVES:
+        raise ExchangeError(f"The table names {len(places)} curves; {MOST_CURVES} can be read.")
+    order = np.argsort(group, kind="stable")
+    ends = np.cumsum(np.bincount(group))[:-1]
+    return [
+        (title.removeprefix("'") or name, rows)
+        for title, rows in zip(places, np.split(order, ends), strict=True)
+    ]
 
 
-def _with(node: Node, field: str, vector: Vector) -> Node:
-    if field == "velocity":
-        return Node(node.x, node.y, node.t, vector)
-    return Node(node.x, node.y, node.t, node.velocity, vector)
+def _family_of(
+    table: Table, mapping: Mapping, rows: npt.NDArray[np.intp], default: Family
+) -> tuple[Family, bool]:
+    """Return the family of the curve through some rows, and whether it is closed."""
+    if mapping.family is None or mapping.family not in table.words:
+        return default, False
+    first = int(rows[0])
+    word = table.words[mapping.family][first].strip().lower()
+    try:
+        return Family(word.removeprefix(CLOSED)), word.startswith(CLOSED)
+    except ValueError:
+        known = ", ".join(Family)
+        raise RowProblem(f" must be one of {known}.", table.line_of(first), mapping.family + 1) from None
 
 
-def _manual_curve(name: str, family: Family, t: Floats | None, points: Floats) -> Curve:
-    """Return a curve with parameters t, or by chord length without."""
+@dataclass(frozen=True, eq=False)
+class _Rows:
+    """The rows of one curve.
+
+    Attributes
+    ----------
+    table, columns
+        Where they come from, and the columns of numbers that there are.
+    rows
+        Their places in the table.
+    """
+
+    table: Table
+    columns: dict[str, int]
+    rows: npt.NDArray[np.intp]
+
+    def __post_init__(self) -> None:
+        for role in {"t", "x", "y"} & set(self.columns):
+            values = self.column(role)
+            if np.isnan(values).any():
+                self._refuse_empty(role, int(np.argmax(np.isnan(values))))
+        if len(self.rows) < 2:
+            raise ExchangeError("The table has one row of numbers; a curve needs two points.")
+        if self.t is not None and not (np.diff(self.t) > 0).all():
+            row = int(np.argmin(np.diff(self.t) > 0)) + 1
+            raise RowProblem(": t must increase from row to row.", self.line_of(row))
+
+    def _refuse_empty(self, role: str, row: int) -> None:
+        raise RowProblem(f" is empty; it gives {role}.", self.line_of(row), self.columns[role] + 1)
+
+    def line_of(self, row: int) -> int:
+        """Return the line of the file that holds a row."""
+        return self.table.line_of(int(self.rows[row]))
+
+    def column(self, role: str) -> Floats:
+        """Return the numbers of one column."""
+        return np.asarray(self.table.values[self.rows, self.columns[role]])
+
+    @property
+    def t(self) -> Floats | None:
+        """The parameters; None where there is no column of them."""
+        return self.column("t") if "t" in self.columns else None
+
+    @property
+    def points(self) -> Floats:
+        """The points, (n, 2)."""
+        return np.column_stack([self.column("x"), self.column("y")])
+
+    def vectors(self, field: str) -> list[Vector | None]:
+        """Return one derivative of every row, None where its cells are empty or there is no such column.
+
+        Raises
+        ------
+        ExchangeError
+            If one of two cells is empty.
+        """
+        pair = _PAIRS[field]
+        if not set(pair) <= set(self.columns):
+            return [None] * len(self.rows)
+        values = np.column_stack([self.column(role) for role in pair])
+        empty = np.isnan(values)
+        halves = np.flatnonzero(empty[:, 0] != empty[:, 1])
+        if len(halves):
+            row = int(halves[0])
+            self._refuse_empty(pair[0] if empty[row, 0] else pair[1], row)
+        return [None if x != x else (x, y) for x, y in values.tolist()]  # noqa: PLR0124 - NaN
+
+
+def _full_curve(name: str, own: _Rows, family: Family, closed: bool) -> Curve:
+    nothing: list[Vector | None] = [None] * len(own.rows)
+    fields = [
+        own.vectors(field) if order <= family.derivatives else nothing
+        for order, field in (
+            (1, "velocity"),
+            (2, "acceleration"),
+            (1, "velocity_after"),
+            (2, "acceleration_after"),
+        )
+    ]
+    times = own.t
+    t = [None] * len(own.rows) if times is None else times.tolist()
+    nodes = [
+        Node(x, y, at, velocity, acceleration, after is not None, after, bend)
+        for (x, y), at, velocity, acceleration, after, bend in zip(
+            own.points.tolist(), t, *fields, strict=True
+        )
+    ]
+    return Curve(name, family, _rule(times), tuple(nodes[:-1] if closed else nodes), closed=closed)
+
+
+def _thinned_curve(name: str, own: _Rows, kept: npt.NDArray[np.intp], parameters: Floats) -> Curve:
+    points = zip(own.points[kept].tolist(), parameters.tolist(), strict=True)
+    nodes = tuple(Node(x, y, t) for (x, y), t in points)
+    return Curve(name, Family.HERMITE, _rule(parameters), nodes)
+
+
+def _rule(t: Floats | None) -> Parametrization:
+    """Return the rule for parameters t, or chord length without."""
     if t is None:
-        nodes = tuple(Node(x, y) for x, y in points.tolist())
-        return Curve(name, family, Parametrization(), nodes)
-    rule = Parametrization(ParametrizationKind.MANUAL, start=float(t[0]), end=float(t[-1]))
-    data = zip(points.tolist(), t.tolist(), strict=True)
-    return Curve(name, family, rule, tuple(Node(x, y, at) for (x, y), at in data))
+        return Parametrization()
+    return Parametrization(ParametrizationKind.MANUAL, start=float(t[0]), end=float(t[-1]))
 
 
-def _checked(curve: Curve) -> Document:
-    document = Document((curve,))
+def _checked(curves: list[Curve]) -> Document:
+    document = Document(tuple(curves))
     try:
         validate(document)
     except FormatError as problem:

@@ -2,66 +2,32 @@
 
 from __future__ import annotations
 
-import csv
+import codecs
 import io
 import math
-import re
-from dataclasses import dataclass, replace
+from collections.abc import Iterator
+from dataclasses import dataclass, field
 from itertools import islice
-from statistics import mode
 
 import numpy as np
 
 from app.document.model import MAX_MAGNITUDE
 from app.exchange.drawing import ExchangeError, Floats
+from app.exchange.progress import Report, silent
+from app.exchange.table_columns import AFTER, ROLES, WORDS, Mapping, guessed
+from app.exchange.table_layout import Layout, RowProblem, cells_of, is_number, sniffed, titles_of
 
 MAX_ROWS = 2_000_000
 MAX_COLUMNS = 64
-PREVIEW_ROWS = 20
-
-SEPARATORS = ("\t", ";", ",", " ")
-
-ROLES = ("t", "x", "y", "vx", "vy", "ax", "ay")
-"""What a column can be."""
+PREVIEW_ROWS = 50
 
 _SNIFFED_LINES = 50
-_LINES_AT_ONCE = 50_000
+_HEAD_BYTES = 2**16
+_BLOCK = 2**19
+"""Characters that are read at once: some milliseconds, in which no other thread can do anything."""
+
 _MARKS = ((b"\xef\xbb\xbf", "utf-8"), (b"\xff\xfe", "utf-16-le"), (b"\xfe\xff", "utf-16-be"))
-_NUMBER = re.compile(r"[-+]?(?:[0-9]+(?:\.[0-9]*)?|\.[0-9]+)(?:[eE][-+]?[0-9]+)?")
-_DECIMAL_COMMA = re.compile(r"[-+]?[0-9]*,[0-9]+(?:[eE][-+]?[0-9]+)?")
 _FORMULA = ("=", "@")
-
-
-@dataclass(frozen=True)
-class Layout:
-    """How a text is divided into cells.
-
-    Attributes
-    ----------
-    separator
-        One of `SEPARATORS`; a space stands for any run of blanks.
-    decimal_comma
-        Whether numbers are written 0,5.
-    header
-        Whether the first row holds titles.
-    """
-
-    separator: str
-    decimal_comma: bool
-    header: bool
-
-
-@dataclass(frozen=True)
-class Mapping:
-    """Which column is what, counted from 0; None where there is no such column."""
-
-    x: int
-    y: int
-    t: int | None = None
-    vx: int | None = None
-    vy: int | None = None
-    ax: int | None = None
-    ay: int | None = None
 
 
 @dataclass(frozen=True)
@@ -97,11 +63,13 @@ class Table:
     titles
         Of the columns.
     values
-        (rows, columns); NaN where a cell is empty, otherwise finite.
+        (rows, columns); NaN where a cell is empty or its column was not read as numbers, otherwise finite.
     first_row
         The line of the file, from 1, that holds the first row.
     gaps
         The lines after it that hold none.
+    words
+        The cells of the columns of text, by column.
     """
 
     layout: Layout
@@ -109,6 +77,7 @@ class Table:
     values: Floats
     first_row: int
     gaps: tuple[int, ...] = ()
+    words: dict[int, list[str]] = field(default_factory=dict)
 
     def line_of(self, row: int) -> int:
         """Return the line of the file, from 1, that holds a row, from 0."""
@@ -128,15 +97,17 @@ def preview_table(data: bytes, layout: Layout | None = None) -> Preview:
     ExchangeError
         If the bytes are no text.
     """
-    text = _text(data)
-    layout = layout or _sniffed(text)
-    rows = [_cells(line, layout) for line in _first_lines(text)]
-    titles = _titles(rows, layout)
+    text = _text(_head(data))
+    layout = layout or sniffed(_first_lines(text))
+    rows = _rows(_first_lines(text), layout)
+    titles = titles_of(rows, layout)
     shown = rows[1 if layout.header else 0 :][:PREVIEW_ROWS]
     return Preview(layout, titles, tuple(map(tuple, shown)), guessed(titles))
 
 
-def read_table(data: bytes, layout: Layout | None = None) -> Table:
+def read_table(
+    data: bytes, layout: Layout | None = None, mapping: Mapping | None = None, *, report: Report = silent
+) -> Table:
     """Return the numbers of a CSV or TSV file.
 
     Empty lines are skipped, and lines that begin with "#"; cells may be empty. Nothing is ever computed: a
@@ -148,6 +119,11 @@ def read_table(data: bytes, layout: Layout | None = None) -> Table:
         The whole file: UTF-8, or UTF-16 with its mark.
     layout
         How to read it; by default what the file looks like.
+    mapping
+        The columns that are wanted; what stands in the others is not looked at. By default all of them are,
+        and those with the titles `WORDS` are text.
+    report
+        Hears how far it has come.
 
     Raises
     ------
@@ -155,42 +131,69 @@ def read_table(data: bytes, layout: Layout | None = None) -> Table:
         With the row, as an editor of text counts, and the column, for the first cell that is no number.
     """
     text = _text(data)
-    layout = layout or _sniffed(text)
-    rows = [_cells(line, layout) for line in _first_lines(text)]
-    titles = _titles(rows, layout)
+    layout = layout or sniffed(_first_lines(text))
+    rows = _rows(_first_lines(text), layout)
+    titles = titles_of(rows, layout)
     if len(titles) > MAX_COLUMNS:
         raise ExchangeError(f"The table has {len(titles)} columns; {MAX_COLUMNS} can be read.")
     skipped = _lines_to_skip(text, layout)
-    all_lines = text.split("\n")  # not splitlines, which ends lines where no editor does
-    values = _numbers(all_lines, layout, skipped, len(titles))
-    gaps = [
-        number for number, line in enumerate(all_lines, start=1) if number > skipped and not _is_data(line)
-    ]
-    return Table(layout, titles, values, skipped + 1, tuple(gaps))
+    collector = _Collector(layout, _wanted(titles, mapping))
+    for first, block, share in _blocks(text, skipped):
+        report(share, "Reading")
+        collector.add(block, first)
+    return Table(layout, titles, collector.values, skipped + 1, tuple(collector.gaps), collector.words)
 
 
 # From bytes to lines
 
 
+def _head(data: bytes) -> bytes:
+    """Return the beginning of a file, ended where a line ends."""
+    if len(data) <= _HEAD_BYTES:
+        return data
+    step = 2 if data.startswith((b"\xff\xfe", b"\xfe\xff")) else 1
+    end = data.rfind(b"\n", 0, _HEAD_BYTES)
+    # In UTF-16 a line ends with two bytes, of which either may be the one that was found.
+    return data[: (end if end > 0 else _HEAD_BYTES) // step * step]
+
+
 def _text(data: bytes) -> str:
-    if not data.strip():
+    if not data or data.isspace():
         raise ExchangeError("The file is empty.")
     encoding, start = "utf-8", 0
     for mark, name in _MARKS:
         if data.startswith(mark):
             encoding, start = name, len(mark)
     try:
-        text = data[start:].decode(encoding)
-    except UnicodeDecodeError as problem:
-        row = data.count(b"\n", 0, start + problem.start) + 1
-        raise ExchangeError(f"Row {row} is not {encoding.upper()} text.") from None
+        text = _decoded(data, start, encoding)
+    except UnicodeDecodeError:
+        # Once more, as a whole: in parts, nobody knows where the bad byte was.
+        row = data.count(b"\n", 0, _first_bad(data, start, encoding)) + 1
+        raise RowProblem(f" is not {encoding.upper()} text.", row) from None
     if "\0" in text:
         row = text.count("\n", 0, text.index("\0")) + 1
-        raise ExchangeError(f"Row {row} holds a zero byte; this is no text.")
-    text = text.replace("\r\n", "\n").replace("\r", "\n")
+        raise RowProblem(" holds a zero byte; this is no text.", row)
+    if "\r" in text:
+        text = text.replace("\r\n", "\n").replace("\r", "\n")
     if text.count("\n") > MAX_ROWS:
         raise ExchangeError(f"The table has more than {MAX_ROWS} rows.")
     return text
+
+
+def _decoded(data: bytes, start: int, encoding: str) -> str:
+    """Return the text in parts put together, so that other threads have their turn between."""
+    decoder = codecs.getincrementaldecoder(encoding)()
+    places = range(start, len(data), _BLOCK)
+    parts = [decoder.decode(data[place : place + _BLOCK]) for place in places]
+    return "".join([*parts, decoder.decode(b"", final=True)])
+
+
+def _first_bad(data: bytes, start: int, encoding: str) -> int:
+    try:
+        data[start:].decode(encoding)
+    except UnicodeDecodeError as problem:
+        return start + problem.start
+    return len(data)
 
 
 def _is_data(line: str) -> bool:
@@ -198,12 +201,26 @@ def _is_data(line: str) -> bool:
     return bool(text) and text[0] != "#"
 
 
+def _lines_of(text: str) -> Iterator[str]:
+    """Yield line by line; all at once they would be as long again as the text."""
+    start = 0
+    while start < len(text):
+        end = text.find("\n", start)
+        end = len(text) if end < 0 else end
+        yield text[start:end]
+        start = end + 1
+
+
 def _first_lines(text: str) -> list[str]:
-    lines = (line.rstrip("\n") for line in io.StringIO(text))
-    found = list(islice((line for line in lines if _is_data(line)), _SNIFFED_LINES))
+    found = list(islice(filter(_is_data, _lines_of(text)), _SNIFFED_LINES))
     if not found:
         raise ExchangeError("The table has no rows of numbers.")
     return found
+
+
+def _rows(lines: list[str], layout: Layout) -> list[list[str]]:
+    first = cells_of(lines[0], layout)
+    return [first, *(cells_of(line, layout, len(first)) for line in lines[1:])]
 
 
 def _lines_to_skip(text: str, layout: Layout) -> int:
@@ -215,7 +232,7 @@ def _lines_to_skip(text: str, layout: Layout) -> int:
         If there is none.
     """
     headers = 1 if layout.header else 0
-    for index, line in enumerate(io.StringIO(text)):
+    for index, line in enumerate(_lines_of(text)):
         if not _is_data(line):
             continue
         if headers == 0:
@@ -224,97 +241,97 @@ def _lines_to_skip(text: str, layout: Layout) -> int:
     raise ExchangeError("The table has no rows of numbers.")
 
 
-# What the text looks like
-
-
-def _sniffed(text: str) -> Layout:
-    """Return the layout of which the first rows make the most sense."""
-    lines = _first_lines(text)
-    candidates = [
-        Layout(separator, comma, header)
-        for separator in SEPARATORS
-        for comma in (False, True)
-        if not (comma and separator == ",")
-        for header in (False, True)
-    ]
-    return max(candidates, key=lambda layout: _sense(lines, layout))
-
-
-def _sense(lines: list[str], layout: Layout) -> tuple[bool, bool, bool, float, bool, bool]:
-    """Return what speaks for a layout, the weightiest first."""
-    rows = [_cells(line, layout) for line in lines]
-    width = mode(map(len, rows))
-    body = rows[1:] if layout.header else rows
-    cells = [cell for row in body for cell in row]
-    share = sum(_is_number(cell, layout) for cell in cells) / max(len(cells), 1)
-    # A header that is a row of numbers is none, and one is assumed only where there is text.
-    text_above = not any(_is_number(cell, layout) for cell in rows[0]) and len(rows) > 1
-    even = all(len(row) == width for row in rows)
-    commas = any("," in cell for cell in cells)
-    return (
-        layout.header == text_above,
-        width > 1,
-        even,
-        share,
-        layout.decimal_comma == commas,
-        layout.separator != " ",
-    )
-
-
-def _is_number(cell: str, layout: Layout) -> bool:
-    return bool(_NUMBER.fullmatch(cell) or (layout.decimal_comma and _DECIMAL_COMMA.fullmatch(cell)))
-
-
-def _cells(line: str, layout: Layout) -> list[str]:
-    if layout.separator == " ":
-        return line.split()
-    if '"' in line:
-        try:
-            return [cell.strip() for cell in next(csv.reader([line], delimiter=layout.separator))]
-        except csv.Error:
-            return [line]
-    cells = [cell.strip() for cell in line.split(layout.separator)]
-    # "1; 2;" ends its row with a separator.
-    return cells[:-1] if layout.separator != "\t" and len(cells) > 1 and not cells[-1] else cells
-
-
-def _titles(rows: list[list[str]], layout: Layout) -> tuple[str, ...]:
-    if layout.header:
-        return tuple(cell or f"Column {index + 1}" for index, cell in enumerate(rows[0]))
-    return tuple(f"Column {index + 1}" for index in range(len(rows[0])))
-
-
-def guessed(titles: tuple[str, ...]) -> Mapping | None:
-    """Return the columns by their titles; without titles x and y, or t, x and y if there are three."""
-    plain = [re.split(r"[\s\[(]", title.strip().lower())[0] for title in titles]
-    known = {role: plain.index(role) for role in ROLES if role in plain}
-    if "x" in known and "y" in known:
-        return replace(Mapping(known["x"], known["y"]), **known)
-    if len(titles) < 2:
-        return None
-    return Mapping(1, 2, t=0) if len(titles) == 3 else Mapping(0, 1)
-
-
 # From lines to numbers
 
 
-def _numbers(all_lines: list[str], layout: Layout, skipped: int, width: int) -> Floats:
-    """Return the numbers of all rows; in parts, so that the place of a bad cell is found soon."""
-    parts = []
-    for first in range(skipped, len(all_lines), _LINES_AT_ONCE):
-        part = all_lines[first : first + _LINES_AT_ONCE]
-        if not any(map(_is_data, part)):
-            continue
-        values = _fast(part, layout, width)
-        parts.append(_careful(part, first + 1, layout, width) if values is None else values)
-    return np.concatenate(parts)
+@dataclass(frozen=True)
+class _Wanted:
+    """The number of columns, and which of them are to be read as what."""
+
+    width: int
+    numbers: tuple[int, ...]
+    words: tuple[int, ...]
+
+    @property
+    def is_all(self) -> bool:
+        """Whether every column is numbers."""
+        return len(self.numbers) == self.width
 
 
-def _fast(part: list[str], layout: Layout, width: int) -> Floats | None:
+def _wanted(titles: tuple[str, ...], mapping: Mapping | None) -> _Wanted:
+    width, chosen = len(titles), mapping or guessed(titles)
+    words = tuple(chosen.columns(WORDS).values()) if chosen else ()
+    if mapping is None:
+        numbers: tuple[int, ...] = tuple(index for index in range(width) if index not in words)
+    else:
+        numbers = tuple(sorted(set(mapping.columns((*ROLES, *AFTER)).values())))
+    for column in (*numbers, *words):
+        if not 0 <= column < width:
+            raise ExchangeError(f"There is no column {column + 1}.")
+    return _Wanted(width, numbers, words)
+
+
+def _blocks(text: str, skipped: int) -> Iterator[tuple[int, list[str], float]]:
+    """Yield the lines after the first `skipped` in parts: the first one's number, the lines, the share read.
+
+    In parts, so that the place of a bad cell is found soon and other threads have their turn. Lines end
+    where an editor ends them, not where str.splitlines does.
+    """
+    start, number = 0, skipped + 1
+    for _ in range(skipped):
+        start = text.index("\n", start) + 1
+    while start < len(text):
+        end = text.find("\n", start + _BLOCK)
+        end = len(text) if end < 0 else end
+        lines = text[start:end].split("\n")
+        yield number, lines, start / len(text)
+        start, number = end + 1, number + len(lines)
+
+
+class _Collector:
+    """Gathers the numbers and the words of all rows."""
+
+    def __init__(self, layout: Layout, wanted: _Wanted) -> None:
+        self._layout, self._wanted = layout, wanted
+        self._parts: list[Floats] = []
+        self.gaps: list[int] = []
+        self.words: dict[int, list[str]] = {column: [] for column in wanted.words}
+        self._known: dict[str, str] = {}
+
+    @property
+    def values(self) -> Floats:
+        """All numbers, (rows, columns)."""
+        return np.concatenate(self._parts) if self._parts else np.empty((0, self._wanted.width))
+
+    def add(self, lines: list[str], first: int) -> None:
+        """Take in lines, of which the first has the number `first`."""
+        if not all(map(_is_data, lines)):
+            self.gaps += [number for number, line in enumerate(lines, start=first) if not _is_data(line)]
+        if not any(map(_is_data, lines)):
+            return
+        values = _fast(lines, self._layout, self._wanted)
+        if values is None:
+            values = _careful(lines, first, self._layout, self._wanted)
+        self._parts.append(values)
+        if self._wanted.words:
+            self._add_words(lines)
+
+    def _add_words(self, lines: list[str]) -> None:
+        for line in lines:
+            if _is_data(line):
+                cells = cells_of(line, self._layout, self._wanted.width)
+                for column, words in self.words.items():
+                    # A name that a million rows share is kept once.
+                    words.append(self._known.setdefault(cells[column], cells[column]))
+
+
+def _fast(lines: list[str], layout: Layout, wanted: _Wanted) -> Floats | None:
     """Return the numbers by NumPy's reader in C, or None if anything is unusual."""
-    text = "\n".join(part)
+    text = "\n".join(lines)
     if '"' in text or (layout.decimal_comma and "." in text):
         return None
+    if not wanted.is_all and not _is_even(lines, layout, wanted.width):
+        return None  # the reader in C looks at the columns it is told to read, and at nothing else
     if layout.decimal_comma:
         text = text.replace(",", ".")
     try:
@@ -323,38 +340,53 @@ def _fast(part: list[str], layout: Layout, width: int) -> Floats | None:
             delimiter=None if layout.separator == " " else layout.separator,
             comments="#",
             ndmin=2,
+            usecols=None if wanted.is_all else wanted.numbers,
         )
     except (ValueError, IndexError):
         return None
     # Written so that NaN fails.
-    usable = values.shape[1] == width and bool((np.abs(values) <= MAX_MAGNITUDE).all())
-    return values if usable else None
+    usable = values.shape[1] == len(wanted.numbers) and bool((np.abs(values) <= MAX_MAGNITUDE).all())
+    if not usable or wanted.is_all:
+        return values if usable else None
+    return _spread(values, wanted)
 
 
-def _careful(part: list[str], first: int, layout: Layout, width: int) -> Floats:
+def _is_even(lines: list[str], layout: Layout, width: int) -> bool:
+    if layout.separator == " " or "#" in "".join(lines):
+        return False
+    return all(line.count(layout.separator) == width - 1 for line in lines if _is_data(line))
+
+
+def _spread(values: Floats, wanted: _Wanted) -> Floats:
+    """Return the numbers in the places of their columns, NaN in the others."""
+    result = np.full((len(values), wanted.width), np.nan)
+    result[:, list(wanted.numbers)] = values
+    return result
+
+
+def _careful(lines: list[str], first: int, layout: Layout, wanted: _Wanted) -> Floats:
     """Return the numbers row by row, or say where the first cell is that is none."""
     rows = []
-    for number, line in enumerate(part, start=first):
+    for number, line in enumerate(lines, start=first):
         if not _is_data(line):
             continue
-        cells = _cells(line, layout)
-        if len(cells) != width:
-            raise ExchangeError(f"Row {number} has {len(cells)} cells; the first has {width}.")
-        rows.append([_number(cell, number, column, layout) for column, cell in enumerate(cells, start=1)])
-    return np.array(rows, dtype=float).reshape(-1, width)
+        cells = cells_of(line, layout, wanted.width)
+        if len(cells) != wanted.width:
+            raise RowProblem(f" has {len(cells)} cells; the first has {wanted.width}.", number)
+        rows.append([_number(cells[column], number, column + 1, layout) for column in wanted.numbers])
+    return _spread(np.array(rows, dtype=float).reshape(-1, len(wanted.numbers)), wanted)
 
 
 def _number(cell: str, row: int, column: int, layout: Layout) -> float:
-    where = f"Row {row}, column {column}"
     if not cell:
         return math.nan
-    if not _is_number(cell, layout):
+    if not is_number(cell, layout):
         shown = (cell if len(cell) <= 20 else cell[:19] + "…").encode("utf-8", "replace").decode()
         words = cell[0] in "+-" and cell[1:].lower() not in ("inf", "infinity", "nan")
         if cell.startswith(_FORMULA) or (words and any(each.isalpha() for each in cell)):
-            raise ExchangeError(f"{where}: “{shown}” is a formula; only numbers are read.")
-        raise ExchangeError(f"{where}: “{shown}” is not a number.")
+            raise RowProblem(f": “{shown}” is a formula; only numbers are read.", row, column)
+        raise RowProblem(f": “{shown}” is not a number.", row, column)
     value = float(cell.replace(",", "."))
     if not math.isfinite(value) or abs(value) > MAX_MAGNITUDE:
-        raise ExchangeError(f"{where} must lie between −1e12 and 1e12.")
+        raise RowProblem(" must lie between −1e12 and 1e12.", row, column)
     return value

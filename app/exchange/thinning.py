@@ -1,13 +1,16 @@
-"""Thinning out: as few of many points as a cubic Hermite curve needs to stay near all of them."""
+"""Thinning out: as few of many points as a curve, or a polyline, needs to stay near all of them."""
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
+from enum import StrEnum
 
 import numpy as np
 import numpy.typing as npt
 
 from app.exchange.drawing import ExchangeError, Floats
+from app.exchange.progress import Report, silent
 from curvecore import HermiteCurve, natural_spline_velocities
 
 MOST_KEPT = 20_000
@@ -15,6 +18,14 @@ MOST_KEPT = 20_000
 
 _FIRST = 9
 _ROUNDS = 60
+_DEEPEST = 1_000
+
+
+class Thinning(StrEnum):
+    """What stays within the tolerance of every point."""
+
+    CURVE = "curve"
+    POLYLINE = "polyline"
 
 
 @dataclass(frozen=True, eq=False)
@@ -36,12 +47,20 @@ class Thinned:
     deviation: float
 
 
-def thinned(points: Floats, parameters: Floats | None, tolerance: float) -> Thinned:
-    """Return few of the points, such that the natural cubic spline through them is near all.
+def thinned(
+    points: Floats,
+    parameters: Floats | None,
+    tolerance: float,
+    thinning: Thinning = Thinning.CURVE,
+    *,
+    report: Report = silent,
+) -> Thinned:
+    """Return few of the points, such that the natural spline or the polyline through them is near all.
 
-    Starts with few points and adds the farthest of every segment that is too far away, until none is.
-    This keeps the parameter of every point, so that the distance is an upper bound and one evaluation of
-    the curve finds it.
+    Starts with few points and adds the farthest of every segment that is too far away, until none is. For
+    the polyline this is the method of Douglas and Peucker (Cartographica 10 (1973) 112-122), all segments
+    at once. For the spline it keeps the parameter of every point, so that the distance is an upper bound
+    and one evaluation of the curve finds it.
 
     Parameters
     ----------
@@ -51,6 +70,10 @@ def thinned(points: Floats, parameters: Floats | None, tolerance: float) -> Thin
         (n,), strictly increasing; by default the length of the polyline so far.
     tolerance
         Largest distance allowed, positive.
+    thinning
+        Which of the two.
+    report
+        Hears how far it has come.
 
     Raises
     ------
@@ -64,18 +87,31 @@ def thinned(points: Floats, parameters: Floats | None, tolerance: float) -> Thin
     if len(distinct) < 2:
         raise ExchangeError("All points coincide; there is no curve through them.")
     points = points[distinct]
-    kept = np.unique(np.linspace(0, len(t) - 1, min(_FIRST, len(t))).round().astype(np.intp))
-    for _ in range(_ROUNDS):
-        distance = _distances(points, t, kept)
+    is_curve = thinning is Thinning.CURVE
+    first = _FIRST if is_curve else 2
+    kept = np.unique(np.linspace(0, len(t) - 1, min(first, len(t))).round().astype(np.intp))
+    began = 0.0
+    for _ in range(_ROUNDS if is_curve else _DEEPEST):
+        distance = _distances(points, t, kept) if is_curve else _from_chords(points, kept)
         worst = float(distance.max())
+        began = began or worst
+        report(_share(began, worst, tolerance), "Thinning out")
         if worst <= tolerance or len(kept) == len(t):
-            return Thinned(distinct[kept], t[kept], worst)
+            away = worst if is_curve else float(_distances(points, t, kept).max())
+            return Thinned(distinct[kept], t[kept], away)
         kept = np.union1d(kept, _farthest(distance, kept, tolerance))
         if len(kept) > MOST_KEPT:
             break
     raise ExchangeError(
         f"More than {MOST_KEPT} points would be left; allow a larger distance than {tolerance:g}."
     )
+
+
+def _share(began: float, worst: float, tolerance: float) -> float:
+    """Return how far it has come: the distance shrinks by a factor from round to round."""
+    if not tolerance < worst < began:
+        return 0.0 if worst > tolerance else 1.0
+    return math.log(began / worst) / math.log(began / tolerance)
 
 
 def _along(points: Floats) -> tuple[Floats, npt.NDArray[np.intp]]:
@@ -89,6 +125,17 @@ def _distances(points: Floats, t: Floats, kept: npt.NDArray[np.intp]) -> Floats:
     knots, at = points[kept], t[kept]
     curve = HermiteCurve(knots, natural_spline_velocities(knots, at), at)
     return np.asarray(np.hypot(*(curve.evaluate(t) - points).T))
+
+
+def _from_chords(points: Floats, kept: npt.NDArray[np.intp]) -> Floats:
+    """Return the distance of every point from the chord of its segment."""
+    segment = np.repeat(np.arange(len(kept) - 1), np.diff(kept))
+    start, along = points[kept[:-1]][segment], np.diff(points[kept], axis=0)[segment]
+    offset = points[: kept[-1]] - start
+    square = np.einsum("md,md->m", along, along)
+    with np.errstate(all="ignore"):
+        share = np.clip(np.nan_to_num(np.einsum("md,md->m", offset, along) / square), 0, 1)
+    return np.append(np.hypot(*(offset - share[:, None] * along).T), 0.0)
 
 
 def _farthest(distance: Floats, kept: npt.NDArray[np.intp], tolerance: float) -> npt.NDArray[np.intp]:

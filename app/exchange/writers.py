@@ -12,8 +12,9 @@ from app.exchange.formats import Options
 from app.exchange.formulas import coefficients_json, desmos_expressions, svg_path_data
 from app.exchange.latex import latex_formula, pgfplots_axis, tikz_picture
 from app.exchange.parts import Written
+from app.exchange.points_table import points_table
 from app.exchange.sampled import sampled_table
-from app.exchange.svg import INK, svg_of
+from app.exchange.svg import svg_of
 
 Writer = Callable[[Document, Options], Written]
 
@@ -26,9 +27,13 @@ def _document(document: Document, _: Options) -> Written:
 
 
 def _svg(document: Document, options: Options) -> Written:
-    style = options.style or INK
     text = svg_of(
-        document, tolerance=options.tolerance, style=style, points=options.points, width=options.width
+        document,
+        tolerance=options.tolerance,
+        style=options.vector_style,
+        points=options.points,
+        width=options.width,
+        extras=options.extras,
     )
     drawing = drawing_of(document, options.tolerance)
     return Written(text, drawing.deviation, drawing.remarks)
@@ -37,7 +42,7 @@ def _svg(document: Document, options: Options) -> Written:
 def _dxf(document: Document, options: Options) -> Written:
     from app.exchange.dxf import dxf_text  # noqa: PLC0415
 
-    return dxf_text(document, options.tolerance)
+    return dxf_text(document, options.tolerance, points=options.points)
 
 
 def _table(separator: str) -> Writer:
@@ -48,6 +53,8 @@ def _table(separator: str) -> Writer:
             samples=options.samples,
             spacing=options.spacing,
             tolerance=options.tolerance,
+            columns=options.columns,
+            report=options.report,
         )
 
     return table
@@ -64,6 +71,8 @@ WRITERS: dict[str, Writer] = {
     ".tex": lambda document, _: latex_formula(document),
     ".desmos.txt": lambda document, options: desmos_expressions(document, options.tolerance),
     ".path.txt": lambda document, options: svg_path_data(document, options.tolerance),
+    ".points.csv": lambda document, _: points_table(document),
+    ".points.tsv": lambda document, _: points_table(document, "\t"),
     ".csv": _table(","),
     ".tsv": _table("\t"),
     ".dxf": _dxf,

@@ -3,12 +3,18 @@
 from __future__ import annotations
 
 import os
+from typing import TYPE_CHECKING
 
+from app.document.image_path import relative_to
 from app.document.model import Document
 from app.document.storage import write
 from app.exchange.drawing import ExchangeError, drawing_of
 from app.exchange.formats import ENDINGS, SAMPLES, Exported, Options, Spacing, ending_of
-from app.exchange.svg import INK, LIGHT, Style
+from app.exchange.progress import FINAL, Report, silent
+from app.exchange.svg import Style
+
+if TYPE_CHECKING:
+    from app.exchange.decor import Extras
 
 
 def export(
@@ -21,6 +27,11 @@ def export(
     points: bool = False,
     samples: int = SAMPLES,
     spacing: Spacing = Spacing.T,
+    scale: float = 1.0,
+    transparent: bool = False,
+    extras: Extras | None = None,
+    columns: tuple[str, ...] | None = None,
+    report: Report = silent,
 ) -> Exported:
     """Write a document in the format that the ending of `path` names.
 
@@ -38,9 +49,19 @@ def export(
     style
         Of pictures: colours; by default dark ink, on light paper in a PNG and on none in SVG and PDF.
     points
-        Of pictures: whether to draw the points.
+        Of pictures and DXF: whether to draw the points.
     samples, spacing
         Of tables: how many samples for each curve, and how they are spread.
+    scale
+        Of a PNG: how many pixels stand for each of `width`, and for 1/96 inch.
+    transparent
+        Of pictures: whether to leave the paper out, whatever the style.
+    extras
+        Of pictures: what else to draw.
+    columns
+        Of tables of samples: the columns to write; by default all.
+    report
+        Hears how far it has come; until the file is put in place it may raise `Cancelled`.
 
     Returns
     -------
@@ -54,35 +75,38 @@ def export(
     StorageError
         If the file cannot be written; an old one stays as it was.
     """
-    if width is not None and width < 1:
+    options = Options(
+        width, tolerance, style, points, samples, spacing, scale, transparent, extras, columns, report
+    )
+    return export_with(document, path, options)
+
+
+def export_with(document: Document, path: str | os.PathLike[str], options: Options) -> Exported:
+    """Write a document as `export` does."""
+    if options.width is not None and options.width < 1:
         raise ExchangeError("The width must be at least 1.")
-    options = Options(width, tolerance, style, points, samples, spacing)
     ending = ending_of(path, ENDINGS)
-    if ending not in (".png", ".pdf"):
+    options.report(0.0, "Writing")
+    if ending == ".curve.json":
+        # The picture to trace is found from where the file lies.
+        document = relative_to(document, os.path.dirname(os.path.abspath(path)))  # noqa: PTH100, PTH120 - links are kept
+    if ending in (".png", ".pdf"):
+        data, deviation, remarks = _image(document, ending, options)
+    else:
         # The window starts without the writers.
         from app.exchange.writers import WRITERS  # noqa: PLC0415
 
         written = WRITERS[ending](document, options)
-        write(path, written.text.encode())
-        return Exported(written.deviation, written.remarks)
-    return _export_image(document, path, ending, options)
+        data, deviation, remarks = written.text.encode(), written.deviation, written.remarks
+    options.report(FINAL, "Writing")
+    write(path, data)
+    return Exported(deviation, remarks)
 
 
-def _export_image(
-    document: Document, path: str | os.PathLike[str], ending: str, options: Options
-) -> Exported:
+def _image(document: Document, ending: str, options: Options) -> tuple[bytes, float, tuple[str, ...]]:
     # Qt is slow to import, and everything else does without.
     from app.exchange import image  # noqa: PLC0415
 
     drawing = drawing_of(document, options.tolerance)
-    tolerance, points, style = options.tolerance, options.points, options.style
-    if ending == ".pdf":
-        image.write_pdf(
-            document, path, width=options.width, tolerance=tolerance, style=style or INK, points=points
-        )
-    else:
-        pixels = image.DEFAULT_WIDTH if options.width is None else options.width
-        image.write_png(
-            document, path, width=pixels, tolerance=tolerance, style=style or LIGHT, points=points
-        )
-    return Exported(drawing.deviation, drawing.remarks)
+    make = image.pdf_bytes if ending == ".pdf" else image.png_bytes
+    return make(document, options), drawing.deviation, drawing.remarks

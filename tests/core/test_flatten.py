@@ -184,9 +184,11 @@ def test_joints_next_to_each_other(rng):
 
 @pytest.mark.parametrize(("points", "velocities"), [(1e-294, 1e7), (1e-300, 0.2), (1e-288, 1e12)])
 def test_data_of_incomparable_sizes_are_flattened(points, velocities):
-    """"repeats may not contain negative values": more pieces were needed than an integer can count."""
+    """ "repeats may not contain negative values": more pieces were needed than an integer can count."""
     rng = np.random.default_rng(3)
-    curve = HermiteCurve(points * rng.normal(size=(4, 2)), velocities * rng.normal(size=(4, 2)), np.arange(4.0))
+    curve = HermiteCurve(
+        points * rng.normal(size=(4, 2)), velocities * rng.normal(size=(4, 2)), np.arange(4.0)
+    )
     t = flatten_parameters(curve, 1e-8 * points)
     assert (np.diff(t) > 0).all()
     assert len(t) <= MAX_VERTICES

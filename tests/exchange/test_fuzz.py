@@ -13,6 +13,7 @@ from app.document.format import FormatError, decode, encode, validate
 from app.document.model import Document, Family, make_curve
 from app.exchange import ExchangeError, svg_of
 from app.exchange.dxf import dxf_text, read_dxf
+from app.exchange.points_table import points_table
 from app.exchange.sampled import sampled_table
 from app.exchange.svg_in import read_svg
 from app.exchange.svg_path import read_path_data
@@ -21,6 +22,7 @@ from app.exchange.table_file import preview_table, read_table
 
 POINTS = [(0.0, 0.0), (1.0, 2.5), (3.0, -1.0), (4.0, 4.0)]
 SKETCH = Document((make_curve(POINTS, name="Kurve α", family=Family.HERMITE),))
+PAIR = Document((*SKETCH.curves, make_curve(POINTS[:3], name="=B", family=Family.QUINTIC_HERMITE)))
 
 SHAPES = (
     b'<svg xmlns="http://www.w3.org/2000/svg"><g transform="rotate(30 1 2) scale(2)" stroke="#f00">'
@@ -59,7 +61,12 @@ READERS = {
     "document": (decode, [encode(SKETCH)]),
     "table": (
         _table,
-        [sampled_table(SKETCH, samples=5).text.encode(), b"x;y\n1,5;2\n3,25;4e3\n", b'"a" 1 2\n'],
+        [
+            sampled_table(SKETCH, samples=5).text.encode(),
+            points_table(PAIR).text.encode(),
+            b"x;y\n1,5;2\n3,25;4e3\n",
+            b'"a" 1 2\n',
+        ],
     ),
     "svg": (lambda data: read_svg(data).document, [svg_of(SKETCH).encode(), SHAPES]),
     "dxf": (lambda data: read_dxf(data).document, [_spline_as_dxf(), _shapes_as_dxf()]),

@@ -57,7 +57,7 @@ def spent():
 
 limited = child.limited
 
-def at_once(reader, data, tolerance):
+def at_once(reader, data, tolerance, report):
     return reader_of(reader)(data, tolerance)
 
 for name, make in hostile.CASES.items():

@@ -9,7 +9,8 @@ import pytest
 
 from app.document.model import Family
 from app.exchange import ENDINGS, ExchangeError, export, import_file
-from app.exchange.child import limited
+from app.exchange.child import limited, seconds_for
+from app.exchange.progress import Cancelled
 from app.exchange.writers import WRITERS
 from app.view_model.curve_view import view_of
 
@@ -36,7 +37,7 @@ def test_a_table_is_named_after_its_file(tmp_path):
 
 
 def test_an_unknown_ending_is_refused(tmp_path):
-    with pytest.raises(ExchangeError, match=r"use .curve.json, .csv, .tsv, .svg or .dxf"):
+    with pytest.raises(ExchangeError, match=r"use .curve.json, .json, .csv, .tsv, .txt, .svg or .dxf"):
         import_file(tmp_path / "a.gif")
 
 
@@ -56,10 +57,31 @@ def test_what_takes_too_long_is_stopped():
     assert time.perf_counter() - began < 5
 
 
+def test_what_nobody_waits_for_any_more_is_ended():
+    class Impatient:
+        calls = 0
+
+        def __call__(self, share, word):
+            self.calls += 1
+            assert 0 <= share < 1
+            if self.calls == 3:
+                raise Cancelled
+
+    impatient, began = Impatient(), time.monotonic()
+    with pytest.raises(Cancelled):
+        limited("svg", BUSY, None, report=impatient)
+    assert time.monotonic() - began < 3
+
+
+def test_a_large_file_may_take_longer_than_a_small_one():
+    assert seconds_for(0) == seconds_for(2**20) == 5
+    assert seconds_for(11 * 2**20) == 55
+
+
 @pytest.mark.skipif("sys.platform != 'linux'", reason="only Linux limits the address space")
 def test_what_takes_too_much_memory_is_stopped():
     with pytest.raises(ExchangeError, match="Reading needs more memory than is allowed; it was stopped"):
-        limited("svg", BUSY, None, memory=10 * 2**20)
+        limited("svg", BUSY, None, memory=10 * 2**20, seconds=30)
 
 
 def test_every_ending_has_a_writer():
@@ -69,5 +91,5 @@ def test_every_ending_has_a_writer():
 def test_the_window_starts_without_readers_and_writers():
     code = "import sys, app.exchange; print(*(m for m in sys.modules if m.startswith('app.exchange.')))"
     done = subprocess.run([sys.executable, "-c", code], cwd=ROOT, capture_output=True, text=True, check=True)
-    light = {"drawing", "formats", "reading", "svg", "writing"}
+    light = {"drawing", "formats", "progress", "reading", "svg", "writing"}
     assert set(done.stdout.split()) == {f"app.exchange.{name}" for name in light}

@@ -107,3 +107,18 @@ def test_tabs(sketch):
 def test_the_number_of_samples_has_limits(sketch, samples):
     with pytest.raises(ExchangeError, match="A table can have 2 to 1000000 samples"):
         sampled_table(sketch, samples=samples)
+
+
+def test_many_samples_are_computed_in_parts_that_fit_together(sketch, monkeypatch):
+    whole = sampled_table(sketch, samples=1500)
+    monkeypatch.setattr("app.exchange.sampled._ROWS_AT_ONCE", 100)
+    told = []
+    parts = sampled_table(sketch, samples=1500, report=lambda share, _word: told.append(share))
+    one, other = (
+        np.genfromtxt(io.StringIO(each.text), delimiter=",", skip_header=1) for each in (whole, parts)
+    )
+    np.testing.assert_array_equal(one[:, :8], other[:, :8])
+    np.testing.assert_allclose(one[:, 8], other[:, 8], rtol=1e-13)
+    assert parts.deviation == whole.deviation
+    assert told == sorted(told)
+    assert len(told) == 16

@@ -56,10 +56,9 @@ def test_utf_16_as_spreadsheets_write_it():
         (" \n\n", "The file is empty."),
         ("# only words\n", "The table has no rows of numbers."),
         ("x,y\n", "Row 1, column 1: “x” is not a number."),
-        ("x,y\n1,2\n3\n", "Row 3 has 1 cells; the first has 2."),
         ("x,y\n1,2\n3,4,5\n", "Row 3 has 3 cells; the first has 2."),
         ("x,y\n1,2\n\n3,four\n", "Row 4, column 2: “four” is not a number."),
-        ("x,y\n1,2\n3,\n", "Row 3 has 1 cells; the first has 2."),
+        ("x,y\n1,2\n3\n", "Row 3 has 1 cells; the first has 2."),
         (
             "x,y\n1,2\n=cmd|' /C calc'!A0,4\n",
             "Row 3, column 1: “=cmd|' /C calc'!A0” is a formula; only numbers are read.",
@@ -113,7 +112,7 @@ def test_the_preview_shows_what_is_there_and_a_first_guess():
     assert preview.mapping == Mapping(x=2, y=0)
     assert preview_table(b"1 2 3\n4 5 6").mapping == Mapping(x=1, y=2, t=0)
     assert preview_table(b"1\n2").mapping is None
-    assert len(preview_table(b"1,2\n" * 1000).cells) == 20
+    assert len(preview_table(b"1,2\n" * 1000).cells) == 50
 
 
 def test_the_person_maps_the_columns():

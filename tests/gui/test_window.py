@@ -206,12 +206,14 @@ def test_recent_files_are_listed(editor, tmp_path):
 def test_pictures_are_exported(editor, tmp_path, suffix):
     path = tmp_path / f"curve{suffix}"
     editor.window.export_file(path)
+    editor.wait_for_work()
     assert path.stat().st_size > 500
     assert path.name in editor.status
 
 
 def test_an_export_that_cannot_be_written_is_explained(editor, tmp_path):
     editor.window.export_file(tmp_path / "no such folder" / "curve.png")
+    editor.wait_for_work()
     assert "was not written" in editor.message
 
 

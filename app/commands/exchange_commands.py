@@ -1,0 +1,295 @@
+"""Import and export: what comes in from other files, what goes out to them and to the clipboard."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from PySide6.QtCore import QMimeData
+from PySide6.QtGui import QGuiApplication
+from PySide6.QtWidgets import QFileDialog, QWidget
+
+from app.commands.parts import Handlers, Parts
+from app.document.format import FormatError
+from app.document.import_edits import add_imported
+from app.document.model import Document
+from app.document.storage import StorageError, read
+from app.exchange import READABLE, TABLES, ExchangeError, Exported, Options, export_with, import_file
+from app.exchange.progress import Report
+from app.file_commands import file_stem
+from app.panels.job_bar import JobBar
+from app.panels.words import count_of
+from app.view_model.curve_view import CurveView
+from app.worker import Jobs, Work
+
+if TYPE_CHECKING:
+    from app.exchange.choice import ExportChoice
+    from app.exchange.cubics_in import Imported
+    from app.exchange.table_file import Preview
+    from app.exchange.table_import import Prepared, TableSource
+    from app.panels.export_dialog import ExportDialog
+
+# Readers, writers and dialogs are imported when they are wanted: at the start nobody waits for them.
+
+_EXPECTED = (ExchangeError, StorageError, FormatError)
+_IMPORTS = (
+    "Curves and tables (*.svg *.dxf *.csv *.tsv *.txt *.json);;"
+    "SVG drawings (*.svg);;DXF drawings (*.dxf);;Tables (*.csv *.tsv *.txt);;Curvebench documents (*.json);;"
+    "All files (*)"
+)
+_SVG_TYPE = "image/svg+xml"
+_COPY_WIDTH = 1600
+_AFTER_HINT = 1
+
+
+class ExchangeCommands:
+    """Files of other formats, in and out, beside the window's own thread."""
+
+    def __init__(self, parts: Parts) -> None:
+        self._parts = parts
+        self._session, self._preferences = parts.session, parts.preferences
+        self.jobs = Jobs(parts.window)
+        self._bar: JobBar | None = None
+        self._dialog: ExportDialog | None = None
+        self.jobs.shown.connect(self._show_bar)
+        self.jobs.ended.connect(self._hide_bar)
+        self.jobs.progressed.connect(self._show_share)
+        parts.session.document_changed.connect(self._show_in_dialog)
+        parts.session.active_changed.connect(self._show_in_dialog)
+        parts.actions["cancelWork"].setEnabled(False)
+
+    def handlers(self) -> Handlers:
+        """Return what each action does."""
+        return {
+            "importFile": self._ask_and_import,
+            "exportPicture": self._ask_and_export,
+            "copyImage": self._copy_image,
+            "copyPathData": self._copy_path_data,
+            "cancelWork": self._cancel,
+        }
+
+    def render(self, view: CurveView) -> None:
+        """Enable what needs a curve."""
+        for name in ("copyImage", "copyPathData"):
+            self._parts.actions[name].setEnabled(view.curve is not None or len(self._session.views) > 1)
+
+    def close(self) -> None:
+        """Drop what is being done; the window closes."""
+        self.jobs.close()
+
+    # Work
+
+    def _start(self, title: str, work: Work, done: Callable[[Any], object], path: Path, what: str) -> None:
+        """Do work for a file; what it raises is said as “file was not `what`”."""
+
+        def failed(problem: Exception) -> None:
+            if not isinstance(problem, _EXPECTED):
+                raise problem
+            self._refuse(path, what, problem)
+
+        if not self.jobs.start(title, work, done, failed):
+            self._session.say(f"{self.jobs.title} is still going on; stop it first.")
+
+    def _refuse(self, path: Path, what: str, problem: Exception) -> None:
+        # Some are clauses; what readers say names the file, and it need not be named twice.
+        reason = f"{str(problem).removesuffix('.')}."
+        named = what == "imported" and path.name in reason
+        self._parts.message_bar.warn(reason if named else f"{path.name} was not {what}. {reason}")
+
+    def _cancel(self) -> None:
+        if self.jobs.is_busy:
+            title = self.jobs.title
+            stopped = self.jobs.cancel()
+            end = "was stopped; nothing has changed" if stopped else "cannot be stopped any more"
+            self._session.say(f"{title} {end}.")
+
+    def _show_bar(self, title: str) -> None:
+        if self._bar is None:
+            self._bar = JobBar(self._parts.actions["cancelWork"])
+            self._parts.status_line.insertPermanentWidget(_AFTER_HINT, self._bar)
+        self._bar.begin(title)
+        self._parts.actions["cancelWork"].setEnabled(True)
+
+    def _hide_bar(self) -> None:
+        self._parts.actions["cancelWork"].setEnabled(False)
+        if self._bar is not None:
+            self._bar.hide()
+
+    def _show_share(self, share: float, _word: str) -> None:
+        if self._bar is not None:
+            self._bar.show_share(share)
+
+    # In
+
+    def _ask_and_import(self) -> None:
+        folder = str(self._preferences.last_folder)
+        name, _ = QFileDialog.getOpenFileName(self._parts.window, "Import", folder, _IMPORTS)
+        if name:
+            self.import_file(Path(name))
+
+    def import_file(self, path: Path) -> None:
+        """Read a file of another format and ask what is to become of it, or say why it cannot be read."""
+        if path.suffix.lower() in TABLES:
+            self._import_table(path)
+            return
+
+        def work(report: Report) -> Imported:
+            return import_file(path, report=report)
+
+        self._start(
+            f"Reading {path.name}", work, lambda found: self._ask_where(path, found), path, "imported"
+        )
+
+    def _ask_where(self, path: Path, found: Imported) -> None:
+        from app.panels.import_drawing_dialog import ImportDrawingDialog  # noqa: PLC0415
+
+        dialog = ImportDrawingDialog(path.name, found, self._parts.window)
+        dialog.chosen.connect(lambda anew: self._take_in(path, found.document, found.deviation, anew))
+        _open(dialog)
+
+    def _import_table(self, path: Path) -> None:
+        def work(report: Report) -> tuple[TableSource, Preview]:
+            from app.exchange.table_file import preview_table  # noqa: PLC0415
+            from app.exchange.table_import import TableSource  # noqa: PLC0415
+
+            report(0.0, "Reading")
+            source = TableSource(read(path))
+            return source, preview_table(source.data)
+
+        def done(result: tuple[TableSource, Preview]) -> None:
+            from app.panels.import_table_dialog import ImportTableDialog  # noqa: PLC0415
+
+            dialog = ImportTableDialog(path.name, path.stem, *result, self._parts.window)
+            dialog.chosen.connect(lambda prepared, anew: self._take_table(path, prepared, anew))
+            _open(dialog)
+
+        self._start(f"Reading {path.name}", work, done, path, "imported")
+
+    def _take_table(self, path: Path, prepared: Prepared, anew: bool) -> None:
+        assert prepared.document is not None
+        self._take_in(path, prepared.document, prepared.deviation, anew)
+
+    def _take_in(self, path: Path, new: Document, deviation: float, anew: bool) -> None:
+        """Add the curves as one step, to this document or to a new one."""
+        if anew:
+            if not self._parts.files.may_discard():
+                return
+            self._session.new()
+        document, first = add_imported(self._session.document, new)
+        if not self._parts.change(f"Import {path.name}", lambda: document, active=first):
+            return
+        self._preferences.last_folder = path.parent
+        self._parts.actions["fitView"].trigger()
+        count = sum(len(curve.nodes) for curve in new.curves)
+        what = f"{count_of(len(new.curves), 'curve')}, {count_of(count, 'point')}"
+        exact = f"at most {deviation:.2g} from the file" if deviation else "exact"
+        self._session.say(f"Imported {path.name}: {what}, {exact}.")
+
+    # Out
+
+    def _ask_and_export(self) -> None:
+        from app.exchange.choice import choice_from  # noqa: PLC0415
+        from app.panels.export_dialog import ExportDialog  # noqa: PLC0415
+
+        if self._dialog is None:
+            self._dialog = ExportDialog(choice_from(self._preferences.export_choice), self._parts.window)
+            self._dialog.chosen.connect(self._ask_where_to)
+            self._dialog.finished.connect(self._forget_dialog)
+        self._show_in_dialog()
+        _open(self._dialog)
+
+    def _forget_dialog(self) -> None:
+        self._dialog = None
+
+    def _show_in_dialog(self) -> None:
+        if self._dialog is not None:
+            self._dialog.show_document(self._session.document, self._session.active_index)
+
+    def _ask_where_to(self, choice: ExportChoice) -> None:
+        from app.exchange.choice import FORMATS, text_of  # noqa: PLC0415
+
+        self._preferences.export_choice = text_of(choice)
+        start = self._preferences.last_folder / f"{file_stem(self._session)}{choice.ending}"
+        kind = f"{FORMATS[choice.ending]} (*{choice.ending})"
+        name, _ = QFileDialog.getSaveFileName(self._parts.window, "Export", str(start), kind)
+        if name:
+            path = Path(name)
+            named = (
+                path
+                if path.name.lower().endswith(choice.ending)
+                else path.with_name(path.name + choice.ending)
+            )
+            self.export(named, choice.options(self._session.active_index))
+
+    def export(self, path: Path, options: Options | None = None) -> None:
+        """Write the document in the format that the ending names, and say how exactly."""
+        document = self._session.document
+
+        def work(report: Report) -> Exported:
+            return export_with(document, path, (options or Options()).reporting(report))
+
+        self._start(
+            f"Writing {path.name}", work, lambda written: self._say_written(path, written), path, "written"
+        )
+
+    def _say_written(self, path: Path, written: Exported) -> None:
+        self._preferences.last_folder = path.parent
+        away = written.deviation
+        exact = f"at most {away:.2g} from the true curve" if away else "exact"
+        self._session.say(f"Wrote {path.name}, {exact}.")
+
+    # To the clipboard
+
+    def _copy_image(self) -> None:
+        """Put the curves on the clipboard as a PNG without paper and as SVG."""
+        document = self._session.document
+
+        def work(report: Report) -> tuple[bytes, bytes]:
+            from app.exchange.image import png_bytes  # noqa: PLC0415
+            from app.exchange.svg import svg_of  # noqa: PLC0415
+
+            report(0.0, "Drawing")
+            png = png_bytes(document, Options(width=_COPY_WIDTH, transparent=True))
+            report(0.5, "Drawing")
+            return png, svg_of(document).encode()
+
+        self._start("Drawing", work, self._put_image, Path("The image"), "copied")
+
+    def _put_image(self, pictures: tuple[bytes, bytes]) -> None:
+        from PySide6.QtGui import QImage  # noqa: PLC0415
+
+        png, svg = pictures
+        data = QMimeData()
+        data.setData("image/png", png)
+        data.setData(_SVG_TYPE, svg)
+        data.setImageData(QImage.fromData(png))
+        QGuiApplication.clipboard().setMimeData(data)
+        self._session.say("Copied the curves as an image: PNG without paper, and SVG.")
+
+    def _copy_path_data(self) -> None:
+        document = self._session.document
+
+        def work(report: Report) -> str:
+            from app.exchange.formulas import svg_path_data  # noqa: PLC0415
+
+            report(0.0, "Writing path data")
+            return svg_path_data(document).text
+
+        def done(text: str) -> None:
+            QGuiApplication.clipboard().setText(text)
+            self._session.say("Copied the curves as SVG path data.")
+
+        self._start("Writing path data", work, done, Path("The path data"), "copied")
+
+
+def can_import(path: Path) -> bool:
+    """Whether a file that is dropped is to be imported; documents are opened."""
+    name = path.name.lower()
+    return name.endswith(READABLE) and not name.endswith(".json")
+
+
+def _open(dialog: QWidget) -> None:
+    dialog.show()
+    dialog.raise_()
+    dialog.activateWindow()

@@ -1,0 +1,154 @@
+"""What a picture can show beside the curves: a grid, the handles, the basis functions."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from math import ceil, floor, log10
+
+import numpy as np
+
+from app.document.model import Curve, Document
+from app.exchange.drawing import MARGIN, Decor, Drawing, ExchangeError, Floats, Frame
+from app.view_model.basis_view import BasisView, basis_view
+from app.view_model.curve_view import view_of
+from app.view_model.handles import handles_of
+from app.view_model.palette import point_palette
+
+PANEL = 0.4
+"""Height of the basis functions' panel against the picture's longer side."""
+
+MOST_HANDLES = 2_000
+"""Points of a curve beyond which handles would only be a black mass."""
+
+_CALM = (-0.5, 1.2)
+_WILD = (-4.0, 4.0)
+_MOST_LINES = 24
+_FINE, _COARSE, _AXIS = 0.08, 0.16, 0.4
+_THIN, _USUAL = 0.001, 0.002
+_SQUARE = 0.004
+_DASHES = ((), (0.008, 0.005), (0.002, 0.004))
+
+
+@dataclass(frozen=True)
+class Extras:
+    """What else to draw.
+
+    Attributes
+    ----------
+    handles, grid
+        Whether to draw the Bézier control points beside the points, and a grid.
+    basis
+        The curve whose basis functions to draw below the picture; None for none.
+    """
+
+    handles: bool = False
+    grid: bool = False
+    basis: int | None = None
+
+
+PLAIN = Extras()
+
+
+def decorated(drawing: Drawing, document: Document, extras: Extras, theme: str) -> Drawing:
+    """Return the drawing with what else is wanted, on the paper of a theme, "light" or "dark".
+
+    Raises
+    ------
+    ExchangeError
+        If the basis functions are wanted of a curve that has none.
+    """
+    decor: list[Decor] = []
+    if extras.grid:
+        decor += _grid(drawing.frame)
+    if extras.handles:
+        visible = [curve for curve in document.curves if curve.visible]
+        decor += [each for curve in visible for each in _handles(curve, drawing.frame.side)]
+    frame = drawing.frame
+    if extras.basis is not None:
+        view = basis_view(view_of(document.curves[extras.basis]))
+        if view is None:
+            raise ExchangeError(f"“{document.curves[extras.basis].name}” has no basis functions to draw.")
+        height = PANEL * frame.side
+        panel = Frame(frame.left, frame.bottom - height, frame.width, height)
+        decor += _basis(view, panel, frame.side, theme)
+        frame = Frame(frame.left, panel.bottom, frame.width, frame.height + height)
+    return replace(drawing, frame=frame, decor=tuple(decor))
+
+
+def grid_step(frame: Frame) -> float:
+    """Return the distance of the fine lines: 1, 2 or 5 times a power of ten."""
+    least = frame.side / _MOST_LINES
+    decade = 10.0 ** floor(log10(least))
+    return next(step * decade for step in (1, 2, 5, 10) if step * decade >= least * (1 - 1e-9))
+
+
+def _grid(frame: Frame) -> list[Decor]:
+    step = grid_step(frame)
+    upright = [
+        (place, np.array([(place * step, frame.bottom), (place * step, frame.top)]))
+        for place in range(ceil(frame.left / step), floor((frame.left + frame.width) / step) + 1)
+    ]
+    level = [
+        (place, np.array([(frame.left, place * step), (frame.left + frame.width, place * step)]))
+        for place in range(ceil(frame.bottom / step), floor(frame.top / step) + 1)
+    ]
+    lines = [*upright, *level]
+    kinds = (
+        (_FINE, [line for place, line in lines if place % 5]),
+        (_COARSE, [line for place, line in lines if place % 5 == 0 and place]),
+        (_AXIS, [line for place, line in lines if place == 0]),
+    )
+    width = _THIN * frame.side
+    return [Decor("grid", tuple(each), width, opacity) for opacity, each in kinds if each]
+
+
+def _handles(curve: Curve, side: float) -> list[Decor]:
+    view = view_of(curve)
+    if not view.is_current or len(curve.nodes) > MOST_HANDLES:
+        return []
+    handles = [handle for index in range(len(curve.nodes)) for handle in handles_of(view, index)]
+    if not handles:
+        return []
+    corner = np.array([(-1, -1), (1, -1), (1, 1), (-1, 1), (-1, -1)]) * (_SQUARE * side)
+    lines = tuple(np.array([handle.anchor, handle.position]) for handle in handles)
+    squares = tuple(np.array(handle.position) + corner for handle in handles)
+    return [
+        Decor("handles", lines, _THIN * side, 0.6, colour=curve.colour),
+        Decor("handles", squares, 0.0, 0.8, colour=curve.colour, filled=True),
+    ]
+
+
+def _basis(view: BasisView, panel: Frame, side: float, theme: str) -> list[Decor]:
+    """Return the functions in their panel, with lines at 0 and 1 and at every parameter."""
+    low, high = view.extent(range(view.kinds))
+    low, high = max(min(low, _CALM[0]), _WILD[0]), min(max(high, _CALM[1]), _WILD[1])
+    start, end = view.curve.domain
+    room = MARGIN * panel.width
+
+    def placed(t: Floats, values: Floats) -> Floats:
+        share = (np.clip(values, low, high) - low) / (high - low)
+        x = panel.left + room + (t - start) / (end - start) * (panel.width - 2 * room)
+        return np.column_stack([x, panel.bottom + (0.05 + 0.9 * share) * panel.height])
+
+    ends = np.array([start, end])
+    levels = tuple(placed(ends, np.full(2, float(value))) for value in (0, 1))
+    ticks = tuple(placed(np.full(2, t), np.array([low, 0.0])) for t in view.curve.parameters.tolist())
+    edge = np.array([(panel.left, panel.top), (panel.left + panel.width, panel.top)])
+    thin, usual = _THIN * side, _USUAL * side
+    decor = [
+        Decor("basis", (edge, levels[1]), thin, _COARSE),
+        Decor("basis", (levels[0],), thin, _AXIS),
+        Decor("basis", ticks, thin, _COARSE),
+    ]
+    colours = point_palette(view.node_count, theme, "")
+    for kind in range(view.kinds):
+        dash = tuple(length * side for length in _DASHES[kind])
+        if view.is_coarse:
+            t, least, greatest = view.envelope(kind)
+            outline = (placed(t, least), placed(t, greatest))
+            decor.append(Decor("basis", outline, usual, dash=dash))
+            continue
+        for index, owner in enumerate(view.owners):
+            line = placed(*view.function(index, kind))
+            decor.append(Decor("basis", (line,), usual, colour=colours[owner], dash=dash))
+    return decor

@@ -1,0 +1,28 @@
+"""How long work says how far it is, and hears that it is no longer wanted.
+
+Work that may take longer than a moment takes a `Report` and calls it now and then.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from math import inf
+
+Report = Callable[[float, str], None]
+"""Takes the share that is done, 0 to 1, and a word for what is being done; raises `Cancelled`."""
+
+FINAL = inf
+"""Reported in place of a share before a step that cannot be taken back; from then on nothing is cancelled."""
+
+
+class Cancelled(Exception):  # noqa: N818 - nothing has gone wrong
+    """The person has taken the order back; whatever was half done is to be dropped."""
+
+
+def silent(_share: float, _word: str) -> None:
+    """Report to nobody."""
+
+
+def part(report: Report, start: float, end: float) -> Report:
+    """Return a report for a part of the work, which goes on from `start` to `end` of the whole."""
+    return lambda share, word: report(start + (end - start) * share, word)

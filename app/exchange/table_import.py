@@ -1,0 +1,159 @@
+"""What becomes of a table under the person's choices: curves, or the row that keeps it from becoming any."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from app.document.model import Document, Family
+from app.exchange.drawing import ExchangeError
+from app.exchange.progress import Report, part, silent
+from app.exchange.table_columns import Mapping
+from app.exchange.table_curve import document_of_table
+from app.exchange.table_file import Table, read_table
+from app.exchange.table_layout import Layout, RowProblem, cells_of_row
+from app.exchange.thinning import MOST_KEPT, Thinning
+
+MANY_ROWS = 1_000
+"""Rows beyond which thinning them out is suggested."""
+
+MOST_POINTS = MOST_KEPT
+"""Points that the window can edit; more of them come in only thinned out."""
+
+MOST_LAGRANGE = 500
+"""Points of a Lagrange curve beyond which it swings out of all proportion, and takes long to draw."""
+
+_RELATIVE_TOLERANCE = 1e-3
+
+
+@dataclass(frozen=True)
+class TableChoice:
+    """How a table is to be read.
+
+    Attributes
+    ----------
+    layout, mapping
+        How it is divided into cells, and which columns are what.
+    family
+        Of curves that no column gives another.
+    thinning
+        How to thin the rows out; None to keep them all.
+    tolerance
+        How near to stay to the rows; None for a thousandth of the table's size.
+    name
+        Of a curve that no column gives another.
+    """
+
+    layout: Layout
+    mapping: Mapping
+    family: Family = Family.HERMITE
+    thinning: Thinning | None = None
+    tolerance: float | None = None
+    name: str = "Table"
+
+
+@dataclass(frozen=True)
+class Prepared:
+    """What became of it.
+
+    Attributes
+    ----------
+    rows
+        How many rows of numbers there are; 0 where they could not be read.
+    tolerance
+        The one used; 0 where all rows are kept.
+    document, deviation
+        The curves, and how far they are from the rows at most; None where there is a problem.
+    problem
+        What keeps the rows from becoming curves; empty if nothing does.
+    bad_row, bad_column, bad_cells
+        Where that is, counted from 1, and what stands there; 0 and empty where no row is meant.
+    """
+
+    rows: int = 0
+    tolerance: float = 0.0
+    document: Document | None = None
+    deviation: float = 0.0
+    problem: str = ""
+    bad_row: int = 0
+    bad_column: int = 0
+    bad_cells: tuple[str, ...] = ()
+
+    @property
+    def points(self) -> int:
+        """How many points the curves have."""
+        return sum(len(curve.nodes) for curve in self.document.curves) if self.document else 0
+
+
+class TableSource:
+    """The content of one file; what was read of it is kept for the next choice.
+
+    Attributes
+    ----------
+    data
+        The content.
+    lines
+        How many lines it has: about as many as rows.
+    """
+
+    def __init__(self, data: bytes) -> None:
+        self.data = data
+        self.lines = data.count(b"\n")
+        self._read: tuple[Layout, Mapping, Table] | None = None
+
+    def prepared(self, choice: TableChoice, report: Report = silent) -> Prepared:
+        """Return what becomes of the table; whatever is wrong with it stands in the result."""
+        rows = 0
+        try:
+            table = self._table(choice, part(report, 0.0, 0.6))
+            rows = len(table.values)
+            if choice.thinning is None and rows > MOST_POINTS:
+                raise ExchangeError(f"{rows:,} rows are more points than {MOST_POINTS:,}; thin them out.")
+            if choice.thinning is None and choice.family is Family.LAGRANGE and rows > MOST_LAGRANGE:
+                raise ExchangeError(
+                    f"A Lagrange curve can take {MOST_LAGRANGE:,} rows, not {rows:,}; choose Hermite, "
+                    "or thin them out."
+                )
+            tolerance = 0.0
+            if choice.thinning is not None:
+                tolerance = choice.tolerance or _suggested(table, choice.mapping)
+            document, deviation = document_of_table(
+                table,
+                choice.mapping,
+                family=choice.family,
+                name=choice.name,
+                thin=tolerance or None,
+                thinning=choice.thinning or Thinning.CURVE,
+                report=part(report, 0.6, 1.0),
+            )
+        except RowProblem as problem:
+            cells = cells_of_row(self.data, choice.layout, problem.row)
+            return Prepared(
+                rows,
+                problem=str(problem),
+                bad_row=problem.row,
+                bad_column=problem.column or 0,
+                bad_cells=cells,
+            )
+        except ExchangeError as problem:
+            return Prepared(rows, problem=str(problem))
+        except MemoryError:
+            return Prepared(rows, problem="The table takes more memory than there is.")
+        return Prepared(rows, tolerance, document, deviation)
+
+    def _table(self, choice: TableChoice, report: Report) -> Table:
+        known = self._read
+        if known is not None and known[:2] == (choice.layout, choice.mapping):
+            return known[2]
+        table = read_table(self.data, choice.layout, choice.mapping, report=report)
+        self._read = (choice.layout, choice.mapping, table)
+        return table
+
+
+def _suggested(table: Table, mapping: Mapping) -> float:
+    """Return a thousandth of the table's size with one digit: a number that a person might type."""
+    columns = table.values[:, [mapping.x, mapping.y]]
+    with np.errstate(all="ignore"):
+        size = float(np.nan_to_num(np.nanmax(columns, axis=0) - np.nanmin(columns, axis=0)).max())
+    return float(f"{max(size, 1e-9) * _RELATIVE_TOLERANCE:.0e}")

@@ -1,0 +1,198 @@
+"""What to export and how: a format, its options, and for pictures a look at them."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import Qt, QTimer, Signal
+from PySide6.QtGui import QCloseEvent, QColor, QImage, QKeyEvent, QPainter, QPixmap
+from PySide6.QtWidgets import (
+    QDialog,
+    QDialogButtonBox,
+    QHBoxLayout,
+    QLabel,
+    QPushButton,
+    QVBoxLayout,
+    QWidget,
+)
+
+from app.document.expression import ExpressionError
+from app.document.model import Document
+from app.exchange import ExchangeError
+from app.exchange.choice import FORMATS, PICTURES, ExportChoice
+from app.exchange.formats import Options
+from app.exchange.image import Look, look
+from app.exchange.progress import Report
+from app.exchange.svg import Style
+from app.panels.export_form import ExportForm
+from app.panels.form_parts import enters_number, problem_label
+from app.theme import DARK, LIGHT, mix, theme_of
+from app.worker import Jobs
+
+_SOON_MS = 120
+_WIDTH, _HEIGHT = 300, 260
+_SQUARE = 8
+
+
+class ExportDialog(QDialog):
+    """Asks for the options first; where to write is asked next.
+
+    Signals
+    -------
+    chosen
+        The person wants a file: the `ExportChoice`.
+    """
+
+    chosen = Signal(object)
+
+    def __init__(self, choice: ExportChoice, parent: QWidget | None = None) -> None:
+        super().__init__(parent, Qt.WindowType.Dialog)
+        self.setObjectName("exportDialog")
+        self.setWindowTitle("Export")
+        self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+        self._document: Document | None = None
+        self._active = 0
+        self._is_png = True
+        self.jobs = Jobs(self)
+        self.form = ExportForm()
+        self.picture = QLabel()
+        self.picture.setObjectName("exportPreview")
+        self.picture.setAccessibleName("Preview")
+        self.picture.setToolTip("What the picture will look like; squares stand for no paper")
+        self.picture.setFixedSize(_WIDTH, _HEIGHT)
+        self.picture.setAlignment(Qt.AlignmentFlag.AlignCenter)
+        self.size_label = QLabel()
+        self.size_label.setObjectName("exportSize")
+        self.problem = problem_label("exportProblem")
+        self._soon = QTimer(self, singleShot=True, interval=_SOON_MS)
+        self._soon.timeout.connect(self._look)
+        self._lay_out()
+        self.form.changed.connect(self._render)
+        self.form.show_choice(choice)
+        self._render()
+
+    def _lay_out(self) -> None:
+        buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Cancel)
+        self.ok = QPushButton("Export…")
+        self.ok.setObjectName("exportFile")
+        self.ok.setToolTip("Choose where to write it")
+        self.ok.setDefault(True)
+        buttons.addButton(self.ok, QDialogButtonBox.ButtonRole.AcceptRole)
+        buttons.accepted.connect(self._export)
+        buttons.rejected.connect(self.reject)
+        cancel = buttons.button(QDialogButtonBox.StandardButton.Cancel)
+        cancel.setObjectName("cancelExport")
+        cancel.setToolTip("Close without exporting (Esc)")
+        self.look = QWidget()
+        seen = QVBoxLayout(self.look)
+        seen.setContentsMargins(0, 0, 0, 0)
+        seen.addWidget(self.picture)
+        seen.addWidget(self.size_label, 0, Qt.AlignmentFlag.AlignHCenter)
+        seen.addStretch(1)
+        columns = QHBoxLayout()
+        columns.setSpacing(18)
+        columns.addWidget(self.form, 1)
+        columns.addWidget(self.look)
+        layout = QVBoxLayout(self)
+        layout.setContentsMargins(16, 14, 16, 14)
+        layout.setSpacing(10)
+        layout.addLayout(columns, 1)
+        layout.addWidget(self.problem)
+        layout.addWidget(buttons)
+        self.resize(690, 400)
+
+    def show_document(self, document: Document, active: int) -> None:
+        """Show what this document would look like; `active` is the curve that is edited."""
+        self._document, self._active = document, active
+        self._soon.start()
+
+    def _render(self) -> None:
+        """Show what belongs to the format."""
+        try:
+            choice = self.form.choice()
+        except ExpressionError as reason:
+            self._complain(str(reason))
+            self.ok.setEnabled(False)
+            return
+        self._complain("")
+        self.ok.setEnabled(True)
+        self.ok.setToolTip(f"Choose where to write the {FORMATS[choice.ending]}")
+        self.look.setVisible(choice.ending in PICTURES)
+        self._soon.start()
+
+    def _look(self) -> None:
+        document, active = self._document, self._active
+        self.jobs.cancel()
+        if document is None or not self.look.isVisible():
+            return
+        try:
+            choice = self.form.choice()
+        except ExpressionError:
+            return  # that has been said
+        options = choice.options(active)
+        style = _shown_style(choice, options)
+        room = (round(_WIDTH * self.devicePixelRatioF()), round(_HEIGHT * self.devicePixelRatioF()))
+        self._is_png = choice.ending == ".png"
+
+        def draw(_report: Report) -> Look:
+            return look(document, options, style, room)
+
+        self.jobs.start("Drawing", draw, self._show_look, self._refuse)
+
+    def _show_look(self, seen: Look) -> None:
+        # As the picture will be looked at, not as this window is.
+        theme = DARK if self.form.choice().dark else LIGHT
+        squares = (theme.paper, mix(theme.ink, theme.paper, 0.1))
+        self.picture.setPixmap(_on_squares(seen.image, self.devicePixelRatioF(), squares))
+        width, height = seen.size
+        self.size_label.setText(f"{width} × {height} pixels" if self._is_png else "")
+        self._complain("")
+        self.ok.setEnabled(True)
+
+    def _refuse(self, problem: Exception) -> None:
+        if not isinstance(problem, ExchangeError):
+            raise problem
+        self.picture.clear()
+        self.size_label.clear()
+        self._complain(str(problem))
+        self.ok.setEnabled(False)
+
+    def _complain(self, text: str) -> None:
+        self.problem.setStyleSheet(f"color: {theme_of(self.palette()).warning.name()}")
+        self.problem.setText(f"⚠ {text}" if text else "")
+        self.problem.setVisible(bool(text))
+
+    def _export(self) -> None:
+        self.chosen.emit(self.form.choice())
+        self.accept()
+
+    def done(self, result: int) -> None:
+        """Close; the look that is being drawn is dropped."""
+        self.jobs.close()
+        super().done(result)
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        if not enters_number(self, event):
+            super().keyPressEvent(event)
+
+    def closeEvent(self, event: QCloseEvent) -> None:
+        self.jobs.close()
+        super().closeEvent(event)
+
+
+def _shown_style(choice: ExportChoice, options: Options) -> Style:
+    return options.paper_style if choice.ending == ".png" else options.vector_style
+
+
+def _on_squares(image: QImage, ratio: float, colours: tuple[QColor, QColor]) -> QPixmap:
+    """Return a picture on a chessboard that shows where it has no paper."""
+    image.setDevicePixelRatio(ratio)
+    result = QPixmap(image.size())
+    result.setDevicePixelRatio(ratio)
+    result.fill(colours[0])
+    painter = QPainter(result)
+    side = image.deviceIndependentSize()
+    for row in range(int(side.height() // _SQUARE) + 1):
+        for column in range(row % 2, int(side.width() // _SQUARE) + 1, 2):
+            painter.fillRect(column * _SQUARE, row * _SQUARE, _SQUARE, _SQUARE, colours[1])
+    painter.drawImage(0, 0, image)
+    painter.end()
+    return result

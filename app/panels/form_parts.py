@@ -1,0 +1,41 @@
+"""Small parts that the dialogs around files share."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from PySide6.QtCore import Qt
+from PySide6.QtGui import QKeyEvent
+from PySide6.QtWidgets import QAbstractSpinBox, QComboBox, QDialog, QLabel, QLineEdit
+
+INTO = ("This document", "A new document")
+
+
+def enters_number(dialog: QDialog, event: QKeyEvent) -> bool:
+    """Whether a key is the Enter that ends typing into a field, and no order to go ahead."""
+    is_enter = event.key() in (Qt.Key.Key_Return, Qt.Key.Key_Enter)
+    return is_enter and isinstance(dialog.focusWidget(), QLineEdit | QAbstractSpinBox)
+
+
+def choice_box(name: str, label: str, tip: str, items: Sequence[str]) -> QComboBox:
+    """Return a box with these items."""
+    box = QComboBox()
+    box.setObjectName(name)
+    box.setAccessibleName(label)
+    box.setToolTip(tip)
+    box.addItems(list(items))
+    return box
+
+
+def into_box() -> QComboBox:
+    """Return the box that asks where imported curves go."""
+    return choice_box("importInto", "Into", "Where the curves go", INTO)
+
+
+def problem_label(name: str) -> QLabel:
+    """Return a label for what is wrong; hidden while nothing is."""
+    label = QLabel()
+    label.setObjectName(name)
+    label.setWordWrap(True)
+    label.hide()
+    return label

@@ -1,0 +1,86 @@
+"""What a drawing or a document holds, before its curves come in."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import Qt, Signal
+from PySide6.QtWidgets import (
+    QDialog,
+    QDialogButtonBox,
+    QHBoxLayout,
+    QLabel,
+    QPushButton,
+    QVBoxLayout,
+    QWidget,
+)
+
+from app.exchange.cubics_in import Imported
+from app.panels.form_parts import into_box
+from app.panels.words import count_of
+
+_MOST_REMARKS = 8
+
+
+class ImportDrawingDialog(QDialog):
+    """Says what was found and asks where it goes.
+
+    Signals
+    -------
+    chosen
+        The person wants it; whether as a new document.
+    """
+
+    chosen = Signal(bool)
+
+    def __init__(self, title: str, found: Imported, parent: QWidget | None = None) -> None:
+        super().__init__(parent, Qt.WindowType.Dialog)
+        self.setObjectName("importDrawingDialog")
+        self.setWindowTitle(f"Import {title}")
+        self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+        self.summary = QLabel(_summary(found))
+        self.summary.setObjectName("importSummary")
+        self.remarks = QLabel(_remarks(found))
+        self.remarks.setObjectName("importRemarks")
+        self.remarks.setWordWrap(True)
+        self.remarks.setVisible(bool(found.remarks))
+        self.into = into_box()
+        into = QHBoxLayout()
+        into.addWidget(QLabel("Into"))
+        into.addWidget(self.into)
+        into.addStretch(1)
+        buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Cancel)
+        self.ok = QPushButton("Import")
+        self.ok.setObjectName("importDrawing")
+        self.ok.setToolTip("Take the curves in")
+        self.ok.setDefault(True)
+        buttons.addButton(self.ok, QDialogButtonBox.ButtonRole.AcceptRole)
+        buttons.accepted.connect(self._import)
+        buttons.rejected.connect(self.reject)
+        cancel = buttons.button(QDialogButtonBox.StandardButton.Cancel)
+        cancel.setObjectName("cancelImport")
+        cancel.setToolTip("Close without importing (Esc)")
+        layout = QVBoxLayout(self)
+        layout.setContentsMargins(16, 14, 16, 14)
+        layout.setSpacing(10)
+        layout.addWidget(self.summary)
+        layout.addWidget(self.remarks)
+        layout.addLayout(into)
+        layout.addStretch(1)
+        layout.addWidget(buttons)
+        self.setMinimumWidth(380)
+
+    def _import(self) -> None:
+        self.chosen.emit(self.into.currentIndex() == 1)
+        self.accept()
+
+
+def _summary(found: Imported) -> str:
+    curves = found.document.curves
+    points = sum(len(curve.nodes) for curve in curves)
+    exact = f"at most {found.deviation:.2g} from the file" if found.deviation else "exact"
+    return f"{count_of(len(curves), 'curve')} with {count_of(points, 'point')}, {exact}."
+
+
+def _remarks(found: Imported) -> str:
+    lines = list(found.remarks[:_MOST_REMARKS])
+    more = len(found.remarks) - len(lines)
+    return "\n".join([*lines, *([f"… and {more} more."] if more else [])])

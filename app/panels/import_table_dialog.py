@@ -1,0 +1,315 @@
+"""A table before it becomes curves: what its columns are, what is wrong with it, how many points it gives."""
+
+from __future__ import annotations
+
+from itertools import pairwise
+
+from PySide6.QtCore import Qt, QTimer, Signal
+from PySide6.QtGui import QCloseEvent, QKeyEvent
+from PySide6.QtWidgets import (
+    QCheckBox,
+    QDialog,
+    QDialogButtonBox,
+    QHBoxLayout,
+    QLabel,
+    QProgressBar,
+    QPushButton,
+    QVBoxLayout,
+    QWidget,
+)
+
+from app.document.expression import ExpressionError, parse_number
+from app.document.model import Family
+from app.exchange.table_columns import AFTER, ROLES, WORDS, Mapping
+from app.exchange.table_file import Preview, preview_table
+from app.exchange.table_import import MANY_ROWS, Prepared, TableChoice, TableSource
+from app.exchange.table_layout import Layout
+from app.exchange.thinning import Thinning
+from app.panels.field_edit import FieldEdit
+from app.panels.form_parts import choice_box, enters_number, into_box, problem_label
+from app.panels.number_text import decimal_mark, rounded_text
+from app.panels.table_preview import TablePreview
+from app.panels.words import count_of
+from app.theme import theme_of
+from app.worker import Jobs
+
+IGNORE = "ignore"
+_SEPARATORS = {"\t": "Tab", ";": "Semicolon ;", ",": "Comma ,", " ": "Blanks"}
+_FAMILIES = {
+    Family.LAGRANGE: "Lagrange",
+    Family.HERMITE: "Hermite",
+    Family.QUINTIC_HERMITE: "Quintic Hermite",
+}
+_THINNINGS = {
+    None: "Keep every row",
+    Thinning.CURVE: "Fit a curve within",
+    Thinning.POLYLINE: "Keep corners within",
+}
+_THINNING_TIP = (
+    "Fit a curve: as few points as a smooth curve needs to pass all rows within the distance. "
+    "Keep corners: the rows that a polyline within the distance turns at (Douglas–Peucker)"
+)
+_SOON_MS = 250
+
+
+class ImportTableDialog(QDialog):
+    """Shows the first rows of a table and asks what they mean; what comes of it is computed beside.
+
+    Signals
+    -------
+    chosen
+        The person wants the curves: a `Prepared`, and whether they are to become a new document.
+    """
+
+    chosen = Signal(object, bool)
+
+    def __init__(
+        self, title: str, stem: str, source: TableSource, preview: Preview, parent: QWidget | None = None
+    ) -> None:
+        super().__init__(parent, Qt.WindowType.Dialog)
+        self.setObjectName("importTableDialog")
+        self.setWindowTitle(f"Import {title}")
+        self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+        self._source, self._stem, self._layout_now = source, stem, preview.layout
+        self._prepared: Prepared | None = None
+        self._tolerance: float | None = None
+        self.jobs = Jobs(self)
+        self._build()
+        self._soon = QTimer(self, singleShot=True, interval=_SOON_MS)
+        self._soon.timeout.connect(self._use_typed)
+        self._connect()
+        if source.lines > MANY_ROWS:
+            self.thinning_box.setCurrentIndex(list(_THINNINGS).index(Thinning.CURVE))
+        self._show_preview(preview)
+        self.resize(760, 560)
+        self._prepare()
+
+    # Building
+
+    def _build(self) -> None:
+        self.separator_box = choice_box(
+            "tableSeparator", "Separator", "What stands between two cells", list(_SEPARATORS.values())
+        )
+        self.comma_check = _check("tableComma", "Decimal comma", "Numbers are written 0,5")
+        self.header_check = _check("tableHeader", "First row holds titles", "The first row is no point")
+        self.preview = TablePreview((IGNORE, *ROLES, *AFTER, *WORDS))
+        self.family_box = choice_box(
+            "tableFamily", "Family", "The curve through the rows", list(_FAMILIES.values())
+        )
+        self.family_box.setCurrentIndex(list(_FAMILIES).index(Family.HERMITE))
+        self.thinning_box = choice_box("tableThinning", "Rows", _THINNING_TIP, list(_THINNINGS.values()))
+        self.tolerance_edit = FieldEdit(
+            "tableTolerance", "Distance", "How near to stay to every row, in the unit of the table (Enter)"
+        )
+        self.tolerance_edit.setMaximumWidth(110)
+        self.into = into_box()
+        self.summary, self.problem = QLabel(), problem_label("tableProblem")
+        self.summary.setObjectName("tableSummary")
+        self.bar = QProgressBar()
+        self.bar.setObjectName("tableProgress")
+        self.bar.setAccessibleName("Progress")
+        self.bar.setToolTip("How far the reading has come")
+        self.bar.setRange(0, 1000)
+        self.bar.setTextVisible(False)
+        self.bar.setFixedSize(120, 8)
+        self.buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Cancel)
+        self.ok = QPushButton("Import")
+        self.ok.setObjectName("importTable")
+        self.ok.setToolTip("Make curves of the rows")
+        self.buttons.addButton(self.ok, QDialogButtonBox.ButtonRole.AcceptRole)
+        self.ok.setDefault(True)
+        cancel = self.buttons.button(QDialogButtonBox.StandardButton.Cancel)
+        cancel.setObjectName("cancelImport")
+        cancel.setToolTip("Close without importing (Esc)")
+        self._lay_out()
+
+    def _lay_out(self) -> None:
+        layout = QVBoxLayout(self)
+        layout.setContentsMargins(16, 14, 16, 14)
+        layout.setSpacing(10)
+        layout.addLayout(_row("Separator", self.separator_box, self.comma_check, self.header_check))
+        layout.addWidget(self.preview, 1)
+        layout.addLayout(
+            _row("Rows", self.thinning_box, self.tolerance_edit, "Family", self.family_box, "Into", self.into)
+        )
+        layout.addWidget(self.problem)
+        bottom = _row(self.summary, self.bar)
+        bottom.addWidget(self.buttons)
+        layout.addLayout(bottom)
+
+    def _connect(self) -> None:
+        self.separator_box.activated.connect(self._choose_layout)
+        self.comma_check.clicked.connect(self._choose_layout)
+        self.header_check.clicked.connect(self._choose_layout)
+        self.preview.head.chosen.connect(self._prepare)
+        self.family_box.activated.connect(self._prepare)
+        self.thinning_box.activated.connect(self._choose_thinning)
+        self.tolerance_edit.committed.connect(self._type_tolerance)
+        self.tolerance_edit.textEdited.connect(self._type_soon)
+        self.buttons.rejected.connect(self.reject)
+        self.buttons.accepted.connect(self._import)
+        self.jobs.progressed.connect(self._show_share)
+        self.jobs.shown.connect(lambda _title: self.bar.show())
+        self.jobs.ended.connect(self.bar.hide)
+        self.bar.hide()
+
+    # What the person did
+
+    def _choose_layout(self) -> None:
+        separator = list(_SEPARATORS)[self.separator_box.currentIndex()]
+        comma = self.comma_check.isChecked() and separator != ","
+        self._layout_now = Layout(separator, comma, self.header_check.isChecked())
+        self._show_preview(preview_table(self._source.data, self._layout_now))
+        self._prepare()
+
+    def _choose_thinning(self) -> None:
+        self._tolerance = None
+        self._prepare()
+
+    def _type_soon(self) -> None:
+        # Half a number is no order; whoever has stopped typing wants to see what it gives.
+        self.jobs.cancel()
+        self._prepared = None
+        self.ok.setEnabled(False)
+        self._soon.start()
+
+    def _type_tolerance(self, text: str) -> None:
+        try:
+            self._tolerance = _distance(text)
+        except ExpressionError as reason:
+            self.tolerance_edit.keep(text)
+            self._show(Prepared(problem=str(reason)))
+            return
+        self._prepare()
+
+    def _use_typed(self) -> None:
+        """Take what is being typed for what is meant; it may still be changed."""
+        try:
+            self._tolerance = _distance(self.tolerance_edit.text())
+        except ExpressionError as reason:
+            self._show(Prepared(problem=str(reason)))
+            return
+        self._prepare()
+
+    def _mapping(self) -> Mapping | None:
+        roles = {role: column for column, role in enumerate(self.preview.head.roles) if role != IGNORE}
+        return Mapping(**roles) if {"x", "y"} <= set(roles) else None
+
+    def _import(self) -> None:
+        if self._prepared is not None and self._prepared.document is not None and not self.jobs.is_busy:
+            self.chosen.emit(self._prepared, self.into.currentIndex() == 1)
+            self.accept()
+
+    # What comes of it
+
+    def _prepare(self) -> None:
+        """Compute what becomes of the table under the present choices."""
+        self._soon.stop()
+        self.jobs.cancel()
+        self._prepared = None
+        self.ok.setEnabled(False)
+        thinning = list(_THINNINGS)[self.thinning_box.currentIndex()]
+        self.tolerance_edit.setEnabled(thinning is not None)
+        self.family_box.setEnabled(thinning is None)
+        self.family_box.setToolTip(
+            "The curve through the rows" if thinning is None else "Thinned out, rows become a Hermite curve"
+        )
+        mapping = self._mapping()
+        if mapping is None:
+            self._show(Prepared(problem="Say which columns are x and y."))
+            return
+        family = list(_FAMILIES)[self.family_box.currentIndex()]
+        choice = TableChoice(self._layout_now, mapping, family, thinning, self._tolerance, self._stem)
+        self.summary.setText("Reading…")
+        self.bar.setValue(0)
+        source = self._source
+        self.jobs.start("Reading", lambda report: source.prepared(choice, report), self._show, self._fail)
+
+    def _show_preview(self, preview: Preview) -> None:
+        self.separator_box.setCurrentIndex(list(_SEPARATORS).index(preview.layout.separator))
+        self.comma_check.setChecked(preview.layout.decimal_comma)
+        self.comma_check.setEnabled(preview.layout.separator != ",")
+        self.header_check.setChecked(preview.layout.header)
+        columns = preview.mapping.columns((*ROLES, *AFTER, *WORDS)) if preview.mapping else {}
+        roles = [IGNORE] * len(preview.titles)
+        for role, column in columns.items():
+            roles[column] = role
+        self.preview.show_table(preview.titles, preview.cells, roles)
+        # The boxes are made late; without this the keyboard would reach them last.
+        chain = [self.header_check, *self.preview.head.boxes, self.preview, self.thinning_box]
+        for before, after in pairwise(chain):
+            self.setTabOrder(before, after)
+
+    def _show(self, prepared: Prepared) -> None:
+        self._prepared = prepared
+        if prepared.tolerance:
+            self._tolerance = prepared.tolerance
+            self.tolerance_edit.show_text(rounded_text(prepared.tolerance, decimal_mark()).replace("−", "-"))
+        self._complain(prepared.problem)
+        self.preview.mark(prepared.bad_row, prepared.bad_column, prepared.bad_cells)
+        self.summary.setText(_summary(prepared))
+        self.ok.setEnabled(prepared.document is not None)
+        self.ok.setToolTip(prepared.problem or "Make curves of the rows")
+
+    def _fail(self, problem: Exception) -> None:
+        self._complain(str(problem))
+        raise problem
+
+    def _complain(self, text: str) -> None:
+        self.problem.setStyleSheet(f"color: {theme_of(self.palette()).warning.name()}")
+        self.problem.setText(f"⚠ {text}" if text else "")
+        self.problem.setVisible(bool(text))
+
+    def _show_share(self, share: float, word: str) -> None:
+        self.summary.setText(f"{word}…")
+        self.bar.setValue(max(self.bar.value(), round(1000 * share)))
+
+    def done(self, result: int) -> None:
+        """Close; what is being computed is dropped."""
+        self.jobs.close()
+        super().done(result)
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        if not enters_number(self, event):
+            super().keyPressEvent(event)
+
+    def closeEvent(self, event: QCloseEvent) -> None:
+        self.jobs.close()
+        super().closeEvent(event)
+
+
+def _distance(text: str) -> float | None:
+    """Return the distance that was typed; None for nothing, which leaves it to the program."""
+    if not text.strip():
+        return None
+    value = parse_number(text, decimal_mark())
+    if not value > 0:
+        raise ExpressionError("The distance must be greater than 0.")
+    return value
+
+
+def _summary(prepared: Prepared) -> str:
+    if prepared.document is None:
+        return f"{prepared.rows:,} rows" if prepared.rows else ""
+    count = len(prepared.document.curves)
+    result = f"{prepared.rows:,} rows → {count_of(prepared.points, 'point')}"
+    result += f" in {count} curves" if count > 1 else ""
+    if prepared.tolerance:
+        result += f", at most {prepared.deviation:.2g} from the rows"
+    return result
+
+
+def _check(name: str, text: str, tip: str) -> QCheckBox:
+    check = QCheckBox(text)
+    check.setObjectName(name)
+    check.setToolTip(tip)
+    return check
+
+
+def _row(*parts: QWidget | str) -> QHBoxLayout:
+    row = QHBoxLayout()
+    row.setSpacing(8)
+    for part in parts:
+        row.addWidget(QLabel(part) if isinstance(part, str) else part)
+    row.addStretch(1)
+    return row

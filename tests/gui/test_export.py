@@ -1,0 +1,239 @@
+"""What goes out: the dialog with its options, files, the clipboard; with real events."""
+
+from __future__ import annotations
+
+import csv
+import time
+from xml.etree import ElementTree
+
+import numpy as np
+import pytest
+from PySide6.QtCore import QPoint, Qt
+from PySide6.QtGui import QGuiApplication, QImage
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QDialog, QFileDialog, QPushButton
+
+from app.document.model import Family
+from app.exchange.choice import FORMATS, ExportChoice, choice_from, text_of
+from app.preferences import Preferences
+from app.testing import Editor
+
+SVG = "{http://www.w3.org/2000/svg}"
+
+
+@pytest.fixture
+def dialog(editor):
+    editor.trigger("exportPicture")
+    found = editor.window.findChild(QDialog, "exportDialog")
+    yield settled(editor, found)
+    if editor.window.findChild(QDialog, "exportDialog") is not None:
+        found.close()
+
+
+def settled(editor, dialog):
+    deadline = time.monotonic() + 20
+    while dialog.jobs.is_busy or dialog._soon.isActive():
+        assert time.monotonic() < deadline
+        QTest.qWait(5)
+    editor.settle()
+    return dialog
+
+
+def choose(box, text):
+    box.setFocus()
+    QTest.keyClick(box, Qt.Key.Key_Home)
+    for _ in range([box.itemText(i) for i in range(box.count())].index(text)):
+        QTest.keyClick(box, Qt.Key.Key_Down)
+
+
+def choose_format(dialog, ending):
+    choose(dialog.form.format_box, FORMATS[ending])
+
+
+def click(widget):
+    """Click where the sign of a check box is."""
+    QTest.mouseClick(widget, Qt.MouseButton.LeftButton, pos=QPoint(8, widget.height() // 2))
+
+
+def export(editor, dialog, path, monkeypatch):
+    monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *_: (str(path), ""))
+    QTest.mouseClick(dialog.findChild(QPushButton, "exportFile"), Qt.MouseButton.LeftButton)
+    editor.wait_for_work()
+    return path
+
+
+def looks(dialog):
+    return dialog.picture.pixmap().toImage()
+
+
+def test_a_png_as_it_was_chosen(editor, dialog, tmp_path, monkeypatch):
+    plain = looks(dialog)
+    assert dialog.size_label.text().startswith("1600 × ")
+    dialog.form.width_box.lineEdit().selectAll()
+    QTest.keyClicks(dialog.form.width_box, "500")
+    QTest.keyClick(dialog.form.width_box, Qt.Key.Key_Tab)
+    choose(dialog.form.scale_box, "× 2 (192 dpi)")
+    click(dialog.form.transparent)
+    for check in dialog.form.shown.values():
+        click(check)
+    settled(editor, dialog)
+    assert dialog.size_label.text().startswith("1000 × ")
+    assert looks(dialog) != plain
+    image = QImage(str(export(editor, dialog, tmp_path / "a.png", monkeypatch)))
+    assert image.width() == 1000
+    assert image.pixelColor(0, 0).alpha() == 0
+    assert "Wrote a.png" in editor.status
+
+
+def test_the_options_of_a_format_alone_are_shown(dialog):
+    form = dialog.form
+    for ending, shown in ((".png", True), (".csv", False), (".py", False), (".svg", False)):
+        choose_format(dialog, ending)
+        assert form.width_box.isVisible() is shown
+        assert form.samples_box.isVisible() is (ending == ".csv")
+        assert form.tolerance_edit.isVisible() is (ending == ".svg")
+        assert dialog.look.isVisible() is (ending in (".png", ".svg"))
+    choose_format(dialog, ".dxf")
+    assert form.shown["points"].isVisible()
+    assert not form.shown["grid"].isVisible()
+
+
+def test_a_table_as_it_was_chosen(editor, dialog, tmp_path, monkeypatch):
+    choose_format(dialog, ".csv")
+    choose(dialog.form.spacing_box, "equal arc lengths")
+    dialog.form.samples_box.lineEdit().selectAll()
+    QTest.keyClicks(dialog.form.samples_box, "11")
+    QTest.keyClick(dialog.form.samples_box, Qt.Key.Key_Tab)
+    for title, check in dialog.form.columns.items():
+        if title not in ("x", "y", "length"):
+            click(check)
+    path = export(editor, dialog, tmp_path / "a", monkeypatch)
+    with path.with_suffix(".csv").open(encoding="utf-8") as file:
+        rows = list(csv.reader(file))
+    assert rows[0] == ["x", "y", "length"]
+    assert len(rows) == 12
+    steps = np.diff([float(row[2]) for row in rows[1:]])
+    assert np.ptp(steps) < 1e-4 * steps.mean()
+
+
+def test_a_table_needs_a_column(dialog):
+    choose_format(dialog, ".csv")
+    for check in dialog.form.columns.values():
+        click(check)
+    assert dialog.problem.text() == "⚠ A table needs at least one column."
+    assert not dialog.ok.isEnabled()
+    click(dialog.form.columns["t"])
+    assert dialog.ok.isEnabled()
+
+
+def test_a_tolerance_is_kept(editor, dialog, tmp_path, monkeypatch):
+    editor.choose_family(Family.LAGRANGE)
+    choose_format(dialog, ".svg")
+    edit = dialog.form.tolerance_edit
+    edit.setFocus()
+    edit.selectAll()
+    QTest.keyClicks(edit, "wide")
+    QTest.keyClick(edit, Qt.Key.Key_Return)
+    assert dialog.isVisible()
+    edit.selectAll()
+    QTest.keyClicks(edit, "0.5")
+    QTest.keyClick(edit, Qt.Key.Key_Return)
+    assert dialog.isVisible(), "Enter enters the number"
+    text = export(editor, dialog, tmp_path / "a.svg", monkeypatch).read_text(encoding="utf-8")
+    assert "(tolerance 0.5)" in text
+
+
+def test_what_was_chosen_is_remembered(qtbot, tmp_path, monkeypatch):
+    store = tmp_path / "preferences.ini"
+    first = Editor(qtbot, preferences=Preferences(store))
+    first.trigger("exportPicture")
+    dialog = first.window.findChild(QDialog, "exportDialog")
+    choose_format(dialog, ".pdf")
+    click(dialog.form.shown["grid"])
+    export(first, settled(first, dialog), tmp_path / "a.pdf", monkeypatch)
+    second = Editor(qtbot, preferences=Preferences(store))
+    second.trigger("exportPicture")
+    dialog = settled(second, second.window.findChild(QDialog, "exportDialog"))
+    assert dialog.form.choice() == ExportChoice(ending=".pdf", grid=True)
+    dialog.close()
+
+
+@pytest.mark.parametrize(
+    "text", ["", "{", "[]", '{"ending": ".exe"}', '{"width": 0}', '{"columns": []}', "\ud800"]
+)
+def test_what_was_remembered_wrongly_counts_as_nothing(text):
+    assert choice_from(text) == ExportChoice()
+    other = ExportChoice(ending=".csv", samples=5, columns=("x",))
+    assert choice_from(text_of(other)) == other
+
+
+def test_cancelling_writes_and_remembers_nothing(editor, dialog, monkeypatch):
+    choose_format(dialog, ".pdf")
+    monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *_: pytest.fail("asked for a file"))
+    QTest.keyClick(dialog, Qt.Key.Key_Escape)
+    editor.settle()
+    assert editor.window.preferences.export_choice == ""
+
+
+def test_no_file_is_written_without_a_name(editor, dialog, monkeypatch):
+    monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *_: ("", ""))
+    QTest.mouseClick(dialog.findChild(QPushButton, "exportFile"), Qt.MouseButton.LeftButton)
+    assert not editor.window.jobs.is_busy
+
+
+def test_the_look_follows_the_document(editor, dialog):
+    before = looks(dialog)
+    editor.drag_point(0, to=(editor.point(0)[0] - 1, editor.point(0)[1] - 2))
+    settled(editor, dialog)
+    assert looks(dialog) != before
+
+
+def test_without_a_curve_the_dialog_says_so(editor):
+    editor.new()
+    editor.trigger("exportPicture")
+    dialog = settled(editor, editor.window.findChild(QDialog, "exportDialog"))
+    assert "nothing to draw" in dialog.problem.text()
+    assert not dialog.ok.isEnabled()
+    dialog.close()
+
+
+def test_the_key_opens_it(editor):
+    QTest.keyClick(editor.window, Qt.Key.Key_E, Qt.KeyboardModifier.ControlModifier)
+    dialog = settled(editor, editor.window.findChild(QDialog, "exportDialog"))
+    assert dialog.isVisible()
+    editor.trigger("exportPicture")
+    assert len(editor.window.findChildren(QDialog, "exportDialog")) == 1
+    dialog.close()
+
+
+# The clipboard
+
+
+def test_the_curves_are_copied_as_pictures(editor):
+    editor.window.canvas.setFocus()
+    keys = Qt.KeyboardModifier.ControlModifier | Qt.KeyboardModifier.ShiftModifier
+    QTest.keyClick(editor.window.canvas, Qt.Key.Key_C, keys)
+    editor.wait_for_work()
+    data = QGuiApplication.clipboard().mimeData()
+    image = QImage.fromData(data.data("image/png"))
+    assert image.width() == 1600
+    assert image.pixelColor(0, 0).alpha() == 0
+    root = ElementTree.fromstring(bytes(data.data("image/svg+xml").data()))
+    assert len(list(root.iter(f"{SVG}path"))) == 1
+    assert data.hasImage()
+    assert "Copied the curves as an image" in editor.status
+
+
+def test_the_path_data_are_copied(editor):
+    editor.choose_family(Family.HERMITE)
+    editor.trigger("copyPathData")
+    editor.wait_for_work()
+    text = QGuiApplication.clipboard().text()
+    assert text.startswith("M ")
+    assert text.count("C ") == len(editor.curve.nodes) - 1
+
+
+def test_there_is_nothing_to_copy_without_a_curve(editor):
+    editor.new()
+    for name in ("copyImage", "copyPathData"):
+        assert not editor.action(name).isEnabled()

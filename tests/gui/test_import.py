@@ -1,0 +1,455 @@
+"""Files of other formats in, with real events: tables, drawings, and what is stopped half way."""
+
+from __future__ import annotations
+
+import gc
+import math
+import time
+
+import numpy as np
+import pytest
+from PySide6.QtCore import QElapsedTimer, QMimeData, QPoint, QPointF, Qt, QTimer, QUrl
+from PySide6.QtGui import QDragEnterEvent, QDropEvent
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import (
+    QAbstractButton,
+    QAbstractItemView,
+    QApplication,
+    QComboBox,
+    QDialog,
+    QFileDialog,
+    QPushButton,
+    QSpinBox,
+)
+
+from app.document.model import Document, Family, make_curve
+from app.document.storage import save
+from app.exchange import Options, export
+from app.panels.field_edit import FieldEdit
+from app.view_model.curve_view import view_of
+
+SVG = (
+    '<svg xmlns="http://www.w3.org/2000/svg"><text>hi</text>'
+    '<path id="a" stroke="#d55e00" d="M0 0C1 1 2 1 3 0"/><path id="b" d="M0 5H9"/></svg>'
+)
+
+
+def write(path, text):
+    path.write_text(text, encoding="utf-8")
+    return path
+
+
+def spiral(path, rows):
+    t = np.linspace(0, 20, rows)
+    lines = map("{:.6f},{:.6f},{:.6f}".format, t.tolist(), (t * np.cos(t)).tolist(), np.sin(2 * t).tolist())
+    return write(path, "t,x,y\n" + "\n".join(lines) + "\n")
+
+
+def dialog_of(editor, name):
+    return editor.window.findChild(QDialog, name)
+
+
+def opened(editor, path, name="importTableDialog"):
+    """The dialog of an import, when nothing is going on any more."""
+    editor.window.import_file(path)
+    editor.wait_for_work()
+    dialog = dialog_of(editor, name)
+    assert dialog is not None, editor.message
+    if name == "importTableDialog":
+        settle(editor, dialog)
+    return dialog
+
+
+def settle(editor, dialog, seconds=30):
+    deadline = time.monotonic() + seconds
+    while dialog.jobs.is_busy or dialog._soon.isActive():
+        assert time.monotonic() < deadline
+        QTest.qWait(5)
+    editor.settle()
+
+
+def choose(box, text):
+    """Choose an item with the keyboard."""
+    box.setFocus()
+    QTest.keyClick(box, Qt.Key.Key_Home)
+    for _ in range([box.itemText(i) for i in range(box.count())].index(text)):
+        QTest.keyClick(box, Qt.Key.Key_Down)
+
+
+def press(dialog, name):
+    QTest.mouseClick(dialog.findChild(QPushButton, name), Qt.MouseButton.LeftButton)
+
+
+def test_a_table_comes_in_as_one_step(editor, tmp_path):
+    before = editor.session.document
+    dialog = opened(editor, write(tmp_path / "pond.csv", "x;y\n0,5;1\n2;3,25\n4;0\n"))
+    assert dialog.preview.head.roles == ("x", "y")
+    assert dialog.summary.text() == "3 rows → 3 points"
+    assert dialog.comma_check.isChecked()
+    press(dialog, "importTable")
+    editor.settle()
+    curve = editor.curve
+    assert (curve.name, curve.family) == ("pond", Family.HERMITE)
+    assert [node.position for node in curve.nodes] == [(0.5, 1), (2, 3.25), (4, 0)]
+    assert len(editor.session.document.curves) == len(before.curves) + 1
+    assert editor.status == "Imported pond.csv: 1 curve, 3 points, exact."
+    assert editor.window.canvas.shows_all_points
+    assert editor.session.undo_stack.undoText() == "Import pond.csv"
+    editor.trigger("undo")
+    assert editor.session.document == before
+    assert dialog_of(editor, "importTableDialog") is None
+
+
+def test_into_an_empty_document_it_takes_the_place_of_the_empty_curve(editor, tmp_path):
+    editor.new()
+    press(opened(editor, write(tmp_path / "a.tsv", "x\ty\n0\t0\n1\t1\n")), "importTable")
+    assert [curve.name for curve in editor.session.document.curves] == ["a"]
+
+
+def test_as_a_new_document(editor, tmp_path):
+    dialog = opened(editor, write(tmp_path / "a.txt", "0 0\n1 1\n2 4\n"))
+    choose(dialog.into, "A new document")
+    press(dialog, "importTable")
+    editor.settle()
+    assert [curve.name for curve in editor.session.document.curves] == ["a"]
+    assert editor.session.path is None
+    assert editor.session.is_modified
+
+
+def test_with_the_keyboard_alone(editor, tmp_path, monkeypatch):
+    path = write(tmp_path / "a.csv", "1,2\n3,4\n5,9\n")
+    monkeypatch.setattr(QFileDialog, "getOpenFileName", lambda *_: (str(path), ""))
+    QTest.keyClick(editor.window, Qt.Key.Key_I, Qt.KeyboardModifier.ControlModifier)
+    editor.wait_for_work()
+    dialog = dialog_of(editor, "importTableDialog")
+    settle(editor, dialog)
+    choose(dialog.preview.head.boxes[0], "y")
+    assert dialog.preview.head.roles == ("y", "ignore"), "a role is given away"
+    assert dialog.problem.text() == "⚠ Say which columns are x and y."
+    assert not dialog.ok.isEnabled()
+    choose(dialog.preview.head.boxes[1], "x")
+    settle(editor, dialog)
+    QTest.keyClick(dialog, Qt.Key.Key_Return)
+    assert [node.position for node in editor.curve.nodes] == [(2, 1), (4, 3), (9, 5)]
+
+
+def test_tab_walks_through_the_dialog_in_reading_order(editor, tmp_path):
+    dialog = opened(editor, write(tmp_path / "a.csv", "1,2\n3,4\n"))
+    dialog.header_check.setFocus()
+    walked = []
+    for _ in range(4):
+        QTest.keyClick(QApplication.focusWidget(), Qt.Key.Key_Tab)
+        walked.append(QApplication.focusWidget().objectName())
+    assert walked == ["columnRole0", "columnRole1", "tablePreview", "tableThinning"]
+    dialog.close()
+
+
+@pytest.mark.parametrize("name", ["importTableDialog", "importDrawingDialog", "exportDialog"])
+def test_everything_to_press_or_type_into_has_a_name_and_a_tip(editor, tmp_path, name):
+    if name == "exportDialog":
+        editor.trigger("exportPicture")
+        dialog = dialog_of(editor, name)
+    else:
+        content = SVG if name == "importDrawingDialog" else "1,2\n3,4\n"
+        dialog = opened(editor, write(tmp_path / ("a.svg" if content == SVG else "a.csv"), content), name)
+    found = [
+        each
+        for kind in (QAbstractButton, QComboBox, FieldEdit, QSpinBox)
+        for each in dialog.findChildren(kind)
+    ]
+    # Parts of Qt's own widgets have no names.
+    own = [each for each in found if not isinstance(each.parent(), QAbstractItemView)]
+    assert len(own) > 2
+    for each in own:
+        assert each.objectName(), each
+        assert each.toolTip(), each.objectName()
+        assert each.accessibleName() or each.text(), each.objectName()
+    dialog.close()
+
+
+def test_escape_leaves_everything_as_it_was(editor, tmp_path):
+    before, steps = editor.session.document, editor.session.undo_stack.count()
+    dialog = opened(editor, write(tmp_path / "a.csv", "1,2\n3,4\n"))
+    QTest.keyClick(dialog, Qt.Key.Key_Escape)
+    editor.settle()
+    assert editor.session.document is before
+    assert editor.session.undo_stack.count() == steps
+    assert dialog_of(editor, "importTableDialog") is None
+
+
+def test_a_bad_row_is_shown_where_it_stands(editor, tmp_path):
+    lines = [f"{i},{i * i}" for i in range(300)]
+    lines[150] = "150,=cmd"
+    dialog = opened(editor, write(tmp_path / "a.csv", "x,y\n" + "\n".join(lines)))
+    assert dialog.problem.text() == "⚠ Row 152, column 2: “=cmd” is a formula; only numbers are read."
+    assert not dialog.ok.isEnabled()
+    table = dialog.preview
+    last = table.rowCount() - 1
+    assert table.verticalHeaderItem(last).text() == "line 152"
+    assert table.item(last, 1).text() == "=cmd"
+    assert table.item(last, 1).background().color() != table.item(last, 0).background().color()
+    QTest.keyClick(dialog, Qt.Key.Key_Return)
+    assert dialog.isVisible(), "there is nothing to import"
+    dialog.close()
+
+
+def test_a_lagrange_curve_through_thousands_of_rows_is_refused(editor, tmp_path):
+    dialog = opened(editor, spiral(tmp_path / "spiral.csv", 900))
+    choose(dialog.family_box, "Lagrange")
+    settle(editor, dialog)
+    assert dialog.problem.text().startswith("⚠ A Lagrange curve can take 500 rows, not 900; choose Hermite")
+    assert not dialog.ok.isEnabled()
+    dialog.close()
+
+
+def test_another_separator_is_read_anew(editor, tmp_path):
+    dialog = opened(editor, write(tmp_path / "a.csv", "1,5\n2,5\n3,75\n"))
+    assert dialog.preview.columnCount() == 2
+    choose(dialog.separator_box, "Blanks")
+    dialog.separator_box.activated.emit(3)
+    settle(editor, dialog)
+    assert dialog.preview.columnCount() == 1
+    assert not dialog.ok.isEnabled()
+    dialog.close()
+
+
+def test_many_rows_are_thinned_out_unless_the_person_wants_them_all(editor, tmp_path):
+    dialog = opened(editor, spiral(tmp_path / "spiral.csv", 5000))
+    assert dialog.thinning_box.currentText() == "Fit a curve within"
+    fitted = dialog._prepared
+    assert fitted.points < 200
+    assert fitted.deviation <= fitted.tolerance == pytest.approx(0.03, rel=0.5)
+    assert f"5,000 rows → {fitted.points} points" in dialog.summary.text()
+    edit = dialog.tolerance_edit
+    edit.setFocus()
+    edit.selectAll()
+    QTest.keyClicks(edit, "0.001")
+    settle(editor, dialog)
+    assert dialog._prepared.points > fitted.points
+    assert dialog._prepared.tolerance == 0.001
+    choose(dialog.thinning_box, "Keep corners within")
+    settle(editor, dialog)
+    choose(dialog.thinning_box, "Keep every row")
+    settle(editor, dialog)
+    assert dialog._prepared.points == 5000
+    assert not dialog.tolerance_edit.isEnabled()
+    dialog.close()
+
+
+@pytest.mark.parametrize("typed", ["0", "-1", "wide", "9**9**9"])
+def test_a_distance_that_is_none_is_explained(editor, tmp_path, typed):
+    dialog = opened(editor, spiral(tmp_path / "spiral.csv", 1500))
+    edit = dialog.tolerance_edit
+    edit.setFocus()
+    edit.selectAll()
+    QTest.keyClicks(edit, typed)
+    QTest.keyClick(edit, Qt.Key.Key_Return)
+    settle(editor, dialog)
+    assert dialog.isVisible()
+    assert dialog.problem.text()
+    assert not dialog.ok.isEnabled()
+    dialog.close()
+
+
+def test_a_table_of_several_curves(editor, tmp_path):
+    curves = (make_curve([(0, 0), (1, 2), (2, 0)], name="One"), make_curve([(5, 5), (6, 7)], name="Two"))
+    export(Document(curves), tmp_path / "all.points.csv")
+    dialog = opened(editor, tmp_path / "all.points.csv")
+    assert dialog.preview.head.roles == ("curve", "family", "t", "x", "y")
+    assert dialog.summary.text() == "5 rows → 5 points in 2 curves"
+    press(dialog, "importTable")
+    assert [curve.name for curve in editor.session.document.curves[-2:]] == ["One", "Two"]
+    assert editor.session.active_index == len(editor.session.document.curves) - 2
+
+
+def test_a_drawing_says_what_it_holds_and_what_it_lost(editor, tmp_path):
+    dialog = opened(editor, write(tmp_path / "a.svg", SVG), "importDrawingDialog")
+    assert dialog.summary.text() == "2 curves with 4 points, exact."
+    assert dialog.remarks.text() == "<text> is not read."
+    QTest.keyClick(dialog, Qt.Key.Key_Return)
+    editor.settle()
+    first, second = editor.session.document.curves[-2:]
+    assert (first.name, first.colour, second.name) == ("a", "#d55e00", "b")
+    assert "Imported a.svg: 2 curves, 4 points, exact." in editor.status
+    editor.trigger("undo")
+    assert len(editor.session.document.curves) == 1
+
+
+def test_our_own_svg_comes_back_as_the_same_curves(editor, tmp_path):
+    editor.window.export_file(tmp_path / "out.svg")
+    editor.wait_for_work()
+    press(opened(editor, tmp_path / "out.svg", "importDrawingDialog"), "importDrawing")
+    original, copy = (view_of(curve).curve for curve in editor.session.document.curves)
+    size = np.ptp(original.points, axis=0).max()
+    ends = [curve.evaluate(np.array(curve.domain)) for curve in (original, copy)]
+    assert np.abs(ends[0] - ends[1]).max() < 1e-5 * size
+
+
+def test_another_document_comes_in_too(editor, tmp_path):
+    save(tmp_path / "other.curve.json", Document((make_curve([(0, 0), (1, 1)], name="Guest"),)))
+    dialog = opened(editor, tmp_path / "other.curve.json", "importDrawingDialog")
+    press(dialog, "importDrawing")
+    assert [curve.name for curve in editor.session.document.curves][-1] == "Guest"
+    assert editor.session.path is None
+
+
+@pytest.mark.parametrize(
+    ("name", "content", "reason"),
+    [
+        ("a.svg", "<!DOCTYPE svg [<!ENTITY a 'b'>]><svg/>", "declares a DTD"),
+        ("a.dxf", "  0\nSECTION\n", "cut off"),
+        ("a.csv", "", "The file is empty"),
+        ("a.json", "{", "“a.json” cannot be read: it is not JSON; the file ends too early."),
+        ("a.gif", "GIF89a", "does not end in a known format"),
+    ],
+)
+def test_what_cannot_be_read_is_explained(editor, tmp_path, name, content, reason):
+    before = editor.session.document
+    editor.window.import_file(write(tmp_path / name, content))
+    editor.wait_for_work()
+    assert editor.message.count(name) == 1
+    assert reason in editor.message
+    assert editor.session.document is before
+
+
+def test_a_file_that_is_not_there(editor, tmp_path):
+    editor.window.import_file(tmp_path / "gone.csv")
+    editor.wait_for_work()
+    assert "gone.csv" in editor.message
+
+
+@pytest.mark.parametrize("name", ["a.svg", "a.csv"])
+def test_dropping_a_file_imports_it(editor, tmp_path, name):
+    path = write(tmp_path / name, SVG if name == "a.svg" else "1,2\n3,4\n")
+    data = QMimeData()
+    data.setUrls([QUrl.fromLocalFile(str(path))])
+    action, keys = Qt.DropAction.CopyAction, Qt.KeyboardModifier.NoModifier
+    left = Qt.MouseButton.LeftButton
+    QApplication.sendEvent(editor.window, QDragEnterEvent(QPoint(9, 9), action, data, left, keys))
+    QApplication.sendEvent(editor.window, QDropEvent(QPointF(9, 9), action, data, left, keys))
+    editor.wait_for_work()
+    dialog = dialog_of(editor, "importDrawingDialog" if name == "a.svg" else "importTableDialog")
+    assert dialog.isVisible()
+    dialog.close()
+
+
+# What takes long
+
+
+@pytest.fixture
+def busy(tmp_path):
+    """A drawing that takes seconds to read."""
+    return write(
+        tmp_path / "busy.svg",
+        '<svg xmlns="http://www.w3.org/2000/svg"><path d="M0 0' + "C1 1 2 2 3 3" * 80_000 + '"/></svg>',
+    )
+
+
+def shown_bar(editor):
+    deadline = time.monotonic() + 10
+    while (bar := editor.window.findChild(object, "jobBar")) is None or not bar.isVisible():
+        assert time.monotonic() < deadline
+        QTest.qWait(5)
+    return bar
+
+
+def until_collected():
+    """Wait until work that was taken back has noticed: only then is garbage collected again."""
+    deadline = time.monotonic() + 20
+    while not gc.isenabled():
+        assert time.monotonic() < deadline
+        QTest.qWait(10)
+
+
+def test_long_work_shows_how_far_it_is_and_can_be_stopped(editor, busy):
+    before = editor.session.document
+    editor.window.import_file(busy)
+    assert editor.window.jobs.is_busy
+    bar = shown_bar(editor)
+    assert bar.text == "Reading busy.svg"
+    deadline = time.monotonic() + 10
+    while bar.bar.value() == 0:
+        assert time.monotonic() < deadline
+        QTest.qWait(5)
+    # Meanwhile the window works on.
+    editor.select_point(0)
+    assert editor.session.selected == 0
+    QTest.mouseClick(bar.button, Qt.MouseButton.LeftButton)
+    assert not editor.window.jobs.is_busy
+    assert not bar.isVisible()
+    assert editor.status == "Reading busy.svg was stopped; nothing has changed."
+    assert editor.session.document is before
+    assert not editor.action("cancelWork").isEnabled()
+
+
+def test_one_thing_at_a_time(editor, busy, tmp_path):
+    editor.window.import_file(busy)
+    editor.window.import_file(tmp_path / "other.csv")
+    assert editor.status == "Reading busy.svg is still going on; stop it first."
+    shown_bar(editor)
+    QTest.keyClick(editor.window, Qt.Key.Key_Period, Qt.KeyboardModifier.ControlModifier)
+    assert not editor.window.jobs.is_busy
+    # And the next begins at once.
+    write(tmp_path / "other.csv", "1,2\n3,4\n")
+    opened(editor, tmp_path / "other.csv").close()
+
+
+def test_an_export_that_is_stopped_leaves_the_old_file(editor, tmp_path):
+    old = write(tmp_path / "out.csv", "mine")
+    editor.window._commands.exchange.export(old, Options(samples=100_000))
+    assert editor.window.jobs.is_busy
+    shown_bar(editor)
+    editor.trigger("cancelWork")
+    assert not editor.window.jobs.is_busy
+    assert "nothing has changed" in editor.status
+    until_collected()
+    assert old.read_text(encoding="utf-8") == "mine"
+    assert [each.name for each in tmp_path.iterdir()] == ["out.csv"]
+
+
+def test_closing_the_window_drops_the_work(editor, busy):
+    editor.window.import_file(busy)
+    shown_bar(editor)
+    editor.session.undo_stack.setClean()
+    began = time.monotonic()
+    assert editor.window.close()
+    assert time.monotonic() - began < 3
+    assert not editor.window.jobs.is_busy
+
+
+def test_closing_the_dialog_of_a_table_drops_the_work(editor, tmp_path):
+    editor.window.import_file(spiral(tmp_path / "spiral.csv", 200_000))
+    editor.wait_for_work()
+    dialog = dialog_of(editor, "importTableDialog")
+    assert dialog.jobs.is_busy
+    assert not dialog.ok.isEnabled()
+    QTest.keyClick(dialog, Qt.Key.Key_Escape)
+    editor.settle()
+    assert dialog_of(editor, "importTableDialog") is None
+    assert len(editor.session.document.curves) == 1
+
+
+def test_a_million_rows_never_block_the_window(editor, tmp_path, record_property):
+    """The longest time in which the window could not have answered; the bound is for busy machines."""
+    path = spiral(tmp_path / "million.csv", 1_000_000)
+    clock, gaps = QElapsedTimer(), []
+    timer = QTimer(interval=1, timerType=Qt.TimerType.PreciseTimer)
+    timer.timeout.connect(lambda: gaps.append(clock.restart()))
+    clock.start()
+    timer.start()
+    editor.window.import_file(path)
+    editor.wait_for_work()
+    dialog = dialog_of(editor, "importTableDialog")
+    settle(editor, dialog, 60)
+    prepared = dialog._prepared
+    assert prepared.rows == 1_000_000
+    press(dialog, "importTable")
+    editor.settle()
+    timer.stop()
+    record_property("longest gap in ms", max(gaps))
+    print(
+        f"longest gap {max(gaps)} ms, 99th percentile {np.percentile(gaps, 99)} ms, {prepared.points} points"
+    )
+    assert len(editor.curve.nodes) == prepared.points < 1000
+    assert max(gaps) < 400
+    assert math.isfinite(prepared.deviation)
