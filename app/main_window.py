@@ -418,6 +418,7 @@ class MainWindow(QMainWindow):
         if not self._files.may_discard():
             event.ignore()
             return
+        self._commands.end()
         self._remember_layout()
         for dialog in self.findChildren(QDialog):
             dialog.close()

@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from typing import TYPE_CHECKING
 
 import msgspec
 import numpy as np
-from PySide6.QtCore import QPointF
+from PySide6.QtCore import QPointF, Signal
 from PySide6.QtGui import QImage
 from PySide6.QtWidgets import QWidget
 
@@ -22,9 +23,14 @@ from app.document.model import Curve, ReferenceImage, Vector
 from app.plot.plot_widget import PlotWidget
 from app.theme import LIGHT, Theme
 from app.view_model.analysis.figures import Figure
+from app.view_model.analysis.ghosts import GhostView
+from app.view_model.analysis.legend import LegendRow
 from app.view_model.basis_view import weights_at
 from app.view_model.curve_view import CurveView, Floats
 from app.view_model.handles import Handle
+
+if TYPE_CHECKING:
+    from app.canvas.legend import Legend
 
 _FIT_MARGIN = 0.12
 
@@ -33,7 +39,16 @@ _REVEAL_MARGIN = 40.0
 
 
 class CanvasView(PlotWidget):
-    """Draws the document; equal aspect."""
+    """Draws the document; equal aspect.
+
+    Signals
+    -------
+    ghost_chosen, ghost_hidden
+        A variant of the curve shall become the curve, or go away; said in the legend.
+    """
+
+    ghost_chosen = Signal(object)
+    ghost_hidden = Signal(object)
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -50,6 +65,7 @@ class CanvasView(PlotWidget):
         self._units = UnitLayer(self, LIGHT)
         self._other_curves = OtherCurvesLayer(self, LIGHT)
         self._figures = FigureLayer(self, LIGHT, z=-0.5)
+        self.legend: Legend | None = None
         self._curve_layer = CurveLayer(self, LIGHT)
         self._point_layer = PointLayer(self, LIGHT)
         self._corner_layer = CornerLayer(self, LIGHT)
@@ -82,14 +98,33 @@ class CanvasView(PlotWidget):
         self._views = views
         self._other_curves.render(views, active)
 
-    def render_figures(self, figures: Sequence[Figure]) -> None:
-        """Show combs, vectors, bands and the like beside the active curve."""
-        self._figures.render(figures)
+    def render_figures(self, figures: Sequence[Figure], ghosts: Sequence[GhostView] = ()) -> None:
+        """Show combs, vectors, bands and the like beside the active curve, and variants of it."""
+        self._figures.render(figures, ghosts)
 
     @property
     def figures(self) -> Sequence[Figure]:
         """What is shown beside the active curve."""
         return self._figures.figures
+
+    def render_legend(self, rows: Sequence[LegendRow]) -> None:
+        """Explain what is shown beside the active curve; without rows there is no legend."""
+        if self.legend is None:
+            if not rows:
+                return
+            # Built when there is something to explain: nobody waits for it at the start.
+            from app.canvas.legend import Legend  # noqa: PLC0415
+
+            self.legend = Legend(self.viewport(), self._theme)
+            self.legend.set_scale(self._figures.scale)
+            self.legend.chosen.connect(self.ghost_chosen)
+            self.legend.hidden.connect(self.ghost_hidden)
+        self.legend.render_rows(rows)
+
+    @property
+    def ghosts(self) -> Sequence[GhostView]:
+        """The variants of the active curve that are shown."""
+        return self._figures.ghosts
 
     def _show_ghost_of_other_rules(self, view: CurveView) -> None:
         old = self._view
@@ -121,12 +156,16 @@ class CanvasView(PlotWidget):
         for layer in (self._image_layer, self._grid, self._units, self._curve_layer, self._point_layer):
             layer.theme = theme
         self._other_curves.theme = self._corner_layer.theme = self._figures.theme = theme
+        if self.legend is not None:
+            self.legend.set_theme(theme)
         super().set_theme(theme)
 
     def set_scale(self, scale: float) -> None:
         """Enlarge points, lines and numbers, for a projector."""
         self._curve_layer.scale = self._point_layer.scale = scale
         self._other_curves.scale = self._corner_layer.scale = self._figures.scale = scale
+        if self.legend is not None:
+            self.legend.set_scale(scale)
         super().set_scale(scale)
 
     def set_hovered(self, index: int) -> None:

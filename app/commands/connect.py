@@ -30,7 +30,8 @@ class Commands:
         self.snap = SnapCommands(parts)
         self.images = ImageCommands(parts, self.messages)
         curves = CurveCommands(parts)
-        self._live: tuple[LiveSet, ...] = (OverlayCommands(parts),)
+        self._overlays = OverlayCommands(parts)
+        self._live: tuple[LiveSet, ...] = (self._overlays,)
         self._sets: tuple[CommandSet, ...] = (
             *self._live,
             EditCommands(parts),
@@ -65,6 +66,10 @@ class Commands:
         self._parts.files.new()
         if not self._parts.session.active_curve.nodes:
             self._parts.actions["addTool"].trigger()
+
+    def end(self) -> None:
+        """Let what is computed beside the window end; called before the window goes."""
+        self._overlays.end()
 
     def follow(self, view: CurveView) -> None:
         """Show what follows a drag frame by frame."""

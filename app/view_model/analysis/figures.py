@@ -16,19 +16,35 @@ class Style(enum.Enum):
 
     COMB_TEETH = enum.auto()
     COMB_EDGE = enum.auto()
+    VELOCITY = enum.auto()
+    ACCELERATION = enum.auto()
+    CIRCLE = enum.auto()
+    CIRCLE_CENTRE = enum.auto()
+    BEZIER = enum.auto()
+    BEZIER_POINT = enum.auto()
+    POLYGON = enum.auto()
+    TICK = enum.auto()
+    INFLECTION = enum.auto()
+    SHARPEST = enum.auto()
+    FLATTEST = enum.auto()
+    CROSSING = enum.auto()
+    BAND = enum.auto()
+    ENSEMBLE = enum.auto()
 
 
 class Shape(enum.Enum):
     """How the points of a figure belong together."""
 
     LINE = enum.auto()
-    """One polyline."""
+    """A polyline; a row of NaN ends one and begins the next."""
     SEGMENTS = enum.auto()
     """Point 2k and point 2k + 1 are the ends of a segment."""
     ARROWS = enum.auto()
     """As segments, with a head at the second end."""
-    AREA = enum.auto()
-    """A filled polygon."""
+    TICKS = enum.auto()
+    """At point 2k, a short stroke of fixed length in the direction of point 2k + 1."""
+    CELLS = enum.auto()
+    """Points 4k to 4k + 3 are the corners of a quadrilateral; all together are one area."""
     MARKS = enum.auto()
     """Separate marks."""
 
@@ -47,3 +63,9 @@ class Figure:
     shape: Shape
     points: Floats
     label: str = ""
+
+
+def number(value: float) -> str:
+    """Return a number as a label has it: three digits, a real minus."""
+    mantissa, _, exponent = f"{value:.3g}".partition("e")
+    return (f"{mantissa}·10^{int(exponent)}" if exponent else mantissa).replace("-", "−")
