@@ -10,6 +10,7 @@ from PySide6.QtCore import QRectF, Qt
 from PySide6.QtGui import QColor, QFont, QFontMetricsF, QPainter
 
 from app.canvas.curve_layer import TOLERANCE
+from app.plot.area import AreaFill
 from app.plot.dashes import dashed
 from app.plot.drawing import MARGIN, Floats, Segments, Stroke, cut_segments, visible_segments
 from app.plot.looks import GHOST_LOOKS, LOOKS, Look, draw_mark
@@ -37,6 +38,7 @@ class FigureLayer:
         self.scale = 1.0
         self.figures: Sequence[Figure] = ()
         self.ghosts: Sequence[GhostView] = ()
+        self._area = AreaFill()
         self._font = QFont(plot.font())
         self._layer = plot.add_layer(self.paint, z=z)
 
@@ -52,12 +54,26 @@ class FigureLayer:
         for figure in self.figures:
             look = LOOKS[figure.style]
             painter.setPen(look.pen(self.theme, self.scale))
+            if figure.shape is Shape.AREA:
+                self._paint_area(painter, shown, figure, painter.pen().color())
+                continue
             _PAINTERS[figure.shape](painter, _pixels(figure.points, shown), shown, look, self.scale)
         for ghost in self.ghosts:
             self._paint_ghost(painter, shown, ghost)
         for figure in self.figures:
             if figure.label:
                 self._paint_label(painter, shown, figure)
+
+    def _paint_area(self, painter: QPainter, shown: PixelMap, figure: Figure, colour: QColor) -> None:
+        """Fill polygons as one area, so that a translucent one has no seams."""
+        pixels = _pixels(figure.points, shown)
+        is_corner = ~np.isnan(pixels[:, 0])
+        corners = np.clip(pixels[is_corner], -_FAR, _FAR)
+        # A corner before a break is not joined to the next; polygons close themselves when they are filled.
+        connect = np.append(is_corner[1:], False)[is_corner].astype(np.int32)
+        path = pg.arrayToQPath(corners[:, 0], corners[:, 1], connect=connect, finiteCheck=False)
+        path.setFillRule(Qt.FillRule.WindingFill)
+        self._area.fill(painter, path, colour, QRectF(0, 0, shown.width, shown.height))
 
     def _paint_ghost(self, painter: QPainter, shown: PixelMap, ghost: GhostView) -> None:
         if ghost.is_real or not ghost.view.is_current:
@@ -142,20 +158,6 @@ def _directions(ends: Floats) -> tuple[Floats, Floats]:
     return along / np.where(length > 0, length, 1.0)[:, None], length
 
 
-def _cells(painter: QPainter, pixels: Floats, shown: PixelMap, look: Look, scale: float) -> None:
-    """Fill quadrilaterals as one area, so that a translucent one has no seams."""
-    cells = pixels.reshape(-1, 4, 2)
-    low, high = cells.min(axis=1), cells.max(axis=1)
-    near = np.all((high >= -MARGIN) & (low <= (shown.width + MARGIN, shown.height + MARGIN)), axis=1)
-    corners = np.clip(cells[near].reshape(-1, 2), -_FAR, _FAR)
-    if not len(corners):
-        return
-    connect = np.tile(np.array([1, 1, 1, 0], dtype=np.int32), len(corners) // 4)
-    path = pg.arrayToQPath(corners[:, 0], corners[:, 1], connect=connect, finiteCheck=False)
-    path.setFillRule(Qt.FillRule.WindingFill)
-    painter.fillPath(path, painter.pen().color())
-
-
 def _marks(painter: QPainter, pixels: Floats, shown: PixelMap, look: Look, scale: float) -> None:
     near = np.all((pixels >= -MARGIN) & (pixels <= (shown.width + MARGIN, shown.height + MARGIN)), axis=1)
     for x, y in pixels[near].tolist():
@@ -167,6 +169,5 @@ _PAINTERS = {
     Shape.SEGMENTS: _segments,
     Shape.ARROWS: _arrows,
     Shape.TICKS: _ticks,
-    Shape.CELLS: _cells,
     Shape.MARKS: _marks,
 }

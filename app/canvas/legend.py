@@ -43,6 +43,7 @@ class Legend(QFrame):
         self._grid.setContentsMargins(8, 5, 6, 5)
         self._grid.setHorizontalSpacing(7)
         self._grid.setVerticalSpacing(1)
+        self._grid.setColumnStretch(1, 1)
         self.set_theme(theme)
         below.installEventFilter(self)
         self.hide()
@@ -146,7 +147,7 @@ class Legend(QFrame):
         self.setStyleSheet(
             f"#legend {{ background: rgba({paper.red()}, {paper.green()}, {paper.blue()}, 215);"
             f" border: 1px solid {line}; border-radius: 6px }}"
-            "QToolButton { padding: 0 4px; margin: 0 0 0 -4px; border: none; border-radius: 3px }"
+            "QToolButton { padding: 0; border: none; border-radius: 3px; text-align: left }"
             f"QToolButton:hover {{ background: {hover} }}"
         )
         self._rebuild()

@@ -6,20 +6,21 @@ Errors δ of the parameters enter to first order, with their exact worst case ac
 
 from __future__ import annotations
 
+from itertools import pairwise
+
 import numpy as np
 
 from app.view_model.analysis.comb import unit_tangents
 from app.view_model.analysis.figures import Figure, Floats, Shape, Style, number
 from app.view_model.analysis.samples import Samples
 from app.view_model.analysis.scene import Scene
-from app.view_model.curve_view import CoreCurve
 from curvecore import worst_case_band
 
 _MOST = 300
 """Samples of a whole curve; with errors of the parameters half as many, for these cost ten times as much."""
 
-_CORNERS = 12
-"""Quadrilaterals of a disc."""
+_CORNERS = 32
+"""Corners of a disc."""
 
 
 def band(scene: Scene) -> tuple[list[Figure], str]:
@@ -30,20 +31,18 @@ def band(scene: Scene) -> tuple[list[Figure], str]:
         return [], "Both errors are 0: the curve stays where it is."
     most = _MOST if delta == 0.0 else _MOST // 2
     pieces = [_thinned(piece, most) for piece in scene.samples]
-    cells: list[Floats] = []
-    best, best_t, gap = 0.0, float(curve.domain[0]), 0.0
+    polygons: list[Floats] = []
+    best, best_t = 0.0, float(curve.domain[0])
     for piece, core in zip(pieces, scene.view.pieces, strict=True):
         radii = worst_case_band(core, piece.parameters, epsilon, delta).across
-        cells += [_strip(piece, radii), _discs(piece, radii)]
-        place = int(np.argmax(radii))
-        if radii[place] > best:
-            best, best_t = float(radii[place]), float(piece.parameters[place])
-            gap = float(np.diff(piece.parameters).max())
-    best, best_t = _refined(curve, (epsilon, delta), (best, best_t), gap)
+        polygons += _strip(piece, radii)
+        largest, t = _largest(piece.parameters, radii)
+        if largest > best:
+            best, best_t = largest, t
     words = f"Largest half-width {number(best)} at t = {number(best_t)}"
     if delta == 0.0:
         words += f", {number(best / epsilon)} times ε"
-    return [Figure(Style.BAND, Shape.CELLS, np.vstack(cells).reshape(-1, 2))], f"{words}."
+    return [Figure(Style.BAND, Shape.AREA, np.vstack(polygons))], f"{words}."
 
 
 def _thinned(piece: Samples, most: int) -> Samples:
@@ -55,8 +54,8 @@ def _thinned(piece: Samples, most: int) -> Samples:
     return Samples(t[kept], piece.points[kept], piece.velocities[kept], piece.accelerations[kept])
 
 
-def _strip(piece: Samples, radii: Floats) -> Floats:
-    """Return quadrilaterals (k, 4, 2) between the discs that follow each other along the curve."""
+def _strip(piece: Samples, radii: Floats) -> list[Floats]:
+    """Return polygons that cover the discs around the samples and what lies between them."""
     tangents = unit_tangents(piece.velocities)
     normals = np.column_stack([-tangents[:, 1], tangents[:, 0]])
     speed = np.hypot(piece.velocities[:, 0], piece.velocities[:, 1])
@@ -66,36 +65,61 @@ def _strip(piece: Samples, radii: Floats) -> Floats:
     middle = piece.points - (radii * behind)[:, None] * tangents
     half = (radii * np.sqrt(1.0 - behind**2))[:, None] * normals
     left, right = middle + half, middle - half
-    cells = np.stack([left[:-1], right[:-1], right[1:], left[1:]], axis=1)
-    # Sorted around their middle: where a cell is twisted its halves would cancel each other's filling.
+    discs = [0, len(radii) - 1]
+    if (np.abs(behind) == 1.0).any() or (speed == 0).any():
+        rising = np.diff(radii) > 0
+        discs += (np.flatnonzero(rising[:-1] & ~rising[1:]) + 1).tolist()
+    return [*_ribbons(left, right, tangents), *_discs(piece.points[discs], radii[discs])]
+
+
+def _ribbons(left: Floats, right: Floats, tangents: Floats) -> list[Floats]:
+    """Return the quadrilaterals between neighbouring cross-sections, joined where none is twisted.
+
+    One that is twisted, in a bend sharper than the band is wide, would cancel the filling of others.
+    """
+    ahead = tangents[:-1] + tangents[1:]
+    is_plain = np.ones(len(ahead), dtype=bool)
+    for side in (left, right):
+        is_plain &= (np.diff(side, axis=0) * ahead).sum(axis=1) > 0
+    polygons = []
+    cuts = np.flatnonzero(np.diff(is_plain)) + 1
+    for start, end in pairwise([0, *cuts.tolist(), len(is_plain)]):
+        if is_plain[start]:
+            polygons.append(_closed(np.vstack([right[start : end + 1], left[start : end + 1][::-1]])))
+        else:
+            cells = np.stack([right[:-1], right[1:], left[1:], left[:-1]], axis=1)[start:end]
+            polygons += [_closed(cell) for cell in _untwisted(cells)]
+    return polygons
+
+
+def _untwisted(cells: Floats) -> Floats:
+    """Return quadrilaterals (k, 4, 2) with their corners in order around the middle."""
     away = cells - cells.mean(axis=1, keepdims=True)
     order = np.argsort(np.arctan2(away[:, :, 1], away[:, :, 0]), axis=1)
     result: Floats = np.take_along_axis(cells, order[:, :, None], axis=1)
     return result
 
 
-def _discs(piece: Samples, radii: Floats) -> Floats:
-    """Return discs, as quadrilaterals (k, 4, 2), at both ends and where the radius has a local maximum."""
-    rising = np.diff(radii) > 0
-    places = [0, *(np.flatnonzero(rising[:-1] & ~rising[1:]) + 1).tolist(), len(radii) - 1]
-    angle = np.linspace(0.0, 2 * np.pi, 2 * _CORNERS + 1)
+def _discs(centres: Floats, radii: Floats) -> list[Floats]:
+    angle = np.linspace(0.0, 2 * np.pi, _CORNERS, endpoint=False)
     rim = np.column_stack([np.cos(angle), np.sin(angle)])
-    fan = np.stack([np.zeros((_CORNERS, 2)), rim[:-2:2], rim[1:-1:2], rim[2::2]], axis=1)
-    discs = piece.points[places][:, None, None] + radii[places][:, None, None, None] * fan
-    result: Floats = discs.reshape(-1, 4, 2)
-    return result
+    return [_closed(centre + radius * rim) for centre, radius in zip(centres, radii, strict=True)]
 
 
-def _refined(
-    curve: CoreCurve, errors: tuple[float, float], found: tuple[float, float], gap: float
-) -> tuple[float, float]:
-    """Return the largest half-width near the widest sample, and its t."""
-    best, best_t = found
-    for _ in range(3):
-        t = np.clip(best_t + gap * np.linspace(-1.0, 1.0, 9), *curve.domain)
-        radii = worst_case_band(curve, t, *errors).across
-        place = int(np.argmax(radii))
-        if radii[place] > best:
-            best, best_t = float(radii[place]), float(t[place])
-        gap /= 4
+def _closed(polygon: Floats) -> Floats:
+    return np.vstack([polygon, np.full((1, 2), np.nan)])
+
+
+def _largest(t: Floats, radii: Floats) -> tuple[float, float]:
+    """Return the maximum of the parabola through the largest sample and its neighbours, and its t."""
+    place = int(np.argmax(radii))
+    best, best_t = float(radii[place]), float(t[place])
+    if 0 < place < len(t) - 1:
+        before, after = radii[place - 1] - best, radii[place + 1] - best
+        h, k = t[place - 1] - best_t, t[place + 1] - best_t
+        bend = (before / h - after / k) / (h - k)
+        slope = before / h - bend * h
+        if bend < 0:
+            shift = -slope / (2 * bend)
+            return best + float(slope * shift / 2), best_t + float(shift)
     return best, best_t

@@ -43,8 +43,8 @@ class Shape(enum.Enum):
     """As segments, with a head at the second end."""
     TICKS = enum.auto()
     """At point 2k, a short stroke of fixed length in the direction of point 2k + 1."""
-    CELLS = enum.auto()
-    """Points 4k to 4k + 3 are the corners of a quadrilateral; all together are one area."""
+    AREA = enum.auto()
+    """Polygons that turn to the left, each ended by a row of NaN; all together are one area."""
     MARKS = enum.auto()
     """Separate marks."""
 

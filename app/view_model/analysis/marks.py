@@ -39,13 +39,23 @@ def marks(scene: Scene, is_stale: Callable[[], bool]) -> tuple[list[Figure], str
     complete = True
     if scene.size > 0:
         crossings = self_intersections(curve, _TOLERANCE * scene.size)
-        places[Style.CROSSING], complete = crossings.points, crossings.is_complete
+        places[Style.CROSSING] = _distinct(crossings.points, 10 * _TOLERANCE * scene.size)
+        complete = crossings.is_complete
     figures = [
         Figure(style, Shape.MARKS, points.reshape(-1, 2))
         for style, points in places.items()
         if np.size(points)
     ]
     return figures, _words(places, complete=complete)
+
+
+def _distinct(points: Floats, tolerance: float) -> Floats:
+    """Leave out points at the place of an earlier one: of three branches, each two cross there."""
+    kept: list[Floats] = []
+    for point in points:
+        if all(float(np.abs(point - other).max()) > tolerance for other in kept):
+            kept.append(point)
+    return np.array(kept).reshape(-1, 2)
 
 
 def _words(places: dict[Style, Floats], *, complete: bool) -> str:
