@@ -76,12 +76,12 @@ class FigureLayer:
         self._area.fill(painter, path, colour, QRectF(0, 0, shown.width, shown.height))
 
     def _paint_ghost(self, painter: QPainter, shown: PixelMap, ghost: GhostView) -> None:
-        if ghost.is_real or not ghost.view.is_current:
+        if not ghost.is_drawn:
             return
         look = GHOST_LOOKS[ghost.ghost]
         painter.setPen(look.pen(self.theme, self.scale))
-        polyline = ghost.view.flattened(TOLERANCE / max(shown.sx, shown.sy), shown.box)
-        _line(painter, _pixels(polyline.points, shown), shown, look, self.scale)
+        line = ghost.line(TOLERANCE / max(shown.sx, shown.sy), shown.box)
+        _line(painter, _pixels(line, shown), shown, look, self.scale)
 
     def _paint_label(self, painter: QPainter, shown: PixelMap, figure: Figure) -> None:
         """Write beside the last point, on a plate of paper, inside the drawing."""

@@ -90,7 +90,7 @@ class OverlayCommands:
         waits = settles(view, settings)
         self._settle(view, settings, waits)
         live = live_picture(view, settings, self._parts.session.scrub)
-        self._ghosts = ghost_views(view, settings.ghosts, self._ghosts) if view.is_current else {}
+        self._ghosts = self._ghosts_of(view, settings)
         settled = self._settled
         figures = [*settled.figures, *live.figures] if settled is not None else live.figures
         ghosts = list(self._ghosts.values())
@@ -102,6 +102,12 @@ class OverlayCommands:
         notes = {**live.notes, **(settled.notes if settled is not None else {})}
         self._parts.analysis.note({**notes, **dict.fromkeys(busy, "…")}, view.problem)
         self._is_drawn = True
+
+    def _ghosts_of(self, view: CurveView, settings: AnalysisSettings) -> dict[Ghost, GhostView]:
+        if not view.is_current:
+            return {}
+        in_drag = self._parts.session.is_previewing
+        return ghost_views(view, settings.ghosts, self._ghosts, in_drag=in_drag)
 
     def _clear(self) -> None:
         if not self._is_drawn:

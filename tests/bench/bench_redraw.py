@@ -85,6 +85,9 @@ def drag_tick(editor: Editor) -> Times:
 
 NAMES = {Family.LAGRANGE: "Lagrange", Family.HERMITE: "Hermite", Family.QUINTIC_HERMITE: "quintic"}
 
+EXPLAINING = ("overlayComb", "overlayBand")
+"""Actions that switch on what follows a drag beside the curve; the budget is for all of them together."""
+
 EXPLAINING_GHOSTS = {
     Family.LAGRANGE: ("ghostCentripetal", "ghostHermite"),
     Family.HERMITE: ("ghostCentripetal", "ghostQuinticHermite"),
@@ -151,7 +154,7 @@ def test_a_point_dragged_under_all_that_explains_the_curve(open_wave, family, er
     """With comb, band, and two ghosts, one of which has other parameters in every frame."""
     editor = open_wave(20, family, frozen(family))
     editor.window.analysis.change(point_error=errors[0], parameter_error=errors[1])
-    for name in ("overlayComb", "overlayBand", *EXPLAINING_GHOSTS[family]):
+    for name in (*EXPLAINING, *EXPLAINING_GHOSTS[family]):
         editor.trigger(name)
     times = calmest(lambda: drag_point(editor, ["canvas"]))
     assert len(editor.window.canvas.ghosts) == 2

@@ -8,7 +8,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QCheckBox, QToolButton
 
 from app.document.edits import set_position
-from app.document.model import Family, ParametrizationKind
+from app.document.model import Curve, Document, Family, Node, Parametrization, ParametrizationKind
 from app.plot.dashes import dashed
 from app.plot.looks import GHOST_LOOKS
 from app.theme import theme_of
@@ -97,6 +97,26 @@ def test_a_ghost_that_cannot_be_says_so(editor):
     row = editor.window.canvas.legend.rows[1]
     assert (row.text, row.is_muted) == ("Chord length: none", True)
     assert row.tip
+
+
+def test_a_long_polynomial_appears_when_the_drag_is_over(editor):
+    x = np.linspace(0, 4, 240)
+    nodes = tuple(Node(float(a), float(np.sin(3 * a))) for a in x)
+    rules = Parametrization(ParametrizationKind.CHEBYSHEV)
+    editor.session.commit(Document((Curve("Wave", Family.HERMITE, rules, nodes),)), "Open")
+    editor.fit()
+    editor.trigger("ghostLagrange")
+    assert set(shown(editor)) == {Ghost.LAGRANGE}
+    editor.press(editor.point(120))
+    editor.move((2.0, 1.0))
+    (ghost,) = editor.window.canvas.ghosts
+    assert not ghost.is_drawn
+    assert editor.window.canvas.legend.rows[1].text == "Lagrange …"
+    editor.release((2.0, 1.0))
+    (ghost,) = editor.window.canvas.ghosts
+    assert ghost.is_drawn
+    line = ghost.line(1e-3, (0, 0, 4, 4))
+    assert np.linalg.norm(line - editor.point(120), axis=1).min() < 1e-9
 
 
 def test_a_ghost_is_painted_in_its_colour(editor):

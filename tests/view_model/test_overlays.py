@@ -14,7 +14,7 @@ from app.view_model.analysis.overlays import live_picture, settled_picture, sett
 from app.view_model.analysis.scene import usual_error
 from app.view_model.analysis.settings import AnalysisSettings, Ghost, Overlay
 from app.view_model.curve_view import view_of
-from curvecore import ensemble, lebesgue_constant
+from curvecore import ensemble, lebesgue_constant, lebesgue_function
 
 UNIFORM = ParametrizationKind.UNIFORM
 
@@ -40,6 +40,18 @@ def live(curve, *overlays, scrub=None, **fields):
 def points_of(picture, style):
     return np.vstack([figure.points for figure in picture.figures if figure.style is style])
 
+
+S_CURVE = [
+    (3.03, 3.34),
+    (2.65, 3.81),
+    (1.39, 3.83),
+    (1.14, 2.38),
+    (2.95, 1.62),
+    (2.67, 0.17),
+    (1.29, 0.19),
+    (0.86, 0.66),
+]
+"""Under uniform parameters it has a cusp, or nearly so, between its first two points."""
 
 PARABOLA = curve_of([(-1, 1), (0, 0), (1, 1)])
 """c(t) = (2t − 1, (2t − 1)²): c' = (2, 4(2t − 1)), c'' = (0, 8), radius 1/2 at the vertex."""
@@ -160,6 +172,26 @@ def test_disturbed_curves_stay_inside_the_area_of_the_band(family, epsilon):
     widest = lebesgue_constant(view.curve) * epsilon
     low = view.curve.evaluate(np.linspace(0, 1, 400))[:, 1].min() - 1.5 * widest
     assert winding(area, np.array([2.0, low])) == 0
+
+
+@pytest.mark.parametrize("kind", [UNIFORM, ParametrizationKind.CHORD_LENGTH])
+@pytest.mark.parametrize("epsilon", [0.03, 0.1])
+def test_the_area_is_the_union_of_all_discs(kind, epsilon):
+    """Points just inside the rims of discs are in it, also around a cusp, where discs grow fast."""
+    view = view_of(curve_of(S_CURVE, kind=kind))
+    area = points_of(live_picture(view, settings_of(Overlay.BAND, point_error=epsilon)), Style.BAND)
+    t = np.linspace(0, 1, 45)
+    radii = epsilon * lebesgue_function(view.curve, t)
+    angle = np.linspace(0, 2 * np.pi, 9)[:-1]
+    rim = np.column_stack([np.cos(angle), np.sin(angle)])
+    places = view.curve.evaluate(t)[:, None] + 0.95 * radii[:, None, None] * rim
+    assert all(winding(area, place) > 0 for place in places.reshape(-1, 2))
+    # And not farther than the samples of the drawing see: outside all discs there is nothing.
+    t = np.linspace(0, 1, 3000)
+    centres, radii = view.curve.evaluate(t), epsilon * lebesgue_function(view.curve, t)
+    for place in np.random.default_rng(1).uniform((0, -1), (4, 5), (150, 2)):
+        gap = (np.linalg.norm(centres - place, axis=1) - radii).min()
+        assert gap < 0.1 * radii.max() or winding(area, place) == 0
 
 
 def test_too_large_errors_of_parameters_are_explained():

@@ -11,13 +11,16 @@ from itertools import pairwise
 import numpy as np
 
 from app.view_model.analysis.comb import unit_tangents
-from app.view_model.analysis.figures import Figure, Floats, Shape, Style, number
+from app.view_model.analysis.figures import Figure, Flags, Floats, Shape, Style, number
 from app.view_model.analysis.samples import Samples
 from app.view_model.analysis.scene import Scene
 from curvecore import worst_case_band
 
 _MOST = 300
 """Samples of a whole curve; with errors of the parameters half as many, for these cost ten times as much."""
+
+_JUMP, _TURN = 0.25, 0.94
+"""Change of the slope of the outline, and cosine of a turn, from one sample to the next, that leave a gap."""
 
 _CORNERS = 32
 """Corners of a disc."""
@@ -65,11 +68,16 @@ def _strip(piece: Samples, radii: Floats) -> list[Floats]:
     middle = piece.points - (radii * behind)[:, None] * tangents
     half = (radii * np.sqrt(1.0 - behind**2))[:, None] * normals
     left, right = middle + half, middle - half
-    discs = [0, len(radii) - 1]
-    if (np.abs(behind) == 1.0).any() or (speed == 0).any():
-        rising = np.diff(radii) > 0
-        discs += (np.flatnonzero(rising[:-1] & ~rising[1:]) + 1).tolist()
+    discs = _abrupt(behind, tangents)
     return [*_ribbons(left, right, tangents), *_discs(piece.points[discs], radii[discs])]
+
+
+def _abrupt(behind: Floats, tangents: Floats) -> Flags:
+    """Return where the outline turns so far that the disc itself is needed; the ends are among them."""
+    jumps = np.abs(np.diff(behind)) > _JUMP
+    jumps |= (tangents[1:] * tangents[:-1]).sum(axis=1) < _TURN
+    needed: Flags = np.append(True, jumps) | np.append(jumps, True)
+    return needed
 
 
 def _ribbons(left: Floats, right: Floats, tangents: Floats) -> list[Floats]:

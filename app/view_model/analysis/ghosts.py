@@ -4,11 +4,15 @@ from __future__ import annotations
 
 from collections.abc import Collection, Mapping
 from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
 
 from app.document import edits
 from app.document.model import Curve, Document, Family, ParametrizationKind
+from app.view_model.analysis.scene import is_quick
 from app.view_model.analysis.settings import Ghost
-from app.view_model.curve_view import CurveView, view_of
+from app.view_model.curve_view import Box, CurveView, Floats, view_of
 
 FAMILIES = {
     Ghost.LAGRANGE: Family.LAGRANGE,
@@ -44,6 +48,13 @@ def rules_text(curve: Curve) -> str:
     return f"{_FAMILY_NAMES[curve.family]} · {_KIND_NAMES[curve.parametrization.kind]}"
 
 
+_SAMPLES, _PER_SEGMENT = 1200, 2
+"""Samples of a long polynomial: as many as can be seen, and at least so many a segment."""
+
+_LONG = 200
+"""Points of the longest polynomial that follows a drag."""
+
+
 @dataclass(frozen=True, eq=False)
 class GhostView:
     """One variant of a curve.
@@ -52,11 +63,33 @@ class GhostView:
     ----------
     is_real
         Whether it is the curve itself: it has these rules already.
+    waits
+        Whether it is too slow to follow a drag; `view` is then another one.
     """
 
     ghost: Ghost
     view: CurveView
     is_real: bool
+    waits: bool = False
+
+    @property
+    def is_drawn(self) -> bool:
+        """Whether there is something to draw beside the curve."""
+        return self.view.is_current and not self.is_real and not self.waits
+
+    def line(self, tolerance: float, box: Box) -> Floats:
+        """Return the variant as a polyline (k, 2), within `tolerance` unless it is a long polynomial."""
+        return self.view.flattened(tolerance, box).points if is_quick(self.view) else self._sampled
+
+    @cached_property
+    def _sampled(self) -> Floats:
+        # Flattening a long polynomial takes seconds, sampling it milliseconds.
+        curve = self.view.curve
+        assert curve is not None
+        knots = curve.parameters
+        count = max(_SAMPLES // (len(knots) - 1), _PER_SEGMENT)
+        inner = knots[:-1, None] + np.diff(knots)[:, None] * np.linspace(0.0, 1.0, count, endpoint=False)
+        return curve.evaluate(np.append(inner.ravel(), knots[-1]))
 
 
 def with_ghost_real(document: Document, curve: int, ghost: Ghost) -> Document:
@@ -67,7 +100,7 @@ def with_ghost_real(document: Document, curve: int, ghost: Ghost) -> Document:
 
 
 def ghost_views(
-    view: CurveView, ghosts: Collection[Ghost], previous: Mapping[Ghost, GhostView]
+    view: CurveView, ghosts: Collection[Ghost], previous: Mapping[Ghost, GhostView], *, in_drag: bool = False
 ) -> dict[Ghost, GhostView]:
     """Return the variants of a curve; those of the frame before lend what did not change."""
     views = {}
@@ -75,9 +108,12 @@ def ghost_views(
         if ghost in ghosts:
             variant = _variant(view.source, ghost)
             is_real = _rules(variant) == _rules(view.source)
+            if is_real or (in_drag and variant.family is Family.LAGRANGE and len(variant.nodes) > _LONG):
+                views[ghost] = GhostView(ghost, view, is_real, not is_real)
+                continue
             old = previous.get(ghost)
-            last = old.view if old is not None and not old.is_real else None
-            views[ghost] = GhostView(ghost, view if is_real else view_of(variant, last), is_real)
+            last = old.view if old is not None and not (old.is_real or old.waits) else None
+            views[ghost] = GhostView(ghost, view_of(variant, last), is_real)
     return views
 
 

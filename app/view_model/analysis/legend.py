@@ -77,6 +77,8 @@ def _errors(settings: AnalysisSettings) -> str:
 
 def _ghost_row(ghost: GhostView) -> LegendRow:
     name = NAMES[ghost.ghost]
+    if ghost.waits:
+        return LegendRow(ghost.ghost, f"{name} …", True, "Drawn as soon as the drag is over")
     if not ghost.view.is_current:
         return LegendRow(ghost.ghost, f"{name}: none", True, ghost.view.problem)
     return LegendRow(ghost.ghost, name)
