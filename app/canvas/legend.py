@@ -144,6 +144,8 @@ class Legend(QFrame):
         self._theme = theme
         paper, line = theme.paper, theme.grid_coarse.name()
         hover = mix(theme.ink, theme.paper, 0.1).name()
+        # Never opaque: Qt would cut it out of what it paints below, and drawing in a region that is no
+        # rectangle takes several times as long.
         self.setStyleSheet(
             f"#legend {{ background: rgba({paper.red()}, {paper.green()}, {paper.blue()}, 215);"
             f" border: 1px solid {line}; border-radius: 6px }}"

@@ -48,8 +48,8 @@ def rules_text(curve: Curve) -> str:
     return f"{_FAMILY_NAMES[curve.family]} · {_KIND_NAMES[curve.parametrization.kind]}"
 
 
-_SAMPLES, _PER_SEGMENT = 1200, 2
-"""Samples of a long polynomial: as many as can be seen, and at least so many a segment."""
+_SAMPLES, _PER_SEGMENT = 480, 2
+"""Samples of a polynomial: enough for a glance, and at least so many a segment."""
 
 _LONG = 200
 """Points of the longest polynomial that follows a drag."""
@@ -65,12 +65,16 @@ class GhostView:
         Whether it is the curve itself: it has these rules already.
     waits
         Whether it is too slow to follow a drag; `view` is then another one.
+    is_sketch
+        Whether samples must do: flattening a polynomial whose parameters change takes milliseconds, and
+        seconds for a long one.
     """
 
     ghost: Ghost
     view: CurveView
     is_real: bool
     waits: bool = False
+    is_sketch: bool = False
 
     @property
     def is_drawn(self) -> bool:
@@ -78,12 +82,11 @@ class GhostView:
         return self.view.is_current and not self.is_real and not self.waits
 
     def line(self, tolerance: float, box: Box) -> Floats:
-        """Return the variant as a polyline (k, 2), within `tolerance` unless it is a long polynomial."""
-        return self.view.flattened(tolerance, box).points if is_quick(self.view) else self._sampled
+        """Return the variant as a polyline (k, 2), within `tolerance` unless samples must do."""
+        return self._sampled if self.is_sketch else self.view.flattened(tolerance, box).points
 
     @cached_property
     def _sampled(self) -> Floats:
-        # Flattening a long polynomial takes seconds, sampling it milliseconds.
         curve = self.view.curve
         assert curve is not None
         knots = curve.parameters
@@ -113,7 +116,9 @@ def ghost_views(
                 continue
             old = previous.get(ghost)
             last = old.view if old is not None and not (old.is_real or old.waits) else None
-            views[ghost] = GhostView(ghost, view_of(variant, last), is_real)
+            made = view_of(variant, last)
+            is_sketch = not is_quick(made) or (in_drag and variant.family is Family.LAGRANGE)
+            views[ghost] = GhostView(ghost, made, is_real, is_sketch=is_sketch)
     return views
 
 
