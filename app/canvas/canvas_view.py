@@ -23,14 +23,14 @@ from app.document.model import Curve, ReferenceImage, Vector
 from app.plot.plot_widget import PlotWidget
 from app.theme import LIGHT, Theme
 from app.view_model.analysis.figures import Figure
-from app.view_model.analysis.ghosts import GhostView
-from app.view_model.analysis.legend import LegendRow
 from app.view_model.basis_view import weights_at
 from app.view_model.curve_view import CurveView, Floats
 from app.view_model.handles import Handle
 
 if TYPE_CHECKING:
     from app.canvas.legend import Legend
+    from app.view_model.analysis.ghosts import GhostView
+    from app.view_model.analysis.legend import LegendRow
 
 _FIT_MARGIN = 0.12
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from typing import TYPE_CHECKING
 
 import numpy as np
 import pyqtgraph as pg
@@ -18,7 +19,9 @@ from app.plot.pixel_map import PixelMap
 from app.plot.plot_widget import PlotWidget
 from app.theme import Theme
 from app.view_model.analysis.figures import Figure, Shape
-from app.view_model.analysis.ghosts import GhostView
+
+if TYPE_CHECKING:
+    from app.view_model.analysis.ghosts import GhostView
 
 _HEAD = 9.0
 """Length of an arrow's head, in widths of its line, and never more than half the arrow."""
@@ -26,12 +29,18 @@ _HEAD = 9.0
 _TICK, _MARK = 5.0, 5.0
 """Half the length of a tick and the radius of a mark, in pixels."""
 
+_ABOVE = (Shape.ARROWS, Shape.TICKS, Shape.MARKS)
+"""Shapes that are drawn over the curve."""
+
 _FAR, _FARTHEST = 1e5, 1e30
 """Pixels beyond which an area, or a line, need not be where it is."""
 
 
 class FigureLayer:
-    """Draws figures of the plane, each in the pen of its style, and ghosts over them."""
+    """Draws figures of the plane, each in the pen of its style, and ghosts over them.
+
+    Lines and areas lie under the curve, marks over it and under the points.
+    """
 
     def __init__(self, plot: PlotWidget, theme: Theme, *, z: float) -> None:
         self.theme = theme
@@ -40,29 +49,37 @@ class FigureLayer:
         self.ghosts: Sequence[GhostView] = ()
         self._area = AreaFill()
         self._font = QFont(plot.font())
-        self._layer = plot.add_layer(self.paint, z=z)
+        self._layers = [plot.add_layer(self._paint_below, z=z), plot.add_layer(self._paint_above, z=0.5)]
 
     def render(self, figures: Sequence[Figure], ghosts: Sequence[GhostView]) -> None:
         """Draw `figures` and `ghosts` from the next paint on."""
         if figures or ghosts or self.figures or self.ghosts:
             self.figures, self.ghosts = figures, ghosts
-            self._layer.update()
+            for layer in self._layers:
+                layer.update()
 
-    def paint(self, painter: QPainter, shown: PixelMap) -> None:
-        """Draw the figures, the first one first, then the ghosts, then the words."""
-        painter.setRenderHint(QPainter.RenderHint.Antialiasing, True)
+    def _paint_below(self, painter: QPainter, shown: PixelMap) -> None:
+        """Draw lines and areas, the first one first, then the ghosts: all of it under the curve."""
+        self._paint_figures(painter, shown, [each for each in self.figures if each.shape not in _ABOVE])
+        for ghost in self.ghosts:
+            self._paint_ghost(painter, shown, ghost)
+
+    def _paint_above(self, painter: QPainter, shown: PixelMap) -> None:
+        """Draw what the curve would hide, and the words."""
+        self._paint_figures(painter, shown, [each for each in self.figures if each.shape in _ABOVE])
         for figure in self.figures:
+            if figure.label:
+                self._paint_label(painter, shown, figure)
+
+    def _paint_figures(self, painter: QPainter, shown: PixelMap, figures: Sequence[Figure]) -> None:
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing, True)
+        for figure in figures:
             look = LOOKS[figure.style]
             painter.setPen(look.pen(self.theme, self.scale))
             if figure.shape is Shape.AREA:
                 self._paint_area(painter, shown, figure, painter.pen().color())
                 continue
             _PAINTERS[figure.shape](painter, _pixels(figure.points, shown), shown, look, self.scale)
-        for ghost in self.ghosts:
-            self._paint_ghost(painter, shown, ghost)
-        for figure in self.figures:
-            if figure.label:
-                self._paint_label(painter, shown, figure)
 
     def _paint_area(self, painter: QPainter, shown: PixelMap, figure: Figure, colour: QColor) -> None:
         """Fill polygons as one area, so that a translucent one has no seams."""

@@ -7,11 +7,11 @@ from typing import TYPE_CHECKING
 
 from app.commands.parts import Handlers, Parts
 from app.settle import IsStale, Settler
-from app.view_model.analysis.ghosts import FAMILIES, NAMES, GhostView, ghost_views, with_ghost_real
 from app.view_model.analysis.settings import AnalysisSettings, Ghost, Overlay
 from app.view_model.curve_view import CurveView
 
 if TYPE_CHECKING:
+    from app.view_model.analysis.ghosts import GhostView
     from app.view_model.analysis.overlays import Picture
 
 OVERLAYS = {
@@ -104,8 +104,10 @@ class OverlayCommands:
         self._is_drawn = True
 
     def _ghosts_of(self, view: CurveView, settings: AnalysisSettings) -> dict[Ghost, GhostView]:
-        if not view.is_current:
+        if not (settings.ghosts and view.is_current):
             return {}
+        from app.view_model.analysis.ghosts import ghost_views  # noqa: PLC0415 - as above
+
         in_drag = self._parts.session.is_previewing
         return ghost_views(view, settings.ghosts, self._ghosts, in_drag=in_drag)
 
@@ -186,6 +188,8 @@ class OverlayCommands:
 
     def _make_real(self, ghost: Ghost) -> None:
         """Give the curve the rules of a ghost."""
+        from app.view_model.analysis.ghosts import FAMILIES, NAMES, with_ghost_real  # noqa: PLC0415 - as above
+
         session = self._parts.session
         name = NAMES[ghost]
         text = f"Switch to {name}" if ghost in FAMILIES else f"Use {name.lower()} parameters"

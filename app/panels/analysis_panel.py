@@ -99,6 +99,9 @@ class AnalysisPanel(QScrollArea):
         layout.addLayout(self._rows)
         layout.addStretch(1)
         self.setWidget(content)
+        # No row is ever cut off: there is no scroll bar for that.
+        bar = self.verticalScrollBar().sizeHint().width()
+        self.setMinimumWidth(content.minimumSizeHint().width() + bar)
 
     def _add(self, name: str, overlay: Overlay, field: str = "", slider: SettingSlider | None = None) -> None:
         row = self._rows.rowCount()

@@ -10,6 +10,9 @@ from PySide6.QtWidgets import QHBoxLayout, QLabel, QWidget
 
 from app.panels.live_slider import LiveSlider
 
+_NARROWEST = 64
+"""Pixels below which a slider cannot be set."""
+
 
 class SettingSlider(QWidget):
     """Sets a number live; Escape during a drag brings back the number at the press.
@@ -46,6 +49,7 @@ class SettingSlider(QWidget):
         self.slider.setAccessibleName(label)
         self.slider.setToolTip(f"{label}; Escape cancels a drag")
         self.slider.setRange(*steps)
+        self.slider.setMinimumWidth(_NARROWEST)
         self._label = QLabel()
         self._label.setObjectName(f"{name}Value")
         widest = max(self.fontMetrics().horizontalAdvance(text_of(value_at(step))) for step in steps)

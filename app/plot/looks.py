@@ -65,7 +65,7 @@ LOOKS = {
     Style.BEZIER_POINT: Look("handle", mark=Mark.SQUARE),
     Style.POLYGON: Look("muted", 0.8, dashes=(2.0, 4.0)),
     Style.TICK: Look("accent", width=1.4),
-    Style.INFLECTION: Look(_BLUE, width=1.8, mark=Mark.RING),
+    Style.INFLECTION: Look(_SKY, width=1.8, mark=Mark.RING),
     Style.SHARPEST: Look(_VERMILLION, width=1.4, mark=Mark.DIAMOND),
     Style.FLATTEST: Look(_GREEN, width=1.6, mark=Mark.SQUARE),
     Style.CROSSING: Look(_PURPLE, width=2.0, mark=Mark.CROSS),
