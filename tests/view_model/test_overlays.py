@@ -101,6 +101,18 @@ def test_accelerations_of_cubics_have_two_sides_at_joints():
     assert arrows[3.0, 0.0] == pytest.approx([-0.75])
 
 
+def test_the_comb_jumps_where_the_curvature_does():
+    """A straight segment, a corner, and a bend: at the corner a tooth of length 0 and a long one."""
+    nodes = (Node(0, 0), Node(1, 0, velocity=(1.0, 0.0), corner=True, velocity_after=(1.0, 2.0)), Node(2, 0))
+    picture = live(Curve("Test", Family.HERMITE, Parametrization(UNIFORM), nodes), Overlay.COMB)
+    teeth = points_of(picture, Style.COMB_TEETH).reshape(-1, 2, 2)
+    there = teeth[np.linalg.norm(teeth[:, 0] - (1, 0), axis=1) < 1e-9]
+    lengths = sorted(np.linalg.norm(there[:, 1] - there[:, 0], axis=1))
+    assert len(lengths) == 2
+    assert lengths[0] == pytest.approx(0, abs=1e-9)
+    assert lengths[1] > 0.05
+
+
 def test_ticks_stand_at_equal_steps_of_t():
     curve = wave(6)
     picture = live(curve, Overlay.TICKS, tick_count=7)
