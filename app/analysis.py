@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+
 from msgspec.structs import replace
 from PySide6.QtCore import QObject, Signal
 
-from app.view_model.analysis.settings import AnalysisSettings, Overlay, Plot
+from app.view_model.analysis.settings import AnalysisSettings, Ghost, Overlay, Plot
 
 
 class Analysis(QObject):
@@ -15,13 +17,28 @@ class Analysis(QObject):
     -------
     changed
         The settings are other ones.
+    noted
+        Something else can be said about the overlays.
+    ghost_chosen
+        A ghost shall become the curve.
+
+    Attributes
+    ----------
+    notes
+        A sentence to some of the overlays: what they measure, or why nothing is drawn.
+    problem
+        Why there is nothing to analyse; empty where there is a curve.
     """
 
     changed = Signal()
+    noted = Signal()
+    ghost_chosen = Signal(object)
 
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self.settings = AnalysisSettings()
+        self.notes: Mapping[Overlay, str] = {}
+        self.problem = ""
 
     def change(self, **fields: object) -> None:
         """Take other values for some of the settings."""
@@ -39,3 +56,14 @@ class Analysis(QObject):
         """Switch a plot over t on or off."""
         others = self.settings.plots - {plot}
         self.change(plots=others | {plot} if shown else others)
+
+    def show_ghost(self, ghost: Ghost, shown: bool) -> None:
+        """Switch a variant of the curve on or off."""
+        others = self.settings.ghosts - {ghost}
+        self.change(ghosts=others | {ghost} if shown else others)
+
+    def note(self, notes: Mapping[Overlay, str], problem: str = "") -> None:
+        """Say something about the overlays."""
+        if (notes, problem) != (self.notes, self.problem):
+            self.notes, self.problem = notes, problem
+            self.noted.emit()

@@ -47,7 +47,6 @@ from app.panels.point_table import PointTable
 from app.panels.status_line import StatusLine
 from app.preferences import Preferences
 from app.session import Session
-from app.settle import Settler
 from app.theme import ThemeMode, apply_theme, theme_of
 from app.toolbar import Toolbar
 from app.window_layout import restore_layout
@@ -470,13 +469,10 @@ class MainWindow(QMainWindow):
             event.ignore()
             return
         self._files.let_go()
-        self._commands.exchange.close()
+        self._commands.close()
         self._remember_layout()
-        for settler in self.findChildren(Settler):
-            settler.wait()
         for dialog in self.findChildren(QDialog):
             dialog.close()
-        self._commands.recovery.leave()
         event.accept()
         self.closed.emit()
 

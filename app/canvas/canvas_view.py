@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from typing import TYPE_CHECKING
 
 import msgspec
 import numpy as np
-from PySide6.QtCore import QPointF
+from PySide6.QtCore import QPointF, Signal
 from PySide6.QtGui import QImage
 from PySide6.QtWidgets import QWidget
 
@@ -27,6 +28,11 @@ from app.view_model.basis_view import weights_at
 from app.view_model.curve_view import CurveView, Floats
 from app.view_model.handles import Handle
 
+if TYPE_CHECKING:
+    from app.canvas.legend import Legend
+    from app.view_model.analysis.ghosts import GhostView
+    from app.view_model.analysis.legend import LegendRow
+
 _FIT_MARGIN = 0.12
 
 _REVEAL_MARGIN = 40.0
@@ -40,7 +46,15 @@ class CanvasView(PlotWidget):
     ----------
     covered_top
         Tells how many pixels at the top a message covers; what is fitted into the view stays clear of it.
+
+    Signals
+    -------
+    ghost_chosen, ghost_hidden
+        A variant of the curve shall become the curve, or go away; said in the legend.
     """
+
+    ghost_chosen = Signal(object)
+    ghost_hidden = Signal(object)
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -58,6 +72,7 @@ class CanvasView(PlotWidget):
         self._other_curves = OtherCurvesLayer(self, LIGHT)
         self._figures = FigureLayer(self, LIGHT, z=-0.5)
         self._file_layer = FileLayer(self, LIGHT)
+        self.legend: Legend | None = None
         self._curve_layer = CurveLayer(self, LIGHT)
         self._point_layer = PointLayer(self, LIGHT)
         self._corner_layer = CornerLayer(self, LIGHT)
@@ -86,9 +101,9 @@ class CanvasView(PlotWidget):
         self._views = views
         self._other_curves.render(views, active)
 
-    def render_figures(self, figures: Sequence[Figure]) -> None:
-        """Show combs, vectors, bands and the like beside the active curve."""
-        self._figures.render(figures)
+    def render_figures(self, figures: Sequence[Figure], ghosts: Sequence[GhostView] = ()) -> None:
+        """Show combs, vectors, bands and the like beside the active curve, and variants of it."""
+        self._figures.render(figures, ghosts)
 
     @property
     def figures(self) -> Sequence[Figure]:
@@ -103,6 +118,25 @@ class CanvasView(PlotWidget):
     def file_version(self) -> str:
         """The name beside the curves of a file; empty while none are shown."""
         return self._file_layer.name
+
+    def render_legend(self, rows: Sequence[LegendRow]) -> None:
+        """Explain what is shown beside the active curve; without rows there is no legend."""
+        if self.legend is None:
+            if not rows:
+                return
+            # Built when there is something to explain: nobody waits for it at the start.
+            from app.canvas.legend import Legend  # noqa: PLC0415
+
+            self.legend = Legend(self.viewport(), self._theme)
+            self.legend.set_scale(self._figures.scale)
+            self.legend.chosen.connect(self.ghost_chosen)
+            self.legend.hidden.connect(self.ghost_hidden)
+        self.legend.render_rows(rows)
+
+    @property
+    def ghosts(self) -> Sequence[GhostView]:
+        """The variants of the active curve that are shown."""
+        return self._figures.ghosts
 
     def _show_ghost_of_other_rules(self, view: CurveView) -> None:
         old = self._view
@@ -135,6 +169,8 @@ class CanvasView(PlotWidget):
             layer.theme = theme
         for other in (self._other_curves, self._corner_layer, self._figures, self._file_layer):
             other.theme = theme
+        if self.legend is not None:
+            self.legend.set_theme(theme)
         super().set_theme(theme)
 
     def set_scale(self, scale: float) -> None:
@@ -142,6 +178,8 @@ class CanvasView(PlotWidget):
         self._curve_layer.scale = self._point_layer.scale = scale
         for other in (self._other_curves, self._corner_layer, self._figures, self._file_layer):
             other.scale = scale
+        if self.legend is not None:
+            self.legend.set_scale(scale)
         super().set_scale(scale)
 
     def set_hovered(self, index: int) -> None:

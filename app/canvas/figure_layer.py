@@ -1,121 +1,190 @@
-"""Figures over and under the curve: combs, vectors, bands, marks."""
+"""Figures and ghosts beside the curve: combs, vectors, bands, marks, other rules for the same points."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 import numpy as np
-from PySide6.QtCore import QPointF, Qt
-from PySide6.QtGui import QColor, QPainter, QPen
+import pyqtgraph as pg
+from PySide6.QtCore import QRectF, Qt
+from PySide6.QtGui import QColor, QFont, QFontMetricsF, QPainter
 
-from app.plot.drawing import MARGIN, Segments, Stroke, cut_segments, polygon
+from app.canvas.curve_layer import TOLERANCE
+from app.plot.area import AreaFill
+from app.plot.dashes import dashed
+from app.plot.drawing import MARGIN, Floats, Segments, Stroke, cut_segments, visible_segments
+from app.plot.looks import GHOST_LOOKS, LOOKS, Look, draw_mark
 from app.plot.pixel_map import PixelMap
 from app.plot.plot_widget import PlotWidget
 from app.theme import Theme
-from app.view_model.analysis.figures import Figure, Shape, Style
+from app.view_model.analysis.figures import Figure, Shape
+
+if TYPE_CHECKING:
+    from app.view_model.analysis.ghosts import GhostView
 
 _HEAD = 9.0
-"""Length of an arrow's head, in widths of its line."""
+"""Length of an arrow's head, in widths of its line, and never more than half the arrow."""
 
-_MARK = 3.5
-"""Radius of a mark in pixels."""
+_TICK, _MARK = 5.0, 5.0
+"""Half the length of a tick and the radius of a mark, in pixels."""
 
-_FAR = 1e5
-"""Pixels beyond which an area need not be where it is."""
+_ABOVE = (Shape.ARROWS, Shape.TICKS, Shape.MARKS)
+"""Shapes that are drawn over the curve."""
 
-
-@dataclass(frozen=True)
-class Look:
-    """How a style is drawn."""
-
-    colour: str
-    """An attribute of the theme."""
-    opacity: float = 1.0
-    width: float = 1.0
-    line: Qt.PenStyle = Qt.PenStyle.SolidLine
-
-
-LOOKS = {
-    Style.COMB_TEETH: Look("accent", 0.35),
-    Style.COMB_EDGE: Look("accent", 0.9),
-}
+_FAR, _FARTHEST = 1e5, 1e30
+"""Pixels beyond which an area, or a line, need not be where it is."""
 
 
 class FigureLayer:
-    """Draws figures of the plane, each in the pen of its style."""
+    """Draws figures of the plane, each in the pen of its style, and ghosts over them.
+
+    Lines and areas lie under the curve, marks over it and under the points.
+    """
 
     def __init__(self, plot: PlotWidget, theme: Theme, *, z: float) -> None:
         self.theme = theme
         self.scale = 1.0
         self.figures: Sequence[Figure] = ()
-        self._layer = plot.add_layer(self.paint, z=z)
+        self.ghosts: Sequence[GhostView] = ()
+        self._area = AreaFill()
+        self._font = QFont(plot.font())
+        self._layers = [plot.add_layer(self._paint_below, z=z), plot.add_layer(self._paint_above, z=0.5)]
 
-    def render(self, figures: Sequence[Figure]) -> None:
-        """Draw `figures` from the next paint on."""
-        if figures or self.figures:
-            self.figures = figures
-            self._layer.update()
+    def render(self, figures: Sequence[Figure], ghosts: Sequence[GhostView]) -> None:
+        """Draw `figures` and `ghosts` from the next paint on."""
+        if figures or ghosts or self.figures or self.ghosts:
+            self.figures, self.ghosts = figures, ghosts
+            for layer in self._layers:
+                layer.update()
 
-    def paint(self, painter: QPainter, shown: PixelMap) -> None:
-        """Draw the figures, the first one first."""
-        painter.setRenderHint(QPainter.RenderHint.Antialiasing, True)
+    def _paint_below(self, painter: QPainter, shown: PixelMap) -> None:
+        """Draw lines and areas, the first one first, then the ghosts: all of it under the curve."""
+        self._paint_figures(painter, shown, [each for each in self.figures if each.shape not in _ABOVE])
+        for ghost in self.ghosts:
+            self._paint_ghost(painter, shown, ghost)
+
+    def _paint_above(self, painter: QPainter, shown: PixelMap) -> None:
+        """Draw what the curve would hide, and the words."""
+        self._paint_figures(painter, shown, [each for each in self.figures if each.shape in _ABOVE])
         for figure in self.figures:
-            painter.setPen(self._pen(LOOKS[figure.style]))
-            _PAINTERS[figure.shape](painter, figure, shown)
+            if figure.label:
+                self._paint_label(painter, shown, figure)
 
-    def _pen(self, look: Look) -> QPen:
-        colour = QColor(getattr(self.theme, look.colour))
-        colour.setAlphaF(look.opacity)
-        return QPen(colour, look.width * self.scale, look.line)
+    def _paint_figures(self, painter: QPainter, shown: PixelMap, figures: Sequence[Figure]) -> None:
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing, True)
+        for figure in figures:
+            look = LOOKS[figure.style]
+            painter.setPen(look.pen(self.theme, self.scale))
+            if figure.shape is Shape.AREA:
+                self._paint_area(painter, shown, figure, painter.pen().color())
+                continue
+            _PAINTERS[figure.shape](painter, _pixels(figure.points, shown), shown, look, self.scale)
+
+    def _paint_area(self, painter: QPainter, shown: PixelMap, figure: Figure, colour: QColor) -> None:
+        """Fill polygons as one area, so that a translucent one has no seams."""
+        pixels = _pixels(figure.points, shown)
+        is_corner = ~np.isnan(pixels[:, 0])
+        corners = np.clip(pixels[is_corner], -_FAR, _FAR)
+        # A corner before a break is not joined to the next; polygons close themselves when they are filled.
+        connect = np.append(is_corner[1:], False)[is_corner].astype(np.int32)
+        path = pg.arrayToQPath(corners[:, 0], corners[:, 1], connect=connect, finiteCheck=False)
+        path.setFillRule(Qt.FillRule.WindingFill)
+        self._area.fill(painter, path, colour, QRectF(0, 0, shown.width, shown.height))
+
+    def _paint_ghost(self, painter: QPainter, shown: PixelMap, ghost: GhostView) -> None:
+        if not ghost.is_drawn:
+            return
+        look = GHOST_LOOKS[ghost.ghost]
+        painter.setPen(look.pen(self.theme, self.scale))
+        line = ghost.line(TOLERANCE / max(shown.sx, shown.sy), shown.box)
+        _line(painter, _pixels(line, shown), shown, look, self.scale)
+
+    def _paint_label(self, painter: QPainter, shown: PixelMap, figure: Figure) -> None:
+        """Write beside the last point, on a plate of paper, inside the drawing."""
+        x, y = _pixels(figure.points[-1:], shown)[0].tolist()
+        if not (-MARGIN < x < shown.width + MARGIN and -MARGIN < y < shown.height + MARGIN):
+            return
+        font = QFont(self._font)
+        font.setPointSizeF(self._font.pointSizeF() * 0.95 * self.scale)
+        painter.setFont(font)
+        metrics = QFontMetricsF(font)
+        width, height = metrics.horizontalAdvance(figure.label) + 8, metrics.height() + 2
+        left = min(max(x + 8, 4.0), max(shown.width - width - 4, 4.0))
+        top = min(max(y - height - 4, 4.0), max(shown.height - height - 4, 4.0))
+        plate = QRectF(left, top, width, height)
+        paper = QColor(self.theme.paper)
+        paper.setAlphaF(0.85)
+        painter.setPen(Qt.PenStyle.NoPen)
+        painter.setBrush(paper)
+        painter.drawRoundedRect(plate, 4, 4)
+        painter.setBrush(Qt.BrushStyle.NoBrush)
+        painter.setPen(self.theme.ink)
+        painter.drawText(plate, int(Qt.AlignmentFlag.AlignCenter), figure.label)
 
 
-def _line(painter: QPainter, figure: Figure, shown: PixelMap) -> None:
+def _pixels(points: Floats, shown: PixelMap) -> Floats:
+    """Return pixels that can be reckoned with: NaN where there is nothing to draw, endless ones limited."""
+    with np.errstate(over="ignore", invalid="ignore"):
+        return np.clip(shown.points(points), -_FARTHEST, _FARTHEST)
+
+
+def _line(painter: QPainter, pixels: Floats, shown: PixelMap, look: Look, scale: float) -> None:
+    if look.dashes:
+        pattern = [scale * length for length in look.dashes]
+        _draw(painter, dashed(visible_segments(pixels, shown.width, shown.height), pattern))
+        return
     stroke = Stroke()
-    stroke.fill(shown.points(figure.points), shown.width, shown.height)
+    stroke.fill(pixels, shown.width, shown.height)
     stroke.draw(painter)
 
 
-def _segments(painter: QPainter, figure: Figure, shown: PixelMap) -> None:
+def _segments(painter: QPainter, pixels: Floats, shown: PixelMap, look: Look, scale: float) -> None:
+    _draw(painter, cut_segments(pixels.reshape(-1, 4), shown.width, shown.height))
+
+
+def _draw(painter: QPainter, segments: Floats) -> None:
     drawn = Segments()
-    drawn.fill(cut_segments(shown.points(figure.points).reshape(-1, 4), shown.width, shown.height))
+    drawn.fill(segments)
     drawn.draw(painter)
 
 
-def _arrows(painter: QPainter, figure: Figure, shown: PixelMap) -> None:
+def _arrows(painter: QPainter, pixels: Floats, shown: PixelMap, look: Look, scale: float) -> None:
     """Draw segments with heads; short arrows have small heads, so that the shaft is seen."""
-    ends = shown.points(figure.points).reshape(-1, 2, 2)
-    along = ends[:, 1] - ends[:, 0]
-    length = np.hypot(along[:, 0], along[:, 1])
-    unit = along / np.where(length > 0, length, 1.0)[:, None]
-    head = np.minimum(_HEAD * painter.pen().widthF(), length / 2)[:, None] * unit
+    ends = pixels.reshape(-1, 2, 2)
+    along, length = _directions(ends)
+    head = np.minimum(_HEAD * painter.pen().widthF() / 1.5, length / 2)[:, None] * along
     side = np.column_stack([-head[:, 1], head[:, 0]]) * 0.45
     tips = ends[:, 1]
     barbs = [np.hstack([tips, tips - head + sign * side]) for sign in (1, -1)]
-    drawn = Segments()
-    drawn.fill(cut_segments(np.vstack([ends.reshape(-1, 4), *barbs]), shown.width, shown.height))
-    drawn.draw(painter)
+    _draw(painter, cut_segments(np.vstack([ends.reshape(-1, 4), *barbs]), shown.width, shown.height))
 
 
-def _area(painter: QPainter, figure: Figure, shown: PixelMap) -> None:
-    pixels = np.clip(shown.points(figure.points), -_FAR, _FAR)
-    painter.setBrush(painter.pen().color())
-    painter.setPen(Qt.PenStyle.NoPen)
-    painter.drawPolygon(polygon(pixels[:, 0], pixels[:, 1]), Qt.FillRule.WindingFill)
-    painter.setBrush(Qt.BrushStyle.NoBrush)
+def _ticks(painter: QPainter, pixels: Floats, shown: PixelMap, look: Look, scale: float) -> None:
+    ends = pixels.reshape(-1, 2, 2)
+    along, _ = _directions(ends)
+    reach = _TICK * scale * along
+    ticks = np.hstack([ends[:, 0] - reach, ends[:, 0] + reach])
+    _draw(painter, cut_segments(ticks, shown.width, shown.height))
 
 
-def _marks(painter: QPainter, figure: Figure, shown: PixelMap) -> None:
-    pixels = shown.points(figure.points)
+def _directions(ends: Floats) -> tuple[Floats, Floats]:
+    """Return unit vectors from the first to the second ends, zero for zero, and their lengths."""
+    along = ends[:, 1] - ends[:, 0]
+    length = np.hypot(along[:, 0], along[:, 1])
+    return along / np.where(length > 0, length, 1.0)[:, None], length
+
+
+def _marks(painter: QPainter, pixels: Floats, shown: PixelMap, look: Look, scale: float) -> None:
     near = np.all((pixels >= -MARGIN) & (pixels <= (shown.width + MARGIN, shown.height + MARGIN)), axis=1)
     for x, y in pixels[near].tolist():
-        painter.drawEllipse(QPointF(x, y), _MARK, _MARK)
+        draw_mark(painter, look.mark, x, y, _MARK * scale)
 
 
 _PAINTERS = {
     Shape.LINE: _line,
     Shape.SEGMENTS: _segments,
     Shape.ARROWS: _arrows,
-    Shape.AREA: _area,
+    Shape.TICKS: _ticks,
     Shape.MARKS: _marks,
 }

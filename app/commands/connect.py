@@ -24,6 +24,7 @@ from app.commands.snap_commands import SnapCommands
 from app.commands.tangent_commands import TangentCommands
 from app.commands.tool_commands import ToolCommands
 from app.commands.view_commands import ViewCommands
+from app.settle import Settler
 from app.view_model.curve_view import CurveView
 
 
@@ -80,6 +81,13 @@ class Commands:
         self._parts.files.new()
         if not self._parts.session.active_curve.nodes:
             self._parts.actions["addTool"].trigger()
+
+    def close(self) -> None:
+        """Let what runs beside the window end; called before the window goes."""
+        self.exchange.close()
+        self.recovery.leave()
+        for settler in self._parts.window.findChildren(Settler):
+            settler.wait()
 
     def follow(self, view: CurveView) -> None:
         """Show what follows a drag frame by frame."""

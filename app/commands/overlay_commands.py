@@ -3,13 +3,44 @@
 from __future__ import annotations
 
 from functools import partial
+from typing import TYPE_CHECKING
 
 from app.commands.parts import Handlers, Parts
-from app.view_model.analysis.settings import Overlay
+from app.settle import IsStale, Settler
+from app.view_model.analysis.settings import AnalysisSettings, Ghost, Overlay
 from app.view_model.curve_view import CurveView
 
-OVERLAYS = {"overlayComb": Overlay.COMB}
+if TYPE_CHECKING:
+    from app.view_model.analysis.ghosts import GhostView
+    from app.view_model.analysis.overlays import Picture
+
+OVERLAYS = {
+    "overlayComb": Overlay.COMB,
+    "overlayVelocities": Overlay.VELOCITIES,
+    "overlayAccelerations": Overlay.ACCELERATIONS,
+    "overlayCircle": Overlay.CIRCLE,
+    "overlayBezier": Overlay.BEZIER,
+    "overlayPolygon": Overlay.POLYGON,
+    "overlayTicks": Overlay.TICKS,
+    "overlayMarks": Overlay.MARKS,
+    "overlayBand": Overlay.BAND,
+    "overlayEnsemble": Overlay.ENSEMBLE,
+}
 """The overlay that each action switches."""
+
+GHOSTS = {
+    "ghostLagrange": Ghost.LAGRANGE,
+    "ghostHermite": Ghost.HERMITE,
+    "ghostQuinticHermite": Ghost.QUINTIC_HERMITE,
+    "ghostUniform": Ghost.UNIFORM,
+    "ghostChordLength": Ghost.CHORD_LENGTH,
+    "ghostCentripetal": Ghost.CENTRIPETAL,
+    "ghostChebyshev": Ghost.CHEBYSHEV,
+}
+"""The variant of the curve that each action switches."""
+
+_AT_SCRUB = {Overlay.CIRCLE, Overlay.VELOCITIES, Overlay.ACCELERATIONS}
+_WITH_ERRORS = {Overlay.BAND, Overlay.ENSEMBLE}
 
 
 class OverlayCommands:
@@ -17,31 +48,145 @@ class OverlayCommands:
 
     def __init__(self, parts: Parts) -> None:
         self._parts = parts
+        self._ghosts: dict[Ghost, GhostView] = {}
+        self._settler = Settler(parts.window)
+        self._settler.ready.connect(self._show_settled)
+        self._asked: object = None
+        self._settled: Picture | None = None
+        self._is_drawn = False
         parts.analysis.changed.connect(self._render_settings)
+        parts.analysis.ghost_chosen.connect(self._make_real)
+        parts.canvas.ghost_chosen.connect(self._make_real)
+        parts.canvas.ghost_hidden.connect(lambda ghost: parts.analysis.show_ghost(ghost, False))
+        parts.session.scrub_changed.connect(self._follow_scrub)
 
     def handlers(self) -> Handlers:
         """Return what each action does."""
-        return {name: partial(self._switch, name) for name in OVERLAYS}
+        return {
+            **{name: partial(self._switch, name) for name in OVERLAYS},
+            **{name: partial(self._switch_ghost, name) for name in GHOSTS},
+            "newSeed": self._new_seed,
+        }
 
     def render(self, view: CurveView) -> None:
         """Overlays can be switched at any time."""
 
+    # What is shown
+
     def follow(self, view: CurveView) -> None:
         """Draw the figures of `view` that are switched on."""
         settings = self._parts.analysis.settings
-        if not settings.overlays:
-            self._parts.canvas.render_figures(())
+        if settings.is_empty:
+            self._clear()
             return
         # Imported when there is something to show: nobody waits for it at the start.
-        from app.view_model.analysis.overlays import live_figures  # noqa: PLC0415
+        from app.view_model.analysis.legend import legend_rows  # noqa: PLC0415
+        from app.view_model.analysis.overlays import live_picture, settles  # noqa: PLC0415
 
-        self._parts.canvas.render_figures(live_figures(view, settings))
+        waits = settles(view, settings)
+        self._settle(view, settings, waits)
+        live = live_picture(view, settings, self._parts.session.scrub)
+        self._ghosts = self._ghosts_of(view, settings)
+        settled = self._settled
+        figures = [*settled.figures, *live.figures] if settled is not None else live.figures
+        ghosts = list(self._ghosts.values())
+        busy = waits if settled is None else frozenset()
+        self._parts.canvas.render_figures(figures, ghosts)
+        self._parts.canvas.render_legend(
+            legend_rows(view, settings, ghosts, figures if settled is not None else (), busy)
+        )
+        notes = {**live.notes, **(settled.notes if settled is not None else {})}
+        self._parts.analysis.note({**notes, **dict.fromkeys(busy, "…")}, view.problem)
+        self._is_drawn = True
 
-    def _switch(self, name: str) -> None:
-        self._parts.analysis.show(OVERLAYS[name], self._parts.actions[name].isChecked())
+    def _ghosts_of(self, view: CurveView, settings: AnalysisSettings) -> dict[Ghost, GhostView]:
+        if not (settings.ghosts and view.is_current):
+            return {}
+        from app.view_model.analysis.ghosts import ghost_views  # noqa: PLC0415 - as above
+
+        in_drag = self._parts.session.is_previewing
+        return ghost_views(view, settings.ghosts, self._ghosts, in_drag=in_drag)
+
+    def _clear(self) -> None:
+        if not self._is_drawn:
+            return
+        self._is_drawn = False
+        self._ghosts, self._asked, self._settled = {}, None, None
+        self._settler.drop()
+        self._parts.canvas.render_figures(())
+        self._parts.canvas.render_legend(())
+        self._parts.analysis.note({})
+
+    def _settle(self, view: CurveView, settings: AnalysisSettings, waits: frozenset[Overlay]) -> None:
+        """Ask for what is too heavy for a frame, unless the answer is there or on its way."""
+        if not waits:
+            self._asked, self._settled = None, None
+            self._settler.drop()
+            return
+        from app.view_model.analysis.overlays import settled_picture, settling_key  # noqa: PLC0415
+
+        scrub = self._parts.session.scrub
+        asked = (view, settling_key(view, settings, scrub))
+        if asked == self._asked:
+            return
+        self._asked, self._settled = asked, None
+
+        def compute(is_stale: IsStale) -> object:
+            return asked, settled_picture(view, settings, scrub, is_stale)
+
+        self._settler.ask(compute)
+
+    def _show_settled(self, result: tuple[object, Picture]) -> None:
+        asked, picture = result
+        if asked == self._asked:
+            self._settled = picture
+            self.follow(self._parts.session.active_view)
+
+    def _follow_scrub(self) -> None:
+        if self._parts.analysis.settings.overlays & _AT_SCRUB:
+            self.follow(self._parts.session.active_view)
 
     def _render_settings(self) -> None:
-        shown = self._parts.analysis.settings.overlays
+        analysis, session = self._parts.analysis, self._parts.session
+        shown = analysis.settings.overlays
+        if shown & _WITH_ERRORS and analysis.settings.point_error is None:
+            from app.view_model.analysis.scene import usual_error  # noqa: PLC0415
+
+            # Once: an error that followed the size would change during a drag.
+            analysis.change(point_error=usual_error(session.active_view))
+            return
         for name, overlay in OVERLAYS.items():
             self._parts.actions[name].setChecked(overlay in shown)
-        self.follow(self._parts.session.active_view)
+        for name, ghost in GHOSTS.items():
+            self._parts.actions[name].setChecked(ghost in analysis.settings.ghosts)
+        self.follow(session.active_view)
+
+    # What the person does
+
+    def _switch(self, name: str) -> None:
+        overlay, shown = OVERLAYS[name], self._parts.actions[name].isChecked()
+        session = self._parts.session
+        view = session.active_view
+        if overlay is Overlay.CIRCLE and shown and session.scrub is None and view.curve is not None:
+            start, end = view.curve.domain
+            session.set_scrub((start + end) / 2)
+        self._parts.analysis.show(overlay, shown)
+
+    def _switch_ghost(self, name: str) -> None:
+        self._parts.analysis.show_ghost(GHOSTS[name], self._parts.actions[name].isChecked())
+
+    def _new_seed(self) -> None:
+        analysis = self._parts.analysis
+        analysis.change(
+            ensemble_seed=analysis.settings.ensemble_seed + 1,
+            overlays=analysis.settings.overlays | {Overlay.ENSEMBLE},
+        )
+
+    def _make_real(self, ghost: Ghost) -> None:
+        """Give the curve the rules of a ghost."""
+        from app.view_model.analysis.ghosts import FAMILIES, NAMES, with_ghost_real  # noqa: PLC0415 - as above
+
+        session = self._parts.session
+        name = NAMES[ghost]
+        text = f"Switch to {name}" if ghost in FAMILIES else f"Use {name.lower()} parameters"
+        self._parts.change(text, lambda: with_ghost_real(session.document, session.active_index, ghost))

@@ -97,6 +97,15 @@ def bend(editor: Editor) -> Times:
 
 NAMES = {Family.LAGRANGE: "Lagrange", Family.HERMITE: "Hermite", Family.QUINTIC_HERMITE: "quintic"}
 
+EXPLAINING = ("overlayComb", "overlayBand")
+"""Actions that switch on what follows a drag beside the curve; the budget is for all of them together."""
+
+EXPLAINING_GHOSTS = {
+    Family.LAGRANGE: ("ghostCentripetal", "ghostHermite"),
+    Family.HERMITE: ("ghostCentripetal", "ghostQuinticHermite"),
+    Family.QUINTIC_HERMITE: ("ghostChordLength", "ghostLagrange"),
+}
+
 
 def frozen(family: Family) -> ParametrizationKind:
     """The rule whose parameters do not follow the points."""
@@ -167,6 +176,20 @@ def test_ten_thousand_points(open_wave):
     editor = open_wave(10_000, Family.HERMITE, ParametrizationKind.CHORD_LENGTH)
     times = calmest(lambda: drag_point(editor, ["canvas", "basis"]))
     assert noted("Hermite n = 10,000, a point, chord length", times, 16)
+
+
+@pytest.mark.parametrize("errors", [(0.01, 0.0), (0.01, 0.001)], ids=["points", "points and parameters"])
+@pytest.mark.parametrize("family", list(Family))
+def test_a_point_dragged_under_all_that_explains_the_curve(open_wave, family, errors):
+    """With comb, band, and two ghosts, one of which has other parameters in every frame."""
+    editor = open_wave(20, family, frozen(family))
+    editor.window.analysis.change(point_error=errors[0], parameter_error=errors[1])
+    for name in (*EXPLAINING, *EXPLAINING_GHOSTS[family]):
+        editor.trigger(name)
+    times = calmest(lambda: drag_point(editor, ["canvas"]))
+    assert len(editor.window.canvas.ghosts) == 2
+    what = "error of points" if not errors[1] else "and parameters"
+    assert noted(f"{NAMES[family]} n = 20, comb, band ({what}), ghosts", times, 12)
 
 
 def test_one_of_a_hundred_curves(open_wave):

@@ -4,39 +4,309 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QCheckBox, QSlider
+from PySide6.QtCore import QPoint, QPointF, Qt
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QApplication, QCheckBox, QLabel, QLineEdit, QSlider, QToolButton
 
+from app.commands.overlay_commands import OVERLAYS
+from app.document.edits import set_position
+from app.document.model import Family, ParametrizationKind
+from app.theme import ThemeMode
 from app.view_model.analysis.figures import Style
 
 
-def teeth(editor):
-    return [figure for figure in editor.window.canvas.figures if figure.style is Style.COMB_TEETH]
+def figures(editor, style):
+    return [figure for figure in editor.window.canvas.figures if figure.style is style]
 
 
-def longest(editor):
-    ends = teeth(editor)[0].points.reshape(-1, 2, 2)
+def first(editor, style):
+    return figures(editor, style)[0].points
+
+
+def longest(editor, style=Style.COMB_TEETH):
+    ends = first(editor, style).reshape(-1, 2, 2)
     return np.linalg.norm(ends[:, 1] - ends[:, 0], axis=1).max()
 
 
-def test_the_comb_follows_a_drag(editor):
-    editor.trigger("overlayComb")
-    before = teeth(editor)[0].points
-    x, y = editor.point(1)
+def legend(editor):
+    shown = editor.window.canvas.legend
+    return [row.text for row in shown.rows] if shown is not None and shown.isVisible() else []
+
+
+def panel(editor, kind, name):
+    found = editor.window.findChild(kind, name)
+    assert found is not None, name
+    return found
+
+
+def note(editor, qtbot, name):
+    """The words below a switch, once they have settled."""
+    label = panel(editor, QLabel, f"{name}Note")
+    qtbot.waitUntil(lambda: label.text() not in ("", "…"))
+    return label.text()
+
+
+@pytest.fixture
+def dock(editor):
+    """The editor with the Analysis dock in front."""
+    editor.show_dock("analysisDock")
+    return editor
+
+
+def type_into(line, text):
+    line.setFocus()
+    line.selectAll()
+    QTest.keyClicks(line, text)
+    QTest.keyClick(line, Qt.Key.Key_Return)
+
+
+LIVE = {
+    "overlayComb": Style.COMB_TEETH,
+    "overlayVelocities": Style.VELOCITY,
+    "overlayAccelerations": Style.ACCELERATION,
+    "overlayCircle": Style.CIRCLE,
+    "overlayTicks": Style.TICK,
+    "overlayPolygon": Style.POLYGON,
+    "overlayBezier": Style.BEZIER,
+    "overlayBand": Style.BAND,
+}
+
+
+@pytest.mark.parametrize("name", list(LIVE))
+def test_an_overlay_follows_a_drag(editor, name):
+    editor.choose_family(Family.HERMITE)
+    editor.trigger(name)
+    before = first(editor, LIVE[name])
+    x, y = editor.point(3)
     editor.press((x, y))
     editor.move((x + 0.3, y + 0.3))
-    assert not np.array_equal(teeth(editor)[0].points, before)
+    assert not np.array_equal(first(editor, LIVE[name]), before, equal_nan=True)
     editor.escape()
-    assert np.array_equal(teeth(editor)[0].points, before)
-    editor.trigger("overlayComb")
+    assert np.array_equal(first(editor, LIVE[name]), before, equal_nan=True)
+    editor.trigger(name)
     assert not editor.window.canvas.figures
+    assert not legend(editor)
 
 
-def test_the_analysis_dock_switches_and_scales_the_comb(editor, qtbot):
-    editor.show_dock("analysisDock")
-    switch = editor.window.findChild(QCheckBox, "overlayCombSwitch")
-    qtbot.keyClick(switch, Qt.Key.Key_Space)
-    assert editor.action("overlayComb").isChecked()
+HEAVY = {
+    "overlayMarks": Style.INFLECTION,
+    "overlayEnsemble": Style.ENSEMBLE,
+    "overlayBezier": Style.BEZIER,
+}
+
+
+@pytest.mark.parametrize("name", list(HEAVY))
+def test_what_is_heavy_settles_after_a_drag(dock, qtbot, name):
+    editor = dock
+    editor.trigger(name)
+    qtbot.waitUntil(lambda: bool(figures(editor, HEAVY[name])))
+    before = first(editor, HEAVY[name])
+    x, y = editor.point(3)
+    editor.press((x, y))
+    editor.move((x + 0.3, y + 0.3))
+    # What belongs to another curve is not shown, and the dock says that something is coming.
+    assert not figures(editor, HEAVY[name])
+    label = panel(editor, QLabel, f"{name}Note")
+    qtbot.waitUntil(lambda: label.text() == "…")
+    editor.escape()
+    qtbot.waitUntil(lambda: bool(figures(editor, HEAVY[name])))
+    assert np.array_equal(first(editor, HEAVY[name]), before, equal_nan=True)
+
+
+def test_the_window_may_close_while_something_is_computed(editor):
+    editor.trigger("overlayMarks")
+    editor.trigger("overlayEnsemble")
+
+
+def test_switches_of_the_dock_and_actions_agree(dock, qtbot):
+    editor = dock
+    for name, overlay in OVERLAYS.items():
+        switch = panel(editor, QCheckBox, f"{name}Switch")
+        qtbot.keyClick(switch, Qt.Key.Key_Space)
+        assert editor.action(name).isChecked()
+        editor.trigger(name)
+        assert not switch.isChecked()
+        assert overlay not in editor.window.analysis.settings.overlays
+
+
+@pytest.mark.parametrize(
+    ("name", "slider", "style"),
+    [
+        ("overlayComb", "combScale", Style.COMB_TEETH),
+        ("overlayVelocities", "velocityScale", Style.VELOCITY),
+        ("overlayAccelerations", "accelerationScale", Style.ACCELERATION),
+    ],
+)
+def test_a_scale_is_set_by_key_and_shown(dock, qtbot, name, slider, style):
+    editor = dock
+    editor.trigger(name)
+    before = longest(editor, style)
+    line = panel(editor, QSlider, slider)
+    for _ in range(6):
+        qtbot.keyClick(line, Qt.Key.Key_Right)
+    assert longest(editor, style) == pytest.approx(before * 10**0.3)
+    assert panel(editor, QLabel, f"{slider}Value").text() == "× 2"
+
+
+def test_escape_takes_back_a_drag_of_a_slider(dock, qtbot):
+    editor = dock
+    editor.trigger("overlayComb")
     before = longest(editor)
-    qtbot.keyClick(editor.window.findChild(QSlider, "combScale"), Qt.Key.Key_Right)
-    assert longest(editor) == pytest.approx(before * 10**0.05)
+    slider = panel(editor, QSlider, "combScale")
+    middle = QPoint(slider.width() // 2, slider.height() // 2)
+    qtbot.mousePress(slider, Qt.MouseButton.LeftButton, pos=middle)
+    qtbot.mouseMove(slider, middle + QPoint(30, 0))
+    assert longest(editor) > before
+    qtbot.keyClick(slider, Qt.Key.Key_Escape)
+    assert longest(editor) == pytest.approx(before)
+    qtbot.mouseMove(slider, middle + QPoint(40, 0))
+    qtbot.mouseRelease(slider, Qt.MouseButton.LeftButton, pos=middle + QPoint(40, 0))
+    assert longest(editor) == pytest.approx(before)
+    assert slider.value() == 0
+
+
+def test_the_number_of_ticks(dock, qtbot):
+    editor = dock
+    editor.trigger("overlayTicks")
+    qtbot.keyClick(panel(editor, QSlider, "tickCount"), Qt.Key.Key_Left)
+    # A tick at both ends: 19 steps, 20 ticks.
+    assert len(first(editor, Style.TICK)) == 2 * 20
+
+
+def test_the_circle_brings_the_scrub_line_and_follows_it(dock, qtbot):
+    editor = dock
+    editor.trigger("overlayCircle")
+    assert editor.session.scrub == pytest.approx(0.5)
+    before = first(editor, Style.CIRCLE)
+    editor.scrub(0.8)
+    assert not np.array_equal(first(editor, Style.CIRCLE), before)
+    radius = float(np.linalg.norm(np.diff(first(editor, Style.CIRCLE_CENTRE), axis=0)))
+    qtbot.waitUntil(lambda: note(editor, qtbot, "overlayCircle").startswith(f"Radius {radius:.3g}"))
+    editor.trigger("toggleScrub")
+    qtbot.waitUntil(lambda: "scrub line" in note(editor, qtbot, "overlayCircle"))
+    assert not figures(editor, Style.CIRCLE)
+
+
+def test_an_arrow_at_the_scrub_line_has_its_length_in_words(editor):
+    editor.trigger("overlayVelocities")
+    editor.scrub(0.5)
+    arrow = figures(editor, Style.VELOCITY)[1]
+    assert arrow.label.startswith("|c′| ")
+    velocity = editor.session.active_view.curve.evaluate(editor.session.scrub, 1)
+    assert float(arrow.label.split()[1]) == pytest.approx(np.hypot(*velocity), rel=0.01)
+
+
+def test_errors_are_typed_as_expressions(dock, qtbot):
+    editor = dock
+    editor.choose_parametrization(ParametrizationKind.UNIFORM)
+    editor.trigger("overlayBand")
+    before = first(editor, Style.BAND)
+    line = panel(editor, QLineEdit, "pointError")
+    type_into(line, "1/8")
+    assert editor.window.analysis.settings.point_error == 0.125
+    assert not np.array_equal(first(editor, Style.BAND), before, equal_nan=True)
+    # Eight uniform parameters: the Lebesgue constant is 6.9297.
+    qtbot.waitUntil(lambda: "half-width 0.866" in note(editor, qtbot, "overlayBand"))
+    assert "times ε" in note(editor, qtbot, "overlayBand")
+    assert legend(editor) == ["Worst case, ε = 0.125"]
+    type_into(panel(editor, QLineEdit, "parameterError"), "1e-3")
+    assert legend(editor) == ["Worst case, ε = 0.125, δ = 0.001"]
+    for text in ("-1", "abc"):
+        type_into(line, text)
+        assert panel(editor, QLabel, "analysisProblem").text().startswith("⚠")
+        assert editor.window.analysis.settings.point_error == 0.125
+    qtbot.keyClick(line, Qt.Key.Key_Escape)
+    assert line.text() == "0.125"
+    assert not panel(editor, QLabel, "analysisProblem").text()
+
+
+def test_the_first_error_is_a_hundredth_of_the_size_and_stays(editor):
+    editor.trigger("overlayBand")
+    error = editor.window.analysis.settings.point_error
+    size = np.ptp(editor.session.active_view.points, axis=0).max()
+    assert error == pytest.approx(size / 100, rel=0.5)
+    editor.drag_point(0, (4.0, 4.0))
+    assert editor.window.analysis.settings.point_error == error
+
+
+def test_another_seed_draws_other_curves(dock, qtbot):
+    editor = dock
+    editor.trigger("overlayEnsemble")
+    qtbot.waitUntil(lambda: bool(figures(editor, Style.ENSEMBLE)))
+    before = first(editor, Style.ENSEMBLE)
+    qtbot.mouseClick(panel(editor, QToolButton, "newSeedButton"), Qt.MouseButton.LeftButton)
+    assert not figures(editor, Style.ENSEMBLE)
+    qtbot.waitUntil(lambda: bool(figures(editor, Style.ENSEMBLE)))
+    assert not np.array_equal(first(editor, Style.ENSEMBLE), before, equal_nan=True)
+    qtbot.keyClick(panel(editor, QSlider, "ensembleCount"), Qt.Key.Key_Left)
+    qtbot.waitUntil(lambda: note(editor, qtbot, "overlayEnsemble") == "29 curves, seed 1.")
+
+
+def test_without_a_curve_nothing_is_drawn_and_the_dock_says_why(dock, qtbot):
+    editor = dock
+    editor.trigger("overlayComb")
+    editor.trigger("ghostUniform")
+    # Point 1 onto point 0: chord length has no parameters for these.
+    moved = set_position(editor.session.document, 0, 1, editor.point(0))
+    editor.session.commit(moved, "Move")
+    assert not editor.window.canvas.figures
+    assert not editor.window.canvas.ghosts
+    problem = panel(editor, QLabel, "analysisProblem")
+    qtbot.waitUntil(lambda: "distinct" in problem.text() or "coincide" in problem.text())
+    editor.trigger("undo")
+    assert figures(editor, Style.COMB_TEETH)
+    qtbot.waitUntil(lambda: not problem.text())
+
+
+def test_the_band_is_one_even_shade(editor):
+    """Where a band of half-width 0.87 folds over itself there are neither seams nor holes."""
+    editor.choose_parametrization(ParametrizationKind.UNIFORM)
+    editor.trigger("overlayBand")
+    editor.window.analysis.change(point_error=0.125)
+    editor.trigger("toggleGrid")
+    editor.settle()
+    canvas = editor.window.canvas
+    image = canvas.grab().toImage()
+    curve = editor.session.active_view.curve
+    (dx, dy) = curve.evaluate(0.05, 1) / np.linalg.norm(curve.evaluate(0.05, 1))
+    shades = set()
+    for share in np.linspace(-0.9, 0.9, 60):
+        x, y = curve.evaluate(0.05) + share * 0.3 * np.array([-dy, dx])
+        pixel = canvas.viewport().mapTo(canvas, canvas.to_pixel(float(x), float(y)))
+        shades.add(image.pixelColor(pixel).name())
+    paper = image.pixelColor(canvas.viewport().mapTo(canvas, canvas.to_pixel(4.6, 0.3)))
+    # The band alone, and what the curve and its points paint over it; never bare paper.
+    assert paper.name() not in shades
+    assert len(shades) < 12
+
+
+def test_legend_and_dock_change_with_the_theme(dock):
+    editor = dock
+    editor.trigger("overlayBand")
+    for mode in (ThemeMode.DARK, ThemeMode.LIGHT):
+        editor.window.set_theme_mode(mode)
+        editor.settle()
+        shown = editor.window.canvas.legend
+        image = shown.grab().toImage()
+        dark = image.pixelColor(image.width() - 5, image.height() // 2).lightnessF() < 0.5
+        assert dark == (mode is ThemeMode.DARK)
+
+
+def test_a_press_on_the_legend_is_meant_for_the_canvas(editor):
+    """What lies below a line of the legend can be dragged all the same."""
+    editor.trigger("overlayVelocities")
+    canvas, shown = editor.window.canvas, editor.window.canvas.legend
+    place = canvas.to_plane(QPointF(shown.geometry().center()))
+    editor.drag_point(7, place)
+    label = shown.findChildren(QLabel)[1]
+    start = label.mapFrom(shown, shown.rect().center())
+    for act, at in (
+        (QTest.mousePress, start),
+        (QTest.mouseMove, start - QPoint(40, 40)),
+        (QTest.mouseMove, start - QPoint(80, 60)),
+        (QTest.mouseRelease, start - QPoint(80, 60)),
+    ):
+        act(label, *(() if act is QTest.mouseMove else (Qt.MouseButton.LeftButton,)), pos=at)
+        QApplication.processEvents()
+    moved = np.subtract(editor.point(7), place) / editor.pixel
+    assert moved == pytest.approx((-80, 60), abs=3)

@@ -2,9 +2,12 @@
 
 - ``settings``: what is switched on and how; no part of the document.
 - ``figures``: lines, arrows, marks and areas of the plane, each in a style that has a meaning.
-- ``overlays``: the figures of everything that is switched on.
-- ``samples``: the curve and its derivatives at parameters that suit drawing.
-- ``comb``: the curvature comb.
+- ``overlays``: the figures of everything that is switched on, live or once things have settled.
+- ``scene``, ``samples``: the curve with what overlays share; its derivatives where a drawing needs them.
+- ``comb``, ``vectors``, ``circle``, ``ticks``, ``polygons``, ``marks``: one overlay or two each.
+- ``band``, ``ensembles``: what errors of the data do, at worst and at random.
+- ``ghosts``: the same points under other rules.
 - ``plot_lines``, ``plot_samples``, ``plots``: plots over t; ``hodograph``: c' and c'' in the plane.
 - ``joints``: how smooth the curve is at each joint, in numbers and words.
+- ``legend``: which of all this needs a line of explanation.
 """

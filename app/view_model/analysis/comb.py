@@ -9,8 +9,8 @@ from __future__ import annotations
 import numpy as np
 
 from app.view_model.analysis.figures import Figure, Floats, Shape, Style
-from app.view_model.analysis.samples import Samples, samples_of
-from app.view_model.curve_view import CurveView
+from app.view_model.analysis.samples import Samples
+from app.view_model.analysis.scene import Scene, usual_length
 from curvecore import curvature_of
 
 _SHARE = 0.2
@@ -20,32 +20,39 @@ _LONGEST = 5.0
 """How far a tooth may surpass nine tenths of all teeth: at a cusp it would be infinite."""
 
 
-def comb(view: CurveView, scale: float) -> list[Figure]:
+def comb(scene: Scene) -> list[Figure]:
     """Return the comb of a curve: its teeth, and the line through their ends."""
-    pieces = samples_of(view)
-    curvatures = [curvature_of(piece.velocities, piece.accelerations) for piece in pieces]
+    pieces = scene.samples
+    teeth = [_normals(piece) * -np.nan_to_num(_curvature(piece))[:, None] for piece in pieces]
     if not pieces:
         return []
-    unit = _unit(np.concatenate(curvatures), view) * scale
+    longest = usual_length(np.vstack(teeth), _LONGEST)
+    unit = _SHARE * scene.size / longest * scene.settings.comb_scale if longest > 0 else 0.0
     figures = []
-    for piece, curvature in zip(pieces, curvatures, strict=True):
-        ends = piece.points - _normals(piece) * (np.nan_to_num(curvature) * unit)[:, None]
-        teeth = np.hstack([piece.points, ends]).reshape(-1, 2)
-        figures.append(Figure(Style.COMB_TEETH, Shape.SEGMENTS, teeth))
+    for piece, tooth in zip(pieces, teeth, strict=True):
+        ends = piece.points + tooth * unit
+        figures.append(
+            Figure(Style.COMB_TEETH, Shape.SEGMENTS, np.hstack([piece.points, ends]).reshape(-1, 2))
+        )
         figures.append(Figure(Style.COMB_EDGE, Shape.LINE, ends))
     return figures
 
 
-def _unit(curvatures: Floats, view: CurveView) -> float:
-    """Return the length of a tooth for curvature 1."""
-    size = float(np.ptp(view.points, axis=0).max())
-    usual = float(np.quantile(np.abs(curvatures[np.isfinite(curvatures)]), 0.9, method="lower"))
-    largest = min(float(np.nanmax(np.abs(curvatures))), _LONGEST * usual)
-    return _SHARE * size / largest if largest > 0 else 0.0
+def _curvature(piece: Samples) -> Floats:
+    return curvature_of(piece.velocities, piece.accelerations)
 
 
 def _normals(piece: Samples) -> Floats:
     """Return unit normals to the left of the curve, zero where it stands still."""
-    speed = np.hypot(piece.velocities[:, 0], piece.velocities[:, 1])
-    unit = piece.velocities / np.where(speed > 0, speed, 1.0)[:, None]
-    return np.column_stack([-unit[:, 1], unit[:, 0]])
+    tangents = unit_tangents(piece.velocities)
+    return np.column_stack([-tangents[:, 1], tangents[:, 0]])
+
+
+def unit_tangents(velocities: Floats) -> Floats:
+    """Return vectors (m, 2) of length 1 in the same directions, zero for zero."""
+    largest = np.abs(velocities).max(axis=1, keepdims=True)
+    # Divided first, so that squares of huge velocities stay finite.
+    scaled = velocities / np.where(largest > 0, largest, 1.0)
+    length = np.hypot(scaled[:, 0], scaled[:, 1])
+    result: Floats = scaled / np.where(length > 0, length, 1.0)[:, None]
+    return result

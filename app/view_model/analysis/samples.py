@@ -7,6 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 import numpy.typing as npt
 
+from app.document.model import Family
 from app.view_model.curve_view import CurveView
 from curvecore.derivatives import derivatives_at
 
@@ -16,6 +17,9 @@ MOST = 600
 """Samples of a whole curve; more are not told apart on a screen."""
 
 LEAST_A_SEGMENT = 6
+
+_FEW, _LONG = 3, 200
+"""Samples a segment of a polynomial through more than `_LONG` points, whose derivatives cost most."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -36,10 +40,11 @@ def samples_of(view: CurveView) -> list[Samples]:
     if view.curve is None or not view.is_current:
         return []
     segments = len(view.parameters) - 1
+    least = _FEW if view.source.family is Family.LAGRANGE and segments > _LONG else LEAST_A_SEGMENT
     return [
         Samples(t, *derivatives_at(piece, t, (0, 1, 2)))
         for piece in view.pieces
-        for t in [_parameters(piece.parameters, max(LEAST_A_SEGMENT, min(MOST // segments, 60)))]
+        for t in [_parameters(piece.parameters, max(least, min(MOST // segments, 60)))]
     ]
 
 

@@ -1,0 +1,155 @@
+"""The legend on the canvas: what the lines and marks beside the curve mean."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from PySide6.QtCore import QEvent, QObject, QSize, Qt, Signal
+from PySide6.QtGui import QFont
+from PySide6.QtWidgets import QFrame, QGridLayout, QLabel, QToolButton, QWidget
+
+from app.icons import icon
+from app.plot.looks import sign_pixmap
+from app.theme import Theme, mix
+from app.view_model.analysis.legend import LegendRow
+from app.view_model.analysis.settings import Ghost
+
+_MARGIN = 10
+
+
+class Legend(QFrame):
+    """Lies in the lower right corner; what is pressed beside its buttons is meant for the drawing below.
+
+    Signals
+    -------
+    chosen
+        A ghost shall become the curve.
+    hidden
+        A ghost shall go away.
+    """
+
+    chosen = Signal(object)
+    hidden = Signal(object)
+
+    def __init__(self, below: QWidget, theme: Theme) -> None:
+        super().__init__(below)
+        self.setObjectName("legend")
+        self.setAccessibleName("Legend")
+        self._below = below
+        self._rows: Sequence[LegendRow] = ()
+        self._scale = 1.0
+        self._theme = theme
+        self._grid = QGridLayout(self)
+        self._grid.setContentsMargins(8, 5, 6, 5)
+        self._grid.setHorizontalSpacing(7)
+        self._grid.setVerticalSpacing(1)
+        self._grid.setColumnStretch(1, 1)
+        self.set_theme(theme)
+        below.installEventFilter(self)
+        self.hide()
+
+    @property
+    def rows(self) -> Sequence[LegendRow]:
+        """The lines on screen."""
+        return self._rows
+
+    def render_rows(self, rows: Sequence[LegendRow]) -> None:
+        """Show these lines; hidden without any."""
+        if list(rows) != list(self._rows):
+            self._rows = list(rows)
+            self._rebuild()
+
+    def set_scale(self, scale: float) -> None:
+        """Enlarge the letters, for a projector."""
+        self._scale = scale
+        self._rebuild()
+
+    def _rebuild(self) -> None:
+        for widget in self._children():
+            self._grid.removeWidget(widget)
+            widget.hide()
+            widget.deleteLater()
+        for place, row in enumerate(self._rows):
+            self._add(place, row)
+        self.setVisible(bool(self._rows))
+        # A layout counts what is visible only.
+        for widget in self._children():
+            widget.show()
+        self._grid.activate()
+        self._place()
+
+    def _children(self) -> list[QWidget]:
+        items = [self._grid.itemAt(place) for place in range(self._grid.count())]
+        found = [item.widget() for item in items if item is not None]
+        return [widget for widget in found if widget is not None]
+
+    def _add(self, place: int, row: LegendRow) -> None:
+        sign = QLabel()
+        sign.setPixmap(sign_pixmap(row.sign, self._theme, self.devicePixelRatioF()))
+        font = QFont(self.font())
+        font.setPointSizeF(font.pointSizeF() * 0.92 * self._scale)
+        self._grid.addWidget(sign, place, 0)
+        if isinstance(row.sign, Ghost):
+            choose, hide = self._ghost_buttons(row, row.sign)
+            choose.setFont(font)
+            self._grid.addWidget(choose, place, 1)
+            self._grid.addWidget(hide, place, 2)
+            return
+        text = QLabel(row.text)
+        text.setFont(font)
+        text.setToolTip(row.tip)
+        text.setStyleSheet(f"color: {(self._theme.muted if row.is_muted else self._theme.ink).name()}")
+        self._grid.addWidget(text, place, 1, 1, 2)
+
+    def _ghost_buttons(self, row: LegendRow, ghost: Ghost) -> tuple[QToolButton, QToolButton]:
+        choose, hide = QToolButton(), QToolButton()
+        choose.setText(row.text)
+        choose.setEnabled(not row.is_muted)
+        hide.setIcon(icon("close", self._theme))
+        hide.setIconSize(QSize(11, 11))
+        choose.clicked.connect(lambda: self.chosen.emit(ghost))
+        hide.clicked.connect(lambda: self.hidden.emit(ghost))
+        for button, name, words in (
+            (choose, f"legendChoose_{ghost}", row.tip or f"Make this the curve: {row.text}"),
+            (hide, f"legendHide_{ghost}", f"Hide the ghost: {row.text}"),
+        ):
+            button.setObjectName(name)
+            button.setToolTip(words)
+            button.setAccessibleName(words)
+            button.setAutoRaise(True)
+            button.setCursor(Qt.CursorShape.ArrowCursor)
+            # The keyboard stays with the canvas; the Analysis dock offers the same.
+            button.setFocusPolicy(Qt.FocusPolicy.NoFocus)
+        return choose, hide
+
+    def _place(self) -> None:
+        """Lie in the lower right corner, as small as can be."""
+        size = self.sizeHint()
+        room = self._below.rect()
+        self.setGeometry(
+            max(room.width() - size.width() - _MARGIN, 0),
+            # Above the numbers of the axis.
+            max(room.height() - size.height() - _MARGIN - 22, 0),
+            size.width(),
+            size.height(),
+        )
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        if event.type() == QEvent.Type.Resize and not self.isHidden():
+            self._place()
+        return super().eventFilter(watched, event)
+
+    def set_theme(self, theme: Theme) -> None:
+        """Take the colours of `theme`."""
+        self._theme = theme
+        paper, line = theme.paper, theme.grid_coarse.name()
+        hover = mix(theme.ink, theme.paper, 0.1).name()
+        # Never opaque: Qt would cut it out of what it paints below, and drawing in a region that is no
+        # rectangle takes several times as long.
+        self.setStyleSheet(
+            f"#legend {{ background: rgba({paper.red()}, {paper.green()}, {paper.blue()}, 215);"
+            f" border: 1px solid {line}; border-radius: 6px }}"
+            "QToolButton { padding: 0; border: none; border-radius: 3px; text-align: left }"
+            f"QToolButton:hover {{ background: {hover} }}"
+        )
+        self._rebuild()

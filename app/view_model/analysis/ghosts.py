@@ -1,0 +1,130 @@
+"""The same points under other families and other rules for the parameters."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Mapping
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+
+from app.document import edits
+from app.document.model import Curve, Document, Family, ParametrizationKind
+from app.view_model.analysis.scene import is_quick
+from app.view_model.analysis.settings import Ghost
+from app.view_model.curve_view import Box, CurveView, Floats, view_of
+
+FAMILIES = {
+    Ghost.LAGRANGE: Family.LAGRANGE,
+    Ghost.HERMITE: Family.HERMITE,
+    Ghost.QUINTIC_HERMITE: Family.QUINTIC_HERMITE,
+}
+KINDS = {
+    Ghost.UNIFORM: ParametrizationKind.UNIFORM,
+    Ghost.CHORD_LENGTH: ParametrizationKind.CHORD_LENGTH,
+    Ghost.CENTRIPETAL: ParametrizationKind.CENTRIPETAL,
+    Ghost.CHEBYSHEV: ParametrizationKind.CHEBYSHEV,
+}
+NAMES = {
+    Ghost.LAGRANGE: "Lagrange",
+    Ghost.HERMITE: "Hermite",
+    Ghost.QUINTIC_HERMITE: "Quintic Hermite",
+    Ghost.UNIFORM: "Uniform",
+    Ghost.CHORD_LENGTH: "Chord length",
+    Ghost.CENTRIPETAL: "Centripetal",
+    Ghost.CHEBYSHEV: "Chebyshev",
+}
+
+_FAMILY_NAMES = {family: NAMES[ghost] for ghost, family in FAMILIES.items()}
+_KIND_NAMES = {
+    **{kind: NAMES[ghost] for ghost, kind in KINDS.items()},
+    ParametrizationKind.POWER: "Power",
+    ParametrizationKind.MANUAL: "Manual",
+}
+
+
+def rules_text(curve: Curve) -> str:
+    """Return the family and the rule of a curve in words."""
+    return f"{_FAMILY_NAMES[curve.family]} · {_KIND_NAMES[curve.parametrization.kind]}"
+
+
+_SAMPLES, _PER_SEGMENT = 480, 2
+"""Samples of a polynomial: enough for a glance, and at least so many a segment."""
+
+_LONG = 200
+"""Points of the longest polynomial that follows a drag."""
+
+
+@dataclass(frozen=True, eq=False)
+class GhostView:
+    """One variant of a curve.
+
+    Attributes
+    ----------
+    is_real
+        Whether it is the curve itself: it has these rules already.
+    waits
+        Whether it is too slow to follow a drag; `view` is then another one.
+    is_sketch
+        Whether samples must do: flattening a polynomial whose parameters change takes milliseconds, and
+        seconds for a long one.
+    """
+
+    ghost: Ghost
+    view: CurveView
+    is_real: bool
+    waits: bool = False
+    is_sketch: bool = False
+
+    @property
+    def is_drawn(self) -> bool:
+        """Whether there is something to draw beside the curve."""
+        return self.view.is_current and not self.is_real and not self.waits
+
+    def line(self, tolerance: float, box: Box) -> Floats:
+        """Return the variant as a polyline (k, 2), within `tolerance` unless samples must do."""
+        return self._sampled if self.is_sketch else self.view.flattened(tolerance, box).points
+
+    @cached_property
+    def _sampled(self) -> Floats:
+        curve = self.view.curve
+        assert curve is not None
+        knots = curve.parameters
+        count = max(_SAMPLES // (len(knots) - 1), _PER_SEGMENT)
+        inner = knots[:-1, None] + np.diff(knots)[:, None] * np.linspace(0.0, 1.0, count, endpoint=False)
+        return curve.evaluate(np.append(inner.ravel(), knots[-1]))
+
+
+def with_ghost_real(document: Document, curve: int, ghost: Ghost) -> Document:
+    """Return the document with the family or the rule of a ghost."""
+    if ghost in FAMILIES:
+        return edits.set_family(document, curve, FAMILIES[ghost])
+    return edits.set_parametrization(document, curve, KINDS[ghost], ())
+
+
+def ghost_views(
+    view: CurveView, ghosts: Collection[Ghost], previous: Mapping[Ghost, GhostView], *, in_drag: bool = False
+) -> dict[Ghost, GhostView]:
+    """Return the variants of a curve; those of the frame before lend what did not change."""
+    views = {}
+    for ghost in Ghost:
+        if ghost in ghosts:
+            variant = _variant(view.source, ghost)
+            is_real = _rules(variant) == _rules(view.source)
+            if is_real or (in_drag and variant.family is Family.LAGRANGE and len(variant.nodes) > _LONG):
+                views[ghost] = GhostView(ghost, view, is_real, not is_real)
+                continue
+            old = previous.get(ghost)
+            last = old.view if old is not None and not (old.is_real or old.waits) else None
+            made = view_of(variant, last)
+            is_sketch = not is_quick(made) or (in_drag and variant.family is Family.LAGRANGE)
+            views[ghost] = GhostView(ghost, made, is_real, is_sketch=is_sketch)
+    return views
+
+
+def _variant(curve: Curve, ghost: Ghost) -> Curve:
+    return with_ghost_real(Document((curve,)), 0, ghost).curves[0]
+
+
+def _rules(curve: Curve) -> tuple[Family, ParametrizationKind]:
+    return curve.family, curve.parametrization.kind

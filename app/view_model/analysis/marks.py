@@ -1,0 +1,64 @@
+"""Where the curve bends otherwise, bends most, bends least, and crosses itself."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import numpy as np
+
+from app.view_model.analysis.figures import Figure, Floats, Shape, Style
+from app.view_model.analysis.scene import Scene
+from curvecore import curvature_extrema, inflections, self_intersections
+
+_TOLERANCE = 1e-6
+"""Share of the size within which two places of the curve are one."""
+
+NAMES = {
+    Style.INFLECTION: ("inflection", "inflections"),
+    Style.SHARPEST: ("sharpest bend", "sharpest bends"),
+    Style.FLATTEST: ("flattest place", "flattest places"),
+    Style.CROSSING: ("crossing", "crossings"),
+}
+
+
+def marks(scene: Scene, is_stale: Callable[[], bool]) -> tuple[list[Figure], str]:
+    """Return the marks and how many there are, in words; heavy, and given up when it `is_stale`."""
+    curve = scene.view.curve
+    if curve is None:
+        return [], ""
+    places: dict[Style, Floats] = {Style.INFLECTION: curve.evaluate(inflections(curve))}
+    if is_stale():
+        return [], ""
+    bends = curvature_extrema(curve)
+    # The largest signed curvature is the sharpest bend to the left, and the flattest to the right.
+    is_sharp = bends.is_maximum == (bends.curvatures > 0)
+    places[Style.SHARPEST] = curve.evaluate(bends.parameters[is_sharp])
+    places[Style.FLATTEST] = curve.evaluate(bends.parameters[~is_sharp])
+    if is_stale():
+        return [], ""
+    complete = True
+    if scene.size > 0:
+        crossings = self_intersections(curve, _TOLERANCE * scene.size)
+        places[Style.CROSSING] = _distinct(crossings.points, 10 * _TOLERANCE * scene.size)
+        complete = crossings.is_complete
+    figures = [
+        Figure(style, Shape.MARKS, points.reshape(-1, 2))
+        for style, points in places.items()
+        if np.size(points)
+    ]
+    return figures, _words(places, complete=complete)
+
+
+def _distinct(points: Floats, tolerance: float) -> Floats:
+    """Leave out points at the place of an earlier one: of three branches, each two cross there."""
+    kept: list[Floats] = []
+    for point in points:
+        if all(float(np.abs(point - other).max()) > tolerance for other in kept):
+            kept.append(point)
+    return np.array(kept).reshape(-1, 2)
+
+
+def _words(places: dict[Style, Floats], *, complete: bool) -> str:
+    counts = [f"{len(found)} {NAMES[style][len(found) != 1]}" for style, found in places.items()]
+    text = ", ".join(counts) + "."
+    return text if complete else f"{text} The curve runs along itself: there may be more crossings."

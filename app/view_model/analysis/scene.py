@@ -1,0 +1,68 @@
+"""The curve that overlays are drawn of, with what several of them need."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+
+from app.view_model.analysis.figures import Floats
+from app.view_model.analysis.samples import Samples, samples_of
+from app.view_model.analysis.settings import AnalysisSettings
+from app.view_model.curve_view import CurveView
+from curvecore import LagrangeCurve
+
+_QUICK = 64
+"""Points of the longest polynomial whose derivatives are found within a frame."""
+
+
+@dataclass(frozen=True, eq=False)
+class Scene:
+    """A curve, what is to be shown of it, and the scrub line's t."""
+
+    view: CurveView
+    settings: AnalysisSettings
+    scrub: float | None = None
+
+    @cached_property
+    def samples(self) -> list[Samples]:
+        """Samples of every piece; computed once for all overlays."""
+        return samples_of(self.view)
+
+    @cached_property
+    def size(self) -> float:
+        """The larger side of the box around the points."""
+        return float(np.ptp(self.view.points, axis=0).max())
+
+    def at_scrub(self, order: int) -> Floats | None:
+        """Return a derivative at the scrub line, None without a line or where it is not finite."""
+        curve = self.view.curve
+        if self.scrub is None or curve is None:
+            return None
+        value: Floats = curve.evaluate(min(max(self.scrub, curve.domain[0]), curve.domain[1]), order)
+        return value if np.isfinite(value).all() else None
+
+
+def usual_error(view: CurveView) -> float:
+    """Return a round number near one hundredth of the size of the points."""
+    size = float(np.ptp(view.points, axis=0).max()) if len(view.points) else 0.0
+    return float(f"{size / 100:.0e}") if size > 0 else 0.01
+
+
+def is_quick(view: CurveView) -> bool:
+    """Whether derivatives along the whole curve can be had in every frame of a drag."""
+    return not (isinstance(view.curve, LagrangeCurve) and len(view.parameters) > _QUICK)
+
+
+def usual_length(vectors: Floats, longest: float) -> float:
+    """Return the length that nine tenths of the vectors keep, or the longest if that is not far above.
+
+    One endless vector, at a cusp for instance, shall not make all others invisible.
+    """
+    lengths = np.hypot(vectors[:, 0], vectors[:, 1])
+    lengths = lengths[np.isfinite(lengths)]
+    if not len(lengths):
+        return 0.0
+    usual = float(np.quantile(lengths, 0.9, method="lower"))
+    return min(float(lengths.max()), longest * usual) if usual > 0 else float(lengths.max())

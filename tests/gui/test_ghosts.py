@@ -1,0 +1,163 @@
+"""The same points under other rules: drawn beside the curve, made real, hidden."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from PySide6.QtCore import Qt
+from PySide6.QtWidgets import QCheckBox, QToolButton
+
+from app.document.edits import set_position
+from app.document.model import Curve, Document, Family, Node, Parametrization, ParametrizationKind
+from app.plot.dashes import dashed
+from app.plot.looks import GHOST_LOOKS
+from app.theme import theme_of
+from app.view_model.analysis.settings import Ghost
+
+
+def shown(editor):
+    return {ghost.ghost: ghost.view for ghost in editor.window.canvas.ghosts if not ghost.is_real}
+
+
+def rows(editor):
+    return [row.text for row in editor.window.canvas.legend.rows]
+
+
+def press(editor, qtbot, name):
+    qtbot.mouseClick(editor.window.findChild(QToolButton, name), Qt.MouseButton.LeftButton)
+    editor.settle()
+
+
+def test_ghosts_follow_a_drag_and_its_cancelling(editor):
+    editor.trigger("ghostUniform")
+    editor.trigger("ghostHermite")
+    assert set(shown(editor)) == {Ghost.UNIFORM, Ghost.HERMITE}
+    before = shown(editor)[Ghost.UNIFORM].curve.points.copy()
+    x, y = editor.point(3)
+    editor.press((x, y))
+    editor.move((x + 0.5, y))
+    moved = {ghost: view.curve.points[3] for ghost, view in shown(editor).items()}
+    assert all(place == pytest.approx(editor.point(3)) for place in moved.values())
+    assert moved[Ghost.UNIFORM][0] > x + 0.3
+    editor.escape()
+    assert np.array_equal(shown(editor)[Ghost.UNIFORM].curve.points, before)
+
+
+def test_the_legend_makes_a_ghost_real_in_one_step(editor, qtbot):
+    editor.trigger("ghostUniform")
+    editor.trigger("ghostQuinticHermite")
+    assert rows(editor) == ["Lagrange · Chord length", "Quintic Hermite", "Uniform"]
+    steps = editor.session.undo_stack.count()
+    press(editor, qtbot, "legendChoose_uniform")
+    assert editor.curve.parametrization.kind is ParametrizationKind.UNIFORM
+    assert rows(editor) == ["Lagrange · Uniform", "Quintic Hermite"]
+    press(editor, qtbot, "legendChoose_quintic_hermite")
+    assert editor.curve.family is Family.QUINTIC_HERMITE
+    assert editor.session.undo_stack.count() == steps + 2
+    assert editor.session.undo_stack.undoText() == "Switch to Quintic Hermite"
+    editor.trigger("undo")
+    editor.trigger("undo")
+    assert rows(editor) == ["Lagrange · Chord length", "Quintic Hermite", "Uniform"]
+
+
+def test_the_legend_hides_a_ghost(editor, qtbot):
+    editor.trigger("ghostUniform")
+    editor.trigger("ghostHermite")
+    press(editor, qtbot, "legendHide_uniform")
+    assert set(shown(editor)) == {Ghost.HERMITE}
+    assert not editor.action("ghostUniform").isChecked()
+    press(editor, qtbot, "legendHide_hermite")
+    assert not editor.window.canvas.ghosts
+    assert editor.window.canvas.legend.isHidden()
+
+
+def test_the_dock_shows_ghosts_and_makes_them_real(editor, qtbot):
+    editor.show_dock("analysisDock")
+    switch = editor.window.findChild(QCheckBox, "ghostCentripetalSwitch")
+    qtbot.keyClick(switch, Qt.Key.Key_Space)
+    assert set(shown(editor)) == {Ghost.CENTRIPETAL}
+    qtbot.keyClick(editor.window.findChild(QToolButton, "use_centripetal"), Qt.Key.Key_Space)
+    assert editor.curve.parametrization.kind is ParametrizationKind.CENTRIPETAL
+    assert not shown(editor)
+
+
+def test_a_locked_curve_stays_what_it_is(editor, qtbot):
+    editor.trigger("ghostUniform")
+    editor.trigger("curveLocked")
+    press(editor, qtbot, "legendChoose_uniform")
+    assert editor.curve.parametrization.kind is ParametrizationKind.CHORD_LENGTH
+    assert "locked" in editor.status
+
+
+def test_a_ghost_that_cannot_be_says_so(editor):
+    editor.choose_parametrization(ParametrizationKind.UNIFORM)
+    editor.trigger("ghostChordLength")
+    moved = set_position(editor.session.document, 0, 1, editor.point(0))
+    editor.session.commit(moved, "Move")
+    row = editor.window.canvas.legend.rows[1]
+    assert (row.text, row.is_muted) == ("Chord length: none", True)
+    assert row.tip
+
+
+def test_a_long_polynomial_appears_when_the_drag_is_over(editor):
+    x = np.linspace(0, 4, 240)
+    nodes = tuple(Node(float(a), float(np.sin(3 * a))) for a in x)
+    rules = Parametrization(ParametrizationKind.CHEBYSHEV)
+    editor.session.commit(Document((Curve("Wave", Family.HERMITE, rules, nodes),)), "Open")
+    editor.fit()
+    editor.trigger("ghostLagrange")
+    assert set(shown(editor)) == {Ghost.LAGRANGE}
+    editor.press(editor.point(120))
+    editor.move((2.0, 1.0))
+    (ghost,) = editor.window.canvas.ghosts
+    assert not ghost.is_drawn
+    assert editor.window.canvas.legend.rows[1].text == "Lagrange …"
+    editor.release((2.0, 1.0))
+    (ghost,) = editor.window.canvas.ghosts
+    assert ghost.is_drawn
+    line = ghost.line(1e-3, (0, 0, 4, 4))
+    assert np.linalg.norm(line - editor.point(120), axis=1).min() < 1e-9
+
+
+def test_a_ghost_is_painted_in_its_colour(editor):
+    editor.trigger("ghostUniform")
+    editor.window.canvas.legend.hide()
+    canvas = editor.window.canvas
+    image, theme = canvas.grab().toImage(), theme_of(canvas.palette())
+    wanted = GHOST_LOOKS[Ghost.UNIFORM].pen(theme, 1.0).color()
+    near = sum(
+        abs(image.pixelColor(x, y).red() - wanted.red()) < 12
+        and abs(image.pixelColor(x, y).green() - wanted.green()) < 12
+        for x in range(0, image.width(), 2)
+        for y in range(0, image.height(), 2)
+    )
+    assert near > 50
+
+
+def test_every_ghost_has_a_look_of_its_own():
+    looks = [(look.colour, look.dashes) for look in GHOST_LOOKS.values()]
+    assert set(GHOST_LOOKS) == set(Ghost)
+    assert len({colour for colour, _ in looks}) == len({dashes for _, dashes in looks}) == len(Ghost)
+
+
+def test_dashes_run_on_over_corners():
+    """Three segments of 4 pixels, dashes of 3 and gaps of 2: 0–3, 5–8, 10–12 along the line."""
+    segments = np.array([[0.0, 0, 4, 0], [4, 0, 4, 4], [4, 4, 8, 4]])
+    expected = [[0, 0, 3, 0], [4, 1, 4, 4], [6, 4, 8, 4]]
+    assert dashed(segments, (3.0, 2.0)) == pytest.approx(np.array(expected))
+    assert dashed(segments, ()) is segments
+    assert len(dashed(np.empty((0, 4)), (3.0, 2.0))) == 0
+
+
+@pytest.mark.parametrize("pattern", [(5.0, 3.0), (9.0, 4.0, 2.0, 4.0)])
+def test_dashes_have_their_share_of_the_length(pattern):
+    t = np.linspace(0, 20, 400)
+    points = np.column_stack([40 * t, 100 * np.sin(t)])
+    segments = np.hstack([points[:-1], points[1:]])
+    drawn = dashed(segments, pattern)
+
+    def length(parts):
+        return np.hypot(*(parts[:, 2:] - parts[:, :2]).T).sum()
+
+    share = sum(pattern[::2]) / sum(pattern)
+    assert length(drawn) == pytest.approx(share * length(segments), abs=sum(pattern))

@@ -1,0 +1,281 @@
+"""Overlays as arrays: against closed forms, and on curves that nobody draws on purpose."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from msgspec.structs import replace
+
+from app.document.model import Curve, Document, Family, Node, Parametrization, ParametrizationKind
+from app.view_model.analysis.circle import AT_REST, NO_BEND, NO_SCRUB
+from app.view_model.analysis.figures import Shape, Style, number
+from app.view_model.analysis.ghosts import ghost_views, with_ghost_real
+from app.view_model.analysis.overlays import live_picture, settled_picture, settles
+from app.view_model.analysis.scene import usual_error
+from app.view_model.analysis.settings import AnalysisSettings, Ghost, Overlay
+from app.view_model.curve_view import view_of
+from curvecore import ensemble, lebesgue_constant, lebesgue_function
+
+UNIFORM = ParametrizationKind.UNIFORM
+
+
+def curve_of(points, family=Family.LAGRANGE, kind=UNIFORM, **fields):
+    nodes = tuple(Node(float(x), float(y)) for x, y in points)
+    return Curve("Test", family, Parametrization(kind), nodes, **fields)
+
+
+def wave(n, family=Family.LAGRANGE, kind=UNIFORM):
+    x = np.linspace(0, 4, n)
+    return curve_of(np.column_stack([x, np.sin(3 * x)]), family, kind)
+
+
+def settings_of(*overlays, **fields):
+    return AnalysisSettings(overlays=frozenset(overlays), **fields)
+
+
+def live(curve, *overlays, scrub=None, **fields):
+    return live_picture(view_of(curve), settings_of(*overlays, **fields), scrub)
+
+
+def points_of(picture, style):
+    return np.vstack([figure.points for figure in picture.figures if figure.style is style])
+
+
+S_CURVE = [
+    (3.03, 3.34),
+    (2.65, 3.81),
+    (1.39, 3.83),
+    (1.14, 2.38),
+    (2.95, 1.62),
+    (2.67, 0.17),
+    (1.29, 0.19),
+    (0.86, 0.66),
+]
+"""Under uniform parameters it has a cusp, or nearly so, between its first two points."""
+
+PARABOLA = curve_of([(-1, 1), (0, 0), (1, 1)])
+"""c(t) = (2t − 1, (2t − 1)²): c' = (2, 4(2t − 1)), c'' = (0, 8), radius 1/2 at the vertex."""
+
+
+def test_the_circle_at_the_vertex_of_a_parabola():
+    picture = live(PARABOLA, Overlay.CIRCLE, scrub=0.5)
+    away = np.linalg.norm(points_of(picture, Style.CIRCLE) - (0, 0.5), axis=1)
+    assert away == pytest.approx(np.full(len(away), 0.5))
+    assert points_of(picture, Style.CIRCLE_CENTRE)[-1] == pytest.approx((0, 0.5))
+    assert picture.notes[Overlay.CIRCLE] == "Radius 0.5, curvature 2."
+
+
+def test_the_circle_at_an_inflection_is_a_line_and_none_at_a_rest():
+    cubic = curve_of([(-1, -1), (-1 / 3, -1 / 27), (1 / 3, 1 / 27), (1, 1)])
+    picture = live(cubic, Overlay.CIRCLE, scrub=0.5)
+    assert picture.notes[Overlay.CIRCLE] == NO_BEND
+    assert points_of(picture, Style.CIRCLE)[:, 1] == pytest.approx([0, 0], abs=1e-12)
+    # (s², s²) turns back where it rests, at s = 0.
+    rest = curve_of([(1, 1), (0, 0), (1, 1)])
+    assert live(rest, Overlay.CIRCLE, scrub=0.5).notes[Overlay.CIRCLE] == AT_REST
+    assert live(PARABOLA, Overlay.CIRCLE).notes[Overlay.CIRCLE] == NO_SCRUB
+
+
+def test_arrows_have_the_direction_and_proportion_of_the_derivatives():
+    picture = live(PARABOLA, Overlay.VELOCITIES, scrub=0.5, velocity_scale=2.0)
+    at_points, at_scrub = (figure for figure in picture.figures if figure.shape is Shape.ARROWS)
+    arrows = np.diff(at_points.points.reshape(-1, 2, 2), axis=1)[:, 0]
+    # A quarter of the size, twice: the longest velocity is √20.
+    assert arrows == pytest.approx(np.array([(2, -4), (2, 0), (2, 4)]) / np.sqrt(20))
+    assert np.diff(at_scrub.points, axis=0)[0] == pytest.approx(np.array([2, 0]) / np.sqrt(20))
+    assert at_scrub.label == "|c′| 2"
+
+
+def test_accelerations_of_cubics_have_two_sides_at_joints():
+    """Two cubics through three points, velocities 0: c'' = ±6 (p₁ − p₀) / h² at their ends."""
+    nodes = tuple(Node(float(x), 0.0, velocity=(0.0, 0.0)) for x in (0, 1, 3))
+    curve = Curve("Test", Family.HERMITE, Parametrization(UNIFORM), nodes)
+    picture = live(curve, Overlay.ACCELERATIONS)
+    ends = points_of(picture, Style.ACCELERATION).reshape(-1, 2, 2)
+    arrows = {tuple(start.tolist()): [] for start in ends[:, 0]}
+    for start, end in ends:
+        arrows[tuple(start.tolist())].append(float((end - start)[0]))
+    # 24, then −24 and 48 in the middle, then −48; the longest is a quarter of the size 3.
+    assert arrows[0.0, 0.0] == pytest.approx([0.375])
+    assert sorted(arrows[1.0, 0.0]) == pytest.approx([-0.375, 0.75])
+    assert arrows[3.0, 0.0] == pytest.approx([-0.75])
+
+
+def test_the_comb_jumps_where_the_curvature_does():
+    """A straight segment, a corner, and a bend: at the corner a tooth of length 0 and a long one."""
+    nodes = (Node(0, 0), Node(1, 0, velocity=(1.0, 0.0), corner=True, velocity_after=(1.0, 2.0)), Node(2, 0))
+    picture = live(Curve("Test", Family.HERMITE, Parametrization(UNIFORM), nodes), Overlay.COMB)
+    teeth = points_of(picture, Style.COMB_TEETH).reshape(-1, 2, 2)
+    there = teeth[np.linalg.norm(teeth[:, 0] - (1, 0), axis=1) < 1e-9]
+    lengths = sorted(np.linalg.norm(there[:, 1] - there[:, 0], axis=1))
+    assert len(lengths) == 2
+    assert lengths[0] == pytest.approx(0, abs=1e-9)
+    assert lengths[1] > 0.05
+
+
+def test_ticks_stand_at_equal_steps_of_t():
+    curve = wave(6)
+    picture = live(curve, Overlay.TICKS, tick_count=7)
+    places = points_of(picture, Style.TICK)[::2]
+    assert places == pytest.approx(view_of(curve).curve.evaluate(np.linspace(0, 1, 8)))
+
+
+def test_polygons():
+    closed = curve_of([(0, 0), (2, 0), (1, 2)], Family.HERMITE, closed=True)
+    picture = live(closed, Overlay.POLYGON, Overlay.BEZIER)
+    assert points_of(picture, Style.POLYGON).tolist() == [[0, 0], [2, 0], [1, 2], [0, 0]]
+    # Two inner control points a segment, three segments.
+    assert points_of(picture, Style.BEZIER_POINT).shape == (6, 2)
+
+
+def test_the_bezier_polygon_of_a_parabola_and_of_too_much():
+    picture = settled_picture(view_of(PARABOLA), settings_of(Overlay.BEZIER))
+    assert points_of(picture, Style.BEZIER_POINT) == pytest.approx(np.array([(0, -1)]))
+    for n in (32, 40):
+        refused = settled_picture(view_of(wave(n)), settings_of(Overlay.BEZIER))
+        assert not refused.figures
+        assert refused.notes[Overlay.BEZIER].startswith("Not drawn")
+
+
+def test_marks_of_a_figure_eight():
+    t = 2 * np.pi * np.arange(8) / 8
+    eight = curve_of(np.column_stack([np.sin(t), np.sin(2 * t)]), Family.QUINTIC_HERMITE, closed=True)
+    picture = settled_picture(view_of(eight), settings_of(Overlay.MARKS))
+    crossing = points_of(picture, Style.CROSSING)
+    assert crossing == pytest.approx(np.zeros((1, 2)), abs=1e-6)
+    assert "1 crossing." in picture.notes[Overlay.MARKS]
+    # The sharpest bends are outside; in the centre the curve bends the other way.
+    assert (np.linalg.norm(points_of(picture, Style.SHARPEST), axis=1) > 0.4).all()
+    assert np.abs(points_of(picture, Style.INFLECTION)).min() < 1e-6
+
+
+def test_the_widest_place_of_the_band_is_the_lebesgue_constant():
+    curve = wave(12)
+    note = live(curve, Overlay.BAND, point_error=0.01).notes[Overlay.BAND]
+    constant = lebesgue_constant(view_of(curve).curve)
+    assert f"Largest half-width {number(0.01 * constant)} at t = 0.0" in note
+    assert f"{number(constant)} times ε" in note
+    assert live(curve, Overlay.BAND, point_error=0.0).notes[Overlay.BAND].startswith("Both errors are 0")
+
+
+def winding(polygons, place):
+    """How often the polygons of a figure go round a place."""
+    total = 0.0
+    for polygon in np.split(polygons, np.flatnonzero(np.isnan(polygons[:, 0]))):
+        corners = polygon[~np.isnan(polygon[:, 0])]
+        if len(corners):
+            away = corners - place
+            angle = np.arctan2(away[:, 1], away[:, 0])
+            turn = np.diff(np.append(angle, angle[0]))
+            total += ((turn + np.pi) % (2 * np.pi) - np.pi).sum() / (2 * np.pi)
+    return round(total)
+
+
+@pytest.mark.parametrize("family", list(Family))
+@pytest.mark.parametrize("epsilon", [0.02, 0.4])
+def test_disturbed_curves_stay_inside_the_area_of_the_band(family, epsilon):
+    """Also where the band is wider than the curve bends: 0.4 against a smallest radius of 0.1 or so."""
+    view = view_of(wave(7, family))
+    picture = live_picture(view, settings_of(Overlay.BAND, point_error=epsilon))
+    area = points_of(picture, Style.BAND)
+    disturbed = ensemble(view.curve, epsilon, count=12, seed=1).evaluate(np.linspace(0, 1, 25))
+    assert all(winding(area, place) > 0 for place in disturbed.reshape(-1, 2))
+    # And it is no larger than it must be: half a width outside there is nothing.
+    widest = lebesgue_constant(view.curve) * epsilon
+    low = view.curve.evaluate(np.linspace(0, 1, 400))[:, 1].min() - 1.5 * widest
+    assert winding(area, np.array([2.0, low])) == 0
+
+
+@pytest.mark.parametrize("kind", [UNIFORM, ParametrizationKind.CHORD_LENGTH])
+@pytest.mark.parametrize("epsilon", [0.03, 0.1])
+def test_the_area_is_the_union_of_all_discs(kind, epsilon):
+    """Points just inside the rims of discs are in it, also around a cusp, where discs grow fast."""
+    view = view_of(curve_of(S_CURVE, kind=kind))
+    area = points_of(live_picture(view, settings_of(Overlay.BAND, point_error=epsilon)), Style.BAND)
+    t = np.linspace(0, 1, 45)
+    radii = epsilon * lebesgue_function(view.curve, t)
+    angle = np.linspace(0, 2 * np.pi, 9)[:-1]
+    rim = np.column_stack([np.cos(angle), np.sin(angle)])
+    places = view.curve.evaluate(t)[:, None] + 0.95 * radii[:, None, None] * rim
+    assert all(winding(area, place) > 0 for place in places.reshape(-1, 2))
+    # And not farther than the samples of the drawing see: outside all discs there is nothing.
+    t = np.linspace(0, 1, 3000)
+    centres, radii = view.curve.evaluate(t), epsilon * lebesgue_function(view.curve, t)
+    for place in np.random.default_rng(1).uniform((0, -1), (4, 5), (150, 2)):
+        gap = (np.linalg.norm(centres - place, axis=1) - radii).min()
+        assert gap < 0.1 * radii.max() or winding(area, place) == 0
+
+
+def test_too_large_errors_of_parameters_are_explained():
+    settings = settings_of(Overlay.ENSEMBLE, point_error=0.01, parameter_error=0.2)
+    picture = settled_picture(view_of(wave(6)), settings)
+    assert not picture.figures
+    assert picture.notes[Overlay.ENSEMBLE].startswith("Not drawn: δ must be less than half")
+
+
+def test_the_same_seed_draws_the_same_curves():
+    def drawn(seed):
+        settings = settings_of(Overlay.ENSEMBLE, point_error=0.01, ensemble_seed=seed, ensemble_count=5)
+        return points_of(settled_picture(view_of(wave(6)), settings), Style.ENSEMBLE)
+
+    assert np.array_equal(drawn(1), drawn(1), equal_nan=True)
+    assert not np.array_equal(drawn(1), drawn(2), equal_nan=True)
+    assert np.isnan(drawn(1)[:, 0]).sum() == 5
+
+
+def test_a_ghost_is_what_the_document_would_show():
+    curve = wave(9, Family.HERMITE, ParametrizationKind.CHORD_LENGTH)
+    ghosts = ghost_views(view_of(curve), set(Ghost), {})
+    assert [ghost for ghost, shown in ghosts.items() if shown.is_real] == [Ghost.HERMITE, Ghost.CHORD_LENGTH]
+    for ghost, shown in ghosts.items():
+        real = view_of(with_ghost_real(Document((curve,)), 0, ghost).curves[0])
+        t = np.linspace(*real.curve.domain, 20)
+        assert np.array_equal(shown.view.curve.evaluate(t), real.curve.evaluate(t))
+    # The views of the frame before lend what stays, and change nothing.
+    moved = replace(curve, nodes=(Node(0.1, 0.2), *curve.nodes[1:]))
+    fresh, lent = (ghost_views(view_of(moved), set(Ghost), old) for old in ({}, ghosts))
+    for ghost in Ghost:
+        assert np.array_equal(fresh[ghost].view.curve.jets, lent[ghost].view.curve.jets)
+
+
+WILD = {
+    "two points": curve_of([(0, 0), (1, 1)]),
+    "one place": curve_of([(1, 1)] * 4),
+    "one place, Hermite": curve_of([(1, 1)] * 4, Family.HERMITE),
+    "straight": curve_of([(x, x) for x in range(5)]),
+    "back and forth": curve_of([(0, 0), (1, 0), (0, 0), (1, 0)], Family.HERMITE),
+    "far away": curve_of([(1e12, 1e12), (1e12 - 1, 0), (-1e12, 1e12)]),
+    "tiny": curve_of([(0, 0), (1e-300, 1e-300), (2e-300, 0)]),
+    "runaway": curve_of([(x, (-1) ** x) for x in range(48)]),
+    "wild": curve_of([(x, (-1) ** x) for x in range(120)]),
+    "closed": curve_of([(0, 0), (1, 0), (1, 1)], Family.QUINTIC_HERMITE, closed=True),
+    "thousand": wave(1000, Family.HERMITE),
+}
+
+
+@pytest.mark.parametrize("name", list(WILD))
+def test_curves_that_nobody_draws_on_purpose(name):
+    view = view_of(WILD[name])
+    everything = settings_of(*Overlay, point_error=0.01, parameter_error=1e-6, ghosts=frozenset(Ghost))
+    live_picture(view, everything, 0.5)
+    settled_picture(view, everything, 0.5)
+    assert ghost_views(view, everything.ghosts, {})
+    assert usual_error(view) > 0
+
+
+def test_a_curve_that_is_not_current_shows_nothing():
+    broken = view_of(curve_of([(0, 0), (0, 0), (1, 1)], kind=ParametrizationKind.CHORD_LENGTH))
+    everything = settings_of(*Overlay, point_error=0.01)
+    assert not broken.is_current
+    assert not live_picture(broken, everything).figures
+    assert not settles(broken, everything)
+
+
+def test_what_is_too_slow_for_a_frame_settles():
+    """Derivatives of a polynomial through 100 points take 26 ms."""
+    settings = settings_of(Overlay.COMB)
+    assert settles(view_of(wave(20)), settings) == frozenset()
+    long = view_of(wave(100, kind=ParametrizationKind.CHEBYSHEV))
+    assert settles(long, settings) == {Overlay.COMB}
+    assert not live_picture(long, settings).figures
+    assert settled_picture(long, settings).figures
