@@ -122,11 +122,14 @@ class MainWindow(QMainWindow):
         analysis = self._add_late_dock("analysisDock", "Analysis", self._build_analysis)
         for upper in (curves, history):
             self.tabifyDockWidget(points, upper)
-        for lower in (analysis, self.image_dock):
+        laboratory = self._add_late_dock("laboratoryDock", "Laboratory", self._build_laboratory)
+        wiggle = self._add_late_dock("wiggleDock", "Wiggle", self._build_wiggle)
+        for lower in (analysis, laboratory, self.image_dock, wiggle):
             self.tabifyDockWidget(curve, lower)
         for front in (points, curve):
             front.raise_()
-        self.docks = (points, curves, history, curve, analysis, self.image_dock)
+        wiggle.hide()
+        self.docks = (points, curves, history, curve, analysis, laboratory, self.image_dock, wiggle)
         self.resizeDocks([points], [360], Qt.Orientation.Horizontal)
         self.resizeDocks([points, curve], [480, 300], Qt.Orientation.Vertical)
 
@@ -134,6 +137,12 @@ class MainWindow(QMainWindow):
         from app.panels.analysis_panel import AnalysisPanel  # noqa: PLC0415
 
         return AnalysisPanel(self.analysis, self.actions_by_name.__getitem__)
+
+    def _build_laboratory(self) -> QWidget:
+        return self._commands.laboratory.build_panel()
+
+    def _build_wiggle(self) -> QWidget:
+        return self._commands.wiggle.build_panel()
 
     def _add_dock(self, name: str, title: str, content: QWidget) -> QDockWidget:
         dock = QDockWidget(title, self)
@@ -421,6 +430,7 @@ class MainWindow(QMainWindow):
         self._remember_layout()
         for dialog in self.findChildren(QDialog):
             dialog.close()
+        self._commands.stop()
         event.accept()
 
 

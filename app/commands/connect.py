@@ -8,6 +8,7 @@ from app.commands.curve_commands import CurveCommands
 from app.commands.edit_commands import EditCommands
 from app.commands.help_commands import HelpCommands
 from app.commands.image_commands import ImageCommands
+from app.commands.laboratory_commands import LaboratoryCommands
 from app.commands.messages import Messages
 from app.commands.overlay_commands import OverlayCommands
 from app.commands.parts import CommandSet, Handlers, LiveSet, Parts
@@ -15,8 +16,10 @@ from app.commands.rail_commands import RailCommands
 from app.commands.selection_commands import SelectionCommands
 from app.commands.snap_commands import SnapCommands
 from app.commands.tangent_commands import TangentCommands
+from app.commands.teaching_commands import TeachingCommands
 from app.commands.tool_commands import ToolCommands
 from app.commands.view_commands import ViewCommands
+from app.commands.wiggle_commands import WiggleCommands
 from app.view_model.curve_view import CurveView
 
 
@@ -30,7 +33,10 @@ class Commands:
         self.snap = SnapCommands(parts)
         self.images = ImageCommands(parts, self.messages)
         curves = CurveCommands(parts)
-        self._live: tuple[LiveSet, ...] = (OverlayCommands(parts),)
+        self.laboratory = LaboratoryCommands(parts)
+        self.wiggle = WiggleCommands(parts)
+        self._teaching = TeachingCommands(parts, self.laboratory.open, self.wiggle.explain_widest)
+        self._live: tuple[LiveSet, ...] = (OverlayCommands(parts), self.laboratory, self.wiggle)
         self._sets: tuple[CommandSet, ...] = (
             *self._live,
             EditCommands(parts),
@@ -45,7 +51,7 @@ class Commands:
             self.images,
             ToolCommands(parts, self.snap.apply_preferences),
         )
-        self.context_menus = ContextMenus(parts, curves)
+        self.context_menus = ContextMenus(parts, curves, self.wiggle.explain_at)
         for handlers in (self._file_handlers(), *(each.handlers() for each in self._sets)):
             for name, handler in handlers.items():
                 parts.actions[name].triggered.connect(lambda _checked=False, handler=handler: handler())
@@ -71,8 +77,14 @@ class Commands:
         for each in self._live:
             each.follow(view)
 
+    def stop(self) -> None:
+        """Let what is being computed end, before the window goes."""
+        self.laboratory.stop()
+        self.wiggle.stop()
+
     def render(self, view: CurveView) -> None:
         """Check and enable actions, and show the line on the canvas, as `view` has it."""
         for each in self._sets:
             each.render(view)
+        self._teaching.render(view)
         self.messages.render(view)

@@ -29,6 +29,7 @@ class ToolKind(Enum):
     SELECT = "select"
     ADD = "add"
     MEASURE = "measure"
+    EXPLAIN = "explain"
 
 
 class CanvasTool:
@@ -85,6 +86,8 @@ class CanvasTool:
         hit, grip = pointer.hit, self._grip_at(pointer)
         if self.kind is ToolKind.MEASURE:
             self._measure, self._measuring = Measure(pointer, self._magnet_for((), -2), self.unit), True
+        elif self.kind is ToolKind.EXPLAIN:
+            self._explain(hit)
         elif hit is not None and hit.part is Part.OTHER_CURVE:
             self._machine.press(pointer, None, on_click=lambda: self._host.activate(hit.index))
         elif hit is not None and hit.part is not Part.CURVE:
@@ -287,6 +290,10 @@ class CanvasTool:
             return Hint(
                 "Drag to measure a distance and an angle · Ctrl: snap, or not · V goes back to Select"
             )
+        if self.kind is ToolKind.EXPLAIN:
+            return Hint(
+                "Click on the curve where it swings out · V goes back to Select", grab=hit is not None
+            )
         return self._hint_beside(pointer) if hit is None else self._hint_on(pointer, hit)
 
     def _hint_on(self, pointer: Pointer, hit: Hit) -> Hint:
@@ -332,6 +339,15 @@ class CanvasTool:
             self._hovered = (made_for, self._magnet_for((), place))
         self._magnet = self._hovered[1]
         self._magnet.pull(pointer.position, pointer)
+
+    def _explain(self, hit: Hit | None) -> None:
+        """Put the scrub line where the curve was clicked: what explains the curve stands there."""
+        if hit is not None and hit.part is Part.CURVE:
+            self._host.set_scrub(hit.t)
+        elif hit is not None and hit.part is Part.OTHER_CURVE:
+            self._host.activate(hit.index)
+        else:
+            self._host.say("Click on the curve itself, where it swings out.")
 
     def _press_on_part(self, pointer: Pointer, hit: Hit) -> None:
         host = self._host

@@ -5,4 +5,8 @@
 - ``overlays``: the figures of everything that is switched on.
 - ``samples``: the curve and its derivatives at parameters that suit drawing.
 - ``comb``: the curvature comb.
+- ``laboratory_settings``, ``laboratory``: the curve computed with few digits, by several methods.
+- ``cost``: what solving a system costs against the basis form, counted and measured.
+- ``wiggle``, ``cures``: why the curve swings out at one t, and what would calm it.
+- ``teaching``: when the numbers deserve a word of warning.
 """

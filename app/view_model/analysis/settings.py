@@ -6,6 +6,8 @@ import enum
 
 import msgspec
 
+from app.view_model.analysis.laboratory_settings import LaboratorySettings
+
 
 class Overlay(enum.StrEnum):
     """Something that can be drawn over the curve."""
@@ -22,7 +24,10 @@ class AnalysisSettings(msgspec.Struct, frozen=True):
         What is switched on.
     comb_scale
         Length of the comb's teeth; 1 makes the longest a fifth of the curve's size.
+    laboratory
+        The experiment with rounded arithmetic.
     """
 
     overlays: frozenset[Overlay] = frozenset()
     comb_scale: float = 1.0
+    laboratory: LaboratorySettings = LaboratorySettings()
