@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from math import ceil
 
-from PySide6.QtCore import QPointF, QRectF, Qt
-from PySide6.QtGui import QFont, QFontMetricsF, QPainter
+from PySide6.QtCore import QPointF, QRectF, QSize, Qt
+from PySide6.QtGui import QFont, QFontMetricsF, QPainter, QPixmap
 
 from app.plot.pixel_map import PixelMap
 from app.plot.plot_widget import PlotWidget
@@ -25,21 +26,39 @@ class TraceLayer:
         self.scale = 1.0
         self.groups: dict[str, tuple[Sequence[Trace], str, bool]] = {}
         self._font = QFont(plot.font())
+        self._picture: QPixmap | None = None
+        self._drawn: object = None
         self._layer = plot.add_layer(self.paint, z=0.5)
 
     def render(self, group: str, traces: Sequence[Trace], heading: str, *, faded: bool) -> None:
         """Draw the traces of a group from the next paint on; none take the group away."""
         if not traces and group not in self.groups:
             return
+        self._picture = None
         self.groups.pop(group, None)
         if traces:
             self.groups[group] = (traces, heading, faded)
         self._layer.update()
 
     def paint(self, painter: QPainter, shown: PixelMap) -> None:
-        """Draw the traces and the legend."""
+        """Draw the traces and the legend.
+
+        Dashes are dear, and during a drag they are old results that stay: drawn once, kept as a picture.
+        """
         if not self.groups:
             return
+        device = painter.device()
+        ratio = device.devicePixelRatioF() if device is not None else 1.0
+        state = (shown, self.theme, self.scale, ratio)
+        if self._picture is None or self._drawn != state:
+            self._picture, self._drawn = self._drawing(shown, ratio), state
+        painter.drawPixmap(QPointF(0, 0), self._picture)
+
+    def _drawing(self, shown: PixelMap, ratio: float) -> QPixmap:
+        picture = QPixmap(QSize(ceil(shown.width * ratio), ceil(shown.height * ratio)))
+        picture.setDevicePixelRatio(ratio)
+        picture.fill(Qt.GlobalColor.transparent)
+        painter = QPainter(picture)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing, True)
         rows: list[tuple[str, Trace | None, bool]] = []
         for traces, heading, faded in self.groups.values():
@@ -50,6 +69,8 @@ class TraceLayer:
                     draw_dashed(painter, pen, shown.points(points), shown.width, shown.height)
                 rows.append((trace.label, trace, faded))
         self._paint_legend(painter, shown, rows)
+        painter.end()
+        return picture
 
     def _paint_legend(
         self, painter: QPainter, shown: PixelMap, rows: Sequence[tuple[str, Trace | None, bool]]

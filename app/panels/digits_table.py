@@ -29,7 +29,7 @@ class DigitsTable(QWidget):
         for column, text in ((1, "x"), (2, "y")):
             heading = QLabel(text)
             heading.setForegroundRole(QPalette.ColorRole.PlaceholderText)
-                        self._grid.addWidget(heading, 0, column)
+            self._grid.addWidget(heading, 0, column)
         self._rows: list[tuple[QLabel, QLabel, QLabel]] = []
 
     @property

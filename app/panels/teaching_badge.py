@@ -31,6 +31,8 @@ class TeachingBadge(QToolButton):
         super().__init__(parent)
         self.setObjectName("teachingBadge")
         self.setAutoRaise(True)
+        # No higher than the labels beside it: the drawing must not move when the badge appears.
+        self.setFixedHeight(self.fontMetrics().height() + 4)
         self._popup = _Popup(self)
         self.clicked.connect(self._open)
         self.hide()
@@ -67,7 +69,7 @@ class TeachingBadge(QToolButton):
 
     def _dress(self) -> None:
         colour = theme_of(self.palette()).warning.name()
-        sheet = f"QToolButton {{ color: {colour}; padding: 1px 8px }}"
+        sheet = f"QToolButton {{ color: {colour}; padding: 0px 8px }}"
         if sheet != self.styleSheet():
             self.setStyleSheet(sheet)
 
