@@ -49,6 +49,8 @@ class LaboratoryCommands(QObject):
         self._connect()
 
     def _connect(self) -> None:
+        # Behind another tab a dock is visible to Qt, but not in the sense of this signal.
+        self._is_seen = False
         self._dock.visibilityChanged.connect(self._look)
         self._analysis.changed.connect(lambda: self.follow(self._session.active_view))
         self._session.scrub_changed.connect(lambda _t: self._ask_digits())
@@ -105,6 +107,7 @@ class LaboratoryCommands(QObject):
         make_room_once(self._parts.window, self._dock, _HEIGHT)
 
     def _look(self, visible: bool) -> None:
+        self._is_seen = visible
         if visible and self._parts.window.isVisible():
             self._switch(True)
             self._ask_cost(self._session.active_view)
@@ -164,7 +167,7 @@ class LaboratoryCommands(QObject):
 
     def _ask_cost(self, view: CurveView) -> None:
         """Measure for another number of points, if somebody looks; a time is not worth more than that."""
-        if self._panel is None or not self._panel.shows_cost or not view.is_current:
+        if self._panel is None or not (self._is_seen and self._panel.shows_cost) or not view.is_current:
             return
         if self._costed is None or _size(self._costed) != _size(view):
             self._costed = view

@@ -37,6 +37,8 @@ class WiggleCommands(QObject):
         self._settler.ready.connect(self._take)
         self._settler.busy_changed.connect(lambda _busy: self._show_cures())
         self._dock = next(each for each in parts.docks if each.objectName() == "wiggleDock")
+        # Behind another tab a dock is visible to Qt, but not in the sense of this signal.
+        self._is_seen = False
         self._dock.visibilityChanged.connect(self._look)
         self._session.scrub_changed.connect(lambda _t: self.follow(self._session.active_view))
 
@@ -96,6 +98,7 @@ class WiggleCommands(QObject):
         make_room_once(self._parts.window, self._dock, _HEIGHT)
 
     def _look(self, visible: bool) -> None:
+        self._is_seen = visible
         if visible:
             self.follow(self._session.active_view)
         else:
@@ -106,7 +109,7 @@ class WiggleCommands(QObject):
     def follow(self, view: CurveView) -> None:
         """Explain anew where the scrub line stands; cures are tried once things have settled."""
         panel = self._panel
-        if panel is None or not panel.isVisible():
+        if panel is None or not self._is_seen:
             return
         from app.view_model.analysis.wiggle import explain  # noqa: PLC0415 — late, as the panel
 
@@ -150,8 +153,18 @@ class WiggleCommands(QObject):
         cure = self._cure(key)
         if cure is not None and cure.document is not None:
             document = cure.document
+            knot = self._cures.knot if self._cures is not None else 0
             self._preview("")
-            self._parts.change(cure.step, lambda: document)
+            if self._parts.change(cure.step, lambda: document):
+                self._stay_in(knot)
+
+    def _stay_in(self, knot: int) -> None:
+        """Go on explaining the same segment, now that its parameters are other ones."""
+        from app.view_model.analysis.wiggle import overshoot  # noqa: PLC0415 — late, as the panel
+
+        view = self._session.active_view
+        if view.is_current and knot < len(view.parameters) - 1:
+            self._session.set_scrub(overshoot(view, knot)[1])
 
 
 def _try(document: Document, curve: int, view: CurveView, knot: int, is_stale: IsStale) -> Cures | None:

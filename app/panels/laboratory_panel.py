@@ -204,7 +204,7 @@ class LaboratoryPanel(QTabWidget):
     @property
     def shows_cost(self) -> bool:
         """Whether the page on costs is in front."""
-        return self.currentIndex() == 1 and self.isVisible()
+        return self.currentIndex() == 1
 
     def _render_settings(self) -> None:
         settings = self._settings

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from app.view_model.analysis.wording import short
-from app.view_model.curve_view import CurveView
+from app.view_model.curve_view import CurveView, Floats
 from curvecore.stability import lebesgue_constant
 
 LARGE_LEBESGUE = 100.0
@@ -16,8 +16,9 @@ LARGE_LEBESGUE = 100.0
 
 _LOOK_CLOSER, _MOST_EXACT = 90.0, 60
 
-NARROW = 1e-3
-"""A gap of neighbouring t is narrow below this share of the mean gap."""
+NARROW = 1e-2
+"""A gap between neighbouring t is narrow below this share of the wider gap beside it; Chebyshev's parameters,
+however many, never come below a third."""
 
 
 class Topic(enum.Enum):
@@ -54,17 +55,16 @@ def warnings_of(view: CurveView, lebesgue: float) -> list[Warned]:
     if not view.is_current:
         return []
     found = []
-    gaps = np.diff(view.parameters)
-    narrow = int(np.argmin(gaps))
-    if len(gaps) > 1 and gaps[narrow] < NARROW * gaps.mean():
-        first, second = view.owner(narrow), view.owner(narrow + 1)
+    gap = _narrowest(view.parameters)
+    if gap is not None:
+        knot, width, wider = gap
         found.append(
             Warned(
                 Topic.GAP,
                 "⚠ t almost equal",
-                f"The parameters of points {first} and {second} are only {short(float(gaps[narrow]))} apart, "
-                f"{short(float(gaps.mean() / gaps[narrow]))} times less than usual: "
-                "the curve is forced from one to the other in no time, and the smallest error shows.",
+                f"The parameters of points {view.owner(knot)} and {view.owner(knot + 1)} are only "
+                f"{short(width)} apart, {short(wider / width)} times less than the next ones: the curve must "
+                "get from one to the other in no time, and the smallest error shows.",
             )
         )
     if lebesgue > _LOOK_CLOSER and len(view.parameters) <= _MOST_EXACT and view.skeleton is not None:
@@ -80,6 +80,17 @@ def warnings_of(view: CurveView, lebesgue: float) -> list[Warned]:
             )
         )
     return found
+
+
+def _narrowest(parameters: Floats) -> tuple[int, float, float] | None:
+    """Return the knot before the narrowest gap, its width and that of the wider one beside it, if narrow."""
+    gaps = np.diff(parameters)
+    if len(gaps) < 2:
+        return None
+    wider = np.maximum(np.append(gaps[1:], 0.0), np.insert(gaps[:-1], 0, 0.0))
+    knot = int(np.argmin(gaps / wider))
+    narrow = gaps[knot] < NARROW * wider[knot]
+    return (knot, float(gaps[knot]), float(wider[knot])) if narrow else None
 
 
 def _digits(lebesgue: float) -> str:
