@@ -128,7 +128,8 @@ class MainWindow(QMainWindow):
             self.tabifyDockWidget(curve, lower)
         for front in (points, curve):
             front.raise_()
-        wiggle.hide()
+        for closed in (laboratory, wiggle):
+            closed.hide()
         self.docks = (points, curves, history, curve, analysis, laboratory, self.image_dock, wiggle)
         self.resizeDocks([points], [360], Qt.Orientation.Horizontal)
         self.resizeDocks([points, curve], [480, 300], Qt.Orientation.Vertical)

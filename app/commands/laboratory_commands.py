@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from msgspec.structs import replace
-from PySide6.QtCore import QEvent, QObject
+from PySide6.QtCore import QEvent, QObject, Signal
 from PySide6.QtWidgets import QDockWidget, QWidget
 
 from app.commands.dock_room import make_room_once
@@ -30,7 +30,14 @@ class LaboratoryCommands(QObject):
 
     It is on from the moment its dock is looked at until the dock is closed: with another tab in front the
     computed curves stay on the canvas.
+
+    Signals
+    -------
+    tried
+        Another `Trial` is known, or none (None); its `error_lines` can be plotted.
     """
+
+    tried = Signal(object)
 
     def __init__(self, parts: Parts) -> None:
         super().__init__(parts.window)
@@ -142,6 +149,7 @@ class LaboratoryCommands(QObject):
         for settler in (self._settler, self._digits_settler, self._cost_settler):
             settler.drop()
         self._parts.canvas.render_traces(_GROUP, ())
+        self.tried.emit(None)
 
     def _take(self, result: object) -> None:
         from app.view_model.analysis.laboratory import Refused, Trial  # noqa: PLC0415 — loaded by the worker
@@ -149,6 +157,7 @@ class LaboratoryCommands(QObject):
         self._trial = result if isinstance(result, Trial) else None
         self._problem = result.reason if isinstance(result, Refused) else ""
         self._show()
+        self.tried.emit(self._trial)
         self._ask_digits()
 
     def _ask_digits(self) -> None:

@@ -102,7 +102,10 @@ def _words(cost: Cost) -> str:
 
 
 def _note(cost: Cost) -> str:
-    text = "Twice as many points: eight times the work to solve, four times for the basis form."
+    text = (
+        "Twice as many points: eight times the work to solve, four times for the basis form. "
+        f"In its barycentric variant each further point takes {short(cost.further[2])}."
+    )
     if cost.count < _SMALL:
         text += " With so few points the time is mostly that of calling NumPy."
     if cost.piecewise is not None:

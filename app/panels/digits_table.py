@@ -27,7 +27,8 @@ class DigitsTable(QWidget):
         self._grid.setColumnStretch(0, 1)
         self._grid.addWidget(self._title, 0, 0)
         for column, text in ((1, "x"), (2, "y")):
-            heading = QLabel(text)
+            heading = QLabel(_aligned(text))
+            heading.setFont(QFontDatabase.systemFont(QFontDatabase.SystemFont.FixedFont))
             heading.setForegroundRole(QPalette.ColorRole.PlaceholderText)
             self._grid.addWidget(heading, 0, column)
         self._rows: list[tuple[QLabel, QLabel, QLabel]] = []

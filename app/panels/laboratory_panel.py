@@ -30,7 +30,7 @@ from app.panels.log_plot import LogLine, LogPlot
 from app.panels.method_table import MethodTable
 from app.panels.number_text import decimal_mark, exact_text
 from app.plot.traces import METHOD_LOOKS, METHOD_NAMES
-from app.view_model.analysis.laboratory import Digits, Trial, calculations
+from app.view_model.analysis.laboratory import Digits, Trial, calculations, error_lines
 from app.view_model.analysis.laboratory_settings import (
     LEAST_DIGITS,
     MOST_DECIMALS,
@@ -142,7 +142,7 @@ class LaboratoryPanel(QTabWidget):
         grid.setHorizontalSpacing(10)
         grid.setVerticalSpacing(8)
         grid.setColumnStretch(1, 1)
-        grid.addWidget(QLabel("Compute with"), 0, 0)
+        grid.addWidget(QLabel("Round every step to"), 0, 0)
         grid.addWidget(self.slider, 0, 1)
         self.digits_text.setMinimumWidth(self.fontMetrics().horizontalAdvance("16 digits ") + 8)
         self.rounding.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
@@ -232,12 +232,10 @@ class LaboratoryPanel(QTabWidget):
         self.words.setEnabled(not busy)
         self.note.setText(trial.note if trial is not None else "")
         self.note.setVisible(bool(self.note.text()))
-        lines = []
-        if trial is not None:
-            lines = [
-                LogLine(trial.t, each.errors, METHOD_LOOKS[each.calculation], METHOD_NAMES[each.calculation])
-                for each in trial.outcomes
-            ]
+        lines = [
+            LogLine(line.t, line.errors, METHOD_LOOKS[line.calculation], METHOD_NAMES[line.calculation])
+            for line in (error_lines(trial) if trial is not None else ())
+        ]
         self.plot.render_lines(lines, faded=busy)
 
     def render_digits(self, digits: Digits | None) -> None:
@@ -276,6 +274,9 @@ def _words(trial: Trial) -> str:
         return f"{METHOD_NAMES[best.calculation]} loses {best.lost:.1f} of {digits} digits."
     exponent = round(log10(trial.condition))
     if monomial.lost > digits - _HOPELESS:
-        return f"{digits} digits are not enough for the monomials: their system has κ ≈ {power(exponent)}."
+        return (
+            f"{digits} digits are not enough for the monomials: "
+            f"their system has a condition number κ ≈ {power(exponent)}."
+        )
     most = f"all {digits} digits" if exponent >= digits else f"up to {exponent} of {digits} digits"
-    return f"The monomials' system has κ ≈ {power(exponent)}: {most} may go."
+    return f"The monomials' system has a condition number κ ≈ {power(exponent)}: {most} may go."

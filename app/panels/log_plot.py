@@ -102,20 +102,23 @@ class LogPlot(PlotWidget):
         for exponent in range(math.ceil(low), math.floor(high) + 1):
             y = shown.point(0.0, exponent)[1]
             painter.drawLine(QPointF(0, y), QPointF(shown.width, y))
-        for points, line in self._lines:
+        for place, (points, line) in enumerate(self._lines):
             pen = line.look.pen(theme, 1.5, 0.3 if self._faded else 1.0)
             draw_dashed(painter, pen, shown.points(points), shown.width, shown.height)
             if self._log_x:
-                self._paint_label(painter, shown, points, line)
+                self._paint_label(painter, shown, points, line, below=place > 0)
         if self._marker is not None:
             self._paint_marker(painter, shown, self._marker)
 
-    def _paint_label(self, painter: QPainter, shown: PixelMap, points: Floats, line: LogLine) -> None:
-        """Write a line's name to the left of it, near its end."""
-        x, y = shown.points(points[-len(points) // 5 :])[0].tolist()
+    def _paint_label(
+        self, painter: QPainter, shown: PixelMap, points: Floats, line: LogLine, *, below: bool
+    ) -> None:
+        """Write a line's name above it to the left, or below it to the right, near its end."""
+        x, y = shown.points(points[-len(points) // (3 if below else 5) :])[0].tolist()
         painter.setPen(line.look.pen(self._drawn_theme, 1.0).color())
-        box = QRectF(x - 206, y - 24, 200, 18)
-        painter.drawText(box, int(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignBottom), line.label)
+        box = QRectF(x + 6, y + 2, 200, 18) if below else QRectF(x - 206, y - 24, 200, 18)
+        side = Qt.AlignmentFlag.AlignLeft if below else Qt.AlignmentFlag.AlignRight
+        painter.drawText(box, int(side | Qt.AlignmentFlag.AlignBottom), line.label)
 
     def _paint_marker(self, painter: QPainter, shown: PixelMap, marker: float) -> None:
         place = math.log10(marker) if self._log_x else marker

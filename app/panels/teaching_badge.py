@@ -79,6 +79,8 @@ class _Popup(QFrame):
 
     def __init__(self, badge: TeachingBadge) -> None:
         super().__init__(badge, Qt.WindowType.Popup)
+        # Not in the muted colour of the status line, which is its ancestor.
+        self.setStyleSheet("QLabel { color: palette(window-text); padding: 0px }")
         self.setObjectName("teachingPopup")
         self.setFrameShape(QFrame.Shape.StyledPanel)
         self.setFixedWidth(_WIDTH)

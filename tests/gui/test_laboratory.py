@@ -252,7 +252,11 @@ def test_off_it_costs_nothing_and_closing_the_dock_switches_it_off(editor, qtbot
     assert not commands(editor)._settings.on
     assert commands(editor)._panel is None
     editor.drag_point(1, to=(2, 3))
+    # The side folded away and back must not wake it.
+    editor.trigger("toggleSidePanel")
+    editor.trigger("toggleSidePanel")
     assert commands(editor)._asked is None
+    assert commands(editor)._panel is None
     editor.trigger("toggleLaboratory")
     settled(editor, qtbot)
     assert editor.action("toggleLaboratory").isChecked()

@@ -24,7 +24,10 @@ MOST_POINTS = 1000
 
 _ROUNDS = 15
 _ROUND_SECONDS = 0.002
-"""Every measurement repeats its work for about so long, for the clock to be finer than the work."""
+"""Every round repeats its work for about so long, for the clock to be finer than the work."""
+
+_MOST_SECONDS = 0.3
+"""After so long what has been measured must do."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -38,7 +41,8 @@ class Cost:
     solving, basis
         Operations to the first point of the curve.
     further
-        Operations for every further point: from the coefficients, and by the basis form.
+        Operations for every further point: from the coefficients, by the basis form, and by its barycentric
+        variant.
     seconds
         Measured medians to the first point.
     piecewise
@@ -48,7 +52,7 @@ class Cost:
     count: int
     solving: int
     basis: int
-    further: tuple[int, int]
+    further: tuple[int, int, int]
     seconds: tuple[float, float]
     piecewise: int | None
 
@@ -83,10 +87,11 @@ def cost_of(view: CurveView, is_stale: IsStale) -> Cost | None:
         return None
     derivatives = view.source.family.derivatives
     small = operation_counts(Calculation.MONOMIAL, len(t), derivatives=derivatives) if derivatives else None
-    further = (
-        operation_counts(Calculation.MONOMIAL, len(t)).per_point,
-        operation_counts(Calculation.LAGRANGE, len(t)).per_point,
+    solved, form, barycentric = (
+        operation_counts(each, len(t)).per_point
+        for each in (Calculation.MONOMIAL, Calculation.LAGRANGE, Calculation.BARYCENTRIC)
     )
+    further = (solved, form, barycentric)
     return Cost(len(t), solving, basis, further, seconds, small.setup if small is not None else None)
 
 
@@ -125,13 +130,13 @@ def _sum_basis(t: Floats, points: Floats, at: float) -> Floats:
 
 def _median(work: Callable[[], object], is_stale: IsStale) -> float:
     """Return how long some work takes, in seconds."""
-    begin = time.perf_counter()
+    start = time.perf_counter()
     work()
-    once = max(time.perf_counter() - begin, 1e-7)
+    once = max(time.perf_counter() - start, 1e-7)
     repeats = max(1, min(200, int(_ROUND_SECONDS / once)))
-    times = []
+    times: list[float] = []
     for _ in range(_ROUNDS):
-        if is_stale():
+        if is_stale() or (times and time.perf_counter() - start > _MOST_SECONDS):
             break
         begin = time.perf_counter()
         for _ in range(repeats):

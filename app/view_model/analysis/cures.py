@@ -20,8 +20,8 @@ IsStale = Callable[[], bool]
 
 _IN_USE = "The curve is like that already."
 
-_MOST_LEBESGUE = 250
-"""Points up to which Lebesgue constants are computed: beyond it takes too long to compare six curves."""
+_MOST_LAGRANGE = 250
+"""Points up to which Lagrange curves are tried: beyond it takes seconds, and nobody would want one."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -126,6 +126,8 @@ def _tried(words: tuple[str, str, str], document: Document, curve: int, view: Cu
     nothing = np.empty((0, 2))
     if _shape(document, curve) == _shape(Document((view.source,)), 0):
         return Cure(*words, None, nothing, overshoot(view, knot)[0], _lebesgue(view), _IN_USE)
+    if document.curves[curve].family is Family.LAGRANGE and len(view.parameters) > _MOST_LAGRANGE:
+        return Cure(*words, None, nothing, np.nan, np.nan, "Too many points for one polynomial.")
     other = view_of(document.curves[curve])
     if not other.is_current or knot > len(other.parameters) - 2:
         return Cure(*words, None, nothing, np.nan, np.nan, other.problem or "There is no such segment.")
@@ -141,6 +143,8 @@ def _shape(document: Document, curve: int) -> object:
 
 
 def _lebesgue(view: CurveView) -> float:
-    if view.skeleton is None or len(view.parameters) > _MOST_LEBESGUE:
+    if view.skeleton is None or (
+        view.source.family is Family.LAGRANGE and len(view.parameters) > _MOST_LAGRANGE
+    ):
         return float("nan")
     return lebesgue_constant(view.skeleton)

@@ -106,6 +106,15 @@ class Trial:
         return next((each for each in self.outcomes if each.calculation is calculation), None)
 
 
+@dataclass(frozen=True, eq=False)
+class ErrorLine:
+    """The distance to the true curve over t, for one method: t (m,) and errors (m,), some may be infinite."""
+
+    calculation: Calculation
+    t: Floats
+    errors: Floats
+
+
 @dataclass(frozen=True)
 class Refused:
     """Why there is no trial, as a sentence."""
@@ -162,6 +171,11 @@ def try_methods(view: CurveView, settings: LaboratorySettings, is_stale: IsStale
         outcomes.append(_outcome(calculation, computed, truths, where, settings))
     condition = max(trial.condition() for trial in trials) if count <= _MOST_CONDITION else None
     return Trial(view, settings, np.concatenate(where), tuple(outcomes), condition, note)
+
+
+def error_lines(trial: Trial) -> list[ErrorLine]:
+    """Return what a plot on a logarithmic scale shows of a trial."""
+    return [ErrorLine(each.calculation, trial.t, each.errors) for each in trial.outcomes]
 
 
 def digits_at(view: CurveView, settings: LaboratorySettings, t: float) -> Digits | None:

@@ -15,6 +15,9 @@ Floats = npt.NDArray[np.float64]
 
 MOST_PULLS = 6
 _COARSE, _FINE = 17, 65
+_MOST_COARSE = 2000
+"""Samples of a whole curve: of many points a few for each segment must do."""
+
 _FAR_WEIGHT = 0.05
 """A weight below it is not worth a word."""
 
@@ -74,7 +77,8 @@ def widest(view: CurveView) -> float:
     """Return the t at which the curve is farthest from the straight line between its neighbouring points."""
     assert view.curve is not None
     knots = view.parameters
-    shares = np.linspace(0.0, 1.0, _COARSE + 2)[1:-1]
+    count = max(1, min(_COARSE, _MOST_COARSE // len(knots)))
+    shares = np.linspace(0.0, 1.0, count + 2)[1:-1]
     t = knots[:-1, None] + np.diff(knots)[:, None] * shares
     at = view.curve.evaluate(knots)
     away = _distances(view.curve.evaluate(t.ravel()).reshape(*t.shape, 2), at[:-1, None], at[1:, None])
