@@ -192,7 +192,7 @@ class LaboratoryCommands(QObject):
         busy, trial = self._settler.is_busy, self._trial
         basis = self._parts.basis_panel.basis
         if self._panel is not None:
-            lebesgue = basis.lebesgue_constant if basis is not None and not busy else None
+            lebesgue = basis.lebesgue_constant if basis is not None else None
             self._panel.render_trial(trial, lebesgue, busy=busy, problem=self._problem)
         traces: tuple[Trace, ...] = ()
         heading = ""

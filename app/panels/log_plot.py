@@ -114,7 +114,7 @@ class LogPlot(PlotWidget):
         self, painter: QPainter, shown: PixelMap, points: Floats, line: LogLine, *, below: bool
     ) -> None:
         """Write a line's name above it to the left, or below it to the right, near its end."""
-        x, y = shown.points(points[-len(points) // (3 if below else 5) :])[0].tolist()
+        x, y = shown.points(points[-len(points) // (2 if below else 5) :])[0].tolist()
         painter.setPen(line.look.pen(self._drawn_theme, 1.0).color())
         box = QRectF(x + 6, y + 2, 200, 18) if below else QRectF(x - 206, y - 24, 200, 18)
         side = Qt.AlignmentFlag.AlignLeft if below else Qt.AlignmentFlag.AlignRight

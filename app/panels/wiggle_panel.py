@@ -157,7 +157,7 @@ class WigglePanel(QScrollArea):
             self.buttons[key].setEnabled(cure is not None and cure.document is not None)
             self.buttons[key].setStatusTip(cure.problem or tip if cure is not None else tip)
             swing, lebesgue = self._effects[key]
-            for label, text in ((swing, _swing(cure)), (lebesgue, _lebesgue(cure))):
+            for label, text in ((swing, _swing(cure, cures)), (lebesgue, _lebesgue(cure))):
                 label.setText(text)
                 label.setEnabled(not busy)
         now = ("", "") if cures is None else (short(cures.overshoot), _finite(cures.lebesgue))
@@ -170,12 +170,12 @@ def _finite(value: float) -> str:
     return short(value) if math.isfinite(value) else ""
 
 
-def _swing(cure: Cure | None) -> str:
-    if cure is None:
+def _swing(cure: Cure | None, cures: Cures | None) -> str:
+    if cure is None or cures is None:
         return ""
     if cure.document is None:
         return "in use" if cure.is_in_use else "not possible"
-    return short(cure.overshoot)
+    return f"{'worse, ' if cure.overshoot > cures.overshoot else ''}{short(cure.overshoot)}"
 
 
 def _lebesgue(cure: Cure | None) -> str:

@@ -174,6 +174,18 @@ def test_the_explanation_follows_a_drag_and_the_scrub_line(runge, qtbot):
     assert "Between points 4 and 5" in panel(runge).words.text()
 
 
+def test_a_cure_that_makes_it_worse_says_so(editor, qtbot):
+    points = [(0.5 * i, float(np.sin(2.0 * i))) for i in range(20)]
+    uniform = Parametrization(kind=ParametrizationKind.UNIFORM)
+    editor.session.commit(Document((replace(make_curve(points), parametrization=uniform),)), "Begin")
+    editor.trigger("explainWiggle")
+    editor.session.set_scrub(0.02)
+    settled(editor, qtbot)
+    # Measured: 124 as it is, 223 with chord-length parameters, 0.08 with Chebyshev's.
+    assert text(editor, "swing_chordLength") == "worse, 223"
+    assert text(editor, "swing_chebyshev") == "0.08"
+
+
 def test_closed_curves_and_corners_are_explained_too(editor, qtbot):
     points = [(0, 0), (2, 0.5), (3, 2), (1, 3), (-0.5, 1.5)]
     closed = replace(make_curve(points, family=Family.HERMITE), closed=True)
