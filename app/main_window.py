@@ -149,13 +149,17 @@ class MainWindow(QMainWindow):
         hodograph = self._add_late_dock("hodographDock", "Hodograph", self._build_hodograph)
         for upper in (curves, history):
             self.tabifyDockWidget(points, upper)
-        for lower in (joints, analysis, hodograph, self.image_dock):
+        laboratory = self._add_late_dock("laboratoryDock", "Laboratory", self._build_laboratory)
+        wiggle = self._add_late_dock("wiggleDock", "Wiggle", self._build_wiggle)
+        asked_for = (laboratory, wiggle, hodograph)
+        for lower in (joints, analysis, *asked_for, self.image_dock):
             self.tabifyDockWidget(curve, lower)
         for front in (points, curve):
             front.raise_()
-        # One of many tabs, until it is asked for.
-        hodograph.hide()
-        self.docks = (points, curves, history, curve, joints, analysis, hodograph, self.image_dock)
+        # Too many tabs are none: these come when they are asked for.
+        for closed in asked_for:
+            closed.hide()
+        self.docks = (points, curves, history, curve, joints, analysis, *asked_for, self.image_dock)
         self.resizeDocks([points], [360], Qt.Orientation.Horizontal)
         self.resizeDocks([points, curve], [480, 300], Qt.Orientation.Vertical)
 
@@ -169,6 +173,12 @@ class MainWindow(QMainWindow):
 
     def _build_hodograph(self) -> QWidget:
         return self._commands.hodograph.build()
+
+    def _build_laboratory(self) -> QWidget:
+        return self._commands.laboratory.build_panel()
+
+    def _build_wiggle(self) -> QWidget:
+        return self._commands.wiggle.build_panel()
 
     def _add_dock(self, name: str, title: str, content: QWidget) -> QDockWidget:
         dock = QDockWidget(title, self)

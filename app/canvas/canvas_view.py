@@ -19,9 +19,11 @@ from app.canvas.grid_layer import GridLayer
 from app.canvas.image_layer import ImageLayer
 from app.canvas.other_curves_layer import OtherCurvesLayer
 from app.canvas.point_layer import PointLayer
+from app.canvas.trace_layer import TraceLayer
 from app.canvas.unit_layer import UnitLayer
 from app.document.model import Curve, ReferenceImage, Vector
 from app.plot.plot_widget import PlotWidget
+from app.plot.traces import Trace
 from app.theme import LIGHT, Theme
 from app.view_model.analysis.figures import Figure
 from app.view_model.basis_view import weights_at
@@ -74,6 +76,7 @@ class CanvasView(PlotWidget):
         self._file_layer = FileLayer(self, LIGHT)
         self.legend: Legend | None = None
         self._curve_layer = CurveLayer(self, LIGHT)
+        self._traces = TraceLayer(self, LIGHT)
         self._point_layer = PointLayer(self, LIGHT)
         self._corner_layer = CornerLayer(self, LIGHT)
         self.covered_top: Callable[[], float] = lambda: 0.0
@@ -138,6 +141,17 @@ class CanvasView(PlotWidget):
         """The variants of the active curve that are shown."""
         return self._figures.ghosts
 
+    def render_traces(
+        self, group: str, traces: Sequence[Trace], heading: str = "", *, faded: bool = False
+    ) -> None:
+        """Show other versions of the active curve over it, with a legend; none take the group away."""
+        self._traces.render(group, traces, heading, faded=faded)
+
+    def traces(self, group: str) -> tuple[Sequence[Trace], bool]:
+        """Return the traces of a group, and whether they are shown faded."""
+        traces, _, faded = self._traces.groups.get(group, ((), "", False))
+        return traces, faded
+
     def _show_ghost_of_other_rules(self, view: CurveView) -> None:
         old = self._view
         if old is None or self.is_dragging or not old.is_current or not view.is_current:
@@ -167,7 +181,7 @@ class CanvasView(PlotWidget):
         self._theme = theme
         for layer in (self._image_layer, self._grid, self._units, self._curve_layer, self._point_layer):
             layer.theme = theme
-        for other in (self._other_curves, self._corner_layer, self._figures, self._file_layer):
+        for other in (self._other_curves, self._corner_layer, self._figures, self._file_layer, self._traces):
             other.theme = theme
         if self.legend is not None:
             self.legend.set_theme(theme)
@@ -176,7 +190,7 @@ class CanvasView(PlotWidget):
     def set_scale(self, scale: float) -> None:
         """Enlarge points, lines and numbers, for a projector."""
         self._curve_layer.scale = self._point_layer.scale = scale
-        for other in (self._other_curves, self._corner_layer, self._figures, self._file_layer):
+        for other in (self._other_curves, self._corner_layer, self._figures, self._file_layer, self._traces):
             other.scale = scale
         if self.legend is not None:
             self.legend.set_scale(scale)

@@ -13,6 +13,7 @@ from app.commands.help_commands import HelpCommands
 from app.commands.hodograph_commands import HodographCommands
 from app.commands.image_commands import ImageCommands
 from app.commands.joint_commands import JointCommands
+from app.commands.laboratory_commands import LaboratoryCommands
 from app.commands.messages import Messages
 from app.commands.overlay_commands import OverlayCommands
 from app.commands.parts import CommandSet, Handlers, LiveSet, Parts
@@ -22,8 +23,10 @@ from app.commands.recovery_commands import RecoveryCommands
 from app.commands.selection_commands import SelectionCommands
 from app.commands.snap_commands import SnapCommands
 from app.commands.tangent_commands import TangentCommands
+from app.commands.teaching_commands import TeachingCommands
 from app.commands.tool_commands import ToolCommands
 from app.commands.view_commands import ViewCommands
+from app.commands.wiggle_commands import WiggleCommands
 from app.settle import Settler
 from app.view_model.curve_view import CurveView
 
@@ -43,7 +46,16 @@ class Commands:
         curves = CurveCommands(parts)
         self.hodograph = HodographCommands(parts)
         self.joints = JointCommands(parts)
-        self._live: tuple[LiveSet, ...] = (OverlayCommands(parts), PlotCommands(parts), self.hodograph)
+        self.laboratory = LaboratoryCommands(parts)
+        self.wiggle = WiggleCommands(parts)
+        self._teaching = TeachingCommands(parts, self.laboratory.open, self.wiggle.explain_widest)
+        self._live: tuple[LiveSet, ...] = (
+            OverlayCommands(parts),
+            PlotCommands(parts),
+            self.hodograph,
+            self.laboratory,
+            self.wiggle,
+        )
         self._sets: tuple[CommandSet, ...] = (
             *self._live,
             self.joints,
@@ -62,7 +74,7 @@ class Commands:
             self.exchange,
             ToolCommands(parts, self.snap.apply_preferences),
         )
-        self.context_menus = ContextMenus(parts, curves)
+        self.context_menus = ContextMenus(parts, curves, self.wiggle.explain_at)
         for handlers in (self._file_handlers(), *(each.handlers() for each in self._sets)):
             for name, handler in handlers.items():
                 parts.actions[name].triggered.connect(lambda _checked=False, handler=handler: handler())
@@ -98,4 +110,5 @@ class Commands:
         """Check and enable actions, and show the line on the canvas, as `view` has it."""
         for each in self._sets:
             each.render(view)
+        self._teaching.render(view)
         self.messages.render(view)

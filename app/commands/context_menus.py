@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtWidgets import QMenu
 
@@ -37,8 +39,8 @@ _LIST = (
 class ContextMenus:
     """Fills menus from the registry of actions, for a point, a curve, the canvas and the list of curves."""
 
-    def __init__(self, parts: Parts, curves: CurveCommands) -> None:
-        self._parts, self._curves = parts, curves
+    def __init__(self, parts: Parts, curves: CurveCommands, explain_at: Callable[[float], None]) -> None:
+        self._parts, self._curves, self._explain_at = parts, curves, explain_at
         parts.canvas.menu_requested.connect(self._open_on_canvas)
         parts.curve_list.menu_requested.connect(lambda place: self._popup(self._menu(_LIST), place))
 
@@ -63,6 +65,7 @@ class ContextMenus:
         for name, text, icon, act in (
             ("insertPointHere", "Insert Point Here", "insertPoint", self._curves.insert_at),
             ("splitHere", "Split Here", "splitCurve", self._curves.split_at),
+            ("explainHere", "Explain This Wiggle", "explainWiggle", self._explain_at),
         ):
             known = self._parts.actions[icon]
             here = menu.addAction(known.icon(), text)

@@ -61,7 +61,7 @@ class ViewCommands:
         session = self._session
         if self._parts.cancel_gesture() or self._parts.canvas.put_away():
             return
-        if self._actions["addTool"].isChecked() or self._actions["measureTool"].isChecked():
+        if any(self._actions[name].isChecked() for name in ("addTool", "measureTool", "explainWiggle")):
             self._actions["selectTool"].trigger()
         elif self._actions["moveImage"].isChecked():
             self._actions["moveImage"].trigger()

@@ -36,6 +36,7 @@ class ToolKind(Enum):
     SELECT = "select"
     ADD = "add"
     MEASURE = "measure"
+    EXPLAIN = "explain"
 
 
 class CanvasTool:
@@ -93,6 +94,8 @@ class CanvasTool:
                 Measure(pointer, self._magnets.for_points((), -1), self.unit),
                 True,
             )
+        elif self.kind is ToolKind.EXPLAIN:
+            self._explain(hit)
         elif hit is not None and hit.part is Part.OTHER_CURVE:
             self._machine.press(pointer, None, on_click=lambda: self._edit(hit.index))
         elif hit is not None and hit.part is not Part.CURVE:
@@ -286,6 +289,10 @@ class CanvasTool:
             return Hint(
                 "Drag to measure a distance and an angle · Ctrl: snap, or not · V goes back to Select"
             )
+        if self.kind is ToolKind.EXPLAIN:
+            return Hint(
+                "Click on the curve where it swings out · V goes back to Select", grab=hit is not None
+            )
         if hit is not None and hit.part is Part.OTHER_CURVE:
             return Hint(f"Click to edit “{self._host.document.curves[hit.index].name}”", grab=True)
         grip = self._grip_at(pointer)
@@ -310,6 +317,15 @@ class CanvasTool:
     def _edit(self, curve: int) -> None:
         self._host.activate(curve)
         self._host.say(f"Editing “{self._host.document.curves[curve].name}” now.")
+
+    def _explain(self, hit: Hit | None) -> None:
+        """Put the scrub line where the curve was clicked: what explains the curve stands there."""
+        if hit is not None and hit.part is Part.CURVE:
+            self._host.set_scrub(hit.t)
+        elif hit is not None and hit.part is Part.OTHER_CURVE:
+            self._host.activate(hit.index)
+        else:
+            self._host.say("Click on the curve itself, where it swings out.")
 
     def _press_on_part(self, pointer: Pointer, hit: Hit) -> None:
         host = self._host

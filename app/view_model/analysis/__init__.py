@@ -10,4 +10,8 @@
 - ``plot_lines``, ``plot_samples``, ``plots``: plots over t; ``hodograph``: c' and c'' in the plane.
 - ``joints``: how smooth the curve is at each joint, in numbers and words.
 - ``legend``: which of all this needs a line of explanation.
+- ``laboratory_settings``, ``laboratory``: the curve computed with few digits, by several methods.
+- ``cost``: what solving a system costs against the basis form, counted and measured.
+- ``wiggle``, ``cures``: why the curve swings out at one t, and what would calm it.
+- ``teaching``: when the numbers deserve a word of warning.
 """

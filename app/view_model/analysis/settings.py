@@ -6,6 +6,8 @@ import enum
 
 import msgspec
 
+from app.view_model.analysis.laboratory_settings import LaboratorySettings
+
 
 class Overlay(enum.StrEnum):
     """Something that can be drawn over the curve."""
@@ -67,6 +69,8 @@ class AnalysisSettings(msgspec.Struct, frozen=True):
         How many disturbed curves, and which ones.
     ghosts
         The variants that are shown.
+    laboratory
+        The experiment with rounded arithmetic.
     """
 
     overlays: frozenset[Overlay] = frozenset()
@@ -80,6 +84,7 @@ class AnalysisSettings(msgspec.Struct, frozen=True):
     ensemble_count: int = 30
     ensemble_seed: int = 0
     ghosts: frozenset[Ghost] = frozenset()
+    laboratory: LaboratorySettings = LaboratorySettings()
 
     @property
     def is_empty(self) -> bool:

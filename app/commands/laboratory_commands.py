@@ -1,0 +1,238 @@
+"""The stability laboratory: computes beside the window, and shows what came out on canvas and panel."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from msgspec.structs import replace
+from PySide6.QtCore import QEvent, QObject, Signal
+from PySide6.QtWidgets import QDockWidget, QWidget
+
+from app.commands.dock_room import make_room_once
+from app.commands.parts import Handlers, Parts
+from app.plot.traces import METHOD_LOOKS, METHOD_NAMES, Trace
+from app.settle import IsStale, Settler
+from app.view_model.analysis.laboratory_settings import LaboratorySettings
+from app.view_model.curve_view import CurveView
+
+if TYPE_CHECKING:
+    from app.panels.laboratory_panel import LaboratoryPanel
+    from app.view_model.analysis.cost import Cost
+    from app.view_model.analysis.laboratory import Digits, Trial
+
+_GROUP = "laboratory"
+_HEIGHT = 560
+"""What the laboratory needs of the side to show its controls and its plot."""
+
+
+class LaboratoryCommands(QObject):
+    """Keeps the laboratory in step with curve and settings, while it is on.
+
+    It is on from the moment its dock is looked at until the dock is closed: with another tab in front the
+    computed curves stay on the canvas.
+
+    Signals
+    -------
+    tried
+        Another `Trial` is known, or none (None); its `error_lines` can be plotted.
+    """
+
+    tried = Signal(object)
+
+    def __init__(self, parts: Parts) -> None:
+        super().__init__(parts.window)
+        self._parts, self._session, self._analysis = parts, parts.session, parts.analysis
+        self._panel: LaboratoryPanel | None = None
+        self._asked: tuple[CurveView, LaboratorySettings] | None = None
+        self._trial: Trial | None = None
+        self._problem = ""
+        self._cost: Cost | None = None
+        self._costed: CurveView | None = None
+        self._settler, self._digits_settler, self._cost_settler = (
+            Settler(self), Settler(self, settle_ms=0), Settler(self)
+        )  # fmt: skip
+        self._dock = next(each for each in parts.docks if each.objectName() == "laboratoryDock")
+        self._dock.installEventFilter(self)
+        self._connect()
+
+    def _connect(self) -> None:
+        # Behind another tab a dock is visible to Qt, but not in the sense of this signal.
+        self._is_seen = False
+        self._dock.visibilityChanged.connect(self._look)
+        self._analysis.changed.connect(lambda: self.follow(self._session.active_view))
+        self._session.scrub_changed.connect(lambda _t: self._ask_digits())
+        self._settler.ready.connect(self._take)
+        self._settler.busy_changed.connect(lambda _busy: self._show())
+        self._digits_settler.ready.connect(self._take_digits)
+        self._cost_settler.ready.connect(self._take_cost)
+        self._cost_settler.busy_changed.connect(lambda _busy: self._show_cost())
+
+    def handlers(self) -> Handlers:
+        """Return what each action does."""
+        return {"toggleLaboratory": self._toggle}
+
+    def build_panel(self) -> QWidget:
+        """Return the content of the dock; called when it is first looked at."""
+        # Imported when it is wanted: nobody waits for it at the start.
+        from app.panels.laboratory_panel import LaboratoryPanel  # noqa: PLC0415
+
+        self._panel = LaboratoryPanel(self._analysis)
+        self._panel.cost_shown.connect(lambda: self._ask_cost(self._session.active_view))
+        self._panel.render_view(self._session.active_view)
+        return self._panel
+
+    def render(self, view: CurveView) -> None:
+        """Check the action."""
+        self._parts.actions["toggleLaboratory"].setChecked(self._settings.on)
+
+    # On and off
+
+    @property
+    def _settings(self) -> LaboratorySettings:
+        return self._analysis.settings.laboratory
+
+    def _switch(self, on: bool) -> None:
+        self._analysis.change(laboratory=replace(self._settings, on=on))
+        self._parts.actions["toggleLaboratory"].setChecked(on)
+
+    def _toggle(self) -> None:
+        if self._parts.actions["toggleLaboratory"].isChecked():
+            self.open()
+        else:
+            self._dock.close()
+
+    def open(self) -> None:
+        """Bring the laboratory to the front and switch it on."""
+        self._dock.show()
+        self._dock.raise_()
+        self._switch(True)
+        make_room_once(self._parts.window, self._dock, _HEIGHT)
+
+    def _look(self, visible: bool) -> None:
+        self._is_seen = visible
+        if visible and self._parts.window.isVisible():
+            self._switch(True)
+            self._ask_cost(self._session.active_view)
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        """Switch the laboratory off when its dock is closed, not when something else hides it."""
+        if event.type() == QEvent.Type.Close and isinstance(watched, QDockWidget):
+            self._switch(False)
+        return super().eventFilter(watched, event)
+
+    # Computing
+
+    def follow(self, view: CurveView) -> None:
+        """Compute anew once things have settled, if curve or settings are other ones."""
+        settings = self._settings
+        if not settings.on:
+            if self._asked is not None:
+                self._forget()
+            return
+        if self._asked == (view, settings):
+            return
+        is_other_kind = self._asked is None or self._asked[0].source.family is not view.source.family
+        if self._panel is not None and (is_other_kind or self._asked is None or self._asked[1] != settings):
+            self._panel.render_view(view)
+        self._asked = (view, settings)
+        self._settler.ask(lambda is_stale: _compute(view, settings, is_stale))
+        self._ask_cost(view)
+
+    def _forget(self) -> None:
+        self._asked = self._trial = None
+        self._problem = ""
+        for settler in (self._settler, self._digits_settler, self._cost_settler):
+            settler.drop()
+        self._parts.canvas.render_traces(_GROUP, ())
+        self.tried.emit(None)
+
+    def _take(self, result: object) -> None:
+        from app.view_model.analysis.laboratory import Refused, Trial  # noqa: PLC0415 — loaded by the worker
+
+        self._trial = result if isinstance(result, Trial) else None
+        self._problem = result.reason if isinstance(result, Refused) else ""
+        self._show()
+        self.tried.emit(self._trial)
+        self._ask_digits()
+
+    def _ask_digits(self) -> None:
+        trial, t = self._trial, self._session.scrub
+        if trial is None or not trial.outcomes or self._panel is None:
+            if self._panel is not None:
+                self._panel.render_digits(None)
+            return
+        if t is None:
+            t = max(trial.outcomes, key=lambda each: each.worst[0]).worst[1]
+        self._digits_settler.ask(lambda _stale: _digits(trial.view, trial.settings, t))
+
+    def _take_digits(self, result: object) -> None:
+        if self._panel is not None:
+            self._panel.render_digits(result)  # type: ignore[arg-type]  # from _digits
+
+    def _ask_cost(self, view: CurveView) -> None:
+        """Measure for another number of points, if somebody looks; a time is not worth more than that."""
+        if self._panel is None or not (self._is_seen and self._panel.shows_cost) or not view.is_current:
+            return
+        if self._costed is None or _size(self._costed) != _size(view):
+            self._costed = view
+            self._cost_settler.ask(lambda is_stale: _measure(view, is_stale))
+
+    def _take_cost(self, result: object) -> None:
+        self._cost = result  # type: ignore[assignment]  # from _measure
+        self._show_cost()
+
+    # Showing
+
+    def _show(self) -> None:
+        busy, trial = self._settler.is_busy, self._trial
+        basis = self._parts.basis_panel.basis
+        if self._panel is not None:
+            lebesgue = basis.lebesgue_constant if basis is not None else None
+            self._panel.render_trial(trial, lebesgue, busy=busy, problem=self._problem)
+        traces: tuple[Trace, ...] = ()
+        heading = ""
+        if trial is not None and self._settings.on and trial.view.source.visible:
+            traces = tuple(
+                Trace(each.pieces, METHOD_LOOKS[each.calculation], METHOD_NAMES[each.calculation])
+                for each in trial.outcomes
+            )
+            heading = "computing…" if busy else _heading(trial.settings)
+        self._parts.canvas.render_traces(_GROUP, traces, heading, faded=busy)
+
+    def _show_cost(self) -> None:
+        if self._panel is not None:
+            self._panel.cost.render_cost(self._cost, busy=self._cost_settler.is_busy)
+
+
+def _heading(settings: LaboratorySettings) -> str:
+    text = f"Computed with {settings.digits} digits"
+    if settings.decimals is not None:
+        text += f", data to {settings.decimals} decimals"
+    if settings.shift:
+        text += f", t + {settings.shift:g}".replace("+ -", "− ")
+    return text
+
+
+def _size(view: CurveView) -> tuple[int, int]:
+    return len(view.parameters), view.source.family.derivatives
+
+
+# What runs beside the window, where the arithmetic is imported too.
+
+
+def _compute(view: CurveView, settings: LaboratorySettings, is_stale: IsStale) -> object:
+    from app.view_model.analysis.laboratory import try_methods  # noqa: PLC0415
+
+    return try_methods(view, settings, is_stale)
+
+
+def _digits(view: CurveView, settings: LaboratorySettings, t: float) -> Digits | None:
+    from app.view_model.analysis.laboratory import digits_at  # noqa: PLC0415
+
+    return digits_at(view, settings, t)
+
+
+def _measure(view: CurveView, is_stale: IsStale) -> Cost | None:
+    from app.view_model.analysis.cost import cost_of  # noqa: PLC0415
+
+    return cost_of(view, is_stale)

@@ -1,0 +1,170 @@
+"""Explain this wiggle: a click on the curve tells who pulls it there, and cures can be tried out."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from PySide6.QtCore import QObject
+from PySide6.QtWidgets import QWidget
+
+from app.commands.dock_room import make_room_once
+from app.commands.parts import Handlers, Parts
+from app.document.model import Document
+from app.gestures.tools import ToolKind
+from app.plot.traces import CURE_LOOK, Trace
+from app.settle import IsStale, Settler
+from app.view_model.curve_view import CurveView
+
+if TYPE_CHECKING:
+    from app.panels.wiggle_panel import WigglePanel
+    from app.view_model.analysis.cures import Cure, Cures
+
+_GROUP = "cure"
+_HEIGHT = 460
+
+
+class WiggleCommands(QObject):
+    """Explains the curve where the scrub line stands, as long as its dock is in sight."""
+
+    def __init__(self, parts: Parts) -> None:
+        super().__init__(parts.window)
+        self._parts, self._session = parts, parts.session
+        self._panel: WigglePanel | None = None
+        self._cures: Cures | None = None
+        self._asked: tuple[Document, int, int] | None = None
+        self._looked_at = ""
+        self._settler = Settler(self)
+        self._settler.ready.connect(self._take)
+        self._settler.busy_changed.connect(lambda _busy: self._show_cures())
+        self._dock = next(each for each in parts.docks if each.objectName() == "wiggleDock")
+        # Behind another tab a dock is visible to Qt, but not in the sense of this signal.
+        self._is_seen = False
+        self._dock.visibilityChanged.connect(self._look)
+        self._session.scrub_changed.connect(lambda _t: self.follow(self._session.active_view))
+
+    def handlers(self) -> Handlers:
+        """Return what each action does."""
+        return {"explainWiggle": self._use_tool}
+
+    def build_panel(self) -> QWidget:
+        """Return the content of the dock; called when it is first looked at."""
+        # Imported when it is wanted: nobody waits for it at the start.
+        from app.panels.wiggle_panel import WigglePanel  # noqa: PLC0415
+
+        self._panel = WigglePanel()
+        self._panel.looked_at.connect(self._preview)
+        self._panel.chosen.connect(self._apply)
+        return self._panel
+
+    def render(self, view: CurveView) -> None:
+        """Enable what needs a curve."""
+        self._parts.actions["explainWiggle"].setEnabled(view.is_current)
+
+    # Where
+
+    def _use_tool(self) -> None:
+        """Explain the widest swing at once, and then wherever the person clicks."""
+        self._parts.canvas.set_tool(ToolKind.EXPLAIN)
+        self._parts.status_line.show_hint("Click on the curve where it swings out; V goes back to Select.")
+        if self._session.scrub is None:
+            self._explain_widest()
+        self._open()
+
+    def explain_widest(self) -> None:
+        """Explain the place where the curve swings out farthest."""
+        self._explain_widest()
+        self._open()
+
+    def _explain_widest(self) -> None:
+        from app.view_model.analysis.wiggle import widest  # noqa: PLC0415 — late, as the panel
+
+        view = self._session.active_view
+        if view.is_current:
+            self._session.set_scrub(widest(view))
+
+    def explain_at(self, t: float) -> None:
+        """Explain the curve at `t`."""
+        self._session.set_scrub(t)
+        self._open()
+
+    def _open(self) -> None:
+        self._dock.show()
+        self._dock.raise_()
+        self.follow(self._session.active_view)
+        make_room_once(self._parts.window, self._dock, _HEIGHT)
+
+    def _look(self, visible: bool) -> None:
+        self._is_seen = visible
+        if visible:
+            self.follow(self._session.active_view)
+        else:
+            self._preview("")
+
+    # What is shown
+
+    def follow(self, view: CurveView) -> None:
+        """Explain anew where the scrub line stands; cures are tried once things have settled."""
+        panel = self._panel
+        if panel is None or not self._is_seen:
+            return
+        from app.view_model.analysis.wiggle import explain  # noqa: PLC0415 — late, as the panel
+
+        t = self._session.scrub
+        explanation = explain(view, t) if t is not None else None
+        panel.render_explanation(explanation, len(view.source.nodes), view.problem)
+        if explanation is None:
+            self._asked = self._cures = None
+            self._settler.drop()
+            self._show_cures()
+            return
+        document, curve, knot = self._session.document, self._session.active_index, explanation.segment[0]
+        if self._asked != (document, curve, knot):
+            self._asked = (document, curve, knot)
+            self._preview("")
+            self._settler.ask(lambda is_stale: _try(document, curve, view, knot, is_stale))
+            self._show_cures()
+
+    def _take(self, result: object) -> None:
+        self._cures = result  # type: ignore[assignment]  # from _try
+        self._show_cures()
+
+    def _show_cures(self) -> None:
+        if self._panel is not None:
+            self._panel.render_cures(self._cures, busy=self._settler.is_busy)
+
+    # Cures
+
+    def _cure(self, key: str) -> Cure | None:
+        """Return a cure that belongs to the document as it is now."""
+        if self._cures is None or self._settler.is_busy:
+            return None
+        return next((each for each in self._cures.cures if each.name == key and each.document), None)
+
+    def _preview(self, key: str) -> None:
+        cure = self._cure(key)
+        traces = (Trace((cure.points,), CURE_LOOK, cure.label),) if cure is not None else ()
+        self._parts.canvas.render_traces(_GROUP, traces, "Preview")
+
+    def _apply(self, key: str) -> None:
+        cure = self._cure(key)
+        if cure is not None and cure.document is not None:
+            document = cure.document
+            knot = self._cures.knot if self._cures is not None else 0
+            self._preview("")
+            if self._parts.change(cure.step, lambda: document):
+                self._stay_in(knot)
+
+    def _stay_in(self, knot: int) -> None:
+        """Go on explaining the same segment, now that its parameters are other ones."""
+        from app.view_model.analysis.wiggle import overshoot  # noqa: PLC0415 — late, as the panel
+
+        view = self._session.active_view
+        if view.is_current and knot < len(view.parameters) - 1:
+            self._session.set_scrub(overshoot(view, knot)[1])
+
+
+def _try(document: Document, curve: int, view: CurveView, knot: int, is_stale: IsStale) -> Cures | None:
+    # Imported in the thread, where nobody waits for it.
+    from app.view_model.analysis.cures import cures_of  # noqa: PLC0415
+
+    return cures_of(document, curve, view, knot, is_stale)

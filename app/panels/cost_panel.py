@@ -1,0 +1,123 @@
+"""What solving a system costs against the basis form: in words, and over the number of points."""
+
+from __future__ import annotations
+
+from PySide6.QtWidgets import QGridLayout, QLabel, QVBoxLayout, QWidget
+
+from app.panels.log_plot import LogLine, LogPlot
+from app.plot.traces import METHOD_LOOKS
+from app.view_model.analysis.cost import Cost, cost_chart
+from app.view_model.analysis.laboratory_settings import Calculation
+from app.view_model.analysis.wording import short
+
+_SMALL = 30
+
+
+class CostPanel(QWidget):
+    """The operations of both ways for the present n, their time, and a chart."""
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setObjectName("costPanel")
+        self._words = _line("costWords")
+        self._numbers = QGridLayout()
+        self._cells: dict[str, QLabel] = {}
+        self._lay_out_numbers()
+        self._note = _line("costNote")
+        self.chart = LogPlot(
+            "costChart", "Operations to the first point of the curve over the number of points n", log_x=True
+        )
+        title = QLabel("Operations to the first point, over n")
+        layout = QVBoxLayout(self)
+        layout.setContentsMargins(12, 12, 12, 12)
+        layout.setSpacing(10)
+        layout.addWidget(self._words)
+        layout.addLayout(self._numbers)
+        layout.addWidget(title)
+        layout.addWidget(self.chart, 1)
+        layout.addWidget(self._note)
+
+    def _lay_out_numbers(self) -> None:
+        self._numbers.setColumnStretch(0, 1)
+        self._numbers.setHorizontalSpacing(12)
+        for column, text in enumerate(("", "Solving, n³", "Basis form, n²")):
+            self._numbers.addWidget(QLabel(text), 0, column)
+        for row, (key, text) in enumerate(
+            (
+                ("first", "Operations, first point"),
+                ("further", "Each further point"),
+                ("time", "Time, measured"),
+            ),
+            start=1,
+        ):
+            self._numbers.addWidget(QLabel(text), row, 0)
+            for column, way in enumerate(("solving", "basis"), start=1):
+                cell = QLabel("–")
+                cell.setObjectName(f"cost_{key}_{way}")
+                self._cells[f"{key}_{way}"] = cell
+                self._numbers.addWidget(cell, row, column)
+
+    def render_cost(self, cost: Cost | None, *, busy: bool) -> None:
+        """Show what was counted and measured; muted while it is being measured anew."""
+        for cell in self._cells.values():
+            cell.setEnabled(not busy)
+        if cost is None:
+            self._words.setText("Measuring…" if busy else "There is no curve to measure.")
+            return
+        texts = {
+            "first_solving": short(cost.solving),
+            "first_basis": short(cost.basis),
+            "further_solving": short(cost.further[0]),
+            "further_basis": short(cost.further[1]),
+            "time_solving": _duration(cost.seconds[0]),
+            "time_basis": _duration(cost.seconds[1]),
+        }
+        for key, text in texts.items():
+            self._cells[key].setText(text)
+        self._words.setText(_words(cost))
+        self._note.setText(_note(cost))
+        chart = cost_chart()
+        self.chart.render_lines(
+            [
+                LogLine(chart.n, chart.solving, METHOD_LOOKS[Calculation.MONOMIAL], "solving, n³"),
+                LogLine(chart.n, chart.basis, METHOD_LOOKS[Calculation.LAGRANGE], "basis form, n²"),
+            ],
+            marker=float(min(cost.count, chart.n[-1])),
+        )
+
+
+def _line(name: str) -> QLabel:
+    label = QLabel()
+    label.setObjectName(name)
+    label.setWordWrap(True)
+    return label
+
+
+def _words(cost: Cost) -> str:
+    times = cost.seconds[0] / cost.seconds[1]
+    return (
+        f"With {cost.count} points, solving for the monomials' coefficients costs {cost.ratio:.1f} times "
+        f"the operations of the basis form; measured here, {times:.1f} times its time."
+    )
+
+
+def _note(cost: Cost) -> str:
+    text = (
+        "Twice as many points: eight times the work to solve, four times for the basis form. "
+        f"In its barycentric variant each further point takes {short(cost.further[2])}."
+    )
+    if cost.count < _SMALL:
+        text += " With so few points the time is mostly that of calling NumPy."
+    if cost.piecewise is not None:
+        text += (
+            f" All this is about one polynomial through the points. The Hermite curve itself needs only "
+            f"{cost.count - 1} small systems, {short(cost.piecewise)} operations: its cost grows as n does."
+        )
+    return text
+
+
+def _duration(seconds: float) -> str:
+    for factor, unit in ((1e6, "µs"), (1e3, "ms")):
+        if seconds * factor < 999.5:
+            return f"{seconds * factor:.3g} {unit}"
+    return f"{seconds:.3g} s"

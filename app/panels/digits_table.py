@@ -1,0 +1,71 @@
+"""The very digits that the methods get at one t, below the true ones."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import Qt
+from PySide6.QtGui import QFontDatabase, QPalette
+from PySide6.QtWidgets import QGridLayout, QLabel, QWidget
+
+from app.plot.traces import METHOD_NAMES
+from app.view_model.analysis.laboratory import Digits
+
+
+class DigitsTable(QWidget):
+    """A row for the truth and one for each method: x and y as they were computed, digit by digit."""
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setObjectName("digitsTable")
+        self.setAccessibleName("Computed digits")
+        self._title = QLabel()
+        self._title.setObjectName("digitsTitle")
+        self._title.setToolTip("Put the scrub line (T) where you want to look; without it, the worst place")
+        self._grid = QGridLayout(self)
+        self._grid.setContentsMargins(0, 0, 0, 0)
+        self._grid.setHorizontalSpacing(10)
+        self._grid.setVerticalSpacing(2)
+        self._grid.setColumnStretch(0, 1)
+        self._grid.addWidget(self._title, 0, 0)
+        for column, text in ((1, "x"), (2, "y")):
+            heading = QLabel(_aligned(text))
+            heading.setFont(QFontDatabase.systemFont(QFontDatabase.SystemFont.FixedFont))
+            heading.setForegroundRole(QPalette.ColorRole.PlaceholderText)
+            self._grid.addWidget(heading, 0, column)
+        self._rows: list[tuple[QLabel, QLabel, QLabel]] = []
+
+    @property
+    def texts(self) -> list[tuple[str, str, str]]:
+        """The rows that are shown: name, x, y."""
+        return [(name.text(), x.text(), y.text()) for name, x, y in self._rows if not name.isHidden()]
+
+    def render_digits(self, digits: Digits | None, shown: int) -> None:
+        """Show the digits at one t; the true ones with two more than the `shown` that are computed with."""
+        self.setVisible(digits is not None)
+        if digits is None:
+            return
+        self._title.setText(f"At t = {digits.t:.4g}".replace("-", "−"))
+        true = [f"{value:.{shown + 2}g}" for value in digits.truth]
+        rows = [("True", *map(_aligned, true))]
+        rows += [(METHOD_NAMES[method], *map(_aligned, pair)) for method, pair in digits.rows]
+        while len(self._rows) < len(rows):
+            self._add_row()
+        for place, labels in enumerate(self._rows):
+            texts = rows[place] if place < len(rows) else ("", "", "")
+            for label, text in zip(labels, texts, strict=True):
+                label.setText(text)
+                label.setVisible(place < len(rows))
+
+    def _add_row(self) -> None:
+        labels = (QLabel(), QLabel(), QLabel())
+        fixed = QFontDatabase.systemFont(QFontDatabase.SystemFont.FixedFont)
+        for column, label in enumerate(labels):
+            if column:
+                label.setFont(fixed)
+                label.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
+            self._grid.addWidget(label, len(self._rows) + 1, column)
+        self._rows.append(labels)
+
+
+def _aligned(text: str) -> str:
+    """Write a real minus, or leave its room, so that leading digits stand below each other."""
+    return text.replace("-", "−") if text.startswith("-") else " " + text.replace("E-", "E−")

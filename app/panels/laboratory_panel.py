@@ -1,0 +1,282 @@
+"""The stability laboratory: few digits, rounded data, shifted t, and what each method makes of them."""
+
+from __future__ import annotations
+
+from math import log10
+
+from msgspec.structs import replace
+from PySide6.QtCore import Qt, Signal
+from PySide6.QtWidgets import (
+    QComboBox,
+    QFrame,
+    QGridLayout,
+    QHBoxLayout,
+    QLabel,
+    QPushButton,
+    QScrollArea,
+    QSizePolicy,
+    QSlider,
+    QTabWidget,
+    QVBoxLayout,
+    QWidget,
+)
+
+from app.analysis import Analysis
+from app.document.expression import ExpressionError, parse_number
+from app.panels.cost_panel import CostPanel
+from app.panels.digits_table import DigitsTable
+from app.panels.field_edit import FieldEdit
+from app.panels.log_plot import LogLine, LogPlot
+from app.panels.method_table import MethodTable
+from app.panels.number_text import decimal_mark, exact_text
+from app.plot.traces import METHOD_LOOKS, METHOD_NAMES
+from app.view_model.analysis.laboratory import Digits, Trial, calculations, error_lines
+from app.view_model.analysis.laboratory_settings import (
+    LEAST_DIGITS,
+    MOST_DECIMALS,
+    MOST_DIGITS,
+    USUAL_SHIFT,
+    Calculation,
+    LaboratorySettings,
+)
+from app.view_model.analysis.wording import power
+from app.view_model.curve_view import CurveView
+
+_LARGEST_SHIFT = 1e9
+
+_HOPELESS = 0.7
+"""With fewer right digits than this nothing is right."""
+
+
+class LaboratoryPanel(QTabWidget):
+    """The controls of the experiment, what came out, and what it costs.
+
+    Signals
+    -------
+    cost_shown
+        The page on costs is in front now.
+    """
+
+    cost_shown = Signal()
+
+    def __init__(self, analysis: Analysis, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setObjectName("laboratoryPanel")
+        self.setDocumentMode(True)
+        self._analysis = analysis
+        self.cost = CostPanel()
+        self.table, self.digits = MethodTable(), DigitsTable()
+        self.plot = LogPlot("errorPlot", "Distance to the true curve over t, on a logarithmic scale")
+        self.slider, self.digits_text = self._make_slider(), _label("digitsValue", wraps=False)
+        self.rounding, self.shift_button, self.shift_field = (
+            self._make_rounding(),
+            self._make_shift_button(),
+            FieldEdit("shiftField", "Shift t by", "What is added to every t, for the experiment only"),
+        )
+        self.words, self.note, self.state = (
+            _label("laboratoryWords"), _label("laboratoryNote"), _label("laboratoryState", wraps=False)
+        )  # fmt: skip
+        self.addTab(_scrolling(self._accuracy_page(), "accuracyPage"), "Accuracy")
+        self.addTab(_scrolling(self.cost, "costPage"), "Cost")
+        self.setTabToolTip(0, "How many digits each method loses")
+        self.setTabToolTip(1, "How many operations each way takes, and how long")
+        self._connect()
+        self._render_settings()
+
+    # Building
+
+    def _make_slider(self) -> QSlider:
+        slider = QSlider(Qt.Orientation.Horizontal)
+        slider.setObjectName("digitsSlider")
+        slider.setRange(LEAST_DIGITS, MOST_DIGITS)
+        slider.setPageStep(1)
+        slider.setTickPosition(QSlider.TickPosition.TicksBelow)
+        slider.setTickInterval(1)
+        slider.setAccessibleName("Significant digits of every operation")
+        slider.setToolTip(
+            "Significant decimal digits that every single operation keeps, as on a pocket calculator"
+        )
+        return slider
+
+    def _make_rounding(self) -> QComboBox:
+        box = QComboBox()
+        box.setObjectName("roundData")
+        box.setAccessibleName("Round the data")
+        box.setToolTip("Round points, parameters and derivatives before anything is computed")
+        box.addItem("Data as they are")
+        for decimals in range(MOST_DECIMALS + 1):
+            box.addItem(f"Data to {decimals} decimal{'' if decimals == 1 else 's'}")
+        return box
+
+    def _make_shift_button(self) -> QPushButton:
+        button = QPushButton()
+        button.setObjectName("shiftButton")
+        button.setCheckable(True)
+        button.setAutoDefault(False)
+        button.setAccessibleName("Shift the parameters by 100, or back")
+        button.setToolTip(
+            "Let t run from t₀ + 100: the same curve, ruined first where powers of t are used. "
+            "The document stays as it is"
+        )
+        return button
+
+    def _accuracy_page(self) -> QWidget:
+        page = QWidget()
+        layout = QVBoxLayout(page)
+        layout.setContentsMargins(10, 12, 8, 12)
+        layout.setSpacing(10)
+        layout.addLayout(self._controls())
+        layout.addWidget(self.table)
+        layout.addWidget(self.words)
+        layout.addWidget(self.note)
+        layout.addWidget(self.digits)
+        heading = QHBoxLayout()
+        heading.addWidget(QLabel("Error over t"), 1)
+        heading.addWidget(self.state)
+        layout.addLayout(heading)
+        layout.addWidget(self.plot, 1)
+        return page
+
+    def _controls(self) -> QGridLayout:
+        grid = QGridLayout()
+        grid.setHorizontalSpacing(10)
+        grid.setVerticalSpacing(8)
+        grid.setColumnStretch(1, 1)
+        grid.addWidget(QLabel("Round every step to"), 0, 0)
+        grid.addWidget(self.slider, 0, 1)
+        self.digits_text.setMinimumWidth(self.fontMetrics().horizontalAdvance("16 digits ") + 8)
+        self.rounding.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
+        grid.addWidget(self.digits_text, 0, 2)
+        row = QHBoxLayout()
+        row.setSpacing(8)
+        row.addWidget(self.rounding, 1)
+        row.addWidget(self.shift_button)
+        self.shift_field.setFixedWidth(self.fontMetrics().horizontalAdvance("100000") + 14)
+        row.addWidget(self.shift_field)
+        grid.addLayout(row, 1, 0, 1, 3)
+        return grid
+
+    def _connect(self) -> None:
+        self.slider.actionTriggered.connect(lambda _action: self._change(digits=self.slider.sliderPosition()))
+        self.rounding.activated.connect(lambda row: self._change(decimals=row - 1 if row else None))
+        self.shift_button.clicked.connect(self._toggle_shift)
+        self.shift_field.committed.connect(self._type_shift)
+        self.table.chosen.connect(self._choose_methods)
+        self.currentChanged.connect(lambda page: self.cost_shown.emit() if page == 1 else None)
+        self._analysis.changed.connect(self._render_settings)
+
+    # What the person does
+
+    @property
+    def _settings(self) -> LaboratorySettings:
+        return self._analysis.settings.laboratory
+
+    def _change(self, **fields: object) -> None:
+        self._analysis.change(laboratory=replace(self._settings, **fields))
+
+    def _toggle_shift(self) -> None:
+        self._change(shift=0.0 if self._settings.shift else USUAL_SHIFT)
+        self._render_settings()
+
+    def _type_shift(self, text: str) -> None:
+        try:
+            shift = parse_number(text, decimal_mark())
+        except ExpressionError as reason:
+            self.note.setText(str(reason))
+            self.note.show()
+            self.shift_field.keep(text)
+            return
+        if abs(shift) > _LARGEST_SHIFT:
+            self.note.setText("A shift must lie between −1e9 and 1e9.")
+            self.note.show()
+            self.shift_field.keep(text)
+            return
+        self.shift_field.revert()
+        self._change(shift=shift)
+
+    def _choose_methods(self, chosen: frozenset[Calculation]) -> None:
+        # The methods of other families stay as they were chosen.
+        others = frozenset(each for each in self._settings.methods if not self.table.offers(each))
+        self._change(methods=chosen | others)
+
+    # What is shown
+
+    @property
+    def shows_cost(self) -> bool:
+        """Whether the page on costs is in front."""
+        return self.currentIndex() == 1
+
+    def _render_settings(self) -> None:
+        settings = self._settings
+        if not self.slider.isSliderDown():
+            self.slider.setValue(settings.digits)
+        self.digits_text.setText(f"<b>{settings.digits}</b> digits")
+        self.rounding.setCurrentIndex(0 if settings.decimals is None else settings.decimals + 1)
+        self.shift_button.setChecked(settings.shift != 0)
+        self.shift_button.setText("Shift t back" if settings.shift else f"Shift t by {USUAL_SHIFT:g}")
+        self.shift_field.show_text(
+            exact_text(settings.shift, decimal_mark()).removesuffix(f"{decimal_mark()}0")
+        )
+
+    def render_view(self, view: CurveView) -> None:
+        """Offer the methods of the family."""
+        self.table.render_methods(calculations(view), self._settings.methods)
+
+    def render_trial(
+        self, trial: Trial | None, lebesgue: float | None, *, busy: bool, problem: str = ""
+    ) -> None:
+        """Show what came out; muted while something else is being computed."""
+        self.state.setText("computing…" if busy else "")
+        self.table.render_trial(trial, lebesgue, faded=busy)
+        self.words.setText(_words(trial) if trial is not None else problem)
+        self.words.setEnabled(not busy)
+        self.note.setText(trial.note if trial is not None else "")
+        self.note.setVisible(bool(self.note.text()))
+        lines = [
+            LogLine(line.t, line.errors, METHOD_LOOKS[line.calculation], METHOD_NAMES[line.calculation])
+            for line in (error_lines(trial) if trial is not None else ())
+        ]
+        self.plot.render_lines(lines, faded=busy)
+
+    def render_digits(self, digits: Digits | None) -> None:
+        """Show the very digits at one t."""
+        self.digits.render_digits(digits, self._settings.digits)
+
+
+def _label(name: str, *, wraps: bool = True) -> QLabel:
+    label = QLabel()
+    label.setObjectName(name)
+    label.setWordWrap(wraps)
+    return label
+
+
+def _scrolling(page: QWidget, name: str) -> QScrollArea:
+    area = QScrollArea()
+    area.setObjectName(name)
+    area.setWidgetResizable(True)
+    area.setFrameShape(QFrame.Shape.NoFrame)
+    area.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+    area.setWidget(page)
+    # Nothing is cut off at the side: the dock is never narrower than its page and the scroll bar.
+    bar = area.verticalScrollBar().sizeHint().width()
+    area.setMinimumWidth(page.minimumSizeHint().width() + bar)
+    return area
+
+
+def _words(trial: Trial) -> str:
+    """Say in a sentence what is to be seen."""
+    if not trial.outcomes:
+        return "Choose a method to compute the curve with."
+    digits = trial.settings.digits
+    monomial = trial.outcome(Calculation.MONOMIAL)
+    if monomial is None or trial.condition is None:
+        best = min(trial.outcomes, key=lambda each: each.lost)
+        return f"{METHOD_NAMES[best.calculation]} loses {best.lost:.1f} of {digits} digits."
+    exponent = round(log10(trial.condition))
+    if monomial.lost > digits - _HOPELESS:
+        return (
+            f"{digits} digits are not enough for the monomials: "
+            f"their system has a condition number κ ≈ {power(exponent)}."
+        )
+    most = f"all {digits} digits" if exponent >= digits else f"up to {exponent} of {digits} digits"
+    return f"The monomials' system has a condition number κ ≈ {power(exponent)}: {most} may go."

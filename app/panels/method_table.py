@@ -1,0 +1,134 @@
+"""The methods of the laboratory: which are compared, how each looks, and how wrong it is."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from PySide6.QtCore import QEvent, QSize, Qt, Signal
+from PySide6.QtGui import QPalette
+from PySide6.QtWidgets import QCheckBox, QGridLayout, QLabel, QWidget
+
+from app.plot.traces import METHOD_LOOKS, METHOD_NAMES
+from app.theme import theme_of
+from app.view_model.analysis.laboratory import Trial
+from app.view_model.analysis.laboratory_settings import Calculation
+from app.view_model.analysis.wording import short
+
+_TIPS = {
+    Calculation.MONOMIAL: "Solve the system for the coefficients of 1, t, t², …, then Horner's scheme",
+    Calculation.NEWTON: "Divided differences, then Newton's form",
+    Calculation.LAGRANGE: "The basis functions Lᵢ as products, times the points",
+    Calculation.BARYCENTRIC: "The second barycentric formula",
+    Calculation.BASIS: "The Hermite basis functions of the local parameter",
+}
+_HEADINGS = (
+    ("Method", "Choose what is computed and drawn"),
+    ("Digits\nlost", "How many of the digits are wrong where the curve is worst"),
+    ("Largest\nerror", "The largest distance to the true curve"),
+    ("at t", "Where the largest error is"),
+    (
+        "Condition",
+        "κ: how much solving the system can magnify rounding; Λ: how much the curve itself magnifies errors",
+    ),
+)
+_CELLS = ("lost", "error", "place", "condition")
+
+
+class MethodTable(QWidget):
+    """A row for each method: a check box with its look, and what came out.
+
+    Signals
+    -------
+    chosen
+        Other methods are to be compared.
+    """
+
+    chosen = Signal(frozenset)
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setObjectName("laboratoryTable")
+        self.setAccessibleName("Methods and their errors")
+        self._grid = QGridLayout(self)
+        self._grid.setContentsMargins(0, 0, 0, 0)
+        self._grid.setHorizontalSpacing(7)
+        self._grid.setVerticalSpacing(4)
+        self._grid.setColumnStretch(0, 1)
+        for column, (text, tip) in enumerate(_HEADINGS):
+            heading = QLabel(text)
+            heading.setToolTip(tip)
+            heading.setForegroundRole(QPalette.ColorRole.PlaceholderText)
+            heading.setAlignment(_side(column))
+            self._grid.addWidget(heading, 0, column)
+        self._boxes: dict[Calculation, QCheckBox] = {}
+        self._cells: dict[Calculation, list[QLabel]] = {}
+        for row, method in enumerate(Calculation, start=1):
+            self._add_row(row, method)
+        self._dress()
+
+    def _add_row(self, row: int, method: Calculation) -> None:
+        box = QCheckBox(METHOD_NAMES[method])
+        box.setObjectName(f"method_{method.value}")
+        box.setToolTip(_TIPS[method])
+        box.setAccessibleName(f"Compare {METHOD_NAMES[method]}")
+        box.setIconSize(QSize(22, 12))
+        box.clicked.connect(self._choose)
+        self._boxes[method] = box
+        self._grid.addWidget(box, row, 0)
+        self._cells[method] = []
+        for column, name in enumerate(_CELLS, start=1):
+            cell = QLabel()
+            cell.setObjectName(f"{name}_{method.value}")
+            cell.setAlignment(_side(column))
+            self._cells[method].append(cell)
+            self._grid.addWidget(cell, row, column)
+
+    def _choose(self) -> None:
+        self.chosen.emit(frozenset(method for method, box in self._boxes.items() if box.isChecked()))
+
+    def offers(self, method: Calculation) -> bool:
+        """Whether the method can be chosen for this family."""
+        return not self._boxes[method].isHidden()
+
+    def render_methods(self, available: Sequence[Calculation], chosen: frozenset[Calculation]) -> None:
+        """Show the methods that there are, and check those that are compared."""
+        for method, box in self._boxes.items():
+            box.setVisible(method in available)
+            box.setChecked(method in chosen)
+            for cell in self._cells[method]:
+                cell.setVisible(method in available)
+
+    def render_trial(self, trial: Trial | None, lebesgue: float | None, *, faded: bool) -> None:
+        """Show what came out; faded while something else is being computed."""
+        for method, cells in self._cells.items():
+            outcome = trial.outcome(method) if trial is not None else None
+            texts = ("–",) * len(_CELLS)
+            if trial is not None and outcome is not None:
+                error, t = outcome.worst
+                lost, place = f"{outcome.lost:.1f}", f"{t:.2g}".replace("-", "−")
+                texts = (lost, short(error), place, _condition(method, trial, lebesgue))
+            for cell, text in zip(cells, texts, strict=True):
+                cell.setText(text)
+                cell.setEnabled(not faded)
+
+    def changeEvent(self, event: QEvent) -> None:
+        super().changeEvent(event)
+        if event.type() == QEvent.Type.PaletteChange and hasattr(self, "_cells"):
+            self._dress()
+
+    def _dress(self) -> None:
+        theme = theme_of(self.palette())
+        for method, box in self._boxes.items():
+            box.setIcon(METHOD_LOOKS[method].swatch(theme))
+
+
+def _side(column: int) -> Qt.AlignmentFlag:
+    return (
+        Qt.AlignmentFlag.AlignRight if column else Qt.AlignmentFlag.AlignLeft
+    ) | Qt.AlignmentFlag.AlignVCenter
+
+
+def _condition(method: Calculation, trial: Trial, lebesgue: float | None) -> str:
+    if method is Calculation.MONOMIAL:
+        return f"κ {short(trial.condition)}" if trial.condition is not None else "–"
+    return f"Λ {short(lebesgue)}" if lebesgue is not None else "–"

@@ -1,0 +1,182 @@
+"""Explain this wiggle: who pulls the curve at one t, in bars and words, and what would calm it."""
+
+from __future__ import annotations
+
+import math
+
+from PySide6.QtCore import QEvent, Qt, Signal
+from PySide6.QtGui import QEnterEvent, QFocusEvent, QKeyEvent, QPalette
+from PySide6.QtWidgets import QFrame, QGridLayout, QLabel, QPushButton, QScrollArea, QVBoxLayout, QWidget
+
+from app.panels.weight_bars import WeightBars
+from app.view_model.analysis.cures import CURES, Cure, Cures
+from app.view_model.analysis.wiggle import Explanation
+from app.view_model.analysis.wording import short
+
+_NOWHERE = "Click on the curve where it swings out."
+
+
+class CureButton(QPushButton):
+    """A cure: shows what it would do while the pointer or the focus is on it.
+
+    Signals
+    -------
+    looked_at
+        The pointer or the focus has come.
+    left
+        Both have gone, or Escape was pressed.
+    """
+
+    looked_at = Signal()
+    left = Signal()
+
+    def __init__(self, key: str, text: str, tip: str) -> None:
+        super().__init__(text)
+        self.setObjectName(f"cure_{key}")
+        self.setAutoDefault(False)
+        self.setAccessibleName(tip)
+        self.setToolTip(f"{tip}: one step, and undo takes it back. Hover to see it first")
+        self.setFocusPolicy(Qt.FocusPolicy.TabFocus)
+
+    def enterEvent(self, event: QEnterEvent) -> None:
+        super().enterEvent(event)
+        if self.isEnabled():
+            self.looked_at.emit()
+
+    def leaveEvent(self, event: QEvent) -> None:
+        super().leaveEvent(event)
+        if not self.hasFocus():
+            self.left.emit()
+
+    def focusInEvent(self, event: QFocusEvent) -> None:
+        super().focusInEvent(event)
+        self.looked_at.emit()
+
+    def focusOutEvent(self, event: QFocusEvent) -> None:
+        super().focusOutEvent(event)
+        self.left.emit()
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        if event.key() == Qt.Key.Key_Escape and self.hasFocus():
+            self.clearFocus()
+            return
+        super().keyPressEvent(event)
+
+
+class WigglePanel(QScrollArea):
+    """What the curve does at one t, and cures to try.
+
+    Signals
+    -------
+    looked_at
+        The key of the cure to show on the canvas; empty for none.
+    chosen
+        The key of the cure to apply.
+    """
+
+    looked_at = Signal(str)
+    chosen = Signal(str)
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setObjectName("wigglePanel")
+        self.setWidgetResizable(True)
+        self.setFrameShape(QFrame.Shape.NoFrame)
+        self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        self.words = QLabel(_NOWHERE)
+        self.words.setObjectName("wiggleWords")
+        self.words.setWordWrap(True)
+        self.title = QLabel()
+        self.title.setObjectName("wiggleTitle")
+        self.bars = WeightBars()
+        self._headings = [QLabel() for _ in range(3)]
+        self.buttons: dict[str, CureButton] = {}
+        self._effects: dict[str, tuple[QLabel, QLabel]] = {}
+        self._lay_out()
+
+    def _lay_out(self) -> None:
+        page = QWidget()
+        layout = QVBoxLayout(page)
+        layout.setContentsMargins(10, 10, 8, 10)
+        layout.setSpacing(8)
+        layout.addWidget(self.words)
+        layout.addWidget(self.title)
+        layout.addWidget(self.bars)
+        layout.addLayout(self._cure_rows())
+        layout.addStretch(1)
+        self.setWidget(page)
+        self.setMinimumWidth(page.minimumSizeHint().width() + self.verticalScrollBar().sizeHint().width())
+
+    def _cure_rows(self) -> QGridLayout:
+        grid = QGridLayout()
+        grid.setHorizontalSpacing(10)
+        grid.setVerticalSpacing(3)
+        grid.setColumnStretch(0, 1)
+        for column, heading in enumerate(self._headings):
+            heading.setObjectName(("curesState", "swingNow", "lebesgueNow")[column])
+            heading.setForegroundRole(QPalette.ColorRole.PlaceholderText)
+            if column:
+                heading.setAlignment(Qt.AlignmentFlag.AlignRight)
+            grid.addWidget(heading, 0, column)
+        self._headings[1].setToolTip(
+            "How far the curve swings out of the straight line between the two points"
+        )
+        self._headings[2].setToolTip("The Lebesgue constant: how much errors in the points can grow")
+        for row, (key, text, tip) in enumerate(CURES, start=1):
+            button = CureButton(key, text, tip)
+            button.looked_at.connect(lambda key=key: self.looked_at.emit(key))
+            button.left.connect(lambda: self.looked_at.emit(""))
+            button.clicked.connect(lambda _checked=False, key=key: self.chosen.emit(key))
+            self.buttons[key] = button
+            grid.addWidget(button, row, 0)
+            effects = (QLabel(), QLabel())
+            for column, (name, label) in enumerate(zip(("swing", "lebesgue"), effects, strict=True), start=1):
+                label.setObjectName(f"{name}_{key}")
+                label.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
+                grid.addWidget(label, row, column)
+            self._effects[key] = effects
+        return grid
+
+    def render_explanation(self, explanation: Explanation | None, count: int, problem: str = "") -> None:
+        """Show why the curve is where it is at one t; without one, what to do."""
+        known = explanation is not None
+        self.title.setVisible(known)
+        self.bars.setVisible(known)
+        if explanation is None:
+            self.words.setText(problem or _NOWHERE)
+            return
+        self.words.setText(" ".join(explanation.sentences))
+        at = f"{explanation.t:.4g}".replace("-", "−")
+        self.title.setText(f"Weights at t = {at}, together Λ(t) = {short(explanation.lebesgue)}")
+        self.bars.render_pulls(explanation.pulls, count)
+
+    def render_cures(self, cures: Cures | None, *, busy: bool) -> None:
+        """Show what each cure would do; muted while they are tried out."""
+        for place, (key, _, tip) in enumerate(CURES):
+            cure = cures.cures[place] if cures is not None else None
+            self.buttons[key].setEnabled(cure is not None and cure.document is not None)
+            self.buttons[key].setStatusTip(cure.problem or tip if cure is not None else tip)
+            swing, lebesgue = self._effects[key]
+            for label, text in ((swing, _swing(cure, cures)), (lebesgue, _lebesgue(cure))):
+                label.setText(text)
+                label.setEnabled(not busy)
+        now = ("", "") if cures is None else (short(cures.overshoot), _finite(cures.lebesgue))
+        texts = ("trying cures…" if busy else "What would calm it", f"Swing {now[0]} →", f"Λ {now[1]} →")
+        for heading, text in zip(self._headings, texts, strict=True):
+            heading.setText(text)
+
+
+def _finite(value: float) -> str:
+    return short(value) if math.isfinite(value) else ""
+
+
+def _swing(cure: Cure | None, cures: Cures | None) -> str:
+    if cure is None or cures is None:
+        return ""
+    if cure.document is None:
+        return "in use" if cure.is_in_use else "not possible"
+    return f"{'worse, ' if cure.overshoot > cures.overshoot else ''}{short(cure.overshoot)}"
+
+
+def _lebesgue(cure: Cure | None) -> str:
+    return _finite(cure.lebesgue) if cure is not None else ""

@@ -1,0 +1,145 @@
+"""What it costs to solve a system for coefficients, against the basis form that needs none.
+
+Operations are counted exactly; times are measured on this machine.
+"""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+import numpy.typing as npt
+
+from app.view_model.analysis.laboratory_settings import Calculation
+from app.view_model.curve_view import CurveView
+from curvecore import operation_counts
+
+Floats = npt.NDArray[np.float64]
+IsStale = Callable[[], bool]
+
+MOST_POINTS = 1000
+"""The chart ends here."""
+
+_ROUNDS = 15
+_ROUND_SECONDS = 0.002
+"""Every round repeats its work for about so long, for the clock to be finer than the work."""
+
+_MOST_SECONDS = 0.3
+"""After so long what has been measured must do."""
+
+
+@dataclass(frozen=True, eq=False)
+class Cost:
+    """Solving against the basis form, for one polynomial through the points of a curve.
+
+    Attributes
+    ----------
+    count
+        Points n.
+    solving, basis
+        Operations to the first point of the curve.
+    further
+        Operations for every further point: from the coefficients, by the basis form, and by its barycentric
+        variant.
+    seconds
+        Measured medians to the first point.
+    piecewise
+        Operations that a Hermite curve's own small systems take; None for a Lagrange curve.
+    """
+
+    count: int
+    solving: int
+    basis: int
+    further: tuple[int, int, int]
+    seconds: tuple[float, float]
+    piecewise: int | None
+
+    @property
+    def ratio(self) -> float:
+        """How many times the operations of the basis form solving takes."""
+        return self.solving / self.basis
+
+
+@dataclass(frozen=True, eq=False)
+class CostChart:
+    """Operations to the first point over the number of points: n, solving, basis form, (k,) each."""
+
+    n: Floats
+    solving: Floats
+    basis: Floats
+
+
+def cost_of(view: CurveView, is_stale: IsStale) -> Cost | None:
+    """Count and measure for a curve; None without one, or if the answer is not wanted any more."""
+    if not view.is_current:
+        return None
+    t = view.parameters
+    points = view.points[[view.owner(knot) for knot in range(len(t))]]
+    middle = 0.5 * (t[0] + t[1])
+    solving, basis = _counts(len(t))
+    seconds = (
+        _median(lambda: _solve(t, points, middle), is_stale),
+        _median(lambda: _sum_basis(t, points, middle), is_stale),
+    )
+    if is_stale():
+        return None
+    derivatives = view.source.family.derivatives
+    small = operation_counts(Calculation.MONOMIAL, len(t), derivatives=derivatives) if derivatives else None
+    solved, form, barycentric = (
+        operation_counts(each, len(t)).per_point
+        for each in (Calculation.MONOMIAL, Calculation.LAGRANGE, Calculation.BARYCENTRIC)
+    )
+    further = (solved, form, barycentric)
+    return Cost(len(t), solving, basis, further, seconds, small.setup if small is not None else None)
+
+
+def cost_chart() -> CostChart:
+    """Return the counts for numbers of points from 2 to `MOST_POINTS`."""
+    n = np.unique(np.geomspace(2, MOST_POINTS, 40).round().astype(int))
+    counts = np.array([_counts(int(each)) for each in n], dtype=np.float64)
+    return CostChart(n.astype(np.float64), counts[:, 0], counts[:, 1])
+
+
+def _counts(count: int) -> tuple[int, int]:
+    solving = operation_counts(Calculation.MONOMIAL, count)
+    return solving.total(1), operation_counts(Calculation.LAGRANGE, count).total(1)
+
+
+def _solve(t: Floats, points: Floats, at: float) -> Floats:
+    """Solve for the coefficients and evaluate once."""
+    with np.errstate(all="ignore"):
+        try:
+            coefficients = np.asarray(np.linalg.solve(np.vander(t, increasing=True), points))
+        except np.linalg.LinAlgError:
+            # A pivot vanished, after all the work but the last of it.
+            coefficients = points
+        return np.asarray(np.vander([at], len(t), increasing=True) @ coefficients)
+
+
+def _sum_basis(t: Floats, points: Floats, at: float) -> Floats:
+    """Compute all L_i as products and add up."""
+    with np.errstate(all="ignore"):
+        below = t[:, None] - t
+        np.fill_diagonal(below, 1.0)
+        above = np.broadcast_to(at - t, below.shape).copy()
+        np.fill_diagonal(above, 1.0)
+        return np.asarray((np.prod(above, axis=1) / np.prod(below, axis=1)) @ points)
+
+
+def _median(work: Callable[[], object], is_stale: IsStale) -> float:
+    """Return how long some work takes, in seconds."""
+    start = time.perf_counter()
+    work()
+    once = max(time.perf_counter() - start, 1e-7)
+    repeats = max(1, min(200, int(_ROUND_SECONDS / once)))
+    times: list[float] = []
+    for _ in range(_ROUNDS):
+        if is_stale() or (times and time.perf_counter() - start > _MOST_SECONDS):
+            break
+        begin = time.perf_counter()
+        for _ in range(repeats):
+            work()
+        times.append((time.perf_counter() - begin) / repeats)
+    return float(np.median(times)) if times else once

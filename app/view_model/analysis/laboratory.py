@@ -1,0 +1,312 @@
+"""The curve computed with few decimal digits by several methods, and how wrong each comes out.
+
+The truth is the curve itself, through data that are not rounded, over the shifted t. For one polynomial
+through few points it is computed in fractions; else in double precision, which is as good as 16 digits.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+from itertools import pairwise
+
+import numpy as np
+import numpy.typing as npt
+
+from app.view_model.analysis.laboratory_settings import Calculation, LaboratorySettings
+from app.view_model.curve_view import CurveView, SimpleCurve
+from curvecore import (
+    CurveError,
+    HermiteCurve,
+    LagrangeCurve,
+    Method,
+    QuinticHermiteCurve,
+    available_methods,
+    digits_lost,
+    evaluate_rounded,
+    exact_values,
+    monomial_condition,
+    round_data,
+    rounded_decimals,
+)
+
+Floats = npt.NDArray[np.float64]
+IsStale = Callable[[], bool]
+
+SAMPLES = 240
+"""About so many parameters t on the whole curve."""
+
+MOST_POINTS = 60
+"""Up to so many points everything is computed."""
+
+MOST_AT_ALL = 200
+"""Above so many points nothing is: a window should not compute for a minute."""
+
+_MOST_EXACT = 16
+"""Points up to which the truth is computed in fractions, with some n**4 operations."""
+
+_CHUNK = 48
+"""Parameters between two looks at whether the result is still wanted; above `MOST_POINTS` points what is
+done once for all parameters costs too much to be done for each chunk."""
+
+_MOST_CONDITION = 128
+_FARTHEST = 1e12
+
+
+@dataclass(frozen=True, eq=False)
+class Outcome:
+    """What one method made of the curve.
+
+    Attributes
+    ----------
+    pieces
+        The computed curve as polylines (k, 2); it is broken where the method came to no number.
+    errors
+        The distance to the truth for each t of the `Trial`, (m,); infinite where there is no number.
+    lost
+        How many digits are wrong at the worst t; 0 as good as can be, `digits` nothing is right.
+    worst
+        The largest of the errors, and the t (not shifted) where it is.
+    """
+
+    calculation: Calculation
+    pieces: tuple[Floats, ...]
+    errors: Floats
+    lost: float
+    worst: tuple[float, float]
+
+
+@dataclass(frozen=True, eq=False)
+class Trial:
+    """What the laboratory found out about one curve.
+
+    Attributes
+    ----------
+    view, settings
+        What was asked.
+    t
+        The parameters of the comparison, not shifted, (m,).
+    outcomes
+        One for each method.
+    condition
+        The 2-norm condition number of the system for the monomials' coefficients; None if not computed.
+    note
+        What is left out and why, as a sentence; empty if nothing is.
+    """
+
+    view: CurveView
+    settings: LaboratorySettings
+    t: Floats
+    outcomes: tuple[Outcome, ...]
+    condition: float | None
+    note: str = ""
+
+    def outcome(self, calculation: Calculation) -> Outcome | None:
+        """Return what this method made, None if it was not tried."""
+        return next((each for each in self.outcomes if each.calculation is calculation), None)
+
+
+@dataclass(frozen=True, eq=False)
+class ErrorLine:
+    """The distance to the true curve over t, for one method: t (m,) and errors (m,), some may be infinite."""
+
+    calculation: Calculation
+    t: Floats
+    errors: Floats
+
+
+@dataclass(frozen=True)
+class Refused:
+    """Why there is no trial, as a sentence."""
+
+    reason: str
+
+
+@dataclass(frozen=True)
+class Digits:
+    """The very digits that the methods get at one t.
+
+    Attributes
+    ----------
+    t
+        Where, not shifted.
+    truth
+        (x, y).
+    rows
+        For each method x and y as decimal numbers of so many digits, as text.
+    """
+
+    t: float
+    truth: tuple[float, float]
+    rows: tuple[tuple[Calculation, tuple[str, str]], ...]
+
+
+def calculations(view: CurveView) -> tuple[Calculation, ...]:
+    """Return the methods that there are for a curve's family."""
+    return tuple(Calculation(method.value) for method in available_methods(view.source.family.derivatives))
+
+
+def try_methods(view: CurveView, settings: LaboratorySettings, is_stale: IsStale) -> Trial | Refused | None:
+    """Compute a curve by the chosen methods; None if the answer is not wanted any more."""
+    if not view.is_current:
+        return Refused(view.problem or "There is no curve yet.")
+    count = len(view.parameters)
+    if count > MOST_AT_ALL:
+        return Refused(
+            f"{count} points are too many for arithmetic done digit by digit; it goes up to {MOST_AT_ALL}."
+        )
+    chosen, note = _affordable(view, settings)
+    try:
+        trials = [_Experiment(piece, settings) for piece in view.pieces]
+    except CurveError as problem:
+        return Refused(_refusal(settings, problem))
+    per_segment = max(3, SAMPLES // (count - 1))
+    where = [_samples(piece.parameters, per_segment) for piece in view.pieces]
+    truths = [trial.truth(t) for trial, t in zip(trials, where, strict=True)]
+    outcomes = []
+    for calculation in chosen:
+        computed = [trial.values(t, calculation, is_stale) for trial, t in zip(trials, where, strict=True)]
+        if is_stale():
+            return None
+        outcomes.append(_outcome(calculation, computed, truths, where, settings))
+    condition = max(trial.condition() for trial in trials) if count <= _MOST_CONDITION else None
+    return Trial(view, settings, np.concatenate(where), tuple(outcomes), condition, note)
+
+
+def error_lines(trial: Trial) -> list[ErrorLine]:
+    """Return what a plot on a logarithmic scale shows of a trial."""
+    return [ErrorLine(each.calculation, trial.t, each.errors) for each in trial.outcomes]
+
+
+def digits_at(view: CurveView, settings: LaboratorySettings, t: float) -> Digits | None:
+    """Return the very digits at one t, None where nothing can be computed."""
+    if not view.is_current or len(view.parameters) > MOST_POINTS:
+        return None
+    start, end = view.parameters[[0, -1]].tolist()
+    t = min(max(t, start), end)
+    pieces = view.pieces
+    piece = next((each for each in pieces if t <= each.parameters[-1]), pieces[-1])
+    try:
+        experiment = _Experiment(piece, settings)
+    except CurveError:
+        return None
+    x, y = experiment.truth(np.array([t]))[0].tolist()
+    rows = tuple(
+        (calculation, experiment.digits(t, calculation))
+        for calculation in calculations(view)
+        if calculation in settings.methods
+    )
+    return Digits(t, (x, y), rows)
+
+
+class _Experiment:
+    """One piece of the curve with the data that the computation is given."""
+
+    def __init__(self, piece: SimpleCurve, settings: LaboratorySettings) -> None:
+        self._piece, self._settings = piece, settings
+        self._shifted = piece.parameters + settings.shift
+        jets, parameters = piece.jets, self._shifted
+        if settings.decimals is not None:
+            jets, parameters = round_data(jets, settings.decimals), round_data(parameters, settings.decimals)
+        self._jets, self._parameters = jets, parameters
+        _curve(self._shifted, piece.jets)
+        _curve(self._parameters, self._jets)
+
+    def truth(self, t: Floats) -> Floats:
+        """Return the points of the curve itself, (m, 2)."""
+        at = t + self._settings.shift
+        if self._jets.shape[1] > 1 or len(self._shifted) > _MOST_EXACT:
+            return _curve(self._shifted, self._piece.jets).evaluate(at)
+        return exact_values(self._piece.points, self._shifted, at)
+
+    def values(self, t: Floats, calculation: Calculation, is_stale: IsStale) -> Floats:
+        """Return what a method computes, (m, 2); NaN for what was not wanted any more."""
+        at, result = t + self._settings.shift, np.full((len(t), 2), np.nan)
+        chunk = _CHUNK if len(self._parameters) <= MOST_POINTS else len(t)
+        for start in range(0, len(t), chunk):
+            if is_stale():
+                break
+            part = slice(start, start + chunk)
+            result[part] = evaluate_rounded(
+                self._jets[:, 0], self._parameters, at[part], *self._how(calculation), *self._derivatives()
+            )
+        return result
+
+    def digits(self, t: float, calculation: Calculation) -> tuple[str, str]:
+        """Return the digits of x and y at one t."""
+        ((x, y),) = rounded_decimals(
+            self._jets[:, 0],
+            self._parameters,
+            t + self._settings.shift,
+            *self._how(calculation),
+            *self._derivatives(),
+        )
+        return str(x), str(y)
+
+    def _how(self, calculation: Calculation) -> tuple[Method, int]:
+        return Method(calculation.value), self._settings.digits
+
+    def _derivatives(self) -> Iterator[Floats]:
+        return (self._jets[:, order] for order in range(1, self._jets.shape[1]))
+
+    def condition(self) -> float:
+        """Return the condition number of the system for the coefficients in powers of t."""
+        return monomial_condition(_curve(self._parameters, self._jets))
+
+
+def _curve(parameters: Floats, jets: Floats) -> SimpleCurve:
+    if jets.shape[1] == 1:
+        return LagrangeCurve(jets[:, 0], parameters)
+    if jets.shape[1] == 2:
+        return HermiteCurve(jets[:, 0], jets[:, 1], parameters)
+    return QuinticHermiteCurve(jets[:, 0], jets[:, 1], jets[:, 2], parameters)
+
+
+def _affordable(view: CurveView, settings: LaboratorySettings) -> tuple[list[Calculation], str]:
+    """Return the chosen methods that are not too slow, and a sentence on what is left out."""
+    chosen = [each for each in calculations(view) if each in settings.methods]
+    if len(view.parameters) > MOST_POINTS and Calculation.LAGRANGE in chosen:
+        chosen.remove(Calculation.LAGRANGE)
+        return chosen, (
+            f"Above {MOST_POINTS} points Lagrange is left out: its products take n² operations for every t. "
+            "The barycentric form is the same polynomial."
+        )
+    return chosen, ""
+
+
+def _refusal(settings: LaboratorySettings, problem: CurveError) -> str:
+    if settings.decimals is not None:
+        return f"To {settings.decimals} decimals, neighbouring t are the same number; keep more of them."
+    return f"The shift is too large: neighbouring t become the same number ({problem})."
+
+
+def _samples(knots: Floats, per_segment: int) -> Floats:
+    """Return so many t for each segment, and the knots."""
+    shares = np.arange(per_segment) / per_segment
+    return np.append((knots[:-1, None] + np.diff(knots)[:, None] * shares).ravel(), knots[-1])
+
+
+def _outcome(
+    calculation: Calculation,
+    computed: list[Floats],
+    truths: list[Floats],
+    where: list[Floats],
+    settings: LaboratorySettings,
+) -> Outcome:
+    found, truth, t = np.concatenate(computed), np.concatenate(truths), np.concatenate(where)
+    with np.errstate(over="ignore"):
+        away = found - truth
+        errors = np.nan_to_num(np.hypot(away[:, 0], away[:, 1]), nan=np.inf)
+    lost = float(digits_lost(found, truth, settings.digits).max())
+    worst = int(np.argmax(errors))
+    pieces = tuple(part for each in computed for part in _finite_runs(each))
+    return Outcome(calculation, pieces, errors, lost, (float(errors[worst]), float(t[worst])))
+
+
+def _finite_runs(points: Floats) -> list[Floats]:
+    """Return the stretches of a polyline that are numbers, none of them too far away to be drawn."""
+    good = np.asarray(np.isfinite(points).all(axis=1))
+    ends = np.flatnonzero(np.diff(good)) + 1
+    bounds = [0, *ends.tolist(), len(points)]
+    runs = [points[start:end] for start, end in pairwise(bounds) if good[start] and end - start > 1]
+    return [np.clip(run, -_FARTHEST, _FARTHEST) for run in runs]

@@ -1,0 +1,323 @@
+"""The stability laboratory and its cost page, with real events."""
+
+from __future__ import annotations
+
+from decimal import ROUND_HALF_EVEN, Context, Decimal
+from fractions import Fraction
+from functools import reduce
+
+import numpy as np
+import pytest
+from PySide6.QtCore import QPoint, Qt
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import (
+    QCheckBox,
+    QComboBox,
+    QDockWidget,
+    QLabel,
+    QLineEdit,
+    QPushButton,
+    QSlider,
+    QTabWidget,
+)
+
+from app.document.model import Document, Family, make_curve
+
+LEFT = Qt.MouseButton.LeftButton
+POINTS = ((0.0, 0.0), (1.0, 2.0), (2.5, 1.0), (4.0, 3.0), (5.0, 0.5), (6.0, 2.0))
+
+
+@pytest.fixture
+def lab(editor, qtbot):
+    """The editor with six points and the laboratory open."""
+    editor.session.commit(Document((make_curve(POINTS),)), "Begin")
+    editor.fit()
+    editor.trigger("toggleLaboratory")
+    settled(editor, qtbot)
+    return editor
+
+
+def commands(editor):
+    return editor.window._commands.laboratory
+
+
+def settled(editor, qtbot):
+    """Wait until the laboratory has answered."""
+    editor.settle()
+    lab = commands(editor)
+    qtbot.waitUntil(
+        lambda: not (lab._settler.is_busy or lab._digits_settler.is_busy or lab._cost_settler.is_busy)
+    )
+    editor.settle()
+
+
+def find(editor, kind, name):
+    widget = editor.window.findChild(kind, name)
+    assert widget is not None, name
+    return widget
+
+
+def text(editor, name):
+    return find(editor, QLabel, name).text()
+
+
+def shown(editor):
+    return {trace.label: trace for trace in editor.window.canvas.traces("laboratory")[0]}
+
+
+def press_key(editor, qtbot, widget, key):
+    QTest.keyClick(widget, key)
+    settled(editor, qtbot)
+
+
+def click(editor, qtbot, widget):
+    # A check box hears clicks on its box and text only.
+    place = QPoint(8, widget.height() // 2)
+    QTest.mouseClick(widget, LEFT, pos=place)
+    settled(editor, qtbot)
+
+
+# An independent k-digit computation: plain Decimal operators, results rounded by hand.
+
+
+class Rounded:
+    """A decimal number all of whose operations keep k digits."""
+
+    def __init__(self, value, digits):
+        self.value, self.digits = value, digits
+
+    def _of(self, exact):
+        context = Context(prec=self.digits, rounding=ROUND_HALF_EVEN)
+        wide = Context(prec=400)
+        quotient = wide.divide(Decimal(exact.numerator), Decimal(exact.denominator))
+        return Rounded(context.plus(quotient), self.digits)
+
+    def __sub__(self, other):
+        return self._of(Fraction(self.value) - Fraction(other.value))
+
+    def __add__(self, other):
+        return self._of(Fraction(self.value) + Fraction(other.value))
+
+    def __mul__(self, other):
+        return self._of(Fraction(self.value) * Fraction(other.value))
+
+    def __truediv__(self, other):
+        return self._of(Fraction(self.value) / Fraction(other.value))
+
+
+def lagrange_by_hand(nodes, values, t, digits):
+    nodes, values = ([Rounded(Decimal(float(x)), digits) for x in row] for row in (nodes, values))
+    at = Rounded(Decimal(float(t)), digits)
+    terms = []
+    for i, value in enumerate(values):
+        others = [node for j, node in enumerate(nodes) if j != i]
+        above = reduce(lambda a, b: a * b, (at - other for other in others))
+        below = reduce(lambda a, b: a * b, (nodes[i] - other for other in others))
+        terms.append(above / below * value)
+    return reduce(lambda a, b: a + b, terms).value
+
+
+def rows(editor):
+    table = commands(editor)._panel.digits
+    return {name: (float(x.replace("−", "-")), float(y.replace("−", "-"))) for name, x, y in table.texts}
+
+
+@pytest.mark.parametrize("digits", [3, 7])
+def test_the_window_shows_the_very_digits_of_an_independent_computation(lab, qtbot, digits):
+    slider = find(lab, QSlider, "digitsSlider")
+    while slider.value() != digits:
+        press_key(lab, qtbot, slider, Qt.Key.Key_Right if slider.value() < digits else Qt.Key.Key_Left)
+    lab.session.set_scrub(0.3)
+    settled(lab, qtbot)
+    xs, ys = zip(*POINTS, strict=True)
+    by_hand = [lagrange_by_hand(lab.parameters, each, 0.3, digits) for each in (xs, ys)]
+    assert rows(lab)["Lagrange"] == tuple(float(each) for each in by_hand)
+    table = commands(lab)._panel.digits
+    shown_text = next(row for row in table.texts if row[0] == "Lagrange")
+    assert [each.strip().replace("−", "-") for each in shown_text[1:]] == [str(each) for each in by_hand]
+
+
+def test_the_errors_in_the_table_and_the_plot_are_those_of_the_drawn_curve(lab):
+    trace = shown(lab)["Lagrange"]
+    trial = commands(lab)._trial
+    truth = lab.session.active_view.curve.evaluate(trial.t)
+    away = np.hypot(*(np.vstack(trace.pieces) - truth).T)
+    line = next(each for each in commands(lab)._panel.plot.lines if each.label == "Lagrange")
+    assert line.values == pytest.approx(away, abs=1e-14)
+    assert float(text(lab, "error_lagrange")) == pytest.approx(away.max(), rel=0.06)
+    assert float(text(lab, "place_lagrange")) == pytest.approx(trial.t[np.argmax(away)], abs=0.006)
+
+
+def test_fewer_digits_ruin_the_monomials_first(lab, qtbot):
+    slider = find(lab, QSlider, "digitsSlider")
+    assert slider.value() == 4
+    errors = {}
+    for digits in (4, 3, 2):
+        assert text(lab, "digitsValue") == f"<b>{digits}</b> digits"
+        errors[digits] = float(text(lab, "error_monomial"))
+        assert errors[digits] > float(text(lab, "error_lagrange"))
+        press_key(lab, qtbot, slider, Qt.Key.Key_Left)
+    assert errors[2] > errors[3] > errors[4]
+    press_key(lab, qtbot, slider, Qt.Key.Key_End)
+    assert slider.value() == 16
+    assert text(lab, "digitsValue") == "<b>16</b> digits"
+
+
+def test_shifting_t_ruins_the_monomials_and_leaves_lagrange_alone(lab, qtbot):
+    before, document = text(lab, "error_lagrange"), lab.session.document
+    button = find(lab, QPushButton, "shiftButton")
+    click(lab, qtbot, button)
+    assert float(text(lab, "lost_monomial")) == 4.0
+    assert text(lab, "error_lagrange") == before
+    assert lab.session.document is document
+    assert not lab.session.is_modified or lab.session.undo_stack.count() == 1
+    assert button.text() == "Shift t back"
+    click(lab, qtbot, button)
+    assert float(text(lab, "lost_monomial")) < 4.0
+
+
+def test_another_shift_can_be_typed(lab, qtbot):
+    field = find(lab, QLineEdit, "shiftField")
+    field.setFocus()
+    field.selectAll()
+    QTest.keyClicks(field, "1000")
+    QTest.keyClick(field, Qt.Key.Key_Return)
+    settled(lab, qtbot)
+    assert commands(lab)._settings.shift == 1000
+    assert "κ" in text(lab, "condition_monomial")
+    field.selectAll()
+    QTest.keyClicks(field, "1e300")
+    QTest.keyClick(field, Qt.Key.Key_Return)
+    assert "between" in text(lab, "laboratoryNote")
+    assert commands(lab)._settings.shift == 1000
+
+
+def test_methods_are_chosen_by_their_boxes(lab, qtbot):
+    assert set(shown(lab)) == {"Monomials", "Lagrange"}
+    click(lab, qtbot, find(lab, QCheckBox, "method_barycentric"))
+    click(lab, qtbot, find(lab, QCheckBox, "method_monomial"))
+    assert set(shown(lab)) == {"Lagrange", "Barycentric"}
+    looks = [(trace.look.colour, trace.look.dashes) for trace in shown(lab).values()]
+    assert len(set(looks)) == 2
+    assert text(lab, "lost_monomial") == "–"
+
+
+def test_hermite_curves_have_methods_of_their_own(lab, qtbot):
+    lab.choose_family(Family.HERMITE)
+    settled(lab, qtbot)
+    assert set(shown(lab)) == {"Monomials", "Hermite basis"}
+    assert not find(lab, QCheckBox, "method_newton").isVisible()
+    click(lab, qtbot, find(lab, QCheckBox, "method_monomial"))
+    assert set(shown(lab)) == {"Hermite basis"}
+    # What was chosen for the other family is still chosen.
+    lab.choose_family(Family.LAGRANGE)
+    settled(lab, qtbot)
+    assert set(shown(lab)) == {"Lagrange"}
+
+
+def test_the_data_can_be_rounded(lab, qtbot):
+    lab.session.commit(Document((make_curve([(x + 0.123456, y) for x, y in POINTS]),)), "Move")
+    box = find(lab, QComboBox, "roundData")
+    box.setFocus()
+    press_key(lab, qtbot, box, Qt.Key.Key_Down)
+    press_key(lab, qtbot, box, Qt.Key.Key_Down)
+    assert commands(lab)._settings.decimals == 1
+    first = shown(lab)["Lagrange"].pieces[0][0]
+    assert first == pytest.approx((0.1, 0.0))
+    press_key(lab, qtbot, box, Qt.Key.Key_Up)
+    assert "neighbouring t are the same number" in text(lab, "laboratoryWords")
+    assert not shown(lab)
+    press_key(lab, qtbot, box, Qt.Key.Key_Home)
+    assert shown(lab)
+
+
+def test_a_drag_keeps_the_old_curves_faded_until_it_rests(lab, qtbot):
+    trace = shown(lab)["Lagrange"]
+    x, y = lab.point(2)
+    lab.press((x, y))
+    lab.move((x + 0.5, y + 0.5))
+    traces, faded = lab.window.canvas.traces("laboratory")
+    assert faded
+    assert traces[1].pieces is trace.pieces
+    assert text(lab, "laboratoryState") == "computing…"
+    lab.release((x + 0.5, y + 0.5))
+    settled(lab, qtbot)
+    traces, faded = lab.window.canvas.traces("laboratory")
+    assert not faded
+    assert traces[1].pieces is not trace.pieces
+    assert text(lab, "laboratoryState") == ""
+
+
+def test_off_it_costs_nothing_and_closing_the_dock_switches_it_off(editor, qtbot):
+    assert not commands(editor)._settings.on
+    assert commands(editor)._panel is None
+    editor.drag_point(1, to=(2, 3))
+    # The side folded away and back must not wake it.
+    editor.trigger("toggleSidePanel")
+    editor.trigger("toggleSidePanel")
+    assert commands(editor)._asked is None
+    assert commands(editor)._panel is None
+    editor.trigger("toggleLaboratory")
+    settled(editor, qtbot)
+    assert editor.action("toggleLaboratory").isChecked()
+    assert shown(editor)
+    # Another tab in front leaves the curves where they are.
+    editor.show_dock("curveDock")
+    editor.drag_point(1, to=(2, 3.5))
+    settled(editor, qtbot)
+    assert shown(editor)
+    dock = find(editor, QDockWidget, "laboratoryDock")
+    dock.close()
+    assert not editor.action("toggleLaboratory").isChecked()
+    assert not shown(editor)
+
+
+def test_many_points_are_refused_in_words(lab, qtbot):
+    wave = [(0.1 * i, np.sin(i)) for i in range(61)]
+    lab.session.commit(Document((make_curve(wave),)), "More")
+    settled(lab, qtbot)
+    assert set(shown(lab)) == {"Monomials"}
+    assert "Lagrange is left out" in text(lab, "laboratoryNote")
+    lab.session.commit(Document((make_curve([(i, i % 2) for i in range(201)]),)), "Most")
+    settled(lab, qtbot)
+    assert not shown(lab)
+    assert "too many" in text(lab, "laboratoryWords")
+
+
+def test_without_a_curve_it_says_why(lab, qtbot):
+    lab.session.commit(Document((make_curve(POINTS[:1]),)), "One")
+    settled(lab, qtbot)
+    assert not shown(lab)
+    assert text(lab, "laboratoryWords") == "A curve needs at least two points."
+
+
+def test_the_cost_page_counts_measures_and_marks_n(lab, qtbot):
+    tabs = find(lab, QTabWidget, "laboratoryPanel")
+    QTest.mouseClick(tabs.tabBar(), LEFT, pos=tabs.tabBar().tabRect(1).center())
+    settled(lab, qtbot)
+    # Elimination, by hand for n = 6 and two coordinates: the powers, 15 factors, 2·55 updates of the matrix,
+    # 2·2·15 of the right-hand sides, back substitution, then Horner.
+    solving = 6 * 4 + 15 + 2 * 55 + 4 * 15 + 2 * (2 * 15 + 6) + 2 * 2 * 5
+    assert text(lab, "cost_first_solving") == str(solving)
+    ratio = solving / int(text(lab, "cost_first_basis"))
+    assert f"{ratio:.1f} times the operations" in text(lab, "costWords")
+    assert text(lab, "cost_time_solving").endswith("s")
+    chart = commands(lab)._panel.cost.chart
+    assert chart._marker == 6
+    assert [line.values[-1] > 1e6 for line in chart.lines] == [True, True]
+    lab.add_point(7, 1)
+    settled(lab, qtbot)
+    assert chart._marker == 7
+    assert "With 7 points" in text(lab, "costWords")
+
+
+def test_the_curves_are_drawn_in_both_themes(lab):
+    canvas = lab.window.canvas.geometry()
+    for theme in ("themeDark", "themeLight"):
+        lab.trigger(theme)
+        with_curves = lab.screenshot().copy(canvas)
+        traces, _ = lab.window.canvas.traces("laboratory")
+        lab.window.canvas.render_traces("laboratory", ())
+        assert with_curves != lab.screenshot().copy(canvas)
+        lab.window.canvas.render_traces("laboratory", traces, "Computed with 4 digits")
+        assert with_curves == lab.screenshot().copy(canvas)

@@ -1,0 +1,150 @@
+"""What the laboratory, the explanation of wiggles and the badge show, without a window."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from msgspec.structs import replace
+
+from app.document.model import Document, Family, Parametrization, ParametrizationKind, make_curve
+from app.view_model.analysis.cost import cost_chart, cost_of
+from app.view_model.analysis.cures import CURES, cures_of
+from app.view_model.analysis.laboratory import Refused, digits_at, try_methods
+from app.view_model.analysis.laboratory_settings import Calculation, LaboratorySettings
+from app.view_model.analysis.teaching import Topic, warnings_of
+from app.view_model.analysis.wiggle import explain, overshoot, widest
+from app.view_model.analysis.wording import short
+from app.view_model.curve_view import view_of
+
+ALL = LaboratorySettings(on=True, methods=frozenset(Calculation))
+POINTS = [(0.0, 0.0), (1.0, 2.0), (2.5, 1.0), (4.0, 3.0), (5.0, 0.5), (6.0, 2.0)]
+
+
+def wanted():
+    return False
+
+
+def ring(family):
+    """A closed curve with a corner."""
+    closed = replace(make_curve(POINTS, family=family), closed=True)
+    nodes = [replace(node, corner=index == 2) for index, node in enumerate(closed.nodes)]
+    return view_of(replace(closed, nodes=tuple(nodes)))
+
+
+@pytest.mark.parametrize("family", list(Family))
+def test_sixteen_digits_are_as_good_as_the_curve(family):
+    view = ring(family)
+    trial = try_methods(view, replace(ALL, digits=16), wanted)
+    truth = view.curve.evaluate(trial.t)
+    for outcome in trial.outcomes:
+        drawn = np.vstack(outcome.pieces)
+        # Condition numbers here are below 1e6: ten digits are left to everybody.
+        assert np.abs(drawn - truth).max() < 1e-8
+        assert outcome.worst[0] == outcome.errors.max()
+        assert outcome.lost < 6
+
+
+@pytest.mark.parametrize("family", list(Family))
+@pytest.mark.parametrize("shift", [100.0, -3.25])
+def test_a_shift_changes_nothing_but_the_powers_of_t(family, shift):
+    view = ring(family)
+    before = try_methods(view, ALL, wanted)
+    after = try_methods(view, replace(ALL, shift=shift), wanted)
+    for outcome in after.outcomes:
+        if outcome.calculation is not Calculation.MONOMIAL:
+            # Differences of shifted parameters are off by at most 1e-14, far below the fourth digit.
+            assert outcome.lost == pytest.approx(before.outcome(outcome.calculation).lost, abs=0.3)
+    assert after.condition > 10 * before.condition
+
+
+def test_where_there_is_no_number_nothing_is_drawn():
+    # To 2 digits all squares of t are 1e6: the rows of the system are equal, and a pivot vanishes.
+    trial = try_methods(view_of(make_curve(POINTS)), replace(ALL, digits=2, shift=1000.0), wanted)
+    monomial, lagrange = trial.outcome(Calculation.MONOMIAL), trial.outcome(Calculation.LAGRANGE)
+    assert monomial.pieces == ()
+    assert np.isinf(monomial.errors).all()
+    assert monomial.lost == 2
+    assert len(lagrange.pieces) == 1
+    assert len(lagrange.pieces[0]) == len(trial.t)
+
+
+def test_work_that_nobody_waits_for_ends():
+    assert try_methods(view_of(make_curve(POINTS)), ALL, lambda: True) is None
+    assert cost_of(view_of(make_curve(POINTS)), lambda: True) is None
+
+
+def test_without_a_curve_the_reason_is_given():
+    assert try_methods(view_of(make_curve(POINTS[:1])), ALL, wanted) == Refused(
+        "A curve needs at least two points."
+    )
+    assert digits_at(view_of(make_curve(POINTS[:1])), ALL, 0.5) is None
+    assert explain(view_of(make_curve(POINTS[:1])), 0.5) is None
+
+
+def test_the_cost_is_that_of_cubic_and_quadratic_work():
+    cost = cost_of(view_of(make_curve(POINTS)), wanted)
+    assert cost.ratio == cost.solving / cost.basis
+    assert min(cost.seconds) > 0
+    chart = cost_chart()
+    # Where n is large, twice the points cost 8 and 4 times as much.
+    ends = np.log(chart.n[-1] / chart.n[-5])
+    assert np.log(chart.solving[-1] / chart.solving[-5]) / ends == pytest.approx(3, abs=0.02)
+    assert np.log(chart.basis[-1] / chart.basis[-5]) / ends == pytest.approx(2, abs=0.02)
+
+
+@pytest.mark.parametrize("family", list(Family))
+def test_the_pulls_make_the_point(family):
+    view = view_of(make_curve(POINTS, family=family))
+    found = explain(view, 0.37)
+    weights = np.zeros(len(POINTS))
+    for pull in found.pulls:
+        if pull.order == 0:
+            weights[pull.node] = pull.weight
+    assert weights.sum() == pytest.approx(1)
+    assert np.abs(weights).sum() == pytest.approx(found.lebesgue)
+    sizes = [abs(pull.weight) for pull in found.pulls]
+    assert sizes == sorted(sizes, reverse=True)
+
+
+def test_the_widest_swing_of_runges_function_is_at_its_ends():
+    x = np.linspace(-1, 1, 11)
+    uniform = Parametrization(ParametrizationKind.UNIFORM)
+    view = view_of(
+        replace(make_curve(np.column_stack([x, 1 / (1 + 25 * x**2)]).tolist()), parametrization=uniform)
+    )
+    assert explain(view, widest(view)).segment[0] in (0, 9)
+    # The polynomial reaches 1.95 near x = 0.94; the chord lies at 0.05.
+    assert overshoot(view, 0)[0] == pytest.approx(1.9, abs=0.05)
+
+
+def test_cures_promise_what_they_do():
+    document = Document((make_curve(POINTS),))
+    view = view_of(document.curves[0])
+    found = cures_of(document, 0, view, 2, wanted)
+    assert [cure.name for cure in found.cures] == [key for key, _, _ in CURES]
+    for cure in found.cures:
+        if cure.document is None:
+            assert cure.is_in_use
+            assert cure.name == "chordLength"
+            continue
+        cured = view_of(cure.document.curves[0])
+        assert cure.overshoot == overshoot(cured, 2)[0]
+        assert np.array_equal(cure.points, cured.polyline)
+
+
+def test_close_parameters_are_told_from_chebyshevs():
+    def topics(kind, points):
+        view = view_of(replace(make_curve(points), parametrization=Parametrization(kind)))
+        return [each.topic for each in warnings_of(view, 1.0)]
+
+    many = [(float(i), float(i % 2)) for i in range(500)]
+    assert topics(ParametrizationKind.CHEBYSHEV, many) == []
+    assert topics(ParametrizationKind.CHORD_LENGTH, [(0, 0), (1, 0), (1.001, 0), (2, 0)]) == [Topic.GAP]
+    assert topics(ParametrizationKind.CHORD_LENGTH, [(0, 0), (1, 0), (1.1, 0), (2, 0)]) == []
+
+
+def test_numbers_are_short():
+    thin = "\N{NARROW NO-BREAK SPACE}"
+    assert [short(x) for x in (0, -3.14, 0.034, 99.4, 5890, 10987, 1.2e9, 1e-5, np.inf)] == [
+        "0", "−3.1", "0.034", "99", "5890", f"10{thin}987", "1.2·10⁹", "1·10⁻⁵", "∞",
+    ]  # fmt: skip
