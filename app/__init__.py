@@ -5,10 +5,11 @@ The layers, top to bottom; a module imports only from its own layer and those ab
 - ``document``: immutable values, edits, the file format. No Qt, no arrays inside the values.
 - ``view_model``: a document's curve turned into arrays to draw. No Qt; calls ``curvecore``.
 - ``gestures``: press, move and release turned into edits. No Qt.
-- ``exchange``: files in and out. Qt only in ``image``.
+- ``exchange``: files in and out. Qt only in ``image`` and ``motion_frames``.
 - ``resources``, ``examples``: what comes with the program.
 - ``session``: the one mutable owner of the current document, its history and the selection.
 - ``analysis``, ``settle``: what is shown over the curve; what is computed beside the window.
+- ``player``: a motion, and the clock that drives it.
 - ``theme``, ``colours``, ``icons``, ``preferences``: how it looks; what is remembered between starts.
 - ``keymap``: which keys do what.
 - ``plot``: what canvas and basis panel share: a pixel map, fast drawing, pan and zoom.

@@ -42,6 +42,9 @@ _CONVERT = "Read a file of one format and write another; prints the largest devi
 _INTERRUPTED = 130
 """What a shell expects of a program that Ctrl+C ended."""
 
+FILMS = (".gif", ".apng", ".mp4")
+"""Endings that mean a motion; the module that writes it is imported when there is one to write."""
+
 _COMMANDS = ("render", "convert", "info")
 _STYLES = {"light": LIGHT, "dark": DARK}
 
@@ -122,7 +125,11 @@ def _command_parser() -> argparse.ArgumentParser:
     )
     render.add_argument("file", metavar="FILE")
     render.add_argument(
-        "-o", "--output", required=True, metavar="OUT", help=f"the picture; ends in {', '.join(SUFFIXES)}"
+        "-o",
+        "--output",
+        required=True,
+        metavar="OUT",
+        help=f"the picture; ends in {', '.join(SUFFIXES + FILMS)}",
     )
     render.add_argument(
         "--width", type=_width, metavar="N", help="in pixels; in points of 1/72 inch for a PDF"
@@ -137,6 +144,7 @@ def _command_parser() -> argparse.ArgumentParser:
         "--theme", choices=_STYLES, help="colours, paper included (default: light; no paper in SVG and PDF)"
     )
     render.add_argument("--points", action="store_true", help="draw the points too")
+    _add_motion(render)
     _add_convert(commands.add_parser("convert", help="read and write other formats", description=_CONVERT))
     info = commands.add_parser(
         "info", help="print facts", description="Print facts about a document's curves."
@@ -144,6 +152,23 @@ def _command_parser() -> argparse.ArgumentParser:
     info.add_argument("file", metavar="FILE")
     info.add_argument("--json", action="store_true", help="as JSON")
     return parser
+
+
+def _add_motion(render: argparse.ArgumentParser) -> None:
+    motion = render.add_argument_group(
+        "motion",
+        "A dot that runs along the first curve: OUT is a .gif, .apng or .mp4, or a .png with --motion.",
+    )
+    motion.add_argument(
+        "--motion", choices=("once", "loop", "ping-pong"), help="what happens at the end (default: loop)"
+    )
+    motion.add_argument(
+        "--pace", choices=("t", "length"), default="t", help="what grows evenly with time (default: t)"
+    )
+    motion.add_argument("--fps", type=_width, default=25, metavar="N", help="frames a second (default: 25)")
+    motion.add_argument(
+        "--seconds", type=_tolerance, metavar="S", help="length of one round (default: that of the domain)"
+    )
 
 
 def _add_convert(convert: argparse.ArgumentParser) -> None:
@@ -234,8 +259,12 @@ def _has_display() -> bool:
 
 
 def _render(options: argparse.Namespace) -> int:
+    is_film = options.output.lower().endswith(FILMS)
+    if is_film or (options.motion and options.output.lower().endswith(".png")):
+        return _render_film(options)
     if not options.output.lower().endswith(SUFFIXES):
-        known = f"{', '.join(SUFFIXES[:-1])} or {SUFFIXES[-1]}"
+        endings = SUFFIXES + FILMS
+        known = f"{', '.join(endings[:-1])} or {endings[-1]}"
         raise _RefusalError(f"“{options.output}” does not end in a known format for pictures; use {known}.")
     style = _STYLES[options.theme] if options.theme else None
     export(
@@ -246,6 +275,25 @@ def _render(options: argparse.Namespace) -> int:
         style=style,
         points=options.points,
     )
+    return 0
+
+
+def _render_film(options: argparse.Namespace) -> int:
+    # Takes modules along that the editor does without at its start.
+    from app.exchange.animation import Film, first_round, write_film  # noqa: PLC0415
+    from app.view_model.motion import Pace, Repeat  # noqa: PLC0415
+
+    document, repeat = _load(options.file), Repeat(options.motion or "loop")
+    film = Film(
+        width=options.width or Film.width,
+        fps=options.fps,
+        seconds=options.seconds or first_round(document, repeat),
+        repeat=repeat,
+        pace=Pace(options.pace),
+        style=_STYLES[options.theme or "light"],
+        points=options.points,
+    )
+    write_film(document, options.output, film)
     return 0
 
 

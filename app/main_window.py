@@ -14,6 +14,7 @@ from PySide6.QtWidgets import (
     QMainWindow,
     QMenu,
     QSplitter,
+    QVBoxLayout,
     QWidget,
 )
 
@@ -98,7 +99,12 @@ class MainWindow(QMainWindow):
         self.message_bar = MessageBar(self.canvas)
         self.splitter = QSplitter(Qt.Orientation.Vertical)
         self.splitter.setObjectName("drawingSplitter")
-        self.splitter.addWidget(self.canvas)
+        drawing = QWidget()
+        self.under_canvas = QVBoxLayout(drawing)
+        self.under_canvas.setContentsMargins(0, 0, 0, 0)
+        self.under_canvas.setSpacing(0)
+        self.under_canvas.addWidget(self.canvas, 1)
+        self.splitter.addWidget(drawing)
         self.splitter.addWidget(self.basis_pane)
         self.splitter.setStretchFactor(0, 2)
         self.splitter.setStretchFactor(1, 1)
@@ -189,6 +195,7 @@ class MainWindow(QMainWindow):
             actions=self.actions_by_name,
             files=self._files,
             canvas=self.canvas,
+            under_canvas=self.under_canvas,
             basis_panel=self.basis_panel,
             basis_pane=self.basis_pane,
             message_bar=self.message_bar,

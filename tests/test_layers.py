@@ -13,7 +13,7 @@ import pytest
 ROOT = Path(__file__).resolve().parent.parent
 QT = {"PySide6", "shiboken6", "pyqtgraph"}
 WITHOUT_QT = ("curvecore", "app.document", "app.view_model", "app.gestures", "app.exchange")
-WITH_QT = ("app.exchange.image",)
+WITH_QT = ("app.exchange.image", "app.exchange.motion_frames")
 CALLS_THE_CORE = ("app.view_model", "app.exchange", "app.cli")
 STRANGERS = {("app.canvas", "app.panels"), ("app.panels", "app.canvas")}
 

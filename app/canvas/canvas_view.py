@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from typing import TYPE_CHECKING
 
 import msgspec
 import numpy as np
@@ -25,6 +26,10 @@ from app.view_model.analysis.figures import Figure
 from app.view_model.basis_view import weights_at
 from app.view_model.curve_view import CurveView, Floats
 from app.view_model.handles import Handle
+
+if TYPE_CHECKING:
+    from app.canvas.motion_layer import MotionLayer
+    from app.view_model.motion_picture import Dot, Role
 
 _FIT_MARGIN = 0.12
 
@@ -53,6 +58,7 @@ class CanvasView(PlotWidget):
         self._curve_layer = CurveLayer(self, LIGHT)
         self._point_layer = PointLayer(self, LIGHT)
         self._corner_layer = CornerLayer(self, LIGHT)
+        self._motion: MotionLayer | None = None
 
     @property
     def is_dragging(self) -> bool:
@@ -91,6 +97,21 @@ class CanvasView(PlotWidget):
         """What is shown beside the active curve."""
         return self._figures.figures
 
+    def render_motion(self, dots: Sequence[Dot], lines: Sequence[tuple[Role, Floats]] = ()) -> None:
+        """Show dots that run, and the curves that some of them run along."""
+        if self._motion is None:
+            # Made when something runs: nobody waits for it at the start.
+            from app.canvas.motion_layer import MotionLayer  # noqa: PLC0415
+
+            self._motion = MotionLayer(self, self._theme)
+            self._motion.scale = self._corner_layer.scale
+        self._motion.render(dots, lines)
+
+    @property
+    def dots(self) -> Sequence[Dot]:
+        """The dots that run."""
+        return self._motion.dots if self._motion is not None else ()
+
     def _show_ghost_of_other_rules(self, view: CurveView) -> None:
         old = self._view
         if old is None or self.is_dragging or not old.is_current or not view.is_current:
@@ -121,12 +142,16 @@ class CanvasView(PlotWidget):
         for layer in (self._image_layer, self._grid, self._units, self._curve_layer, self._point_layer):
             layer.theme = theme
         self._other_curves.theme = self._corner_layer.theme = self._figures.theme = theme
+        if self._motion is not None:
+            self._motion.theme = theme
         super().set_theme(theme)
 
     def set_scale(self, scale: float) -> None:
         """Enlarge points, lines and numbers, for a projector."""
         self._curve_layer.scale = self._point_layer.scale = scale
         self._other_curves.scale = self._corner_layer.scale = self._figures.scale = scale
+        if self._motion is not None:
+            self._motion.scale = scale
         super().set_scale(scale)
 
     def set_hovered(self, index: int) -> None:

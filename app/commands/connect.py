@@ -9,6 +9,7 @@ from app.commands.edit_commands import EditCommands
 from app.commands.help_commands import HelpCommands
 from app.commands.image_commands import ImageCommands
 from app.commands.messages import Messages
+from app.commands.motion_commands import MotionCommands
 from app.commands.overlay_commands import OverlayCommands
 from app.commands.parts import CommandSet, Handlers, LiveSet, Parts
 from app.commands.rail_commands import RailCommands
@@ -30,7 +31,7 @@ class Commands:
         self.snap = SnapCommands(parts)
         self.images = ImageCommands(parts, self.messages)
         curves = CurveCommands(parts)
-        self._live: tuple[LiveSet, ...] = (OverlayCommands(parts),)
+        self._live: tuple[LiveSet, ...] = (OverlayCommands(parts), MotionCommands(parts))
         self._sets: tuple[CommandSet, ...] = (
             *self._live,
             EditCommands(parts),

@@ -6,7 +6,7 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Protocol
 
-from PySide6.QtWidgets import QDockWidget, QMainWindow, QMenu, QToolBar
+from PySide6.QtWidgets import QBoxLayout, QDockWidget, QMainWindow, QMenu, QToolBar
 
 from app.actions import Actions
 from app.analysis import Analysis
@@ -38,6 +38,7 @@ class Parts:
     actions: Actions
     files: FileCommands
     canvas: Canvas
+    under_canvas: QBoxLayout
     basis_panel: BasisPanel
     basis_pane: BasisPane
     message_bar: MessageBar

@@ -61,16 +61,16 @@ def write_png(
         raise ExchangeError(
             f"A picture of {width} × {height} pixels is not possible; the sides may have 1 to {LARGEST_SIDE}."
         )
-    application = _application()
+    running = application()
     image = QImage(width, height, QImage.Format.Format_ARGB32_Premultiplied)
     image.fill(QColor(0, 0, 0, 0))
     image.setText("Software", f"Curvebench {__version__}")
     image.setText("Description", accuracy_of(drawing))
     painter = QPainter(image)
     painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-    _render(drawing.fitted(width, height), painter, style, points=points)
+    paint_drawing(drawing.fitted(width, height), painter, style, points=points)
     painter.end()
-    del application
+    del running
     buffer = QBuffer()
     buffer.open(QIODevice.OpenModeFlag.WriteOnly)
     if not QImageWriter(buffer, QByteArray(b"png")).write(image):
@@ -100,7 +100,7 @@ def write_pdf(
     frame = drawing.frame
     across = PAGE_SIDE * frame.width / frame.side if width is None else width
     page = QSizeF(across, across * frame.height / frame.width)
-    application = _application()
+    running = application()
     buffer = QBuffer()
     buffer.open(QIODevice.OpenModeFlag.WriteOnly)
     writer = QPdfWriter(buffer)
@@ -111,13 +111,13 @@ def write_pdf(
     writer.setPageLayout(QPageLayout(size, QPageLayout.Orientation.Portrait, QMarginsF()))
     painter = QPainter(writer)
     device = painter.viewport()
-    _render(drawing.fitted(device.width(), device.height()), painter, style, points=points)
+    paint_drawing(drawing.fitted(device.width(), device.height()), painter, style, points=points)
     painter.end()
-    del application
+    del running
     write(path, bytes(buffer.data().data()))
 
 
-def _render(fitted: Drawing, painter: QPainter, style: Style, *, points: bool) -> None:
+def paint_drawing(fitted: Drawing, painter: QPainter, style: Style, *, points: bool) -> None:
     """Paint a drawing whose frame is the painter's whole device."""
     frame = fitted.frame
     text = svg_text(fitted, style=style, points=points, width=frame.width)
@@ -128,7 +128,7 @@ def _render(fitted: Drawing, painter: QPainter, style: Style, *, points: bool) -
     renderer.render(painter, QRectF(0, 0, frame.width, frame.height))
 
 
-def _application() -> QGuiApplication:
+def application() -> QGuiApplication:
     """Return the running application, or one that needs no display for as long as it is kept."""
     running = QGuiApplication.instance()
     if isinstance(running, QGuiApplication):
