@@ -10,6 +10,7 @@ from msgspec.structs import replace
 from PySide6.QtCore import QObject, Qt, QTimer, Signal
 
 from app.session import Session
+from app.view_model.curve_view import CoreCurve
 from app.view_model.motion import SPEEDS, Course, MotionSettings, Repeat, folded, round_of
 
 FRAME_MS = 16
@@ -52,6 +53,7 @@ class Player(QObject):
         self._scrub_before: float | None = None
         self._is_moving = False
         self._course: Course | None = None
+        self._ran_on: CoreCurve | None = None
         self._timer = QTimer(self, interval=FRAME_MS)
         self._timer.setTimerType(Qt.TimerType.PreciseTimer)
         self._timer.timeout.connect(self.tick)
@@ -131,6 +133,7 @@ class Player(QObject):
         course, repeat = self.course, self.settings.repeat
         if course is None:
             return
+        self._ran_on = course.curve
         elapsed = folded(np.array([self.seconds]), course.duration, repeat)
         self._move_scrub(float(course.parameters_at(elapsed)[0]))
         self.moved.emit()
@@ -151,8 +154,7 @@ class Player(QObject):
             self._scrub_before = None
             self.stop()
             return
-        view, course = self._session.active_view, self._course
-        if self.is_playing and (course is None or course.curve is not view.curve):
+        if self.is_playing and self._session.active_view.curve is not self._ran_on:
             # Nobody: another curve, with another domain, took the scrub line along.
             return
         self.pause()

@@ -15,9 +15,9 @@ from app.plot.plot_widget import PlotWidget
 from app.theme import Theme
 from app.view_model.arrow import arrow_segments
 from app.view_model.curve_view import Floats
-from app.view_model.motion_picture import COLOURS, NAMES, TRAIL, Dot, Role, colour_of
+from app.view_model.motion_picture import COLOURS, NAMES, RADII, TRAIL, Dot, Role, colour_of
 
-_DOT, _TRAIL_DOT = 8.0, 3.0
+_TRAIL_DOT = 3.0
 _FAR = 1e5
 _Pixel = tuple[float, float]
 _SHORTEST = 3.0
@@ -88,7 +88,8 @@ class MotionLayer:
         if dot.role is not Role.OWN:
             painter.setPen(QPen(self.theme.paper, 1.5 * self.scale))
             painter.setBrush(self._colour(dot.role))
-            painter.drawEllipse(QPointF(x, y), _DOT * self.scale, _DOT * self.scale)
+            radius = RADII[dot.role] * self.scale
+            painter.drawEllipse(QPointF(x, y), radius, radius)
 
     def _paint_arrow(
         self, painter: QPainter, shown: PixelMap, start: _Pixel, tip: _Pixel, colour: QColor, words: str

@@ -31,7 +31,8 @@ class Commands:
         self.snap = SnapCommands(parts)
         self.images = ImageCommands(parts, self.messages)
         curves = CurveCommands(parts)
-        self._live: tuple[LiveSet, ...] = (OverlayCommands(parts), MotionCommands(parts))
+        self.motion = MotionCommands(parts)
+        self._live: tuple[LiveSet, ...] = (OverlayCommands(parts), self.motion)
         self._sets: tuple[CommandSet, ...] = (
             *self._live,
             EditCommands(parts),

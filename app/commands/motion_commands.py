@@ -26,13 +26,13 @@ class MotionCommands:
         """Return what each action does."""
         names = ("motionOnce", "motionLoop", "motionPingPong", "motionByT", "motionByLength")
         return {
-            "playMotion": lambda: self._on_stage().play_or_pause(),
+            "playMotion": self._play,
             "stopMotion": self._stop,
-            "motionSlower": lambda: self._on_stage().player.change_speed(-1),
-            "motionFaster": lambda: self._on_stage().player.change_speed(1),
+            "motionSlower": lambda: self.stage.player.change_speed(-1),
+            "motionFaster": lambda: self.stage.player.change_speed(1),
             **{name: partial(self._choose, name) for name in names},
-            "motionCompare": lambda: self._on_stage().compare(),
-            "exportMotion": lambda: self._on_stage().ask_and_export(),
+            "motionCompare": self._compare,
+            "exportMotion": self._export,
         }
 
     def render(self, view: CurveView) -> None:
@@ -45,13 +45,33 @@ class MotionCommands:
         if self._stage is not None:
             self._stage.settle(view)
 
+    @property
+    def stage(self) -> MotionStage:
+        """What the motion needs in the window; made when it is first asked for."""
+        if self._stage is None:
+            # Nobody waits at the start for what is perhaps never played.
+            from app.commands.motion_stage import MotionStage  # noqa: PLC0415
+
+            self._stage = MotionStage(self._parts)
+            self._stage.settle(self._parts.session.active_view)
+        return self._stage
+
     def follow(self, view: CurveView) -> None:
         """Keep dots and arrows on the curve."""
         if self._stage is not None:
             self._stage.draw()
 
+    def _play(self) -> None:
+        self.stage.play_or_pause()
+
+    def _compare(self) -> None:
+        self.stage.compare()
+
+    def _export(self) -> None:
+        self.stage.ask_and_export()
+
     def _stop(self) -> None:
-        self._on_stage().player.stop()
+        self.stage.player.stop()
 
     def _choose(self, name: str) -> None:
         from app.view_model.motion import Pace, Repeat  # noqa: PLC0415
@@ -63,13 +83,4 @@ class MotionCommands:
             "motionByT": {"pace": Pace.PARAMETER},
             "motionByLength": {"pace": Pace.LENGTH},
         }
-        self._on_stage().player.change(**fields[name])
-
-    def _on_stage(self) -> MotionStage:
-        if self._stage is None:
-            # Nobody waits at the start for what is perhaps never played.
-            from app.commands.motion_stage import MotionStage  # noqa: PLC0415
-
-            self._stage = MotionStage(self._parts)
-            self._stage.settle(self._parts.session.active_view)
-        return self._stage
+        self.stage.player.change(**fields[name])

@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 import threading
+from collections.abc import Callable
 from pathlib import Path
 
 from PySide6.QtCore import QObject, QRunnable, QThreadPool, Signal
-from PySide6.QtWidgets import QApplication, QFileDialog
+from PySide6.QtWidgets import QApplication, QFileDialog, QWidget
 
 from app.commands.parts import Parts
 from app.document.model import Document
@@ -24,6 +25,11 @@ from app.view_model.motion import MotionSettings, round_of
 class MotionExport(QObject):
     """Asks how a motion shall be written, and writes it in a thread.
 
+    Attributes
+    ----------
+    ask_name
+        Lets the person choose a file; tests answer themselves.
+
     Signals
     -------
     ended
@@ -39,6 +45,7 @@ class MotionExport(QObject):
         self._settings = MotionSettings()
         self._work: _Work | None = None
         self._pool = QThreadPool(self)
+        self.ask_name: Callable[[QWidget, Path, str], str] = _ask_name
         bar.export_cancelled.connect(self.cancel)
 
     @property
@@ -62,7 +69,7 @@ class MotionExport(QObject):
         parts = self._parts
         start = parts.preferences.last_folder / f"{file_stem(parts.session)}{ending}"
         kinds = f"{FORMATS[ending]} (*{ending})"
-        name, _ = QFileDialog.getSaveFileName(parts.window, "Export Motion", str(start), kinds)
+        name = self.ask_name(parts.window, start, kinds)
         if name:
             path = Path(name)
             self.write(path if path.suffix else path.with_name(path.name + ending), self._film())
@@ -113,6 +120,10 @@ class MotionExport(QObject):
             self._parts.session.say(text)
             self._parts.preferences.last_folder = path.parent
         self.ended.emit()
+
+
+def _ask_name(window: QWidget, start: Path, kinds: str) -> str:
+    return QFileDialog.getSaveFileName(window, "Export Motion", str(start), kinds)[0]
 
 
 class _Reports(QObject):

@@ -41,13 +41,13 @@ class MotionStage(QObject):
         self._bar = MotionBar(parts.actions.__getitem__, parts.window)
         self._bar.hide()
         parts.under_canvas.addWidget(self._bar)
-        self._export = MotionExport(parts, self._bar)
+        self.export = MotionExport(parts, self._bar)
         self._rivals: dict[Role, CurveView] = {}
         self._rivals_of: CurveView | None = None
         self._courses: dict[Role, Course] = {}
         self._scales: Scales | None = None
         self._bar.speed_chosen.connect(lambda speed: self.player.change(speed=speed))
-        self._export.ended.connect(self._show_bar)
+        self.export.ended.connect(self._show_bar)
         self.player.moved.connect(self.draw)
         self.player.changed.connect(self._render)
         parts.window.installEventFilter(self)
@@ -57,7 +57,7 @@ class MotionStage(QObject):
         if event.type() == QEvent.Type.PaletteChange:
             self._render_bar()
         elif event.type() == QEvent.Type.Hide and not event.spontaneous():
-            self._export.end()
+            self.export.end()
         return super().eventFilter(watched, event)
 
     # What the actions do
@@ -80,7 +80,7 @@ class MotionStage(QObject):
     def ask_and_export(self) -> None:
         """Let the person say how large and how long, and write the motion."""
         self._bar.show()
-        self._export.ask(self.player.settings)
+        self.export.ask(self.player.settings)
 
     # What is shown
 
@@ -147,4 +147,4 @@ class MotionStage(QObject):
         self._bar.show_settings(self.player.settings, theme, playing=self.player.is_playing)
 
     def _show_bar(self) -> None:
-        self._bar.setVisible(self.player.is_open or self._export.is_running)
+        self._bar.setVisible(self.player.is_open or self.export.is_running)

@@ -5,6 +5,7 @@ Pillow writes the first two (the extra ``animation``), ffmpeg the third, where i
 
 from __future__ import annotations
 
+import contextlib
 import io
 import os
 import shutil
@@ -103,7 +104,7 @@ class Film:
             for role, each in rivals_of(view_of(source)).items()
             if each.source is not source
         ]
-        return Document((*document.curves, *others))
+        return Document((*others, *document.curves))
 
     def durations(self, unit: int) -> list[int]:
         """Return how long each frame stands, in milliseconds that are multiples of `unit`.
@@ -240,12 +241,10 @@ def _feed(command: list[str], frames: Iterator[bytes]) -> None:
         process = subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.DEVNULL, stderr=said)
         assert process.stdin is not None
         try:
-            try:
+            # A pipe that breaks: the program ended early, and its code says why.
+            with contextlib.suppress(BrokenPipeError), process.stdin as pipe:
                 for frame in frames:
-                    process.stdin.write(frame)
-                process.stdin.close()
-            except BrokenPipeError:
-                pass  # It ended early; its code says why.
+                    pipe.write(frame)
             code = process.wait()
         except BaseException:
             process.kill()

@@ -16,13 +16,16 @@ from app.exchange.image import application, paint_drawing
 from app.view_model.arrow import arrow_segments
 from app.view_model.curve_view import Floats
 from app.view_model.motion import Repeat, round_of
-from app.view_model.motion_picture import COLOURS, TRAIL, Dot, Role, colour_of, dots_at, scales_of
+from app.view_model.motion_picture import COLOURS, RADII, TRAIL, Dot, Role, colour_of, dots_at, scales_of
 
 _NOMINAL = 640.0
 """Longer side of a picture in which dots and lines have their nominal sizes."""
 
 _REACH = 0.5
 """How far the frame may grow for the sake of arrows, against its longer side."""
+
+_LOOKED_AT = 100
+"""Frames in which the arrows are looked at to find the room they need."""
 
 _ACCENT = "#3584e4"
 
@@ -50,7 +53,8 @@ class FrameMaker:
         self._background = self._paint_background(replace(drawing, frame=self._frame))
 
     def _with_room_for_arrows(self, frame: Frame) -> Frame:
-        tips = [arrow.tip for dots in map(self._dots, self._times) for dot in dots for arrow in dot.arrows]
+        some = self._times[:: max(1, len(self._times) // _LOOKED_AT)]
+        tips = [arrow.tip for dots in map(self._dots, some) for dot in dots for arrow in dot.arrows]
         low, high = np.array([frame.left, frame.bottom]), np.array([frame.left + frame.width, frame.top])
         if tips:
             reach, margin = _REACH * frame.side, 0.03 * frame.side
@@ -113,7 +117,8 @@ class FrameMaker:
             return
         painter.setPen(QPen(QColor(self._film.style.paper or "#ffffff"), 1.5 * self._scale))
         painter.setBrush(QColor(COLOURS.get(dot.role, _ACCENT)))
-        painter.drawEllipse(QPointF(*place), 6.0 * self._scale, 6.0 * self._scale)
+        radius = RADII[dot.role] * self._scale
+        painter.drawEllipse(QPointF(*place), radius, radius)
 
 
 def _times(film: Film, duration: float) -> Floats:

@@ -36,6 +36,9 @@ class Role(enum.Enum):
 
 NAMES = {Role.OWN: "", Role.CUBIC: "cubic", Role.QUINTIC: "quintic"}
 
+RADII = {Role.OWN: 6.0, Role.CUBIC: 11.0, Role.QUINTIC: 7.5}
+"""Of the dots, in pixels: where they meet, a ring of each is seen."""
+
 FAMILIES = {Role.CUBIC: Family.HERMITE, Role.QUINTIC: Family.QUINTIC_HERMITE}
 
 

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from itertools import pairwise
+
 import numpy as np
 import pytest
 from msgspec.structs import replace
@@ -68,7 +70,7 @@ def test_by_arc_length_equal_times_give_equal_lengths(accuracy):
     t = course.parameters_at(np.linspace(0, course.duration, 9))
     assert t[[0, -1]].tolist() == [0, 2.5]
     # An independent measure: the polygon through 20,001 points of each part, too short by 1e-8 or so.
-    parts = [WAVE.evaluate(np.linspace(a, b, 20_001)) for a, b in zip(t[:-1], t[1:], strict=True)]
+    parts = [WAVE.evaluate(np.linspace(a, b, 20_001)) for a, b in pairwise(t)]
     lengths = [np.linalg.norm(np.diff(part, axis=0), axis=1).sum() for part in parts]
     assert np.ptp(lengths) <= 2 * accuracy * 4 + 1e-7
     assert [course.elapsed_at(each) for each in t] == pytest.approx(
