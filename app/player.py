@@ -16,6 +16,8 @@ from app.view_model.motion import SPEEDS, Course, MotionSettings, Repeat, folded
 FRAME_MS = 16
 """Milliseconds from frame to frame; what takes longer drops frames, because the clock is asked each time."""
 
+_LEAST_PAUSE = 0.5e-3 * FRAME_MS
+
 
 class Player(QObject):
     """A motion along the active curve, seen as the scrub line.
@@ -56,7 +58,7 @@ class Player(QObject):
         self._ran_on: CoreCurve | None = None
         self._timer = QTimer(self, interval=FRAME_MS)
         self._timer.setTimerType(Qt.TimerType.PreciseTimer)
-        self._timer.timeout.connect(self.tick)
+        self._timer.timeout.connect(self._tick_unless_just_done)
         session.scrub_changed.connect(self._follow_scrub)
 
     @property
@@ -128,6 +130,11 @@ class Player(QObject):
         if self.course is not None:
             self.seconds += passed * self.settings.speed
             self._show()
+
+    def _tick_unless_just_done(self) -> None:
+        """Leave out a frame that a drag has drawn a moment ago."""
+        if self.clock() - self._last >= _LEAST_PAUSE:
+            self.tick()
 
     def _show(self) -> None:
         course, repeat = self.course, self.settings.repeat

@@ -59,7 +59,7 @@ class MotionCommands:
     def follow(self, view: CurveView) -> None:
         """Keep dots and arrows on the curve."""
         if self._stage is not None:
-            self._stage.draw()
+            self._stage.follow()
 
     def _play(self) -> None:
         self.stage.play_or_pause()

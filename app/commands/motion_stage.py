@@ -86,12 +86,19 @@ class MotionStage(QObject):
 
     def settle(self, view: CurveView) -> None:
         """Measure anew what is kept as it is during a drag: the scale of the arrows, and the jumps."""
-        if not self.player.is_open:
+        if not self.player.is_open or self._parts.session.is_previewing:
             return
         self._scales = None
         self.draw()
         compared = self._rivals if self.player.settings.compares else {}
         self._bar.show_words(jumps_in_words(compared))
+
+    def follow(self) -> None:
+        """Draw the dots on a curve that is being changed; if they run, where they are by now."""
+        if self.player.is_playing and self.player.course is not None:
+            self.player.tick()
+        else:
+            self.draw()
 
     def draw(self) -> None:
         """Draw the dots where they are now."""
