@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
 from typing import Protocol
 
+import msgspec
 from PySide6.QtWidgets import QBoxLayout, QDockWidget, QMainWindow, QMenu, QToolBar
 
 from app.actions import Actions
@@ -28,8 +28,7 @@ from app.view_model.curve_view import CurveView
 Handlers = Mapping[str, Callable[[], object]]
 
 
-@dataclass(frozen=True)
-class Parts:
+class Parts(msgspec.Struct, frozen=True):
     """The parts of a window that commands act on."""
 
     window: QMainWindow

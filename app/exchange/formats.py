@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 import os
-from dataclasses import dataclass
 from enum import StrEnum
 from pathlib import Path
+
+import msgspec
 
 from app.exchange.drawing import ExchangeError
 from app.exchange.svg import Style
@@ -48,8 +49,7 @@ class Spacing(StrEnum):
     TOLERANCE = "tolerance"
 
 
-@dataclass(frozen=True)
-class Exported:
+class Exported(msgspec.Struct, frozen=True):
     """What was written.
 
     Attributes
@@ -64,8 +64,7 @@ class Exported:
     remarks: tuple[str, ...] = ()
 
 
-@dataclass(frozen=True)
-class Options:
+class Options(msgspec.Struct, frozen=True):
     """How to write; each format takes what concerns it. See `export`."""
 
     width: int | None = None

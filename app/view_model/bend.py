@@ -12,9 +12,9 @@ grabbed point, at its share of its segment, is where it should be.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from enum import Enum, auto
 
+import msgspec
 import numpy as np
 
 from app.document.edits import EditError
@@ -36,8 +36,7 @@ class BendWith(Enum):
     DERIVATIVES = auto()
 
 
-@dataclass(frozen=True)
-class _Datum:
+class _Datum(msgspec.Struct, frozen=True):
     """One datum with its weight at t* and its value, both scaled to lengths in the plane."""
 
     index: int
@@ -52,8 +51,7 @@ class _Datum:
         return JetValue(self.index, self.order, self.ahead, value)
 
 
-@dataclass(frozen=True)
-class _Place:
+class _Place(msgspec.Struct, frozen=True):
     """A place on a curve that outlasts a change of parameters: a segment and the share of it."""
 
     segment: int

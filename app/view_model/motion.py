@@ -7,7 +7,6 @@ motion is the real one.
 from __future__ import annotations
 
 import enum
-from dataclasses import dataclass
 
 import msgspec
 import numpy as np
@@ -76,8 +75,7 @@ def runs_back(seconds: float, duration: float, repeat: Repeat) -> bool:
     return repeat is Repeat.PING_PONG and bool(np.fmod(seconds, 2.0 * duration) > duration)
 
 
-@dataclass(frozen=True, eq=False)
-class Moments:
+class Moments(msgspec.Struct, frozen=True, eq=False):
     """Where the dot is at some moments, and its velocity and acceleration there, per second; (m, 2) each."""
 
     parameters: Floats

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 import enum
-from dataclasses import dataclass
 from functools import partial
 
+import msgspec
 import numpy as np
 from msgspec.structs import replace
 
@@ -58,8 +58,7 @@ COLOURS: dict[Role | ArrowKind, str] = {
 """Okabe–Ito colours; each theme has its own shade of them."""
 
 
-@dataclass(frozen=True)
-class Arrow:
+class Arrow(msgspec.Struct, frozen=True):
     """An arrow from a dot to a tip in the plane, and what is written there."""
 
     kind: ArrowKind
@@ -67,8 +66,7 @@ class Arrow:
     text: str
 
 
-@dataclass(frozen=True, eq=False)
-class Dot:
+class Dot(msgspec.Struct, frozen=True, eq=False):
     """A dot, where it has been, and how fast it is.
 
     Attributes
@@ -88,8 +86,7 @@ class Dot:
     pull: float
 
 
-@dataclass(frozen=True)
-class Scales:
+class Scales(msgspec.Struct, frozen=True):
     """Lengths in the plane of a velocity of 1 and an acceleration of 1."""
 
     velocity: float
