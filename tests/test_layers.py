@@ -200,3 +200,22 @@ def test_it_imports_where_there_is_no_qt(package):
     code += "".join(f"import {name}\n" for name in names)
     done = subprocess.run([sys.executable, "-c", code], cwd=ROOT, capture_output=True, text=True, check=False)
     assert done.returncode == 0, done.stderr
+
+
+def test_the_window_starts_without_what_is_rarely_used():
+    late = {
+        "PIL",
+        "app.canvas.motion_layer",
+        "app.commands.motion_stage",
+        "app.exchange.animation",
+        "app.exchange.dxf",
+        "app.exchange.writers",
+        "app.panels.analysis_panel",
+        "app.panels.motion_bar",
+        "app.panels.preferences_dialog",
+        "app.panels.shortcut_sheet",
+        "app.player",
+    }
+    code = f"import sys; import app.cli, app.main_window; print({late!r} & set(sys.modules))"
+    done = subprocess.run([sys.executable, "-c", code], cwd=ROOT, capture_output=True, text=True, check=True)
+    assert done.stdout.strip() == "set()"
