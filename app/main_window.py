@@ -44,7 +44,7 @@ from app.panels.point_table import PointTable
 from app.panels.status_line import StatusLine
 from app.preferences import Preferences
 from app.session import Session
-from app.theme import ThemeMode, apply_theme, theme_of
+from app.theme import Theme, ThemeMode, apply_theme, theme_of
 from app.toolbar import Toolbar
 
 _PANELS_MS = 100
@@ -66,6 +66,7 @@ class MainWindow(QMainWindow):
         super().__init__()
         self.session = session
         self.preferences = preferences or Preferences()
+        self._theme: Theme | None = None
         # First of all: panels read the palette when they are built.
         self._dress()
         self.setWindowIcon(app_icon())
@@ -370,6 +371,10 @@ class MainWindow(QMainWindow):
     def _render_theme(self) -> None:
         # Not the window's own palette: that is behind until the window has been polished.
         theme = theme_of(QApplication.palette())
+        if theme is self._theme:
+            # A palette is told more than once, at the start too.
+            return
+        self._theme = theme
         self.actions_by_name.set_theme(theme)
         for part in (self.canvas, self.basis_panel, self.basis_pane, self.table_panel, self.message_bar):
             part.set_theme(theme)
