@@ -16,6 +16,7 @@ The layers, top to bottom; a module imports only from its own layer and those ab
 - ``canvas``, ``panels``: draw a value and report what the person did. They never call each other.
 - ``action_specs``, ``actions``, ``file_commands``, ``commands``: what can be done, and what it does.
 - ``toolbar``, ``main_window``: build, dock, connect.
+- ``start``: windows on the screen, soon.
 - ``cli``: the command line.  ``testing``: a driver for pytest-qt.
 """
 

@@ -3,14 +3,11 @@
 from __future__ import annotations
 
 import argparse
-import gc
 import io
 import json
 import os
 import sys
-from collections.abc import Iterator, Sequence
-from contextlib import contextmanager
-from pathlib import Path
+from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
 from app import __version__
@@ -32,7 +29,6 @@ from app.exchange import (
 
 if TYPE_CHECKING:
     from app.exchange.facts import CurveFacts
-    from app.main_window import MainWindow
 
 FAMILY_NAMES = {
     Family.LAGRANGE: "Lagrange",
@@ -239,8 +235,10 @@ def _edit(files: Sequence[str]) -> int:
         raise _RefusalError(
             "There is no display to open a window on. “curvebench render” and “curvebench info” need none."
         )
-    # The editor and Qt take a while to import, and the other commands do without.
-    with _no_garbage_sought():
+    from app.start import no_garbage_sought, open_windows  # noqa: PLC0415
+
+    with no_garbage_sought():
+        # Qt takes a while to import, and the other commands do without.
         from PySide6.QtWidgets import QApplication  # noqa: PLC0415
 
         application = QApplication.instance() or QApplication([sys.argv[0]])
@@ -248,37 +246,6 @@ def _edit(files: Sequence[str]) -> int:
     # They live as long as somebody holds them.
     assert windows
     return int(application.exec())
-
-
-@contextmanager
-def _no_garbage_sought() -> Iterator[None]:
-    """Make what the program keeps as long as it runs: no garbage is sought in it, then or later.
-
-    That takes 3 % off the start, and a while off every later search. Where Qt runs already, this is no start.
-    """
-    if "PySide6.QtWidgets" in sys.modules:
-        yield
-        return
-    gc.disable()
-    try:
-        yield
-    finally:
-        gc.freeze()
-        gc.enable()
-
-
-def open_windows(files: Sequence[str]) -> list[MainWindow]:
-    """Show a window for every file, or one with the first sketch."""
-    from app.main_window import MainWindow  # noqa: PLC0415
-    from app.session import Session  # noqa: PLC0415
-
-    sessions = [Session() for _ in files or [""]]
-    for session, path in zip(sessions, files, strict=False):
-        session.open(Path(path))
-    windows = [MainWindow(session) for session in sessions]
-    for window in windows:
-        window.show()
-    return windows
 
 
 def _has_display() -> bool:

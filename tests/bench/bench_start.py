@@ -48,15 +48,15 @@ window.plot(x, np.sin(7 * x))
 OURS = (
     _BEGIN
     + """
-import app.cli
+import app.cli, app.start
 app.cli._has_display = lambda: True
-open_windows = app.cli.open_windows
+open_windows = app.start.open_windows
 def open_and_watch(files):
     from PySide6.QtCore import QTimer
     (window,) = open_windows(files)
     window.canvas.painted.connect(lambda: QTimer.singleShot(0, done))
     return [window]
-app.cli.open_windows = open_and_watch
+app.start.open_windows = open_and_watch
 import os
 """
     + _END
