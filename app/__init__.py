@@ -5,12 +5,13 @@ The layers, top to bottom; a module imports only from its own layer and those ab
 - ``document``: immutable values, edits, the file format. No Qt, no arrays inside the values.
 - ``view_model``: a document's curve turned into arrays to draw. No Qt; calls ``curvecore``.
 - ``gestures``: press, move and release turned into edits. No Qt.
-- ``exchange``: files in and out. Qt only in ``image``.
+- ``exchange``: files in and out. Qt only in ``image`` and ``motion_frames``.
 - ``worker``: work off the window's thread, with progress, that can be taken back.
 - ``resources``, ``examples``: what comes with the program.
 - ``session``: the one mutable owner of the current document, its history and the selection.
 - ``analysis``, ``settle``: what is shown over the curve; what is computed beside the window.
 - ``autosave``: keeps a snapshot of what is not saved yet.
+- ``player``: a motion, and the clock that drives it.
 - ``theme``, ``colours``, ``icons``, ``preferences``: how it looks; what is remembered between starts.
 - ``keymap``: which keys do what.
 - ``disk_watch``: notices when a file may have changed.
@@ -18,6 +19,7 @@ The layers, top to bottom; a module imports only from its own layer and those ab
 - ``canvas``, ``panels``: draw a value and report what the person did. They never call each other.
 - ``action_specs``, ``actions``, ``file_commands``, ``commands``: what can be done, and what it does.
 - ``toolbar``, ``window_layout``, ``main_window``: build, dock, connect.
+- ``start``: windows on the screen, soon.
 - ``crash_report``, ``crash_handler``, ``lifecycle``: what surrounds the windows from start to end.
 - ``cli``, ``cli_options``: the command line.  ``testing``: a driver for pytest-qt.
 """

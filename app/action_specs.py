@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+import msgspec
 
 
-@dataclass(frozen=True)
-class ActionSpec:
+class ActionSpec(msgspec.Struct, frozen=True):
     """What an action is called, how it is reached and where it stands.
 
     Attributes
@@ -847,6 +846,84 @@ SPECS = (
         "explain",
         "Click on the curve where it swings out: who pulls it there, and what would calm it",
         "tool",
+    ),
+    ActionSpec(
+        "playMotion",
+        "Play",
+        "Analysis",
+        "K",
+        "play",
+        "Let a dot run along the curve, with its velocity and acceleration; again to pause",
+        checkable=True,
+        submenu="Motion",
+    ),
+    ActionSpec("stopMotion", "Stop", "Analysis", "", "stop", "End the motion (Escape)", submenu="Motion"),
+    ActionSpec("motionSlower", "Slower", "Analysis", "J", "slower", "Play slower", submenu="Motion"),
+    ActionSpec("motionFaster", "Faster", "Analysis", "L", "faster", "Play faster", submenu="Motion"),
+    ActionSpec(
+        "motionOnce",
+        "Once",
+        "Analysis",
+        "",
+        "",
+        "Run to the end of the curve and rest there",
+        "motionRepeat",
+        separated=True,
+        submenu="Motion",
+    ),
+    ActionSpec(
+        "motionLoop",
+        "Loop",
+        "Analysis",
+        "",
+        "loop",
+        "Begin again at the end",
+        "motionRepeat",
+        submenu="Motion",
+    ),
+    ActionSpec(
+        "motionPingPong", "Ping-Pong", "Analysis", "", "", "Run to and fro", "motionRepeat", submenu="Motion"
+    ),
+    ActionSpec(
+        "motionByT",
+        "By t",
+        "Analysis",
+        "",
+        "",
+        "Let t grow evenly: the dot is as fast as c′ says",
+        "motionPace",
+        separated=True,
+        submenu="Motion",
+    ),
+    ActionSpec(
+        "motionByLength",
+        "By Arc Length",
+        "Analysis",
+        "",
+        "",
+        "Let the length grow evenly: the dot is equally fast everywhere",
+        "motionPace",
+        submenu="Motion",
+    ),
+    ActionSpec(
+        "motionCompare",
+        "Compare Cubic and Quintic",
+        "Analysis",
+        "",
+        "compare",
+        "Let the cubic and the quintic Hermite curve through these points run side by side",
+        checkable=True,
+        separated=True,
+        submenu="Motion",
+    ),
+    ActionSpec(
+        "exportMotion",
+        "Export Motion…",
+        "Analysis",
+        "",
+        "film",
+        "Write the motion as GIF, APNG or MP4",
+        submenu="Motion",
     ),
     ActionSpec("fitView", "Fit", "View", "F", "fit", "Show the whole curve"),
     ActionSpec("zoomIn", "Zoom In", "View", "+, =", "zoom-in", "Zoom in on the canvas"),

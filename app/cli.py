@@ -8,12 +8,12 @@ import json
 import os
 import sys
 from collections.abc import Sequence
-from dataclasses import replace
-from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from msgspec.structs import replace
+
 from app import __version__
-from app.cli_options import add_picture_options, picture_options, positive_number, whole_number
+from app.cli_options import STYLES, add_picture_options, picture_options, positive_number, whole_number
 from app.document.format import FormatError
 from app.document.model import Document, Family
 from app.document.storage import StorageError, load
@@ -41,6 +41,9 @@ _CONVERT = "Read a file of one format and write another; prints the largest devi
 
 _INTERRUPTED = 130
 """What a shell expects of a program that Ctrl+C ended."""
+
+FILMS = (".gif", ".apng", ".mp4")
+"""Endings that mean a motion; the module that writes it is imported when there is one to write."""
 
 _COMMANDS = ("render", "convert", "info")
 
@@ -121,7 +124,11 @@ def _command_parser() -> argparse.ArgumentParser:
     )
     render.add_argument("file", metavar="FILE")
     render.add_argument(
-        "-o", "--output", required=True, metavar="OUT", help=f"the picture; ends in {', '.join(SUFFIXES)}"
+        "-o",
+        "--output",
+        required=True,
+        metavar="OUT",
+        help=f"the picture; ends in {', '.join(SUFFIXES + FILMS)}",
     )
     render.add_argument(
         "--tolerance",
@@ -130,6 +137,7 @@ def _command_parser() -> argparse.ArgumentParser:
         help="largest deviation from the true curve, in the document's unit (default: 1e-5 of its size)",
     )
     add_picture_options(render)
+    _add_motion(render)
     _add_convert(commands.add_parser("convert", help="read and write other formats", description=_CONVERT))
     info = commands.add_parser(
         "info", help="print facts", description="Print facts about a document's curves."
@@ -137,6 +145,28 @@ def _command_parser() -> argparse.ArgumentParser:
     info.add_argument("file", metavar="FILE")
     info.add_argument("--json", action="store_true", help="as JSON")
     return parser
+
+
+def _add_motion(render: argparse.ArgumentParser) -> None:
+    motion = render.add_argument_group(
+        "motion",
+        "A dot that runs along the first curve: OUT is a .gif, .apng or .mp4, or a .png with --motion.",
+    )
+    motion.add_argument(
+        "--motion", choices=("once", "loop", "ping-pong"), help="what happens at the end (default: loop)"
+    )
+    motion.add_argument(
+        "--pace", choices=("t", "length"), default="t", help="what grows evenly with time (default: t)"
+    )
+    motion.add_argument(
+        "--fps", type=whole_number, default=25, metavar="N", help="frames a second (default: 25)"
+    )
+    motion.add_argument(
+        "--seconds",
+        type=positive_number,
+        metavar="S",
+        help="length of one round (default: that of the domain)",
+    )
 
 
 def _add_convert(convert: argparse.ArgumentParser) -> None:
@@ -199,21 +229,17 @@ def _edit(files: Sequence[str]) -> int:
         raise _RefusalError(
             "There is no display to open a window on. “curvebench render” and “curvebench info” need none."
         )
-    # The editor and Qt take a while to import, and the other commands do without.
-    from PySide6.QtWidgets import QApplication  # noqa: PLC0415
+    from app.start import no_garbage_sought, open_windows  # noqa: PLC0415
 
+    with no_garbage_sought():
+        # Qt takes a while to import, and the other commands do without.
+        from PySide6.QtWidgets import QApplication  # noqa: PLC0415
+
+        application = QApplication.instance() or QApplication([sys.argv[0]])
+        assert isinstance(application, QApplication)
+        windows = open_windows(files)
     from app.lifecycle import Lifecycle  # noqa: PLC0415
-    from app.main_window import MainWindow  # noqa: PLC0415
-    from app.session import Session  # noqa: PLC0415
 
-    application = QApplication.instance() or QApplication([sys.argv[0]])
-    assert isinstance(application, QApplication)
-    sessions = [Session() for _ in files or [""]]
-    for session, path in zip(sessions, files, strict=False):
-        session.open(Path(path))
-    windows = [MainWindow(session) for session in sessions]
-    for window in windows:
-        window.show()
     lifecycle = Lifecycle(application, windows)
     lifecycle.start()
     code = int(application.exec())
@@ -228,11 +254,34 @@ def _has_display() -> bool:
 
 
 def _render(options: argparse.Namespace) -> int:
+    is_film = options.output.lower().endswith(FILMS)
+    if is_film or (options.motion and options.output.lower().endswith(".png")):
+        return _render_film(options)
     if not options.output.lower().endswith(SUFFIXES):
-        known = f"{', '.join(SUFFIXES[:-1])} or {SUFFIXES[-1]}"
+        endings = SUFFIXES + FILMS
+        known = f"{', '.join(endings[:-1])} or {endings[-1]}"
         raise _RefusalError(f"“{options.output}” does not end in a known format for pictures; use {known}.")
     document = _load(options.file)
     export_with(document, options.output, picture_options(options, document))
+    return 0
+
+
+def _render_film(options: argparse.Namespace) -> int:
+    # Takes modules along that the editor does without at its start.
+    from app.exchange.animation import Film, first_round, write_film  # noqa: PLC0415
+    from app.view_model.motion import Pace, Repeat  # noqa: PLC0415
+
+    document, repeat = _load(options.file), Repeat(options.motion or "loop")
+    film = Film(
+        width=options.width or Film.width,
+        fps=options.fps,
+        seconds=options.seconds or first_round(document, repeat),
+        repeat=repeat,
+        pace=Pace(options.pace),
+        style=STYLES[options.theme or "light"],
+        points=options.points,
+    )
+    write_film(document, options.output, film)
     return 0
 
 

@@ -11,7 +11,7 @@ from app.exchange import DARK, LIGHT, ExchangeError, Options
 if TYPE_CHECKING:
     from app.exchange.decor import Extras
 
-_STYLES = {"light": LIGHT, "dark": DARK}
+STYLES = {"light": LIGHT, "dark": DARK}
 
 
 def whole_number(text: str) -> int:
@@ -47,7 +47,7 @@ def add_picture_options(parser: argparse.ArgumentParser) -> None:
         help="pixels of a PNG for each of the width, and for 1/96 inch (default: 1)",
     )
     parser.add_argument(
-        "--theme", choices=_STYLES, help="colours, paper included (default: light; no paper in SVG and PDF)"
+        "--theme", choices=STYLES, help="colours, paper included (default: light; no paper in SVG and PDF)"
     )
     parser.add_argument("--transparent", action="store_true", help="leave the paper out")
     parser.add_argument(
@@ -73,7 +73,7 @@ def picture_options(options: argparse.Namespace, document: Document) -> Options:
     return Options(
         width=options.width,
         tolerance=options.tolerance,
-        style=_STYLES[options.theme] if options.theme else None,
+        style=STYLES[options.theme] if options.theme else None,
         points=options.points,
         scale=options.scale,
         transparent=options.transparent,

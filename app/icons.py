@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from functools import lru_cache
+from functools import cached_property, lru_cache
+from pathlib import Path
 from typing import Final
 
 from PySide6.QtCore import QByteArray, QPoint, QRect, QRectF, QSize, Qt
@@ -40,17 +41,20 @@ def icon(name: str, theme: Theme) -> QIcon:
     FileNotFoundError
         When there is no such icon.
     """
-    drawing = resource("icons", f"{name}.svg").read_text(encoding="utf-8")
-    return QIcon(_IconEngine(drawing.replace("currentColor", theme.ink.name()), theme))
+    return QIcon(_IconEngine(resource("icons", f"{name}.svg"), theme))
 
 
 class _IconEngine(QIconEngine):
     """Draws an icon when a size of it is first asked for: at the start most never are."""
 
-    def __init__(self, drawing: str, theme: Theme) -> None:
+    def __init__(self, path: Path, theme: Theme) -> None:
         super().__init__()
-        self._drawing, self._theme = drawing, theme
+        self._path, self._theme = path, theme
         self._made: dict[tuple[int, QIcon.Mode, QIcon.State], QPixmap] = {}
+
+    @cached_property
+    def _drawing(self) -> str:
+        return self._path.read_text(encoding="utf-8").replace("currentColor", self._theme.ink.name())
 
     def pixmap(self, size: QSize, mode: QIcon.Mode, state: QIcon.State) -> QPixmap:
         """Return the icon at a size in pixels of the device."""
@@ -88,7 +92,7 @@ class _IconEngine(QIconEngine):
 
     def clone(self) -> QIconEngine:
         """Return another engine for the same drawing."""
-        return _IconEngine(self._drawing, self._theme)
+        return _IconEngine(self._path, self._theme)
 
 
 def app_icon() -> QIcon:

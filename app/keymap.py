@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass
 
+import msgspec
 from PySide6.QtCore import QKeyCombination, QObject, Qt, Signal
 from PySide6.QtGui import QAction, QKeySequence
 
@@ -23,8 +23,7 @@ RESERVED = {
 """Keys that, alone or with Shift, belong to the drawing and to the fields; an action cannot have them."""
 
 
-@dataclass(frozen=True)
-class Binding:
+class Binding(msgspec.Struct, frozen=True):
     """An action that may have keys.
 
     Attributes

@@ -14,6 +14,7 @@ from PySide6.QtWidgets import (
     QMainWindow,
     QMenu,
     QSplitter,
+    QVBoxLayout,
     QWidget,
 )
 
@@ -47,7 +48,7 @@ from app.panels.point_table import PointTable
 from app.panels.status_line import StatusLine
 from app.preferences import Preferences
 from app.session import Session
-from app.theme import ThemeMode, apply_theme, theme_of
+from app.theme import Theme, ThemeMode, apply_theme, theme_of
 from app.toolbar import Toolbar
 from app.window_layout import restore_layout
 from app.worker import Jobs
@@ -81,6 +82,7 @@ class MainWindow(QMainWindow):
         self.session = session
         self.asks_before_closing = True
         self.preferences = preferences or Preferences()
+        self._theme: Theme | None = None
         # First of all: panels read the palette when they are built.
         self._dress()
         self.setWindowIcon(app_icon())
@@ -119,7 +121,12 @@ class MainWindow(QMainWindow):
         self.canvas.covered_top = lambda: self.message_bar.covered
         self.splitter = QSplitter(Qt.Orientation.Vertical)
         self.splitter.setObjectName("drawingSplitter")
-        self.splitter.addWidget(self.canvas)
+        drawing = QWidget()
+        self.under_canvas = QVBoxLayout(drawing)
+        self.under_canvas.setContentsMargins(0, 0, 0, 0)
+        self.under_canvas.setSpacing(0)
+        self.under_canvas.addWidget(self.canvas, 1)
+        self.splitter.addWidget(drawing)
         self.splitter.addWidget(self.basis_pane)
         self.plot_panel = PlotPanel()
         self.splitter.addWidget(self.plot_panel)
@@ -234,6 +241,7 @@ class MainWindow(QMainWindow):
             actions=self.actions_by_name,
             files=self._files,
             canvas=self.canvas,
+            under_canvas=self.under_canvas,
             basis_panel=self.basis_panel,
             basis_pane=self.basis_pane,
             message_bar=self.message_bar,
@@ -428,6 +436,10 @@ class MainWindow(QMainWindow):
     def _render_theme(self) -> None:
         # Not the window's own palette: that is behind until the window has been polished.
         theme = theme_of(QApplication.palette())
+        if theme is self._theme:
+            # A palette is told more than once, at the start too.
+            return
+        self._theme = theme
         self.actions_by_name.set_theme(theme)
         for part in (self.canvas, self.basis_panel, self.basis_pane, self.table_panel, self.message_bar):
             part.set_theme(theme)

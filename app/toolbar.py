@@ -16,7 +16,7 @@ _ORDER = (
     "selectTool", "addTool", "measureTool", _SEPARATOR,
     "familyLagrange", "familyHermite", "familyQuinticHermite", _SEPARATOR,
     _PARAMETERS, _SEPARATOR,
-    "fitView", "toggleGrid", "toggleSnap", "toggleScrub",
+    "fitView", "toggleGrid", "toggleSnap", "toggleScrub", "playMotion",
 )  # fmt: skip
 _FAMILIES = {
     "familyLagrange": "Lagrange",
@@ -47,9 +47,12 @@ class Toolbar(QToolBar):
         else:
             self.addAction(self._actions[name])
             if name in _FAMILIES:
-                button = self.widgetForAction(self._actions[name])
-                assert isinstance(button, QToolButton)
-                button.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
+                self._button(name).setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
+
+    def _button(self, name: str) -> QToolButton:
+        button = self.widgetForAction(self._actions[name])
+        assert isinstance(button, QToolButton)
+        return button
 
     def showEvent(self, event: QShowEvent) -> None:
         super().showEvent(event)
@@ -65,5 +68,9 @@ class Toolbar(QToolBar):
     def _fit_words(self) -> None:
         compact = self._full_width is not None and self.width() < self._full_width
         self._parameters.set_compact(compact)
+        style = Qt.ToolButtonStyle
         for name, text in (_SHORT if compact else _FAMILIES).items():
             self._actions[name].setIconText(text)
+            self._button(name).setToolButtonStyle(
+                style.ToolButtonTextOnly if compact else style.ToolButtonTextBesideIcon
+            )

@@ -8,6 +8,7 @@ import sys
 from pathlib import Path
 
 import pytest
+from PIL import Image
 from PySide6.QtCore import QTimer
 from PySide6.QtWidgets import QMainWindow
 
@@ -125,7 +126,7 @@ def test_bad_files_are_refused_in_one_line(tmp_path, capsys):
 def test_impossible_renders_are_refused_in_one_line(tmp_path, capsys):
     empty = tmp_path / "empty.curve.json"
     save(empty, Document((make_curve(()),)))
-    assert "known format" in refusal(capsys, "render", LETTER, "-o", str(tmp_path / "a.gif"))
+    assert "known format" in refusal(capsys, "render", LETTER, "-o", str(tmp_path / "a.bmp"))
     assert "nothing to draw" in refusal(capsys, "render", str(empty), "-o", str(tmp_path / "a.svg"))
     assert "does not exist" in refusal(capsys, "render", LETTER, "-o", str(tmp_path / "no" / "a.svg"))
 
@@ -171,7 +172,7 @@ def test_convert_refuses_in_one_line(tmp_path, capsys):
     bad.write_text("x,y\n1,2\n=cmd,3\n", encoding="utf-8")
     line = refusal(capsys, "convert", str(bad), str(tmp_path / "a.py"))
     assert line == "“bad.csv” cannot be read: Row 3, column 1: “=cmd” is a formula; only numbers are read."
-    assert "known format" in refusal(capsys, "convert", LETTER, str(tmp_path / "a.gif"))
+    assert "known format" in refusal(capsys, "convert", LETTER, str(tmp_path / "a.bmp"))
     assert "known format" in refusal(capsys, "convert", str(tmp_path / "a.gif"), str(tmp_path / "a.py"))
     assert list(tmp_path.iterdir()) == [bad]
 
@@ -399,3 +400,18 @@ def test_the_start_takes_no_readers_writers_or_dialogs_along():
         name for name in names if name.startswith("app.panels.") and ("import_" in name or "export_" in name)
     }
     assert not dialogs
+
+
+def test_render_writes_a_motion(tmp_path, capsys):
+    gif, png = tmp_path / "move.gif", tmp_path / "move.png"
+    words = ["render", LETTER, "--width", "64", "--fps", "10"]
+    assert main([*words, "-o", str(gif), "--seconds", "0.4"]) == 0
+    assert main([*words, "-o", str(png), "--motion", "ping-pong", "--pace", "length"]) == 0
+    assert capsys.readouterr() == ("", "")
+    with Image.open(gif) as film:
+        assert (film.n_frames, film.width, film.info["loop"]) == (4, 64, 0)
+    with Image.open(png) as film:
+        # The domain is [0, 1]: to and fro takes two seconds.
+        assert (film.n_frames, film.width) == (20, 64)
+    too_long = refusal(capsys, *words, "-o", str(gif), "--seconds", "1000")
+    assert "1200 frames" in too_long

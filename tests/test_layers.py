@@ -13,7 +13,7 @@ import pytest
 ROOT = Path(__file__).resolve().parent.parent
 QT = {"PySide6", "shiboken6", "pyqtgraph"}
 WITHOUT_QT = ("curvecore", "app.document", "app.view_model", "app.gestures", "app.exchange")
-WITH_QT = ("app.exchange.image",)
+WITH_QT = ("app.exchange.image", "app.exchange.motion_frames")
 CALLS_THE_CORE = ("app.view_model", "app.exchange", "app.cli")
 STRANGERS = {("app.canvas", "app.panels"), ("app.panels", "app.canvas")}
 
@@ -200,3 +200,22 @@ def test_it_imports_where_there_is_no_qt(package):
     code += "".join(f"import {name}\n" for name in names)
     done = subprocess.run([sys.executable, "-c", code], cwd=ROOT, capture_output=True, text=True, check=False)
     assert done.returncode == 0, done.stderr
+
+
+def test_the_window_starts_without_what_is_rarely_used():
+    late = {
+        "PIL",
+        "app.canvas.motion_layer",
+        "app.commands.motion_stage",
+        "app.exchange.animation",
+        "app.exchange.dxf",
+        "app.exchange.writers",
+        "app.panels.analysis_panel",
+        "app.panels.motion_bar",
+        "app.panels.preferences_dialog",
+        "app.panels.shortcut_sheet",
+        "app.player",
+    }
+    code = f"import sys; import app.cli, app.main_window; print({late!r} & set(sys.modules))"
+    done = subprocess.run([sys.executable, "-c", code], cwd=ROOT, capture_output=True, text=True, check=True)
+    assert done.stdout.strip() == "set()"

@@ -6,5 +6,6 @@
 - ``overlay_layer``: what a gesture shows over it: rubber band, box with grips, what was snapped to, a ruler.
 - ``keys``: what keys mean, and the shapes of the pointer.
 - ``other_curves_layer``, ``corner_layer``: the curves that are not edited, and the marks of corners.
+- ``motion_layer``: dots that run, their trails and arrows.
 - ``hit_test``: what lies under the pointer.
 """

@@ -32,8 +32,10 @@ from app.view_model.handles import Handle
 
 if TYPE_CHECKING:
     from app.canvas.legend import Legend
+    from app.canvas.motion_layer import MotionLayer
     from app.view_model.analysis.ghosts import GhostView
     from app.view_model.analysis.legend import LegendRow
+    from app.view_model.motion_picture import Dot, Role
 
 _FIT_MARGIN = 0.12
 
@@ -79,6 +81,7 @@ class CanvasView(PlotWidget):
         self._traces = TraceLayer(self, LIGHT)
         self._point_layer = PointLayer(self, LIGHT)
         self._corner_layer = CornerLayer(self, LIGHT)
+        self._motion: MotionLayer | None = None
         self.covered_top: Callable[[], float] = lambda: 0.0
 
     def render_view(self, view: CurveView) -> None:
@@ -152,6 +155,21 @@ class CanvasView(PlotWidget):
         traces, _, faded = self._traces.groups.get(group, ((), "", False))
         return traces, faded
 
+    def render_motion(self, dots: Sequence[Dot], lines: Sequence[tuple[Role, Floats]] = ()) -> None:
+        """Show dots that run, and the curves that some of them run along."""
+        if self._motion is None:
+            # Made when something runs: nobody waits for it at the start.
+            from app.canvas.motion_layer import MotionLayer  # noqa: PLC0415
+
+            self._motion = MotionLayer(self, self._theme)
+            self._motion.scale = self._corner_layer.scale
+        self._motion.render(dots, lines)
+
+    @property
+    def dots(self) -> Sequence[Dot]:
+        """The dots that run."""
+        return self._motion.dots if self._motion is not None else ()
+
     def _show_ghost_of_other_rules(self, view: CurveView) -> None:
         old = self._view
         if old is None or self.is_dragging or not old.is_current or not view.is_current:
@@ -185,6 +203,8 @@ class CanvasView(PlotWidget):
             other.theme = theme
         if self.legend is not None:
             self.legend.set_theme(theme)
+        if self._motion is not None:
+            self._motion.theme = theme
         super().set_theme(theme)
 
     def set_scale(self, scale: float) -> None:
@@ -194,6 +214,8 @@ class CanvasView(PlotWidget):
             other.scale = scale
         if self.legend is not None:
             self.legend.set_scale(scale)
+        if self._motion is not None:
+            self._motion.scale = scale
         super().set_scale(scale)
 
     def set_hovered(self, index: int) -> None:

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from time import perf_counter
 
+import msgspec
 import numpy as np
 from PySide6.QtCore import QRectF, Qt, QTimer
 from PySide6.QtGui import QColor, QPainter, QPen, QPixmap
@@ -126,8 +126,7 @@ class OtherCurvesLayer:
         return self._outline.hit(pixel)
 
 
-@dataclass(frozen=True, eq=False)
-class _Picture:
+class _Picture(msgspec.Struct, frozen=True, eq=False):
     """The curves as painted for one part of the plane, and for one theme and size of lines."""
 
     pixmap: QPixmap

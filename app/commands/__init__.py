@@ -4,6 +4,7 @@
 - ``edit_commands``: history, points, family and parameters.
 - ``selection_commands``: move, scale, rotate, align and distribute the selected points.
 - ``overlay_commands``: what is drawn over the curve to show why it goes where it goes.
+- ``motion_commands``, ``motion_stage``, ``motion_export``: a dot that runs along the curve; films of it.
 - ``snap_commands``: snapping, the grid's spacing and the unit, as the preferences have them.
 - ``view_commands``: tools, zoom, panels, presentation, theme.
 - ``rail_commands``: the menu of the t-rail.

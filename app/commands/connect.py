@@ -15,6 +15,7 @@ from app.commands.image_commands import ImageCommands
 from app.commands.joint_commands import JointCommands
 from app.commands.laboratory_commands import LaboratoryCommands
 from app.commands.messages import Messages
+from app.commands.motion_commands import MotionCommands
 from app.commands.overlay_commands import OverlayCommands
 from app.commands.parts import CommandSet, Handlers, LiveSet, Parts
 from app.commands.plot_commands import PlotCommands
@@ -48,6 +49,7 @@ class Commands:
         self.joints = JointCommands(parts)
         self.laboratory = LaboratoryCommands(parts)
         self.wiggle = WiggleCommands(parts)
+        self.motion = MotionCommands(parts)
         self._teaching = TeachingCommands(parts, self.laboratory.open, self.wiggle.explain_widest)
         self._live: tuple[LiveSet, ...] = (
             OverlayCommands(parts),
@@ -55,6 +57,7 @@ class Commands:
             self.hodograph,
             self.laboratory,
             self.wiggle,
+            self.motion,
         )
         self._sets: tuple[CommandSet, ...] = (
             *self._live,

@@ -2,13 +2,17 @@
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 from PySide6.QtWidgets import QMessageBox
 
 from app import __version__
 from app.action_specs import MENUS
 from app.commands.parts import Handlers, Parts
-from app.panels.shortcut_sheet import Moment, ShortcutSheet
 from app.view_model.curve_view import CurveView
+
+if TYPE_CHECKING:
+    from app.panels.shortcut_sheet import ShortcutSheet
 
 
 class HelpCommands:
@@ -27,6 +31,8 @@ class HelpCommands:
 
     def _show_shortcuts(self) -> None:
         """Show the keys of the moment, or put the sheet away."""
+        from app.panels.shortcut_sheet import Moment, ShortcutSheet  # noqa: PLC0415 - not at the start
+
         parts = self._parts
         if self._sheet is None:
             self._sheet = ShortcutSheet(parts.window, over=parts.window.centralWidget() or parts.window)

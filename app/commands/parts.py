@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
 from typing import Protocol
 
-from PySide6.QtWidgets import QDockWidget, QMainWindow, QMenu, QSplitter, QToolBar
+import msgspec
+from PySide6.QtWidgets import QBoxLayout, QDockWidget, QMainWindow, QMenu, QSplitter, QToolBar
 
 from app.actions import Actions
 from app.analysis import Analysis
@@ -29,8 +29,7 @@ from app.view_model.curve_view import CurveView
 Handlers = Mapping[str, Callable[[], object]]
 
 
-@dataclass(frozen=True)
-class Parts:
+class Parts(msgspec.Struct, frozen=True):
     """The parts of a window that commands act on."""
 
     window: QMainWindow
@@ -39,6 +38,7 @@ class Parts:
     actions: Actions
     files: FileCommands
     canvas: Canvas
+    under_canvas: QBoxLayout
     basis_panel: BasisPanel
     basis_pane: BasisPane
     message_bar: MessageBar

@@ -3,15 +3,18 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
+from typing import TYPE_CHECKING
 
 from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QDockWidget, QMenu
 
 from app.commands.parts import Handlers, Parts
 from app.panels.command_palette import Command, CommandPalette
-from app.panels.preferences_dialog import PreferencesDialog
 from app.theme import ThemeMode
 from app.view_model.curve_view import CurveView
+
+if TYPE_CHECKING:
+    from app.panels.preferences_dialog import PreferencesDialog
 
 
 class ToolCommands:
@@ -71,6 +74,9 @@ class ToolCommands:
 
     def _open_dialog(self) -> PreferencesDialog:
         if self._dialog is None:
+            # Nobody waits for it at the start.
+            from app.panels.preferences_dialog import PreferencesDialog  # noqa: PLC0415
+
             parts = self._parts
             self._dialog = PreferencesDialog(parts.preferences, self._keymap, parts.window)
             self._dialog.theme_chosen.connect(self._use_theme)

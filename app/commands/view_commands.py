@@ -57,7 +57,7 @@ class ViewCommands:
         self._actions["toggleScrub"].setEnabled(view.curve is not None)
 
     def escape(self) -> None:
-        """Step back: the gesture in flight, the adding, the presentation, the scrub line, the selection."""
+        """Step back: gesture in flight, tool, motion, presentation, scrub line, selection."""
         session = self._session
         if self._parts.cancel_gesture() or self._parts.canvas.put_away():
             return
@@ -65,6 +65,8 @@ class ViewCommands:
             self._actions["selectTool"].trigger()
         elif self._actions["moveImage"].isChecked():
             self._actions["moveImage"].trigger()
+        elif self._actions["stopMotion"].isEnabled():
+            self._actions["stopMotion"].trigger()
         elif self._actions["presentation"].isChecked():
             self._actions["presentation"].trigger()
         elif session.scrub is not None:

@@ -12,9 +12,10 @@ import math
 import operator
 import re
 from collections.abc import Callable
-from dataclasses import dataclass
 from itertools import pairwise
 from typing import NoReturn
+
+import msgspec
 
 from app.document.model import MAX_MAGNITUDE
 
@@ -79,8 +80,7 @@ def _plain_number(tokens: list[_Token]) -> float | None:
 # Functions and operators: each gives a finite float or says why not.
 
 
-@dataclass(frozen=True)
-class _Function:
+class _Function(msgspec.Struct, frozen=True):
     """A function that takes from `least` to `most` arguments."""
 
     name: str
@@ -174,8 +174,7 @@ def _evaluate(code: str) -> float:
 # From text to vetted tokens
 
 
-@dataclass(frozen=True)
-class _Token:
+class _Token(msgspec.Struct, frozen=True):
     """A piece of the text: its kind, as typed, and as Python writes it."""
 
     kind: str

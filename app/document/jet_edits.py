@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass
 
+import msgspec
 from msgspec.structs import replace
 
 from app.document.edits import checked
@@ -13,8 +13,7 @@ from app.document.model import Curve, Vector
 _NAMES = ("position", "velocity", "acceleration")
 
 
-@dataclass(frozen=True)
-class JetValue:
+class JetValue(msgspec.Struct, frozen=True):
     """A position (order 0), velocity (1) or acceleration (2) that a node is to have.
 
     `ahead` chooses the side at a corner; elsewhere both sides are one.

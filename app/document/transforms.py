@@ -8,10 +8,10 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Collection, Sequence
-from dataclasses import dataclass
 from decimal import Decimal
 from enum import Enum
 
+import msgspec
 from msgspec.structs import replace
 
 from app.document.edits import EditError, checked
@@ -20,8 +20,7 @@ from app.document.model import Document, Node, Vector
 _DERIVATIVES = ("velocity", "acceleration", "velocity_after", "acceleration_after")
 
 
-@dataclass(frozen=True)
-class Linear:
+class Linear(msgspec.Struct, frozen=True):
     """A linear map about a centre, kept as its difference from the identity.
 
     That difference makes what should not move stay to the last bit.

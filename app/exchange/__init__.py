@@ -3,7 +3,7 @@
 - ``drawing``: a document as cubic Bézier curves in a frame, the source of every picture.
 - ``decor``: a grid, handles and basis functions to go with it.
 - ``svg``: that drawing as SVG, exact or within a stated tolerance.
-- ``image``: that SVG as PNG and PDF; the only module here that needs Qt.
+- ``image``: that SVG as PNG and PDF; needs Qt.
 - ``parts``: the curves of a document and their pieces, the source of everything else that is written.
 - ``code``, ``code_runtime``: Python with NumPy or SciPy.  ``latex``: formulas, TikZ, PGFPlots.
 - ``formulas``: Desmos, SVG path data, coefficients.  ``sampled``, ``points_table``: tables.
@@ -11,6 +11,7 @@
   curves, thinned out if asked.  ``table_import``: as the window asks for them.
 - ``table_text``: blocks of numbers on the clipboard.
 - ``svg_in``, ``svg_path``, ``arcs``, ``cubics_in``: SVG in, as Hermite curves.  ``dxf``: DXF out and in.
+- ``animation``: motions as GIF, APNG and MP4.  ``motion_frames``: their frames; needs Qt.
 - ``child``: a process with limits for the files of others.  ``reading``: which ending names which reader.
 - ``formats``: the endings.  ``writing``, ``writers``: which ending names which writer.
 - ``progress``: how long work says how far it is.  ``choice``: what a person chose for an export.

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
 from math import ceil, floor, log10
 
+import msgspec
 import numpy as np
+from msgspec.structs import replace
 
 from app.document.model import Curve, Document
 from app.exchange.drawing import MARGIN, Decor, Drawing, ExchangeError, Floats, Frame
@@ -29,8 +30,7 @@ _SQUARE = 0.004
 _DASHES = ((), (0.008, 0.005), (0.002, 0.004))
 
 
-@dataclass(frozen=True)
-class Extras:
+class Extras(msgspec.Struct, frozen=True):
     """What else to draw.
 
     Attributes

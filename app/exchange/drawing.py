@@ -4,10 +4,11 @@ from __future__ import annotations
 
 import itertools
 from collections.abc import Iterable
-from dataclasses import dataclass, replace
 
+import msgspec
 import numpy as np
 import numpy.typing as npt
+from msgspec.structs import replace
 
 from app.document.model import Curve, Document, Family
 from app.view_model.curve_view import CoreCurve, view_of
@@ -40,8 +41,7 @@ class ExchangeError(ValueError):
     """A document cannot be exported as asked; the message says why."""
 
 
-@dataclass(frozen=True)
-class Frame:
+class Frame(msgspec.Struct, frozen=True):
     """The rectangle that a picture shows; y points up."""
 
     left: float
@@ -60,8 +60,7 @@ class Frame:
         return max(self.width, self.height)
 
 
-@dataclass(frozen=True)
-class Outline:
+class Outline(msgspec.Struct, frozen=True):
     """One curve as cubic Bézier pieces.
 
     Attributes
@@ -88,8 +87,7 @@ class Outline:
     closed: bool = False
 
 
-@dataclass(frozen=True)
-class Decor:
+class Decor(msgspec.Struct, frozen=True):
     """Lines that go with the curves.
 
     Attributes
@@ -119,8 +117,7 @@ class Decor:
     dash: tuple[float, ...] = ()
 
 
-@dataclass(frozen=True)
-class Drawing:
+class Drawing(msgspec.Struct, frozen=True):
     """All visible curves of a document that can be drawn.
 
     Attributes

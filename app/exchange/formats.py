@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 import os
-from dataclasses import dataclass, replace
 from enum import StrEnum
 from pathlib import Path
 from typing import TYPE_CHECKING
+
+import msgspec
+from msgspec.structs import replace
 
 from app.exchange.drawing import ExchangeError
 from app.exchange.progress import Report, silent
@@ -58,8 +60,7 @@ class Spacing(StrEnum):
     TOLERANCE = "tolerance"
 
 
-@dataclass(frozen=True)
-class Exported:
+class Exported(msgspec.Struct, frozen=True):
     """What was written.
 
     Attributes
@@ -74,8 +75,7 @@ class Exported:
     remarks: tuple[str, ...] = ()
 
 
-@dataclass(frozen=True)
-class Options:
+class Options(msgspec.Struct, frozen=True):
     """How to write; each format takes what concerns it. See `export`."""
 
     width: int | None = None

@@ -6,6 +6,8 @@ never sees the coordinates of the document, however large, small or far away the
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+from contextlib import contextmanager
 from dataclasses import dataclass
 
 from PySide6.QtCore import QBuffer, QByteArray, QIODevice, QMarginsF, QRectF, QSizeF
@@ -50,14 +52,13 @@ def png_image(document: Document, options: Options) -> QImage:
     style = options.paper_style
     drawing = _drawing(document, options, style)
     width, height = _size(drawing, options)
-    application = _application()
-    image = _painted(drawing, (width, height), style, points=options.points)
-    image.setText("Software", f"Curvebench {__version__}")
-    image.setText("Description", accuracy_of(drawing))
-    dots = round(_DOTS_PER_METRE * options.scale)
-    image.setDotsPerMeterX(dots)
-    image.setDotsPerMeterY(dots)
-    del application
+    with application():
+        image = _painted(drawing, (width, height), style, points=options.points)
+        image.setText("Software", f"Curvebench {__version__}")
+        image.setText("Description", accuracy_of(drawing))
+        dots = round(_DOTS_PER_METRE * options.scale)
+        image.setDotsPerMeterX(dots)
+        image.setDotsPerMeterY(dots)
     return image
 
 
@@ -101,16 +102,21 @@ def _painted(drawing: Drawing, size: tuple[int, int], style: Style, *, points: b
     image.fill(QColor(0, 0, 0, 0))
     painter = QPainter(image)
     painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-    _render(drawing.fitted(*size), painter, style, points=points)
+    paint_drawing(drawing.fitted(*size), painter, style, points=points)
     painter.end()
     return image
 
 
 def png_bytes(document: Document, options: Options) -> bytes:
     """Return the content of a PNG file; see `png_image`."""
+    with application():
+        return _encoded(png_image(document, options))
+
+
+def _encoded(image: QImage) -> bytes:
     buffer = QBuffer()
     buffer.open(QIODevice.OpenModeFlag.WriteOnly)
-    if not QImageWriter(buffer, QByteArray(b"png")).write(png_image(document, options)):
+    if not QImageWriter(buffer, QByteArray(b"png")).write(image):
         raise ExchangeError("The picture could not be made; there may be too little memory.")
     return bytes(buffer.data().data())
 
@@ -125,10 +131,15 @@ def pdf_bytes(document: Document, options: Options) -> bytes:
     """
     style = options.vector_style
     drawing = _drawing(document, options, style)
+    with application():
+        return _page(drawing, options, style)
+
+
+def _page(drawing: Drawing, options: Options, style: Style) -> bytes:
+    # On its own, because nothing that paints may outlive the application.
     frame = drawing.frame
     across = PAGE_SIDE * frame.width / frame.side if options.width is None else options.width
     page = QSizeF(across, across * frame.height / frame.width)
-    application = _application()
     buffer = QBuffer()
     buffer.open(QIODevice.OpenModeFlag.WriteOnly)
     writer = QPdfWriter(buffer)
@@ -139,9 +150,8 @@ def pdf_bytes(document: Document, options: Options) -> bytes:
     writer.setPageLayout(QPageLayout(size, QPageLayout.Orientation.Portrait, QMarginsF()))
     painter = QPainter(writer)
     device = painter.viewport()
-    _render(drawing.fitted(device.width(), device.height()), painter, style, points=options.points)
+    paint_drawing(drawing.fitted(device.width(), device.height()), painter, style, points=options.points)
     painter.end()
-    del application
     return bytes(buffer.data().data())
 
 
@@ -152,7 +162,7 @@ def _drawing(document: Document, options: Options, style: Style) -> Drawing:
     return decorated(drawing, document, options.extras, style.theme)
 
 
-def _render(fitted: Drawing, painter: QPainter, style: Style, *, points: bool) -> None:
+def paint_drawing(fitted: Drawing, painter: QPainter, style: Style, *, points: bool) -> None:
     """Paint a drawing whose frame is the painter's whole device."""
     frame = fitted.frame
     text = svg_text(fitted, style=style, points=points, width=frame.width)
@@ -163,9 +173,17 @@ def _render(fitted: Drawing, painter: QPainter, style: Style, *, points: bool) -
     renderer.render(painter, QRectF(0, 0, frame.width, frame.height))
 
 
-def _application() -> QGuiApplication:
-    """Return the running application, or one that needs no display for as long as it is kept."""
-    running = QGuiApplication.instance()
-    if isinstance(running, QGuiApplication):
-        return running
-    return QGuiApplication(["curvebench", "-platform", "offscreen"])
+@contextmanager
+def application() -> Iterator[None]:
+    """Paint with the running application, or with one that needs no display and ends with the painting.
+
+    It is ended, not left to the garbage: whatever kept it would keep a later editor from its own.
+    """
+    if isinstance(QGuiApplication.instance(), QGuiApplication):
+        yield
+        return
+    made = QGuiApplication(["curvebench", "-platform", "offscreen"])
+    try:
+        yield
+    finally:
+        made.shutdown()

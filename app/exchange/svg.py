@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass
 from decimal import ROUND_UP, Context
 from typing import TYPE_CHECKING
+
+import msgspec
 
 from app import __version__
 from app.document.model import Document
@@ -26,14 +27,13 @@ NOMINAL_SIDE = 800
 _INKSCAPE = "http://www.inkscape.org/namespaces/inkscape"
 
 # XML 1.0 has no way at all to write these.
-_NOT_IN_XML = re.compile("[^\t\n\r\x20-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")
+_NOT_IN_XML = "[^\t\n\r\x20-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]"
 
 # A bound that was rounded to the nearest would not be one.
 _ROUNDING_UP = Context(prec=3, rounding=ROUND_UP)
 
 
-@dataclass(frozen=True)
-class Style:
+class Style(msgspec.Struct, frozen=True):
     """The colours of a picture; without `paper` its background is transparent.
 
     `theme`, "light" or "dark", is the paper that the colours of the points are made for.
@@ -206,6 +206,7 @@ def _number(value: float) -> str:
 
 def _text(text: str) -> str:
     """Return text as XML may hold it."""
-    text = _NOT_IN_XML.sub("\ufffd", text)
+    # Compiled here, and kept by `re`: that takes longer than importing this module.
+    text = re.sub(_NOT_IN_XML, "\ufffd", text)
     # What xml.sax.saxutils does, without the network modules that it imports.
     return text.replace("&", "&amp;").replace("<", "&lt;").replace(">", "&gt;")

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
+
+import msgspec
 
 from app.document.expression import ExpressionError, parse_number
 
@@ -26,8 +27,7 @@ def write_block(rows: Iterable[Sequence[str]]) -> str:
     return "\n".join("\t".join(row) for row in rows)
 
 
-@dataclass(frozen=True)
-class Block:
+class Block(msgspec.Struct, frozen=True):
     """Numbers, row by row, and the titles of their columns in lower case; no titles where none were given."""
 
     titles: tuple[str, ...]

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+import msgspec
 
 from app.document.model import Document, Vector
 from app.gestures import words
@@ -14,8 +14,7 @@ _TOLERANCE = 0.05
 """Pixels that the grabbed point may be off, where the parameters answer to the points."""
 
 
-@dataclass(frozen=True)
-class BendCurve:
+class BendCurve(msgspec.Struct, frozen=True):
     """Change the data as little as makes the grabbed point follow: Ctrl points only, Alt derivatives only."""
 
     document: Document

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
 from functools import cached_property
+
+import msgspec
 
 from app.document import edits
 from app.document.curve_edits import replace_curve
@@ -30,8 +31,7 @@ def _along_axis(by: Vector, axis: int | None) -> Vector:
     return by if axis is None else (by[0], 0.0) if axis == 0 else (0.0, by[1])
 
 
-@dataclass(frozen=True)
-class MovePoints:
+class MovePoints(msgspec.Struct, frozen=True):
     """Move nodes with the pointer; Shift keeps to one axis.
 
     Attributes
@@ -88,8 +88,7 @@ class MovePoints:
         return _minus(target, held), target
 
 
-@dataclass(frozen=True)
-class NudgePoints(MovePoints):
+class NudgePoints(MovePoints, frozen=True):
     """Move nodes by a key."""
 
     @property
@@ -98,8 +97,7 @@ class NudgePoints(MovePoints):
         return f"Nudge {words.points(self.indices)}"
 
 
-@dataclass(frozen=True)
-class StepPoints:
+class StepPoints(msgspec.Struct, frozen=True):
     """Move nodes by a step of the grid, in decimal numbers."""
 
     document: Document
@@ -123,8 +121,7 @@ class StepPoints:
         return step_nodes(self.document, self.curve, self.indices, (x, y))
 
 
-@dataclass(frozen=True)
-class DragHandle:
+class DragHandle(msgspec.Struct, frozen=True):
     """Set a velocity or an acceleration by its handle."""
 
     document: Document
@@ -196,8 +193,7 @@ def _in_steps(v: Vector) -> Vector:
     return (length * x, length * y)
 
 
-@dataclass(frozen=True)
-class PullVelocity:
+class PullVelocity(msgspec.Struct, frozen=True):
     """Pull the velocity handle out of a node, wherever the handle lay before."""
 
     document: Document
@@ -231,8 +227,7 @@ def _pulled(pointer: Pointer, magnet: Magnet | None) -> Vector:
     return magnet.pull(pointer.position, pointer) if magnet is not None else pointer.position
 
 
-@dataclass(frozen=True)
-class AppendPoint:
+class AppendPoint(msgspec.Struct, frozen=True):
     """Put a new last point at the press; dragging sets its velocity, or moves it where there is none."""
 
     document: Document
@@ -284,8 +279,7 @@ class AppendPoint:
         return edits.append_node(self.document, self.curve, node, squeeze=squeeze)
 
 
-@dataclass(frozen=True)
-class InsertPoint:
+class InsertPoint(msgspec.Struct, frozen=True, dict=True):
     """Insert a point on the curve where it was pressed, the shape kept if possible; dragging moves it."""
 
     document: Document

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+
+import msgspec
 
 from app.document.image_edits import move_image, scale_image
 from app.document.model import Document, ReferenceImage, Vector
@@ -22,8 +23,7 @@ def corner_of(image: ReferenceImage, corner: int) -> Vector:
     return (image.x + share_x * image.width, image.y + share_y * image.height)
 
 
-@dataclass(frozen=True)
-class MoveImage:
+class MoveImage(msgspec.Struct, frozen=True):
     """Move the picture with the pointer; Shift keeps to one axis."""
 
     document: Document
@@ -38,8 +38,7 @@ class MoveImage:
         return move_image(self.document, by)
 
 
-@dataclass(frozen=True)
-class ScaleImage:
+class ScaleImage(msgspec.Struct, frozen=True):
     """Scale the picture by a corner; the opposite corner stays, and so does the aspect."""
 
     document: Document

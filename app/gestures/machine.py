@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Collection, Hashable
-from dataclasses import dataclass
 from typing import Protocol, runtime_checkable
+
+import msgspec
 
 from app.document.edits import EditError
 from app.document.model import Document, Vector
@@ -88,8 +89,7 @@ class Told(Protocol):
         """Return the amount, such as "Rotate 30°"."""
 
 
-@dataclass
-class _Press:
+class _Press(msgspec.Struct):
     pixel: Vector
     drag: Drag | None
     on_click: Callable[[], None] | None

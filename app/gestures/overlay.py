@@ -2,23 +2,21 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+import msgspec
 
 from app.document.model import Vector
 from app.gestures.snapping import Snap
 from app.gestures.transform_box import TransformBox
 
 
-@dataclass(frozen=True)
-class Note:
+class Note(msgspec.Struct, frozen=True):
     """A few words beside a place."""
 
     position: Vector
     text: str
 
 
-@dataclass(frozen=True)
-class Ruler:
+class Ruler(msgspec.Struct, frozen=True):
     """A measured distance."""
 
     start: Vector
@@ -26,8 +24,7 @@ class Ruler:
     text: str
 
 
-@dataclass(frozen=True)
-class Overlay:
+class Overlay(msgspec.Struct, frozen=True):
     """Everything at once; None for what is not there.
 
     Attributes

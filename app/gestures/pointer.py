@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from enum import Enum, auto
+
+import msgspec
 
 from app.document.model import Vector
 
@@ -23,8 +24,7 @@ class Part(Enum):
     OTHER_CURVE = auto()
 
 
-@dataclass(frozen=True)
-class Hit:
+class Hit(msgspec.Struct, frozen=True):
     """What lies under the pointer.
 
     Attributes
@@ -59,8 +59,7 @@ class Hit:
     over: int = -1
 
 
-@dataclass(frozen=True)
-class Pointer:
+class Pointer(msgspec.Struct, frozen=True):
     """One press, move or release.
 
     Attributes
@@ -100,8 +99,7 @@ class Cursor(Enum):
     ROTATE = auto()
 
 
-@dataclass(frozen=True)
-class Hint:
+class Hint(msgspec.Struct, frozen=True):
     """What a press here would do: a sentence, whether something can be grabbed, the shape of the pointer."""
 
     text: str = ""

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+
+import msgspec
 
 from app.document.model import Document
 from app.document.parameter_edits import set_parameters
@@ -14,8 +15,7 @@ _LEAST_GAP = 1e-3
 """Part of the whole interval that stays between two ticks: it can be seen, and the curve be computed."""
 
 
-@dataclass(frozen=True)
-class DragTicks:
+class DragTicks(msgspec.Struct, frozen=True):
     """Drag parameters along the t-rail, all by the same way; their order is kept.
 
     Attributes

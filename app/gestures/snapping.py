@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Collection, Sequence
-from dataclasses import dataclass
 from decimal import Decimal
 from enum import StrEnum
 
+import msgspec
 import numpy as np
 
 from app.document.model import Vector
@@ -27,8 +27,7 @@ class SnapKind(StrEnum):
     LEVEL = "level"
 
 
-@dataclass(frozen=True)
-class Snapping:
+class Snapping(msgspec.Struct, frozen=True):
     """The person's choice: whether to snap, and to what."""
 
     on: bool = False
@@ -39,8 +38,7 @@ class Snapping:
         return self.on != pointer.ctrl
 
 
-@dataclass(frozen=True)
-class Snap:
+class Snap(msgspec.Struct, frozen=True):
     """What was snapped to.
 
     Attributes
@@ -61,8 +59,7 @@ class Snap:
     axes: tuple[int, ...] = (0, 1)
 
 
-@dataclass(frozen=True, eq=False)
-class _Points:
+class _Points(msgspec.Struct, frozen=True, eq=False):
     """Points of one curve, (k, 2), with their numbers; `of` names the curve if it is another."""
 
     positions: Floats
@@ -81,8 +78,7 @@ class _Points:
         return float(distances[best]), Snap((x, y), _name(int(self.numbers[best]), self.of))
 
 
-@dataclass(frozen=True)
-class _Line:
+class _Line(msgspec.Struct, frozen=True):
     """A coordinate to snap to."""
 
     value: float
@@ -90,8 +86,7 @@ class _Line:
     guide: Vector | None = None
 
 
-@dataclass(frozen=True)
-class Targets:
+class Targets(msgspec.Struct, frozen=True):
     """What there is to snap to, besides the grid.
 
     Attributes

@@ -4,8 +4,10 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
-from dataclasses import dataclass, replace
 from enum import Enum
+
+import msgspec
+from msgspec.structs import replace
 
 from app.document import edits
 from app.document.model import Document, Vector
@@ -28,8 +30,7 @@ class TransformKind(Enum):
     ROTATE = "Rotate"
 
 
-@dataclass(frozen=True)
-class Transform:
+class Transform(msgspec.Struct, frozen=True):
     """A transform in flight.
 
     Attributes

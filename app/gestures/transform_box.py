@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import math
 from collections.abc import Collection
-from dataclasses import dataclass
+
+import msgspec
 
 from app.document.model import Document, Vector
 from app.document.transforms import scaling, transform_nodes, with_coordinates
@@ -22,8 +23,7 @@ _ARM = 26.0
 _REACH = 8.0
 
 
-@dataclass(frozen=True)
-class Grip:
+class Grip(msgspec.Struct, frozen=True):
     """A grip: −1, 0 or 1 in each direction, or the one that rotates."""
 
     x: int
@@ -43,8 +43,7 @@ class Grip:
 _GRIPS = tuple(Grip(x, y) for x in (-1, 0, 1) for y in (-1, 0, 1) if x or y)
 
 
-@dataclass(frozen=True)
-class TransformBox:
+class TransformBox(msgspec.Struct, frozen=True):
     """The bounding box of the selected points, without padding."""
 
     low: Vector
@@ -92,8 +91,7 @@ def box_of(view: CurveView, selection: Collection[int]) -> TransformBox | None:
     return TransformBox((low[0], low[1]), (high[0], high[1])) if low != high else None
 
 
-@dataclass(frozen=True)
-class ScaleBox:
+class ScaleBox(msgspec.Struct, frozen=True):
     """Scale the selected points by a grip of their box.
 
     What snaps, where there is a `magnet`, is the corner or the side of the box that the grip moves: it lies

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
 
+import msgspec
 from PySide6.QtCore import (
     QAbstractListModel,
     QEvent,
@@ -47,8 +47,7 @@ _COMMAND = Qt.ItemDataRole.UserRole + 1
 _ROOT = QModelIndex()
 
 
-@dataclass(frozen=True)
-class Command:
+class Command(msgspec.Struct, frozen=True):
     """Something that can be found: an action, and the menu path that leads to it."""
 
     action: QAction

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 
+import msgspec
 from PySide6.QtCore import (
     QAbstractItemModel,
     QEvent,
@@ -54,8 +54,7 @@ _LEAVING = (*_ENTER, Qt.Key.Key_Tab, Qt.Key.Key_Backtab)
 _PASSING = (Qt.FocusReason.ActiveWindowFocusReason, Qt.FocusReason.PopupFocusReason)
 
 
-@dataclass(frozen=True)
-class ColumnFormat:
+class ColumnFormat(msgspec.Struct, frozen=True):
     """How the numbers of one column are written: all alike, so that they can be compared at a glance."""
 
     digits: int

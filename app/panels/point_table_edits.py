@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Mapping, Sequence
-from dataclasses import dataclass
 from itertools import pairwise
 
+import msgspec
 import numpy as np
 from msgspec.structs import replace
 
@@ -16,8 +16,7 @@ from app.view_model.curve_view import CurveView, Floats, appended_parameter, app
 from app.view_model.jets import explicit_sides
 
 
-@dataclass(frozen=True)
-class Column:
+class Column(msgspec.Struct, frozen=True):
     """A column of the point table.
 
     Attributes
@@ -61,8 +60,7 @@ def columns_of(family: Family) -> tuple[Column, ...]:
     return COLUMNS[: 3 + 2 * family.derivatives]
 
 
-@dataclass(frozen=True)
-class TableValues:
+class TableValues(msgspec.Struct, frozen=True):
     """What the table shows: numbers (n, columns), NaN where there is none, and which are estimated."""
 
     values: Floats

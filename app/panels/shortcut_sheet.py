@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 
+import msgspec
 from PySide6.QtCore import QEvent, QMargins, QObject, QSize, Qt
 from PySide6.QtGui import QKeyEvent, QMouseEvent
 from PySide6.QtWidgets import (
@@ -27,8 +27,7 @@ Rows = Sequence[tuple[str, str]]
 _WIDEST, _MARGIN, _KEYS_WIDTH = 560, 24, 190
 
 
-@dataclass(frozen=True)
-class Moment:
+class Moment(msgspec.Struct, frozen=True):
     """What the sheet must know to say what applies now.
 
     Attributes
@@ -55,8 +54,7 @@ class Moment:
         return f"Now: {self.selected} point{'' if self.selected == 1 else 's'} selected"
 
 
-@dataclass(frozen=True)
-class _Gesture:
+class _Gesture(msgspec.Struct, frozen=True):
     """One row of the sheet and when it applies; None where it does not matter."""
 
     keys: str

@@ -2,16 +2,14 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
+import msgspec
 import numpy as np
 import numpy.typing as npt
 
 Floats = npt.NDArray[np.float64]
 
 
-@dataclass(frozen=True)
-class PixelMap:
+class PixelMap(msgspec.Struct, frozen=True):
     """An axis-aligned map from the plane to the pixels of a plot area; y points up in the plane.
 
     Attributes

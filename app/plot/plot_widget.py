@@ -71,6 +71,13 @@ class Layer(QGraphicsItem):
             sys.excepthook(*sys.exc_info())
 
 
+class _Axis(pg.AxisItem):  # type: ignore[misc]  # pyqtgraph has no types
+    """An axis without a label, which pyqtgraph would lay out again for every pen and range it is given."""
+
+    def labelString(self) -> str:  # noqa: N802
+        return ""
+
+
 class PlotWidget(pg.PlotWidget):  # type: ignore[misc]  # pyqtgraph has no types
     """A plot with layers, exact pixel mapping, wheel zoom and panning.
 
@@ -87,7 +94,8 @@ class PlotWidget(pg.PlotWidget):  # type: ignore[misc]  # pyqtgraph has no types
 
     def __init__(self, parent: QWidget | None = None) -> None:
         # Menus of its own that are never shown take pyqtgraph a tenth of the start to build.
-        super().__init__(parent, enableMenu=False)
+        axes = {side: _Axis(side) for side in ("left", "bottom")}
+        super().__init__(parent, enableMenu=False, axisItems=axes)
         self._layers: list[Layer] = []
         self._map: PixelMap | None = None
         self._pan_from: QPointF | None = None

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Collection
-from dataclasses import dataclass
 from functools import cached_property, reduce
 from itertools import pairwise
 
+import msgspec
 import numpy as np
 
 from app.document.model import Family
@@ -38,8 +38,7 @@ _PEAK = (1.0, 2.5, 25.0)
 """What makes B_1/h and B_2/h², which peak at 0.20 and 0.017, reach almost one half."""
 
 
-@dataclass(frozen=True, eq=False)
-class BasisView:
+class BasisView(msgspec.Struct, frozen=True, eq=False, dict=True):
     """Basis functions B_ir(t) as the panel draws them.
 
     Attributes

@@ -14,9 +14,9 @@ bend cannot do (`bend_together`). So the grabbed point always follows, however f
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from enum import Enum, auto
 
+import msgspec
 import numpy as np
 
 from app.document.edits import EditError
@@ -43,8 +43,7 @@ class BendWith(Enum):
     DERIVATIVES = auto()
 
 
-@dataclass(frozen=True)
-class _Datum:
+class _Datum(msgspec.Struct, frozen=True):
     """One datum with its weight at t* and its value, both scaled to lengths in the plane."""
 
     index: int
@@ -59,8 +58,7 @@ class _Datum:
         return JetValue(self.index, self.order, self.ahead, value)
 
 
-@dataclass(frozen=True)
-class _Place:
+class _Place(msgspec.Struct, frozen=True):
     """A place on a curve that outlasts a change of parameters: a segment and the share of it."""
 
     segment: int

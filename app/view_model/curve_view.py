@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, field
 from functools import cached_property
 from itertools import pairwise
 
+import msgspec
 import numpy as np
 import numpy.typing as npt
 from msgspec.structs import replace
@@ -57,8 +57,7 @@ _PARAMETERS: dict[ParametrizationKind, Callable[[Floats, float], Floats]] = {
 }
 
 
-@dataclass(frozen=True, eq=False)
-class CurveView:
+class CurveView(msgspec.Struct, frozen=True, eq=False, dict=True):
     """One curve of the document with everything that a canvas or panel draws of it.
 
     The knots of the curve are its nodes, and for a closed curve the first node once more at the end.
@@ -86,8 +85,8 @@ class CurveView:
     curve: CoreCurve | None
     problem: str = ""
     sides: Sides | None = None
-    _flattener: Flattener = field(default_factory=Flattener)
-    _flattened: dict[FlatteningKey, Polyline] = field(default_factory=dict)
+    _flattener: Flattener = msgspec.field(default_factory=Flattener)
+    _flattened: dict[FlatteningKey, Polyline] = msgspec.field(default_factory=dict)
 
     @property
     def is_current(self) -> bool:

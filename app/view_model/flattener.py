@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
+import msgspec
 import numpy as np
 import numpy.typing as npt
 
@@ -24,8 +23,7 @@ FlatteningKey = tuple[float, Box | None]
 """Tolerance, and the box in which it matters."""
 
 
-@dataclass(frozen=True, eq=False)
-class Polyline:
+class Polyline(msgspec.Struct, frozen=True, eq=False):
     """A curve as drawn: the parameters of its vertices (k,) and the vertices (k, 2)."""
 
     parameters: Floats

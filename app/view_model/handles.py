@@ -8,15 +8,15 @@ from __future__ import annotations
 
 import math
 from collections.abc import Collection
-from dataclasses import dataclass
+
+import msgspec
 
 from app.document.edits import EditError, set_velocity
 from app.document.model import Curve, Document, Family, Vector
 from app.view_model.curve_view import CurveView
 
 
-@dataclass(frozen=True)
-class Handle:
+class Handle(msgspec.Struct, frozen=True):
     """One handle of a node.
 
     Attributes

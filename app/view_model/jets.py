@@ -8,9 +8,9 @@ the periodic curve it is.
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
 from itertools import pairwise
 
+import msgspec
 import numpy as np
 import numpy.typing as npt
 
@@ -32,8 +32,7 @@ _REACH = 64
 """Knots after which an estimate has forgotten the data: a natural spline forgets half at every knot."""
 
 
-@dataclass(frozen=True, eq=False)
-class Sides:
+class Sides(msgspec.Struct, frozen=True, eq=False):
     """The jets at the knots, before and after each; they differ only at corners. Shapes (k, R, 2)."""
 
     before: Floats

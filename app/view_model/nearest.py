@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
+import msgspec
 import numpy as np
 
 from app.document.model import Vector
@@ -13,8 +12,7 @@ from curvecore import flatten_parameters
 _NEWTON_STEPS = 4
 
 
-@dataclass(frozen=True)
-class Nearest:
+class Nearest(msgspec.Struct, frozen=True):
     """A point of a curve, its parameter and its distance."""
 
     t: float

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import operator
 from collections.abc import Sequence
-from dataclasses import dataclass
 
+import msgspec
 import numpy as np
 import numpy.typing as npt
 
@@ -17,8 +17,7 @@ Flags = npt.NDArray[np.bool_]
 _NONE = (np.nan, np.nan)
 
 
-@dataclass(frozen=True, eq=False)
-class NodeArrays:
+class NodeArrays(msgspec.Struct, frozen=True, eq=False):
     """What n nodes hold; NaN stands for None. An array that did not change is the same object as before.
 
     Attributes

@@ -7,8 +7,7 @@ never assumed: every result carries the largest distance that a point of the cur
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
+import msgspec
 import numpy as np
 from msgspec.structs import replace
 
@@ -23,8 +22,7 @@ _ROUNDING = 64 * 2.0**-53
 """Relative difference of two estimates up to which they count as the same."""
 
 
-@dataclass(frozen=True)
-class Reshaped:
+class Reshaped(msgspec.Struct, frozen=True):
     """A curve through other points.
 
     Attributes

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from itertools import pairwise
 
+import msgspec
 import numpy as np
 from msgspec.structs import replace
 
@@ -23,8 +23,7 @@ _COINCIDE = 1e-9
 """Distance, relative to the size of two curves, up to which end and start are one point."""
 
 
-@dataclass(frozen=True)
-class Split:
+class Split(msgspec.Struct, frozen=True):
     """What cutting a curve makes: two curves, or one that is open where a closed one was cut.
 
     Attributes

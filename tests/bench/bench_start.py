@@ -48,17 +48,16 @@ window.plot(x, np.sin(7 * x))
 OURS = (
     _BEGIN
     + """
-import os, sys
-from PySide6.QtCore import QTimer
-from PySide6.QtWidgets import QApplication
-import app.cli
+import app.cli, app.start
 app.cli._has_display = lambda: True
-import app.main_window
-class Window(app.main_window.MainWindow):
-    def __init__(self, *arguments):
-        super().__init__(*arguments)
-        self.canvas.painted.connect(lambda: QTimer.singleShot(0, done))
-app.main_window.MainWindow = Window
+open_windows = app.start.open_windows
+def open_and_watch(files):
+    from PySide6.QtCore import QTimer
+    (window,) = open_windows(files)
+    window.canvas.painted.connect(lambda: QTimer.singleShot(0, done))
+    return [window]
+app.start.open_windows = open_and_watch
+import os
 """
     + _END
     + "app.cli.main([])\n"

@@ -1,0 +1,140 @@
+"""A motion on the canvas: dots with their trails, velocities and accelerations."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+from PySide6.QtCore import QPointF, QRectF, Qt
+from PySide6.QtGui import QColor, QFont, QFontMetricsF, QPainter, QPen
+
+from app.colours import curve_colour
+from app.plot.drawing import Segments, Stroke, cut_segments
+from app.plot.pixel_map import PixelMap
+from app.plot.plot_widget import PlotWidget
+from app.theme import Theme
+from app.view_model.arrow import arrow_segments
+from app.view_model.curve_view import Floats
+from app.view_model.motion_picture import COLOURS, NAMES, RADII, TRAIL, Dot, Role, colour_of
+
+_TRAIL_DOT = 3.0
+_FAR = 1e5
+_Pixel = tuple[float, float]
+_SHORTEST = 3.0
+"""Pixels below which an arrow is not drawn: its head would cover it."""
+
+
+class MotionLayer:
+    """Draws dots that run; the scrub line's own dot lies on top of them."""
+
+    def __init__(self, plot: PlotWidget, theme: Theme) -> None:
+        self.theme = theme
+        self.scale = 1.0
+        self.dots: Sequence[Dot] = ()
+        self.lines: Sequence[tuple[Role, Floats]] = ()
+        self._font = QFont(plot.font())
+        self._written: list[QRectF] = []
+        self._layer = plot.add_layer(self.paint, z=9)
+
+    def render(self, dots: Sequence[Dot], lines: Sequence[tuple[Role, Floats]]) -> None:
+        """Draw `dots`, and the curves that some of them run along, from the next paint on."""
+        self.dots, self.lines = dots, lines
+        self._layer.update()
+
+    def paint(self, painter: QPainter, shown: PixelMap) -> None:
+        """Draw the lines, then the trails, then the dots with their arrows."""
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing, True)
+        for role, line in self.lines:
+            self._paint_line(painter, shown, role, line)
+        for dot in self.dots:
+            self._paint_trail(painter, shown, dot)
+        self._written.clear()
+        self._font.setPointSizeF(9.0 * self.scale)
+        painter.setFont(self._font)
+        for dot in self.dots:
+            self._paint_dot(painter, shown, dot)
+
+    def _colour(self, role: Role) -> QColor:
+        return curve_colour(COLOURS[role], self.theme) if role in COLOURS else QColor(self.theme.accent)
+
+    def _paint_line(self, painter: QPainter, shown: PixelMap, role: Role, line: Floats) -> None:
+        colour = self._colour(role)
+        colour.setAlphaF(0.6)
+        painter.setPen(QPen(colour, self.scale, Qt.PenStyle.DashLine))
+        stroke = Stroke()
+        stroke.fill(shown.points(line), shown.width, shown.height)
+        stroke.draw(painter)
+
+    def _paint_trail(self, painter: QPainter, shown: PixelMap, dot: Dot) -> None:
+        colour = self._colour(dot.role)
+        painter.setPen(Qt.PenStyle.NoPen)
+        radius = _TRAIL_DOT * self.scale
+        with np.errstate(all="ignore"):
+            places = shown.points(dot.trail)
+        for age, (x, y) in enumerate(places.tolist()):
+            if _is_near(x, y):
+                colour.setAlphaF(0.65 * (1.0 - age / TRAIL))
+                painter.setBrush(colour)
+                painter.drawEllipse(QPointF(x, y), radius, radius)
+
+    def _paint_dot(self, painter: QPainter, shown: PixelMap, dot: Dot) -> None:
+        x, y = shown.point(*dot.place)
+        if not _is_near(x, y):
+            return
+        for arrow in dot.arrows:
+            colour = curve_colour(colour_of(dot, arrow), self.theme)
+            words = f"{NAMES[dot.role]} {arrow.text}".strip()
+            self._paint_arrow(painter, shown, (x, y), shown.point(*arrow.tip), colour, words)
+        if dot.role is not Role.OWN:
+            painter.setPen(QPen(self.theme.paper, 1.5 * self.scale))
+            painter.setBrush(self._colour(dot.role))
+            radius = RADII[dot.role] * self.scale
+            painter.drawEllipse(QPointF(x, y), radius, radius)
+
+    def _paint_arrow(
+        self, painter: QPainter, shown: PixelMap, start: _Pixel, tip: _Pixel, colour: QColor, words: str
+    ) -> None:
+        length = float(np.hypot(tip[0] - start[0], tip[1] - start[1]))
+        if not _SHORTEST <= length <= _FAR:
+            return
+        painter.setPen(QPen(colour, 2.0 * self.scale))
+        painter.setBrush(Qt.BrushStyle.NoBrush)
+        segments = arrow_segments(start, tip, 9.0 * self.scale)
+        drawn = Segments()
+        drawn.fill(cut_segments(segments, shown.width, shown.height))
+        drawn.draw(painter)
+        self._write_beyond(painter, shown, start, tip, words)
+
+    def _write_beyond(
+        self,
+        painter: QPainter,
+        shown: PixelMap,
+        start: _Pixel,
+        tip: _Pixel,
+        words: str,
+    ) -> None:
+        """Write beyond the tip of an arrow, on a little paper and inside the drawing."""
+        metrics = QFontMetricsF(painter.font())
+        width, height = metrics.horizontalAdvance(words) + 6, metrics.height()
+        along = np.subtract(tip, start) / max(float(np.hypot(*np.subtract(tip, start))), 1e-9)
+        x = tip[0] + along[0] * (width / 2 + 4) - width / 2
+        y = tip[1] + along[1] * (height / 2 + 4) - height / 2
+        x = min(max(x, 2.0), max(shown.width - width - 2, 2.0))
+        y = min(max(y, 2.0), max(shown.height - height - 2, 2.0))
+        paper, ink = QColor(self.theme.paper), painter.pen().color()
+        paper.setAlphaF(0.8)
+        plate = QRectF(x, y, width, height)
+        for other in self._written:
+            # Two arrows with nearly one tip: one name stands below the other.
+            if plate.intersects(other):
+                plate.moveTop(
+                    other.bottom() if plate.center().y() >= other.center().y() else other.top() - height
+                )
+        self._written.append(plate)
+        painter.fillRect(plate, paper)
+        painter.setPen(ink)
+        painter.drawText(plate, int(Qt.AlignmentFlag.AlignCenter), words)
+
+
+def _is_near(x: float, y: float) -> bool:
+    return abs(x) < _FAR and abs(y) < _FAR

@@ -1,0 +1,157 @@
+"""What a motion needs in the window: a player, a bar, and what is drawn on the canvas."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import QEvent, QObject
+from PySide6.QtWidgets import QApplication
+
+from app.commands.motion_export import MotionExport
+from app.commands.parts import Parts
+from app.panels.motion_bar import MotionBar
+from app.player import Player
+from app.theme import theme_of
+from app.view_model.curve_view import CurveView, Floats
+from app.view_model.motion import Course, Pace, Repeat
+from app.view_model.motion_picture import (
+    FAMILIES,
+    Role,
+    Scales,
+    dots_at,
+    jumps_in_words,
+    rivals_of,
+    scales_of,
+)
+
+_CHECKED = {
+    "motionOnce": Repeat.ONCE,
+    "motionLoop": Repeat.LOOP,
+    "motionPingPong": Repeat.PING_PONG,
+    "motionByT": Pace.PARAMETER,
+    "motionByLength": Pace.LENGTH,
+}
+
+
+class MotionStage(QObject):
+    """Shows what the player plays."""
+
+    def __init__(self, parts: Parts) -> None:
+        super().__init__(parts.window)
+        self._parts = parts
+        self.player = Player(parts.session, self)
+        self._bar = MotionBar(parts.actions.__getitem__, parts.window)
+        self._bar.hide()
+        parts.under_canvas.addWidget(self._bar)
+        self.export = MotionExport(parts, self._bar)
+        self._rivals: dict[Role, CurveView] = {}
+        self._rivals_of: CurveView | None = None
+        self._courses: dict[Role, Course] = {}
+        self._scales: Scales | None = None
+        self._bar.speed_chosen.connect(lambda speed: self.player.change(speed=speed))
+        self.export.ended.connect(self._show_bar)
+        self.player.moved.connect(self.draw)
+        self.player.changed.connect(self._render)
+        parts.window.installEventFilter(self)
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        """Give the button its icon again when the colours are others; end an export with the window."""
+        if event.type() == QEvent.Type.PaletteChange:
+            self._render_bar()
+        elif event.type() == QEvent.Type.Hide and not event.spontaneous():
+            self.export.end()
+        return super().eventFilter(watched, event)
+
+    # What the actions do
+
+    def play_or_pause(self) -> None:
+        """Play, or pause."""
+        if self.player.is_playing:
+            self.player.pause()
+        else:
+            self.player.play()
+        self._render()
+
+    def compare(self) -> None:
+        """Let cubic and quintic run side by side, or the curve alone again."""
+        compares = self._parts.actions["motionCompare"].isChecked()
+        self.player.change(compares=compares)
+        if compares:
+            self.player.play()
+
+    def ask_and_export(self) -> None:
+        """Let the person say how large and how long, and write the motion."""
+        self._bar.show()
+        self.export.ask(self.player.settings)
+
+    # What is shown
+
+    def settle(self, view: CurveView) -> None:
+        """Measure anew what is kept as it is during a drag: the scale of the arrows, and the jumps."""
+        if not self.player.is_open or self._parts.session.is_previewing:
+            return
+        self._scales = None
+        self.draw()
+        compared = self._rivals if self.player.settings.compares else {}
+        self._bar.show_words(jumps_in_words(compared))
+
+    def follow(self) -> None:
+        """Draw the dots on a curve that is being changed; if they run, where they are by now."""
+        if self.player.is_playing and self.player.course is not None:
+            self.player.tick()
+        else:
+            self.draw()
+
+    def draw(self) -> None:
+        """Draw the dots where they are now."""
+        player, parts = self.player, self._parts
+        course = player.course if player.is_open else None
+        if course is None:
+            parts.canvas.render_motion(())
+            if player.is_open:
+                self._bar.show_dots((), parts.session.active_view.problem)
+            return
+        courses = {Role.OWN: course, **self._courses_to_compare()}
+        if self._scales is None:
+            self._scales = scales_of(list(courses.values()))
+        dots = dots_at(courses, player.seconds, player.settings.repeat, self._scales)
+        parts.canvas.render_motion(dots, self._lines())
+        self._bar.show_dots(dots, "")
+
+    def _courses_to_compare(self) -> dict[Role, Course]:
+        settings, view = self.player.settings, self._parts.session.active_view
+        if not settings.compares:
+            self._rivals, self._rivals_of = {}, None
+            return {}
+        if self._rivals_of is not view:
+            self._rivals, self._rivals_of = rivals_of(view), view
+        for role, rival in self._rivals.items():
+            assert rival.curve is not None
+            known = self._courses.get(role)
+            if known is None or known.curve is not rival.curve or known.pace is not settings.pace:
+                self._courses[role] = Course(rival.curve, settings.pace)
+        return self._courses if self._rivals else {}
+
+    def _lines(self) -> list[tuple[Role, Floats]]:
+        """Return the curves that are compared, but for the one that is drawn anyway."""
+        family = self._parts.session.active_view.source.family
+        return [(role, view.polyline) for role, view in self._rivals.items() if FAMILIES[role] is not family]
+
+    def _render(self) -> None:
+        actions, player = self._parts.actions, self.player
+        actions["playMotion"].setChecked(player.is_playing)
+        actions["stopMotion"].setEnabled(player.is_open)
+        settings = player.settings
+        for name, value in _CHECKED.items():
+            actions[name].setChecked(value in (settings.repeat, settings.pace))
+        actions["motionCompare"].setChecked(settings.compares)
+        self._render_bar()
+        self._show_bar()
+        self.settle(self._parts.session.active_view)
+        if not player.is_open:
+            self._parts.canvas.render_motion(())
+
+    def _render_bar(self) -> None:
+        theme = theme_of(QApplication.palette())
+        self._bar.show_settings(self.player.settings, theme, playing=self.player.is_playing)
+
+    def _show_bar(self) -> None:
+        self._bar.setVisible(self.player.is_open or self.export.is_running)

@@ -1,0 +1,267 @@
+"""Motions as GIF, APNG and MP4.
+
+Pillow writes the first two (the extra ``animation``), ffmpeg the third, where it is on the PATH.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import io
+import os
+import shutil
+import subprocess
+import tempfile
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from msgspec.structs import replace
+
+from app.document.model import Document
+from app.document.storage import write
+from app.exchange.drawing import ExchangeError
+from app.exchange.formats import ending_of
+from app.exchange.svg import LIGHT, Style
+from app.view_model.curve_view import view_of
+from app.view_model.motion import Course, Pace, Repeat, round_of
+from app.view_model.motion_picture import COLOURS, Role, rivals_of
+
+if TYPE_CHECKING:
+    from PIL import Image
+
+    from app.exchange.motion_frames import FrameMaker
+
+ANIMATED = (".gif", ".apng", ".png", ".mp4")
+"""Endings of the films that `write_film` can write; a PNG is an APNG."""
+
+LARGEST_WIDTH = 1920
+MOST_FRAMES = 1200
+FASTEST = 50
+"""Frames a second; players show a GIF with shorter frames slowly."""
+
+_MOST_PIXELS = {".gif": 4e8, ".apng": 1.3e8, ".png": 1.3e8, ".mp4": 4e9}
+"""Of all frames together: Pillow keeps them until the file is written, in one or in three bytes a pixel."""
+
+
+class FilmCancelled(Exception):  # noqa: N818 - nothing went wrong
+    """The film is not wanted any more; nothing of it is left."""
+
+
+@dataclass(frozen=True)
+class Film:
+    """What to show, how large and how long.
+
+    Attributes
+    ----------
+    curve
+        The index of the curve in its document.
+    width
+        In pixels; made even. The height follows from the drawing.
+    fps
+        Frames a second.
+    seconds
+        How long the film is: one round of the motion.
+    compares
+        Whether cubic and quintic run side by side.
+    points
+        Whether to draw the points.
+    """
+
+    curve: int = 0
+    width: int = 640
+    fps: int = 25
+    seconds: float = 4.0
+    repeat: Repeat = Repeat.LOOP
+    pace: Pace = Pace.PARAMETER
+    compares: bool = False
+    style: Style = LIGHT
+    points: bool = True
+
+    @property
+    def frames(self) -> int:
+        """How many frames there are, at least two."""
+        return max(2, round(self.fps * self.seconds))
+
+    def courses(self, document: Document) -> dict[Role, Course]:
+        """Return the ways of the dots."""
+        view = view_of(document.curves[self.curve])
+        if not view.is_current or view.curve is None:
+            raise ExchangeError(f"There is no curve to run along. {view.problem}")
+        courses = {Role.OWN: Course(view.curve, self.pace)}
+        for role, rival in (rivals_of(view) if self.compares else {}).items():
+            assert rival.curve is not None
+            courses[role] = Course(rival.curve, self.pace)
+        return courses
+
+    def drawn(self, document: Document) -> Document:
+        """Return the document with all curves that are seen: those that are compared are among them."""
+        source = document.curves[self.curve]
+        if not self.compares:
+            return document
+        others = [
+            replace(each.source, colour=COLOURS[role])
+            for role, each in rivals_of(view_of(source)).items()
+            if each.source is not source
+        ]
+        return Document((*others, *document.curves))
+
+    def durations(self, unit: int) -> list[int]:
+        """Return how long each frame stands, in milliseconds that are multiples of `unit`.
+
+        Rounded so that no frame is ever off by more than half a unit.
+        """
+        ends = [round(1000 * (i + 1) / self.fps / unit) * unit for i in range(self.frames)]
+        return [end - start for start, end in zip([0, *ends], ends, strict=False)]
+
+
+def first_round(document: Document, repeat: Repeat) -> float:
+    """Return the seconds that one round along the first curve takes at its own speed."""
+    return round_of(Film().courses(document)[Role.OWN].duration, repeat)
+
+
+def has_video() -> bool:
+    """Whether MP4 can be written: ffmpeg is on the PATH."""
+    return shutil.which("ffmpeg") is not None
+
+
+def write_film(
+    document: Document,
+    path: str | os.PathLike[str],
+    film: Film,
+    *,
+    progress: Callable[[float], None] = lambda share: None,
+    is_cancelled: Callable[[], bool] = lambda: False,
+) -> None:
+    """Write a motion in the format that the ending of `path` names.
+
+    Parameters
+    ----------
+    progress
+        Told after every frame which share of them is done.
+    is_cancelled
+        Asked before every frame.
+
+    Raises
+    ------
+    ExchangeError
+        If there is no curve, the film would be too large, or what writes it is missing.
+    StorageError
+        If the file cannot be written; an old one stays as it was.
+    FilmCancelled
+        If `is_cancelled` said so; an old file stays as it was.
+    """
+    ending = ending_of(path, ANIMATED)
+    _refuse_size(film)
+    # Qt is slow to import, and a mistake in the name is told without.
+    from app.exchange.image import application  # noqa: PLC0415
+    from app.exchange.motion_frames import FrameMaker  # noqa: PLC0415
+
+    with application():
+        data = _film_bytes(FrameMaker(document, film), film, ending, progress, is_cancelled)
+    if is_cancelled():
+        raise FilmCancelled
+    write(path, data)
+
+
+def _film_bytes(
+    maker: FrameMaker,
+    film: Film,
+    ending: str,
+    progress: Callable[[float], None],
+    is_cancelled: Callable[[], bool],
+) -> bytes:
+    if film.frames * maker.width * maker.height > _MOST_PIXELS[ending] or maker.height > 2 * LARGEST_WIDTH:
+        raise ExchangeError("The film would be too large; make it smaller, shorter or with fewer frames.")
+    frames = _watched(maker, film.frames, progress, is_cancelled)
+    return _video(maker, frames, film) if ending == ".mp4" else _pictures(maker, frames, film, ending)
+
+
+def _refuse_size(film: Film) -> None:
+    if not 16 <= film.width <= LARGEST_WIDTH:
+        raise ExchangeError(f"A film may be 16 to {LARGEST_WIDTH} pixels wide.")
+    if not 1 <= film.fps <= FASTEST:
+        raise ExchangeError(f"A film may have 1 to {FASTEST} frames a second.")
+    if not film.seconds * film.fps <= MOST_FRAMES:
+        raise ExchangeError(f"A film may have {MOST_FRAMES} frames; make it shorter, or with fewer a second.")
+
+
+def _watched(
+    maker: FrameMaker, count: int, progress: Callable[[float], None], is_cancelled: Callable[[], bool]
+) -> Iterator[bytes]:
+    for number, frame in enumerate(maker.frames(), start=1):
+        if is_cancelled():
+            raise FilmCancelled
+        yield frame
+        progress(number / count)
+
+
+def _pictures(maker: FrameMaker, frames: Iterator[bytes], film: Film, ending: str) -> bytes:
+    try:
+        from PIL import Image  # noqa: PLC0415 - an extra
+    except ImportError:
+        raise ExchangeError(
+            "GIF and APNG are written by Pillow, which is not installed: pip install 'curvebench[animation]'."
+        ) from None
+    size = (maker.width, maker.height)
+    images: Iterator[Image.Image] = (Image.frombytes("RGB", size, frame, "raw", "RGBX") for frame in frames)
+    forever = film.repeat is not Repeat.ONCE
+    options: dict[str, Any]
+    if ending == ".gif":
+        images = _in_one_palette(images)
+        # Without the entry the film plays once.
+        options = {"format": "GIF", "duration": film.durations(10), **({"loop": 0} if forever else {})}
+    else:
+        options = {"format": "PNG", "duration": film.durations(1), "loop": 0 if forever else 1}
+    first, *rest = images
+    buffer = io.BytesIO()
+    first.save(buffer, save_all=True, append_images=rest, **options)
+    return buffer.getvalue()
+
+
+def _in_one_palette(images: Iterator[Image.Image]) -> Iterator[Image.Image]:
+    """Reduce all images to the colours of the first, so that nothing flickers."""
+    from PIL import Image  # noqa: PLC0415 - an extra
+
+    palette = None
+    for image in images:
+        if palette is None:
+            palette = image.quantize(256, Image.Quantize.MEDIANCUT)
+        yield image.quantize(palette=palette, dither=Image.Dither.NONE)
+
+
+def _video(maker: FrameMaker, frames: Iterator[bytes], film: Film) -> bytes:
+    program = shutil.which("ffmpeg")
+    if program is None:
+        raise ExchangeError("MP4 is written by ffmpeg, which is not on the PATH. Choose GIF or APNG.")
+    with tempfile.TemporaryDirectory() as folder:
+        target = Path(folder) / "film.mp4"
+        size = f"{maker.width}x{maker.height}"
+        raw = ["-f", "rawvideo", "-pix_fmt", "rgb0", "-s", size, "-r", str(film.fps), "-i", "-"]
+        made = ["-an", "-pix_fmt", "yuv420p", "-movflags", "+faststart", str(target)]
+        _feed([program, "-loglevel", "error", "-y", *raw, *made], frames)
+        try:
+            return target.read_bytes()
+        except FileNotFoundError:
+            raise ExchangeError("ffmpeg left no film.") from None
+
+
+def _feed(command: list[str], frames: Iterator[bytes]) -> None:
+    """Run a program that reads frames; end it where anything goes wrong."""
+    with tempfile.TemporaryFile() as said:
+        process = subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.DEVNULL, stderr=said)
+        assert process.stdin is not None
+        try:
+            # A pipe that breaks: the program ended early, and its code says why.
+            with contextlib.suppress(BrokenPipeError), process.stdin as pipe:
+                for frame in frames:
+                    pipe.write(frame)
+            code = process.wait()
+        except BaseException:
+            process.kill()
+            process.wait()
+            raise
+        if code:
+            said.seek(0)
+            words = said.read(2000).decode("utf-8", "replace").strip().splitlines()
+            raise ExchangeError(f"ffmpeg ended with code {code}. {words[-1] if words else ''}".strip())

@@ -1,0 +1,184 @@
+"""The bar of a motion: play, stop, speed, repeat and pace, where the dot is, and how an export goes on."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+
+from PySide6.QtCore import QSize, QTimer, Signal
+from PySide6.QtGui import QAction
+from PySide6.QtWidgets import (
+    QComboBox,
+    QHBoxLayout,
+    QProgressBar,
+    QSizePolicy,
+    QToolButton,
+    QVBoxLayout,
+    QWidget,
+)
+
+from app.icons import icon
+from app.panels.elided_label import ElidedLabel
+from app.theme import Theme
+from app.view_model.motion import SPEEDS, MotionSettings, Pace, Repeat
+from app.view_model.motion_picture import Dot, Role, short
+
+_READ_MS = 80
+"""Numbers that change faster cannot be read."""
+
+_REPEATS = {Repeat.ONCE: "motionOnce", Repeat.LOOP: "motionLoop", Repeat.PING_PONG: "motionPingPong"}
+_PACES = {Pace.PARAMETER: "motionByT", Pace.LENGTH: "motionByLength"}
+
+
+class MotionBar(QWidget):
+    """Lies under the canvas while there is a motion.
+
+    Signals
+    -------
+    speed_chosen
+        Another speed was chosen.
+    export_cancelled
+        The export shall end, and leave nothing.
+    """
+
+    speed_chosen = Signal(float)
+    export_cancelled = Signal()
+
+    def __init__(self, actions: Callable[[str], QAction], parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setObjectName("motionBar")
+        self._actions = actions
+        self._play = self._play_button()
+        self._speed = _box("motionSpeed", "Speed", "Seconds of the motion in a second (J slower, L faster)")
+        self._speed.addItems([f"{speed:g}×" for speed in SPEEDS])
+        self._speed.activated.connect(lambda index: self.speed_chosen.emit(SPEEDS[index]))
+        self._repeat = self._action_box("motionRepeat", "At the end", list(_REPEATS.values()))
+        self._pace = self._action_box("motionPace", "What grows evenly", list(_PACES.values()))
+        self._readout = ElidedLabel()
+        self._readout.setObjectName("motionReadout")
+        self._readout.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
+        self._words = ElidedLabel()
+        self._words.setObjectName("motionWords")
+        self._words.hide()
+        self._progress = QProgressBar()
+        self._progress.setObjectName("motionProgress")
+        self._progress.setAccessibleName("Export of the motion")
+        self._progress.setFormat("Writing %p %")
+        self._cancel = QToolButton()
+        self._cancel.setObjectName("cancelMotionExport")
+        self._cancel.setText("Cancel")
+        self._cancel.setAccessibleName("Cancel the export")
+        self._cancel.setToolTip("End the export; no file is left")
+        self._cancel.clicked.connect(self.export_cancelled)
+        self._lay_out()
+        self.show_progress(None)
+        self._next = ""
+        self._soon = QTimer(self, singleShot=True, interval=_READ_MS)
+        self._soon.timeout.connect(self._write)
+
+    def _play_button(self) -> QToolButton:
+        """Return a button with an icon of its own: it tells what a press would do."""
+        action = self._actions("playMotion")
+        button = QToolButton()
+        button.setObjectName("playPauseButton")
+        button.setAutoRaise(True)
+        button.setIconSize(QSize(16, 16))
+        button.setToolTip(action.toolTip())
+        button.clicked.connect(action.trigger)
+        return button
+
+    def _button(self, action_name: str, name: str) -> QToolButton:
+        action = self._actions(action_name)
+        button = QToolButton()
+        button.setObjectName(f"{name}Button")
+        button.setDefaultAction(action)
+        button.setAutoRaise(True)
+        button.setIconSize(QSize(16, 16))
+        button.setAccessibleName(action.text())
+        return button
+
+    def _action_box(self, name: str, label: str, actions: Sequence[str]) -> QComboBox:
+        box = _box(name, label, label)
+        for action in actions:
+            box.addItem(self._actions(action).text())
+        box.activated.connect(lambda index: self._actions(actions[index]).trigger())
+        return box
+
+    def _lay_out(self) -> None:
+        row = QHBoxLayout()
+        row.setContentsMargins(10, 3, 8, 3)
+        row.setSpacing(6)
+        for widget in (self._play, self._button("stopMotion", "stopMotion")):
+            row.addWidget(widget)
+        for box in (self._speed, self._repeat, self._pace):
+            row.addWidget(box)
+        row.addWidget(self._button("motionCompare", "compareMotion"))
+        row.addWidget(self._readout, 1)
+        row.addWidget(self._progress, 1)
+        row.addWidget(self._cancel)
+        row.addWidget(self._button("exportMotion", "exportMotion"))
+        words = QHBoxLayout()
+        words.setContentsMargins(12, 0, 10, 5)
+        words.addWidget(self._words)
+        layout = QVBoxLayout(self)
+        layout.setContentsMargins(0, 0, 0, 0)
+        layout.setSpacing(0)
+        layout.addLayout(row)
+        layout.addLayout(words)
+
+    # What is shown
+
+    @property
+    def readout(self) -> str:
+        """Where the dot is, and how fast."""
+        return self._next
+
+    @property
+    def words(self) -> str:
+        """What is said about the jumps; empty while nothing is compared."""
+        return "" if self._words.isHidden() else self._words.text()
+
+    def show_settings(self, settings: MotionSettings, theme: Theme, *, playing: bool) -> None:
+        """Show how the dot runs."""
+        self._speed.setCurrentIndex(SPEEDS.index(settings.speed))
+        self._repeat.setCurrentIndex(list(_REPEATS).index(settings.repeat))
+        self._pace.setCurrentIndex(list(_PACES).index(settings.pace))
+        self._play.setIcon(icon("pause" if playing else "play", theme))
+        self._play.setAccessibleName("Pause" if playing else "Play")
+
+    def show_words(self, text: str) -> None:
+        """Say something below the controls; nothing when empty."""
+        self._words.setText(text)
+        self._words.setVisible(bool(text))
+
+    def show_dots(self, dots: Sequence[Dot], problem: str) -> None:
+        """Show the numbers of the dot that stands for the curve, or why there is none."""
+        own = next((dot for dot in dots if dot.role is Role.OWN), None)
+        self._next = _numbers(own) if own is not None else problem
+        if not self._soon.isActive():
+            self._soon.start()
+
+    def _write(self) -> None:
+        if self._readout.text() != self._next:
+            self._readout.setText(self._next)
+
+    def show_progress(self, share: float | None) -> None:
+        """Show how much of an export is done; None when there is none."""
+        self._readout.setVisible(share is None)
+        self._progress.setVisible(share is not None)
+        self._cancel.setVisible(share is not None)
+        if share is not None:
+            self._progress.setValue(round(100 * share))
+
+
+def _numbers(dot: Dot) -> str:
+    t = f"{dot.t:.3f}".replace("-", "−")
+    return f"t {t}   |v| {short(dot.speed)}   |a| {short(dot.pull)}"
+
+
+def _box(name: str, label: str, tip: str) -> QComboBox:
+    box = QComboBox()
+    box.setObjectName(name)
+    box.setAccessibleName(label)
+    box.setToolTip(tip)
+    box.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToContents)
+    return box

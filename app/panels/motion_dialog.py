@@ -1,0 +1,122 @@
+"""How a motion is written: format, size and length."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import Qt, Signal
+from PySide6.QtWidgets import (
+    QCheckBox,
+    QComboBox,
+    QDialog,
+    QDoubleSpinBox,
+    QFormLayout,
+    QHBoxLayout,
+    QLabel,
+    QPushButton,
+    QSpinBox,
+    QVBoxLayout,
+    QWidget,
+)
+
+from app.exchange.animation import FASTEST, LARGEST_WIDTH, MOST_FRAMES, has_video
+
+FORMATS = {".gif": "GIF", ".apng": "APNG", ".mp4": "MP4"}
+
+
+class MotionDialog(QDialog):
+    """Asks how large and how long; not modal.
+
+    Signals
+    -------
+    accepted_as
+        A film is wanted in the format with this ending.
+    """
+
+    accepted_as = Signal(str)
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent, Qt.WindowType.Tool)
+        self.setObjectName("motionDialog")
+        self.setWindowTitle("Export Motion")
+        self.format_box = QComboBox()
+        self.format_box.addItems(list(FORMATS.values()))
+        self.width_box = QSpinBox(minimum=64, maximum=LARGEST_WIDTH, singleStep=16, value=640)
+        self.width_box.setSuffix(" px")
+        self.fps_box = QSpinBox(minimum=1, maximum=FASTEST, value=25)
+        self.seconds_box = QDoubleSpinBox(minimum=0.1, maximum=3600.0, decimals=2, singleStep=0.5)
+        self.seconds_box.setSuffix(" s")
+        self.points_check = QCheckBox("Points")
+        self.points_check.setChecked(True)
+        self._frames = QLabel()
+        self._frames.setObjectName("filmFrames")
+        self._export = QPushButton("Export…")
+        self._export.setDefault(True)
+        self._name_all()
+        self._lay_out()
+        # The numbers below are told whoever changes them.
+        self.fps_box.valueChanged.connect(self._count)
+        self.seconds_box.valueChanged.connect(self._count)
+        self._export.clicked.connect(self._accept)
+
+    def _name_all(self) -> None:
+        names = {
+            self.format_box: ("filmFormat", "Format", "GIF and APNG play in every browser; MP4 takes ffmpeg"),
+            self.width_box: ("filmWidth", "Width", "Width of the picture; the height follows"),
+            self.fps_box: ("filmFps", "Frames a second", "How many pictures there are in a second"),
+            self.seconds_box: ("filmSeconds", "Length", "Length of the film: one round of the motion"),
+            self.points_check: ("filmPoints", "Draw the points", "Draw the points too"),
+            self._export: ("filmExport", "Export", "Choose a file and write the motion there"),
+        }
+        for widget, (name, label, tip) in names.items():
+            widget.setObjectName(name)
+            widget.setAccessibleName(label)
+            widget.setToolTip(tip)
+
+    def _lay_out(self) -> None:
+        form = QFormLayout()
+        form.setVerticalSpacing(10)
+        form.setHorizontalSpacing(16)
+        form.addRow("Format", self.format_box)
+        form.addRow("Width", self.width_box)
+        form.addRow("Frames a second", self.fps_box)
+        form.addRow("Length", self.seconds_box)
+        form.addRow("Draw", self.points_check)
+        row = QHBoxLayout()
+        row.addWidget(self._frames, 1)
+        row.addWidget(self._export)
+        layout = QVBoxLayout(self)
+        layout.setContentsMargins(16, 16, 16, 16)
+        layout.setSpacing(14)
+        layout.addLayout(form)
+        layout.addLayout(row)
+
+    def open_for(self, seconds: float) -> None:
+        """Show the dialog, with the length that the motion has at its speed."""
+        self.seconds_box.setValue(seconds)
+        self._enable_video()
+        self._count()
+        self.show()
+        self.raise_()
+        self.activateWindow()
+        self.format_box.setFocus()
+
+    def _enable_video(self) -> None:
+        place = list(FORMATS).index(".mp4")
+        available = has_video()
+        model = self.format_box.model()
+        flags = Qt.ItemFlag.ItemIsEnabled | Qt.ItemFlag.ItemIsSelectable
+        # Qt's own model of a box has items, which is where an entry is switched off.
+        model.item(place).setFlags(flags if available else Qt.ItemFlag.NoItemFlags)  # type: ignore[attr-defined]
+        tip = "" if available else "MP4 is written by ffmpeg, which is not on the PATH"
+        self.format_box.setItemData(place, tip, Qt.ItemDataRole.ToolTipRole)
+
+    def _count(self) -> None:
+        frames = max(2, round(self.fps_box.value() * self.seconds_box.value()))
+        too_many = frames > MOST_FRAMES
+        self._frames.setText(
+            f"{frames} frames" + (f"; at most {MOST_FRAMES} are possible" if too_many else "")
+        )
+        self._export.setEnabled(not too_many)
+
+    def _accept(self) -> None:
+        self.hide()
+        self.accepted_as.emit(list(FORMATS)[self.format_box.currentIndex()])

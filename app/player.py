@@ -1,0 +1,179 @@
+"""Plays a motion: moves the scrub line with the clock."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable
+
+import numpy as np
+from msgspec.structs import replace
+from PySide6.QtCore import QObject, Qt, QTimer, Signal
+
+from app.session import Session
+from app.view_model.curve_view import CoreCurve
+from app.view_model.motion import SPEEDS, Course, MotionSettings, Repeat, folded, round_of
+
+FRAME_MS = 16
+"""Milliseconds from frame to frame; what takes longer drops frames, because the clock is asked each time."""
+
+_LEAST_PAUSE = 0.5e-3 * FRAME_MS
+
+
+class Player(QObject):
+    """A motion along the active curve, seen as the scrub line.
+
+    Attributes
+    ----------
+    settings
+        How the dot runs.
+    seconds
+        How long the motion has been running, at speed 1.
+    is_open
+        Whether there is a motion at all, playing or paused.
+    clock
+        Gives seconds; tests put their own here.
+
+    Signals
+    -------
+    moved
+        The dot is elsewhere.
+    changed
+        It plays, pauses, stops, or has other settings.
+    """
+
+    moved = Signal()
+    changed = Signal()
+
+    def __init__(self, session: Session, parent: QObject | None = None) -> None:
+        super().__init__(parent)
+        self._session = session
+        self.settings = MotionSettings()
+        self.seconds = 0.0
+        self.is_open = False
+        self.clock: Callable[[], float] = time.perf_counter
+        self._last = 0.0
+        self._scrub_before: float | None = None
+        self._is_moving = False
+        self._course: Course | None = None
+        self._ran_on: CoreCurve | None = None
+        self._timer = QTimer(self, interval=FRAME_MS)
+        self._timer.setTimerType(Qt.TimerType.PreciseTimer)
+        self._timer.timeout.connect(self._tick_unless_just_done)
+        session.scrub_changed.connect(self._follow_scrub)
+
+    @property
+    def is_playing(self) -> bool:
+        """Whether the dot runs."""
+        return self._timer.isActive()
+
+    @property
+    def course(self) -> Course | None:
+        """The way along the active curve; None while there is no curve."""
+        view = self._session.active_view
+        if view.curve is None or not view.is_current:
+            return None
+        old = self._course
+        if old is None or old.curve is not view.curve or old.pace is not self.settings.pace:
+            self._course = Course(view.curve, self.settings.pace)
+        return self._course
+
+    def play(self) -> None:
+        """Let the dot run from where it is; from the beginning where it has come to the end."""
+        course = self.course
+        if course is None or self.is_playing:
+            return
+        if not self.is_open:
+            self.is_open = True
+            self._scrub_before = scrub = self._session.scrub
+            self.seconds = course.elapsed_at(scrub) if scrub is not None else 0.0
+        if self.settings.repeat is Repeat.ONCE and self.seconds >= course.duration:
+            self.seconds = 0.0
+        self._last = self.clock()
+        self._timer.start()
+        self._show()
+        self.changed.emit()
+
+    def pause(self) -> None:
+        """Let the dot rest where it is."""
+        if self.is_playing:
+            self._timer.stop()
+            self.changed.emit()
+
+    def stop(self) -> None:
+        """End the motion; the scrub line is where it was before."""
+        if self.is_open:
+            self._timer.stop()
+            self.is_open = False
+            self._move_scrub(self._scrub_before)
+            self.changed.emit()
+
+    def change(self, **fields: object) -> None:
+        """Take other settings; the dot goes on from where it is."""
+        before, self.settings = self.settings, replace(self.settings, **fields)
+        if self.settings == before:
+            return
+        t = self._session.scrub
+        has_other_way = (self.settings.repeat, self.settings.pace) != (before.repeat, before.pace)
+        if self.is_open and has_other_way and t is not None:
+            self._go_on_from(t)
+        self.changed.emit()
+
+    def change_speed(self, step: int) -> None:
+        """Take the next speed, up (1) or down (-1)."""
+        place = SPEEDS.index(self.settings.speed) + step
+        self.change(speed=SPEEDS[min(max(place, 0), len(SPEEDS) - 1)])
+
+    def tick(self) -> None:
+        """Move the dot to where it is by now."""
+        now = self.clock()
+        passed, self._last = now - self._last, now
+        if self.course is not None:
+            self.seconds += passed * self.settings.speed
+            self._show()
+
+    def _tick_unless_just_done(self) -> None:
+        """Leave out a frame that a drag has drawn a moment ago."""
+        if self.clock() - self._last >= _LEAST_PAUSE:
+            self.tick()
+
+    def _show(self) -> None:
+        course, repeat = self.course, self.settings.repeat
+        if course is None:
+            return
+        self._ran_on = course.curve
+        elapsed = folded(np.array([self.seconds]), course.duration, repeat)
+        self._move_scrub(float(course.parameters_at(elapsed)[0]))
+        self.moved.emit()
+        if repeat is Repeat.ONCE and self.seconds >= course.duration:
+            self.seconds = course.duration
+            self.pause()
+
+    def _move_scrub(self, t: float | None) -> None:
+        self._is_moving = True
+        self._session.set_scrub(t)
+        self._is_moving = False
+
+    def _follow_scrub(self, t: float | None) -> None:
+        """Somebody else moved the scrub line: put away, it ends the motion; dragged, it holds the dot."""
+        if self._is_moving or not self.is_open:
+            return
+        if t is None:
+            self._scrub_before = None
+            self.stop()
+            return
+        if self.is_playing and self._session.active_view.curve is not self._ran_on:
+            # Nobody: another curve, with another domain, took the scrub line along.
+            return
+        self.pause()
+        self._go_on_from(t)
+        self.moved.emit()
+
+    def _go_on_from(self, t: float) -> None:
+        course = self.course
+        if course is None:
+            return
+        elapsed = course.elapsed_at(t)
+        # The trail reaches back over the seam where the dot has been round before.
+        whole = round_of(course.duration, self.settings.repeat)
+        has_been_round = self.settings.repeat is not Repeat.ONCE and self.seconds >= whole
+        self.seconds = elapsed + whole if has_been_round else elapsed

@@ -1,0 +1,162 @@
+"""A dot that runs along a curve: from time to parameter, and how fast it is there.
+
+At speed 1 the dot takes as many seconds as the domain of the curve is long: where t is in seconds, the
+motion is the real one.
+"""
+
+from __future__ import annotations
+
+import enum
+
+import msgspec
+import numpy as np
+
+from app.view_model.curve_view import CoreCurve, Floats, Integers
+from curvecore.lengths import ArcLength
+
+SPEEDS = (0.1, 0.25, 0.5, 1.0, 2.0, 4.0)
+
+ACCURACY = 1e-4
+"""Error allowed in arc lengths, against the size of the curve: below a pixel."""
+
+STATIONS = 60
+"""Equal steps of time from one end of a curve to the other; trails are dots at some of them."""
+
+
+class Repeat(enum.StrEnum):
+    """What happens at the end of the curve."""
+
+    ONCE = "once"
+    LOOP = "loop"
+    PING_PONG = "ping-pong"
+
+
+class Pace(enum.StrEnum):
+    """What grows evenly with time."""
+
+    PARAMETER = "t"
+    LENGTH = "length"
+
+
+class MotionSettings(msgspec.Struct, frozen=True):
+    """How the dot runs; neither saved with the document nor undone.
+
+    Attributes
+    ----------
+    speed
+        Seconds of the motion in a second of the clock.
+    compares
+        Whether the cubic and the quintic Hermite curve through the same points run side by side.
+    """
+
+    speed: float = 1.0
+    repeat: Repeat = Repeat.LOOP
+    pace: Pace = Pace.PARAMETER
+    compares: bool = False
+
+
+def round_of(duration: float, repeat: Repeat) -> float:
+    """Return the seconds after which everything begins again."""
+    return 2.0 * duration if repeat is Repeat.PING_PONG else duration
+
+
+def folded(seconds: Floats, duration: float, repeat: Repeat) -> Floats:
+    """Return how far along its way, in seconds from the start of the curve, the dot is at `seconds` >= 0."""
+    if repeat is Repeat.ONCE:
+        return np.minimum(seconds, duration)
+    if repeat is Repeat.LOOP:
+        return np.asarray(np.fmod(seconds, duration))
+    within = np.fmod(seconds, 2.0 * duration)
+    return np.where(within <= duration, within, 2.0 * duration - within)
+
+
+def runs_back(seconds: float, duration: float, repeat: Repeat) -> bool:
+    """Whether the dot is on its way back."""
+    return repeat is Repeat.PING_PONG and bool(np.fmod(seconds, 2.0 * duration) > duration)
+
+
+class Moments(msgspec.Struct, frozen=True, eq=False):
+    """Where the dot is at some moments, and its velocity and acceleration there, per second; (m, 2) each."""
+
+    parameters: Floats
+    points: Floats
+    velocities: Floats
+    accelerations: Floats
+
+
+class Course:
+    """The way of a dot along one curve.
+
+    Parameters
+    ----------
+    curve
+        Its domain gives the duration.
+    pace
+        By arc length the dot is equally fast everywhere; a curve without length is run through by t.
+
+    Attributes
+    ----------
+    duration
+        Seconds from one end to the other.
+    """
+
+    def __init__(self, curve: CoreCurve, pace: Pace = Pace.PARAMETER, accuracy: float = ACCURACY) -> None:
+        self.curve = curve
+        self.pace = pace
+        self._start, self._end = curve.domain
+        self.duration = self._end - self._start
+        self._lengths: ArcLength | None = None
+        self._speed = 0.0
+        self._stations = np.full((STATIONS + 1, 2), np.nan)
+        self._is_known = np.zeros(STATIONS + 1, dtype=bool)
+        if pace is Pace.LENGTH:
+            self._measure(accuracy)
+
+    def _measure(self, accuracy: float) -> None:
+        size = float(np.ptp(self.curve.points, axis=0).max())
+        lengths = ArcLength(self.curve, max(accuracy * size, 1e-300))
+        speed = lengths.total.value / self.duration
+        if 0.0 < speed < np.inf:
+            self._lengths, self._speed = lengths, speed
+
+    def parameters_at(self, elapsed: Floats) -> Floats:
+        """Return the parameters that the dot has reached after `elapsed` seconds, (m,)."""
+        if self._lengths is not None:
+            return self._lengths.parameter_at(elapsed * self._speed)
+        return np.minimum(self._start + elapsed, self._end)
+
+    def elapsed_at(self, t: float) -> float:
+        """Return the seconds after which the dot is at parameter `t`."""
+        t = min(max(t, self._start), self._end)
+        if self._lengths is not None:
+            return min(float(self._lengths.length_at(t)) / self._speed, self.duration)
+        return t - self._start
+
+    def stations(self, indices: Integers) -> Floats:
+        """Return the points (k, 2) at steps 0 … `STATIONS`; each is computed once."""
+        new = np.unique(indices[~self._is_known[indices]])
+        if len(new):
+            with np.errstate(all="ignore"):
+                t = self.parameters_at(new.astype(float) * (self.duration / STATIONS))
+                self._stations[new] = self.curve.evaluate(t)
+            self._is_known[new] = True
+        return np.asarray(self._stations[indices])
+
+    def moments_at(self, t: Floats, *, back: bool = False) -> Moments:
+        """Return what is to be known of the dot at parameters (m,); on the way back it runs against t."""
+        with np.errstate(all="ignore"):
+            points, velocities, accelerations = (self.curve.evaluate(t, order) for order in (0, 1, 2))
+            if self._lengths is not None:
+                velocities, accelerations = _at_even_speed(velocities, accelerations, self._speed)
+        return Moments(t, points, -velocities if back else velocities, accelerations)
+
+
+def _at_even_speed(velocities: Floats, accelerations: Floats, speed: float) -> tuple[Floats, Floats]:
+    """Return velocity and acceleration of a dot with this speed: all of the latter is due to the bend."""
+    # Not the squares of lengths: they would overflow at 1e154.
+    length = np.hypot(velocities[:, 0], velocities[:, 1])[:, None]
+    rests = length == 0.0
+    unit = velocities / np.where(rests, 1.0, length)
+    across = accelerations - (accelerations * unit).sum(axis=1, keepdims=True) * unit
+    factor = speed / np.where(rests, 1.0, length)
+    return unit * speed, np.where(rests, 0.0, across * factor * factor)

@@ -1,0 +1,211 @@
+"""What is drawn of a motion: dots with arrows and trails, and what is said about the jumps at the joints."""
+
+from __future__ import annotations
+
+import enum
+from functools import partial
+
+import msgspec
+import numpy as np
+from msgspec.structs import replace
+
+from app.document.model import Family, VelocityRule
+from app.view_model.curve_view import CurveView, Floats, view_of
+from app.view_model.motion import STATIONS, Course, Moments, Repeat, folded, round_of, runs_back
+from curvecore.continuity import joint_report
+
+TRAIL = 24
+"""Dots of a trail."""
+
+_SHARE = 0.25
+"""The longest arrow against the size of the curve."""
+
+_LONGEST = 3.0
+"""How far an acceleration may surpass nine tenths of all: at a cusp it would be infinite."""
+
+_SAMPLES = 121
+
+
+class Role(enum.Enum):
+    """Whose dot it is."""
+
+    OWN = enum.auto()
+    CUBIC = enum.auto()
+    QUINTIC = enum.auto()
+
+
+NAMES = {Role.OWN: "", Role.CUBIC: "cubic", Role.QUINTIC: "quintic"}
+
+RADII = {Role.OWN: 6.0, Role.CUBIC: 11.0, Role.QUINTIC: 7.5}
+"""Of the dots, in pixels: where they meet, a ring of each is seen."""
+
+FAMILIES = {Role.CUBIC: Family.HERMITE, Role.QUINTIC: Family.QUINTIC_HERMITE}
+
+
+class ArrowKind(enum.Enum):
+    """What an arrow shows, and the letter beside its tip."""
+
+    VELOCITY = "v"
+    ACCELERATION = "a"
+
+
+COLOURS: dict[Role | ArrowKind, str] = {
+    Role.CUBIC: "#e69f00",
+    Role.QUINTIC: "#009e73",
+    ArrowKind.VELOCITY: "#0072b2",
+    ArrowKind.ACCELERATION: "#cc79a7",
+}
+"""Okabe–Ito colours; each theme has its own shade of them."""
+
+
+class Arrow(msgspec.Struct, frozen=True):
+    """An arrow from a dot to a tip in the plane, and what is written there."""
+
+    kind: ArrowKind
+    tip: tuple[float, float]
+    text: str
+
+
+class Dot(msgspec.Struct, frozen=True, eq=False):
+    """A dot, where it has been, and how fast it is.
+
+    Attributes
+    ----------
+    trail
+        The places (k, 2) where it was at equal steps of time, the latest first.
+    speed, pull
+        The lengths of velocity and acceleration, per second.
+    """
+
+    role: Role
+    t: float
+    place: tuple[float, float]
+    trail: Floats
+    arrows: tuple[Arrow, ...]
+    speed: float
+    pull: float
+
+
+class Scales(msgspec.Struct, frozen=True):
+    """Lengths in the plane of a velocity of 1 and an acceleration of 1."""
+
+    velocity: float
+    acceleration: float
+
+
+def scales_of(courses: list[Course]) -> Scales:
+    """Return scales that suit all dots, so that their arrows can be compared."""
+    size = max(float(np.ptp(course.curve.points, axis=0).max()) for course in courses)
+    sampled = [
+        course.moments_at(course.parameters_at(np.linspace(0.0, course.duration, _SAMPLES)))
+        for course in courses
+    ]
+    speeds = np.concatenate([_lengths(moments.velocities) for moments in sampled])
+    pulls = np.concatenate([_lengths(moments.accelerations) for moments in sampled])
+    return Scales(_scale(speeds, size), _scale(pulls, size))
+
+
+def _scale(lengths: Floats, size: float) -> float:
+    usual = float(np.quantile(lengths, 0.9, method="lower"))
+    largest = min(float(lengths.max()), _LONGEST * usual) or float(lengths.max())
+    return _SHARE * size / largest if 0.0 < largest < np.inf else 0.0
+
+
+def dot_at(
+    course: Course,
+    seconds: float,
+    repeat: Repeat,
+    scales: Scales,
+    role: Role = Role.OWN,
+    kinds: tuple[ArrowKind, ...] = tuple(ArrowKind),
+) -> Dot:
+    """Return the dot after `seconds` of its motion; without arrows it leaves no trail either."""
+    t = course.parameters_at(folded(np.array([seconds]), course.duration, repeat))
+    now = course.moments_at(t, back=runs_back(seconds, course.duration, repeat))
+    place = (float(now.points[0, 0]), float(now.points[0, 1]))
+    trail = _trail(course, seconds, repeat) if kinds else np.empty((0, 2))
+    speed, pull = float(_lengths(now.velocities)[0]), float(_lengths(now.accelerations)[0])
+    arrow = partial(_arrow, now, place, scales)
+    return Dot(role, float(t[0]), place, trail, tuple(arrow(kind) for kind in kinds), speed, pull)
+
+
+def dots_at(courses: dict[Role, Course], seconds: float, repeat: Repeat, scales: Scales) -> list[Dot]:
+    """Return all dots after `seconds`; where two are compared, their accelerations are the arrows."""
+    compared = len(courses) > 1
+    kinds = (ArrowKind.ACCELERATION,) if compared else tuple(ArrowKind)
+    return [
+        dot_at(course, seconds, repeat, scales, role, () if compared and role is Role.OWN else kinds)
+        for role, course in courses.items()
+    ]
+
+
+def colour_of(dot: Dot, arrow: Arrow) -> str:
+    """Return the colour of an arrow: what it shows, or where two are compared, whose it is."""
+    return COLOURS.get(dot.role, COLOURS[arrow.kind])
+
+
+def _trail(course: Course, seconds: float, repeat: Repeat) -> Floats:
+    """Return the last places at multiples of one step: the dots of a trail stay where they are."""
+    whole = round_of(STATIONS, repeat)
+    # Counted within two rounds: a motion that goes on for days has no better memory.
+    steps = seconds * STATIONS / course.duration
+    if repeat is Repeat.ONCE or steps < whole:
+        last = int(np.ceil(min(steps, whole))) - 1
+    else:
+        last = int(np.ceil(np.fmod(steps, whole)) + whole) - 1
+    indices = last - np.arange(TRAIL)
+    folds = folded(indices[indices >= 0].astype(float), STATIONS, repeat)
+    return course.stations(folds.astype(np.intp))
+
+
+def _arrow(now: Moments, place: tuple[float, float], scales: Scales, kind: ArrowKind) -> Arrow:
+    is_velocity = kind is ArrowKind.VELOCITY
+    x, y = (now.velocities if is_velocity else now.accelerations)[0].tolist()
+    scale = scales.velocity if is_velocity else scales.acceleration
+    length = float(np.hypot(x, y))
+    return Arrow(kind, (place[0] + scale * x, place[1] + scale * y), f"|{kind.value}| {short(length)}")
+
+
+def short(value: float) -> str:
+    """Return a number in three digits, as it stands beside an arrow."""
+    return f"{value:#.3g}".rstrip(".").replace("e+", "e")
+
+
+def _lengths(vectors: Floats) -> Floats:
+    return np.asarray(np.hypot(vectors[:, 0], vectors[:, 1]))
+
+
+def rivals_of(view: CurveView) -> dict[Role, CurveView]:
+    """Return the cubic and the quintic Hermite curve through the points of `view`, where both exist."""
+    views = {
+        role: view if view.source.family is family else view_of(replace(view.source, family=family))
+        for role, family in FAMILIES.items()
+    }
+    return views if all(each.is_current for each in views.values()) else {}
+
+
+def jumps_in_words(views: dict[Role, CurveView]) -> str:
+    """Return what the accelerations of cubic and quintic do at the joints, as measured."""
+    return "  ".join(_jump_in_words(NAMES[role].capitalize(), view) for role, view in views.items())
+
+
+def _is_estimated(view: CurveView) -> bool:
+    rule = view.source.velocity_rule
+    return rule is VelocityRule.NATURAL_SPLINE and not any(node.velocity for node in view.source.nodes)
+
+
+def _jump_in_words(name: str, view: CurveView) -> str:
+    assert view.curve is not None
+    joints = joint_report(view.curve, closed=view.source.is_closed)
+    if not joints:
+        return f"{name}: no joints."
+    jumping = [joint for joint in joints if joint.parametric < 2]
+    if not jumping:
+        is_spline = view.source.family is Family.HERMITE and _is_estimated(view)
+        why = " (its velocities are those of the natural spline; other rules jump)" if is_spline else ""
+        return f"{name}: no jump of acceleration{why}."
+    sizes = [float(np.hypot(*joint.acceleration_jump)) for joint in jumping]
+    worst = int(np.argmax(sizes))
+    where = f"at {len(jumping)} of {len(joints)} joints, most" if len(joints) > 1 else "at its joint,"
+    node = view.owner(jumping[worst].joint)
+    return f"{name}: acceleration jumps {where} at point {node} by {short(sizes[worst])}."

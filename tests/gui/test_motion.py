@@ -1,0 +1,420 @@
+"""A dot that runs along the curve, driven by keys, buttons and a clock of our own."""
+
+from __future__ import annotations
+
+import time
+
+import numpy as np
+import pytest
+from PIL import Image
+from PySide6.QtCore import QEvent, Qt, QTimer
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import (
+    QComboBox,
+    QDialog,
+    QDoubleSpinBox,
+    QLabel,
+    QProgressBar,
+    QPushButton,
+    QSpinBox,
+    QToolButton,
+)
+
+from app.document import edits
+from app.document.model import Family, ParametrizationKind, VelocityRule
+from app.panels.motion_bar import MotionBar
+from app.player import Player
+from app.view_model.motion_picture import Role
+
+LEFT = Qt.MouseButton.LeftButton
+
+
+class Clock:
+    """Seconds that pass when a test says so."""
+
+    def __init__(self):
+        self.now = 100.0
+
+    def __call__(self):
+        return self.now
+
+
+class Motion:
+    """The motion of a window, with its clock in our hands."""
+
+    def __init__(self, editor):
+        self.editor, self.clock = editor, Clock()
+        # Pressing stop, which does nothing yet, makes the player.
+        editor.action("motionLoop").trigger()
+        self.player = editor.window.findChild(Player)
+        self.player.clock = self.clock
+        self.bar = editor.window.findChild(MotionBar)
+
+    def wait(self, seconds):
+        """Let the clock go on, and the next frame come."""
+        self.clock.now += seconds
+        self.player.tick()
+        self.editor.settle()
+
+    def part(self, kind, name):
+        found = self.bar.findChild(kind, name)
+        assert found is not None
+        return found
+
+    @property
+    def t(self):
+        return self.editor.session.scrub
+
+    @property
+    def dots(self):
+        return self.editor.window.canvas.dots
+
+
+@pytest.fixture
+def motion(editor):
+    return Motion(editor)
+
+
+def span(editor, start, end):
+    """Give the parameters an interval of their own."""
+    session = editor.session
+    session.commit(edits.set_interval(session.document, 0, start, end), "Set the interval")
+
+
+def test_k_plays_and_pauses(editor, motion):
+    assert motion.bar.isHidden()
+    editor.key(Qt.Key.Key_K)
+    assert editor.action("playMotion").isChecked()
+    assert motion.bar.isVisible()
+    assert motion.t == 0.0
+    motion.wait(0.25)
+    assert motion.t == pytest.approx(0.25)
+    editor.key(Qt.Key.Key_K)
+    assert not motion.player.is_playing
+    assert motion.bar.isVisible()
+    assert motion.t == pytest.approx(0.25)
+    editor.key(Qt.Key.Key_K)
+    motion.wait(0.5)
+    assert motion.t == pytest.approx(0.75)
+
+
+def test_the_real_clock_moves_the_dot(editor, qtbot):
+    editor.trigger("playMotion")
+    player = editor.window.findChild(Player)
+    began = time.perf_counter()
+    qtbot.waitUntil(lambda: editor.session.scrub > 0.05)
+    # Frames may be dropped; the dot is never ahead of the clock.
+    assert player.seconds <= time.perf_counter() - began + 0.1
+
+
+def test_the_domain_is_in_seconds(editor, motion):
+    span(editor, 0.0, 2.5)
+    editor.trigger("playMotion")
+    motion.wait(2.0)
+    assert motion.t == pytest.approx(2.0)
+    motion.wait(1.0)
+    assert motion.t == pytest.approx(0.5)
+
+
+def test_canvas_and_basis_panel_show_the_same_dot(editor, motion):
+    editor.trigger("playMotion")
+    motion.wait(0.3)
+    (dot,) = motion.dots
+    assert dot.t == pytest.approx(0.3)
+    assert editor.window.canvas.scrub_point == pytest.approx(dot.place)
+    assert [arrow.text[:3] for arrow in dot.arrows] == ["|v|", "|a|"]
+    curve = editor.session.active_view.curve
+    assert dot.speed == pytest.approx(np.linalg.norm(curve.evaluate(0.3, 1)))
+    assert dot.pull == pytest.approx(np.linalg.norm(curve.evaluate(0.3, 2)))
+    assert len(dot.trail) == 18
+    assert motion.bar.readout.startswith("t 0.300   |v| ")
+
+
+def test_a_frame_that_is_late_drops_others(editor, motion):
+    editor.trigger("playMotion")
+    motion.wait(0.016)
+    motion.wait(0.4)
+    assert motion.t == pytest.approx(0.416)
+
+
+def test_speed_by_keys_and_by_box(editor, motion):
+    editor.trigger("playMotion")
+    editor.key(Qt.Key.Key_J)
+    motion.wait(0.2)
+    assert motion.t == pytest.approx(0.1)
+    editor.key(Qt.Key.Key_L)
+    editor.key(Qt.Key.Key_L)
+    motion.wait(0.2)
+    assert motion.t == pytest.approx(0.5)
+    box = motion.part(QComboBox, "motionSpeed")
+    assert box.currentText() == "2×"
+    QTest.keyClick(box, Qt.Key.Key_Home)
+    motion.wait(1.0)
+    assert motion.t == pytest.approx(0.6)
+    editor.key(Qt.Key.Key_J)
+    assert motion.player.settings.speed == 0.1
+
+
+def test_once_rests_at_the_end_and_begins_again(editor, motion):
+    editor.trigger("motionOnce")
+    editor.trigger("playMotion")
+    motion.wait(7.0)
+    assert motion.t == 1.0
+    assert not motion.player.is_playing
+    assert not editor.action("playMotion").isChecked()
+    editor.trigger("playMotion")
+    assert motion.t == 0.0
+
+
+def test_ping_pong_comes_back(editor, motion):
+    box = motion.part(QComboBox, "motionRepeat")
+    editor.trigger("playMotion")
+    QTest.keyClick(box, Qt.Key.Key_End)
+    assert editor.action("motionPingPong").isChecked()
+    motion.wait(1.25)
+    assert motion.t == pytest.approx(0.75)
+    motion.wait(0.5)
+    assert motion.t == pytest.approx(0.25)
+
+
+def test_by_arc_length_the_dot_is_equally_fast(editor, motion):
+    editor.choose_parametrization(ParametrizationKind.UNIFORM)
+    editor.trigger("playMotion")
+    editor.trigger("motionByLength")
+    assert motion.part(QComboBox, "motionPace").currentText() == "By Arc Length"
+    speeds = []
+    for _ in range(6):
+        motion.wait(0.15)
+        speeds.append(motion.dots[0].speed)
+    assert np.ptp(speeds) <= 1e-9 * speeds[0]
+
+
+def test_escape_stops_and_brings_the_scrub_line_back(editor, motion):
+    editor.scrub(0.4)
+    before = editor.session.scrub
+    editor.trigger("playMotion")
+    motion.wait(0.2)
+    assert motion.t == pytest.approx(before + 0.2)
+    editor.escape()
+    assert motion.t == before
+    assert motion.bar.isHidden()
+    assert motion.dots == ()
+    assert not editor.action("stopMotion").isEnabled()
+    editor.escape()
+    assert motion.t is None
+
+
+def test_escape_first_drops_the_drag(editor, motion):
+    editor.trigger("playMotion")
+    x, y = editor.point(1)
+    editor.press((x, y))
+    editor.move((x + 0.5, y))
+    editor.escape()
+    assert editor.point(1) == (x, y)
+    assert motion.player.is_playing
+    editor.release((x, y))
+    editor.escape()
+    assert not motion.player.is_open
+
+
+def test_points_can_be_dragged_while_it_plays(editor, motion):
+    editor.choose_family(Family.HERMITE)
+    editor.trigger("playMotion")
+    motion.wait(0.3)
+    x, y = editor.point(2)
+    editor.press((x, y))
+    for step in range(1, 6):
+        editor.move((x + 0.1 * step, y + 0.1 * step))
+        motion.wait(0.02)
+        (dot,) = motion.dots
+        curve = editor.session.active_view.curve
+        assert dot.place == pytest.approx(curve.evaluate(dot.t))
+    editor.release((x + 0.5, y + 0.5))
+    assert editor.point(2) == pytest.approx((x + 0.5, y + 0.5), abs=editor.pixel)
+    assert editor.session.undo_stack.undoText().startswith("Move")
+    assert motion.t == pytest.approx(0.4)
+    editor.trigger("undo")
+    assert editor.point(2) == (x, y)
+    assert motion.player.is_playing
+
+
+def test_a_shorter_domain_does_not_stop_it(editor, motion):
+    span(editor, 0.0, 4.0)
+    editor.trigger("playMotion")
+    motion.wait(3.0)
+    span(editor, 0.0, 1.0)
+    motion.wait(0.25)
+    assert motion.player.is_playing
+    assert motion.t == pytest.approx(0.25)
+
+
+def test_dragging_the_scrub_line_holds_the_dot_there(editor, motion):
+    editor.trigger("playMotion")
+    motion.wait(0.2)
+    editor.scrub(0.7)
+    assert not motion.player.is_playing
+    assert motion.dots[0].t == pytest.approx(0.7, abs=0.01)
+    at = motion.t
+    editor.trigger("playMotion")
+    motion.wait(0.1)
+    assert motion.t == pytest.approx(at + 0.1)
+
+
+def test_putting_the_scrub_line_away_ends_it(editor, motion):
+    editor.trigger("playMotion")
+    editor.trigger("toggleScrub")
+    assert motion.t is None
+    assert motion.bar.isHidden()
+
+
+def test_without_a_curve_the_dot_is_away_and_the_bar_says_why(editor, motion):
+    editor.trigger("playMotion")
+    motion.wait(0.2)
+    editor.session.select(range(len(editor.curve.nodes)))
+    editor.trigger("deleteSelection")
+    motion.wait(0.2)
+    assert motion.dots == ()
+    assert motion.bar.readout == "A curve needs at least two points."
+    editor.trigger("undo")
+    motion.wait(0.1)
+    assert motion.dots[0].t == pytest.approx(0.3)
+    editor.new()
+    assert motion.bar.isHidden()
+    assert not editor.action("playMotion").isEnabled()
+
+
+def test_cubic_beside_quintic(editor, motion):
+    session = editor.session
+    editor.choose_family(Family.HERMITE)
+    session.commit(edits.set_velocity_rule(session.document, 0, VelocityRule.CATMULL_ROM), "Rule")
+    editor.trigger("motionCompare")
+    assert motion.player.is_playing
+    motion.wait(0.3)
+    own, cubic, quintic = motion.dots
+    assert (own.role, cubic.role, quintic.role) == (Role.OWN, Role.CUBIC, Role.QUINTIC)
+    assert own.place == cubic.place != quintic.place
+    assert "Cubic: acceleration jumps at 6 of 6 joints" in motion.bar.words
+    assert "Quintic: no jump of acceleration." in motion.bar.words
+    assert editor.session.document.curves[0].family is Family.HERMITE
+    editor.trigger("motionCompare")
+    motion.wait(0.1)
+    assert len(motion.dots) == 1
+    assert motion.bar.words == ""
+
+
+def test_another_theme_keeps_the_icon_of_pause(editor, motion):
+    button = motion.part(QToolButton, "playPauseButton")
+    editor.trigger("playMotion")
+    pause = button.icon().cacheKey()
+    editor.trigger("themeDark")
+    editor.settle()
+    assert button.accessibleName() == "Pause"
+    assert button.icon().cacheKey() != pause
+    editor.trigger("themeLight")
+    editor.settle()
+    assert button.icon().cacheKey() == pause
+    QTest.mouseClick(button, LEFT)
+    assert not motion.player.is_playing
+
+
+@pytest.mark.parametrize("size", [(1024, 700), (1400, 900)])
+def test_nothing_is_cut_off(editor, motion, size):
+    editor.window.resize(*size)
+    editor.trigger("playMotion")
+    motion.wait(0.1)
+    bar = motion.bar
+    assert all(
+        bar.rect().contains(child.geometry())
+        for child in bar.findChildren(QToolButton) + bar.findChildren(QComboBox)
+        if child.isVisible() and child.parent() is bar
+    )
+    play = editor.window.toolbar.widgetForAction(editor.action("playMotion"))
+    assert play.isVisible()
+
+
+# Export
+
+
+def export(editor, motion, path, **fields):
+    """Fill the dialog in by keys, and answer the question for a file."""
+    editor.trigger("exportMotion")
+    dialog = editor.window.findChild(QDialog, "motionDialog")
+    kinds = {"filmWidth": QSpinBox, "filmFps": QSpinBox, "filmSeconds": QDoubleSpinBox}
+    for name, value in fields.items():
+        box = dialog.findChild(kinds[name], name)
+        box.selectAll()
+        QTest.keyClicks(box, str(value))
+    stage = editor.window._commands.motion.stage
+    stage.export.ask_name = lambda _window, _start, _kinds: str(path)
+    QTest.mouseClick(dialog.findChild(QPushButton, "filmExport"), LEFT)
+    return stage.export
+
+
+def test_a_motion_is_exported(editor, motion, qtbot, tmp_path):
+    path = tmp_path / "film.gif"
+    job = export(editor, motion, path, filmWidth=160, filmFps=10, filmSeconds=2)
+    assert motion.part(QProgressBar, "motionProgress").isVisible()
+    qtbot.waitUntil(lambda: not job.is_running)
+    with Image.open(path) as film:
+        assert (film.n_frames, film.width, film.info["duration"]) == (20, 160, 100)
+    assert "Wrote film.gif, 20 frames." in editor.status
+    assert motion.bar.isHidden()
+
+
+def test_the_window_goes_on_while_a_film_is_written(editor, motion, qtbot, tmp_path):
+    gaps, last = [], [time.perf_counter()]
+
+    def beat():
+        gaps.append(time.perf_counter() - last[0])
+        last[0] += gaps[-1]
+
+    timer = QTimer(editor.window, interval=5)
+    timer.timeout.connect(beat)
+    job = export(editor, motion, tmp_path / "film.apng", filmWidth=320, filmSeconds=2)
+    last[0] = time.perf_counter()
+    timer.start()
+    qtbot.waitUntil(lambda: not job.is_running, timeout=20_000)
+    timer.stop()
+    assert len(gaps) > 10
+    assert np.median(gaps) < 0.05
+
+
+def test_a_cancelled_export_leaves_no_file(editor, motion, qtbot, tmp_path):
+    job = export(editor, motion, tmp_path / "film.gif", filmWidth=1000, filmSeconds=8)
+    QTest.mouseClick(motion.part(QToolButton, "cancelMotionExport"), LEFT)
+    qtbot.waitUntil(lambda: not job.is_running)
+    assert list(tmp_path.iterdir()) == []
+    assert editor.status == "Cancelled; no file was written."
+
+
+def test_a_failed_export_says_why(editor, motion, qtbot, tmp_path):
+    job = export(editor, motion, tmp_path / "no" / "film.gif", filmWidth=64, filmSeconds=1)
+    qtbot.waitUntil(lambda: not job.is_running)
+    assert editor.message.startswith("film.gif was not written. The folder of")
+
+
+def test_closing_the_window_ends_the_export(editor, motion, tmp_path):
+    job = export(editor, motion, tmp_path / "film.gif", filmWidth=1000, filmSeconds=8)
+    editor.session.undo_stack.setClean()
+    editor.window.close()
+    assert list(tmp_path.iterdir()) == []
+    assert job._pool.activeThreadCount() == 0
+
+
+def test_the_dialog_counts_frames_and_knows_its_limits(editor, motion):
+    editor.trigger("exportMotion")
+    dialog = editor.window.findChild(QDialog, "motionDialog")
+    count = dialog.findChild(QLabel, "filmFrames")
+    assert count.text() == "25 frames"
+    seconds = dialog.findChild(QDoubleSpinBox, "filmSeconds")
+    seconds.selectAll()
+    QTest.keyClicks(seconds, "100")
+    assert count.text() == "2500 frames; at most 1200 are possible"
+    assert not dialog.findChild(QPushButton, "filmExport").isEnabled()
+
+
+def test_nothing_is_made_before_it_is_used(editor):
+    assert editor.window.findChild(Player) is None
+    assert editor.window.findChild(MotionBar) is None
+    editor.send(editor.window.canvas, QEvent.Type.MouseMove, editor.window.canvas.to_pixel(0, 0), held=False)
+    assert editor.window.canvas.dots == ()
