@@ -30,7 +30,10 @@ class CurveCommands:
         self._session = parts.session
         self._actions = parts.actions
         # The step is known to the history only after the document has been shown.
-        self._session.history_changed.connect(lambda: self.render(self._session.active_view))
+        self._session.history_changed.connect(self._render_again)
+
+    def _render_again(self) -> None:
+        self.render(self._session.active_view)
 
     def handlers(self) -> Handlers:
         """Return what each action does."""

@@ -60,7 +60,7 @@ class LaboratoryCommands(QObject):
         self._is_seen = False
         self._dock.visibilityChanged.connect(self._look)
         self._analysis.changed.connect(lambda: self.follow(self._session.active_view))
-        self._session.scrub_changed.connect(lambda _t: self._ask_digits())
+        self._session.scrub_changed.connect(self._ask_digits)
         self._settler.ready.connect(self._take)
         self._settler.busy_changed.connect(lambda _busy: self._show())
         self._digits_settler.ready.connect(self._take_digits)

@@ -40,7 +40,10 @@ class WiggleCommands(QObject):
         # Behind another tab a dock is visible to Qt, but not in the sense of this signal.
         self._is_seen = False
         self._dock.visibilityChanged.connect(self._look)
-        self._session.scrub_changed.connect(lambda _t: self.follow(self._session.active_view))
+        self._session.scrub_changed.connect(self._follow_scrub)
+
+    def _follow_scrub(self) -> None:
+        self.follow(self._session.active_view)
 
     def handlers(self) -> Handlers:
         """Return what each action does."""

@@ -112,6 +112,8 @@ class PlotWidget(pg.PlotWidget):  # type: ignore[misc]  # pyqtgraph has no types
 
     def _set_up_plot(self) -> None:
         self.setMenuEnabled(False)
+        # pyqtgraph builds this menu even so, without a parent; left alone it would keep the whole window.
+        self.destroyed.connect(self.plotItem.ctrlMenu.deleteLater)
         self.hideButtons()
         box = self.getViewBox()
         box.setMouseEnabled(x=False, y=False)

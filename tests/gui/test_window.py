@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+import gc
+import weakref
+
 import numpy as np
 import pytest
-from PySide6.QtCore import QMimeData, QPoint, QPointF, Qt, QTimer, QUrl
+from PySide6.QtCore import QCoreApplication, QEvent, QMimeData, QPoint, QPointF, Qt, QTimer, QUrl
 from PySide6.QtGui import QAction, QDragEnterEvent, QDropEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import (
@@ -556,3 +559,20 @@ def test_the_toolbar_keeps_its_words_while_there_is_room(qtbot, width, words):
 def test_the_numbers_of_the_table_stay_off_its_edge(editor):
     table = editor.window.point_table
     assert table.horizontalHeader().length() == table.viewport().width() - 8
+
+
+def test_a_closed_window_leaves_nothing_behind(qapp, tmp_path):
+    """pyqtgraph's menus and three lambdas on the session's signals used to keep every window alive."""
+    gc.collect()
+    before = len(qapp.allWidgets())
+    window = MainWindow(Session(), Preferences(tmp_path / "settings.ini"))
+    window.show()
+    left = [weakref.ref(part) for part in (window, window.session, window.canvas, window.basis_panel)]
+    window.close()
+    window.deleteLater()
+    del window
+    QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
+    gc.collect()
+    QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
+    assert [part() for part in left] == [None] * 4
+    assert len(qapp.allWidgets()) <= before
