@@ -6,7 +6,7 @@ The layers, top to bottom; a module imports only from its own layer and those ab
 - ``view_model``: a document's curve turned into arrays to draw. No Qt; calls ``curvecore``.
 - ``gestures``: press, move and release turned into edits. No Qt.
 - ``exchange``: files in and out. Qt only in ``image``.
-- ``resources``, ``examples``: what comes with the program.
+- ``resources``, ``examples``, ``lessons``: what comes with the program.
 - ``session``: the one mutable owner of the current document, its history and the selection.
 - ``analysis``, ``settle``: what is shown over the curve; what is computed beside the window.
 - ``theme``, ``colours``, ``icons``, ``preferences``: how it looks; what is remembered between starts.

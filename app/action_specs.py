@@ -560,6 +560,15 @@ SPECS = (
     ),
     ActionSpec("themeLight", "Theme: Light", "View", "", "", "Light colours", "theme"),
     ActionSpec("themeDark", "Theme: Dark", "View", "", "", "Dark colours", "theme"),
+    ActionSpec(
+        "toggleLessons",
+        "Lessons",
+        "Help",
+        "F2",
+        "lessons",
+        "Learn why a curve goes where it goes, in ten lessons",
+        checkable=True,
+    ),
     ActionSpec("showShortcuts", "Keys and Mouse", "Help", "F1", "help", "Show what keys and mouse do"),
     ActionSpec("about", "About Curvebench", "Help", "", "", "Version and licence"),
 )

@@ -50,6 +50,9 @@ _PANELS_MS = 100
 """How far the panels may lag behind a drag, in milliseconds; the canvas and the functions never do."""
 
 
+_RIGHT = Qt.DockWidgetArea.RightDockWidgetArea
+
+
 class MainWindow(QMainWindow):
     """One document in one window.
 
@@ -126,6 +129,10 @@ class MainWindow(QMainWindow):
             self.tabifyDockWidget(curve, lower)
         for front in (points, curve):
             front.raise_()
+        self.lessons_dock = self._add_late_dock(
+            "lessonsDock", "Lessons", self._build_lessons, Qt.DockWidgetArea.LeftDockWidgetArea
+        )
+        self.lessons_dock.hide()
         self.docks = (points, curves, history, curve, analysis, self.image_dock)
         self.resizeDocks([points], [360], Qt.Orientation.Horizontal)
         self.resizeDocks([points, curve], [480, 300], Qt.Orientation.Vertical)
@@ -135,19 +142,24 @@ class MainWindow(QMainWindow):
 
         return AnalysisPanel(self.analysis, self.actions_by_name.__getitem__)
 
+    def _build_lessons(self) -> QWidget:
+        return self._commands.lessons.build()
+
     def _add_dock(self, name: str, title: str, content: QWidget) -> QDockWidget:
         dock = QDockWidget(title, self)
         dock.setWidget(content)
-        return self._place_dock(dock, name)
+        return self._place_dock(dock, name, _RIGHT)
 
-    def _add_late_dock(self, name: str, title: str, build: Callable[[], QWidget]) -> QDockWidget:
+    def _add_late_dock(
+        self, name: str, title: str, build: Callable[[], QWidget], area: Qt.DockWidgetArea = _RIGHT
+    ) -> QDockWidget:
         """Add a dock whose content is built when it is first shown: nobody waits for it at the start."""
-        return self._place_dock(LateDock(title, build, self), name)
+        return self._place_dock(LateDock(title, build, self), name, area)
 
-    def _place_dock(self, dock: QDockWidget, name: str) -> QDockWidget:
+    def _place_dock(self, dock: QDockWidget, name: str, area: Qt.DockWidgetArea) -> QDockWidget:
         dock.setObjectName(name)
         dock.setAllowedAreas(Qt.DockWidgetArea.LeftDockWidgetArea | Qt.DockWidgetArea.RightDockWidgetArea)
-        self.addDockWidget(Qt.DockWidgetArea.RightDockWidgetArea, dock)
+        self.addDockWidget(area, dock)
         return dock
 
     def _build_bars(self) -> None:
@@ -201,6 +213,7 @@ class MainWindow(QMainWindow):
             set_theme_mode=self.set_theme_mode,
             image_panel=self.image_panel,
             image_dock=self.image_dock,
+            lessons_dock=self.lessons_dock,
         )
 
     # Connecting
@@ -333,6 +346,10 @@ class MainWindow(QMainWindow):
     def open_file(self, path: Path) -> None:
         """Open a document, or say why not."""
         self._files.open(path)
+
+    def open_lesson(self, name: str) -> None:
+        """Begin a lesson."""
+        self._commands.lessons.open(name)
 
     def export_file(self, path: Path) -> None:
         """Write a picture, or say why not."""

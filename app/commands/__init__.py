@@ -10,6 +10,7 @@
 - ``image_commands``: the picture to trace.
 - ``tool_commands``: command palette, preferences, shortcuts.
 - ``help_commands``: keys and mouse, about.
+- ``lesson_commands``: lessons, their documents and goals.
 - ``messages``: the line on the canvas.
 - ``connect``: connects the actions of a window to all of them.
 """

@@ -8,6 +8,7 @@ from app.commands.curve_commands import CurveCommands
 from app.commands.edit_commands import EditCommands
 from app.commands.help_commands import HelpCommands
 from app.commands.image_commands import ImageCommands
+from app.commands.lesson_commands import LessonCommands
 from app.commands.messages import Messages
 from app.commands.overlay_commands import OverlayCommands
 from app.commands.parts import CommandSet, Handlers, LiveSet, Parts
@@ -30,6 +31,7 @@ class Commands:
         self.snap = SnapCommands(parts)
         self.images = ImageCommands(parts, self.messages)
         curves = CurveCommands(parts)
+        self.lessons = LessonCommands(parts)
         self._live: tuple[LiveSet, ...] = (OverlayCommands(parts),)
         self._sets: tuple[CommandSet, ...] = (
             *self._live,
@@ -41,6 +43,7 @@ class Commands:
             self.snap,
             self.view,
             HelpCommands(parts),
+            self.lessons,
             RailCommands(parts),
             self.images,
             ToolCommands(parts, self.snap.apply_preferences),

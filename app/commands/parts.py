@@ -50,6 +50,7 @@ class Parts:
     set_theme_mode: Callable[[ThemeMode], None]
     image_panel: ImagePanel
     image_dock: QDockWidget
+    lessons_dock: QDockWidget
 
     def change(self, text: str, edit: Callable[[], Document], *, active: int | None = None) -> bool:
         """Commit what `edit` makes as the step `text`, or say why it cannot be done.
