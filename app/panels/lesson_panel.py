@@ -117,7 +117,7 @@ class LessonPanel(QWidget):
         if link.scheme() == "action":
             self.action_wanted.emit(link.path())
 
-    def sizeHint(self) -> QSize:  # noqa: N802
+    def sizeHint(self) -> QSize:
         """Return the size in which no title is cut off; called by Qt."""
         return QSize(280, 560)
 

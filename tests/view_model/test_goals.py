@@ -30,7 +30,7 @@ def test_the_lebesgue_constant_of_four_uniform_parameters():
     assert value(standing.text) == pytest.approx(1.631, abs=5e-4)
 
 
-def test_a_parabola_leaves_its_box_by_a_quarter_of_nothing():
+def test_a_parabola_leaves_its_box_by_an_eighth():
     """Through (0,0), (1,0), (1,1) under t = 0, 1/2, 1 the x-component is 3t - 2t², at most 9/8."""
     rule = Parametrization(ParametrizationKind.UNIFORM)
     curve = Curve("p", Family.LAGRANGE, rule, tuple(Node(*place) for place in SQUARE[:3]))
