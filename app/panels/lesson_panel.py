@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import TypeVar
 
-from PySide6.QtCore import QSize, Qt, QUrl, Signal
+from PySide6.QtCore import Qt, QUrl, Signal
 from PySide6.QtGui import QIcon
 from PySide6.QtWidgets import (
     QCommandLinkButton,
@@ -24,6 +24,8 @@ from app.lessons import Lesson
 from app.view_model.goals import Standing
 
 _MARGIN = 10
+_LEAST_WIDTH = 240
+"""No title of the gallery is cut off."""
 Label = TypeVar("Label", bound=QWidget)
 
 
@@ -47,6 +49,7 @@ class LessonPanel(QWidget):
     def __init__(self, lessons: Sequence[Lesson], parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setObjectName("lessonPanel")
+        self.setMinimumWidth(_LEAST_WIDTH)
         self._step = 0
         self.gallery = self._make_gallery(lessons)
         self.text = self._make_text()
@@ -116,10 +119,6 @@ class LessonPanel(QWidget):
     def _follow(self, link: QUrl) -> None:
         if link.scheme() == "action":
             self.action_wanted.emit(link.path())
-
-    def sizeHint(self) -> QSize:
-        """Return the size in which no title is cut off; called by Qt."""
-        return QSize(280, 560)
 
     # Rendering
 
