@@ -802,6 +802,16 @@ SPECS = (
         submenu="Plots",
     ),
     ActionSpec(
+        "plotErrors",
+        "Errors of the Methods",
+        "Analysis",
+        "",
+        "plot-errors",
+        "Plot the error of each method of the laboratory over t",
+        checkable=True,
+        submenu="Plots",
+    ),
+    ActionSpec(
         "plotHodograph",
         "Hodograph…",
         "Analysis",
@@ -1008,6 +1018,15 @@ SPECS = (
     ),
     ActionSpec("themeLight", "Theme: Light", "View", "", "", "Light colours", "theme"),
     ActionSpec("themeDark", "Theme: Dark", "View", "", "", "Dark colours", "theme"),
+    ActionSpec(
+        "toggleLessons",
+        "Lessons",
+        "Help",
+        "F2",
+        "lessons",
+        "Learn why a curve goes where it goes, in ten lessons",
+        checkable=True,
+    ),
     ActionSpec("showShortcuts", "Keys and Mouse", "Help", "F1", "help", "Show what keys and mouse do"),
     ActionSpec("about", "About Curvebench", "Help", "", "", "Version and licence"),
 )

@@ -40,6 +40,9 @@ class Actions:
     def __getitem__(self, name: str) -> QAction:
         return self._actions[name]
 
+    def __contains__(self, name: str) -> bool:
+        return name in self._actions
+
     def of_menu(self, menu: str) -> Iterator[tuple[ActionSpec, QAction]]:
         """Yield the actions that stand in `menu`."""
         for spec in SPECS:

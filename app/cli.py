@@ -45,7 +45,7 @@ _INTERRUPTED = 130
 FILMS = (".gif", ".apng", ".mp4")
 """Endings that mean a motion; the module that writes it is imported when there is one to write."""
 
-_COMMANDS = ("render", "convert", "info")
+_COMMANDS = ("render", "convert", "info", "lesson")
 
 _DESCRIPTION = """\
 Sketch parametric polynomial curves and see why they go where they go.
@@ -54,8 +54,9 @@ Sketch parametric polynomial curves and see why they go where they go.
   curvebench render FILE -o OUT    write a picture of FILE, without a display
   curvebench convert IN OUT        read and write tables, drawings, code and formulas
   curvebench info FILE             print facts about the curves in FILE
+  curvebench lesson [NAME]         open the editor with a lesson, or list the lessons
 """
-_EPILOG = "A file that is called “render”, “convert” or “info” opens as ./render, ./convert or ./info."
+_EPILOG = "A file that is called “render”, “convert”, “info” or “lesson” opens as ./render and so on."
 
 
 class _RefusalError(Exception):
@@ -106,7 +107,7 @@ def _run(words: list[str]) -> int:
 def _editor_parser() -> argparse.ArgumentParser:
     parser = argparse.ArgumentParser(
         "curvebench",
-        usage="curvebench [FILE ...]  |  curvebench render …  |  curvebench convert …  |  curvebench info …",
+        usage="curvebench [FILE ...]  |  curvebench render | convert | info | lesson …",
         description=_DESCRIPTION,
         epilog=_EPILOG,
         formatter_class=argparse.RawDescriptionHelpFormatter,
@@ -144,6 +145,10 @@ def _command_parser() -> argparse.ArgumentParser:
     )
     info.add_argument("file", metavar="FILE")
     info.add_argument("--json", action="store_true", help="as JSON")
+    lesson = commands.add_parser(
+        "lesson", help="open a lesson", description="Open the editor with a lesson, or list the lessons."
+    )
+    lesson.add_argument("name", metavar="NAME", nargs="?", help="a lesson's name or number")
     return parser
 
 
@@ -221,7 +226,7 @@ def _load(path: str) -> Document:
         raise _RefusalError(f"“{path}” cannot be read: {problem}") from None
 
 
-def _edit(files: Sequence[str]) -> int:
+def _edit(files: Sequence[str], lesson: str = "") -> int:
     """Open a window for every file, or one with the first sketch; return when the last is closed."""
     for path in files:
         _load(path)  # Says what is wrong before any window opens.
@@ -238,6 +243,8 @@ def _edit(files: Sequence[str]) -> int:
         application = QApplication.instance() or QApplication([sys.argv[0]])
         assert isinstance(application, QApplication)
         windows = open_windows(files)
+        if lesson:
+            windows[0].open_lesson(lesson)
     from app.lifecycle import Lifecycle  # noqa: PLC0415
 
     lifecycle = Lifecycle(application, windows)
@@ -322,7 +329,20 @@ def _info(options: argparse.Namespace) -> int:
     return 0
 
 
-_COMMAND_OF = {"render": _render, "convert": _convert, "info": _info}
+def _lesson(options: argparse.Namespace) -> int:
+    from app.lessons import LessonError, find_lesson, lesson_names, load_lesson  # noqa: PLC0415
+
+    if options.name is None:
+        for number, name in enumerate(lesson_names(), start=1):
+            print(f"{number:2}  {name.partition('_')[2]:28}{load_lesson(name).title}")
+        return 0
+    try:
+        return _edit((), find_lesson(options.name))
+    except LessonError as problem:
+        raise _RefusalError(str(problem)) from None
+
+
+_COMMAND_OF = {"render": _render, "convert": _convert, "info": _info, "lesson": _lesson}
 
 
 def _as_json(facts: CurveFacts) -> dict[str, Any]:

@@ -57,21 +57,22 @@ class FileCommands:
         """Open the document at `path`, after asking about unsaved changes."""
         self._open(path, self._session.open, remember=True)
 
-    def open_example(self, path: Path) -> None:
-        """Open a copy of an example; saving it asks for a name."""
-        self._open(path, self._session.open_copy, remember=False)
+    def open_example(self, path: Path) -> bool:
+        """Open a copy of an example; saving it asks for a name. Return whether it is open now."""
+        return self._open(path, self._session.open_copy, remember=False)
 
-    def _open(self, path: Path, opener: Callable[[Path], None], *, remember: bool) -> None:
+    def _open(self, path: Path, opener: Callable[[Path], None], *, remember: bool) -> bool:
         try:
             load(path)  # nobody is asked to part with a drawing for a file that cannot be opened
             if not self.may_discard():
-                return
+                return False
             opener(path)
         except (FormatError, StorageError) as problem:
             self._warn(_sentence(f"{path.name} was not opened", problem))
-            return
+            return False
         if remember:
             self._remember(path)
+        return True
 
     def save(self) -> bool:
         """Save to the document's file, or ask for one; return whether it was saved."""

@@ -57,6 +57,9 @@ _PANELS_MS = 100
 """How far the panels may lag behind a drag, in milliseconds; the canvas and the functions never do."""
 
 
+_RIGHT = Qt.DockWidgetArea.RightDockWidgetArea
+
+
 class MainWindow(QMainWindow):
     """One document in one window.
 
@@ -163,6 +166,10 @@ class MainWindow(QMainWindow):
             self.tabifyDockWidget(curve, lower)
         for front in (points, curve):
             front.raise_()
+        self.lessons_dock = self._add_late_dock(
+            "lessonsDock", "Lessons", self._build_lessons, Qt.DockWidgetArea.LeftDockWidgetArea
+        )
+        self.lessons_dock.hide()
         # Too many tabs are none: these come when they are asked for.
         for closed in asked_for:
             closed.hide()
@@ -187,19 +194,24 @@ class MainWindow(QMainWindow):
     def _build_wiggle(self) -> QWidget:
         return self._commands.wiggle.build_panel()
 
+    def _build_lessons(self) -> QWidget:
+        return self._commands.lessons.build()
+
     def _add_dock(self, name: str, title: str, content: QWidget) -> QDockWidget:
         dock = QDockWidget(title, self)
         dock.setWidget(content)
-        return self._place_dock(dock, name)
+        return self._place_dock(dock, name, _RIGHT)
 
-    def _add_late_dock(self, name: str, title: str, build: Callable[[], QWidget]) -> QDockWidget:
+    def _add_late_dock(
+        self, name: str, title: str, build: Callable[[], QWidget], area: Qt.DockWidgetArea = _RIGHT
+    ) -> QDockWidget:
         """Add a dock whose content is built when it is first shown: nobody waits for it at the start."""
-        return self._place_dock(LateDock(title, build, self), name)
+        return self._place_dock(LateDock(title, build, self), name, area)
 
-    def _place_dock(self, dock: QDockWidget, name: str) -> QDockWidget:
+    def _place_dock(self, dock: QDockWidget, name: str, area: Qt.DockWidgetArea) -> QDockWidget:
         dock.setObjectName(name)
         dock.setAllowedAreas(Qt.DockWidgetArea.LeftDockWidgetArea | Qt.DockWidgetArea.RightDockWidgetArea)
-        self.addDockWidget(Qt.DockWidgetArea.RightDockWidgetArea, dock)
+        self.addDockWidget(area, dock)
         return dock
 
     def _build_bars(self) -> None:
@@ -256,6 +268,7 @@ class MainWindow(QMainWindow):
             image_dock=self.image_dock,
             splitter=self.splitter,
             plot_panel=self.plot_panel,
+            lessons_dock=self.lessons_dock,
         )
 
     # Connecting
@@ -397,6 +410,10 @@ class MainWindow(QMainWindow):
     def offer_unsaved_work(self) -> None:
         """Offer what was not saved when the program last ended, if there is any."""
         self._commands.recovery.look()
+
+    def open_lesson(self, name: str) -> None:
+        """Begin a lesson."""
+        self._commands.lessons.open(name)
 
     def export_file(self, path: Path) -> None:
         """Write the document in the format that the ending names, or say why not."""

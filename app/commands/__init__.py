@@ -10,7 +10,9 @@
 - ``rail_commands``: the menu of the t-rail.
 - ``image_commands``: the picture to trace.
 - ``tool_commands``: command palette, preferences, shortcuts.
+- ``error_plot``: the errors of the laboratory's methods over t.
 - ``help_commands``: keys and mouse, about.
+- ``lesson_commands``: lessons, their documents and goals.
 - ``messages``: the line on the canvas.
 - ``connect``: connects the actions of a window to all of them.
 """

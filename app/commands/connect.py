@@ -7,6 +7,7 @@ from app.commands.context_menus import ContextMenus
 from app.commands.curve_commands import CurveCommands
 from app.commands.disk_commands import DiskCommands
 from app.commands.edit_commands import EditCommands
+from app.commands.error_plot import ErrorPlotCommands
 from app.commands.exchange_commands import ExchangeCommands
 from app.commands.fresh_hints import FreshHints
 from app.commands.help_commands import HelpCommands
@@ -14,6 +15,7 @@ from app.commands.hodograph_commands import HodographCommands
 from app.commands.image_commands import ImageCommands
 from app.commands.joint_commands import JointCommands
 from app.commands.laboratory_commands import LaboratoryCommands
+from app.commands.lesson_commands import LessonCommands
 from app.commands.messages import Messages
 from app.commands.motion_commands import MotionCommands
 from app.commands.overlay_commands import OverlayCommands
@@ -59,9 +61,11 @@ class Commands:
             self.wiggle,
             self.motion,
         )
+        self.lessons = LessonCommands(parts)
         self._sets: tuple[CommandSet, ...] = (
             *self._live,
             self.joints,
+            ErrorPlotCommands(parts, self.laboratory),
             EditCommands(parts),
             SelectionCommands(parts),
             curves,
@@ -70,6 +74,7 @@ class Commands:
             self.snap,
             self.view,
             HelpCommands(parts),
+            self.lessons,
             RailCommands(parts),
             self.images,
             DiskCommands(parts),

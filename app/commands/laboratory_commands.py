@@ -85,6 +85,11 @@ class LaboratoryCommands(QObject):
         """Check the action."""
         self._parts.actions["toggleLaboratory"].setChecked(self._settings.on)
 
+    @property
+    def trial(self) -> Trial | None:
+        """What was computed last, None without anything."""
+        return self._trial
+
     # On and off
 
     @property

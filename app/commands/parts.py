@@ -53,6 +53,7 @@ class Parts(msgspec.Struct, frozen=True):
     image_dock: QDockWidget
     splitter: QSplitter
     plot_panel: PlotPanel
+    lessons_dock: QDockWidget
 
     def change(self, text: str, edit: Callable[[], Document], *, active: int | None = None) -> bool:
         """Commit what `edit` makes as the step `text`, or say why it cannot be done.

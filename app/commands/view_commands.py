@@ -129,7 +129,13 @@ class ViewCommands:
         parts, window = self._parts, self._parts.window
         if self._actions["presentation"].isChecked():
             self._before_presentation = bytes(window.saveState().data())
-            for part in (parts.toolbar, window.menuBar(), parts.status_line, *parts.docks):
+            for part in (
+                parts.toolbar,
+                window.menuBar(),
+                parts.status_line,
+                *parts.docks,
+                parts.lessons_dock,
+            ):
                 part.hide()
             window.showFullScreen()
             return

@@ -321,3 +321,24 @@ def test_the_curves_are_drawn_in_both_themes(lab):
         assert with_curves != lab.screenshot().copy(canvas)
         lab.window.canvas.render_traces("laboratory", traces, "Computed with 4 digits")
         assert with_curves == lab.screenshot().copy(canvas)
+
+
+def test_the_errors_are_plotted_below_the_functions(lab, qtbot):
+    lab.trigger("plotErrors")
+    settled(lab, qtbot)
+    (plot,) = lab.window.plot_panel.added
+    assert plot.title == "Errors of the methods"
+    drawn = {line.name: line.values for line in plot.lines}
+    trial = commands(lab).trial
+    for outcome in trial.outcomes:
+        (values,) = [values for values in drawn.values() if values is outcome.errors]
+        assert values.max() == outcome.errors.max()
+    lab.trigger("toggleLaboratory")
+    assert lab.window.plot_panel.added == []
+    lab.trigger("plotErrors")
+    lab.trigger("plotErrors")
+    settled(lab, qtbot)
+    assert lab.action("toggleLaboratory").isChecked()
+    assert len(lab.window.plot_panel.added) == 1
+    lab.trigger("plotErrors")
+    assert lab.window.plot_panel.added == []

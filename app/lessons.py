@@ -1,0 +1,110 @@
+"""The lessons that come with the program: Markdown in steps, each with a document beside it.
+
+A lesson is ``NAME.md`` and ``NAME.curve.json`` in ``resources/lessons``. Its first heading is the title,
+the paragraph below it the summary; every second-level heading begins a step. A comment in a step says what
+goes with it, separated by semicolons::
+
+    <!-- curve: Careless; show: plotLebesgue, overlayBand; goal: lebesgue < 5 -->
+
+``curve`` names the curve to edit, ``show`` the actions to switch on, ``goal`` what the curve shall meet. In
+the text, a link to ``action:NAME`` triggers that action.
+"""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+from typing import NamedTuple
+
+from app.resources import resource
+from app.view_model.goals import Goal, GoalError, parse_goal
+
+_COMMENT = re.compile(r"<!--(.*?)-->", re.DOTALL)
+_KEYS = ("curve", "show", "goal")
+
+
+class LessonError(ValueError):
+    """A lesson that cannot be read; the text says where and why."""
+
+
+class Step(NamedTuple):
+    """One page of a lesson.
+
+    Attributes
+    ----------
+    text
+        Markdown.
+    curve
+        Name of the curve to edit; empty for the one that is edited.
+    show
+        Names of actions to switch on.
+    """
+
+    title: str
+    text: str
+    curve: str
+    show: tuple[str, ...]
+    goal: Goal | None
+
+
+class Lesson(NamedTuple):
+    """A lesson, read."""
+
+    name: str
+    title: str
+    summary: str
+    steps: tuple[Step, ...]
+    document: Path
+
+
+def lesson_names() -> list[str]:
+    """Return the names of all lessons, in the order to take them."""
+    return [path.stem for path in sorted(resource("lessons").glob("*.md"))]
+
+
+def find_lesson(word: str) -> str:
+    """Return the name of the lesson that `word` names, with its number or without; raise `LessonError`."""
+    names = lesson_names()
+    for name in names:
+        if word in (name, name.partition("_")[2], name.partition("_")[0].lstrip("0")):
+            return name
+    known = ", ".join(name.partition("_")[2] for name in names)
+    raise LessonError(f"There is no lesson “{word}”; there are {known}.")
+
+
+def load_lesson(name: str) -> Lesson:
+    """Read a lesson that comes with the program."""
+    path = resource("lessons", f"{name}.md")
+    return parse_lesson(path.read_text(encoding="utf-8"), name, path.with_name(f"{name}.curve.json"))
+
+
+def parse_lesson(text: str, name: str, document: Path) -> Lesson:
+    """Return the lesson that `text` writes; raise `LessonError` where something in it is wrong."""
+    head, *pages = re.split(r"^## ", text, flags=re.MULTILINE)
+    title, _, summary = head.strip().partition("\n")
+    if not title.startswith("# ") or not pages:
+        raise LessonError(f"{name}: a lesson begins with “# Title” and has steps “## Title”")
+    steps = tuple(_step(page, f"{name}, step {number}") for number, page in enumerate(pages, start=1))
+    return Lesson(name, title[2:].strip(), " ".join(summary.split()), steps, document)
+
+
+def _step(page: str, place: str) -> Step:
+    title, _, body = page.partition("\n")
+    found = _COMMENT.search(body)
+    fields = _fields(found.group(1), place) if found is not None else {}
+    try:
+        goal = parse_goal(fields["goal"]) if "goal" in fields else None
+    except GoalError as problem:
+        raise LessonError(f"{place}: {problem}") from None
+    show = tuple(word for word in re.split(r"[,\s]+", fields.get("show", "")) if word)
+    return Step(title.strip(), _COMMENT.sub("", body).strip(), fields.get("curve", ""), show, goal)
+
+
+def _fields(comment: str, place: str) -> dict[str, str]:
+    fields = {}
+    for part in filter(None, (part.strip() for part in comment.split(";"))):
+        key, _, value = part.partition(":")
+        if key.strip() not in _KEYS or not value.strip():
+            raise LessonError(f"{place}: “{part}” is not one of {', '.join(_KEYS)} with a value")
+        fields[key.strip()] = value.strip()
+    return fields

@@ -1,0 +1,96 @@
+"""Lessons in the window: chosen, stepped through, their goals reached with real events."""
+
+from __future__ import annotations
+
+import pytest
+from PySide6.QtCore import Qt
+from PySide6.QtWidgets import QLabel, QPushButton, QTextBrowser
+
+from app.actions import Actions
+from app.document.storage import load
+from app.lessons import lesson_names, load_lesson
+from app.view_model.curve_view import view_of
+from app.view_model.goals import standing_of
+
+NAMES = lesson_names()
+STEPS = [(name, number) for name in NAMES for number in range(len(load_lesson(name).steps))]
+
+
+@pytest.mark.parametrize(("name", "number"), STEPS)
+def test_what_a_step_names_exists_and_its_goal_is_still_to_be_reached(editor, name, number):
+    lesson = load_lesson(name)
+    step, document = lesson.steps[number], load(lesson.document)
+    assert step.text
+    assert isinstance(editor.window.actions_by_name, Actions)
+    assert [action for action in step.show if action not in editor.window.actions_by_name] == []
+    (curve,) = [curve for curve in document.curves if curve.name == step.curve] or document.curves[:1]
+    assert curve.name == step.curve or not step.curve
+    if step.goal is not None:
+        assert not standing_of(step.goal, view_of(curve)).is_met
+
+
+def find(editor, kind, name):
+    return editor.window.findChild(kind, name)
+
+
+def click(qtbot, widget):
+    qtbot.mouseClick(widget, Qt.MouseButton.LeftButton)
+
+
+def test_a_lesson_is_chosen_stepped_through_and_left(editor, qtbot):
+    editor.trigger("toggleLessons")
+    click(qtbot, find(editor, QPushButton, "lesson2"))
+    assert [curve.name for curve in editor.session.document.curves] == [
+        "In step",
+        "Out of step",
+        "Careless",
+    ]
+    assert find(editor, QLabel, "lessonPlace").text() == "1 of 6"
+    assert not find(editor, QPushButton, "lessonBack").isEnabled()
+    click(qtbot, find(editor, QPushButton, "lessonNext"))
+    click(qtbot, find(editor, QPushButton, "lessonNext"))
+    assert editor.curve.name == "Out of step"
+    assert "uneasy" in find(editor, QTextBrowser, "lessonText").toPlainText()
+    click(qtbot, find(editor, QPushButton, "lessonGallery"))
+    assert find(editor, QPushButton, "lesson1").isVisible()
+    editor.trigger("toggleLessons")
+    assert not editor.window.lessons_dock.isVisible()
+
+
+def test_a_goal_ticks_when_the_curve_meets_it_and_stays_ticked(editor, qtbot):
+    editor.window.open_lesson("02_three_parameter_sets")
+    for _ in range(5):
+        click(qtbot, find(editor, QPushButton, "lessonNext"))
+    goal = find(editor, QLabel, "lessonGoal")
+    assert "Goal" in goal.text()
+    editor.choose_parametrization("chord_length")
+    assert "Reached" in goal.text()
+    editor.trigger("undo")
+    assert "Reached" in goal.text()
+
+
+def test_a_goal_that_is_measured_follows_the_curve(editor, qtbot):
+    editor.window.open_lesson("01_basis_functions")
+    for _ in range(4):
+        click(qtbot, find(editor, QPushButton, "lessonNext"))
+    goal = find(editor, QLabel, "lessonGoal")
+    assert "now 29.9" in goal.text()
+    editor.choose_parametrization("chebyshev")
+    assert "now 2.4" in goal.text()
+    assert "✓" in goal.text()
+
+
+def test_a_step_switches_on_what_it_shows_and_the_next_puts_it_away(editor, qtbot):
+    editor.window.open_lesson("01_basis_functions")
+    click(qtbot, find(editor, QPushButton, "lessonNext"))
+    assert editor.session.scrub is not None
+    click(qtbot, find(editor, QPushButton, "lessonNext"))
+    assert editor.session.scrub is None
+
+
+def test_the_gallery_works_by_keyboard(editor, qtbot):
+    editor.trigger("toggleLessons")
+    card = find(editor, QPushButton, "lesson3")
+    card.setFocus()
+    qtbot.keyClick(card, Qt.Key.Key_Space)
+    assert editor.curve.name == "Uneven"
