@@ -24,8 +24,8 @@ def lessons():
         "02_three_parameter_sets": Document(three_parameter_sets()),
         "03_chord_length": Document((uneven(),)),
         "04_decimal_accuracy": Document((eight_points(),)),
-        "05_sensitivity": Document((twelve_points(),)),
-        "06_errors_along_t": Document((nine_points(),)),
+        "05_sensitivity": Document((nine_points(1.0),)),
+        "06_errors_along_t": Document((nine_points(8.0),)),
         "07_cubic_or_quintic": Document(stations()),
         "08_cost": Document((wave("Twenty points", 20, 0.0), wave("Forty points", 40, 4.0))),
         "09_exercise_rounded_parameters": Document(exercise(SIX_POINTS)),
@@ -85,22 +85,13 @@ def eight_points():
     return lagrange("Eight points", points, end=7.0)
 
 
-def twelve_points():
-    """Uniform parameters: Λ is 51."""
-    points = [
-        (0.0, 0.0), (0.9, 0.7), (1.8, 1.2), (2.7, 1.3), (3.6, 1.1), (4.5, 0.8),
-        (5.4, 0.6), (6.3, 0.7), (7.2, 1.1), (8.1, 1.5), (9.0, 1.6), (9.9, 1.2),
-    ]  # fmt: skip
-    return lagrange("Twelve points", points)
-
-
-def nine_points():
-    """On the interval from 0 to 8: powers of t grow a long way."""
+def nine_points(end):
+    """Uniform parameters: Λ is 11. Up to t = 8 powers of t grow a long way."""
     points = [
         (0.0, 0.0), (1.0, 1.1), (2.0, 1.6), (3.1, 1.3), (4.0, 0.5),
         (5.1, 0.2), (6.0, 0.8), (7.0, 1.7), (8.0, 1.9),
     ]  # fmt: skip
-    return lagrange("Nine points", points, end=8.0)
+    return lagrange("Nine points", points, end=end)
 
 
 def stations():

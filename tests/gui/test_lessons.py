@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import numpy as np
 import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QLabel, QPushButton, QTextBrowser
@@ -94,3 +95,61 @@ def test_the_gallery_works_by_keyboard(editor, qtbot):
     card.setFocus()
     qtbot.keyClick(card, Qt.Key.Key_Space)
     assert editor.curve.name == "Uneven"
+
+
+# Every goal can be reached, by what its step says
+
+
+def drag_to_chebyshev(editor):
+    editor.choose_parametrization("chebyshev")
+
+
+def type_chord_lengths(editor):
+    points = np.array([(node.x, node.y) for node in editor.curve.nodes])
+    lengths = np.hypot(*np.diff(points, axis=0).T)
+    # From the last to the first, and again: each has to lie between its neighbours as they are then.
+    rows = list(enumerate(np.cumsum(lengths)[:-1] / lengths.sum(), start=1))[::-1]
+    for index, t in rows + rows:
+        editor.type_parameter(index, f"{t:.3f}")
+
+
+def calm_by_hand(editor):
+    for _ in range(2):
+        for index, t in enumerate((0.2, 0.34, 0.48, 0.66, 0.81), start=1):
+            editor.type_parameter(index, f"{t}")
+
+
+WAYS = {
+    ("01_basis_functions", 3): lambda editor: [editor.add_point(5.5 + k / 2, -1.2) for k in range(3)],
+    ("01_basis_functions", 4): drag_to_chebyshev,
+    ("02_three_parameter_sets", 4): calm_by_hand,
+    ("02_three_parameter_sets", 5): lambda editor: editor.choose_parametrization("chord_length"),
+    ("03_chord_length", 1): lambda editor: editor.choose_parametrization("chord_length"),
+    ("03_chord_length", 3): lambda editor: editor.choose_parametrization("centripetal"),
+    ("03_chord_length", 4): lambda editor: editor.key(Qt.Key.Key_2),
+    ("04_decimal_accuracy", 4): lambda editor: editor.key(Qt.Key.Key_2),
+    ("05_sensitivity", 3): drag_to_chebyshev,
+    ("05_sensitivity", 4): lambda editor: editor.key(Qt.Key.Key_2),
+    ("06_errors_along_t", 3): lambda editor: editor.key(Qt.Key.Key_2),
+    ("07_cubic_or_quintic", 4): lambda editor: editor.key(Qt.Key.Key_3),
+    ("09_exercise_rounded_parameters", 1): type_chord_lengths,
+    ("10_exercise_far_point", 1): type_chord_lengths,
+    ("10_exercise_far_point", 3): lambda editor: editor.choose_parametrization("centripetal"),
+    ("10_exercise_far_point", 4): lambda editor: editor.key(Qt.Key.Key_2),
+}
+
+
+def test_there_is_a_way_to_every_goal():
+    assert set(WAYS) == {(name, k) for name, k in STEPS if load_lesson(name).steps[k].goal is not None}
+
+
+@pytest.mark.parametrize(("name", "number"), WAYS)
+def test_a_goal_is_reached_by_what_its_step_says(editor, qtbot, name, number):
+    editor.window.open_lesson(name)
+    for _ in range(number):
+        click(qtbot, find(editor, QPushButton, "lessonNext"))
+    assert "Goal" in find(editor, QLabel, "lessonGoal").text()
+    editor.fit()
+    WAYS[name, number](editor)
+    editor.settle()
+    assert "Reached" in find(editor, QLabel, "lessonGoal").text()
