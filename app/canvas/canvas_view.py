@@ -163,7 +163,11 @@ class CanvasView(PlotWidget):
 
             self._motion = MotionLayer(self, self._theme)
             self._motion.scale = self._corner_layer.scale
+        had_dots = bool(self.dots)
         self._motion.render(dots, lines)
+        if bool(dots) != had_dots:
+            self._show_weights()
+            self._point_layer.refresh()
 
     @property
     def dots(self) -> Sequence[Dot]:
@@ -271,7 +275,8 @@ class CanvasView(PlotWidget):
             layer.weights = layer.scrub = None
             return
         x, y = view.curve.evaluate(t)
-        layer.weights = weights_at(view, t)
+        # Where a dot runs, weights would cover it, and it tells its own numbers.
+        layer.weights = None if self.dots else weights_at(view, t)
         layer.scrub = (t, float(x), float(y))
 
     def fit(self) -> None:

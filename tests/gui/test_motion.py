@@ -418,3 +418,13 @@ def test_nothing_is_made_before_it_is_used(editor):
     assert editor.window.findChild(MotionBar) is None
     editor.send(editor.window.canvas, QEvent.Type.MouseMove, editor.window.canvas.to_pixel(0, 0), held=False)
     assert editor.window.canvas.dots == ()
+
+
+def test_weights_make_room_for_the_dot_and_come_back(editor, qtbot):
+    editor.scrub(0.4)
+    assert editor.window.canvas.weights is not None
+    editor.trigger("playMotion")
+    qtbot.waitUntil(lambda: bool(editor.window.canvas.dots))
+    assert editor.window.canvas.weights is None
+    editor.trigger("stopMotion")
+    assert editor.window.canvas.weights is not None
