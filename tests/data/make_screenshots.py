@@ -10,6 +10,7 @@ from pathlib import Path
 os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
 
 from contextlib import nullcontext
+from time import monotonic
 
 from PySide6.QtWidgets import QApplication
 
@@ -33,18 +34,48 @@ class Bot:
 
 
 def main() -> None:
-    """Draw the first sketch as a Hermite curve, with a point selected and the scrub line out."""
+    """Draw every picture of the README."""
     app = QApplication(sys.argv)
-    with tempfile.TemporaryDirectory() as folder:
-        editor = Editor(Bot(), preferences=Preferences(Path(folder) / "settings.ini"), size=(1280, 860))
-        editor.choose_family(Family.HERMITE)
-        editor.select_point(4)
-        editor.scrub(0.52)
-        for mode in (ThemeMode.LIGHT, ThemeMode.DARK):
-            editor.window.set_theme_mode(mode)
-            for _ in range(200):
-                app.processEvents()
-            editor.screenshot(FOLDER / f"editor-{mode.value}.png")
+    for picture in (first_sketch, analysis, laboratory):
+        with tempfile.TemporaryDirectory() as folder:
+            preferences = Preferences(Path(folder) / "settings.ini")
+            editor = Editor(Bot(), preferences=preferences, size=(1280, 860))
+            picture(app, editor)
+            editor.session.undo_stack.setClean()
+            editor.window.close()
+
+
+def take(app: QApplication, editor: Editor, name: str, mode: ThemeMode) -> None:
+    """Take a picture once everything has settled."""
+    editor.window.set_theme_mode(mode)
+    end = monotonic() + 1.5
+    while monotonic() < end:
+        app.processEvents()
+    editor.screenshot(FOLDER / f"{name}-{mode.value}.png")
+
+
+def first_sketch(app: QApplication, editor: Editor) -> None:
+    """The first sketch as a Hermite curve, with a point selected and the scrub line out."""
+    editor.choose_family(Family.HERMITE)
+    editor.select_point(4)
+    editor.scrub(0.52)
+    for mode in (ThemeMode.LIGHT, ThemeMode.DARK):
+        take(app, editor, "editor", mode)
+
+
+def analysis(app: QApplication, editor: Editor) -> None:
+    """Comb, ghosts and plots."""
+    editor.choose_family(Family.HERMITE)
+    for name in ("overlayComb", "ghostLagrange", "ghostUniform", "plotAcceleration", "plotCurvature"):
+        editor.trigger(name)
+    editor.fit()
+    take(app, editor, "analysis", ThemeMode.LIGHT)
+
+
+def laboratory(app: QApplication, editor: Editor) -> None:
+    """The lesson about digits, as it begins."""
+    editor.window.open_lesson("04_decimal_accuracy")
+    take(app, editor, "laboratory", ThemeMode.DARK)
 
 
 if __name__ == "__main__":
