@@ -97,7 +97,7 @@ def bend(editor: Editor) -> Times:
 
 NAMES = {Family.LAGRANGE: "Lagrange", Family.HERMITE: "Hermite", Family.QUINTIC_HERMITE: "quintic"}
 
-EXPLAINING = ("overlayComb", "overlayBand")
+EXPLAINING = ("overlayComb", "overlayBand", "plotLebesgue")
 """Actions that switch on what follows a drag beside the curve; the budget is for all of them together."""
 
 EXPLAINING_GHOSTS = {
@@ -189,7 +189,18 @@ def test_a_point_dragged_under_all_that_explains_the_curve(open_wave, family, er
     times = calmest(lambda: drag_point(editor, ["canvas"]))
     assert len(editor.window.canvas.ghosts) == 2
     what = "error of points" if not errors[1] else "and parameters"
-    assert noted(f"{NAMES[family]} n = 20, comb, band ({what}), ghosts", times, 12)
+    assert noted(f"{NAMES[family]} n = 20, comb, band ({what}), Λ(t), ghosts", times, 12)
+
+
+@pytest.mark.parametrize("family", list(Family))
+def test_a_point_dragged_under_all_that_explains_while_parameters_move(open_wave, family):
+    """Under chord length the functions and the Lebesgue function change in every frame, too."""
+    editor = open_wave(20, family, ParametrizationKind.CHORD_LENGTH)
+    editor.window.analysis.change(point_error=0.02)
+    for name in (*EXPLAINING, *EXPLAINING_GHOSTS[family]):
+        editor.trigger(name)
+    times = calmest(lambda: drag_point(editor, ["canvas", "basis"]))
+    assert noted(f"{NAMES[family]} n = 20, the same under chord length", times, 12)
 
 
 def test_one_of_a_hundred_curves(open_wave):
