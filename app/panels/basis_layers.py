@@ -66,7 +66,7 @@ class FunctionLayer:
         if self._basis is None:
             return
         if self._lines is None or not self._lines.are_of(self._basis, shown):
-            self._lines = FunctionLines(self._basis, shown)
+            self._lines = FunctionLines(self._basis, shown, self._lines)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing, True)
         if way_to_draw(self._basis) is Drawing.EACH:
             self._paint_all(painter, self._basis)

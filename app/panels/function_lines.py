@@ -45,13 +45,20 @@ def note_on_drawing(basis: BasisView) -> str:
 
 
 class FunctionLines:
-    """The lines of one sampled basis on one part of the plane."""
+    """The lines of one sampled basis on one part of the plane.
 
-    def __init__(self, basis: BasisView, shown: PixelMap) -> None:
+    Lines made for the basis before, which is not drawn any more, lend their polygons: filling one takes a
+    third of the time of making one.
+    """
+
+    def __init__(self, basis: BasisView, shown: PixelMap, before: FunctionLines | None = None) -> None:
         self._basis, self._shown = basis, shown
         self._x = np.clip(shown.x(basis.t), -_LIMIT, _LIMIT)
         self._y = np.clip(shown.y(basis.values), -_LIMIT, _LIMIT) if _needs_all(basis) else np.empty(0)
         self._polygons: dict[tuple[int, int], QPolygonF] = {}
+        self._made: dict[tuple[int, int], tuple[QPolygonF, Floats]] = (
+            before._made if before is not None else {}
+        )
         self._fine: dict[int, tuple[Floats, Floats]] = {}
         self._spans: dict[int, Segments] = {}
         self._envelopes: dict[int, tuple[Floats, Floats, Floats]] = {}
@@ -72,15 +79,25 @@ class FunctionLines:
         if not _needs_all(self._basis):
             return self._make_fine(index, kind)
         if first is None:
-            return polygon(self._x, self._y[:, index, kind])
+            result, view = self._empty(index, kind, len(self._x))
+            view[:, 0] = self._x
+            view[:, 1] = self._y[:, index, kind]
+            return result
         here = first[index]
         start, end = first[max(index - 1, 0)], first[min(index + 1, self._basis.count - 1)]
-        result: QPolygonF = create_qpolygonf(int(end - start))
-        view = ndarray_from_qpolygonf(result)
+        result, view = self._empty(index, kind, int(end - start))
         view[:, 0] = self._x[start:end]
         view[: here - start, 1] = self._y[start:here, 1, kind]
         view[here - start :, 1] = self._y[here:end, 0, kind]
         return result
+
+    def _empty(self, index: int, kind: int, size: int) -> tuple[QPolygonF, Floats]:
+        """Return a polygon to fill, and its points (size, 2) as an array."""
+        made = self._made.get((index, kind))
+        if made is None or len(made[1]) != size:
+            result: QPolygonF = create_qpolygonf(size)
+            made = self._made[index, kind] = (result, ndarray_from_qpolygonf(result))
+        return made
 
     def _make_fine(self, index: int, kind: int) -> QPolygonF:
         if self._basis.first is None:
