@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
+import msgspec
 from msgspec.structs import replace
 from PySide6.QtCore import QObject, Signal
 
@@ -46,6 +47,10 @@ class Analysis(QObject):
         if settings != self.settings:
             self.settings = settings
             self.changed.emit()
+
+    def reset(self) -> None:
+        """Take all settings back to what they are at the start."""
+        self.change(**msgspec.structs.asdict(AnalysisSettings()))
 
     def show(self, overlay: Overlay, shown: bool) -> None:
         """Switch an overlay on or off."""

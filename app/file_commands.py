@@ -57,14 +57,14 @@ class FileCommands:
         """Open the document at `path`, after asking about unsaved changes."""
         self._open(path, self._session.open, remember=True)
 
-    def open_example(self, path: Path) -> bool:
+    def open_example(self, path: Path, *, asks: bool = True) -> bool:
         """Open a copy of an example; saving it asks for a name. Return whether it is open now."""
-        return self._open(path, self._session.open_copy, remember=False)
+        return self._open(path, self._session.open_copy, remember=False, asks=asks)
 
-    def _open(self, path: Path, opener: Callable[[Path], None], *, remember: bool) -> bool:
+    def _open(self, path: Path, opener: Callable[[Path], None], *, remember: bool, asks: bool = True) -> bool:
         try:
             load(path)  # nobody is asked to part with a drawing for a file that cannot be opened
-            if not self.may_discard():
+            if asks and not self.may_discard():
                 return False
             opener(path)
         except (FormatError, StorageError) as problem:

@@ -4,10 +4,10 @@ A lesson is ``NAME.md`` and ``NAME.curve.json`` in ``resources/lessons``. Its fi
 the paragraph below it the summary; every second-level heading begins a step. A comment in a step says what
 goes with it, separated by semicolons::
 
-    <!-- curve: Careless; show: plotLebesgue, overlayBand; goal: lebesgue < 5 -->
+    <!-- curve: Careless; show: overlayBand; set: epsilon 0.02; goal: lebesgue < 5 -->
 
-``curve`` names the curve to edit, ``show`` the actions to switch on, ``goal`` what the curve shall meet. In
-the text, a link to ``action:NAME`` triggers that action.
+``curve`` names the curve to edit, ``show`` the actions to switch on, ``set`` numbers of the analysis (see
+`SETTINGS`), ``goal`` what the curve shall meet. In the text, a link to ``action:NAME`` triggers that action.
 """
 
 from __future__ import annotations
@@ -20,7 +20,10 @@ from app.resources import resource
 from app.view_model.goals import Goal, GoalError, parse_goal
 
 _COMMENT = re.compile(r"<!--(.*?)-->", re.DOTALL)
-_KEYS = ("curve", "show", "goal")
+_KEYS = ("curve", "show", "set", "goal")
+
+SETTINGS = ("digits", "shift", "methods", "epsilon", "delta")
+"""What a step may set: the laboratory's digits, shift and number of methods, the errors of the band."""
 
 
 class LessonError(ValueError):
@@ -38,12 +41,15 @@ class Step(NamedTuple):
         Name of the curve to edit; empty for the one that is edited.
     show
         Names of actions to switch on.
+    settings
+        Numbers to set, by names out of `SETTINGS`.
     """
 
     title: str
     text: str
     curve: str
     show: tuple[str, ...]
+    settings: dict[str, float]
     goal: Goal | None
 
 
@@ -97,7 +103,21 @@ def _step(page: str, place: str) -> Step:
     except GoalError as problem:
         raise LessonError(f"{place}: {problem}") from None
     show = tuple(word for word in re.split(r"[,\s]+", fields.get("show", "")) if word)
-    return Step(title.strip(), _COMMENT.sub("", body).strip(), fields.get("curve", ""), show, goal)
+    text, curve = _COMMENT.sub("", body).strip(), fields.get("curve", "")
+    return Step(title.strip(), text, curve, show, _settings(fields.get("set", ""), place), goal)
+
+
+def _settings(text: str, place: str) -> dict[str, float]:
+    settings = {}
+    for part in filter(None, (part.strip() for part in text.split(","))):
+        name, _, number = part.partition(" ")
+        try:
+            settings[name] = float(number)
+        except ValueError:
+            raise LessonError(f"{place}: “{part}” is no name with a number") from None
+        if name not in SETTINGS:
+            raise LessonError(f"{place}: “{name}” is not one of {', '.join(SETTINGS)}")
+    return settings
 
 
 def _fields(comment: str, place: str) -> dict[str, str]:

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection
+from collections.abc import Collection, Mapping
 from functools import cached_property
 from typing import TYPE_CHECKING
+
+from msgspec.structs import replace
 
 from app.commands.parts import Handlers, Parts
 from app.view_model.curve_view import CurveView
@@ -14,6 +16,12 @@ if TYPE_CHECKING:
 
     from app.lessons import Lesson
     from app.panels.lesson_panel import LessonPanel
+
+_GALLERY = -1
+_DESK = ("plotErrors", "toggleLaboratory", "playMotion", "motionCompare", "toggleScrub")
+"""What can be switched on and is no setting of the analysis."""
+
+_ERRORS = {"epsilon": "point_error", "delta": "parameter_error"}
 
 
 class LessonCommands:
@@ -29,6 +37,8 @@ class LessonCommands:
         self._step = 0
         self._reached: set[int] = set()
         self._switched_on: list[str] = []
+        self._is_opening = False
+        parts.session.opened.connect(self._leave)
         parts.lessons_dock.visibilityChanged.connect(parts.actions["toggleLessons"].setChecked)
 
     def handlers(self) -> Handlers:
@@ -74,22 +84,45 @@ class LessonCommands:
         self._parts.lessons_dock.setVisible(self._parts.actions["toggleLessons"].isChecked())
 
     def _begin(self, number: int) -> None:
-        lesson = self._lessons[number]
-        if not self._parts.files.open_example(lesson.document):
+        lesson, session = self._lessons[number], self._parts.session
+        # What was tried out in a lesson is no work to lose; under a name of its own it is.
+        is_own = self._lesson is None or session.path is not None
+        self._is_opening = True
+        opened = self._parts.files.open_example(lesson.document, asks=is_own)
+        self._is_opening = False
+        if not opened:
             return
+        self._clear_the_desk()
         self._lesson, self._reached = lesson, set()
         self._go(0)
 
+    def _clear_the_desk(self) -> None:
+        """Put away what another lesson, or somebody before it, has switched on."""
+        for name in _DESK:
+            if self._parts.actions[name].isChecked():
+                self._trigger(name)
+        self._parts.analysis.reset()
+        self._switched_on.clear()
+
+    def _leave(self) -> None:
+        """Go back to the gallery: the document is no lesson's any more."""
+        if self._lesson is not None and not self._is_opening:
+            self._go(_GALLERY)
+
     def _go(self, step: int) -> None:
         assert self._panel is not None
-        showing = self._lesson.steps[step].show if self._lesson is not None and step >= 0 else ()
+        steps = self._lesson.steps if self._lesson is not None else ()
+        showing = steps[step].show if 0 <= step < len(steps) else ()
         self._put_away(but=showing)
-        if step < 0 or self._lesson is None:
+        if step == _GALLERY or self._lesson is None:
             self._lesson = None
             self._panel.show_gallery()
             return
+        if step == len(self._lesson.steps):
+            self._begin(self._lessons.index(self._lesson) + 1)
+            return
         self._step = step
-        self._panel.show_step(self._lesson, step)
+        self._panel.show_step(self._lesson, step, is_last=self._lesson is self._lessons[-1])
         self._set_up()
         self.render(self._parts.session.active_view)
 
@@ -106,10 +139,25 @@ class LessonCommands:
         for index, curve in enumerate(session.document.curves):
             if curve.name == step.curve:
                 session.activate(index)
+        self._set_numbers(step.settings)
         for name in step.show:
             if not self._parts.actions[name].isChecked():
                 self._trigger(name)
                 self._switched_on.append(name)
+
+    def _set_numbers(self, numbers: Mapping[str, float]) -> None:
+        from app.view_model.analysis.laboratory_settings import Calculation  # noqa: PLC0415
+
+        analysis = self._parts.analysis
+        fields = {_ERRORS[name]: value for name, value in numbers.items() if name in _ERRORS}
+        experiment: dict[str, object] = {}
+        if "digits" in numbers:
+            experiment["digits"] = int(numbers["digits"])
+        if "shift" in numbers:
+            experiment["shift"] = numbers["shift"]
+        if "methods" in numbers:
+            experiment["methods"] = frozenset(list(Calculation)[: int(numbers["methods"])])
+        analysis.change(**fields, laboratory=replace(analysis.settings.laboratory, **experiment))
 
     def _trigger(self, name: str) -> None:
         if name in self._parts.actions:

@@ -37,7 +37,7 @@ class LessonPanel(QWidget):
     lesson_chosen
         The lesson of this number is wanted.
     step_chosen
-        Another step of the lesson is wanted, −1 for the gallery.
+        Another step of the lesson is wanted; −1 is the gallery, the number of steps the next lesson.
     action_wanted
         A link in the text names this action.
     """
@@ -126,15 +126,17 @@ class LessonPanel(QWidget):
         """Show all lessons."""
         self._pages.setCurrentIndex(0)
 
-    def show_step(self, lesson: Lesson, step: int) -> None:
-        """Show one step of a lesson."""
+    def show_step(self, lesson: Lesson, step: int, *, is_last: bool) -> None:
+        """Show one step of a lesson; after its end comes the next lesson, unless it is the last one."""
         self._step = step
         self._pages.setCurrentIndex(1)
         self._title.setText(f"<b>{lesson.title}</b>")
         self._place.setText(f"{step + 1} of {len(lesson.steps)}")
         self.text.setMarkdown(f"### {lesson.steps[step].title}\n\n{lesson.steps[step].text}")
         self.back_button.setEnabled(step > 0)
-        self.next_button.setEnabled(step + 1 < len(lesson.steps))
+        at_end = step + 1 == len(lesson.steps)
+        self.next_button.setText("Next Lesson" if at_end else "Next")
+        self.next_button.setEnabled(not (at_end and is_last))
         self.show_standing(None, reached=False)
 
     def show_standing(self, standing: Standing | None, *, reached: bool) -> None:

@@ -83,7 +83,7 @@ def standing_of(goal: Goal, view: CurveView) -> Standing:
     if goal.measure in _WORDS:
         label, value_of = _WORDS[goal.measure]
         wanted = goal.value.replace("_", " ")
-        return Standing(value_of(view) == goal.value, f"{label}: {wanted}")
+        return Standing(value_of(view) == goal.value, f"{label} {wanted}")
     label, measure = MEASURES[goal.measure]
     compare, words = _COMPARISONS[goal.comparison]
     asked = f"{label} {words} {goal.value}"
@@ -141,12 +141,12 @@ MEASURES: dict[str, tuple[str, Callable[[CurveView], float]]] = {
     "points": ("Points", lambda view: float(len(view.points))),
     "lebesgue": ("Lebesgue constant Λ", _lebesgue),
     "overshoot": ("Overshoot in percent", _overshoot),
-    "smoothness": ("Continuous derivatives at every joint", _smoothness),
+    "smoothness": ("Derivatives that are continuous at every joint:", _smoothness),
     "chord_gap": ("Largest distance from the chord-length parameters", _chord_gap),
 }
 """What can be measured: how it is called, and the function of a current view."""
 
 _WORDS: dict[str, tuple[str, Callable[[CurveView], str]]] = {
-    "family": ("Family", lambda view: str(view.source.family)),
-    "parametrization": ("Parameters", lambda view: str(view.source.parametrization.kind)),
+    "family": ("The family is", lambda view: str(view.source.family)),
+    "parametrization": ("The parameters are", lambda view: str(view.source.parametrization.kind)),
 }

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import numpy as np
 import pytest
 from PySide6.QtCore import Qt
@@ -9,7 +11,9 @@ from PySide6.QtWidgets import QLabel, QPushButton, QTextBrowser
 
 from app.actions import Actions
 from app.document.storage import load
-from app.lessons import lesson_names, load_lesson
+from app.lessons import LessonError, lesson_names, load_lesson, parse_lesson
+from app.view_model.analysis.laboratory_settings import LaboratorySettings
+from app.view_model.analysis.settings import AnalysisSettings
 from app.view_model.curve_view import view_of
 from app.view_model.goals import standing_of
 
@@ -153,3 +157,49 @@ def test_a_goal_is_reached_by_what_its_step_says(editor, qtbot, name, number):
     WAYS[name, number](editor)
     editor.settle()
     assert "Reached" in find(editor, QLabel, "lessonGoal").text()
+
+
+def test_a_lesson_begins_with_a_clear_desk(editor, qtbot):
+    """What lesson 5 and 6 had switched on used to stay on in lesson 8."""
+    editor.window.open_lesson("06_errors_along_t")
+    editor.window.analysis.change(ensemble_count=7, laboratory=LaboratorySettings(on=True, shift=100.0))
+    editor.trigger("overlayEnsemble")
+    editor.drag_point(1, to=(1.2, 1.5))
+    editor.window.open_lesson("01_basis_functions")
+    assert editor.window.analysis.settings == AnalysisSettings()
+    assert not editor.action("toggleLaboratory").isChecked()
+    assert not editor.action("plotErrors").isChecked()
+    assert editor.curve.name == "Five points"
+
+
+def test_a_step_sets_the_numbers_it_speaks_of(editor, qtbot):
+    editor.window.open_lesson("04_decimal_accuracy")
+    laboratory = editor.window.analysis.settings.laboratory
+    assert (laboratory.on, laboratory.digits, len(laboratory.methods)) == (True, 16, 5)
+    editor.window.open_lesson("05_sensitivity")
+    assert editor.window.analysis.settings.point_error == 0.03
+
+
+def test_the_end_of_a_lesson_leads_to_the_next(editor, qtbot):
+    editor.window.open_lesson("08_cost")
+    for _ in range(3):
+        click(qtbot, find(editor, QPushButton, "lessonNext"))
+    assert editor.curve.name == "Equal steps"
+    assert find(editor, QLabel, "lessonPlace").text() == "1 of 4"
+    editor.window.open_lesson(NAMES[-1])
+    for _ in range(4):
+        click(qtbot, find(editor, QPushButton, "lessonNext"))
+    assert not find(editor, QPushButton, "lessonNext").isEnabled()
+
+
+def test_another_document_ends_the_lesson(editor, qtbot):
+    editor.window.open_lesson("08_cost")
+    assert find(editor, QLabel, "lessonPlace").isVisible()
+    editor.session.new()
+    assert find(editor, QPushButton, "lesson1").isVisible()
+
+
+@pytest.mark.parametrize("settings", ["digits", "digits many", "colour 3"])
+def test_a_setting_that_is_none_is_refused(settings):
+    with pytest.raises(LessonError, match="step 1"):
+        parse_lesson(f"# T\n## A\n<!-- set: {settings} -->\nb", "some", Path("some.curve.json"))

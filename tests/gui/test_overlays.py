@@ -210,7 +210,7 @@ def test_errors_are_typed_as_expressions(dock, qtbot):
     assert "times ε" in note(editor, qtbot, "overlayBand")
     assert legend(editor) == ["Worst case, ε = 0.125"]
     type_into(panel(editor, QLineEdit, "parameterError"), "1e-3")
-    assert legend(editor) == ["Worst case, ε = 0.125, δ = 0.001"]
+    assert legend(editor) == ["Worst case to first order, ε = 0.125, δ = 0.001"]
     for text in ("-1", "abc"):
         type_into(line, text)
         assert panel(editor, QLabel, "analysisProblem").text().startswith("⚠")

@@ -57,7 +57,7 @@ def legend_rows(
         return []
     rows = [LegendRow(style, text) for each, (style, text) in _ALWAYS.items() if each in settings.overlays]
     if Overlay.BAND in settings.overlays:
-        rows.append(LegendRow(Style.BAND, f"Worst case, {_errors(settings)}"))
+        rows.append(LegendRow(Style.BAND, f"{_worst(settings)}, {_errors(settings)}"))
     if Overlay.ENSEMBLE in settings.overlays:
         rows.append(LegendRow(Style.ENSEMBLE, f"{settings.ensemble_count} random cases, {_errors(settings)}"))
     drawn = {figure.style for figure in settled}
@@ -68,6 +68,11 @@ def legend_rows(
     # A ghost that is the curve itself needs no line of its own.
     ghost_rows = [_ghost_row(ghost) for ghost in ghosts if not ghost.is_real]
     return [LegendRow(None, rules_text(view.source)), *ghost_rows, *rows] if ghost_rows else rows
+
+
+def _worst(settings: AnalysisSettings) -> str:
+    # Errors of the parameters are added up as first changes; of the points nothing is left out.
+    return "Worst case to first order" if settings.parameter_error else "Worst case"
 
 
 def _errors(settings: AnalysisSettings) -> str:
