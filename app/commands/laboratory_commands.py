@@ -101,7 +101,8 @@ class LaboratoryCommands(QObject):
         self._parts.actions["toggleLaboratory"].setChecked(on)
 
     def _toggle(self) -> None:
-        if self._parts.actions["toggleLaboratory"].isChecked():
+        # In a presentation it may be on and out of sight: then it is called for.
+        if self._parts.actions["toggleLaboratory"].isChecked() or not self._dock.isVisible():
             self.open()
         else:
             self._dock.close()

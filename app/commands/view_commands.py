@@ -2,8 +2,12 @@
 
 from __future__ import annotations
 
+from PySide6.QtCore import Qt
+from PySide6.QtWidgets import QDockWidget
+
 from app.commands.parts import Handlers, Parts
 from app.gestures.tools import ToolKind
+from app.panels.late_dock import LateDock
 from app.plot.plot_widget import ZOOM_STEP
 from app.theme import ThemeMode
 from app.view_model.curve_view import CurveView
@@ -119,23 +123,25 @@ class ViewCommands:
         self._set_scale(_SCALES[max(0, min(_SCALES.index(self._scale) + step, len(_SCALES) - 1))])
 
     def _set_scale(self, scale: float) -> None:
-        self._scale = scale
+        factor, self._scale = scale / self._scale, scale
         self._parts.canvas.set_scale(self._scale)
         self._parts.basis_panel.set_scale(self._scale)
         self._parts.plot_panel.set_scale(self._scale)
+        docks = (*self._parts.docks, self._parts.lessons_dock)
+        late = [dock for dock in docks if isinstance(dock, LateDock)]
+        for dock in late:
+            dock.set_scale(scale)
+        seen = [dock for dock in late if dock.isVisible() and not dock.visibleRegion().isEmpty()]
+        widths = [round(dock.width() * factor) for dock in seen]
+        self._parts.window.resizeDocks(seen, widths, Qt.Orientation.Horizontal)
         self._session.say(f"Drawing at {self._scale:.0%}.")
 
     def _toggle_presentation(self) -> None:
         parts, window = self._parts, self._parts.window
         if self._actions["presentation"].isChecked():
             self._before_presentation = bytes(window.saveState().data())
-            for part in (
-                parts.toolbar,
-                window.menuBar(),
-                parts.status_line,
-                *parts.docks,
-                parts.lessons_dock,
-            ):
+            docks = [dock for dock in parts.docks if dock not in self._kept_for_a_lesson()]
+            for part in (parts.toolbar, window.menuBar(), parts.status_line, *docks):
                 part.hide()
             window.showFullScreen()
             return
@@ -143,6 +149,13 @@ class ViewCommands:
         window.menuBar().show()
         parts.status_line.show()
         window.restoreState(self._before_presentation)
+
+    def _kept_for_a_lesson(self) -> list[QDockWidget]:
+        """Return what a lesson needs at hand while it is presented: the laboratory, if it is in front."""
+        if not self._parts.lessons_dock.isVisible():
+            return []
+        is_wanted = self._actions["toggleLaboratory"].isChecked()
+        return [dock for dock in self._parts.docks if is_wanted and dock.objectName() == "laboratoryDock"]
 
     def leave_presentation(self) -> None:
         """Bring the panels back before the layout is remembered."""

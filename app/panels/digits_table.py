@@ -3,11 +3,14 @@
 from __future__ import annotations
 
 from PySide6.QtCore import Qt
-from PySide6.QtGui import QFontDatabase, QPalette
+from PySide6.QtGui import QFont, QFontDatabase, QPalette
 from PySide6.QtWidgets import QGridLayout, QLabel, QWidget
 
 from app.plot.traces import METHOD_NAMES
 from app.view_model.analysis.laboratory import Digits
+
+_USUAL_DIGITS = 9
+_SMALLER = 0.75
 
 
 class DigitsTable(QWidget):
@@ -22,7 +25,7 @@ class DigitsTable(QWidget):
         self._title.setToolTip("Put the scrub line (T) where you want to look; without it, the worst place")
         self._grid = QGridLayout(self)
         self._grid.setContentsMargins(0, 0, 0, 0)
-        self._grid.setHorizontalSpacing(10)
+        self._grid.setHorizontalSpacing(6)
         self._grid.setVerticalSpacing(2)
         self._grid.setColumnStretch(0, 1)
         self._grid.addWidget(self._title, 0, 0)
@@ -49,21 +52,30 @@ class DigitsTable(QWidget):
         rows += [(METHOD_NAMES[method], *map(_aligned, pair)) for method, pair in digits.rows]
         while len(self._rows) < len(rows):
             self._add_row()
+        font = _digits_font(shown)
         for place, labels in enumerate(self._rows):
             texts = rows[place] if place < len(rows) else ("", "", "")
             for label, text in zip(labels, texts, strict=True):
                 label.setText(text)
                 label.setVisible(place < len(rows))
+            for label in labels[1:]:
+                label.setFont(font)
 
     def _add_row(self) -> None:
         labels = (QLabel(), QLabel(), QLabel())
-        fixed = QFontDatabase.systemFont(QFontDatabase.SystemFont.FixedFont)
         for column, label in enumerate(labels):
             if column:
-                label.setFont(fixed)
                 label.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
             self._grid.addWidget(label, len(self._rows) + 1, column)
         self._rows.append(labels)
+
+
+def _digits_font(shown: int) -> QFont:
+    """Return the font for so many digits: two long numbers beside each other have to fit a narrow dock."""
+    font = QFontDatabase.systemFont(QFontDatabase.SystemFont.FixedFont)
+    if shown > _USUAL_DIGITS:
+        font.setPointSizeF(_SMALLER * font.pointSizeF())
+    return font
 
 
 def _aligned(text: str) -> str:

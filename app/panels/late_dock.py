@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from PySide6.QtWidgets import QDockWidget, QMainWindow, QWidget
+from PySide6.QtWidgets import QApplication, QDockWidget, QMainWindow, QWidget
 
 
 class LateDock(QDockWidget):
@@ -13,9 +13,22 @@ class LateDock(QDockWidget):
     def __init__(self, title: str, build: Callable[[], QWidget], window: QMainWindow) -> None:
         super().__init__(title, window)
         self._build = build
+        self._scale = 1.0
         self.visibilityChanged.connect(self._show_content)
 
     def _show_content(self, visible: bool) -> None:
         # Hidden behind another tab, a dock is not visible in this sense.
         if visible and self.widget() is None:
             self.setWidget(self._build())
+            self._apply_scale()
+
+    def set_scale(self, scale: float) -> None:
+        """Enlarge the type of the content, for a projector."""
+        self._scale = scale
+        self._apply_scale()
+
+    def _apply_scale(self) -> None:
+        if self.widget() is not None:
+            size = QApplication.font().pointSizeF() * self._scale
+            # Beside the application's style sheet a font that is set does not reach what is inside.
+            self.widget().setStyleSheet(f"* {{ font-size: {size}pt; }}" if self._scale != 1.0 else "")

@@ -8,6 +8,7 @@ from functools import reduce
 
 import numpy as np
 import pytest
+from msgspec.structs import replace
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import (
@@ -17,6 +18,7 @@ from PySide6.QtWidgets import (
     QLabel,
     QLineEdit,
     QPushButton,
+    QScrollArea,
     QSlider,
     QTabWidget,
 )
@@ -342,3 +344,11 @@ def test_the_errors_are_plotted_below_the_functions(lab, qtbot):
     assert len(lab.window.plot_panel.added) == 1
     lab.trigger("plotErrors")
     assert lab.window.plot_panel.added == []
+
+
+def test_sixteen_digits_fit_the_dock(lab, qtbot):
+    """The y values, the condition and the shift field used to be cut off at the right."""
+    lab.window.analysis.change(laboratory=replace(lab.window.analysis.settings.laboratory, digits=16))
+    settled(lab, qtbot)
+    page = find(lab, QScrollArea, "accuracyPage")
+    assert page.widget().width() <= page.viewport().width()

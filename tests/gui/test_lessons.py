@@ -7,7 +7,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QLabel, QPushButton, QTextBrowser
+from PySide6.QtWidgets import QDockWidget, QLabel, QPushButton, QSlider, QTextBrowser
 
 from app.actions import Actions
 from app.document.storage import load
@@ -203,3 +203,32 @@ def test_another_document_ends_the_lesson(editor, qtbot):
 def test_a_setting_that_is_none_is_refused(settings):
     with pytest.raises(LessonError, match="step 1"):
         parse_lesson(f"# T\n## A\n<!-- set: {settings} -->\nb", "some", Path("some.curve.json"))
+
+
+def test_a_lesson_can_be_presented_with_its_laboratory_and_larger_type(editor, qtbot):
+    editor.window.open_lesson("04_decimal_accuracy")
+    editor.settle()
+    text, slider = find(editor, QTextBrowser, "lessonText"), find(editor, QSlider, "digitsSlider")
+    before = text.font().pointSizeF()
+    editor.trigger("presentation")
+    assert text.isVisible()
+    assert slider.isVisible()
+    assert not editor.window.point_table.isVisible()
+    editor.trigger("enlarge")
+    assert text.font().pointSizeF() == pytest.approx(1.25 * before)
+    editor.trigger("usualSize")
+    assert text.font().pointSizeF() == before
+    editor.trigger("presentation")
+    assert editor.window.point_table.isVisible()
+
+
+def test_the_laboratory_comes_when_it_is_called_in_a_presentation(editor, qtbot):
+    editor.trigger("toggleLaboratory")
+    editor.trigger("presentation")
+    dock = find(editor, QDockWidget, "laboratoryDock")
+    assert not dock.isVisible()
+    editor.trigger("toggleLaboratory")
+    assert dock.isVisible()
+    editor.trigger("toggleLaboratory")
+    assert not dock.isVisible()
+    editor.trigger("presentation")
