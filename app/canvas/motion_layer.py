@@ -9,12 +9,14 @@ from PySide6.QtCore import QPointF, QRectF, Qt
 from PySide6.QtGui import QColor, QFont, QFontMetricsF, QPainter, QPen
 
 from app.colours import curve_colour
-from app.plot.drawing import Segments, Stroke, cut_segments
+from app.plot.drawing import Segments, cut_segments
+from app.plot.pens import draw_line
 from app.plot.pixel_map import PixelMap
 from app.plot.plot_widget import PlotWidget
-from app.theme import Theme
+from app.theme import Theme, mix
 from app.view_model.arrow import arrow_segments
 from app.view_model.curve_view import Floats
+from app.view_model.looks import DASHED
 from app.view_model.motion_picture import COLOURS, NAMES, RADII, TRAIL, Dot, Role, colour_of
 
 _TRAIL_DOT = 3.0
@@ -58,12 +60,8 @@ class MotionLayer:
         return curve_colour(COLOURS[role], self.theme) if role in COLOURS else QColor(self.theme.accent)
 
     def _paint_line(self, painter: QPainter, shown: PixelMap, role: Role, line: Floats) -> None:
-        colour = self._colour(role)
-        colour.setAlphaF(0.6)
-        painter.setPen(QPen(colour, self.scale, Qt.PenStyle.DashLine))
-        stroke = Stroke()
-        stroke.fill(shown.points(line), shown.width, shown.height)
-        stroke.draw(painter)
+        painter.setPen(QPen(mix(self._colour(role), self.theme.paper, 0.6), self.scale))
+        draw_line(painter, shown.points(line), DASHED, shown)
 
     def _paint_trail(self, painter: QPainter, shown: PixelMap, dot: Dot) -> None:
         colour = self._colour(dot.role)
