@@ -426,7 +426,7 @@ class MainWindow(QMainWindow):
     @property
     def jobs(self) -> Jobs:
         """What is being read or written beside the window."""
-        return self._commands.exchange.jobs
+        return self._commands.work.jobs
 
     def apply_preferences(self) -> None:
         """Take over what the preferences say about grid, unit and snapping."""

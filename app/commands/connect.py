@@ -9,6 +9,7 @@ from app.commands.disk_commands import DiskCommands
 from app.commands.edit_commands import EditCommands
 from app.commands.error_plot import ErrorPlotCommands
 from app.commands.exchange_commands import ExchangeCommands
+from app.commands.file_work import FileWork
 from app.commands.fresh_hints import FreshHints
 from app.commands.help_commands import HelpCommands
 from app.commands.hodograph_commands import HodographCommands
@@ -45,13 +46,14 @@ class Commands:
         self.snap = SnapCommands(parts)
         self.images = ImageCommands(parts, self.messages)
         self.recovery = RecoveryCommands(parts)
-        self.exchange = ExchangeCommands(parts)
+        self.work = FileWork(parts)
+        self.exchange = ExchangeCommands(parts, self.work)
         curves = CurveCommands(parts)
         self.hodograph = HodographCommands(parts)
         self.joints = JointCommands(parts)
         self.laboratory = LaboratoryCommands(parts)
         self.wiggle = WiggleCommands(parts)
-        self.motion = MotionCommands(parts)
+        self.motion = MotionCommands(parts, self.work)
         self._teaching = TeachingCommands(parts, self.laboratory.open, self.wiggle.explain_widest)
         self._live: tuple[LiveSet, ...] = (
             OverlayCommands(parts),
@@ -79,6 +81,7 @@ class Commands:
             self.images,
             DiskCommands(parts),
             self.recovery,
+            self.work,
             self.exchange,
             ToolCommands(parts, self.snap.apply_preferences),
         )
@@ -104,7 +107,7 @@ class Commands:
 
     def close(self) -> None:
         """Let what runs beside the window end; called before the window goes."""
-        self.exchange.close()
+        self.work.close()
         self.recovery.leave()
         for settler in self._parts.window.findChildren(Settler):
             settler.wait()
