@@ -2,6 +2,10 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable, Mapping
+
+from PySide6.QtWidgets import QWidget
+
 from app.commands.clipboard_commands import ClipboardCommands
 from app.commands.context_menus import ContextMenus
 from app.commands.curve_commands import CurveCommands
@@ -85,10 +89,23 @@ class Commands:
             self.exchange,
             ToolCommands(parts, self.snap.apply_preferences),
         )
+        self._dock_contents: Mapping[str, Callable[[], QWidget]] = {
+            "analysisDock": self._build_analysis,
+            "hodographDock": self.hodograph.build,
+            "jointsDock": self.joints.build,
+            "laboratoryDock": self.laboratory.build_panel,
+            "lessonsDock": self.lessons.build,
+            "wiggleDock": self.wiggle.build_panel,
+        }
         self.context_menus = ContextMenus(parts, curves, self.wiggle.explain_at)
         for handlers in (self._file_handlers(), *(each.handlers() for each in self._sets)):
             for name, handler in handlers.items():
                 parts.actions[name].triggered.connect(lambda _checked=False, handler=handler: handler())
+
+    def _build_analysis(self) -> QWidget:
+        from app.panels.analysis_panel import AnalysisPanel  # noqa: PLC0415 - late, as all of them
+
+        return AnalysisPanel(self._parts.analysis, self._parts.actions.__getitem__)
 
     def _file_handlers(self) -> Handlers:
         files = self._parts.files
@@ -104,6 +121,10 @@ class Commands:
         self._parts.files.new()
         if not self._parts.session.active_curve.nodes:
             self._parts.actions["addTool"].trigger()
+
+    def build_dock(self, name: str) -> QWidget:
+        """Return the content of a dock that is shown for the first time."""
+        return self._dock_contents[name]()
 
     def close(self) -> None:
         """Let what runs beside the window end; called before the window goes."""
