@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 import pyqtgraph as pg
-from PySide6.QtCore import QRectF, Qt
+from PySide6.QtCore import QRectF, QSizeF, Qt
 from PySide6.QtGui import QColor, QFont, QFontMetricsF, QPainter
 
 from app.canvas.curve_layer import TOLERANCE
@@ -15,6 +15,7 @@ from app.plot.area import AreaFill
 from app.plot.drawing import MARGIN, Floats, Segments, cut_segments
 from app.plot.pens import draw_line, draw_mark, pen_of
 from app.plot.pixel_map import PixelMap
+from app.plot.plates import inside, write_on_plate
 from app.plot.plot_widget import PlotWidget
 from app.theme import Theme
 from app.view_model.analysis.figures import Figure, Shape
@@ -109,18 +110,9 @@ class FigureLayer:
         font.setPointSizeF(self._font.pointSizeF() * 0.95 * self.scale)
         painter.setFont(font)
         metrics = QFontMetricsF(font)
-        width, height = metrics.horizontalAdvance(figure.label) + 8, metrics.height() + 2
-        left = min(max(x + 8, 4.0), max(shown.width - width - 4, 4.0))
-        top = min(max(y - height - 4, 4.0), max(shown.height - height - 4, 4.0))
-        plate = QRectF(left, top, width, height)
-        paper = QColor(self.theme.paper)
-        paper.setAlphaF(0.85)
-        painter.setPen(Qt.PenStyle.NoPen)
-        painter.setBrush(paper)
-        painter.drawRoundedRect(plate, 4, 4)
-        painter.setBrush(Qt.BrushStyle.NoBrush)
-        painter.setPen(self.theme.ink)
-        painter.drawText(plate, int(Qt.AlignmentFlag.AlignCenter), figure.label)
+        size = QSizeF(metrics.horizontalAdvance(figure.label) + 8, metrics.height() + 2)
+        plate = inside(x + 8, y - size.height() - 4, size, shown)
+        write_on_plate(painter, plate, figure.label, self.theme.paper, self.theme.ink)
 
 
 def _pixels(points: Floats, shown: PixelMap) -> Floats:

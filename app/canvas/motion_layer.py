@@ -5,13 +5,14 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 import numpy as np
-from PySide6.QtCore import QPointF, QRectF, Qt
+from PySide6.QtCore import QPointF, QRectF, QSizeF, Qt
 from PySide6.QtGui import QColor, QFont, QFontMetricsF, QPainter, QPen
 
 from app.colours import curve_colour
 from app.plot.drawing import Segments, cut_segments
 from app.plot.pens import draw_line
 from app.plot.pixel_map import PixelMap
+from app.plot.plates import inside, write_on_plate
 from app.plot.plot_widget import PlotWidget
 from app.theme import Theme, mix
 from app.view_model.arrow import arrow_segments
@@ -117,11 +118,7 @@ class MotionLayer:
         along = np.subtract(tip, start) / max(float(np.hypot(*np.subtract(tip, start))), 1e-9)
         x = tip[0] + along[0] * (width / 2 + 4) - width / 2
         y = tip[1] + along[1] * (height / 2 + 4) - height / 2
-        x = min(max(x, 2.0), max(shown.width - width - 2, 2.0))
-        y = min(max(y, 2.0), max(shown.height - height - 2, 2.0))
-        paper, ink = QColor(self.theme.paper), painter.pen().color()
-        paper.setAlphaF(0.8)
-        plate = QRectF(x, y, width, height)
+        plate = inside(x, y, QSizeF(width, height), shown)
         for other in self._written:
             # Two arrows with nearly one tip: one name stands below the other.
             if plate.intersects(other):
@@ -129,9 +126,7 @@ class MotionLayer:
                     other.bottom() if plate.center().y() >= other.center().y() else other.top() - height
                 )
         self._written.append(plate)
-        painter.fillRect(plate, paper)
-        painter.setPen(ink)
-        painter.drawText(plate, int(Qt.AlignmentFlag.AlignCenter), words)
+        write_on_plate(painter, plate, words, self.theme.paper, painter.pen().color())
 
 
 def _is_near(x: float, y: float) -> bool:

@@ -89,18 +89,13 @@ class Commands:
             self.exchange,
             ToolCommands(parts, self.snap.apply_preferences),
         )
-        self._dock_contents: Mapping[str, Callable[[], QWidget]] = {
-            "analysisDock": self._build_analysis,
-            "hodographDock": self.hodograph.build,
-            "jointsDock": self.joints.build,
-            "laboratoryDock": self.laboratory.build_panel,
-            "lessonsDock": self.lessons.build,
-            "wiggleDock": self.wiggle.build_panel,
-        }
         self.context_menus = ContextMenus(parts, curves, self.wiggle.explain_at)
+        self._connect()
+
+    def _connect(self) -> None:
         for handlers in (self._file_handlers(), *(each.handlers() for each in self._sets)):
             for name, handler in handlers.items():
-                parts.actions[name].triggered.connect(lambda _checked=False, handler=handler: handler())
+                self._parts.actions[name].triggered.connect(lambda _checked=False, handler=handler: handler())
 
     def _build_analysis(self) -> QWidget:
         from app.panels.analysis_panel import AnalysisPanel  # noqa: PLC0415 - late, as all of them
@@ -124,7 +119,15 @@ class Commands:
 
     def build_dock(self, name: str) -> QWidget:
         """Return the content of a dock that is shown for the first time."""
-        return self._dock_contents[name]()
+        builders: Mapping[str, Callable[[], QWidget]] = {
+            "analysisDock": self._build_analysis,
+            "hodographDock": self.hodograph.build,
+            "jointsDock": self.joints.build,
+            "laboratoryDock": self.laboratory.build_panel,
+            "lessonsDock": self.lessons.build,
+            "wiggleDock": self.wiggle.build_panel,
+        }
+        return builders[name]()
 
     def close(self) -> None:
         """Let what runs beside the window end; called before the window goes."""
