@@ -68,8 +68,13 @@ class Commands:
             self.motion,
         )
         self.lessons = LessonCommands(parts)
-        self._sets: tuple[CommandSet, ...] = (
-            *self._live,
+        self._sets: tuple[CommandSet, ...] = (*self._live, *self._other_sets(curves))
+        self.context_menus = ContextMenus(parts, curves, self.wiggle.explain_at)
+        self._connect()
+
+    def _other_sets(self, curves: CurveCommands) -> tuple[CommandSet, ...]:
+        parts = self._parts
+        return (
             self.joints,
             ErrorPlotCommands(parts, self.laboratory),
             EditCommands(parts),
@@ -89,8 +94,6 @@ class Commands:
             self.exchange,
             ToolCommands(parts, self.snap.apply_preferences),
         )
-        self.context_menus = ContextMenus(parts, curves, self.wiggle.explain_at)
-        self._connect()
 
     def _connect(self) -> None:
         for handlers in (self._file_handlers(), *(each.handlers() for each in self._sets)):
