@@ -8,8 +8,8 @@ from dataclasses import dataclass
 import numpy as np
 from PySide6.QtGui import QPainter
 
-from app.plot.drawing import Floats
-from app.plot.pens import draw_line, pen_of
+from app.plot.drawing import Floats, Segments, Stroke
+from app.plot.pens import line_in_pixels, pen_of
 from app.plot.pixel_map import PixelMap
 from app.plot.plot_widget import PlotWidget
 from app.theme import Theme
@@ -34,6 +34,8 @@ class TraceLayer:
         self.theme = theme
         self.scale = 1.0
         self.groups: dict[str, tuple[Sequence[Trace], bool]] = {}
+        self._lines: list[tuple[Look, bool, Stroke | Segments]] = []
+        self._drawn_at: tuple[PixelMap, float] | None = None
         self._layer = plot.add_layer(self.paint, z=0.5)
 
     def render(self, group: str, traces: Sequence[Trace], *, faded: bool) -> None:
@@ -43,15 +45,27 @@ class TraceLayer:
         self.groups.pop(group, None)
         if traces:
             self.groups[group] = (traces, faded)
+        self._drawn_at = None
         self._layer.update()
 
     def paint(self, painter: QPainter, shown: PixelMap) -> None:
-        """Draw the traces of every group, the last one on top."""
+        """Draw the traces of every group, the last one on top.
+
+        During a drag they are old results that stay: their dashes are made once.
+        """
         painter.setRenderHint(QPainter.RenderHint.Antialiasing, True)
-        for traces, faded in self.groups.values():
-            for trace in traces:
-                painter.setPen(pen_of(trace.look, self.theme, self.scale, _FADED if faded else 1.0))
-                for points in trace.pieces:
-                    with np.errstate(over="ignore"):
-                        pixels = shown.points(points)
-                    draw_line(painter, pixels, trace.look.dashes, shown)
+        if self._drawn_at != (shown, self.scale):
+            self._drawn_at = shown, self.scale
+            self._lines = [
+                (trace.look, faded, self._line(points, trace.look, shown))
+                for traces, faded in self.groups.values()
+                for trace in traces
+                for points in trace.pieces
+            ]
+        for look, faded, line in self._lines:
+            painter.setPen(pen_of(look, self.theme, self.scale, _FADED if faded else 1.0))
+            line.draw(painter)
+
+    def _line(self, points: Floats, look: Look, shown: PixelMap) -> Stroke | Segments:
+        with np.errstate(over="ignore"):
+            return line_in_pixels(shown.points(points), look.dashes, look.width * self.scale, shown)
