@@ -58,7 +58,6 @@ class Autosave(QObject):
         super().__init__(parent)
         self._session = session
         self._file = SnapshotFile(folder)
-        self._origin = Origin.of(session.path)
         self._kept: Document | None = None
         self._has_complained = self._has_written = False
         self._writing: Future[str] | None = None
@@ -69,8 +68,6 @@ class Autosave(QObject):
         self._finished.connect(self._report)
         session.document_changed.connect(self._note_change)
         session.file_changed.connect(self._note_file)
-        session.opened.connect(self._note_origin)
-        session.saved.connect(self._note_origin)
         self._note_file()
 
     @cached_property
@@ -97,9 +94,6 @@ class Autosave(QObject):
         else:
             self._discard()
 
-    def _note_origin(self) -> None:
-        self._origin = Origin.of(self._session.path)
-
     def _write_soon(self) -> None:
         if not self.is_needed:
             self._discard()
@@ -112,7 +106,8 @@ class Autosave(QObject):
         session = self._session
         self._soon.stop()
         self._kept, self._has_written = session.document, True
-        task = self._worker.submit(_written, self._file, session.document, self._origin, session.committed)
+        origin = Origin(session.path, session.file.stamp if session.file is not None else None)
+        task = self._worker.submit(_written, self._file, session.document, origin, session.committed)
         self._writing = task
         task.add_done_callback(self._pass_on)
         return task
@@ -170,8 +165,6 @@ class Autosave(QObject):
         session = self._session
         session.document_changed.disconnect(self._note_change)
         session.file_changed.disconnect(self._note_file)
-        session.opened.disconnect(self._note_origin)
-        session.saved.disconnect(self._note_origin)
 
 
 def state_folder() -> Path:

@@ -13,14 +13,18 @@ from typing import TYPE_CHECKING, Any
 from msgspec.structs import replace
 
 from app import __version__
-from app.cli_options import STYLES, add_picture_options, picture_options, positive_number, whole_number
+from app.cli_options import (
+    STYLES,
+    add_convert_options,
+    add_motion_options,
+    add_picture_options,
+    picture_options,
+    positive_number,
+)
 from app.document.format import FormatError
 from app.document.model import Document, Family
 from app.document.storage import StorageError, load
 from app.exchange import (
-    ENDINGS,
-    READABLE,
-    SAMPLES,
     SUFFIXES,
     ExchangeError,
     Spacing,
@@ -138,8 +142,10 @@ def _command_parser() -> argparse.ArgumentParser:
         help="largest deviation from the true curve, in the document's unit (default: 1e-5 of its size)",
     )
     add_picture_options(render)
-    _add_motion(render)
-    _add_convert(commands.add_parser("convert", help="read and write other formats", description=_CONVERT))
+    add_motion_options(render)
+    add_convert_options(
+        commands.add_parser("convert", help="read and write other formats", description=_CONVERT)
+    )
     info = commands.add_parser(
         "info", help="print facts", description="Print facts about a document's curves."
     )
@@ -150,73 +156,6 @@ def _command_parser() -> argparse.ArgumentParser:
     )
     lesson.add_argument("name", metavar="NAME", nargs="?", help="a lesson's name or number")
     return parser
-
-
-def _add_motion(render: argparse.ArgumentParser) -> None:
-    motion = render.add_argument_group(
-        "motion",
-        "A dot that runs along the first curve: OUT is a .gif, .apng or .mp4, or a .png with --motion.",
-    )
-    motion.add_argument(
-        "--motion", choices=("once", "loop", "ping-pong"), help="what happens at the end (default: loop)"
-    )
-    motion.add_argument(
-        "--pace", choices=("t", "length"), default="t", help="what grows evenly with time (default: t)"
-    )
-    motion.add_argument(
-        "--fps", type=whole_number, default=25, metavar="N", help="frames a second (default: 25)"
-    )
-    motion.add_argument(
-        "--seconds",
-        type=positive_number,
-        metavar="S",
-        help="length of one round (default: that of the domain)",
-    )
-
-
-def _add_convert(convert: argparse.ArgumentParser) -> None:
-    convert.add_argument("file", metavar="IN", help=f"what to read; ends in {', '.join(READABLE)}")
-    convert.add_argument("output", metavar="OUT", help=f"what to write; ends in {', '.join(ENDINGS)}")
-    convert.add_argument(
-        "--tolerance",
-        type=positive_number,
-        metavar="X",
-        help="largest deviation where a format cannot hold the curve itself (default: 1e-5 of its size)",
-    )
-    convert.add_argument(
-        "--thin",
-        type=positive_number,
-        metavar="X",
-        help="leave out the rows of a table that a curve comes this near",
-    )
-    convert.add_argument(
-        "--corners",
-        action="store_true",
-        help="with --thin: the rows that a polyline this near turns at (Douglas-Peucker)",
-    )
-    convert.add_argument(
-        "--family",
-        choices=[str(family) for family in Family],
-        default=str(Family.HERMITE),
-        help="of a curve through the rows of a table (default: %(default)s)",
-    )
-    convert.add_argument(
-        "--samples",
-        type=whole_number,
-        default=SAMPLES,
-        metavar="N",
-        help="rows of a table (default: %(default)s)",
-    )
-    convert.add_argument(
-        "--by",
-        choices=[str(spacing) for spacing in Spacing],
-        default=str(Spacing.T),
-        help="equal steps of t or of the arc length, or as many rows as the tolerance takes",
-    )
-    convert.add_argument(
-        "--columns", metavar="A,B", help="of a table of samples: t, x, y, vx, vy, ax, ay, curvature, length"
-    )
-    add_picture_options(convert)
 
 
 def _load(path: str) -> Document:

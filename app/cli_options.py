@@ -1,12 +1,12 @@
-"""Options of the command line that several commands share: numbers, and what goes into a picture."""
+"""The options of the command line: numbers, pictures, films and tables."""
 
 from __future__ import annotations
 
 import argparse
 from typing import TYPE_CHECKING
 
-from app.document.model import Document
-from app.exchange import DARK, LIGHT, ExchangeError, Options
+from app.document.model import Document, Family
+from app.exchange import DARK, ENDINGS, LIGHT, READABLE, SAMPLES, ExchangeError, Options, Spacing
 
 if TYPE_CHECKING:
     from app.exchange.decor import Extras
@@ -65,6 +65,79 @@ def add_picture_options(parser: argparse.ArgumentParser) -> None:
         const=1,
         metavar="N",
         help="draw the basis functions of the N-th curve below the picture (default: the first)",
+    )
+
+
+def add_motion_options(render: argparse.ArgumentParser) -> None:
+    """Let `render` make films."""
+    motion = render.add_argument_group(
+        "motion",
+        "A dot that runs along the first curve: OUT is a .gif, .apng or .mp4, or a .png with --motion.",
+    )
+    motion.add_argument(
+        "--motion", choices=("once", "loop", "ping-pong"), help="what happens at the end (default: loop)"
+    )
+    motion.add_argument(
+        "--pace", choices=("t", "length"), default="t", help="what grows evenly with time (default: t)"
+    )
+    motion.add_argument(
+        "--fps", type=whole_number, default=25, metavar="N", help="frames a second (default: 25)"
+    )
+    motion.add_argument(
+        "--seconds",
+        type=positive_number,
+        metavar="S",
+        help="length of one round (default: that of the domain)",
+    )
+
+
+def add_convert_options(convert: argparse.ArgumentParser) -> None:
+    """Let `convert` take its files, the options of tables and those of pictures."""
+    convert.add_argument("file", metavar="IN", help=f"what to read; ends in {', '.join(READABLE)}")
+    convert.add_argument("output", metavar="OUT", help=f"what to write; ends in {', '.join(ENDINGS)}")
+    convert.add_argument(
+        "--tolerance",
+        type=positive_number,
+        metavar="X",
+        help="largest deviation where a format cannot hold the curve itself (default: 1e-5 of its size)",
+    )
+    _add_table_options(convert)
+    add_picture_options(convert)
+
+
+def _add_table_options(convert: argparse.ArgumentParser) -> None:
+    convert.add_argument(
+        "--thin",
+        type=positive_number,
+        metavar="X",
+        help="leave out the rows of a table that a curve comes this near",
+    )
+    convert.add_argument(
+        "--corners",
+        action="store_true",
+        help="with --thin: the rows that a polyline this near turns at (Douglas-Peucker)",
+    )
+    convert.add_argument(
+        "--family",
+        choices=[str(family) for family in Family],
+        default=str(Family.HERMITE),
+        help="of a curve through the rows of a table (default: %(default)s)",
+    )
+    convert.add_argument(
+        "--samples",
+        type=whole_number,
+        default=SAMPLES,
+        metavar="N",
+        help="rows of a table (default: %(default)s)",
+    )
+    convert.add_argument(
+        "--by",
+        choices=[str(spacing) for spacing in Spacing],
+        default=str(Spacing.T),
+        help="equal steps of t or of the arc length, or as many rows as the tolerance takes",
+    )
+    convert.add_argument(
+        "--columns", metavar="A,B", help="of a table of samples: t, x, y, vx, vy, ax, ay, curvature, length"
     )
 
 

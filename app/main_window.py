@@ -2,49 +2,39 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from pathlib import Path
 
 from PySide6.QtCore import QEvent, Qt, QTimer, Signal
-from PySide6.QtGui import QAction, QCloseEvent, QDragEnterEvent, QDropEvent, QKeyEvent, QStatusTipEvent
+from PySide6.QtGui import QCloseEvent, QDragEnterEvent, QDropEvent, QKeyEvent, QStatusTipEvent
 from PySide6.QtWidgets import (
     QApplication,
     QDialog,
-    QDockWidget,
     QMainWindow,
-    QMenu,
     QSplitter,
     QVBoxLayout,
     QWidget,
 )
 
-from app.action_specs import MENUS
 from app.actions import Actions
 from app.analysis import Analysis
 from app.autosave import Autosave
 from app.canvas.canvas import Canvas
 from app.commands.connect import Commands
-from app.commands.curve_commands import CURVE_LIST_BUTTONS
 from app.commands.exchange_commands import can_import
 from app.commands.image_commands import PICTURE_SUFFIXES
 from app.commands.parts import Parts
 from app.commands.recovery_commands import OpenBeside
-from app.examples import example_name, example_paths
+from app.docks import Docks
 from app.file_commands import FileCommands, title_of
 from app.gestures.rail import RailTool
 from app.gestures.tools import CanvasTool
 from app.icons import app_icon
+from app.menus import Menus
 from app.panels.basis_pane import BasisPane
 from app.panels.basis_panel import BasisPanel
-from app.panels.curve_list import CurveList
-from app.panels.curve_settings import CurveSettings
-from app.panels.history import HistoryPanel
-from app.panels.image_panel import ImagePanel
-from app.panels.late_dock import LateDock
 from app.panels.message_bar import MessageBar
 from app.panels.parametrization_bar import ParametrizationBar
 from app.panels.plot_panel import PlotPanel
-from app.panels.point_table import PointTable
 from app.panels.status_line import StatusLine
 from app.preferences import Preferences
 from app.session import Session
@@ -55,9 +45,6 @@ from app.worker import Jobs
 
 _PANELS_MS = 100
 """How far the panels may lag behind a drag, in milliseconds; the canvas and the functions never do."""
-
-
-_RIGHT = Qt.DockWidgetArea.RightDockWidgetArea
 
 
 class MainWindow(QMainWindow):
@@ -142,108 +129,24 @@ class MainWindow(QMainWindow):
         self.setCentralWidget(self.splitter)
 
     def _build_docks(self) -> None:
-        self.table_panel = PointTable(self.session)
-        self.point_table = self.table_panel.view
-        self.curve_settings = CurveSettings(self.session)
-        self.history = HistoryPanel(self.session)
-        self.curve_list = CurveList(self.session)
-        self.curve_list.add_buttons([self.actions_by_name[name] for name in CURVE_LIST_BUTTONS])
-        points = self._add_dock("pointsDock", "Points", self.table_panel)
-        curve = self._add_dock("curveDock", "Curve", self.curve_settings)
-        curves = self._add_dock("curvesDock", "Curves", self.curve_list)
-        history = self._add_dock("historyDock", "History", self.history)
-        self.image_panel = ImagePanel(self.session)
-        self.image_dock = self._add_dock("imageDock", "Image", self.image_panel)
-        analysis = self._add_late_dock("analysisDock", "Analysis", self._build_analysis)
-        joints = self._add_late_dock("jointsDock", "Joints", self._build_joints)
-        hodograph = self._add_late_dock("hodographDock", "Hodograph", self._build_hodograph)
-        for upper in (curves, history):
-            self.tabifyDockWidget(points, upper)
-        laboratory = self._add_late_dock("laboratoryDock", "Laboratory", self._build_laboratory)
-        wiggle = self._add_late_dock("wiggleDock", "Wiggle", self._build_wiggle)
-        asked_for = (laboratory, wiggle, hodograph)
-        for lower in (joints, analysis, *asked_for, self.image_dock):
-            self.tabifyDockWidget(curve, lower)
-        for front in (points, curve):
-            front.raise_()
-        self.lessons_dock = self._add_late_dock(
-            "lessonsDock", "Lessons", self._build_lessons, Qt.DockWidgetArea.LeftDockWidgetArea
-        )
-        self.lessons_dock.hide()
-        # Too many tabs are none: these come when they are asked for.
-        for closed in asked_for:
-            closed.hide()
-        self.docks = (points, curves, history, curve, joints, analysis, *asked_for, self.image_dock)
-        self.resizeDocks([points], [360], Qt.Orientation.Horizontal)
-        self.resizeDocks([points, curve], [480, 300], Qt.Orientation.Vertical)
+        docks = Docks(self, self.session, self.actions_by_name, self._build_dock)
+        self.table_panel, self.curve_settings = docks.table_panel, docks.curve_settings
+        self.point_table = docks.table_panel.view
+        self.history, self.curve_list = docks.history, docks.curve_list
+        self.image_panel, self.image_dock = docks.image_panel, docks.image
+        self.docks, self.lessons_dock = docks.side, docks.lessons
 
-    def _build_analysis(self) -> QWidget:
-        from app.panels.analysis_panel import AnalysisPanel  # noqa: PLC0415
-
-        return AnalysisPanel(self.analysis, self.actions_by_name.__getitem__)
-
-    def _build_joints(self) -> QWidget:
-        return self._commands.joints.build()
-
-    def _build_hodograph(self) -> QWidget:
-        return self._commands.hodograph.build()
-
-    def _build_laboratory(self) -> QWidget:
-        return self._commands.laboratory.build_panel()
-
-    def _build_wiggle(self) -> QWidget:
-        return self._commands.wiggle.build_panel()
-
-    def _build_lessons(self) -> QWidget:
-        return self._commands.lessons.build()
-
-    def _add_dock(self, name: str, title: str, content: QWidget) -> QDockWidget:
-        dock = QDockWidget(title, self)
-        dock.setWidget(content)
-        return self._place_dock(dock, name, _RIGHT)
-
-    def _add_late_dock(
-        self, name: str, title: str, build: Callable[[], QWidget], area: Qt.DockWidgetArea = _RIGHT
-    ) -> QDockWidget:
-        """Add a dock whose content is built when it is first shown: nobody waits for it at the start."""
-        return self._place_dock(LateDock(title, build, self), name, area)
-
-    def _place_dock(self, dock: QDockWidget, name: str, area: Qt.DockWidgetArea) -> QDockWidget:
-        dock.setObjectName(name)
-        dock.setAllowedAreas(Qt.DockWidgetArea.LeftDockWidgetArea | Qt.DockWidgetArea.RightDockWidgetArea)
-        self.addDockWidget(area, dock)
-        return dock
+    def _build_dock(self, name: str) -> QWidget:
+        # Commands are made later than docks; what they fill is asked of them when it is first shown.
+        return self._commands.build_dock(name)
 
     def _build_bars(self) -> None:
         self.parametrization_bar = ParametrizationBar(self.session)
         self.status_line = StatusLine(self)
         self.setStatusBar(self.status_line)
-        for title in MENUS:
-            self._build_menu(title)
+        self.menus = Menus(self, self.actions_by_name)
         self.toolbar = Toolbar(self.actions_by_name, self.parametrization_bar, self)
         self.addToolBar(self.toolbar)
-
-    def _build_menu(self, title: str) -> None:
-        menu = self.menuBar().addMenu(title)
-        submenus: dict[str, QMenu] = {}
-        for spec, action in self.actions_by_name.of_menu(title):
-            if spec.submenu and spec.submenu not in submenus:
-                submenus[spec.submenu] = menu.addMenu(spec.submenu)
-                submenus[spec.submenu].setObjectName(f"{spec.submenu.lower()}Menu")
-            place = submenus.get(spec.submenu, menu)
-            if spec.separated:
-                place.addSeparator()
-            place.addAction(action)
-            if spec.name == "openDocument":
-                self.recent_menu = menu.addMenu("Open Recent")
-                self.examples_menu = menu.addMenu("Examples")
-        if title == "Curve":
-            self.parameters_menu = menu.addMenu("Parameters")
-            self.tangent_menu = menu.addMenu("Tangent")
-            for spec, action in self.actions_by_name.of_menu("Tangent"):
-                if spec.separated:
-                    self.tangent_menu.addSeparator()
-                self.tangent_menu.addAction(action)
 
     def _parts(self) -> Parts:
         return Parts(
@@ -260,7 +163,7 @@ class MainWindow(QMainWindow):
             status_line=self.status_line,
             toolbar=self.toolbar,
             docks=self.docks,
-            parameters_menu=self.parameters_menu,
+            parameters_menu=self.menus.parameters,
             preferences=self.preferences,
             curve_list=self.curve_list,
             set_theme_mode=self.set_theme_mode,
@@ -296,41 +199,9 @@ class MainWindow(QMainWindow):
         self.parametrization_bar.drag_changed.connect(self.canvas.hold_ghost)
         self.canvas.pointed_at.connect(self.status_line.show_place)
         self.basis_panel.pointed_at.connect(self.status_line.show_t)
-        self.recent_menu.aboutToShow.connect(self._fill_recent_menu)
-        self._fill_examples_menu()
-        self.examples_menu.aboutToShow.connect(self._name_examples)
+        self.menus.fill_with_files(self.preferences, self._files.open, self._files.open_example)
         session.history_changed.connect(self._render_file)
         self.table_panel.pasted.connect(self._show_points)
-
-    def _fill_recent_menu(self) -> None:
-        self.recent_menu.clear()
-        for path in self.preferences.recent_files:
-            self._add_file(self.recent_menu, path, path.name, str(path)).triggered.connect(
-                lambda _checked=False, path=path: self._files.open(path)
-            )
-        self.recent_menu.setEnabled(True)
-        if self.recent_menu.isEmpty():
-            self.recent_menu.addAction("No files yet").setEnabled(False)
-
-    def _fill_examples_menu(self) -> None:
-        for path in example_paths():
-            name = path.name.removesuffix(".curve.json")
-            title = name.replace("_", " ").capitalize()
-            self._add_file(self.examples_menu, path, title, f"example_{name}").triggered.connect(
-                lambda _checked=False, path=path: self._files.open_example(path)
-            )
-
-    def _name_examples(self) -> None:
-        # Only now: nobody waits at the start for files to be read that are perhaps never opened.
-        for action, path in zip(self.examples_menu.actions(), example_paths(), strict=True):
-            action.setText(example_name(path).replace("&", "&&"))
-
-    @staticmethod
-    def _add_file(menu: QMenu, path: Path, title: str, name: str) -> QAction:
-        action = menu.addAction(title)
-        action.setObjectName(name)
-        action.setStatusTip(f"Open {path.name}")
-        return action
 
     # Rendering: from values to widgets, never back
 
@@ -426,7 +297,7 @@ class MainWindow(QMainWindow):
     @property
     def jobs(self) -> Jobs:
         """What is being read or written beside the window."""
-        return self._commands.exchange.jobs
+        return self._commands.work.jobs
 
     def apply_preferences(self) -> None:
         """Take over what the preferences say about grid, unit and snapping."""
@@ -463,7 +334,7 @@ class MainWindow(QMainWindow):
 
     def changeEvent(self, event: QEvent) -> None:
         super().changeEvent(event)
-        if event.type() == QEvent.Type.PaletteChange and hasattr(self, "message_bar"):
+        if event.type() == QEvent.Type.PaletteChange and hasattr(self, "_commands"):
             self._render_theme()
 
     def _remember_layout(self) -> None:

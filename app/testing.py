@@ -23,19 +23,19 @@ from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import Protocol
 
-from PySide6.QtCore import QEvent, QPoint, QPointF, Qt
-from PySide6.QtGui import QAction, QContextMenuEvent, QGuiApplication, QImage, QMouseEvent, QWheelEvent
+from PySide6.QtCore import QEvent, Qt
+from PySide6.QtGui import QAction, QGuiApplication, QImage
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication, QDockWidget, QMenu, QWidget
+from PySide6.QtWidgets import QDockWidget, QWidget
 
 from app.document.model import Curve, Family, ParametrizationKind, Vector
 from app.main_window import MainWindow
 from app.panels.command_palette import CommandPalette
 from app.panels.curve_list_view import Spot, spot_rect
 from app.panels.file_bar import FileBar
-from app.plot.plot_widget import PlotWidget
 from app.preferences import Preferences
 from app.session import Session
+from app.testing_hand import Hand
 from app.view_model.handles import Handle
 
 _FAMILY_ACTIONS = {
@@ -43,7 +43,6 @@ _FAMILY_ACTIONS = {
     Family.HERMITE: "familyHermite",
     Family.QUINTIC_HERMITE: "familyQuinticHermite",
 }
-_STEPS = 6
 _NO_KEYS = Qt.KeyboardModifier.NoModifier
 _LEFT = Qt.MouseButton.LeftButton
 
@@ -60,7 +59,7 @@ class QtBot(Protocol):
         """Wait until the window is shown."""
 
 
-class Editor:
+class Editor(Hand):
     """One window of the editor, driven by real events.
 
     Parameters
@@ -289,151 +288,6 @@ class Editor:
         height = 0.5
         self.drag_pixels(panel, panel.to_pixel(start, height), panel.to_pixel(t, height))
 
-    def click(self, at: Vector, *, keys: Qt.KeyboardModifier = _NO_KEYS) -> None:
-        """Click on the canvas."""
-        self.press(at, keys=keys)
-        self.release(at, keys=keys)
-
-    def drag(self, start: Vector, to: Vector, *, keys: Qt.KeyboardModifier = _NO_KEYS) -> None:
-        """Press at `start`, move and release at `to`, on the canvas."""
-        canvas = self.window.canvas
-        self.drag_pixels(canvas, canvas.to_pixel(*start), canvas.to_pixel(*to), keys=keys)
-
-    def press(self, at: Vector, *, keys: Qt.KeyboardModifier = _NO_KEYS) -> None:
-        """Move to a place on the canvas and press the left button."""
-        canvas = self.window.canvas
-        self.send(canvas, QEvent.Type.MouseMove, canvas.to_pixel(*at), held=False, keys=keys)
-        self.send(canvas, QEvent.Type.MouseButtonPress, canvas.to_pixel(*at), keys=keys)
-        self.settle()
-
-    def move(self, to: Vector, *, held: bool = True, keys: Qt.KeyboardModifier = _NO_KEYS) -> None:
-        """Move to a place on the canvas."""
-        canvas = self.window.canvas
-        self.send(canvas, QEvent.Type.MouseMove, canvas.to_pixel(*to), held=held, keys=keys)
-        self.settle()
-
-    def release(self, at: Vector, *, keys: Qt.KeyboardModifier = _NO_KEYS) -> None:
-        """Release the left button on the canvas."""
-        canvas = self.window.canvas
-        self.send(canvas, QEvent.Type.MouseButtonRelease, canvas.to_pixel(*at), held=False, keys=keys)
-        self.settle()
-
-    def hover(self, at: Vector) -> None:
-        """Move over the canvas with no button down."""
-        self.move(at, held=False)
-
-    def key(self, key: Qt.Key, keys: Qt.KeyboardModifier = _NO_KEYS) -> None:
-        """Press a key with the canvas in focus."""
-        self.window.canvas.setFocus()
-        QTest.keyClick(self.window.canvas, key, keys)
-        self.settle()
-
-    def hold_space(self) -> None:
-        """Press Space over the canvas: a drag pans."""
-        self.window.canvas.setFocus()
-        QTest.keyPress(self.window.canvas, Qt.Key.Key_Space)
-
-    def release_space(self) -> None:
-        """Release Space."""
-        QTest.keyRelease(self.window.canvas, Qt.Key.Key_Space)
-
-    def escape(self) -> None:
-        """Press Escape."""
-        self.key(Qt.Key.Key_Escape)
-
-    def wheel(self, at: Vector, notches: int) -> None:
-        """Turn the wheel on the canvas."""
-        canvas = self.window.canvas
-        place = QPointF(canvas.to_pixel(*at))
-        event = QWheelEvent(
-            place,
-            canvas.viewport().mapToGlobal(place),
-            QPoint(),
-            QPoint(0, 120 * notches),
-            Qt.MouseButton.NoButton,
-            _NO_KEYS,
-            Qt.ScrollPhase.NoScrollPhase,
-            False,
-        )
-        QApplication.sendEvent(canvas.viewport(), event)
-        self.settle()
-
-    # How it is done
-
-    def drag_pixels(
-        self,
-        plot: PlotWidget,
-        start: QPoint | QPointF,
-        to: QPoint | QPointF,
-        *,
-        keys: Qt.KeyboardModifier = _NO_KEYS,
-        button: Qt.MouseButton = _LEFT,
-    ) -> None:
-        """Drag between two pixels of a plot's viewport."""
-        start, to = QPointF(start), QPointF(to)
-        self.send(plot, QEvent.Type.MouseMove, start, held=False, keys=keys)
-        self.send(plot, QEvent.Type.MouseButtonPress, start, keys=keys, button=button)
-        for step in range(1, _STEPS + 1):
-            between = start + (to - start) * (step / _STEPS)
-            self.send(plot, QEvent.Type.MouseMove, between, keys=keys, button=button)
-        self.send(plot, QEvent.Type.MouseButtonRelease, to, held=False, keys=keys, button=button)
-        self.settle()
-
-    def send(
-        self,
-        plot: PlotWidget,
-        kind: QEvent.Type,
-        pixel: QPoint | QPointF,
-        *,
-        held: bool = True,
-        keys: Qt.KeyboardModifier = _NO_KEYS,
-        button: Qt.MouseButton = _LEFT,
-    ) -> None:
-        """Send one mouse event to a plot's viewport."""
-        place = QPointF(pixel)
-        nothing = Qt.MouseButton.NoButton
-        event = QMouseEvent(
-            kind,
-            place,
-            plot.viewport().mapToGlobal(place),
-            nothing if kind == QEvent.Type.MouseMove else button,
-            button if held else nothing,
-            keys,
-        )
-        QApplication.sendEvent(plot.viewport(), event)
-
-    def open_menu(self, at: Vector) -> QMenu:
-        """Press the right button on the canvas and return the menu that opens."""
-        canvas = self.window.canvas
-        pixel = canvas.to_pixel(*at)
-        self.send(canvas, QEvent.Type.MouseButtonPress, pixel, button=Qt.MouseButton.RightButton)
-        return self._menu_from(canvas.viewport(), QContextMenuEvent.Reason.Mouse, pixel)
-
-    def press_menu_key(self) -> QMenu:
-        """Press the Menu key with the canvas in focus and return the menu that opens."""
-        return self._menu_from(self.window.canvas, QContextMenuEvent.Reason.Keyboard, QPoint())
-
-    def _menu_from(self, widget: QWidget, reason: QContextMenuEvent.Reason, pixel: QPoint) -> QMenu:
-        QApplication.sendEvent(widget, QContextMenuEvent(reason, pixel, widget.mapToGlobal(pixel)))
-        self.settle()
-        return self.menu()
-
-    def menu(self) -> QMenu:
-        """Return the menu that is open."""
-        menu = QApplication.activePopupWidget()
-        if not isinstance(menu, QMenu):
-            raise LookupError("There is no menu open.")
-        return menu
-
-    def choose(self, name: str) -> None:
-        """Click the entry of the open menu that has this objectName."""
-        menu = self.menu()
-        entry = next((each for each in menu.actions() if each.objectName() == name), None)
-        if entry is None:
-            raise LookupError(f"There is no entry called {name!r} in the menu.")
-        QTest.mouseClick(menu, _LEFT, pos=menu.actionGeometry(entry).center())
-        self.settle()
-
     def click_in_list(self, row: int, spot: Spot = Spot.NAME) -> None:
         """Click a part of a row in the list of curves."""
         self.show_dock("curvesDock")
@@ -453,11 +307,6 @@ class Editor:
     def type_text(self, widget: QWidget, text: str) -> None:
         """Type into a widget."""
         QTest.keyClicks(widget, text)
-
-    def settle(self) -> None:
-        """Let Qt deliver what is pending and paint."""
-        for _ in range(2):
-            QGuiApplication.processEvents()
 
     def wait_for_work(self, seconds: float = 30.0) -> None:
         """Wait until nothing is read or written beside the window."""

@@ -118,6 +118,21 @@ def test_every_module_has_a_layer():
     assert not homeless, "name them in the docstring of app/__init__.py"
 
 
+def packages(root: Path) -> list[Path]:
+    return sorted(path.parent for path in root.glob("app/**/__init__.py"))
+
+
+@pytest.mark.parametrize("package", packages(ROOT), ids=lambda path: path.relative_to(ROOT).as_posix())
+def test_the_map_of_a_package_names_all_of_it(package):
+    text = ast.get_docstring(ast.parse((package / "__init__.py").read_text(encoding="utf-8"))) or ""
+    named = set(re.findall(r"``(\w+)``", text))
+    there = {path.stem for path in package.glob("*.py")} - {"__init__", "__main__"}
+    there |= {path.parent.name for path in package.glob("*/__init__.py")}
+    assert there - named == set(), "name them in the docstring of its __init__.py"
+    known = {part for name in modules(ROOT) for part in name.split(".")}
+    assert named - known == set(), "they are no longer there"
+
+
 def test_imports_keep_to_the_layers():
     assert violations(ROOT) == []
 

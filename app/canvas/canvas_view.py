@@ -19,16 +19,16 @@ from app.canvas.grid_layer import GridLayer
 from app.canvas.image_layer import ImageLayer
 from app.canvas.other_curves_layer import OtherCurvesLayer
 from app.canvas.point_layer import PointLayer
-from app.canvas.trace_layer import TraceLayer
+from app.canvas.trace_layer import Trace, TraceLayer
 from app.canvas.unit_layer import UnitLayer
 from app.document.model import Curve, ReferenceImage, Vector
 from app.plot.plot_widget import PlotWidget
-from app.plot.traces import Trace
 from app.theme import LIGHT, Theme
 from app.view_model.analysis.figures import Figure
 from app.view_model.basis_view import weights_at
 from app.view_model.curve_view import CurveView, Floats
 from app.view_model.handles import Handle
+from app.view_model.looks import FILE_LOOK, Look
 
 if TYPE_CHECKING:
     from app.canvas.legend import Legend
@@ -119,14 +119,15 @@ class CanvasView(PlotWidget):
     def show_file_version(self, views: Sequence[CurveView], name: str) -> None:
         """Show the curves that a file holds, dashed and with this name; none: put them away."""
         self._file_layer.render(views, name)
+        self._explain_lines("file", [(FILE_LOOK, self.file_version)] if self.file_version else ())
 
     @property
     def file_version(self) -> str:
-        """The name beside the curves of a file; empty while none are shown."""
+        """What the curves of a file are called in the legend; empty while none are shown."""
         return self._file_layer.name
 
-    def render_legend(self, rows: Sequence[LegendRow]) -> None:
-        """Explain what is shown beside the active curve; without rows there is no legend."""
+    def render_legend(self, group: str, rows: Sequence[LegendRow]) -> None:
+        """Explain what is shown beside the active curve; without rows of any group there is no legend."""
         if self.legend is None:
             if not rows:
                 return
@@ -137,7 +138,7 @@ class CanvasView(PlotWidget):
             self.legend.set_scale(self._figures.scale)
             self.legend.chosen.connect(self.ghost_chosen)
             self.legend.hidden.connect(self.ghost_hidden)
-        self.legend.render_rows(rows)
+        self.legend.render_rows(group, rows)
 
     @property
     def ghosts(self) -> Sequence[GhostView]:
@@ -147,13 +148,23 @@ class CanvasView(PlotWidget):
     def render_traces(
         self, group: str, traces: Sequence[Trace], heading: str = "", *, faded: bool = False
     ) -> None:
-        """Show other versions of the active curve over it, with a legend; none take the group away."""
-        self._traces.render(group, traces, heading, faded=faded)
+        """Show other versions of the active curve over it, explained; none take the group away."""
+        self._traces.render(group, traces, faded=faded)
+        named = [(trace.look, trace.label) for trace in traces]
+        self._explain_lines(group, named, heading, muted=faded)
+
+    def _explain_lines(
+        self, group: str, lines: Sequence[tuple[Look, str]], heading: str = "", *, muted: bool = False
+    ) -> None:
+        if not lines and self.legend is None:
+            return
+        from app.view_model.analysis.legend import line_rows  # noqa: PLC0415 - late, as the legend
+
+        self.render_legend(group, line_rows(lines, heading, muted=muted))
 
     def traces(self, group: str) -> tuple[Sequence[Trace], bool]:
         """Return the traces of a group, and whether they are shown faded."""
-        traces, _, faded = self._traces.groups.get(group, ((), "", False))
-        return traces, faded
+        return self._traces.groups.get(group, ((), False))
 
     def render_motion(self, dots: Sequence[Dot], lines: Sequence[tuple[Role, Floats]] = ()) -> None:
         """Show dots that run, and the curves that some of them run along."""

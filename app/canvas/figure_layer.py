@@ -7,18 +7,19 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 import pyqtgraph as pg
-from PySide6.QtCore import QRectF, Qt
+from PySide6.QtCore import QRectF, QSizeF, Qt
 from PySide6.QtGui import QColor, QFont, QFontMetricsF, QPainter
 
 from app.canvas.curve_layer import TOLERANCE
 from app.plot.area import AreaFill
-from app.plot.dashes import dashed
-from app.plot.drawing import MARGIN, Floats, Segments, Stroke, cut_segments, visible_segments
-from app.plot.looks import GHOST_LOOKS, LOOKS, Look, draw_mark
+from app.plot.drawing import MARGIN, Floats, Segments, cut_segments
+from app.plot.pens import draw_line, draw_mark, pen_of
 from app.plot.pixel_map import PixelMap
+from app.plot.plates import inside, write_on_plate
 from app.plot.plot_widget import PlotWidget
 from app.theme import Theme
 from app.view_model.analysis.figures import Figure, Shape
+from app.view_model.looks import GHOST_LOOKS, LOOKS, Look
 
 if TYPE_CHECKING:
     from app.view_model.analysis.ghosts import GhostView
@@ -75,7 +76,7 @@ class FigureLayer:
         painter.setRenderHint(QPainter.RenderHint.Antialiasing, True)
         for figure in figures:
             look = LOOKS[figure.style]
-            painter.setPen(look.pen(self.theme, self.scale))
+            painter.setPen(pen_of(look, self.theme, self.scale))
             if figure.shape is Shape.AREA:
                 self._paint_area(painter, shown, figure, painter.pen().color())
                 continue
@@ -96,9 +97,9 @@ class FigureLayer:
         if not ghost.is_drawn:
             return
         look = GHOST_LOOKS[ghost.ghost]
-        painter.setPen(look.pen(self.theme, self.scale))
+        painter.setPen(pen_of(look, self.theme, self.scale))
         line = ghost.line(TOLERANCE / max(shown.sx, shown.sy), shown.box)
-        _line(painter, _pixels(line, shown), shown, look, self.scale)
+        draw_line(painter, _pixels(line, shown), look.dashes, shown)
 
     def _paint_label(self, painter: QPainter, shown: PixelMap, figure: Figure) -> None:
         """Write beside the last point, on a plate of paper, inside the drawing."""
@@ -109,18 +110,9 @@ class FigureLayer:
         font.setPointSizeF(self._font.pointSizeF() * 0.95 * self.scale)
         painter.setFont(font)
         metrics = QFontMetricsF(font)
-        width, height = metrics.horizontalAdvance(figure.label) + 8, metrics.height() + 2
-        left = min(max(x + 8, 4.0), max(shown.width - width - 4, 4.0))
-        top = min(max(y - height - 4, 4.0), max(shown.height - height - 4, 4.0))
-        plate = QRectF(left, top, width, height)
-        paper = QColor(self.theme.paper)
-        paper.setAlphaF(0.85)
-        painter.setPen(Qt.PenStyle.NoPen)
-        painter.setBrush(paper)
-        painter.drawRoundedRect(plate, 4, 4)
-        painter.setBrush(Qt.BrushStyle.NoBrush)
-        painter.setPen(self.theme.ink)
-        painter.drawText(plate, int(Qt.AlignmentFlag.AlignCenter), figure.label)
+        size = QSizeF(metrics.horizontalAdvance(figure.label) + 8, metrics.height() + 2)
+        plate = inside(x + 8, y - size.height() - 4, size, shown)
+        write_on_plate(painter, plate, figure.label, self.theme.paper, self.theme.ink)
 
 
 def _pixels(points: Floats, shown: PixelMap) -> Floats:
@@ -130,13 +122,7 @@ def _pixels(points: Floats, shown: PixelMap) -> Floats:
 
 
 def _line(painter: QPainter, pixels: Floats, shown: PixelMap, look: Look, scale: float) -> None:
-    if look.dashes:
-        pattern = [scale * length for length in look.dashes]
-        _draw(painter, dashed(visible_segments(pixels, shown.width, shown.height), pattern))
-        return
-    stroke = Stroke()
-    stroke.fill(pixels, shown.width, shown.height)
-    stroke.draw(painter)
+    draw_line(painter, pixels, look.dashes, shown)
 
 
 def _segments(painter: QPainter, pixels: Floats, shown: PixelMap, look: Look, scale: float) -> None:

@@ -9,7 +9,7 @@ from PySide6.QtGui import QFont
 from PySide6.QtWidgets import QFrame, QGridLayout, QLabel, QToolButton, QWidget
 
 from app.icons import icon
-from app.plot.looks import sign_pixmap
+from app.plot.pens import sign_pixmap
 from app.theme import Theme, mix
 from app.view_model.analysis.legend import LegendRow
 from app.view_model.analysis.settings import Ghost
@@ -36,7 +36,7 @@ class Legend(QFrame):
         self.setObjectName("legend")
         self.setAccessibleName("Legend")
         self._below = below
-        self._rows: Sequence[LegendRow] = ()
+        self._groups: dict[str, Sequence[LegendRow]] = {}
         self._scale = 1.0
         self._theme = theme
         self._grid = QGridLayout(self)
@@ -51,13 +51,17 @@ class Legend(QFrame):
     @property
     def rows(self) -> Sequence[LegendRow]:
         """The lines on screen."""
-        return self._rows
+        return [row for group in self._groups.values() for row in group]
 
-    def render_rows(self, rows: Sequence[LegendRow]) -> None:
-        """Show these lines; hidden without any."""
-        if list(rows) != list(self._rows):
-            self._rows = list(rows)
-            self._rebuild()
+    def render_rows(self, group: str, rows: Sequence[LegendRow]) -> None:
+        """Show these lines of a group, below those of groups that were there before; hidden without any."""
+        if list(rows) == list(self._groups.get(group, ())):
+            return
+        if rows:
+            self._groups[group] = rows
+        else:
+            del self._groups[group]
+        self._rebuild()
 
     def set_scale(self, scale: float) -> None:
         """Enlarge the letters, for a projector."""
@@ -69,9 +73,9 @@ class Legend(QFrame):
             self._grid.removeWidget(widget)
             widget.hide()
             widget.deleteLater()
-        for place, row in enumerate(self._rows):
+        for place, row in enumerate(self.rows):
             self._add(place, row)
-        self.setVisible(bool(self._rows))
+        self.setVisible(bool(self._groups))
         # A layout counts what is visible only.
         for widget in self._children():
             widget.show()
@@ -84,11 +88,12 @@ class Legend(QFrame):
         return [widget for widget in found if widget is not None]
 
     def _add(self, place: int, row: LegendRow) -> None:
-        sign = QLabel()
-        sign.setPixmap(sign_pixmap(row.sign, self._theme, self.devicePixelRatioF()))
         font = QFont(self.font())
         font.setPointSizeF(font.pointSizeF() * 0.92 * self._scale)
-        self._grid.addWidget(sign, place, 0)
+        if row.sign is not None:
+            sign = QLabel()
+            sign.setPixmap(sign_pixmap(row.sign, self._theme, self.devicePixelRatioF()))
+            self._grid.addWidget(sign, place, 0)
         if isinstance(row.sign, Ghost):
             choose, hide = self._ghost_buttons(row, row.sign)
             choose.setFont(font)
@@ -99,7 +104,8 @@ class Legend(QFrame):
         text.setFont(font)
         text.setToolTip(row.tip)
         text.setStyleSheet(f"color: {(self._theme.muted if row.is_muted else self._theme.ink).name()}")
-        self._grid.addWidget(text, place, 1, 1, 2)
+        first = 0 if row.sign is None else 1
+        self._grid.addWidget(text, place, first, 1, 3 - first)
 
     def _ghost_buttons(self, row: LegendRow, ghost: Ghost) -> tuple[QToolButton, QToolButton]:
         choose, hide = QToolButton(), QToolButton()
@@ -133,6 +139,12 @@ class Legend(QFrame):
             size.width(),
             size.height(),
         )
+
+    def event(self, event: QEvent) -> bool:
+        # The frame of a style sheet counts later than the rows.
+        if event.type() == QEvent.Type.LayoutRequest:
+            self._place()
+        return super().event(event)
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         if event.type() == QEvent.Type.Resize and not self.isHidden():

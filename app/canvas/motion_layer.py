@@ -5,16 +5,19 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 import numpy as np
-from PySide6.QtCore import QPointF, QRectF, Qt
+from PySide6.QtCore import QPointF, QRectF, QSizeF, Qt
 from PySide6.QtGui import QColor, QFont, QFontMetricsF, QPainter, QPen
 
 from app.colours import curve_colour
-from app.plot.drawing import Segments, Stroke, cut_segments
+from app.plot.drawing import Segments, cut_segments
+from app.plot.pens import draw_line
 from app.plot.pixel_map import PixelMap
+from app.plot.plates import inside, write_on_plate
 from app.plot.plot_widget import PlotWidget
-from app.theme import Theme
+from app.theme import Theme, mix
 from app.view_model.arrow import arrow_segments
 from app.view_model.curve_view import Floats
+from app.view_model.looks import DASHED
 from app.view_model.motion_picture import COLOURS, NAMES, RADII, TRAIL, Dot, Role, colour_of
 
 _TRAIL_DOT = 3.0
@@ -58,12 +61,8 @@ class MotionLayer:
         return curve_colour(COLOURS[role], self.theme) if role in COLOURS else QColor(self.theme.accent)
 
     def _paint_line(self, painter: QPainter, shown: PixelMap, role: Role, line: Floats) -> None:
-        colour = self._colour(role)
-        colour.setAlphaF(0.6)
-        painter.setPen(QPen(colour, self.scale, Qt.PenStyle.DashLine))
-        stroke = Stroke()
-        stroke.fill(shown.points(line), shown.width, shown.height)
-        stroke.draw(painter)
+        painter.setPen(QPen(mix(self._colour(role), self.theme.paper, 0.6), self.scale))
+        draw_line(painter, shown.points(line), DASHED, shown)
 
     def _paint_trail(self, painter: QPainter, shown: PixelMap, dot: Dot) -> None:
         colour = self._colour(dot.role)
@@ -119,11 +118,7 @@ class MotionLayer:
         along = np.subtract(tip, start) / max(float(np.hypot(*np.subtract(tip, start))), 1e-9)
         x = tip[0] + along[0] * (width / 2 + 4) - width / 2
         y = tip[1] + along[1] * (height / 2 + 4) - height / 2
-        x = min(max(x, 2.0), max(shown.width - width - 2, 2.0))
-        y = min(max(y, 2.0), max(shown.height - height - 2, 2.0))
-        paper, ink = QColor(self.theme.paper), painter.pen().color()
-        paper.setAlphaF(0.8)
-        plate = QRectF(x, y, width, height)
+        plate = inside(x, y, QSizeF(width, height), shown)
         for other in self._written:
             # Two arrows with nearly one tip: one name stands below the other.
             if plate.intersects(other):
@@ -131,9 +126,7 @@ class MotionLayer:
                     other.bottom() if plate.center().y() >= other.center().y() else other.top() - height
                 )
         self._written.append(plate)
-        painter.fillRect(plate, paper)
-        painter.setPen(ink)
-        painter.drawText(plate, int(Qt.AlignmentFlag.AlignCenter), words)
+        write_on_plate(painter, plate, words, self.theme.paper, painter.pen().color())
 
 
 def _is_near(x: float, y: float) -> bool:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 
-from PySide6.QtCore import QPointF, QRectF, Qt
+from PySide6.QtCore import QPointF, QRectF, QSizeF, Qt
 from PySide6.QtGui import QColor, QFont, QFontMetricsF, QPainter, QPen
 
 from app.document.model import Vector
@@ -12,6 +12,7 @@ from app.gestures.overlay import Note, Overlay, Ruler
 from app.gestures.snapping import Snap
 from app.gestures.transform_box import TransformBox
 from app.plot.pixel_map import PixelMap
+from app.plot.plates import inside, write_on_plate
 from app.plot.plot_widget import PlotWidget
 from app.theme import Theme
 
@@ -167,17 +168,9 @@ class OverlayLayer:
     def _paint_text(self, painter: QPainter, shown: PixelMap, centre: QPointF, text: str) -> None:
         """Write on a plate of paper, kept inside the drawing."""
         metrics = QFontMetricsF(painter.font())
-        width, height = metrics.horizontalAdvance(text) + 10, metrics.height() + 4
-        left = min(max(centre.x() - width / 2, 4.0), max(shown.width - width - 4, 4.0))
-        top = min(max(centre.y() - height / 2, 4.0), max(shown.height - height - 4, 4.0))
-        plate = QRectF(left, top, width, height)
-        paper = QColor(self.theme.paper)
-        paper.setAlphaF(0.88)
-        painter.setPen(Qt.PenStyle.NoPen)
-        painter.setBrush(paper)
-        painter.drawRoundedRect(plate, 4, 4)
-        painter.setPen(self.theme.accent)
-        painter.drawText(plate, int(Qt.AlignmentFlag.AlignCenter), text)
+        size = QSizeF(metrics.horizontalAdvance(text) + 10, metrics.height() + 4)
+        plate = inside(centre.x() - size.width() / 2, centre.y() - size.height() / 2, size, shown)
+        write_on_plate(painter, plate, text, self.theme.paper, self.theme.accent)
 
 
 def _rectangle(shown: PixelMap, a: Vector, b: Vector) -> QRectF:

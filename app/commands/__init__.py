@@ -1,18 +1,22 @@
 """What the actions do: each a few lines that turn a trigger into an edit or a change of view.
 
-- ``parts``: the parts of a window that commands act on, and what a set of commands is.
-- ``edit_commands``: history, points, family and parameters.
-- ``selection_commands``: move, scale, rotate, align and distribute the selected points.
-- ``overlay_commands``: what is drawn over the curve to show why it goes where it goes.
+- ``connect``: connects the actions of a window to all that follows.  ``parts``: the parts of a window that
+  commands act on, and what a set of commands is.
+- ``edit_commands``, ``curve_commands``: history, points, family and parameters; whole curves.
+- ``selection_commands``, ``tangent_commands``: transforms of the selected points; their tangents.
+- ``clipboard_commands``: points on the clipboard.  ``context_menus``: what the right button opens.
+- ``disk_commands``, ``disk_notices``: the document's file while it is open.
+- ``recovery_commands``: work that was not saved.
+- ``exchange_commands``: import and export.  ``file_work``: how what takes long is shown and stopped.
+- ``overlay_commands``, ``plot_commands``: what is drawn over the curve, and over t.
+- ``laboratory_commands``, ``error_plot``: the stability laboratory, and its errors over t.
+- ``wiggle_commands``, ``teaching_commands``: a wiggle explained; warnings that teach.
+- ``hodograph_commands``, ``joint_commands``: hodograph and joint certificate.
 - ``motion_commands``, ``motion_stage``, ``motion_export``: a dot that runs along the curve; films of it.
-- ``snap_commands``: snapping, the grid's spacing and the unit, as the preferences have them.
-- ``view_commands``: tools, zoom, panels, presentation, theme.
-- ``rail_commands``: the menu of the t-rail.
-- ``image_commands``: the picture to trace.
-- ``tool_commands``: command palette, preferences, shortcuts.
-- ``error_plot``: the errors of the laboratory's methods over t.
-- ``help_commands``: keys and mouse, about.
 - ``lesson_commands``: lessons, their documents and goals.
-- ``messages``: the line on the canvas.
-- ``connect``: connects the actions of a window to all of them.
+- ``snap_commands``: snapping, the grid's spacing and the unit.  ``image_commands``: the picture to trace.
+- ``view_commands``, ``dock_room``: tools, zoom, panels, presentation, theme; room for a dock.
+- ``rail_commands``: the menu of the t-rail.
+- ``tool_commands``, ``help_commands``: palette, preferences, shortcuts; keys and mouse, about.
+- ``messages``, ``fresh_hints``: the line on the canvas; the hint in the status line.
 """

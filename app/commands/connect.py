@@ -2,6 +2,10 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable, Mapping
+
+from PySide6.QtWidgets import QWidget
+
 from app.commands.clipboard_commands import ClipboardCommands
 from app.commands.context_menus import ContextMenus
 from app.commands.curve_commands import CurveCommands
@@ -9,6 +13,7 @@ from app.commands.disk_commands import DiskCommands
 from app.commands.edit_commands import EditCommands
 from app.commands.error_plot import ErrorPlotCommands
 from app.commands.exchange_commands import ExchangeCommands
+from app.commands.file_work import FileWork
 from app.commands.fresh_hints import FreshHints
 from app.commands.help_commands import HelpCommands
 from app.commands.hodograph_commands import HodographCommands
@@ -45,13 +50,14 @@ class Commands:
         self.snap = SnapCommands(parts)
         self.images = ImageCommands(parts, self.messages)
         self.recovery = RecoveryCommands(parts)
-        self.exchange = ExchangeCommands(parts)
+        self.work = FileWork(parts)
+        self.exchange = ExchangeCommands(parts, self.work)
         curves = CurveCommands(parts)
         self.hodograph = HodographCommands(parts)
         self.joints = JointCommands(parts)
         self.laboratory = LaboratoryCommands(parts)
         self.wiggle = WiggleCommands(parts)
-        self.motion = MotionCommands(parts)
+        self.motion = MotionCommands(parts, self.work)
         self._teaching = TeachingCommands(parts, self.laboratory.open, self.wiggle.explain_widest)
         self._live: tuple[LiveSet, ...] = (
             OverlayCommands(parts),
@@ -62,8 +68,13 @@ class Commands:
             self.motion,
         )
         self.lessons = LessonCommands(parts)
-        self._sets: tuple[CommandSet, ...] = (
-            *self._live,
+        self._sets: tuple[CommandSet, ...] = (*self._live, *self._other_sets(curves))
+        self.context_menus = ContextMenus(parts, curves, self.wiggle.explain_at)
+        self._connect()
+
+    def _other_sets(self, curves: CurveCommands) -> tuple[CommandSet, ...]:
+        parts = self._parts
+        return (
             self.joints,
             ErrorPlotCommands(parts, self.laboratory),
             EditCommands(parts),
@@ -79,13 +90,20 @@ class Commands:
             self.images,
             DiskCommands(parts),
             self.recovery,
+            self.work,
             self.exchange,
             ToolCommands(parts, self.snap.apply_preferences),
         )
-        self.context_menus = ContextMenus(parts, curves, self.wiggle.explain_at)
+
+    def _connect(self) -> None:
         for handlers in (self._file_handlers(), *(each.handlers() for each in self._sets)):
             for name, handler in handlers.items():
-                parts.actions[name].triggered.connect(lambda _checked=False, handler=handler: handler())
+                self._parts.actions[name].triggered.connect(lambda _checked=False, handler=handler: handler())
+
+    def _build_analysis(self) -> QWidget:
+        from app.panels.analysis_panel import AnalysisPanel  # noqa: PLC0415 - late, as all of them
+
+        return AnalysisPanel(self._parts.analysis, self._parts.actions.__getitem__)
 
     def _file_handlers(self) -> Handlers:
         files = self._parts.files
@@ -102,9 +120,21 @@ class Commands:
         if not self._parts.session.active_curve.nodes:
             self._parts.actions["addTool"].trigger()
 
+    def build_dock(self, name: str) -> QWidget:
+        """Return the content of a dock that is shown for the first time."""
+        builders: Mapping[str, Callable[[], QWidget]] = {
+            "analysisDock": self._build_analysis,
+            "hodographDock": self.hodograph.build,
+            "jointsDock": self.joints.build,
+            "laboratoryDock": self.laboratory.build_panel,
+            "lessonsDock": self.lessons.build,
+            "wiggleDock": self.wiggle.build_panel,
+        }
+        return builders[name]()
+
     def close(self) -> None:
         """Let what runs beside the window end; called before the window goes."""
-        self.exchange.close()
+        self.work.close()
         self.recovery.leave()
         for settler in self._parts.window.findChildren(Settler):
             settler.wait()

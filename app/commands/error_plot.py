@@ -6,7 +6,9 @@ from typing import TYPE_CHECKING
 
 from app.commands.laboratory_commands import LaboratoryCommands
 from app.commands.parts import Handlers, Parts
+from app.view_model.analysis.laboratory_settings import METHOD_NAMES
 from app.view_model.curve_view import CurveView
+from app.view_model.looks import METHOD_LOOKS
 
 if TYPE_CHECKING:
     from app.view_model.analysis.laboratory import Trial
@@ -41,19 +43,11 @@ class ErrorPlotCommands:
             panel.hide_lines(TITLE)
             return
         # Imported with the first trial: nobody waits for them at the start.
-        from app.plot.traces import METHOD_LOOKS, METHOD_NAMES  # noqa: PLC0415
         from app.view_model.analysis.laboratory import error_lines  # noqa: PLC0415
-        from app.view_model.analysis.plot_lines import Dash, PlotLine, Scale  # noqa: PLC0415
+        from app.view_model.analysis.plot_lines import PlotLine, Scale  # noqa: PLC0415
 
-        dashes = list(Dash)
         lines = [
-            PlotLine(
-                METHOD_NAMES[line.calculation],
-                line.t,
-                line.errors,
-                METHOD_LOOKS[line.calculation].colour,
-                dashes[place % len(dashes)],
-            )
-            for place, line in enumerate(error_lines(trial))
+            PlotLine(METHOD_NAMES[each.calculation], each.t, each.errors, METHOD_LOOKS[each.calculation])
+            for each in error_lines(trial)
         ]
         panel.show_lines(lines, Scale.LOG, TITLE)

@@ -2,26 +2,23 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QMimeData
 from PySide6.QtGui import QGuiApplication
 from PySide6.QtWidgets import QFileDialog, QWidget
 
+from app.commands.file_work import FileWork
 from app.commands.parts import Handlers, Parts
-from app.document.format import FormatError
 from app.document.import_edits import add_imported
 from app.document.model import Document
-from app.document.storage import StorageError, read
-from app.exchange import READABLE, TABLES, ExchangeError, Exported, Options, export_with, import_file
+from app.document.storage import read
+from app.exchange import READABLE, TABLES, Exported, Options, export_with, import_file
 from app.exchange.progress import Report
 from app.file_commands import file_stem
-from app.panels.job_bar import JobBar
 from app.panels.words import count_of
 from app.view_model.curve_view import CurveView
-from app.worker import Jobs, Work
 
 if TYPE_CHECKING:
     from app.exchange.choice import ExportChoice
@@ -32,7 +29,6 @@ if TYPE_CHECKING:
 
 # Readers, writers and dialogs are imported when they are wanted: at the start nobody waits for them.
 
-_EXPECTED = (ExchangeError, StorageError, FormatError)
 _IMPORTS = (
     "Curves and tables (*.svg *.dxf *.csv *.tsv *.txt *.json);;"
     "SVG drawings (*.svg);;DXF drawings (*.dxf);;Tables (*.csv *.tsv *.txt);;Curvebench documents (*.json);;"
@@ -40,24 +36,17 @@ _IMPORTS = (
 )
 _SVG_TYPE = "image/svg+xml"
 _COPY_WIDTH = 1600
-_AFTER_HINT = 1
 
 
 class ExchangeCommands:
     """Files of other formats, in and out, beside the window's own thread."""
 
-    def __init__(self, parts: Parts) -> None:
-        self._parts = parts
+    def __init__(self, parts: Parts, work: FileWork) -> None:
+        self._parts, self._work = parts, work
         self._session, self._preferences = parts.session, parts.preferences
-        self.jobs = Jobs(parts.window)
-        self._bar: JobBar | None = None
         self._dialog: ExportDialog | None = None
-        self.jobs.shown.connect(self._show_bar)
-        self.jobs.ended.connect(self._hide_bar)
-        self.jobs.progressed.connect(self._show_share)
         parts.session.document_changed.connect(self._show_in_dialog)
         parts.session.active_changed.connect(self._show_in_dialog)
-        parts.actions["cancelWork"].setEnabled(False)
 
     def handlers(self) -> Handlers:
         """Return what each action does."""
@@ -66,59 +55,12 @@ class ExchangeCommands:
             "exportPicture": self._ask_and_export,
             "copyImage": self._copy_image,
             "copyPathData": self._copy_path_data,
-            "cancelWork": self._cancel,
         }
 
     def render(self, view: CurveView) -> None:
         """Enable what needs a curve."""
         for name in ("copyImage", "copyPathData"):
             self._parts.actions[name].setEnabled(view.curve is not None or len(self._session.views) > 1)
-
-    def close(self) -> None:
-        """Drop what is being done; the window closes."""
-        self.jobs.close()
-
-    # Work
-
-    def _start(self, title: str, work: Work, done: Callable[[Any], object], path: Path, what: str) -> None:
-        """Do work for a file; what it raises is said as “file was not `what`”."""
-
-        def failed(problem: Exception) -> None:
-            if not isinstance(problem, _EXPECTED):
-                raise problem
-            self._refuse(path, what, problem)
-
-        if not self.jobs.start(title, work, done, failed):
-            self._session.say(f"{self.jobs.title} is still going on; stop it first.")
-
-    def _refuse(self, path: Path, what: str, problem: Exception) -> None:
-        # Some are clauses; what readers say names the file, and it need not be named twice.
-        reason = f"{str(problem).removesuffix('.')}."
-        named = what == "imported" and path.name in reason
-        self._parts.message_bar.warn(reason if named else f"{path.name} was not {what}. {reason}")
-
-    def _cancel(self) -> None:
-        if self.jobs.is_busy:
-            title = self.jobs.title
-            stopped = self.jobs.cancel()
-            end = "was stopped; nothing has changed" if stopped else "cannot be stopped any more"
-            self._session.say(f"{title} {end}.")
-
-    def _show_bar(self, title: str) -> None:
-        if self._bar is None:
-            self._bar = JobBar(self._parts.actions["cancelWork"])
-            self._parts.status_line.insertPermanentWidget(_AFTER_HINT, self._bar)
-        self._bar.begin(title)
-        self._parts.actions["cancelWork"].setEnabled(True)
-
-    def _hide_bar(self) -> None:
-        self._parts.actions["cancelWork"].setEnabled(False)
-        if self._bar is not None:
-            self._bar.hide()
-
-    def _show_share(self, share: float, _word: str) -> None:
-        if self._bar is not None:
-            self._bar.show_share(share)
 
     # In
 
@@ -137,7 +79,7 @@ class ExchangeCommands:
         def work(report: Report) -> Imported:
             return import_file(path, report=report)
 
-        self._start(
+        self._work.start(
             f"Reading {path.name}", work, lambda found: self._ask_where(path, found), path, "imported"
         )
 
@@ -164,7 +106,7 @@ class ExchangeCommands:
             dialog.chosen.connect(lambda prepared, anew: self._take_table(path, prepared, anew))
             _open(dialog)
 
-        self._start(f"Reading {path.name}", work, done, path, "imported")
+        self._work.start(f"Reading {path.name}", work, done, path, "imported")
 
     def _take_table(self, path: Path, prepared: Prepared, anew: bool) -> None:
         assert prepared.document is not None
@@ -229,7 +171,7 @@ class ExchangeCommands:
         def work(report: Report) -> Exported:
             return export_with(document, path, (options or Options()).reporting(report))
 
-        self._start(
+        self._work.start(
             f"Writing {path.name}", work, lambda written: self._say_written(path, written), path, "written"
         )
 
@@ -254,7 +196,7 @@ class ExchangeCommands:
             report(0.5, "Drawing")
             return png, svg_of(document).encode()
 
-        self._start("Drawing", work, self._put_image, Path("The image"), "copied")
+        self._work.start("Drawing", work, self._put_image, Path("The image"), "copied")
 
     def _put_image(self, pictures: tuple[bytes, bytes]) -> None:
         from PySide6.QtGui import QImage  # noqa: PLC0415
@@ -280,7 +222,7 @@ class ExchangeCommands:
             QGuiApplication.clipboard().setText(text)
             self._session.say("Copied the curves as SVG path data.")
 
-        self._start("Writing path data", work, done, Path("The path data"), "copied")
+        self._work.start("Writing path data", work, done, Path("The path data"), "copied")
 
 
 def can_import(path: Path) -> bool:

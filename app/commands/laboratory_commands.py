@@ -8,12 +8,13 @@ from msgspec.structs import replace
 from PySide6.QtCore import QEvent, QObject, Signal
 from PySide6.QtWidgets import QDockWidget, QWidget
 
+from app.canvas.trace_layer import Trace
 from app.commands.dock_room import make_room_once
 from app.commands.parts import Handlers, Parts
-from app.plot.traces import METHOD_LOOKS, METHOD_NAMES, Trace
 from app.settle import IsStale, Settler
-from app.view_model.analysis.laboratory_settings import LaboratorySettings
+from app.view_model.analysis.laboratory_settings import METHOD_NAMES, LaboratorySettings
 from app.view_model.curve_view import CurveView
+from app.view_model.looks import METHOD_LOOKS
 
 if TYPE_CHECKING:
     from app.panels.laboratory_panel import LaboratoryPanel
@@ -21,8 +22,8 @@ if TYPE_CHECKING:
     from app.view_model.analysis.laboratory import Digits, Trial
 
 _GROUP = "laboratory"
-_HEIGHT = 560
-"""What the laboratory needs of the side to show its controls and its plot."""
+_HEIGHT = 480
+"""What the laboratory needs of the side to show its controls and its table."""
 
 
 class LaboratoryCommands(QObject):
@@ -76,7 +77,7 @@ class LaboratoryCommands(QObject):
         # Imported when it is wanted: nobody waits for it at the start.
         from app.panels.laboratory_panel import LaboratoryPanel  # noqa: PLC0415
 
-        self._panel = LaboratoryPanel(self._analysis)
+        self._panel = LaboratoryPanel(self._analysis, self._parts.actions["plotErrors"])
         self._panel.cost_shown.connect(lambda: self._ask_cost(self._session.active_view))
         self._panel.render_view(self._session.active_view)
         return self._panel

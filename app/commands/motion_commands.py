@@ -5,6 +5,7 @@ from __future__ import annotations
 from functools import partial
 from typing import TYPE_CHECKING
 
+from app.commands.file_work import FileWork
 from app.commands.parts import Handlers, Parts
 from app.view_model.curve_view import CurveView
 
@@ -15,8 +16,8 @@ if TYPE_CHECKING:
 class MotionCommands:
     """The actions of a motion; what they act on is made when the first of them is used."""
 
-    def __init__(self, parts: Parts) -> None:
-        self._parts = parts
+    def __init__(self, parts: Parts, work: FileWork) -> None:
+        self._parts, self._work = parts, work
         self._stage: MotionStage | None = None
         for name in ("motionLoop", "motionByT"):
             parts.actions[name].setChecked(True)
@@ -52,7 +53,7 @@ class MotionCommands:
             # Nobody waits at the start for what is perhaps never played.
             from app.commands.motion_stage import MotionStage  # noqa: PLC0415
 
-            self._stage = MotionStage(self._parts)
+            self._stage = MotionStage(self._parts, self._work)
             self._stage.settle(self._parts.session.active_view)
         return self._stage
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from PySide6.QtCore import QEvent, QObject
 from PySide6.QtWidgets import QApplication
 
+from app.commands.file_work import FileWork
 from app.commands.motion_export import MotionExport
 from app.commands.parts import Parts
 from app.panels.motion_bar import MotionBar
@@ -34,30 +35,27 @@ _CHECKED = {
 class MotionStage(QObject):
     """Shows what the player plays."""
 
-    def __init__(self, parts: Parts) -> None:
+    def __init__(self, parts: Parts, work: FileWork) -> None:
         super().__init__(parts.window)
         self._parts = parts
         self.player = Player(parts.session, self)
         self._bar = MotionBar(parts.actions.__getitem__, parts.window)
         self._bar.hide()
         parts.under_canvas.addWidget(self._bar)
-        self.export = MotionExport(parts, self._bar)
+        self.export = MotionExport(parts, work)
         self._rivals: dict[Role, CurveView] = {}
         self._rivals_of: CurveView | None = None
         self._courses: dict[Role, Course] = {}
         self._scales: Scales | None = None
         self._bar.speed_chosen.connect(lambda speed: self.player.change(speed=speed))
-        self.export.ended.connect(self._show_bar)
         self.player.moved.connect(self.draw)
         self.player.changed.connect(self._render)
         parts.window.installEventFilter(self)
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
-        """Give the button its icon again when the colours are others; end an export with the window."""
+        """Give the button its icon again when the colours are others."""
         if event.type() == QEvent.Type.PaletteChange:
             self._render_bar()
-        elif event.type() == QEvent.Type.Hide and not event.spontaneous():
-            self.export.end()
         return super().eventFilter(watched, event)
 
     # What the actions do
@@ -79,7 +77,6 @@ class MotionStage(QObject):
 
     def ask_and_export(self) -> None:
         """Let the person say how large and how long, and write the motion."""
-        self._bar.show()
         self.export.ask(self.player.settings)
 
     # What is shown
@@ -144,7 +141,7 @@ class MotionStage(QObject):
             actions[name].setChecked(value in (settings.repeat, settings.pace))
         actions["motionCompare"].setChecked(settings.compares)
         self._render_bar()
-        self._show_bar()
+        self._bar.setVisible(player.is_open)
         self.settle(self._parts.session.active_view)
         if not player.is_open:
             self._parts.canvas.render_motion(())
@@ -152,6 +149,3 @@ class MotionStage(QObject):
     def _render_bar(self) -> None:
         theme = theme_of(QApplication.palette())
         self._bar.show_settings(self.player.settings, theme, playing=self.player.is_playing)
-
-    def _show_bar(self) -> None:
-        self._bar.setVisible(self.player.is_open or self.export.is_running)

@@ -39,6 +39,7 @@ GHOSTS = {
 }
 """The variant of the curve that each action switches."""
 
+_GROUP = "overlays"
 _AT_SCRUB = {Overlay.CIRCLE, Overlay.VELOCITIES, Overlay.ACCELERATIONS}
 _WITH_ERRORS = {Overlay.BAND, Overlay.ENSEMBLE}
 
@@ -92,9 +93,8 @@ class OverlayCommands:
         ghosts = list(self._ghosts.values())
         busy = waits if settled is None else frozenset()
         self._parts.canvas.render_figures(figures, ghosts)
-        self._parts.canvas.render_legend(
-            legend_rows(view, settings, ghosts, figures if settled is not None else (), busy)
-        )
+        rows = legend_rows(view, settings, ghosts, figures if settled is not None else (), busy)
+        self._parts.canvas.render_legend(_GROUP, rows)
         notes = {**live.notes, **(settled.notes if settled is not None else {})}
         self._parts.analysis.note({**notes, **dict.fromkeys(busy, "…")}, view.problem)
         self._is_drawn = True
@@ -114,7 +114,7 @@ class OverlayCommands:
         self._ghosts, self._asked, self._settled = {}, None, None
         self._settler.drop()
         self._parts.canvas.render_figures(())
-        self._parts.canvas.render_legend(())
+        self._parts.canvas.render_legend(_GROUP, ())
         self._parts.analysis.note({})
 
     def _settle(self, view: CurveView, settings: AnalysisSettings, waits: frozenset[Overlay]) -> None:

@@ -7,13 +7,14 @@ from typing import TYPE_CHECKING
 from PySide6.QtCore import QObject
 from PySide6.QtWidgets import QWidget
 
+from app.canvas.trace_layer import Trace
 from app.commands.dock_room import make_room_once
 from app.commands.parts import Handlers, Parts
 from app.document.model import Document
 from app.gestures.tools import ToolKind
-from app.plot.traces import CURE_LOOK, Trace
 from app.settle import IsStale, Settler
 from app.view_model.curve_view import CurveView
+from app.view_model.looks import CURE_LOOK
 
 if TYPE_CHECKING:
     from app.panels.wiggle_panel import WigglePanel

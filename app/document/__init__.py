@@ -2,10 +2,14 @@
 
 - ``model``: Document, Curve, Node and the enumerations.
 - ``edits``, ``curve_edits``: pure functions ``(Document, …) -> Document``, of points and of whole curves.
-- ``format``: documents to and from bytes, strictly.
+- ``transforms``, ``parameter_edits``, ``jet_edits``: of many points, parameters or derivatives at once.
+- ``image_edits``, ``import_edits``: of the picture to trace; curves from elsewhere.
+- ``expression``: numbers as people type them.
+- ``format``: documents to and from bytes, strictly.  ``image_path``: where the file of a picture lies.
 - ``migration``: older versions of the format, step by step.
 - ``storage``: bytes to and from disk, so that nothing is ever half written; ``file_access``: who may read
   them; ``leftovers``: temporary files, and sweeping them.
-- ``lock``: whose a document is while it is open; ``processes``, ``turns``: who else is at work.
+- ``lock``: whose a document is while it is open; ``processes``, ``turns``, ``claim``: who else is at work.
 - ``open_file``: the file behind an open document: what was seen of it, and the lock.
+- ``recovery``: snapshots of what is not saved.
 """

@@ -19,7 +19,7 @@ import msgspec
 from app.document.claim import Claim
 from app.document.format import FormatError, decode, encode
 from app.document.model import Document
-from app.document.storage import TEMPORARY_PREFIX, StorageError, load, read, write
+from app.document.storage import TEMPORARY_PREFIX, Stamp, StorageError, load, read, read_content, write
 
 SUFFIX = ".snapshot.json"
 DAMAGED = ".damaged"
@@ -35,7 +35,7 @@ class _Record(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     version: Literal[1]
     written: float
     path: bytes | None
-    stamp: str
+    stamp: Stamp | None
     checksum: str
     document: str
 
@@ -52,21 +52,21 @@ class Origin:
     path
         Where it is; None for a document that was never saved.
     stamp
-        What `stamp_of` said when it was last read or written.
+        What it was when it was last read or written; None where that is not known.
     """
 
     path: Path | None = None
-    stamp: str = ""
-
-    @classmethod
-    def of(cls, path: Path | None) -> Origin:
-        """Return the origin that is there now."""
-        return cls(path, stamp_of(path))
+    stamp: Stamp | None = None
 
     @property
     def is_unchanged(self) -> bool:
-        """Whether the file is still as it was."""
-        return self.path is not None and bool(self.stamp) and self.stamp == stamp_of(self.path)
+        """Whether the file still holds what it held."""
+        if self.path is None or self.stamp is None:
+            return False
+        try:
+            return read_content(self.path).stamp.digest == self.stamp.digest
+        except StorageError:
+            return False
 
 
 @dataclass(frozen=True)
@@ -196,17 +196,6 @@ def list_snapshots(folder: Path) -> Found:
             claim.release()
     snapshots.sort(key=lambda each: -each.written)
     return Found(tuple(snapshots), tuple(damaged))
-
-
-def stamp_of(path: Path | None) -> str:
-    """Return what changes with the content of the file at `path`; empty where there is none."""
-    if path is None:
-        return ""
-    try:
-        status = path.stat()
-    except (OSError, ValueError):
-        return ""
-    return f"{status.st_size} {status.st_mtime_ns}"
 
 
 def _record_of(text: bytes, origin: Origin) -> bytes:

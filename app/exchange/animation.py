@@ -11,7 +11,7 @@ import os
 import shutil
 import subprocess
 import tempfile
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -22,6 +22,7 @@ from app.document.model import Document
 from app.document.storage import write
 from app.exchange.drawing import ExchangeError
 from app.exchange.formats import ending_of
+from app.exchange.progress import FINAL, Report, silent
 from app.exchange.svg import LIGHT, Style
 from app.view_model.curve_view import view_of
 from app.view_model.motion import Course, Pace, Repeat, round_of
@@ -42,10 +43,6 @@ FASTEST = 50
 
 _MOST_PIXELS = {".gif": 4e8, ".apng": 1.3e8, ".png": 1.3e8, ".mp4": 4e9}
 """Of all frames together: Pillow keeps them until the file is written, in one or in three bytes a pixel."""
-
-
-class FilmCancelled(Exception):  # noqa: N818 - nothing went wrong
-    """The film is not wanted any more; nothing of it is left."""
 
 
 @dataclass(frozen=True)
@@ -130,17 +127,14 @@ def write_film(
     path: str | os.PathLike[str],
     film: Film,
     *,
-    progress: Callable[[float], None] = lambda share: None,
-    is_cancelled: Callable[[], bool] = lambda: False,
+    report: Report = silent,
 ) -> None:
     """Write a motion in the format that the ending of `path` names.
 
     Parameters
     ----------
-    progress
+    report
         Told after every frame which share of them is done.
-    is_cancelled
-        Asked before every frame.
 
     Raises
     ------
@@ -148,8 +142,8 @@ def write_film(
         If there is no curve, the film would be too large, or what writes it is missing.
     StorageError
         If the file cannot be written; an old one stays as it was.
-    FilmCancelled
-        If `is_cancelled` said so; an old file stays as it was.
+    Cancelled
+        If `report` raised it; an old file stays as it was.
     """
     ending = ending_of(path, ANIMATED)
     _refuse_size(film)
@@ -158,22 +152,15 @@ def write_film(
     from app.exchange.motion_frames import FrameMaker  # noqa: PLC0415
 
     with application():
-        data = _film_bytes(FrameMaker(document, film), film, ending, progress, is_cancelled)
-    if is_cancelled():
-        raise FilmCancelled
+        data = _film_bytes(FrameMaker(document, film), film, ending, report)
+    report(FINAL, "Writing")
     write(path, data)
 
 
-def _film_bytes(
-    maker: FrameMaker,
-    film: Film,
-    ending: str,
-    progress: Callable[[float], None],
-    is_cancelled: Callable[[], bool],
-) -> bytes:
+def _film_bytes(maker: FrameMaker, film: Film, ending: str, report: Report) -> bytes:
     if film.frames * maker.width * maker.height > _MOST_PIXELS[ending] or maker.height > 2 * LARGEST_WIDTH:
         raise ExchangeError("The film would be too large; make it smaller, shorter or with fewer frames.")
-    frames = _watched(maker, film.frames, progress, is_cancelled)
+    frames = _watched(maker, film.frames, report)
     return _video(maker, frames, film) if ending == ".mp4" else _pictures(maker, frames, film, ending)
 
 
@@ -186,14 +173,10 @@ def _refuse_size(film: Film) -> None:
         raise ExchangeError(f"A film may have {MOST_FRAMES} frames; make it shorter, or with fewer a second.")
 
 
-def _watched(
-    maker: FrameMaker, count: int, progress: Callable[[float], None], is_cancelled: Callable[[], bool]
-) -> Iterator[bytes]:
+def _watched(maker: FrameMaker, count: int, report: Report) -> Iterator[bytes]:
     for number, frame in enumerate(maker.frames(), start=1):
-        if is_cancelled():
-            raise FilmCancelled
         yield frame
-        progress(number / count)
+        report(number / count, "Drawing")
 
 
 def _pictures(maker: FrameMaker, frames: Iterator[bytes], film: Film, ending: str) -> bytes:
@@ -249,7 +232,10 @@ def _video(maker: FrameMaker, frames: Iterator[bytes], film: Film) -> bytes:
 def _feed(command: list[str], frames: Iterator[bytes]) -> None:
     """Run a program that reads frames; end it where anything goes wrong."""
     with tempfile.TemporaryFile() as said:
-        process = subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.DEVNULL, stderr=said)
+        try:
+            process = subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.DEVNULL, stderr=said)
+        except OSError as reason:
+            raise ExchangeError(f"ffmpeg cannot be started ({reason.strerror}).") from reason
         assert process.stdin is not None
         try:
             # A pipe that breaks: the program ended early, and its code says why.

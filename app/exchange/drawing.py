@@ -11,7 +11,7 @@ import numpy.typing as npt
 from msgspec.structs import replace
 
 from app.document.model import Curve, Document, Family
-from app.view_model.curve_view import CoreCurve, view_of
+from app.view_model.curve_view import CoreCurve, CurveView, view_of
 from curvecore import CurveError
 from curvecore.bezier import cubic_path
 
@@ -192,7 +192,8 @@ def drawing_of(document: Document, tolerance: float | None = None) -> Drawing:
     """
     if tolerance is not None and not 0 < tolerance < np.inf:
         raise ExchangeError("The tolerance must be a positive number.")
-    drawable, remarks = _sort_out(curve for curve in document.curves if curve.visible)
+    views, remarks = sort_out(curve for curve in document.curves if curve.visible)
+    drawable = [(view.source, view.curve) for view in views if view.curve is not None]
     if not drawable and not remarks:
         raise ExchangeError("There is nothing to draw: all curves are hidden.")
     if not drawable:
@@ -211,8 +212,8 @@ def too_much(curve: Curve) -> str:
     return ""
 
 
-def _sort_out(curves: Iterable[Curve]) -> tuple[list[tuple[Curve, CoreCurve]], list[str]]:
-    """Return the curves that can be drawn, and a sentence for each of the others."""
+def sort_out(curves: Iterable[Curve]) -> tuple[list[CurveView], list[str]]:
+    """Return views of the curves that can be computed, and a sentence for each of the others."""
     drawable, remarks = [], []
     for curve in curves:
         if reason := too_much(curve):
@@ -222,7 +223,7 @@ def _sort_out(curves: Iterable[Curve]) -> tuple[list[tuple[Curve, CoreCurve]], l
         if view.curve is None:
             remarks.append(f"“{curve.name}”: {view.problem}")
         else:
-            drawable.append((curve, view.curve))
+            drawable.append(view)
     return drawable, remarks
 
 

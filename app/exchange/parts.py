@@ -12,8 +12,8 @@ import numpy as np
 
 from app import __version__
 from app.document.model import Curve, Document
-from app.exchange.drawing import RELATIVE_TOLERANCE, ExchangeError, Floats, too_much
-from app.view_model.curve_view import CoreCurve, SimpleCurve, view_of
+from app.exchange.drawing import RELATIVE_TOLERANCE, ExchangeError, Floats, sort_out
+from app.view_model.curve_view import CoreCurve, SimpleCurve
 from curvecore import CurveError, LagrangeCurve, bezier_segments, cubic_path
 
 HIGHEST_DEGREE = 10
@@ -105,19 +105,10 @@ def sources_of(document: Document) -> tuple[list[Source], tuple[str, ...]]:
     ExchangeError
         If there is none.
     """
-    sources, remarks = [], []
-    for curve in document.curves:
-        if not curve.visible:
-            remarks.append(f"“{curve.name}” is hidden.")
-            continue
-        if reason := too_much(curve):
-            remarks.append(f"“{curve.name}”: {reason}")
-            continue
-        view = view_of(curve)
-        if view.curve is None:
-            remarks.append(f"“{curve.name}”: {view.problem}")
-        else:
-            sources.append(Source(curve, view.curve, view.pieces))
+    hidden = [f"“{curve.name}” is hidden." for curve in document.curves if not curve.visible]
+    views, unusable = sort_out(curve for curve in document.curves if curve.visible)
+    remarks = hidden + unusable
+    sources = [Source(view.source, view.curve, view.pieces) for view in views if view.curve is not None]
     if not sources:
         raise ExchangeError(f"There is nothing to export. {' '.join(remarks)}")
     return sources, tuple(remarks)

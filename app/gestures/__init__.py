@@ -10,5 +10,6 @@
 - ``overlay``: what a gesture shows over the drawing.
 - ``hints``: what a press would do, in words.
 - ``tools``: Select, Add points and Measure: which gesture a press begins.  ``words``: numbers for people.
-- ``rail``: the gestures of the basis panel: ticks and the scrub line.
+- ``image_tool``: the picture to trace, moved and scaled.
+- ``rail``, ``rail_drags``: the gestures of the basis panel: ticks and the scrub line.
 """

@@ -1,8 +1,35 @@
 """The panels around the canvas. They draw a value and report what the person did.
 
-- ``basis_pane``, ``basis_panel``, ``basis_layers``: the basis functions over t, the t-rail, the scrub line.
-- ``point_table``: the numbers.  ``curve_settings``: interval and tangent rules.
-- ``history``: undo, as a list.  ``parametrization_bar``: the rule for the t_i and its α.
-- ``motion_bar``, ``motion_dialog``: the controls of a motion, and how it is exported.
-- ``message_bar``, ``status_line``, ``shortcut_sheet``: words.
+Beside the canvas:
+
+- ``basis_pane``, ``basis_panel``, ``basis_layers``, ``function_lines``: the basis functions over t, the
+  t-rail, the scrub line.  ``tick_edit``: a t typed at its tick.
+- ``plot_panel``, ``plot_pane``, ``plot_canvas``, ``plot_layers``, ``value_scale``: plots over t.
+- ``motion_bar``: the controls of a motion.  ``parametrization_bar``: the rule for the t_i and its α.
+
+In docks:
+
+- ``point_table`` with ``point_table_view``, ``point_table_model``, ``point_table_delegate`` and
+  ``point_table_edits``: the numbers.
+- ``curve_list``, ``curve_list_view``, ``curve_list_model``: the curves.
+  ``curve_settings``: interval and tangent rules.
+- ``history``: undo, as a list.  ``image_panel``: the picture to trace.
+- ``late_dock``: a dock whose content is built when it is first shown.
+- ``analysis_panel``: overlays and ghosts.  ``hodograph_panel``; ``joints_panel``, ``joints_model``.
+- ``laboratory_panel``, ``method_table``, ``digits_table``: few digits.  ``cost_panel``, ``log_plot``: costs.
+- ``wiggle_panel``, ``weight_bars``: who pulls the curve.  ``lesson_panel``: lessons.
+
+Words and dialogs:
+
+- ``status_line``, ``job_bar``, ``teaching_badge``: at the foot.  ``message_bar``, ``file_bar``,
+  ``recovery_bar``: over the canvas.
+- ``command_palette``, ``fuzzy``: type what you want.  ``shortcut_sheet``, ``shortcut_editor``: keys.
+- ``preferences_dialog``, ``motion_dialog``, ``crash_dialog``.  ``export_dialog``, ``export_form``: export.
+- ``import_drawing_dialog``, ``import_table_dialog``, ``table_preview``, ``role_header``: import.
+
+Small parts:
+
+- ``field_edit``, ``live_slider``, ``setting_slider``, ``elided_label``, ``thumbnail``,
+  ``form_parts``, ``work_dialog``, ``choice_style``.
+- ``number_text``, ``words``: numbers and the names of rules, as panels write them.
 """

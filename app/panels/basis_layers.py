@@ -10,12 +10,14 @@ from PySide6.QtGui import QColor, QFont, QPainter, QPen, QPolygonF
 
 from app.panels.function_lines import Drawing, FunctionLines, way_to_draw
 from app.plot.colours import colours_of
+from app.plot.pens import with_dashes
 from app.plot.pixel_map import Floats, PixelMap
 from app.plot.plot_widget import PlotWidget
 from app.plot.stamps import Stamps
 from app.theme import Theme, mix
 from app.view_model.basis_view import BasisView
 from app.view_model.curve_view import Integers
+from app.view_model.looks import KIND_DASHES
 
 _RAIL_HEIGHT = 34.0
 
@@ -24,9 +26,6 @@ def rail_height(scale: float) -> float:
     """Return how many pixels at the foot of the plot area belong to the t-rail."""
     return _RAIL_HEIGHT * scale
 
-
-KIND_STYLES = (Qt.PenStyle.SolidLine, Qt.PenStyle.DashLine, Qt.PenStyle.DotLine)
-"""Line styles of position, velocity and acceleration functions."""
 
 _FADED, _CALM = 0.45, 0.9
 _NUMBERED_UP_TO = 40
@@ -103,8 +102,7 @@ class FunctionLayer:
             painter.setPen(QPen(fill, 1))
             self._lines.band(kind).draw(painter)
             painter.setRenderHint(QPainter.RenderHint.Antialiasing, True)
-            pen.setStyle(KIND_STYLES[kind])
-            painter.setPen(pen)
+            painter.setPen(with_dashes(pen, KIND_DASHES[kind]))
             painter.drawPolyline(self._lines.edge(kind, upper=False))
             painter.drawPolyline(self._lines.edge(kind, upper=True))
         if len(self.emphasised) <= _MOST_EMPHASISED:
@@ -141,8 +139,7 @@ class FunctionLayer:
             # Mixed with the paper beforehand: Qt draws opaque lines a third faster than translucent ones.
             pen = QPen(mix(colours[owner], self.theme.paper, opacity), width * self.scale)
             for kind in kinds:
-                pen.setStyle(KIND_STYLES[kind])
-                painter.setPen(pen)
+                painter.setPen(with_dashes(pen, KIND_DASHES[kind]))
                 if kind == 0 and pen.widthF() > 1:
                     # Qt takes many times as long for one long line that is wide.
                     self._lines.stroke(knot, kind).draw(painter)

@@ -2,17 +2,18 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import QSize, Qt
-from PySide6.QtGui import QIcon, QPainter, QPen, QPixmap, QResizeEvent
+from PySide6.QtCore import Qt
+from PySide6.QtGui import QIcon, QResizeEvent
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QToolButton, QVBoxLayout, QWidget
 
-from app.panels.basis_layers import KIND_STYLES
 from app.panels.basis_panel import BasisPanel
 from app.panels.elided_label import ElidedLabel
 from app.panels.function_lines import note_on_drawing
+from app.plot.pens import SIGN, sign_pixmap
 from app.theme import LIGHT, Theme
 from app.view_model.basis_view import basis_formulas
 from app.view_model.curve_view import CurveView
+from app.view_model.looks import KIND_DASHES, Look
 
 _NOTHING = "none while the rule gives no parameters"
 _NAMES = ("position", "velocity", "acceleration")
@@ -46,7 +47,7 @@ class BasisPane(QWidget):
         button.setCheckable(True)
         button.setChecked(True)
         button.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
-        button.setIconSize(QSize(26, 12))
+        button.setIconSize(SIGN)
         button.setAccessibleName(f"Show {_NAMES[kind]} functions")
         scaled = "; h is the longer segment beside the point" if kind else ""
         button.setToolTip(f"Show or hide the {_NAMES[kind]} functions{scaled}")
@@ -122,8 +123,8 @@ class BasisPane(QWidget):
 
     def set_theme(self, theme: Theme) -> None:
         """Take the colours of `theme`."""
-        for kind, button in enumerate(self._kinds):
-            button.setIcon(_line_icon(KIND_STYLES[kind], theme))
+        for button, dashes in zip(self._kinds, KIND_DASHES, strict=True):
+            button.setIcon(QIcon(sign_pixmap(Look("ink", width=1.5, dashes=dashes), theme, 2.0)))
         self._drawing.setStyleSheet(f"color: {theme.muted.name()}")
         self._extent.setStyleSheet(f"color: {theme.warning.name()}")
 
@@ -154,17 +155,3 @@ def _reach_text(reach: tuple[float, float] | None, *, brief: bool = False) -> st
         return ""
     span = f"{reach[0]:.3g} to {reach[1]:.3g}".replace("-", "−")
     return f"⚠ {span}" if brief else f"⚠ The functions reach from {span}"
-
-
-def _line_icon(style: Qt.PenStyle, theme: Theme) -> QIcon:
-    """Return a short line in the style that a kind of function is drawn in."""
-    pixmap = QPixmap(52, 24)
-    pixmap.setDevicePixelRatio(2)
-    pixmap.fill(Qt.GlobalColor.transparent)
-    painter = QPainter(pixmap)
-    pen = QPen(theme.ink, 1.5)
-    pen.setStyle(style)
-    painter.setPen(pen)
-    painter.drawLine(1, 6, 25, 6)
-    painter.end()
-    return QIcon(pixmap)

@@ -5,10 +5,10 @@ from __future__ import annotations
 from PySide6.QtWidgets import QGridLayout, QLabel, QVBoxLayout, QWidget
 
 from app.panels.log_plot import LogLine, LogPlot
-from app.plot.traces import METHOD_LOOKS
 from app.view_model.analysis.cost import Cost, cost_chart
 from app.view_model.analysis.laboratory_settings import Calculation
 from app.view_model.analysis.wording import short
+from app.view_model.looks import METHOD_LOOKS
 
 _SMALL = 30
 
@@ -25,7 +25,7 @@ class CostPanel(QWidget):
         self._lay_out_numbers()
         self._note = _line("costNote")
         self.chart = LogPlot(
-            "costChart", "Operations to the first point of the curve over the number of points n", log_x=True
+            "costChart", "Operations to the first point of the curve over the number of points n"
         )
         title = QLabel("Operations to the first point, over n")
         layout = QVBoxLayout(self)

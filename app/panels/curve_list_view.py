@@ -256,12 +256,11 @@ class CurveListView(QListView):
     # Keys
 
     def event(self, event: QEvent) -> bool:
-        # Escape takes back a drag before it is the window's.
+        # Escape takes back a drag, and F2 renames, before they are the window's.
         if (
             isinstance(event, QKeyEvent)
             and event.type() == QEvent.Type.ShortcutOverride
-            and event.key() == Qt.Key.Key_Escape
-            and self.is_dragging
+            and (self.is_dragging if event.key() == Qt.Key.Key_Escape else event.key() in _RENAME)
         ):
             event.accept()
             return True

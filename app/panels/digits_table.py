@@ -6,8 +6,8 @@ from PySide6.QtCore import Qt
 from PySide6.QtGui import QFont, QFontDatabase, QPalette
 from PySide6.QtWidgets import QGridLayout, QLabel, QWidget
 
-from app.plot.traces import METHOD_NAMES
 from app.view_model.analysis.laboratory import Digits
+from app.view_model.analysis.laboratory_settings import METHOD_NAMES
 
 _USUAL_DIGITS = 9
 _SMALLER = 0.75

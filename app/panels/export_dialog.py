@@ -3,13 +3,10 @@
 from __future__ import annotations
 
 from PySide6.QtCore import Qt, QTimer, Signal
-from PySide6.QtGui import QCloseEvent, QColor, QImage, QKeyEvent, QPainter, QPixmap
+from PySide6.QtGui import QColor, QImage, QPainter, QPixmap
 from PySide6.QtWidgets import (
-    QDialog,
-    QDialogButtonBox,
     QHBoxLayout,
     QLabel,
-    QPushButton,
     QVBoxLayout,
     QWidget,
 )
@@ -23,16 +20,16 @@ from app.exchange.image import Look, look
 from app.exchange.progress import Report
 from app.exchange.svg import Style
 from app.panels.export_form import ExportForm
-from app.panels.form_parts import enters_number, problem_label
-from app.theme import DARK, LIGHT, mix, theme_of
-from app.worker import Jobs
+from app.panels.form_parts import buttons
+from app.panels.work_dialog import WorkDialog
+from app.theme import DARK, LIGHT, mix
 
 _SOON_MS = 120
 _WIDTH, _HEIGHT = 300, 260
 _SQUARE = 8
 
 
-class ExportDialog(QDialog):
+class ExportDialog(WorkDialog):
     """Asks for the options first; where to write is asked next.
 
     Signals
@@ -44,14 +41,10 @@ class ExportDialog(QDialog):
     chosen = Signal(object)
 
     def __init__(self, choice: ExportChoice, parent: QWidget | None = None) -> None:
-        super().__init__(parent, Qt.WindowType.Dialog)
-        self.setObjectName("exportDialog")
-        self.setWindowTitle("Export")
-        self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+        super().__init__("exportDialog", "Export", "exportProblem", parent)
         self._document: Document | None = None
         self._active = 0
         self._is_png = True
-        self.jobs = Jobs(self)
         self.form = ExportForm()
         self.picture = QLabel()
         self.picture.setObjectName("exportPreview")
@@ -61,7 +54,6 @@ class ExportDialog(QDialog):
         self.picture.setAlignment(Qt.AlignmentFlag.AlignCenter)
         self.size_label = QLabel()
         self.size_label.setObjectName("exportSize")
-        self.problem = problem_label("exportProblem")
         self._soon = QTimer(self, singleShot=True, interval=_SOON_MS)
         self._soon.timeout.connect(self._look)
         self._lay_out()
@@ -70,17 +62,9 @@ class ExportDialog(QDialog):
         self._render()
 
     def _lay_out(self) -> None:
-        buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Cancel)
-        self.ok = QPushButton("Export…")
-        self.ok.setObjectName("exportFile")
-        self.ok.setToolTip("Choose where to write it")
-        self.ok.setDefault(True)
-        buttons.addButton(self.ok, QDialogButtonBox.ButtonRole.AcceptRole)
-        buttons.accepted.connect(self._export)
-        buttons.rejected.connect(self.reject)
-        cancel = buttons.button(QDialogButtonBox.StandardButton.Cancel)
-        cancel.setObjectName("cancelExport")
-        cancel.setToolTip("Close without exporting (Esc)")
+        foot, self.ok = buttons("Export…", "exportFile", "Choose where to write it", "cancelExport")
+        foot.accepted.connect(self._export)
+        foot.rejected.connect(self.reject)
         self.look = QWidget()
         seen = QVBoxLayout(self.look)
         seen.setContentsMargins(0, 0, 0, 0)
@@ -96,7 +80,7 @@ class ExportDialog(QDialog):
         layout.setSpacing(10)
         layout.addLayout(columns, 1)
         layout.addWidget(self.problem)
-        layout.addWidget(buttons)
+        layout.addWidget(foot)
         self.resize(690, 400)
 
     def show_document(self, document: Document, active: int) -> None:
@@ -109,10 +93,10 @@ class ExportDialog(QDialog):
         try:
             choice = self.form.choice()
         except ExpressionError as reason:
-            self._complain(str(reason))
+            self.complain(str(reason))
             self.ok.setEnabled(False)
             return
-        self._complain("")
+        self.complain("")
         self.ok.setEnabled(True)
         self.ok.setToolTip(f"Choose where to write the {FORMATS[choice.ending]}")
         self.look.setVisible(choice.ending in PICTURES)
@@ -144,7 +128,7 @@ class ExportDialog(QDialog):
         self.picture.setPixmap(_on_squares(seen.image, self.devicePixelRatioF(), squares))
         width, height = seen.size
         self.size_label.setText(f"{width} × {height} pixels" if self._is_png else "")
-        self._complain("")
+        self.complain("")
         self.ok.setEnabled(True)
 
     def _refuse(self, problem: Exception) -> None:
@@ -152,30 +136,12 @@ class ExportDialog(QDialog):
             raise problem
         self.picture.clear()
         self.size_label.clear()
-        self._complain(str(problem))
+        self.complain(str(problem))
         self.ok.setEnabled(False)
-
-    def _complain(self, text: str) -> None:
-        self.problem.setStyleSheet(f"color: {theme_of(self.palette()).warning.name()}")
-        self.problem.setText(f"⚠ {text}" if text else "")
-        self.problem.setVisible(bool(text))
 
     def _export(self) -> None:
         self.chosen.emit(self.form.choice())
         self.accept()
-
-    def done(self, result: int) -> None:
-        """Close; the look that is being drawn is dropped."""
-        self.jobs.close()
-        super().done(result)
-
-    def keyPressEvent(self, event: QKeyEvent) -> None:
-        if not enters_number(self, event):
-            super().keyPressEvent(event)
-
-    def closeEvent(self, event: QCloseEvent) -> None:
-        self.jobs.close()
-        super().closeEvent(event)
 
 
 def _shown_style(choice: ExportChoice, options: Options) -> Style:

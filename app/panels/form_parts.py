@@ -6,7 +6,15 @@ from collections.abc import Sequence
 
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QKeyEvent
-from PySide6.QtWidgets import QAbstractSpinBox, QComboBox, QDialog, QLabel, QLineEdit
+from PySide6.QtWidgets import (
+    QAbstractSpinBox,
+    QComboBox,
+    QDialog,
+    QDialogButtonBox,
+    QLabel,
+    QLineEdit,
+    QPushButton,
+)
 
 INTO = ("This document", "A new document")
 
@@ -39,3 +47,20 @@ def problem_label(name: str) -> QLabel:
     label.setWordWrap(True)
     label.hide()
     return label
+
+
+def buttons(text: str, name: str, tip: str, cancel: str) -> tuple[QDialogButtonBox, QPushButton]:
+    """Return the buttons at the foot of a dialog, and the one that goes ahead.
+
+    `cancel` is the object name of the other one.
+    """
+    box = QDialogButtonBox(QDialogButtonBox.StandardButton.Cancel)
+    ahead = QPushButton(text)
+    ahead.setObjectName(name)
+    ahead.setToolTip(tip)
+    ahead.setDefault(True)
+    box.addButton(ahead, QDialogButtonBox.ButtonRole.AcceptRole)
+    other = box.button(QDialogButtonBox.StandardButton.Cancel)
+    other.setObjectName(cancel)
+    other.setToolTip("Close and leave everything as it is (Esc)")
+    return box, ahead

@@ -5,16 +5,14 @@ from __future__ import annotations
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import (
     QDialog,
-    QDialogButtonBox,
     QHBoxLayout,
     QLabel,
-    QPushButton,
     QVBoxLayout,
     QWidget,
 )
 
 from app.exchange.cubics_in import Imported
-from app.panels.form_parts import into_box
+from app.panels.form_parts import buttons, into_box
 from app.panels.words import count_of
 
 _MOST_REMARKS = 8
@@ -47,17 +45,9 @@ class ImportDrawingDialog(QDialog):
         into.addWidget(QLabel("Into"))
         into.addWidget(self.into)
         into.addStretch(1)
-        buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Cancel)
-        self.ok = QPushButton("Import")
-        self.ok.setObjectName("importDrawing")
-        self.ok.setToolTip("Take the curves in")
-        self.ok.setDefault(True)
-        buttons.addButton(self.ok, QDialogButtonBox.ButtonRole.AcceptRole)
-        buttons.accepted.connect(self._import)
-        buttons.rejected.connect(self.reject)
-        cancel = buttons.button(QDialogButtonBox.StandardButton.Cancel)
-        cancel.setObjectName("cancelImport")
-        cancel.setToolTip("Close without importing (Esc)")
+        foot, self.ok = buttons("Import", "importDrawing", "Take the curves in", "cancelImport")
+        foot.accepted.connect(self._import)
+        foot.rejected.connect(self.reject)
         layout = QVBoxLayout(self)
         layout.setContentsMargins(16, 14, 16, 14)
         layout.setSpacing(10)
@@ -65,7 +55,7 @@ class ImportDrawingDialog(QDialog):
         layout.addWidget(self.remarks)
         layout.addLayout(into)
         layout.addStretch(1)
-        layout.addWidget(buttons)
+        layout.addWidget(foot)
         self.setMinimumWidth(380)
 
     def _import(self) -> None:

@@ -4,16 +4,12 @@ from __future__ import annotations
 
 from itertools import pairwise
 
-from PySide6.QtCore import Qt, QTimer, Signal
-from PySide6.QtGui import QCloseEvent, QKeyEvent
+from PySide6.QtCore import QTimer, Signal
 from PySide6.QtWidgets import (
     QCheckBox,
-    QDialog,
-    QDialogButtonBox,
     QHBoxLayout,
     QLabel,
     QProgressBar,
-    QPushButton,
     QVBoxLayout,
     QWidget,
 )
@@ -26,12 +22,11 @@ from app.exchange.table_import import MANY_ROWS, Prepared, TableChoice, TableSou
 from app.exchange.table_layout import Layout
 from app.exchange.thinning import Thinning
 from app.panels.field_edit import FieldEdit
-from app.panels.form_parts import choice_box, enters_number, into_box, problem_label
+from app.panels.form_parts import buttons, choice_box, into_box
 from app.panels.number_text import decimal_mark, rounded_text
 from app.panels.table_preview import TablePreview
 from app.panels.words import count_of
-from app.theme import theme_of
-from app.worker import Jobs
+from app.panels.work_dialog import WorkDialog
 
 IGNORE = "ignore"
 _SEPARATORS = {"\t": "Tab", ";": "Semicolon ;", ",": "Comma ,", " ": "Blanks"}
@@ -52,7 +47,7 @@ _THINNING_TIP = (
 _SOON_MS = 250
 
 
-class ImportTableDialog(QDialog):
+class ImportTableDialog(WorkDialog):
     """Shows the first rows of a table and asks what they mean; what comes of it is computed beside.
 
     Signals
@@ -66,14 +61,10 @@ class ImportTableDialog(QDialog):
     def __init__(
         self, title: str, stem: str, source: TableSource, preview: Preview, parent: QWidget | None = None
     ) -> None:
-        super().__init__(parent, Qt.WindowType.Dialog)
-        self.setObjectName("importTableDialog")
-        self.setWindowTitle(f"Import {title}")
-        self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+        super().__init__("importTableDialog", f"Import {title}", "tableProblem", parent)
         self._source, self._stem, self._layout_now = source, stem, preview.layout
         self._prepared: Prepared | None = None
         self._tolerance: float | None = None
-        self.jobs = Jobs(self)
         self._build()
         self._soon = QTimer(self, singleShot=True, interval=_SOON_MS)
         self._soon.timeout.connect(self._use_typed)
@@ -103,7 +94,7 @@ class ImportTableDialog(QDialog):
         )
         self.tolerance_edit.setMaximumWidth(110)
         self.into = into_box()
-        self.summary, self.problem = QLabel(), problem_label("tableProblem")
+        self.summary = QLabel()
         self.summary.setObjectName("tableSummary")
         self.bar = QProgressBar()
         self.bar.setObjectName("tableProgress")
@@ -112,15 +103,7 @@ class ImportTableDialog(QDialog):
         self.bar.setRange(0, 1000)
         self.bar.setTextVisible(False)
         self.bar.setFixedSize(120, 8)
-        self.buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Cancel)
-        self.ok = QPushButton("Import")
-        self.ok.setObjectName("importTable")
-        self.ok.setToolTip("Make curves of the rows")
-        self.buttons.addButton(self.ok, QDialogButtonBox.ButtonRole.AcceptRole)
-        self.ok.setDefault(True)
-        cancel = self.buttons.button(QDialogButtonBox.StandardButton.Cancel)
-        cancel.setObjectName("cancelImport")
-        cancel.setToolTip("Close without importing (Esc)")
+        self.buttons, self.ok = buttons("Import", "importTable", "Make curves of the rows", "cancelImport")
         self._lay_out()
 
     def _lay_out(self) -> None:
@@ -245,37 +228,19 @@ class ImportTableDialog(QDialog):
         if prepared.tolerance:
             self._tolerance = prepared.tolerance
             self.tolerance_edit.show_text(rounded_text(prepared.tolerance, decimal_mark()).replace("−", "-"))
-        self._complain(prepared.problem)
+        self.complain(prepared.problem)
         self.preview.mark(prepared.bad_row, prepared.bad_column, prepared.bad_cells)
         self.summary.setText(_summary(prepared))
         self.ok.setEnabled(prepared.document is not None)
         self.ok.setToolTip(prepared.problem or "Make curves of the rows")
 
     def _fail(self, problem: Exception) -> None:
-        self._complain(str(problem))
+        self.complain(str(problem))
         raise problem
-
-    def _complain(self, text: str) -> None:
-        self.problem.setStyleSheet(f"color: {theme_of(self.palette()).warning.name()}")
-        self.problem.setText(f"⚠ {text}" if text else "")
-        self.problem.setVisible(bool(text))
 
     def _show_share(self, share: float, word: str) -> None:
         self.summary.setText(f"{word}…")
         self.bar.setValue(max(self.bar.value(), round(1000 * share)))
-
-    def done(self, result: int) -> None:
-        """Close; what is being computed is dropped."""
-        self.jobs.close()
-        super().done(result)
-
-    def keyPressEvent(self, event: QKeyEvent) -> None:
-        if not enters_number(self, event):
-            super().keyPressEvent(event)
-
-    def closeEvent(self, event: QCloseEvent) -> None:
-        self.jobs.close()
-        super().closeEvent(event)
 
 
 def _distance(text: str) -> float | None:

@@ -6,6 +6,7 @@ from math import log10
 
 from msgspec.structs import replace
 from PySide6.QtCore import Qt, Signal
+from PySide6.QtGui import QAction
 from PySide6.QtWidgets import (
     QComboBox,
     QFrame,
@@ -17,6 +18,7 @@ from PySide6.QtWidgets import (
     QSizePolicy,
     QSlider,
     QTabWidget,
+    QToolButton,
     QVBoxLayout,
     QWidget,
 )
@@ -26,13 +28,12 @@ from app.document.expression import ExpressionError, parse_number
 from app.panels.cost_panel import CostPanel
 from app.panels.digits_table import DigitsTable
 from app.panels.field_edit import FieldEdit
-from app.panels.log_plot import LogLine, LogPlot
 from app.panels.method_table import MethodTable
 from app.panels.number_text import decimal_mark, exact_text
-from app.plot.traces import METHOD_LOOKS, METHOD_NAMES
-from app.view_model.analysis.laboratory import Digits, Trial, calculations, error_lines
+from app.view_model.analysis.laboratory import Digits, Trial, calculations
 from app.view_model.analysis.laboratory_settings import (
     LEAST_DIGITS,
+    METHOD_NAMES,
     MOST_DECIMALS,
     MOST_DIGITS,
     USUAL_SHIFT,
@@ -59,14 +60,14 @@ class LaboratoryPanel(QTabWidget):
 
     cost_shown = Signal()
 
-    def __init__(self, analysis: Analysis, parent: QWidget | None = None) -> None:
+    def __init__(self, analysis: Analysis, plot_errors: QAction, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setObjectName("laboratoryPanel")
         self.setDocumentMode(True)
         self._analysis = analysis
+        self._plot_errors = plot_errors
         self.cost = CostPanel()
         self.table, self.digits = MethodTable(), DigitsTable()
-        self.plot = LogPlot("errorPlot", "Distance to the true curve over t, on a logarithmic scale")
         self.slider, self.digits_text = self._make_slider(), _label("digitsValue", wraps=False)
         self.rounding, self.shift_button, self.shift_field = (
             self._make_rounding(),
@@ -130,12 +131,21 @@ class LaboratoryPanel(QTabWidget):
         layout.addWidget(self.words)
         layout.addWidget(self.note)
         layout.addWidget(self.digits)
-        heading = QHBoxLayout()
-        heading.addWidget(QLabel("Error over t"), 1)
-        heading.addWidget(self.state)
-        layout.addLayout(heading)
-        layout.addWidget(self.plot, 1)
+        foot = QHBoxLayout()
+        foot.addWidget(self._make_plot_button())
+        foot.addStretch(1)
+        foot.addWidget(self.state)
+        layout.addLayout(foot)
+        layout.addStretch(1)
         return page
+
+    def _make_plot_button(self) -> QToolButton:
+        button = QToolButton()
+        button.setDefaultAction(self._plot_errors)
+        button.setObjectName("plotErrorsButton")
+        button.setAccessibleName("Errors of the Methods")
+        button.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
+        return button
 
     def _controls(self) -> QGridLayout:
         grid = QGridLayout()
@@ -232,11 +242,6 @@ class LaboratoryPanel(QTabWidget):
         self.words.setEnabled(not busy)
         self.note.setText(trial.note if trial is not None else "")
         self.note.setVisible(bool(self.note.text()))
-        lines = [
-            LogLine(line.t, line.errors, METHOD_LOOKS[line.calculation], METHOD_NAMES[line.calculation])
-            for line in (error_lines(trial) if trial is not None else ())
-        ]
-        self.plot.render_lines(lines, faded=busy)
 
     def render_digits(self, digits: Digits | None) -> None:
         """Show the very digits at one t."""

@@ -4,15 +4,16 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from PySide6.QtCore import QEvent, QSize, Qt, Signal
-from PySide6.QtGui import QPalette
+from PySide6.QtCore import QEvent, Qt, Signal
+from PySide6.QtGui import QIcon, QPalette
 from PySide6.QtWidgets import QCheckBox, QGridLayout, QLabel, QWidget
 
-from app.plot.traces import METHOD_LOOKS, METHOD_NAMES
+from app.plot.pens import SIGN, sign_pixmap
 from app.theme import theme_of
 from app.view_model.analysis.laboratory import Trial
-from app.view_model.analysis.laboratory_settings import Calculation
+from app.view_model.analysis.laboratory_settings import METHOD_NAMES, Calculation
 from app.view_model.analysis.wording import short
+from app.view_model.looks import METHOD_LOOKS
 
 _TIPS = {
     Calculation.MONOMIAL: "Solve the system for the coefficients of 1, t, t², …, then Horner's scheme",
@@ -71,7 +72,7 @@ class MethodTable(QWidget):
         box.setObjectName(f"method_{method.value}")
         box.setToolTip(_TIPS[method])
         box.setAccessibleName(f"Compare {METHOD_NAMES[method]}")
-        box.setIconSize(QSize(22, 12))
+        box.setIconSize(SIGN)
         box.clicked.connect(self._choose)
         self._boxes[method] = box
         self._grid.addWidget(box, row, 0)
@@ -119,7 +120,7 @@ class MethodTable(QWidget):
     def _dress(self) -> None:
         theme = theme_of(self.palette())
         for method, box in self._boxes.items():
-            box.setIcon(METHOD_LOOKS[method].swatch(theme))
+            box.setIcon(QIcon(sign_pixmap(METHOD_LOOKS[method], theme, self.devicePixelRatioF())))
 
 
 def _side(column: int) -> Qt.AlignmentFlag:

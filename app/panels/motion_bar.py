@@ -1,4 +1,4 @@
-"""The bar of a motion: play, stop, speed, repeat and pace, where the dot is, and how an export goes on."""
+"""The bar of a motion: play, stop, speed, repeat and pace, and where the dot is."""
 
 from __future__ import annotations
 
@@ -9,7 +9,6 @@ from PySide6.QtGui import QAction
 from PySide6.QtWidgets import (
     QComboBox,
     QHBoxLayout,
-    QProgressBar,
     QSizePolicy,
     QToolButton,
     QVBoxLayout,
@@ -36,12 +35,9 @@ class MotionBar(QWidget):
     -------
     speed_chosen
         Another speed was chosen.
-    export_cancelled
-        The export shall end, and leave nothing.
     """
 
     speed_chosen = Signal(float)
-    export_cancelled = Signal()
 
     def __init__(self, actions: Callable[[str], QAction], parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -59,18 +55,7 @@ class MotionBar(QWidget):
         self._words = ElidedLabel()
         self._words.setObjectName("motionWords")
         self._words.hide()
-        self._progress = QProgressBar()
-        self._progress.setObjectName("motionProgress")
-        self._progress.setAccessibleName("Export of the motion")
-        self._progress.setFormat("Writing %p %")
-        self._cancel = QToolButton()
-        self._cancel.setObjectName("cancelMotionExport")
-        self._cancel.setText("Cancel")
-        self._cancel.setAccessibleName("Cancel the export")
-        self._cancel.setToolTip("End the export; no file is left")
-        self._cancel.clicked.connect(self.export_cancelled)
         self._lay_out()
-        self.show_progress(None)
         self._next = ""
         self._soon = QTimer(self, singleShot=True, interval=_READ_MS)
         self._soon.timeout.connect(self._write)
@@ -113,8 +98,6 @@ class MotionBar(QWidget):
             row.addWidget(box)
         row.addWidget(self._button("motionCompare", "compareMotion"))
         row.addWidget(self._readout, 1)
-        row.addWidget(self._progress, 1)
-        row.addWidget(self._cancel)
         row.addWidget(self._button("exportMotion", "exportMotion"))
         words = QHBoxLayout()
         words.setContentsMargins(12, 0, 10, 5)
@@ -160,14 +143,6 @@ class MotionBar(QWidget):
     def _write(self) -> None:
         if self._readout.text() != self._next:
             self._readout.setText(self._next)
-
-    def show_progress(self, share: float | None) -> None:
-        """Show how much of an export is done; None when there is none."""
-        self._readout.setVisible(share is None)
-        self._progress.setVisible(share is not None)
-        self._cancel.setVisible(share is not None)
-        if share is not None:
-            self._progress.setValue(round(100 * share))
 
 
 def _numbers(dot: Dot) -> str:

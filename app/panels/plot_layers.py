@@ -7,21 +7,16 @@ from dataclasses import dataclass
 
 import numpy as np
 from PySide6.QtCore import QPointF, QRectF, Qt
-from PySide6.QtGui import QColor, QFont, QPainter, QPen
+from PySide6.QtGui import QFont, QPainter, QPen
 
 from app.panels.value_scale import ValueScale
 from app.plot.drawing import Segments, Stroke, cut_segments
+from app.plot.pens import colour_of, line_in_pixels, with_dashes
 from app.plot.pixel_map import Floats, PixelMap
 from app.plot.plot_widget import PlotWidget
-from app.theme import Theme, mix
-from app.view_model.analysis.plot_lines import Dash, PlotData, PlotLine
-
-PENS = {
-    Dash.SOLID: Qt.PenStyle.SolidLine,
-    Dash.DASHED: Qt.PenStyle.DashLine,
-    Dash.DOTTED: Qt.PenStyle.DotLine,
-    Dash.DASH_DOTTED: Qt.PenStyle.DashDotLine,
-}
+from app.theme import Theme
+from app.view_model.analysis.plot_lines import PlotData, PlotLine
+from app.view_model.looks import DASHED
 
 _STRIP, _LARGEST_STRIP = 17.0, 0.4
 """Pixels above a plot for its title, and the share of the height that they never surpass."""
@@ -35,6 +30,7 @@ _MOST_A_COLUMN = 1.8
 """Samples for each column of pixels above which they are drawn by columns."""
 
 _FAR = 1e5
+_WIDTH = 1.5
 
 
 @dataclass(frozen=True)
@@ -104,10 +100,9 @@ class PlotLayer:
             painter.setRenderHint(QPainter.RenderHint.Antialiasing, True)
             for line, stroke in zip(plot.lines, self._strokes[index], strict=True):
                 pen = self._pen(line)
-                if isinstance(stroke, Segments):
+                if len(line.t) > _MOST_A_COLUMN * shown.width:
                     # Side by side, wider ones would make a bar.
                     pen.setWidthF(self.scale)
-                    pen.setStyle(Qt.PenStyle.SolidLine)
                 painter.setPen(pen)
                 stroke.draw(painter)
                 self._paint_jumps(painter, line, band, scale, shown)
@@ -126,22 +121,12 @@ class PlotLayer:
         self._strokes_of = key
         places = bands(len(self.plots), shown.height, self.scale)
         self._strokes = [
-            [_stroke(line, band, scale, shown) for line in plot.lines]
+            [_stroke(line, band, scale, shown, _WIDTH * self.scale) for line in plot.lines]
             for plot, band, scale in zip(self.plots, places, self.scales, strict=True)
         ]
 
     def _pen(self, line: PlotLine) -> QPen:
-        colour = self.colour_of(line)
-        pen = QPen(mix(colour, self.theme.paper, 0.4) if self.waits else colour, 1.5 * self.scale)
-        pen.setStyle(PENS[line.dash])
-        return pen
-
-    def colour_of(self, line: PlotLine) -> QColor:
-        """Return the colour of a line under the theme."""
-        if line.colour.startswith("#"):
-            return QColor(line.colour)
-        colour: QColor = getattr(self.theme, line.colour)
-        return colour
+        return QPen(colour_of(line.look, self.theme, 0.4 if self.waits else 1.0), _WIDTH * self.scale)
 
     def _paint_jumps(
         self, painter: QPainter, line: PlotLine, band: Band, scale: ValueScale, shown: PixelMap
@@ -154,7 +139,7 @@ class PlotLayer:
         x, y = shown.x(line.t[ends]), band.y(scale.shares(line.values[ends]))
         near = (x > -9) & (x < shown.width + 9) & (y > band.top - 9) & (y < band.foot + 9)
         painter.setPen(Qt.PenStyle.NoPen)
-        painter.setBrush(self.colour_of(line))
+        painter.setBrush(colour_of(line.look, self.theme))
         for place in np.column_stack([x, y])[near].tolist():
             painter.drawEllipse(QPointF(*place), 2.2 * self.scale, 2.2 * self.scale)
         painter.setBrush(Qt.BrushStyle.NoBrush)
@@ -187,7 +172,7 @@ class PlotLayer:
     ) -> None:
         for level in plot.levels:
             y = float(band.y(np.array([scale.share(level.value)]))[0])
-            painter.setPen(QPen(self.theme.muted, 1, Qt.PenStyle.DashLine))
+            painter.setPen(with_dashes(QPen(self.theme.muted, 1), DASHED))
             painter.drawLine(QPointF(0, round(y)), QPointF(width, round(y)))
 
     def _paint_title(self, painter: QPainter, plot: PlotData, band: Band, width: float) -> None:
@@ -210,7 +195,7 @@ class PlotLayer:
     def _paint_legend(self, painter: QPainter, plot: PlotData, strip: QRectF, left: float) -> float:
         for line in plot.lines:
             y = strip.center().y()
-            painter.setPen(self._pen(line))
+            painter.setPen(with_dashes(self._pen(line), line.look.dashes))
             painter.drawLine(QPointF(left, y), QPointF(left + 22, y))
             painter.setPen(self.theme.muted)
             painter.drawText(
@@ -222,15 +207,15 @@ class PlotLayer:
         return left
 
 
-def _stroke(line: PlotLine, band: Band, scale: ValueScale, shown: PixelMap) -> Stroke | Segments:
+def _stroke(
+    line: PlotLine, band: Band, scale: ValueScale, shown: PixelMap, width: float
+) -> Stroke | Segments:
     with np.errstate(over="ignore"):
         x = np.clip(shown.x(line.t), -_FAR, _FAR)
     y = band.y(scale.shares(line.values))
     if len(x) > _MOST_A_COLUMN * shown.width:
         return _by_columns(x, y, shown)
-    stroke = Stroke()
-    stroke.fill(np.column_stack([x, y]), shown.width, shown.height)
-    return stroke
+    return line_in_pixels(np.column_stack([x, y]), line.look.dashes, width, shown)
 
 
 def _by_columns(x: Floats, y: Floats, shown: PixelMap) -> Segments:
@@ -283,6 +268,6 @@ class ScrubLayer:
                 if 0 <= share <= 1:
                     y = float(band.y(np.array([share]))[0])
                     painter.setPen(QPen(self.theme.paper, 1.5 * self.scale))
-                    painter.setBrush(plots.colour_of(line))
+                    painter.setBrush(colour_of(line.look, self.theme))
                     painter.drawEllipse(QPointF(x, y), 4 * self.scale, 4 * self.scale)
         painter.setBrush(Qt.BrushStyle.NoBrush)

@@ -2,6 +2,8 @@
 
 - ``pixel_map``: plane to pixels and back.
 - ``drawing``: polylines, discs and text drawn fast; nothing unsafe reaches Qt.
+- ``pens``, ``dashes``, ``area``: looks on the screen, dashes that run on, translucent areas.
 - ``plot_widget``: a pyqtgraph plot with our own painting, pan, zoom and mouse handling.
+- ``plates``: words on little plates of paper.
 - ``stamps``, ``colours``: many marks in one call, in the colours of the points.
 """

@@ -2,7 +2,14 @@
 
 - ``curve_view``: a document's curve as a core curve, its polyline, its handles, or why it cannot be made.
 - ``basis_view``: the basis functions sampled for the basis panel, and the weights at one parameter.
-- ``reshape``, ``split_join``: other points for the same curve; ``measure``: how far it moved all the same.
+- ``jets``, ``handles``: what was set and what the rules estimate; where a person drags it.
+- ``bend``, ``bend_together``: the curve pulled somewhere.  ``nearest``: its point nearest to a place.
+- ``reshape``, ``split_join``, ``smoothness``: other points for the same curve, two of one, corners;
+  ``measure``: how far it moved all the same.
+- ``pasting``: points carried from one curve to another.
 - ``motion``: from time to parameter.  ``motion_picture``, ``arrow``: what is drawn and said of a motion.
+- ``looks``, ``palette``: how lines and marks look; the colours of points.
+- ``goals``: what a lesson asks for.
 - ``node_arrays``, ``flattener``: what one view hands on to the next, so that only what changed is computed.
+- ``analysis``: why the curve goes where it goes.
 """

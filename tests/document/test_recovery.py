@@ -39,16 +39,17 @@ def test_what_was_written_comes_back_bit_for_bit(tmp_path):
     (snapshot,) = list_snapshots(tmp_path / "new" / "folder").snapshots
     assert encode(snapshot.document) == encode(THIRDS)
     assert before <= snapshot.written <= time.time()
-    assert snapshot.origin == Origin(None, "")
+    assert snapshot.origin == Origin()
 
 
 @pytest.mark.parametrize("name", ["a b, ü.curve.json", os.fsdecode(b"no\xfftext.curve.json")])
 def test_the_original_is_remembered_and_whether_it_changed(tmp_path, name):
     path = tmp_path / name
-    save(path, OTHER)
-    left_behind(tmp_path / "unsaved", origin=Origin.of(path))
+    left_behind(tmp_path / "unsaved", origin=Origin(path, save(path, OTHER)))
     found = list_snapshots(tmp_path / "unsaved")
     assert found.snapshots[0].origin.path == path
+    assert found.snapshots[0].origin.is_unchanged
+    save(path, OTHER)
     assert found.snapshots[0].origin.is_unchanged
     save(path, THIRDS)
     assert not found.snapshots[0].origin.is_unchanged
@@ -58,8 +59,7 @@ def test_the_original_is_remembered_and_whether_it_changed(tmp_path, name):
 
 def test_what_its_file_holds_after_all_is_not_offered(tmp_path):
     path = tmp_path / "mine.curve.json"
-    save(path, OTHER)
-    origin = Origin.of(path)
+    origin = Origin(path, save(path, OTHER))
     save(path, THIRDS)
     left_behind(tmp_path / "unsaved", THIRDS, origin)
     assert list_snapshots(tmp_path / "unsaved").snapshots == ()

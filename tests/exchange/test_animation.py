@@ -14,7 +14,8 @@ from app.document.model import Document, Family, make_curve
 from app.document.storage import StorageError
 from app.examples import first_sketch
 from app.exchange import ExchangeError
-from app.exchange.animation import Film, FilmCancelled, has_video, write_film
+from app.exchange.animation import Film, has_video, write_film
+from app.exchange.progress import FINAL, Cancelled
 from app.exchange.svg import DARK
 from app.view_model.motion import Pace, Repeat
 
@@ -37,13 +38,14 @@ def frames_of(path):
 def test_a_film_has_its_frames_size_durations_and_loop(tmp_path, ending, repeat):
     path, shares = tmp_path / f"film{ending}", []
     film = Film(**SMALL, repeat=repeat)
-    write_film(first_sketch(), path, film, progress=shares.append)
+    write_film(first_sketch(), path, film, report=lambda share, _word: shares.append(share))
     frames = frames_of(path)
     assert len(frames) == film.frames == 12
     assert [duration for _, duration in frames] == [100] * 12
     assert {pixels.shape for pixels, _ in frames} == {frames[0][0].shape}
     assert frames[0][0].shape[1] == 80
-    assert shares == pytest.approx(np.arange(1, 13) / 12)
+    assert shares[:-1] == pytest.approx(np.arange(1, 13) / 12)
+    assert shares[-1] == FINAL
     with Image.open(path) as read:
         forever = repeat is not Repeat.ONCE
         assert read.info.get("loop") == (0 if forever else None if ending == ".gif" else 1)
@@ -88,13 +90,24 @@ def test_cubic_and_quintic_run_side_by_side(tmp_path):
         assert (np.abs(pixels - colour).sum(axis=2) < 30).any()
 
 
+def stops_after(times):
+    """A report that is told so many times, and then takes the order back."""
+    told = []
+
+    def report(share, _word):
+        told.append(share)
+        if len(told) > times:
+            raise Cancelled
+
+    return report
+
+
 @pytest.mark.parametrize("ending", [".gif", ".apng"])
 def test_a_cancelled_film_leaves_what_was_there(tmp_path, ending):
     path = tmp_path / f"film{ending}"
     path.write_bytes(b"old")
-    asked = iter([False] * 5 + [True] * 99)
-    with pytest.raises(FilmCancelled):
-        write_film(first_sketch(), path, Film(**SMALL), is_cancelled=lambda: next(asked))
+    with pytest.raises(Cancelled):
+        write_film(first_sketch(), path, Film(**SMALL), report=stops_after(5))
     assert path.read_bytes() == b"old"
     assert list(tmp_path.iterdir()) == [path]
 
@@ -185,9 +198,8 @@ def test_a_failing_or_cancelled_ffmpeg_leaves_no_file(tmp_path, ffmpeg):
     ffmpeg(fails=True)
     with pytest.raises(ExchangeError, match=r"code 3\. Unknown encoder"):
         write_film(first_sketch(), tmp_path / "film.mp4", Film(**SMALL))
-    asked = iter([False] * 3 + [True] * 99)
-    with pytest.raises((FilmCancelled, ExchangeError)):
-        write_film(first_sketch(), tmp_path / "film.mp4", Film(**SMALL), is_cancelled=lambda: next(asked))
+    with pytest.raises((Cancelled, ExchangeError)):
+        write_film(first_sketch(), tmp_path / "film.mp4", Film(**SMALL), report=stops_after(3))
     assert list(tmp_path.iterdir()) == [tmp_path / "bin"]
 
 

@@ -155,7 +155,7 @@ def test_the_snapshot_says_which_file_and_that_it_changed(kept, qtbot, tmp_path)
     (snapshot_folder() / "copy").mkdir()
     (snapshot_folder() / "copy" / files()[0].name).write_bytes(record)
     (snapshot,) = list_snapshots(snapshot_folder() / "copy").snapshots
-    assert snapshot.origin == Origin.of(path)
+    assert snapshot.origin == Origin(path, kept.session.file.stamp)
     assert snapshot.origin.is_unchanged
 
 
@@ -247,8 +247,8 @@ def test_two_editors_do_not_offer_each_other_s_work(kept, qtbot, tmp_path):
 
 def test_what_was_left_is_offered_and_restored(kept, qtbot, tmp_path):
     path = tmp_path / "mine.curve.json"
-    storage.save(path, Document((make_curve([(0, 0), (1, 1)]),)))
-    leave_behind(origin=Origin.of(path))
+    stamp = storage.save(path, Document((make_curve([(0, 0), (1, 1)]),)))
+    leave_behind(origin=Origin(path, stamp))
     kept.window.offer_unsaved_work()
     assert bar(kept).isVisible()
     labels = [each.text() for each in bar(kept).findChildren(QLabel)]
@@ -268,8 +268,7 @@ def test_what_was_left_is_offered_and_restored(kept, qtbot, tmp_path):
 @pytest.mark.parametrize("fate", ["changed", "gone"])
 def test_work_on_a_file_that_is_another_one_now_becomes_a_new_document(kept, tmp_path, fate):
     path = tmp_path / "mine.curve.json"
-    storage.save(path, Document((make_curve([(0, 0), (1, 1)]),)))
-    origin = Origin.of(path)
+    origin = Origin(path, storage.save(path, Document((make_curve([(0, 0), (1, 1)]),))))
     if fate == "changed":
         storage.save(path, Document((make_curve([(5, 5), (6, 6), (7, 7)]),)))
     else:

@@ -10,9 +10,10 @@ from PySide6.QtWidgets import QCheckBox, QToolButton
 from app.document.edits import set_position
 from app.document.model import Curve, Document, Family, Node, Parametrization, ParametrizationKind
 from app.plot.dashes import dashed
-from app.plot.looks import GHOST_LOOKS
+from app.plot.pens import colour_of
 from app.theme import theme_of
 from app.view_model.analysis.settings import Ghost
+from app.view_model.looks import GHOST_LOOKS
 
 
 def shown(editor):
@@ -58,6 +59,20 @@ def test_the_legend_makes_a_ghost_real_in_one_step(editor, qtbot):
     editor.trigger("undo")
     editor.trigger("undo")
     assert rows(editor) == ["Lagrange · Chord length", "Quintic Hermite", "Uniform"]
+
+
+def test_one_legend_explains_ghosts_and_the_laboratory(editor, qtbot):
+    editor.trigger("toggleLaboratory")
+    qtbot.waitUntil(lambda: bool(editor.window.canvas.traces("laboratory")[0]), timeout=5000)
+    editor.trigger("ghostUniform")
+    ghosts, computed = ["Lagrange · Chord length", "Uniform"], ["Monomials", "Lagrange"]
+    assert rows(editor) == ["Computed with 4 digits", *computed, *ghosts]
+    legend = editor.window.canvas.legend
+    assert editor.window.canvas.viewport().rect().contains(legend.geometry())
+    editor.trigger("toggleLaboratory")
+    assert rows(editor) == ghosts
+    editor.trigger("ghostUniform")
+    assert legend.isHidden()
 
 
 def test_the_legend_hides_a_ghost(editor, qtbot):
@@ -124,7 +139,7 @@ def test_a_ghost_is_painted_in_its_colour(editor):
     editor.window.canvas.legend.hide()
     canvas = editor.window.canvas
     image, theme = canvas.grab().toImage(), theme_of(canvas.palette())
-    wanted = GHOST_LOOKS[Ghost.UNIFORM].pen(theme, 1.0).color()
+    wanted = colour_of(GHOST_LOOKS[Ghost.UNIFORM], theme)
     near = sum(
         abs(image.pixelColor(x, y).red() - wanted.red()) < 12
         and abs(image.pixelColor(x, y).green() - wanted.green()) < 12

@@ -21,6 +21,7 @@ from PySide6.QtWidgets import (
     QScrollArea,
     QSlider,
     QTabWidget,
+    QToolButton,
 )
 
 from app.document.model import Document, Family, make_curve
@@ -139,12 +140,15 @@ def test_the_window_shows_the_very_digits_of_an_independent_computation(lab, qtb
     assert [each.strip().replace("−", "-") for each in shown_text[1:]] == [str(each) for each in by_hand]
 
 
-def test_the_errors_in_the_table_and_the_plot_are_those_of_the_drawn_curve(lab):
+def test_the_errors_in_the_table_and_the_plot_are_those_of_the_drawn_curve(lab, qtbot):
     trace = shown(lab)["Lagrange"]
     trial = commands(lab)._trial
     truth = lab.session.active_view.curve.evaluate(trial.t)
     away = np.hypot(*(np.vstack(trace.pieces) - truth).T)
-    line = next(each for each in commands(lab)._panel.plot.lines if each.label == "Lagrange")
+    find(lab, QToolButton, "plotErrorsButton").click()
+    settled(lab, qtbot)
+    (plot,) = lab.window.plot_panel.added
+    line = next(each for each in plot.lines if each.name == "Lagrange")
     assert line.values == pytest.approx(away, abs=1e-14)
     assert float(text(lab, "error_lagrange")) == pytest.approx(away.max(), rel=0.06)
     assert float(text(lab, "place_lagrange")) == pytest.approx(trial.t[np.argmax(away)], abs=0.006)

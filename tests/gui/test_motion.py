@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import threading
 import time
 
 import numpy as np
@@ -14,7 +15,6 @@ from PySide6.QtWidgets import (
     QDialog,
     QDoubleSpinBox,
     QLabel,
-    QProgressBar,
     QPushButton,
     QSpinBox,
     QToolButton,
@@ -347,14 +347,13 @@ def export(editor, motion, path, **fields):
     stage = editor.window._commands.motion.stage
     stage.export.ask_name = lambda _window, _start, _kinds: str(path)
     QTest.mouseClick(dialog.findChild(QPushButton, "filmExport"), LEFT)
-    return stage.export
 
 
 def test_a_motion_is_exported(editor, motion, qtbot, tmp_path):
     path = tmp_path / "film.gif"
-    job = export(editor, motion, path, filmWidth=160, filmFps=10, filmSeconds=2)
-    assert motion.part(QProgressBar, "motionProgress").isVisible()
-    qtbot.waitUntil(lambda: not job.is_running)
+    export(editor, motion, path, filmWidth=160, filmFps=10, filmSeconds=2)
+    assert editor.window.jobs.title == "Writing film.gif"
+    qtbot.waitUntil(lambda: not editor.window.jobs.is_busy)
     with Image.open(path) as film:
         assert (film.n_frames, film.width, film.info["duration"]) == (20, 160, 100)
     assert "Wrote film.gif, 20 frames." in editor.status
@@ -370,35 +369,39 @@ def test_the_window_goes_on_while_a_film_is_written(editor, motion, qtbot, tmp_p
 
     timer = QTimer(editor.window, interval=5)
     timer.timeout.connect(beat)
-    job = export(editor, motion, tmp_path / "film.apng", filmWidth=320, filmSeconds=2)
+    export(editor, motion, tmp_path / "film.apng", filmWidth=320, filmSeconds=2)
     last[0] = time.perf_counter()
     timer.start()
-    qtbot.waitUntil(lambda: not job.is_running, timeout=20_000)
+    qtbot.waitUntil(lambda: not editor.window.jobs.is_busy, timeout=20_000)
     timer.stop()
     assert len(gaps) > 10
     assert np.median(gaps) < 0.05
 
 
 def test_a_cancelled_export_leaves_no_file(editor, motion, qtbot, tmp_path):
-    job = export(editor, motion, tmp_path / "film.gif", filmWidth=1000, filmSeconds=8)
-    QTest.mouseClick(motion.part(QToolButton, "cancelMotionExport"), LEFT)
-    qtbot.waitUntil(lambda: not job.is_running)
+    export(editor, motion, tmp_path / "film.gif", filmWidth=1000, filmSeconds=8)
+    qtbot.waitUntil(lambda: editor.window.findChild(QToolButton, "cancelJobButton") is not None)
+    stop = editor.window.findChild(QToolButton, "cancelJobButton")
+    QTest.mouseClick(stop, LEFT)
+    assert not editor.window.jobs.is_busy
+    assert editor.status == "Writing film.gif was stopped; nothing has changed."
+    assert not stop.isVisible()
     assert list(tmp_path.iterdir()) == []
-    assert editor.status == "Cancelled; no file was written."
 
 
 def test_a_failed_export_says_why(editor, motion, qtbot, tmp_path):
-    job = export(editor, motion, tmp_path / "no" / "film.gif", filmWidth=64, filmSeconds=1)
-    qtbot.waitUntil(lambda: not job.is_running)
+    export(editor, motion, tmp_path / "no" / "film.gif", filmWidth=64, filmSeconds=1)
+    qtbot.waitUntil(lambda: not editor.window.jobs.is_busy)
     assert editor.message.startswith("film.gif was not written. The folder of")
 
 
 def test_closing_the_window_ends_the_export(editor, motion, tmp_path):
-    job = export(editor, motion, tmp_path / "film.gif", filmWidth=1000, filmSeconds=8)
+    export(editor, motion, tmp_path / "film.gif", filmWidth=1000, filmSeconds=8)
     editor.session.undo_stack.setClean()
     editor.window.close()
     assert list(tmp_path.iterdir()) == []
-    assert job._pool.activeThreadCount() == 0
+    assert not editor.window.jobs.is_busy
+    assert not [each for each in threading.enumerate() if each.name == "work"]
 
 
 def test_the_dialog_counts_frames_and_knows_its_limits(editor, motion):

@@ -14,9 +14,10 @@ from app.document.model import Family, ParametrizationKind
 from app.panels.value_scale import ValueScale
 from app.preferences import Preferences
 from app.testing import Editor
-from app.view_model.analysis.plot_lines import Dash, PlotLine, Scale, plot_of
+from app.view_model.analysis.plot_lines import PlotLine, Scale, plot_of
 from app.view_model.analysis.plots import TITLES
 from app.view_model.analysis.settings import Plot
+from app.view_model.looks import DASHED, Look
 from curvecore import lebesgue_function
 
 ACTIONS = {
@@ -227,7 +228,7 @@ def test_others_can_add_lines_of_their_own(editor):
     t = np.linspace(0, 1, 50)
     lines = [
         PlotLine("monomial", t, 1e-3 * (1 + t)),
-        PlotLine("Newton", t, 1e-9 + 0 * t, "warning", Dash.DASHED),
+        PlotLine("Newton", t, 1e-9 + 0 * t, Look("warning", dashes=DASHED)),
     ]
     editor.window.plot_panel.show_lines(lines, Scale.LOG, "Error of each method")
     editor.settle()

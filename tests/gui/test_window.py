@@ -188,7 +188,7 @@ def test_closing_asks_about_changes(editor, button, closes):
 
 
 def test_examples_open_as_copies_without_a_file(editor):
-    names = [a.objectName() for a in editor.window.examples_menu.actions()]
+    names = [a.objectName() for a in editor.window.menus.examples.actions()]
     assert len(names) >= 5
     for name in names:
         editor.trigger(name)
@@ -201,8 +201,8 @@ def test_recent_files_are_listed(editor, tmp_path):
     path = tmp_path / "mine.curve.json"
     editor.session.save(path)
     editor.window.open_file(path)
-    editor.window.recent_menu.aboutToShow.emit()
-    assert editor.window.recent_menu.actions()[0].text() == "mine.curve.json"
+    editor.window.menus.recent.aboutToShow.emit()
+    assert editor.window.menus.recent.actions()[0].text() == "mine.curve.json"
 
 
 @pytest.mark.parametrize("suffix", [".png", ".svg", ".pdf", ".dxf", ".py", ".tex", ".tikz", ".csv"])
@@ -410,8 +410,8 @@ def test_the_side_panel_in_a_presentation_brings_no_bars_back(editor):
 def test_names_come_from_the_document(editor):
     assert editor.window.windowTitle() == "Sketch[*] – Curvebench"
     assert file_stem(editor.session) == "Sketch"
-    editor.window.examples_menu.aboutToShow.emit()
-    names = [action.text() for action in editor.window.examples_menu.actions()]
+    editor.window.menus.examples.aboutToShow.emit()
+    names = [action.text() for action in editor.window.menus.examples.actions()]
     assert {"NACA 2412", "Letter S", "Runge, Chebyshev"} <= set(names)
     editor.trigger("example_letter_s")
     assert editor.window.windowTitle() == "Letter S[*] – Curvebench"

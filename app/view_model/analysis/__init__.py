@@ -9,7 +9,7 @@
 - ``ghosts``: the same points under other rules.
 - ``plot_lines``, ``plot_samples``, ``plots``: plots over t; ``hodograph``: c' and c'' in the plane.
 - ``joints``: how smooth the curve is at each joint, in numbers and words.
-- ``legend``: which of all this needs a line of explanation.
+- ``legend``: which of all this needs a line of explanation.  ``wording``: numbers in sentences.
 - ``laboratory_settings``, ``laboratory``: the curve computed with few digits, by several methods.
 - ``cost``: what solving a system costs against the basis form, counted and measured.
 - ``wiggle``, ``cures``: why the curve swings out at one t, and what would calm it.

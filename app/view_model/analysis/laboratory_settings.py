@@ -21,6 +21,15 @@ class Calculation(enum.StrEnum):
     BASIS = "basis"
 
 
+METHOD_NAMES = {
+    Calculation.MONOMIAL: "Monomials",
+    Calculation.NEWTON: "Newton",
+    Calculation.LAGRANGE: "Lagrange",
+    Calculation.BARYCENTRIC: "Barycentric",
+    Calculation.BASIS: "Hermite basis",
+}
+
+
 class LaboratorySettings(msgspec.Struct, frozen=True):
     """The experiment.
 

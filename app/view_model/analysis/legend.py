@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable
+from collections.abc import Collection, Iterable, Sequence
 from dataclasses import dataclass
 
 from app.view_model.analysis.figures import Figure, Style, number
 from app.view_model.analysis.ghosts import NAMES, GhostView, rules_text
 from app.view_model.analysis.settings import AnalysisSettings, Ghost, Overlay
 from app.view_model.curve_view import CurveView
+from app.view_model.looks import CURVE_LOOK, Look
 
 
 @dataclass(frozen=True)
@@ -18,14 +19,14 @@ class LegendRow:
     Attributes
     ----------
     sign
-        What is explained; None for the curve itself.
+        What is explained; None for the heading of the lines below it.
     is_muted
         Whether nothing is drawn of it now.
     tip
         Why, or more about it.
     """
 
-    sign: Style | Ghost | None
+    sign: Style | Ghost | Look | None
     text: str
     is_muted: bool = False
     tip: str = ""
@@ -67,7 +68,15 @@ def legend_rows(
             rows.append(LegendRow(Style.INFLECTION, "Marks …", is_muted=True))
     # A ghost that is the curve itself needs no line of its own.
     ghost_rows = [_ghost_row(ghost) for ghost in ghosts if not ghost.is_real]
-    return [LegendRow(None, rules_text(view.source)), *ghost_rows, *rows] if ghost_rows else rows
+    return [LegendRow(CURVE_LOOK, rules_text(view.source)), *ghost_rows, *rows] if ghost_rows else rows
+
+
+def line_rows(
+    lines: Sequence[tuple[Look, str]], heading: str = "", *, muted: bool = False
+) -> list[LegendRow]:
+    """Return a row for each of some lines, with its look and its name, below a heading if there is one."""
+    rows = [LegendRow(look, name, is_muted=muted) for look, name in lines]
+    return [LegendRow(None, heading, is_muted=True), *rows] if rows and heading else rows
 
 
 def _worst(settings: AnalysisSettings) -> str:

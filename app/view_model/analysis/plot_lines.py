@@ -9,6 +9,8 @@ from dataclasses import dataclass
 import numpy as np
 import numpy.typing as npt
 
+from app.view_model.looks import USUAL_LOOK, Look
+
 Floats = npt.NDArray[np.float64]
 
 
@@ -19,15 +21,6 @@ class Scale(enum.Enum):
     """Zero is always in sight."""
     LOG = enum.auto()
     """What is not positive lies below the plot."""
-
-
-class Dash(enum.Enum):
-    """How a line is drawn, so that colour is not all that tells lines apart."""
-
-    SOLID = enum.auto()
-    DASHED = enum.auto()
-    DOTTED = enum.auto()
-    DASH_DOTTED = enum.auto()
 
 
 @dataclass(frozen=True, eq=False)
@@ -41,15 +34,14 @@ class PlotLine:
     t, values
         Ascending parameters (m,) and the values there (m,), of any size. At a NaN the line is interrupted,
         and both ends are marked: a jump.
-    colour
-        "#rrggbb", or the name of a colour of the theme.
+    look
+        How it is drawn; its width is that of all plots.
     """
 
     name: str
     t: Floats
     values: Floats
-    colour: str = "accent"
-    dash: Dash = Dash.SOLID
+    look: Look = USUAL_LOOK
 
     def value_at(self, t: float) -> float:
         """Return the value of the nearest sample; NaN where there is none near."""

@@ -1,0 +1,210 @@
+"""The menu Curve: families, curves and their points."""
+
+from __future__ import annotations
+
+from app.action_specs.spec import ActionSpec
+
+CURVE_MENU = (
+    ActionSpec(
+        "familyLagrange", "Lagrange", "Curve", "1", "lagrange", "One polynomial through all points", "family"
+    ),
+    ActionSpec(
+        "familyHermite", "Hermite", "Curve", "2", "hermite", "Cubic pieces with given velocities", "family"
+    ),
+    ActionSpec(
+        "familyQuinticHermite",
+        "Quintic Hermite",
+        "Curve",
+        "3",
+        "quintic",
+        "Quintic pieces with given velocities and accelerations",
+        "family",
+    ),
+    ActionSpec(
+        "freezeParameters",
+        "Freeze Parameters",
+        "Curve",
+        "",
+        "lock",
+        "Keep the parameters as they are: make them manual",
+        separated=True,
+    ),
+    ActionSpec(
+        "useUniform",
+        "Use Uniform Parameters",
+        "Curve",
+        "",
+        "spline",
+        "Space the parameters evenly, wherever the points lie",
+    ),
+    ActionSpec(
+        "typeParameter", "Type t…", "Curve", "", "", "Type the parameter of the selected point at its tick"
+    ),
+    ActionSpec(
+        "startUniform", "Manual, from Uniform", "Curve", "", "", "Make the parameters manual, evenly spaced"
+    ),
+    ActionSpec(
+        "startChordLength",
+        "Manual, from Chord Length",
+        "Curve",
+        "",
+        "",
+        "Make the parameters manual, spaced as the points are",
+    ),
+    ActionSpec(
+        "startCentripetal",
+        "Manual, from Centripetal",
+        "Curve",
+        "",
+        "",
+        "Make the parameters manual, spaced by the square roots of the distances",
+    ),
+    ActionSpec(
+        "startChebyshev",
+        "Manual, from Chebyshev",
+        "Curve",
+        "",
+        "",
+        "Make the parameters manual, at Chebyshev points",
+    ),
+    ActionSpec(
+        "resetVelocities",
+        "Reset Derivatives to Estimated",
+        "Curve",
+        "",
+        "reset",
+        "Let the rules estimate the velocities and accelerations of the selected points again",
+    ),
+    ActionSpec(
+        "insertPoint",
+        "Insert Point at the Scrub Line",
+        "Curve",
+        "I",
+        "add",
+        "Insert a point on the curve; under manual parameters its shape stays",
+    ),
+    ActionSpec(
+        "keepShape",
+        "Freeze and Keep the Shape",
+        "Curve",
+        "",
+        "lock",
+        "Take the insertion back, freeze the parameters and insert the point again: the shape stays",
+    ),
+    ActionSpec(
+        "newCurve",
+        "New Curve",
+        "Curve",
+        "Ctrl+Shift+N",
+        "plus",
+        "Add a curve to the document",
+        separated=True,
+    ),
+    ActionSpec(
+        "duplicateCurve",
+        "Duplicate Curve",
+        "Curve",
+        "Ctrl+D",
+        "duplicate",
+        "Add a copy of the curve, in the same place",
+    ),
+    ActionSpec("deleteCurve", "Delete Curve", "Curve", "Shift+Del", "delete", "Delete the curve"),
+    ActionSpec(
+        "joinCurve",
+        "Join End to Start",
+        "Curve",
+        "Ctrl+J",
+        "join",
+        "Join the end of the curve to the nearest start of another",
+        separated=True,
+    ),
+    ActionSpec(
+        "splitCurve",
+        "Split",
+        "Curve",
+        "Ctrl+K",
+        "split",
+        "Split the curve at the selected point, or at the scrub line",
+    ),
+    ActionSpec(
+        "reverseCurve", "Reverse", "Curve", "Ctrl+R", "reverse", "Run through the curve the other way"
+    ),
+    ActionSpec(
+        "closeCurve",
+        "Closed",
+        "Curve",
+        "C",
+        "closed",
+        "Let the curve return smoothly to its first point, or open it",
+        checkable=True,
+    ),
+    ActionSpec(
+        "curveVisible",
+        "Visible",
+        "Curve",
+        "Ctrl+H",
+        "eye",
+        "Show or hide the curve",
+        checkable=True,
+        separated=True,
+    ),
+    ActionSpec(
+        "curveLocked", "Locked", "Curve", "Ctrl+L", "lock", "Keep the curve safe from changes", checkable=True
+    ),
+    ActionSpec("curveColour", "Colour…", "Curve", "", "palette", "Choose the colour of the curve"),
+    ActionSpec("renameCurve", "Rename…", "Curve", "", "", "Give the curve another name"),
+    ActionSpec(
+        "raiseCurve",
+        "Move Up in the List",
+        "Curve",
+        "Alt+Up",
+        "move-up",
+        "Draw the curve earlier, behind others",
+    ),
+    ActionSpec(
+        "lowerCurve",
+        "Move Down in the List",
+        "Curve",
+        "Alt+Down",
+        "move-down",
+        "Draw the curve later, in front of others",
+    ),
+    ActionSpec("nextCurve", "Next Curve", "Curve", "Ctrl+PgDown", "", "Edit the next curve", separated=True),
+    ActionSpec("previousCurve", "Previous Curve", "Curve", "Ctrl+PgUp", "", "Edit the previous curve"),
+    ActionSpec(
+        "tangentSmooth",
+        "Smooth",
+        "Tangent",
+        "Alt+1",
+        "spline",
+        "One velocity on both sides of the selected points",
+        checkable=True,
+    ),
+    ActionSpec(
+        "tangentCorner",
+        "Corner",
+        "Tangent",
+        "Alt+2",
+        "corner",
+        "A velocity of its own on either side of the selected points",
+        checkable=True,
+    ),
+    ActionSpec(
+        "tangentEstimated",
+        "Estimated",
+        "Tangent",
+        "Alt+3",
+        "reset",
+        "Let the rules estimate the tangents of the selected points",
+        checkable=True,
+    ),
+    ActionSpec(
+        "pullVelocity",
+        "Pull Out Velocity",
+        "Tangent",
+        "",
+        "spline-pointer",
+        "Give the selected points velocities of their own, with handles to drag; Alt+drag a point does too",
+        separated=True,
+    ),
+)

@@ -1,0 +1,88 @@
+"""What is read from files and written to them beside the window: its bar, its end, and how it is stopped."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+from app.commands.parts import Handlers, Parts
+from app.document.format import FormatError
+from app.document.storage import StorageError
+from app.exchange import ExchangeError
+from app.panels.job_bar import JobBar
+from app.view_model.curve_view import CurveView
+from app.worker import Jobs, Work
+
+_EXPECTED = (ExchangeError, StorageError, FormatError)
+_AFTER_HINT = 1
+
+
+class FileWork:
+    """One thing at a time for one window; the status line tells how far it is.
+
+    Attributes
+    ----------
+    jobs
+        What is being done.
+    """
+
+    def __init__(self, parts: Parts) -> None:
+        self._parts = parts
+        self.jobs = Jobs(parts.window)
+        self._bar: JobBar | None = None
+        self.jobs.shown.connect(self._show_bar)
+        self.jobs.ended.connect(self._hide_bar)
+        self.jobs.progressed.connect(self._show_share)
+        parts.actions["cancelWork"].setEnabled(False)
+
+    def handlers(self) -> Handlers:
+        """Return what each action does."""
+        return {"cancelWork": self._cancel}
+
+    def render(self, view: CurveView) -> None:
+        """Leave it: work goes on whatever the curve becomes."""
+
+    def close(self) -> None:
+        """Drop what is being done; the window closes."""
+        self.jobs.close()
+
+    def start(self, title: str, work: Work, done: Callable[[Any], object], path: Path, what: str) -> None:
+        """Do work for a file; what it raises is said as “file was not `what`”."""
+
+        def failed(problem: Exception) -> None:
+            if not isinstance(problem, _EXPECTED):
+                raise problem
+            self._refuse(path, what, problem)
+
+        if not self.jobs.start(title, work, done, failed):
+            self._parts.session.say(f"{self.jobs.title} is still going on; stop it first.")
+
+    def _refuse(self, path: Path, what: str, problem: Exception) -> None:
+        # Some are clauses; what readers say names the file, and it need not be named twice.
+        reason = f"{str(problem).removesuffix('.')}."
+        named = what == "imported" and path.name in reason
+        self._parts.message_bar.warn(reason if named else f"{path.name} was not {what}. {reason}")
+
+    def _cancel(self) -> None:
+        if self.jobs.is_busy:
+            title = self.jobs.title
+            stopped = self.jobs.cancel()
+            end = "was stopped; nothing has changed" if stopped else "cannot be stopped any more"
+            self._parts.session.say(f"{title} {end}.")
+
+    def _show_bar(self, title: str) -> None:
+        if self._bar is None:
+            self._bar = JobBar(self._parts.actions["cancelWork"])
+            self._parts.status_line.insertPermanentWidget(_AFTER_HINT, self._bar)
+        self._bar.begin(title)
+        self._parts.actions["cancelWork"].setEnabled(True)
+
+    def _hide_bar(self) -> None:
+        self._parts.actions["cancelWork"].setEnabled(False)
+        if self._bar is not None:
+            self._bar.hide()
+
+    def _show_share(self, share: float, _word: str) -> None:
+        if self._bar is not None:
+            self._bar.show_share(share)

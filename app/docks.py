@@ -1,0 +1,95 @@
+"""The docks at the sides of the window: what stands in them, and in which order."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+
+from PySide6.QtCore import Qt
+from PySide6.QtWidgets import QDockWidget, QMainWindow, QWidget
+
+from app.actions import Actions
+from app.commands.curve_commands import CURVE_LIST_BUTTONS
+from app.panels.curve_list import CurveList
+from app.panels.curve_settings import CurveSettings
+from app.panels.history import HistoryPanel
+from app.panels.image_panel import ImagePanel
+from app.panels.late_dock import LateDock
+from app.panels.point_table import PointTable
+from app.session import Session
+
+_LEFT, _RIGHT = Qt.DockWidgetArea.LeftDockWidgetArea, Qt.DockWidgetArea.RightDockWidgetArea
+
+_LATE = {
+    "jointsDock": "Joints",
+    "analysisDock": "Analysis",
+    "laboratoryDock": "Laboratory",
+    "wiggleDock": "Wiggle",
+    "hodographDock": "Hodograph",
+}
+"""Built when they are first shown: nobody waits for them at the start."""
+
+_ASKED_FOR = ("laboratoryDock", "wiggleDock", "hodographDock")
+"""Too many tabs are none: these come when they are asked for."""
+
+
+class Docks:
+    """Builds and places the docks of a window.
+
+    Parameters
+    ----------
+    build
+        Returns the content of a late dock, by its name.
+
+    Attributes
+    ----------
+    side
+        The docks at the right, in the order of their tabs.
+    image, lessons
+        The dock of the picture to trace; the one at the left.
+    """
+
+    def __init__(
+        self, window: QMainWindow, session: Session, actions: Actions, build: Callable[[str], QWidget]
+    ) -> None:
+        self._window, self._build = window, build
+        self.table_panel = PointTable(session)
+        self.curve_settings = CurveSettings(session)
+        self.history = HistoryPanel(session)
+        self.curve_list = CurveList(session)
+        self.curve_list.add_buttons([actions[name] for name in CURVE_LIST_BUTTONS])
+        self.image_panel = ImagePanel(session)
+        points = self._add("pointsDock", "Points", self.table_panel)
+        curve = self._add("curveDock", "Curve", self.curve_settings)
+        curves = self._add("curvesDock", "Curves", self.curve_list)
+        history = self._add("historyDock", "History", self.history)
+        self.image = self._add("imageDock", "Image", self.image_panel)
+        late = [self._add_late(name, title) for name, title in _LATE.items()]
+        self.lessons = self._add_late("lessonsDock", "Lessons", _LEFT)
+        self._stack(points, [curves, history])
+        self._stack(curve, [*late, self.image])
+        for dock in (*late, self.lessons):
+            if dock.objectName() in (*_ASKED_FOR, "lessonsDock"):
+                dock.hide()
+        self.side = (points, curves, history, curve, *late, self.image)
+        window.resizeDocks([points], [360], Qt.Orientation.Horizontal)
+        window.resizeDocks([points, curve], [480, 300], Qt.Orientation.Vertical)
+
+    def _add(self, name: str, title: str, content: QWidget) -> QDockWidget:
+        dock = QDockWidget(title, self._window)
+        dock.setWidget(content)
+        return self._place(dock, name, _RIGHT)
+
+    def _add_late(self, name: str, title: str, area: Qt.DockWidgetArea = _RIGHT) -> QDockWidget:
+        return self._place(LateDock(title, lambda: self._build(name), self._window), name, area)
+
+    def _place(self, dock: QDockWidget, name: str, area: Qt.DockWidgetArea) -> QDockWidget:
+        dock.setObjectName(name)
+        dock.setAllowedAreas(_LEFT | _RIGHT)
+        self._window.addDockWidget(area, dock)
+        return dock
+
+    def _stack(self, front: QDockWidget, others: Sequence[QDockWidget]) -> None:
+        """Make tabs of docks, the first in front."""
+        for other in others:
+            self._window.tabifyDockWidget(front, other)
+        front.raise_()

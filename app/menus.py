@@ -1,0 +1,88 @@
+"""The menu bar, made from the registry of actions, and the menus of files in it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+
+from PySide6.QtGui import QAction
+from PySide6.QtWidgets import QMainWindow, QMenu
+
+from app.action_specs import MENUS
+from app.actions import Actions
+from app.examples import example_name, example_paths
+from app.preferences import Preferences
+
+
+class Menus:
+    """Builds the menus of a window.
+
+    Attributes
+    ----------
+    parameters, tangent
+        The menus in Curve that others fill, or open elsewhere too.
+    recent, examples
+        The menus in File that `fill_with_files` fills.
+    """
+
+    def __init__(self, window: QMainWindow, actions: Actions) -> None:
+        self._actions = actions
+        for title in MENUS:
+            menu = window.menuBar().addMenu(title)
+            self._fill(menu, title)
+            if title == "Curve":
+                self.parameters = menu.addMenu("Parameters")
+                self.tangent = menu.addMenu("Tangent")
+                self._fill(self.tangent, "Tangent")
+
+    def _fill(self, menu: QMenu, title: str) -> None:
+        submenus: dict[str, QMenu] = {}
+        for spec, action in self._actions.of_menu(title):
+            if spec.submenu and spec.submenu not in submenus:
+                submenus[spec.submenu] = menu.addMenu(spec.submenu)
+                submenus[spec.submenu].setObjectName(f"{spec.submenu.lower()}Menu")
+            place = submenus.get(spec.submenu, menu)
+            if spec.separated:
+                place.addSeparator()
+            place.addAction(action)
+            if spec.name == "openDocument":
+                self.recent = menu.addMenu("Open Recent")
+                self.examples = menu.addMenu("Examples")
+
+    def fill_with_files(
+        self,
+        preferences: Preferences,
+        open_file: Callable[[Path], object],
+        open_example: Callable[[Path], object],
+    ) -> None:
+        """Offer the files that were open lately, and the examples."""
+        self.recent.aboutToShow.connect(lambda: self._fill_recent(preferences, open_file))
+        for path in example_paths():
+            name = path.name.removesuffix(".curve.json")
+            title = name.replace("_", " ").capitalize()
+            _add_file(self.examples, path, title, f"example_{name}").triggered.connect(
+                lambda _checked=False, path=path: open_example(path)
+            )
+        self.examples.aboutToShow.connect(self._name_examples)
+
+    def _fill_recent(self, preferences: Preferences, open_file: Callable[[Path], object]) -> None:
+        self.recent.clear()
+        for path in preferences.recent_files:
+            _add_file(self.recent, path, path.name, str(path)).triggered.connect(
+                lambda _checked=False, path=path: open_file(path)
+            )
+        self.recent.setEnabled(True)
+        if self.recent.isEmpty():
+            self.recent.addAction("No files yet").setEnabled(False)
+
+    def _name_examples(self) -> None:
+        # Only now: nobody waits at the start for files to be read that are perhaps never opened.
+        for action, path in zip(self.examples.actions(), example_paths(), strict=True):
+            action.setText(example_name(path).replace("&", "&&"))
+
+
+def _add_file(menu: QMenu, path: Path, title: str, name: str) -> QAction:
+    action = menu.addAction(title)
+    action.setObjectName(name)
+    action.setStatusTip(f"Open {path.name}")
+    return action

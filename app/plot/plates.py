@@ -1,0 +1,29 @@
+"""Words on little plates of paper, inside the drawing."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import QRectF, QSizeF, Qt
+from PySide6.QtGui import QColor, QPainter
+
+from app.plot.pixel_map import PixelMap
+
+_EDGE = 4.0
+
+
+def inside(left: float, top: float, size: QSizeF, shown: PixelMap) -> QRectF:
+    """Return a box of some size near a place, moved so far that it lies in the drawing."""
+    left = min(max(left, _EDGE), max(shown.width - size.width() - _EDGE, _EDGE))
+    top = min(max(top, _EDGE), max(shown.height - size.height() - _EDGE, _EDGE))
+    return QRectF(left, top, size.width(), size.height())
+
+
+def write_on_plate(painter: QPainter, plate: QRectF, text: str, paper: QColor, ink: QColor) -> None:
+    """Write text in the middle of a plate of translucent paper."""
+    paper = QColor(paper)
+    paper.setAlphaF(0.85)
+    painter.setPen(Qt.PenStyle.NoPen)
+    painter.setBrush(paper)
+    painter.drawRoundedRect(plate, 4, 4)
+    painter.setBrush(Qt.BrushStyle.NoBrush)
+    painter.setPen(ink)
+    painter.drawText(plate, int(Qt.AlignmentFlag.AlignCenter), text)

@@ -1,0 +1,40 @@
+"""Every action can be found: in a menu, with a tooltip, and in toolbars with an icon."""
+
+from __future__ import annotations
+
+from PySide6.QtWidgets import QMenu, QToolBar, QToolButton
+
+from app.action_specs import SPECS
+
+
+def in_menu(menu: QMenu):
+    """The names of all actions of a menu and its submenus."""
+    for action in menu.actions():
+        if action.menu() is not None:
+            yield from in_menu(action.menu())
+        else:
+            yield action.objectName()
+
+
+def test_every_action_stands_in_one_menu_once(editor):
+    bar = editor.window.menuBar()
+    shown = [name for entry in bar.actions() for name in in_menu(entry.menu())]
+    names = [spec.name for spec in SPECS]
+    assert len(set(names)) == len(names)
+    assert {name: shown.count(name) for name in names} == dict.fromkeys(names, 1)
+
+
+def test_every_action_says_what_it_does(editor):
+    for spec in SPECS:
+        action = editor.action(spec.name)
+        assert action.text(), spec.name
+        assert action.toolTip() not in {"", action.text()}, spec.name
+        assert action.statusTip() == spec.tip, spec.name
+
+
+def test_what_stands_in_a_toolbar_has_an_icon(editor):
+    bars = editor.window.findChildren(QToolBar)
+    buttons = [button for bar in bars for button in bar.findChildren(QToolButton) if button.defaultAction()]
+    assert len(buttons) > 10
+    for button in buttons:
+        assert not button.icon().isNull(), button.defaultAction().objectName()
