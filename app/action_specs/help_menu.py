@@ -9,7 +9,7 @@ HELP_MENU = (
         "toggleLessons",
         "Lessons",
         "Help",
-        "F2",
+        "F4",
         "lessons",
         "Learn why a curve goes where it goes, in ten lessons",
         checkable=True,
