@@ -22,7 +22,7 @@ _LEFT, _RIGHT = Qt.DockWidgetArea.LeftDockWidgetArea, Qt.DockWidgetArea.RightDoc
 _LATE = {
     "jointsDock": "Joints",
     "analysisDock": "Analysis",
-    "laboratoryDock": "Laboratory",
+    "laboratoryDock": "Lab",
     "wiggleDock": "Wiggle",
     "hodographDock": "Hodograph",
 }
