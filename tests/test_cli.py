@@ -239,7 +239,7 @@ def test_ctrl_c_is_quiet(monkeypatch, capsys):
     def interrupted(_path):
         raise KeyboardInterrupt
 
-    monkeypatch.setattr("app.cli.load", interrupted)
+    monkeypatch.setattr("app.cli_refusals.load", interrupted)
     assert main(["info", LETTER]) == 130
     assert capsys.readouterr() == ("", "")
 

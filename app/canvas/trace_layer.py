@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 
+import msgspec
 import numpy as np
 from PySide6.QtGui import QPainter
 
@@ -18,8 +18,7 @@ from app.view_model.looks import Look
 _FADED = 0.3
 
 
-@dataclass(frozen=True, eq=False)
-class Trace:
+class Trace(msgspec.Struct, frozen=True, eq=False):
     """A curve as polylines (k, 2), in the plane, with its look and its name."""
 
     pieces: Sequence[Floats]

@@ -3,16 +3,16 @@
 from __future__ import annotations
 
 import time
-from dataclasses import dataclass
 from enum import Enum, auto
+
+import msgspec
 
 from app.document.lock import Owner
 from app.document.open_file import LockedError, Sight
 from app.document.storage import ChangedOnDiskError, StorageError
 
 
-@dataclass(frozen=True)
-class Notice:
+class Notice(msgspec.Struct, frozen=True):
     """A sentence, the names of the actions that are offered with it, and whether it is a warning."""
 
     text: str

@@ -13,7 +13,6 @@ import stat
 import time
 import weakref
 from contextlib import suppress
-from dataclasses import dataclass
 from pathlib import Path
 
 import msgspec
@@ -104,8 +103,7 @@ class Lock:
         self._finalizer()
 
 
-@dataclass(frozen=True)
-class Attempt:
+class Attempt(msgspec.Struct, frozen=True):
     """What came of asking for a lock: one of the three is there.
 
     Attributes

@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 import os
-from dataclasses import dataclass
 from enum import Enum, auto
 from pathlib import Path
+
+import msgspec
 
 from app.document import storage
 from app.document.format import VERSION, FormatError, version_of
@@ -34,8 +35,7 @@ class Sight(Enum):
     GONE = auto()
 
 
-@dataclass(frozen=True)
-class Opened:
+class Opened(msgspec.Struct, frozen=True):
     """A document and the file it came from."""
 
     document: Document

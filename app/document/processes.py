@@ -6,9 +6,10 @@ import os
 import platform
 import sys
 from contextlib import suppress
-from dataclasses import dataclass
 from functools import lru_cache
 from pathlib import Path
+
+import msgspec
 
 _PROC = Path("/proc")
 _ENDED = frozenset("ZXx")
@@ -16,8 +17,7 @@ _START_FIELD = 19
 """Where the start time stands after the name in ``/proc/PID/stat``: field 22 (proc_pid_stat(5))."""
 
 
-@dataclass(frozen=True)
-class Process:
+class Process(msgspec.Struct, frozen=True):
     """A process, told apart from all others, also from a later one with the same number.
 
     Attributes

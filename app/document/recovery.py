@@ -10,7 +10,6 @@ import math
 import os
 import time
 from contextlib import suppress
-from dataclasses import dataclass
 from pathlib import Path
 from typing import Literal
 
@@ -43,8 +42,7 @@ class _Record(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
 _RECORDS = msgspec.json.Decoder(_Record)
 
 
-@dataclass(frozen=True)
-class Origin:
+class Origin(msgspec.Struct, frozen=True):
     """The file that a document came from.
 
     Attributes
@@ -69,8 +67,7 @@ class Origin:
             return False
 
 
-@dataclass(frozen=True)
-class Snapshot:
+class Snapshot(msgspec.Struct, frozen=True):
     """Unsaved work that was found.
 
     Attributes
@@ -101,8 +98,7 @@ class Snapshot:
         self._claim.release()
 
 
-@dataclass(frozen=True)
-class Found:
+class Found(msgspec.Struct, frozen=True):
     """What a folder holds: snapshots of processes that have ended, latest first, and damaged ones.
 
     The damaged ones have been set aside under another name; nothing is deleted that might be of use.

@@ -12,8 +12,9 @@ import os
 import stat
 from collections.abc import Callable
 from contextlib import suppress
-from dataclasses import dataclass
 from pathlib import Path
+
+import msgspec
 
 from app.document.file_access import keep_access
 from app.document.format import VERSION, decode, encode, version_of
@@ -46,8 +47,7 @@ _FOLDER_SYNC_UNSUPPORTED = frozenset({errno.EINVAL, errno.ENOTSUP, errno.EACCES}
 _DISK_FULL = frozenset({errno.ENOSPC, getattr(errno, "EDQUOT", errno.ENOSPC)})
 
 
-@dataclass(frozen=True)
-class Stamp:
+class Stamp(msgspec.Struct, frozen=True):
     """What a file was when it was read or written: enough to notice that it is another one now."""
 
     size: int
@@ -65,8 +65,7 @@ class Stamp:
         return self.size, self.modified, self.inode, self.device
 
 
-@dataclass(frozen=True)
-class Content:
+class Content(msgspec.Struct, frozen=True):
     """What a file holds, and what it was at that moment."""
 
     data: bytes

@@ -22,20 +22,33 @@
 
 from __future__ import annotations
 
-from app.exchange.drawing import ExchangeError
-from app.exchange.formats import (
-    ENDINGS,
-    READABLE,
-    SAMPLES,
-    SUFFIXES,
-    TABLES,
-    Exported,
-    Options,
-    Spacing,
-)
-from app.exchange.reading import import_file
-from app.exchange.svg import DARK, INK, LIGHT, Style, svg_of
-from app.exchange.writing import export, export_with
+from importlib import import_module
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from app.exchange.drawing import ExchangeError
+    from app.exchange.formats import (
+        ENDINGS,
+        READABLE,
+        SAMPLES,
+        SUFFIXES,
+        TABLES,
+        Exported,
+        Options,
+        Spacing,
+    )
+    from app.exchange.reading import import_file
+    from app.exchange.svg import DARK, INK, LIGHT, Style, svg_of
+    from app.exchange.writing import export, export_with
+
+_MODULES = {
+    "drawing": ["ExchangeError"],
+    "formats": ["ENDINGS", "READABLE", "SAMPLES", "SUFFIXES", "TABLES", "Exported", "Options", "Spacing"],
+    "reading": ["import_file"],
+    "svg": ["DARK", "INK", "LIGHT", "Style", "svg_of"],
+    "writing": ["export", "export_with"],
+}
+_MODULE_OF = {name: module for module, names in _MODULES.items() for name in names}
 
 __all__ = [
     "DARK",
@@ -56,3 +69,12 @@ __all__ = [
     "import_file",
     "svg_of",
 ]
+
+
+def __getattr__(name: str) -> object:
+    """Import readers and writers when they are first asked for: the editor starts without."""
+    if name not in _MODULE_OF:
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    value: object = getattr(import_module(f"{__name__}.{_MODULE_OF[name]}"), name)
+    globals()[name] = value
+    return value

@@ -261,8 +261,8 @@ def _scrolling(page: QWidget, name: str) -> QScrollArea:
     area.setWidgetResizable(True)
     area.setFrameShape(QFrame.Shape.NoFrame)
     area.setWidget(page)
-    # Nothing is cut off at the side: the dock is not narrower than its page and the scroll bar. (Where type is
-    # enlarged for a projector, the page may be wider than the dock, and is scrolled.)
+    # Nothing is cut off at the side: the dock is not narrower than its page and the scroll bar. (Where type
+    # is enlarged for a projector, the page may be wider than the dock, and is scrolled.)
     bar = area.verticalScrollBar().sizeHint().width()
     area.setMinimumWidth(page.minimumSizeHint().width() + bar)
     return area

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from html import escape
 
 import numpy as np
 from PySide6.QtCore import QSize, Qt, QTimer, Signal
@@ -222,6 +221,8 @@ class PointTable(QWidget):
         self._render_footer()
 
     def _refuse(self, reason: str) -> None:
+        from html import escape  # noqa: PLC0415 — nobody waits for its tables at the start
+
         self._tell(f"⚠ {escape(reason)}")
         self._session.say(reason)
 

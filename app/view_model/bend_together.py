@@ -17,8 +17,8 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
-from dataclasses import dataclass
 
+import msgspec
 import numpy as np
 import numpy.typing as npt
 
@@ -31,16 +31,14 @@ _DIFFERENCE = 1e-4
 _LEAST_DAMPING, _FIRST_DAMPING = 1e-9, 1e-3
 
 
-@dataclass(frozen=True)
-class Shares:
+class Shares(msgspec.Struct, frozen=True):
     """A pull divided: what bends the curve, and what shifts all of its points."""
 
     bend: Floats
     shift: Floats
 
 
-@dataclass(frozen=True)
-class Cost:
+class Cost(msgspec.Struct, frozen=True):
     """The squared norm of a bend u and a shift m together: a |u|² + 2 b u·m + n |m|²."""
 
     a: float

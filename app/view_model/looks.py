@@ -6,7 +6,8 @@ A look names its colour; the theme decides which shade that is.
 from __future__ import annotations
 
 import enum
-from dataclasses import dataclass
+
+import msgspec
 
 from app.view_model.analysis.figures import Style
 from app.view_model.analysis.laboratory_settings import Calculation
@@ -33,8 +34,7 @@ class Mark(enum.Enum):
     DOT = enum.auto()
 
 
-@dataclass(frozen=True)
-class Look:
+class Look(msgspec.Struct, frozen=True):
     """How something is drawn.
 
     Attributes

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import enum
-from dataclasses import dataclass
 
+import msgspec
 import numpy as np
 import numpy.typing as npt
 
@@ -50,8 +50,7 @@ class Shape(enum.Enum):
     """Separate marks."""
 
 
-@dataclass(frozen=True, eq=False)
-class Figure:
+class Figure(msgspec.Struct, frozen=True, eq=False):
     """Points (k, 2) of the plane, how they belong together and what they mean.
 
     Attributes

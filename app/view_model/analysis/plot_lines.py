@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import enum
 from collections.abc import Sequence
-from dataclasses import dataclass
 
+import msgspec
 import numpy as np
 import numpy.typing as npt
 
@@ -23,8 +23,7 @@ class Scale(enum.Enum):
     """What is not positive lies below the plot."""
 
 
-@dataclass(frozen=True, eq=False)
-class PlotLine:
+class PlotLine(msgspec.Struct, frozen=True, eq=False):
     """Values over t.
 
     Attributes
@@ -55,16 +54,14 @@ class PlotLine:
         return float(self.values[min(known, key=lambda index: abs(float(self.t[index]) - t))])
 
 
-@dataclass(frozen=True)
-class Level:
+class Level(msgspec.Struct, frozen=True):
     """A value that is marked across the whole plot, and what it is."""
 
     value: float
     name: str
 
 
-@dataclass(frozen=True, eq=False)
-class PlotData:
+class PlotData(msgspec.Struct, frozen=True, eq=False):
     """One plot.
 
     Attributes

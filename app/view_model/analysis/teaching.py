@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import enum
-from dataclasses import dataclass
 
+import msgspec
 import numpy as np
 
 from app.view_model.analysis.wording import short
@@ -28,8 +28,7 @@ class Topic(enum.Enum):
     GAP = enum.auto()
 
 
-@dataclass(frozen=True)
-class Warned:
+class Warned(msgspec.Struct, frozen=True):
     """A warning.
 
     Attributes

@@ -1,0 +1,232 @@
+"""The commands that need no window, and the lessons: render, convert, info, lesson."""
+
+from __future__ import annotations
+
+import argparse
+import json
+import sys
+from collections.abc import Callable, Sequence
+from typing import TYPE_CHECKING, Any
+
+from msgspec.structs import replace
+
+from app.cli_options import (
+    STYLES,
+    add_convert_options,
+    add_motion_options,
+    add_picture_options,
+    picture_options,
+    positive_number,
+)
+from app.cli_refusals import RefusalError, load_document, one_line
+from app.document.model import Family
+from app.exchange import (
+    SUFFIXES,
+    ExchangeError,
+    Spacing,
+    export_with,
+    import_file,
+)
+
+if TYPE_CHECKING:
+    from app.exchange.facts import CurveFacts
+
+FAMILY_NAMES = {
+    Family.LAGRANGE: "Lagrange",
+    Family.HERMITE: "cubic Hermite",
+    Family.QUINTIC_HERMITE: "quintic Hermite",
+}
+
+_CONVERT = "Read a file of one format and write another; prints the largest deviation from the true curves."
+
+FILMS = (".gif", ".apng", ".mp4")
+"""Endings that mean a motion; the module that writes it is imported when there is one to write."""
+
+
+def run_command(words: Sequence[str], edit: Callable[[Sequence[str], str], int]) -> int:
+    """Run the command that `words` begin with and return the exit code; `edit` opens the editor.
+
+    Raises
+    ------
+    RefusalError
+        If what was asked cannot be done.
+    """
+    options = _command_parser().parse_args(words)
+    try:
+        if options.command == "lesson":
+            return _lesson(options, edit)
+        return _COMMAND_OF[options.command](options)
+    except ExchangeError as problem:
+        raise RefusalError(str(problem)) from None
+
+
+def _command_parser() -> argparse.ArgumentParser:
+    parser = argparse.ArgumentParser("curvebench")
+    commands = parser.add_subparsers(dest="command", required=True)
+    render = commands.add_parser(
+        "render", help="write a picture", description="Write a picture of a document."
+    )
+    render.add_argument("file", metavar="FILE")
+    render.add_argument(
+        "-o",
+        "--output",
+        required=True,
+        metavar="OUT",
+        help=f"the picture; ends in {', '.join(SUFFIXES + FILMS)}",
+    )
+    render.add_argument(
+        "--tolerance",
+        type=positive_number,
+        metavar="X",
+        help="largest deviation from the true curve, in the document's unit (default: 1e-5 of its size)",
+    )
+    add_picture_options(render)
+    add_motion_options(render)
+    add_convert_options(
+        commands.add_parser("convert", help="read and write other formats", description=_CONVERT)
+    )
+    info = commands.add_parser(
+        "info", help="print facts", description="Print facts about a document's curves."
+    )
+    info.add_argument("file", metavar="FILE")
+    info.add_argument("--json", action="store_true", help="as JSON")
+    lesson = commands.add_parser(
+        "lesson", help="open a lesson", description="Open the editor with a lesson, or list the lessons."
+    )
+    lesson.add_argument("name", metavar="NAME", nargs="?", help="a lesson's name or number")
+    return parser
+
+
+def _render(options: argparse.Namespace) -> int:
+    is_film = options.output.lower().endswith(FILMS)
+    if is_film or (options.motion and options.output.lower().endswith(".png")):
+        return _render_film(options)
+    if not options.output.lower().endswith(SUFFIXES):
+        endings = SUFFIXES + FILMS
+        known = f"{', '.join(endings[:-1])} or {endings[-1]}"
+        raise RefusalError(f"“{options.output}” does not end in a known format for pictures; use {known}.")
+    document = load_document(options.file)
+    export_with(document, options.output, picture_options(options, document))
+    return 0
+
+
+def _render_film(options: argparse.Namespace) -> int:
+    # Takes modules along that the editor does without at its start.
+    from app.exchange.animation import Film, first_round, write_film  # noqa: PLC0415
+    from app.view_model.motion import Pace, Repeat  # noqa: PLC0415
+
+    document, repeat = load_document(options.file), Repeat(options.motion or "loop")
+    film = Film(
+        width=options.width or Film.width,
+        fps=options.fps,
+        seconds=options.seconds or first_round(document, repeat),
+        repeat=repeat,
+        pace=Pace(options.pace),
+        style=STYLES[options.theme or "light"],
+        points=options.points,
+    )
+    write_film(document, options.output, film)
+    return 0
+
+
+def _convert(options: argparse.Namespace) -> int:
+    from app.exchange.parts import rounded_up  # noqa: PLC0415
+
+    source = import_file(
+        options.file,
+        tolerance=options.tolerance,
+        thin=options.thin,
+        corners=options.corners,
+        family=Family(options.family),
+    )
+    wanted = replace(
+        picture_options(options, source.document),
+        samples=options.samples,
+        spacing=Spacing(options.by),
+        columns=tuple(options.columns.split(",")) if options.columns else None,
+    )
+    written = export_with(source.document, options.output, wanted)
+    for remark in (*source.remarks, *written.remarks):
+        print(f"curvebench: {one_line(remark)}", file=sys.stderr)
+    total = rounded_up(source.deviation + written.deviation)
+    print(f"{one_line(options.output)}: largest deviation from the true curves {total:g}")
+    return 0
+
+
+def _info(options: argparse.Namespace) -> int:
+    # Takes modules along that the editor does without.
+    from app.exchange.facts import facts_of  # noqa: PLC0415
+
+    facts = facts_of(load_document(options.file))
+    if options.json:
+        content = {"file": options.file, "curves": [_as_json(each) for each in facts]}
+        print(json.dumps(content, indent=2, ensure_ascii=False, allow_nan=False))
+    else:
+        print("\n\n".join(_as_text(each) for each in facts))
+    return 0
+
+
+def _lesson(options: argparse.Namespace, edit: Callable[[Sequence[str], str], int]) -> int:
+    from app.lessons import LessonError, find_lesson, lesson_names, load_lesson  # noqa: PLC0415
+
+    if options.name is None:
+        for number, name in enumerate(lesson_names(), start=1):
+            print(f"{number:2}  {name.partition('_')[2]:28}{load_lesson(name).title}")
+        return 0
+    try:
+        return edit((), find_lesson(options.name))
+    except LessonError as problem:
+        raise RefusalError(str(problem)) from None
+
+
+_COMMAND_OF = {"render": _render, "convert": _convert, "info": _info}
+
+
+def _as_json(facts: CurveFacts) -> dict[str, Any]:
+    """Return the facts as plain values; what is not known is null."""
+    rule = facts.parametrization
+    box = dict(zip(("left", "bottom", "right", "top"), facts.box, strict=True)) if facts.box else None
+    length = {"about": facts.length.value, "error": facts.length.error} if facts.length else None
+    return {
+        "name": facts.name,
+        "family": facts.family,
+        "degree": facts.degree,
+        "points": facts.points,
+        "closed": facts.closed,
+        "corners": facts.corners,
+        "visible": facts.visible,
+        "parametrization": {"kind": rule.kind, "alpha": rule.alpha, "start": rule.start, "end": rule.end},
+        "domain": facts.domain,
+        "length": length,
+        "box": box,
+        "warnings": facts.warnings,
+    }
+
+
+def _as_text(facts: CurveFacts) -> str:
+    rows = [("family", FAMILY_NAMES[facts.family])]
+    if facts.degree is not None:
+        rows.append(("degree", f"{facts.degree}" + (" on every segment" if facts.family.derivatives else "")))
+    rows += [("points", _points_text(facts)), ("parametrization", _rule_text(facts))]
+    if facts.domain is not None:
+        rows.append(("domain", f"{facts.domain[0]:g} to {facts.domain[1]:g}"))
+    if facts.length is not None:
+        rows.append(("length", f"about {facts.length.value:.9g} (error about {facts.length.error:.1g})"))
+    if facts.box is not None:
+        left, bottom, right, top = facts.box
+        rows.append(("box", f"about x {left:.6g} to {right:.6g}, y {bottom:.6g} to {top:.6g}"))
+    if not facts.visible:
+        rows.append(("hidden", "not drawn in pictures"))
+    rows += [("warning", warning) for warning in facts.warnings]
+    return "\n".join([one_line(facts.name), *(f"  {key:<16} {value}" for key, value in rows)])
+
+
+def _points_text(facts: CurveFacts) -> str:
+    corners = f"{facts.corners} of them " + ("a corner" if facts.corners == 1 else "corners")
+    parts = [str(facts.points), *(["closed"] if facts.closed else []), *([corners] if facts.corners else [])]
+    return ", ".join(parts)
+
+
+def _rule_text(facts: CurveFacts) -> str:
+    kind = facts.parametrization.kind.replace("_", " ")
+    return f"{kind}, α = {facts.parametrization.alpha:g}" if kind == "power" else kind
