@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 from PySide6.QtCore import QMimeData
 from PySide6.QtGui import QGuiApplication
-from PySide6.QtWidgets import QFileDialog, QWidget
+from PySide6.QtWidgets import QDialog, QFileDialog, QWidget
 
 from app.commands.parts import Handlers, Parts
 from app.document.format import FormatError
@@ -52,6 +52,8 @@ class ExchangeCommands:
         self.jobs = Jobs(parts.window)
         self._bar: JobBar | None = None
         self._dialog: ExportDialog | None = None
+        self._documents = 0
+        parts.session.opened.connect(self._count_document)
         self.jobs.shown.connect(self._show_bar)
         self.jobs.ended.connect(self._hide_bar)
         self.jobs.progressed.connect(self._show_share)
@@ -137,16 +139,44 @@ class ExchangeCommands:
         def work(report: Report) -> Imported:
             return import_file(path, report=report)
 
-        self._start(
-            f"Reading {path.name}", work, lambda found: self._ask_where(path, found), path, "imported"
-        )
+        done = self._for_this_document(path, lambda found: self._ask_where(path, found))
+        self._start(f"Reading {path.name}", work, done, path, "imported")
+
+    def _for_this_document(self, path: Path, done: Callable[[Any], object]) -> Callable[[Any], object]:
+        """Return `done` for an import that begins now; another document must not get its curves."""
+        begun = self._documents
+
+        def done_here(result: Any) -> None:  # noqa: ANN401 - whatever was read
+            if begun == self._documents:
+                done(result)
+            else:
+                self._give_up(path)
+
+        return done_here
+
+    def _count_document(self) -> None:
+        self._documents += 1
+
+    def _give_up(self, path: Path) -> None:
+        self._session.say(f"{path.name} was not imported, for another document was opened meanwhile.")
+
+    def _open_for_this_document(self, path: Path, dialog: QDialog) -> None:
+        """Show the dialog of an import until another document is opened."""
+
+        def leave() -> None:
+            dialog.reject()
+            self._give_up(path)
+
+        self._session.opened.connect(leave)
+        dialog.finished.connect(lambda _result: self._session.opened.disconnect(leave))
+        _open(dialog)
 
     def _ask_where(self, path: Path, found: Imported) -> None:
         from app.panels.import_drawing_dialog import ImportDrawingDialog  # noqa: PLC0415
 
         dialog = ImportDrawingDialog(path.name, found, self._parts.window)
         dialog.chosen.connect(lambda anew: self._take_in(path, found.document, found.deviation, anew))
-        _open(dialog)
+        self._open_for_this_document(path, dialog)
 
     def _import_table(self, path: Path) -> None:
         def work(report: Report) -> tuple[TableSource, Preview]:
@@ -162,9 +192,9 @@ class ExchangeCommands:
 
             dialog = ImportTableDialog(path.name, path.stem, *result, self._parts.window)
             dialog.chosen.connect(lambda prepared, anew: self._take_table(path, prepared, anew))
-            _open(dialog)
+            self._open_for_this_document(path, dialog)
 
-        self._start(f"Reading {path.name}", work, done, path, "imported")
+        self._start(f"Reading {path.name}", work, self._for_this_document(path, done), path, "imported")
 
     def _take_table(self, path: Path, prepared: Prepared, anew: bool) -> None:
         assert prepared.document is not None

@@ -197,8 +197,10 @@ class ImportTableDialog(QDialog):
 
     def _import(self) -> None:
         if self._prepared is not None and self._prepared.document is not None and not self.jobs.is_busy:
-            self.chosen.emit(self._prepared, self.into.currentIndex() == 1)
+            prepared = self._prepared
+            # First, for a new document closes the dialogs of the one before.
             self.accept()
+            self.chosen.emit(prepared, self.into.currentIndex() == 1)
 
     # What comes of it
 

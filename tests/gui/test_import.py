@@ -333,6 +333,30 @@ def test_dropping_a_file_imports_it(editor, tmp_path, name):
     dialog.close()
 
 
+@pytest.mark.parametrize("name", ["a.svg", "a.csv"])
+def test_another_document_gets_nothing_of_an_import(editor, tmp_path, name):
+    path = write(tmp_path / name, SVG if name == "a.svg" else "1,2\n3,4\n")
+    kind = "importDrawingDialog" if name == "a.svg" else "importTableDialog"
+    opened(editor, path, kind)
+    editor.new()
+    assert dialog_of(editor, kind) is None
+    assert [len(curve.nodes) for curve in editor.session.document.curves] == [0]
+    assert not editor.session.is_modified
+    assert editor.status == f"{name} was not imported, for another document was opened meanwhile."
+    editor.window.import_file(path)  # and one that is read for a document that has gone
+    editor.new()
+    editor.wait_for_work()
+    editor.settle()
+    assert not [each for each in editor.window.findChildren(QDialog, kind) if each.isVisible()]
+    dialog = opened(editor, path, kind)
+    choose(dialog.into, "A new document")
+    press(dialog, "importDrawing" if name == "a.svg" else "importTable")
+    editor.settle()
+    assert sum(len(curve.nodes) for curve in editor.session.document.curves) >= 2
+    assert editor.status.startswith(f"Imported {name}")
+    editor.session.undo_stack.setClean()
+
+
 # What takes long
 
 
