@@ -238,19 +238,21 @@ class ExchangeCommands:
 
     def _ask_where_to(self, choice: ExportChoice) -> None:
         from app.exchange.choice import FORMATS, text_of  # noqa: PLC0415
+        from app.exchange.formats import with_ending  # noqa: PLC0415
 
         self._preferences.export_choice = text_of(choice)
         start = self._preferences.last_folder / f"{file_stem(self._session)}{choice.ending}"
         kind = f"{FORMATS[choice.ending]} (*{choice.ending})"
         name, _ = QFileDialog.getSaveFileName(self._parts.window, "Export", str(start), kind)
-        if name:
-            path = Path(name)
-            named = (
-                path
-                if path.name.lower().endswith(choice.ending)
-                else path.with_name(path.name + choice.ending)
-            )
-            self.export(named, choice.options(self._session.active_index))
+        if not name:
+            return
+        path = with_ending(Path(name), choice.ending)
+        if path != Path(name) and path.exists():
+            # The dialog asked about the name that was typed, if it asked at all.
+            there = StorageError("It is there already; choose it in the list to replace it.")
+            self._refuse(path, "written", there)
+            return
+        self.export(path, choice.options(self._session.active_index))
 
     def export(self, path: Path, options: Options | None = None) -> None:
         """Write the document in the format that the ending names, and say how exactly."""

@@ -5,6 +5,7 @@ from __future__ import annotations
 import csv
 import re
 import time
+from pathlib import Path
 from xml.etree import ElementTree
 
 import numpy as np
@@ -16,6 +17,7 @@ from PySide6.QtWidgets import QApplication, QDialog, QFileDialog, QPushButton
 
 from app.document.model import Family
 from app.exchange.choice import FORMATS, ExportChoice, choice_from, text_of
+from app.exchange.formats import with_ending
 from app.preferences import Preferences
 from app.testing import Editor
 
@@ -285,3 +287,38 @@ def test_handles_lie_inside_the_picture_and_above_the_functions(editor, tmp_path
     assert top < handles[:, 1].min()
     assert handles[:, 1].max() < functions[:, 1].min()
     assert functions[:, 1].max() < top + height
+
+
+@pytest.mark.parametrize(
+    ("ending", "typed", "written"),
+    [
+        (".points.csv", "p.csv", "p.points.csv"),
+        (".points.csv", "p", "p.points.csv"),
+        (".points.csv", "P.POINTS.CSV", "P.POINTS.CSV"),
+        (".csv", "p.points.csv", "p.csv"),
+        (".scipy.py", "sp.py", "sp.scipy.py"),
+        (".py", "sp.scipy.py", "sp.py"),
+        (".path.txt", "path.txt", "path.path.txt"),
+        (".desmos.txt", "a.path.txt", "a.desmos.txt"),
+        (".coefficients.json", "a.json", "a.coefficients.json"),
+        (".svg", "a.b", "a.b.svg"),
+        (".svg", "a.csv", "a.csv.svg"),
+        (".points.csv", ".csv", ".csv.points.csv"),
+    ],
+)
+def test_a_typed_ending_gives_way_to_the_one_of_the_format(ending, typed, written):
+    assert with_ending(Path("folder", typed), ending) == Path("folder", written)
+
+
+def test_the_file_has_the_ending_of_its_format_once(editor, dialog, tmp_path, monkeypatch):
+    choose_format(dialog, ".points.csv")
+    export(editor, dialog, tmp_path / "p.csv", monkeypatch)
+    assert [each.name for each in tmp_path.glob("p*")] == ["p.points.csv"]
+
+
+def test_a_name_that_was_not_asked_about_is_not_replaced(editor, dialog, tmp_path, monkeypatch):
+    choose_format(dialog, ".points.csv")
+    (tmp_path / "p.points.csv").write_text("mine", encoding="utf-8")
+    export(editor, dialog, tmp_path / "p.csv", monkeypatch)
+    assert (tmp_path / "p.points.csv").read_text(encoding="utf-8") == "mine"
+    assert "p.points.csv was not written. It is there already" in editor.message
