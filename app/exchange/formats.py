@@ -132,7 +132,7 @@ def with_ending(path: Path, ending: str) -> Path:
     known = next((each for each in ENDINGS if lower.endswith(each)), "")
     if known == ending:
         return path
-    kind = Path(ending).suffix
+    kind = ending[ending.rindex(".") :]
     replaced = known if known.endswith(kind) else kind if lower.endswith(kind) else ""
     stem = path.name[: len(path.name) - len(replaced)]
     # A name that is nothing but an ending is the name of a file all the same.
