@@ -210,7 +210,9 @@ class ExchangeCommands:
         if not self._parts.change(f"Import {path.name}", lambda: document, active=first):
             return
         self._preferences.last_folder = path.parent
-        self._parts.actions["fitView"].trigger()
+        # What is in sight stays where the person put it, but for a document that holds nothing else.
+        if first == 0 or not self._parts.canvas.shows_curves_from(first):
+            self._parts.actions["fitView"].trigger()
         count = sum(len(curve.nodes) for curve in new.curves)
         what = f"{count_of(len(new.curves), 'curve')}, {count_of(count, 'point')}"
         exact = f"at most {deviation:.2g} from the file" if deviation else "exact"

@@ -106,6 +106,25 @@ def test_into_an_empty_document_it_takes_the_place_of_the_empty_curve(editor, tm
     assert [curve.name for curve in editor.session.document.curves] == ["a"]
 
 
+def test_the_view_stays_where_all_of_an_import_is_in_sight(editor, tmp_path):
+    canvas = editor.window.canvas
+    editor.trigger("zoomOut")
+    left, bottom, right, top = before = canvas.pixel_map.box
+    x, y = (left + right) / 2, (bottom + top) / 2
+    rows = f"{x},{y}\n{x + 0.1},{y + 0.1}\n{x},{y + 0.2}\n"
+    press(opened(editor, write(tmp_path / "inside.csv", rows)), "importTable")
+    editor.settle()
+    assert editor.curve.name == "inside"
+    assert canvas.pixel_map.box == before
+    rows = f"{x},{y}\n{right + 5},{y}\n"
+    press(opened(editor, write(tmp_path / "outside.csv", rows)), "importTable")
+    editor.settle()
+    assert canvas.pixel_map.box[2] > right + 5
+    after = canvas.pixel_map.box
+    editor.trigger("undo")
+    assert canvas.pixel_map.box == after
+
+
 def test_as_a_new_document(editor, tmp_path):
     dialog = opened(editor, write(tmp_path / "a.txt", "0 0\n1 1\n2 4\n"))
     choose(dialog.into, "A new document")
