@@ -270,8 +270,11 @@ class ExchangeCommands:
     def _say_written(self, path: Path, written: Exported) -> None:
         self._preferences.last_folder = path.parent
         away = written.deviation
-        exact = f"at most {away:.2g} from the true curve" if away else "exact"
-        self._session.say(f"Wrote {path.name}, {exact}.")
+        what = f"at most {away:.2g} from the true curve" if away else "exact"
+        if written.pixels is not None:
+            # Pixels are not exact, whatever they were painted from.
+            what = f"{written.pixels[0]} × {written.pixels[1]} pixels"
+        self._session.say(f"Wrote {path.name}, {what}.")
 
     # To the clipboard
 

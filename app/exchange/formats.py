@@ -69,10 +69,13 @@ class Exported(msgspec.Struct, frozen=True):
         Largest distance of what the file holds from the true curves, in the document's unit.
     remarks
         One sentence for every curve that was left out.
+    pixels
+        Width and height of a PNG; None of everything else.
     """
 
     deviation: float
     remarks: tuple[str, ...] = ()
+    pixels: tuple[int, int] | None = None
 
 
 class Options(msgspec.Struct, frozen=True):

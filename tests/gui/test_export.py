@@ -85,7 +85,7 @@ def test_a_png_as_it_was_chosen(editor, dialog, tmp_path, monkeypatch):
     image = QImage(str(export(editor, dialog, tmp_path / "a.png", monkeypatch)))
     assert image.width() == 1000
     assert image.pixelColor(0, 0).alpha() == 0
-    assert "Wrote a.png" in editor.status
+    assert editor.status == f"Wrote a.png, 1000 × {image.height()} pixels."
 
 
 def test_the_options_of_a_format_alone_are_shown(dialog):
