@@ -315,7 +315,12 @@ def test_another_document_comes_in_too(editor, tmp_path):
 @pytest.mark.parametrize(
     ("name", "content", "reason"),
     [
-        ("a.svg", "<!DOCTYPE svg [<!ENTITY a 'b'>]><svg/>", "declares a DTD"),
+        ("a.svg", "<!DOCTYPE svg [<!ENTITY a 'b'>]><svg/>", "delete all from “<!DOCTYPE” to “]>”"),
+        (
+            "a.svg",
+            '<?xml version="1.0"?>\n<!DOCTYPE svg PUBLIC "-//W3C//DTD SVG 1.1//EN" "svg11.dtd">\n<svg/>',
+            "delete the line that begins with “<!DOCTYPE”, up to its “>”",
+        ),
         ("a.dxf", "  0\nSECTION\n", "cut off"),
         ("a.csv", "", "The file is empty"),
         ("a.json", "{", "“a.json” cannot be read: it is not JSON; the file ends too early."),
