@@ -152,6 +152,28 @@ def test_with_the_keyboard_alone(editor, tmp_path, monkeypatch):
     assert [node.position for node in editor.curve.nodes] == [(2, 1), (4, 3), (9, 5)]
 
 
+def test_the_preview_keeps_the_power_of_ten_of_a_long_number(editor, tmp_path):
+    long = "3.1400000000000000e-05"
+    rows = f"{long};-0.12345678901234567;a note that goes on and on to its end\n2;1.5;b\n"
+    dialog = opened(editor, write(tmp_path / "a.csv", rows))
+    cell = [dialog.preview.item(0, column) for column in range(3)]
+    assert [each.text() for each in cell[:2]] == ["3.14e-05", "-0.123457"]
+    assert [each.toolTip() for each in cell[:2]] == [long, "-0.12345678901234567"]
+    assert cell[2].text() == cell[2].toolTip() == "a note that goes on and on to its end"
+    assert dialog.preview.textElideMode() == Qt.TextElideMode.ElideMiddle
+    assert (dialog.preview.item(1, 1).text(), dialog.preview.item(1, 1).toolTip()) == ("1.5", "")
+    metrics = dialog.preview.fontMetrics()
+    wide = metrics.horizontalAdvance("-1.23457e-105")
+    assert wide + 8 < min(dialog.preview.columnWidth(column) for column in range(3))
+    dialog.close()
+    dialog = opened(editor, write(tmp_path / "b.csv", "3,1400000000000000e-05;2\n1;2\n"))
+    assert dialog.preview.item(0, 0).text() == "3,14e-05"
+    dialog.close()
+    dialog = opened(editor, write(tmp_path / "c.csv", f"{'9' * 400};1e99999999999;{'9' * 30_000}x\n"))
+    assert dialog.preview.item(0, 0).text() == "9" * 400, "beyond all numbers it stays as it is"
+    assert dialog.preview.item(0, 1).text() == "1e99999999999"
+
+
 def test_tab_walks_through_the_dialog_in_reading_order(editor, tmp_path):
     dialog = opened(editor, write(tmp_path / "a.csv", "1,2\n3,4\n"))
     dialog.header_check.setFocus()
