@@ -16,7 +16,7 @@ _PLAIN = (
 )
 
 
-class Parser(DefusedXMLParser):
+class Parser(DefusedXMLParser):  # type: ignore[misc]  # that package has no types
     """Refuses every DOCTYPE, and says how to do without it."""
 
     def __init__(self, target: object) -> None:

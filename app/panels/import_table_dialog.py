@@ -22,7 +22,7 @@ from app.document.expression import ExpressionError, parse_number
 from app.document.model import Family
 from app.exchange.table_columns import AFTER, ROLES, WORDS, Mapping
 from app.exchange.table_file import Preview, preview_table
-from app.exchange.table_import import MANY_ROWS, Prepared, TableChoice, TableSource
+from app.exchange.table_import import MANY_ROWS, MOST_POINTS, Prepared, TableChoice, TableSource
 from app.exchange.table_layout import Layout
 from app.exchange.thinning import Thinning
 from app.panels.field_edit import FieldEdit
@@ -105,6 +105,10 @@ class ImportTableDialog(QDialog):
         self.into = into_box()
         self.summary, self.problem = QLabel(), problem_label("tableProblem")
         self.summary.setObjectName("tableSummary")
+        # Its room stays, so that nothing jumps when there is something to say, or no longer.
+        self.problem.setMinimumHeight(2 * self.problem.fontMetrics().lineSpacing())
+        self.problem.setAlignment(Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignTop)
+        self.problem.show()
         self.bar = QProgressBar()
         self.bar.setObjectName("tableProgress")
         self.bar.setAccessibleName("Progress")
@@ -245,9 +249,13 @@ class ImportTableDialog(QDialog):
     def _show(self, prepared: Prepared) -> None:
         self._prepared = prepared
         if prepared.tolerance:
-            self._tolerance = prepared.tolerance
-            self.tolerance_edit.show_text(rounded_text(prepared.tolerance, decimal_mark()).replace("−", "-"))
+            self.tolerance_edit.show_text(_shown(prepared.tolerance).replace("−", "-"))
         self._complain(prepared.problem)
+        if prepared.wider_than:
+            self._explain(
+                f"The distance is {_shown(prepared.tolerance)}: {_shown(prepared.wider_than)} would leave "
+                f"more than {MOST_POINTS:,} points."
+            )
         self.preview.mark(prepared.bad_row, prepared.bad_column, prepared.bad_cells)
         self.summary.setText(_summary(prepared))
         self.ok.setEnabled(prepared.document is not None)
@@ -260,7 +268,10 @@ class ImportTableDialog(QDialog):
     def _complain(self, text: str) -> None:
         self.problem.setStyleSheet(f"color: {theme_of(self.palette()).warning.name()}")
         self.problem.setText(f"⚠ {text}" if text else "")
-        self.problem.setVisible(bool(text))
+
+    def _explain(self, text: str) -> None:
+        self.problem.setStyleSheet("")
+        self.problem.setText(text)
 
     def _show_share(self, share: float, word: str) -> None:
         self.summary.setText(f"{word}…")
@@ -288,6 +299,10 @@ def _distance(text: str) -> float | None:
     if not value > 0:
         raise ExpressionError("The distance must be greater than 0.")
     return value
+
+
+def _shown(distance: float) -> str:
+    return rounded_text(distance, decimal_mark())
 
 
 def _summary(prepared: Prepared) -> str:

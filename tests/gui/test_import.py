@@ -277,6 +277,42 @@ def test_many_rows_are_thinned_out_unless_the_person_wants_them_all(editor, tmp_
     dialog.close()
 
 
+def test_noisy_rows_get_a_distance_that_leaves_few_enough(editor, tmp_path, monkeypatch):
+    for name in ("exchange.thinning.MOST_KEPT", "panels.import_table_dialog.MOST_POINTS"):
+        monkeypatch.setattr(f"app.{name}", 400)
+    x, y = np.linspace(0, 1, 2_000), np.random.default_rng(3).uniform(-0.02, 0.02, 2_000)
+    rows = "\n".join(map("{:.6f},{:.6f}".format, x.tolist(), y.tolist()))
+    dialog = opened(editor, write(tmp_path / "noise.csv", rows))
+    distance = dialog._prepared.tolerance
+    assert distance > 0.001
+    assert dialog.tolerance_edit.text() == f"{distance:g}"
+    assert dialog.problem.text() == (f"The distance is {distance:g}: 0.001 would leave more than 400 points.")
+    assert dialog.ok.isEnabled()
+    places = [each.pos() for each in (dialog.thinning_box, dialog.tolerance_edit, dialog.ok, dialog.preview)]
+    choose(dialog.thinning_box, "Fit a curve within")
+    edit = dialog.tolerance_edit
+    edit.setFocus()
+    edit.selectAll()
+    QTest.keyClicks(edit, "0.2")
+    settle(editor, dialog)
+    assert dialog.problem.text() == ""
+    assert places == [
+        each.pos() for each in (dialog.thinning_box, dialog.tolerance_edit, dialog.ok, dialog.preview)
+    ]
+    edit.selectAll()
+    QTest.keyClicks(edit, "0.0001")
+    settle(editor, dialog)
+    assert "allow a larger distance than 0.0001" in dialog.problem.text(), "what was typed is not replaced"
+    assert not dialog.ok.isEnabled()
+    assert places[0] == dialog.thinning_box.pos()
+    edit.selectAll()
+    QTest.keyClick(edit, Qt.Key.Key_Delete)
+    settle(editor, dialog)
+    assert dialog._prepared.tolerance == distance
+    press(dialog, "importTable")
+    assert editor.curve.name == "noise"
+
+
 @pytest.mark.parametrize("typed", ["0", "-1", "wide", "9**9**9"])
 def test_a_distance_that_is_none_is_explained(editor, tmp_path, typed):
     dialog = opened(editor, spiral(tmp_path / "spiral.csv", 1500))
