@@ -5,7 +5,15 @@ from __future__ import annotations
 from pathlib import Path
 
 from PySide6.QtCore import QEvent, Qt, QTimer, Signal
-from PySide6.QtGui import QCloseEvent, QDragEnterEvent, QDropEvent, QKeyEvent, QStatusTipEvent
+from PySide6.QtGui import (
+    QCloseEvent,
+    QDragEnterEvent,
+    QDragLeaveEvent,
+    QDragMoveEvent,
+    QDropEvent,
+    QKeyEvent,
+    QStatusTipEvent,
+)
 from PySide6.QtWidgets import (
     QApplication,
     QDialog,
@@ -20,8 +28,8 @@ from app.analysis import Analysis
 from app.autosave import Autosave
 from app.canvas.canvas import Canvas
 from app.commands.connect import Commands
+from app.commands.drops import accepted_file, invitation, is_picture
 from app.commands.exchange_commands import can_import
-from app.commands.image_commands import PICTURE_SUFFIXES
 from app.commands.parts import Parts
 from app.commands.recovery_commands import OpenBeside
 from app.docks import Docks
@@ -360,14 +368,21 @@ class MainWindow(QMainWindow):
         super().keyPressEvent(event)
 
     def dragEnterEvent(self, event: QDragEnterEvent) -> None:
-        if _dropped_file(event) is not None:
-            event.acceptProposedAction()
+        path = accepted_file(event)
+        if path is not None:
+            self.status_line.show_tip(invitation(path))
+
+    def dragMoveEvent(self, event: QDragMoveEvent) -> None:
+        accepted_file(event)
+
+    def dragLeaveEvent(self, event: QDragLeaveEvent) -> None:
+        self.status_line.show_tip("")
 
     def dropEvent(self, event: QDropEvent) -> None:
-        path = _dropped_file(event)
+        self.status_line.show_tip("")
+        path = accepted_file(event)
         if path is not None:
-            event.acceptProposedAction()
-            if path.suffix.lower() in PICTURE_SUFFIXES:
+            if is_picture(path):
                 self.add_image(path)
             elif can_import(path):
                 self.import_file(path)
@@ -385,11 +400,3 @@ class MainWindow(QMainWindow):
             dialog.close()
         event.accept()
         self.closed.emit()
-
-
-def _dropped_file(event: QDropEvent) -> Path | None:
-    """Return the first local file of a drop, None without one."""
-    for url in event.mimeData().urls():
-        if url.isLocalFile():
-            return Path(url.toLocalFile())
-    return None

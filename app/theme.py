@@ -182,6 +182,7 @@ def _dress(app: QApplication, theme: Theme) -> None:
     if app.style().name().lower() != "fusion":
         app.setStyle(QStyleFactory.create("Fusion"))
     app.setPalette(palette)
+    app.setPalette(_palette_of_boxes(theme), "QCheckBox")  # type: ignore[arg-type]  # the stub asks for bytes, PySide for text
     app.setStyleSheet(sheet)
 
 
@@ -198,6 +199,19 @@ def palette_of(theme: Theme) -> QPalette:
     palette.setColor(QPalette.ColorGroup.Disabled, role.Base, theme.surface)
     for key in (role.Highlight, role.Accent):
         palette.setColor(QPalette.ColorGroup.Disabled, key, mix(theme.ink, theme.surface, 0.14))
+    return palette
+
+
+def _palette_of_boxes(theme: Theme) -> QPalette:
+    """Return the palette of check boxes, whose border Fusion draws in a darker shade of their background.
+
+    In the dark that cannot be seen; they fill no background, so that theirs can be lighter.
+    """
+    palette = palette_of(theme)
+    if theme.name == "dark":
+        window = QPalette.ColorRole.Window
+        palette.setColor(window, mix(theme.ink, theme.surface, 0.75))
+        palette.setColor(QPalette.ColorGroup.Disabled, window, mix(theme.ink, theme.surface, 0.4))
     return palette
 
 

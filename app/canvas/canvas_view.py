@@ -22,6 +22,7 @@ from app.canvas.point_layer import PointLayer
 from app.canvas.trace_layer import Trace, TraceLayer
 from app.canvas.unit_layer import UnitLayer
 from app.document.model import Curve, ReferenceImage, Vector
+from app.plot.pixel_map import PixelMap
 from app.plot.plot_widget import PlotWidget
 from app.theme import LIGHT, Theme
 from app.view_model.analysis.figures import Figure
@@ -265,8 +266,12 @@ class CanvasView(PlotWidget):
         if self._view is None or not len(self._view.points):
             return True
         shown = self.pixel_map
-        pixels = shown.points(self._view.points)
-        return bool(((pixels >= 0) & (pixels <= (shown.width, shown.height))).all())
+        return _all_inside(shown, self._view.points)
+
+    def shows_curves_from(self, first: int) -> bool:
+        """Whether the curves from this place on lie in sight, as far as `fit` would show them."""
+        boxes = _boxes_to_fit(self._views[first:], margin=0.0)
+        return all(_all_inside(self.pixel_map, np.array(box)) for box in boxes)
 
     @property
     def pixel_size(self) -> float:
@@ -295,7 +300,7 @@ class CanvasView(PlotWidget):
         views = [view for view in self._views if view.source.visible or view is self._view]
         if self._view is not None and not any(view is self._view for view in views):
             views.append(self._view)
-        boxes = [_box_to_fit(view.points, view.polyline) for view in views if len(view.points)]
+        boxes = _boxes_to_fit(views, margin=_FIT_MARGIN)
         if not boxes:
             self.show_box((-0.5, 4.5), (-0.5, 4.5))
             return
@@ -365,7 +370,16 @@ def _rules(curve: Curve) -> Curve:
     return msgspec.structs.replace(curve, name="", colour="", visible=True, locked=False)
 
 
-def _box_to_fit(points: Floats, polyline: Floats) -> tuple[Floats, Floats]:
+def _all_inside(shown: PixelMap, points: Floats) -> bool:
+    pixels = shown.points(points)
+    return bool(((pixels >= 0) & (pixels <= (shown.width, shown.height))).all())
+
+
+def _boxes_to_fit(views: Sequence[CurveView], *, margin: float) -> list[tuple[Floats, Floats]]:
+    return [_box_to_fit(view.points, view.polyline, margin) for view in views if len(view.points)]
+
+
+def _box_to_fit(points: Floats, polyline: Floats, margin: float) -> tuple[Floats, Floats]:
     """Return the corners of the box to show: the curve, but at most three times as large as its points."""
     low, high = points.min(axis=0), points.max(axis=0)
     size = float((high - low).max())
@@ -374,5 +388,4 @@ def _box_to_fit(points: Floats, polyline: Floats) -> tuple[Floats, Floats]:
         high = np.minimum(np.maximum(high, polyline.max(axis=0)), high + size)
     # One point, or several at one place, are shown in an area of unit size (at 1e9 a visible part of that).
     size = max(float((high - low).max()), 1e-6 * float(np.abs(high).max()), 1e-7) if size else 4.0
-    margin = _FIT_MARGIN * size
-    return low - margin, high + margin
+    return low - margin * size, high + margin * size

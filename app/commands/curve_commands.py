@@ -12,7 +12,8 @@ from app.commands.parts import Handlers, Parts
 from app.document import curve_edits, edits
 from app.document.edits import EditError
 from app.document.model import Curve, Document, Parametrization
-from app.view_model.curve_view import CurveView, squeeze_of, view_of
+from app.view_model.closing import with_closed
+from app.view_model.curve_view import CurveView, view_of
 from app.view_model.reshape import Reshaped, reversed_curve, with_point_inserted
 from app.view_model.split_join import joined, split
 
@@ -236,12 +237,9 @@ class CurveCommands:
     def _toggle_closed(self) -> None:
         session, view = self._session, self._session.active_view
         closed = not view.source.is_closed
-        squeeze = 1.0
-        if view.is_current and not view.source.is_manual:
-            squeeze = squeeze_of(view, replace(view.source, closed=closed))
         self._change(
             f"{'Close' if closed else 'Open'} {view.source.name}",
-            lambda: edits.set_closed(session.document, session.active_index, closed, squeeze=squeeze),
+            lambda: with_closed(session.document, session.active_index, view, closed),
         )
         # The switch shows what is, also where nothing changed.
         self.render(session.active_view)

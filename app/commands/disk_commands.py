@@ -137,6 +137,8 @@ class DiskCommands(QObject):
                 self._hide_ghost()
             elif self._actions["compareWithFile"].isChecked():
                 self._show_ghost()
+        if sight in (Sight.GONE, Sight.SAME) and self._is_refused_for_other_content:
+            self._refusal = None  # what it warns of is there no longer
         if sight is Sight.GONE:
             # What is here is nowhere else now.
             self._session.undo_stack.resetClean()
@@ -180,9 +182,12 @@ class DiskCommands(QObject):
             self._bar.hide()
 
     @property
+    def _is_refused_for_other_content(self) -> bool:
+        return self._refusal is not None and "overwriteFile" in self._refusal.actions
+
+    @property
     def _may_overwrite(self) -> bool:
-        is_asked = self._refusal is not None and "overwriteFile" in self._refusal.actions
-        is_other = is_asked or self._sight in (Sight.CHANGED, Sight.UNREADABLE)
+        is_other = self._is_refused_for_other_content or self._sight in (Sight.CHANGED, Sight.UNREADABLE)
         return is_other and not self._session.is_read_only
 
     def _notices(self) -> list[Notice]:

@@ -2,18 +2,19 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from PySide6.QtCore import QMimeData
 from PySide6.QtGui import QGuiApplication
-from PySide6.QtWidgets import QFileDialog, QWidget
+from PySide6.QtWidgets import QDialog, QFileDialog, QWidget
 
 from app.commands.file_work import FileWork
 from app.commands.parts import Handlers, Parts
 from app.document.import_edits import add_imported
 from app.document.model import Document
-from app.document.storage import read
+from app.document.storage import StorageError, read
 from app.exchange import READABLE, TABLES, Exported, Options, export_with, import_file
 from app.exchange.progress import Report
 from app.file_commands import file_stem
@@ -45,6 +46,8 @@ class ExchangeCommands:
         self._parts, self._work = parts, work
         self._session, self._preferences = parts.session, parts.preferences
         self._dialog: ExportDialog | None = None
+        self._documents = 0
+        parts.session.opened.connect(self._count_document)
         parts.session.document_changed.connect(self._show_in_dialog)
         parts.session.active_changed.connect(self._show_in_dialog)
 
@@ -79,16 +82,44 @@ class ExchangeCommands:
         def work(report: Report) -> Imported:
             return import_file(path, report=report)
 
-        self._work.start(
-            f"Reading {path.name}", work, lambda found: self._ask_where(path, found), path, "imported"
-        )
+        done = self._for_this_document(path, lambda found: self._ask_where(path, found))
+        self._work.start(f"Reading {path.name}", work, done, path, "imported")
+
+    def _for_this_document(self, path: Path, done: Callable[[Any], object]) -> Callable[[Any], object]:
+        """Return `done` for an import that begins now; another document must not get its curves."""
+        begun = self._documents
+
+        def done_here(result: object) -> None:
+            if begun == self._documents:
+                done(result)
+            else:
+                self._give_up(path)
+
+        return done_here
+
+    def _count_document(self) -> None:
+        self._documents += 1
+
+    def _give_up(self, path: Path) -> None:
+        self._session.say(f"{path.name} was not imported, for another document was opened meanwhile.")
+
+    def _open_for_this_document(self, path: Path, dialog: QDialog) -> None:
+        """Show the dialog of an import until another document is opened."""
+
+        def leave() -> None:
+            dialog.reject()
+            self._give_up(path)
+
+        self._session.opened.connect(leave)
+        dialog.finished.connect(lambda _result: self._session.opened.disconnect(leave))
+        _open(dialog)
 
     def _ask_where(self, path: Path, found: Imported) -> None:
         from app.panels.import_drawing_dialog import ImportDrawingDialog  # noqa: PLC0415
 
         dialog = ImportDrawingDialog(path.name, found, self._parts.window)
         dialog.chosen.connect(lambda anew: self._take_in(path, found.document, found.deviation, anew))
-        _open(dialog)
+        self._open_for_this_document(path, dialog)
 
     def _import_table(self, path: Path) -> None:
         def work(report: Report) -> tuple[TableSource, Preview]:
@@ -104,9 +135,10 @@ class ExchangeCommands:
 
             dialog = ImportTableDialog(path.name, path.stem, *result, self._parts.window)
             dialog.chosen.connect(lambda prepared, anew: self._take_table(path, prepared, anew))
-            _open(dialog)
+            self._open_for_this_document(path, dialog)
 
-        self._work.start(f"Reading {path.name}", work, done, path, "imported")
+        here = self._for_this_document(path, done)
+        self._work.start(f"Reading {path.name}", work, here, path, "imported")
 
     def _take_table(self, path: Path, prepared: Prepared, anew: bool) -> None:
         assert prepared.document is not None
@@ -122,7 +154,9 @@ class ExchangeCommands:
         if not self._parts.change(f"Import {path.name}", lambda: document, active=first):
             return
         self._preferences.last_folder = path.parent
-        self._parts.actions["fitView"].trigger()
+        # What is in sight stays where the person put it, but for a document that holds nothing else.
+        if first == 0 or not self._parts.canvas.shows_curves_from(first):
+            self._parts.actions["fitView"].trigger()
         count = sum(len(curve.nodes) for curve in new.curves)
         what = f"{count_of(len(new.curves), 'curve')}, {count_of(count, 'point')}"
         exact = f"at most {deviation:.2g} from the file" if deviation else "exact"
@@ -150,19 +184,21 @@ class ExchangeCommands:
 
     def _ask_where_to(self, choice: ExportChoice) -> None:
         from app.exchange.choice import FORMATS, text_of  # noqa: PLC0415
+        from app.exchange.formats import with_ending  # noqa: PLC0415
 
         self._preferences.export_choice = text_of(choice)
         start = self._preferences.last_folder / f"{file_stem(self._session)}{choice.ending}"
         kind = f"{FORMATS[choice.ending]} (*{choice.ending})"
         name, _ = QFileDialog.getSaveFileName(self._parts.window, "Export", str(start), kind)
-        if name:
-            path = Path(name)
-            named = (
-                path
-                if path.name.lower().endswith(choice.ending)
-                else path.with_name(path.name + choice.ending)
-            )
-            self.export(named, choice.options(self._session.active_index))
+        if not name:
+            return
+        path = with_ending(Path(name), choice.ending)
+        if path != Path(name) and path.exists():
+            # The dialog asked about the name that was typed, if it asked at all.
+            there = StorageError("It is there already; choose it in the list to replace it.")
+            self._work.refuse(path, "written", there)
+            return
+        self.export(path, choice.options(self._session.active_index))
 
     def export(self, path: Path, options: Options | None = None) -> None:
         """Write the document in the format that the ending names, and say how exactly."""
@@ -178,8 +214,11 @@ class ExchangeCommands:
     def _say_written(self, path: Path, written: Exported) -> None:
         self._preferences.last_folder = path.parent
         away = written.deviation
-        exact = f"at most {away:.2g} from the true curve" if away else "exact"
-        self._session.say(f"Wrote {path.name}, {exact}.")
+        what = f"at most {away:.2g} from the true curve" if away else "exact"
+        if written.pixels is not None:
+            # Pixels are not exact, whatever they were painted from.
+            what = f"{written.pixels[0]} × {written.pixels[1]} pixels"
+        self._session.say(f"Wrote {path.name}, {what}.")
 
     # To the clipboard
 

@@ -53,12 +53,13 @@ class FileWork:
         def failed(problem: Exception) -> None:
             if not isinstance(problem, _EXPECTED):
                 raise problem
-            self._refuse(path, what, problem)
+            self.refuse(path, what, problem)
 
         if not self.jobs.start(title, work, done, failed):
             self._parts.session.say(f"{self.jobs.title} is still going on; stop it first.")
 
-    def _refuse(self, path: Path, what: str, problem: Exception) -> None:
+    def refuse(self, path: Path, what: str, problem: Exception) -> None:
+        """Say why something was not done with a file."""
         # Some are clauses; what readers say names the file, and it need not be named twice.
         reason = f"{str(problem).removesuffix('.')}."
         named = what == "imported" and path.name in reason

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from math import ceil, log10
 from pathlib import Path
 
 from PySide6.QtGui import QImage
@@ -121,6 +122,9 @@ class ImageCommands:
         scale = _SHARE * min((x_max - x_min) / pixels.width(), (y_max - y_min) / pixels.height())
         width, height = pixels.width() * scale, pixels.height() * scale
         x, y = (x_min + x_max - width) / 2, (y_min + y_max - height) / 2
+        # As many decimals as make a difference on the screen: 0, not −4.4e−16.
+        decimals = ceil(-log10(self._parts.canvas.pixel_size))
+        x, y = round(x, decimals) + 0.0, round(y, decimals) + 0.0
         image = ReferenceImage(path, x, y, width, height)
         if self._parts.change("Add image", lambda: set_image(self._session.document, image)):
             self._parts.image_dock.raise_()

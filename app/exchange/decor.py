@@ -8,11 +8,11 @@ import msgspec
 import numpy as np
 from msgspec.structs import replace
 
-from app.document.model import Curve, Document
-from app.exchange.drawing import MARGIN, Decor, Drawing, ExchangeError, Floats, Frame
+from app.document.model import Document
+from app.exchange.drawing import MARGIN, Decor, Drawing, ExchangeError, Floats, Frame, frame_with
 from app.view_model.basis_view import BasisView, basis_view
 from app.view_model.curve_view import view_of
-from app.view_model.handles import handles_of
+from app.view_model.handles import Handle, handles_of
 from app.view_model.palette import point_palette
 
 PANEL = 0.4
@@ -57,13 +57,14 @@ def decorated(drawing: Drawing, document: Document, extras: Extras, theme: str) 
     ExchangeError
         If the basis functions are wanted of a curve that has none.
     """
-    decor: list[Decor] = []
-    if extras.grid:
-        decor += _grid(drawing.frame)
-    if extras.handles:
-        visible = [curve for curve in document.curves if curve.visible]
-        decor += [each for curve in visible for each in _handles(curve, drawing.frame.side)]
     frame = drawing.frame
+    handles = _handles(document) if extras.handles else {}
+    if handles:
+        ends = np.array([handle.position for each in handles.values() for handle in each])
+        frame = frame_with(drawing.outlines, ends)
+    decor = _grid(frame) if extras.grid else []
+    for curve, each in handles.items():
+        decor += _drawn_handles(document.curves[curve].colour, each, frame.side)
     if extras.basis is not None:
         view = basis_view(view_of(document.curves[extras.basis]))
         if view is None:
@@ -102,19 +103,28 @@ def _grid(frame: Frame) -> list[Decor]:
     return [Decor("grid", tuple(each), width, opacity) for opacity, each in kinds if each]
 
 
-def _handles(curve: Curve, side: float) -> list[Decor]:
-    view = view_of(curve)
-    if not view.is_current or len(curve.nodes) > MOST_HANDLES:
-        return []
-    handles = [handle for index in range(len(curve.nodes)) for handle in handles_of(view, index)]
-    if not handles:
-        return []
+def _handles(document: Document) -> dict[int, list[Handle]]:
+    """Return the handles of the curves that show any, by the curves' places in the document."""
+    found: dict[int, list[Handle]] = {}
+    for place, curve in enumerate(document.curves):
+        if not curve.visible or len(curve.nodes) > MOST_HANDLES:
+            continue
+        view = view_of(curve)
+        if not view.is_current:
+            continue
+        handles = [handle for index in range(len(curve.nodes)) for handle in handles_of(view, index)]
+        if handles:
+            found[place] = handles
+    return found
+
+
+def _drawn_handles(colour: str, handles: list[Handle], side: float) -> list[Decor]:
     corner = np.array([(-1, -1), (1, -1), (1, 1), (-1, 1), (-1, -1)]) * (_SQUARE * side)
     lines = tuple(np.array([handle.anchor, handle.position]) for handle in handles)
     squares = tuple(np.array(handle.position) + corner for handle in handles)
     return [
-        Decor("handles", lines, _THIN * side, 0.6, colour=curve.colour),
-        Decor("handles", squares, 0.0, 0.8, colour=curve.colour, filled=True),
+        Decor("handles", lines, _THIN * side, 0.6, colour=colour),
+        Decor("handles", squares, 0.0, 0.8, colour=colour, filled=True),
     ]
 
 

@@ -201,8 +201,19 @@ def drawing_of(document: Document, tolerance: float | None = None) -> Drawing:
     samples = [_samples(curve, core) for curve, core in drawable]
     allowed = tolerance if tolerance is not None else RELATIVE_TOLERANCE * _frame_around(samples).side
     outlines = tuple(_outline(curve, core, allowed) for curve, core in drawable)
-    frame = _frame_around([np.vstack([extent_of(each.control_points), each.nodes]) for each in outlines])
-    return Drawing(outlines, frame, allowed, tuple(remarks))
+    return Drawing(outlines, frame_with(outlines), allowed, tuple(remarks))
+
+
+def frame_with(outlines: Iterable[Outline], points: Floats | None = None) -> Frame:
+    """Return the frame that shows curves with their points, and other points (n, 2).
+
+    Raises
+    ------
+    ExchangeError
+        If no picture can hold the coordinates.
+    """
+    parts = [np.vstack([extent_of(each.control_points), each.nodes]) for each in outlines]
+    return _frame_around(parts if points is None else [*parts, points])
 
 
 def too_much(curve: Curve) -> str:

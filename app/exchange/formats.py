@@ -69,10 +69,13 @@ class Exported(msgspec.Struct, frozen=True):
         Largest distance of what the file holds from the true curves, in the document's unit.
     remarks
         One sentence for every curve that was left out.
+    pixels
+        Width and height of a PNG; None of everything else.
     """
 
     deviation: float
     remarks: tuple[str, ...] = ()
+    pixels: tuple[int, int] | None = None
 
 
 class Options(msgspec.Struct, frozen=True):
@@ -121,3 +124,19 @@ def ending_of(path: str | os.PathLike[str], endings: tuple[str, ...]) -> str:
             return ending
     known = ", ".join(endings[:-1])
     raise ExchangeError(f"The name “{name}” does not end in a known format; use {known} or {endings[-1]}.")
+
+
+def with_ending(path: Path, ending: str) -> Path:
+    """Return `path` so that its name stands for the format of `ending`, one of `ENDINGS`.
+
+    An ending of the same kind gives way: p.csv and p.points.csv are the same name for two formats.
+    """
+    lower = path.name.lower()
+    known = next((each for each in ENDINGS if lower.endswith(each)), "")
+    if known == ending:
+        return path
+    kind = ending[ending.rindex(".") :]
+    replaced = known if known.endswith(kind) else kind if lower.endswith(kind) else ""
+    stem = path.name[: len(path.name) - len(replaced)]
+    # A name that is nothing but an ending is the name of a file all the same.
+    return path.with_name((stem or path.name) + ending)

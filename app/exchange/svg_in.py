@@ -13,11 +13,10 @@ from dataclasses import dataclass, replace
 from math import cos, radians, sin, tan, tau
 
 import numpy as np
-from defusedxml import DefusedXmlException
-from defusedxml.ElementTree import DefusedXMLParser
 
 from app.exchange.arcs import arc
 from app.exchange.cubics_in import Imported, Path, imported, lines
+from app.exchange.doctype import Parser
 from app.exchange.drawing import ExchangeError, Floats
 from app.exchange.svg import DARK, INK
 from app.exchange.svg_path import Subpath, read_path_data
@@ -94,12 +93,10 @@ def read_svg(data: bytes, tolerance: float | None = None) -> Imported:
 def _parsed(data: bytes) -> ET.Element:
     if not data.strip():
         raise ExchangeError("The file is empty.")
-    parser = DefusedXMLParser(target=_CountingBuilder(), forbid_dtd=True)
+    parser = Parser(_CountingBuilder())
     try:
         parser.feed(data)
         root: ET.Element = parser.close()
-    except DefusedXmlException:
-        raise ExchangeError("The file declares a DTD or entities; save it as plain SVG.") from None
     except ET.ParseError as problem:
         line, column = problem.position
         raise ExchangeError(f"The file is not XML: line {line}, column {column + 1}.") from None

@@ -13,7 +13,7 @@ from app.exchange.table_columns import Mapping
 from app.exchange.table_curve import document_of_table
 from app.exchange.table_file import Table, read_table
 from app.exchange.table_layout import Layout, RowProblem, cells_of_row
-from app.exchange.thinning import MOST_KEPT, Thinning
+from app.exchange.thinning import MOST_KEPT, Thinning, TooManyLeftError
 
 MANY_ROWS = 1_000
 """Rows beyond which thinning them out is suggested."""
@@ -25,6 +25,8 @@ MOST_LAGRANGE = 500
 """Points of a Lagrange curve beyond which it swings out of all proportion, and takes long to draw."""
 
 _RELATIVE_TOLERANCE = 1e-3
+_MOST_DOUBLINGS = 16
+"""Of a thousandth of the size: by then two points are enough."""
 
 
 @dataclass(frozen=True)
@@ -67,6 +69,8 @@ class Prepared:
         The curves, and how far they are from the rows at most; None where there is a problem.
     problem
         What keeps the rows from becoming curves; empty if nothing does.
+    wider_than
+        The distance that would have been used had it not left too many points; 0 where it was used.
     bad_row, bad_column, bad_cells
         Where that is, counted from 1, and what stands there; 0 and empty where no row is meant.
     """
@@ -76,6 +80,7 @@ class Prepared:
     document: Document | None = None
     deviation: float = 0.0
     problem: str = ""
+    wider_than: float = 0.0
     bad_row: int = 0
     bad_column: int = 0
     bad_cells: tuple[str, ...] = ()
@@ -115,18 +120,7 @@ class TableSource:
                     f"A Lagrange curve can take {MOST_LAGRANGE:,} rows, not {rows:,}; choose Hermite, "
                     "or thin them out."
                 )
-            tolerance = 0.0
-            if choice.thinning is not None:
-                tolerance = choice.tolerance or _suggested(table, choice.mapping)
-            document, deviation = document_of_table(
-                table,
-                choice.mapping,
-                family=choice.family,
-                name=choice.name,
-                thin=tolerance or None,
-                thinning=choice.thinning or Thinning.CURVE,
-                report=part(report, 0.6, 1.0),
-            )
+            result = _made(table, choice, part(report, 0.6, 1.0))
         except RowProblem as problem:
             cells = cells_of_row(self.data, choice.layout, problem.row)
             return Prepared(
@@ -140,7 +134,7 @@ class TableSource:
             return Prepared(rows, problem=str(problem))
         except MemoryError:
             return Prepared(rows, problem="The table takes more memory than there is.")
-        return Prepared(rows, tolerance, document, deviation)
+        return result
 
     def _table(self, choice: TableChoice, report: Report) -> Table:
         known = self._read
@@ -149,6 +143,33 @@ class TableSource:
         table = read_table(self.data, choice.layout, choice.mapping, report=report)
         self._read = (choice.layout, choice.mapping, table)
         return table
+
+
+def _made(table: Table, choice: TableChoice, report: Report) -> Prepared:
+    """Return the curves; where nobody chose a distance, with one that leaves few enough points."""
+    suggested = _suggested(table, choice.mapping) if choice.thinning is not None else 0.0
+    tolerance = (choice.tolerance or suggested) if choice.thinning is not None else 0.0
+    for _ in range(_MOST_DOUBLINGS):
+        try:
+            document, deviation = document_of_table(
+                table,
+                choice.mapping,
+                family=choice.family,
+                name=choice.name,
+                thin=tolerance or None,
+                thinning=choice.thinning or Thinning.CURVE,
+                report=report,
+            )
+        except TooManyLeftError:
+            if choice.tolerance is not None:
+                raise
+            tolerance = float(f"{2 * tolerance:.0e}")
+        else:
+            is_wider = choice.tolerance is None and tolerance > suggested
+            return Prepared(
+                len(table.values), tolerance, document, deviation, wider_than=is_wider * suggested
+            )
+    raise ExchangeError("The rows are too far apart to be thinned out; choose a distance.")
 
 
 def _suggested(table: Table, mapping: Mapping) -> float:

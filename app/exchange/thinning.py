@@ -21,6 +21,10 @@ _ROUNDS = 60
 _DEEPEST = 1_000
 
 
+class TooManyLeftError(ExchangeError):
+    """The tolerance is so small that hardly anything is thinned out."""
+
+
 class Thinning(StrEnum):
     """What stays within the tolerance of every point."""
 
@@ -78,8 +82,9 @@ def thinned(
     Raises
     ------
     ExchangeError
-        If the tolerance is no positive number, all points coincide, or more than `MOST_KEPT` points would
-        be kept.
+        If the tolerance is no positive number, or all points coincide.
+    TooManyLeftError
+        If more than `MOST_KEPT` points would be kept.
     """
     if not 0 < tolerance < np.inf:
         raise ExchangeError("The tolerance must be a positive number.")
@@ -102,7 +107,7 @@ def thinned(
         kept = np.union1d(kept, _farthest(distance, kept, tolerance))
         if len(kept) > MOST_KEPT:
             break
-    raise ExchangeError(
+    raise TooManyLeftError(
         f"More than {MOST_KEPT} points would be left; allow a larger distance than {tolerance:g}."
     )
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import struct
 from typing import TYPE_CHECKING
 
 from app.document.image_path import relative_to
@@ -100,7 +101,13 @@ def export_with(document: Document, path: str | os.PathLike[str], options: Optio
         data, deviation, remarks = written.text.encode(), written.deviation, written.remarks
     options.report(FINAL, "Writing")
     write(path, data)
-    return Exported(deviation, remarks)
+    return Exported(deviation, remarks, _size_of_png(data) if ending == ".png" else None)
+
+
+def _size_of_png(data: bytes) -> tuple[int, int]:
+    """Return width and height, which stand at the same place in every PNG."""
+    width, height = struct.unpack_from(">II", data, 16)
+    return width, height
 
 
 def _image(document: Document, ending: str, options: Options) -> tuple[bytes, float, tuple[str, ...]]:

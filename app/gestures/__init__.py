@@ -12,4 +12,5 @@
 - ``tools``: Select, Add points and Measure: which gesture a press begins.  ``words``: numbers for people.
 - ``image_tool``: the picture to trace, moved and scaled.
 - ``rail``, ``rail_drags``: the gestures of the basis panel: ticks and the scrub line.
+- ``closing``: the pen on the first point, which closes the curve.
 """

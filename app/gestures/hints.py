@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from app.gestures import words
 from app.gestures.bend_drag import bend_keys
+from app.gestures.closing import can_end_at
 from app.gestures.pointer import Cursor, Hint, Hit, Part
 from app.gestures.transform_box import Grip, ScaleBox
 from app.view_model.curve_view import CurveView
@@ -27,7 +28,7 @@ def hint_at(
     if view.source.locked and (adding or hit is not None):
         return Hint(LOCKED.format(view.source.name))
     if hit is not None and hit.part is not Part.CURVE:
-        return on_part(hit, view, selection, snaps=snaps)
+        return on_part(hit, view, selection, adding=adding, snaps=snaps)
     if adding:
         return to_add(hit, view, snaps=snaps)
     if grip is not None:
@@ -37,8 +38,10 @@ def hint_at(
     return Hint("Drag to select points, Shift adds · Press P to add points · Wheel zooms · Space pans")
 
 
-def on_part(hit: Hit, view: CurveView, selection: frozenset[int], *, snaps: bool) -> Hint:
+def on_part(hit: Hit, view: CurveView, selection: frozenset[int], *, adding: bool, snaps: bool) -> Hint:
     """Return the hint over a point or a handle."""
+    if adding and view.source.family.derivatives and can_end_at(hit, view):
+        return Hint("Click to close the curve · Drag to move point 0", grab=True)
     if hit.part is Part.POINT:
         others = len(selection) > 1 and hit.index in selection
         what = words.points(selection) if others else f"point {hit.index}"

@@ -11,6 +11,7 @@ from msgspec.structs import replace
 from app.document.model import Vector
 from app.gestures import hints, words
 from app.gestures.bend_drag import BendCurve
+from app.gestures.closing import can_end_at, closer
 from app.gestures.drags import (
     AppendPoint,
     DragHandle,
@@ -332,6 +333,8 @@ class CanvasTool:
         host = self._host
         if hit.part is Part.POINT:
             click = self._select_at_press(pointer, hit.index)
+            if self.kind is ToolKind.ADD and can_end_at(hit, host.active_view):
+                click = closer(host)
             self._machine.press(pointer, self._point_drag(pointer, hit), on_click=click)
             return
         magnet = self._magnets.for_handle(hit.index)

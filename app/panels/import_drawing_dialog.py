@@ -59,8 +59,9 @@ class ImportDrawingDialog(QDialog):
         self.setMinimumWidth(380)
 
     def _import(self) -> None:
-        self.chosen.emit(self.into.currentIndex() == 1)
+        # First, for a new document closes the dialogs of the one before.
         self.accept()
+        self.chosen.emit(self.into.currentIndex() == 1)
 
 
 def _summary(found: Imported) -> str:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from itertools import pairwise
 
-from PySide6.QtCore import QTimer, Signal
+from PySide6.QtCore import Qt, QTimer, Signal
 from PySide6.QtWidgets import (
     QCheckBox,
     QHBoxLayout,
@@ -18,7 +18,7 @@ from app.document.expression import ExpressionError, parse_number
 from app.document.model import Family
 from app.exchange.table_columns import AFTER, ROLES, WORDS, Mapping
 from app.exchange.table_file import Preview, preview_table
-from app.exchange.table_import import MANY_ROWS, Prepared, TableChoice, TableSource
+from app.exchange.table_import import MANY_ROWS, MOST_POINTS, Prepared, TableChoice, TableSource
 from app.exchange.table_layout import Layout
 from app.exchange.thinning import Thinning
 from app.panels.field_edit import FieldEdit
@@ -27,6 +27,7 @@ from app.panels.number_text import decimal_mark, rounded_text
 from app.panels.table_preview import TablePreview
 from app.panels.words import count_of
 from app.panels.work_dialog import WorkDialog
+from app.theme import theme_of
 
 IGNORE = "ignore"
 _SEPARATORS = {"\t": "Tab", ";": "Semicolon ;", ",": "Comma ,", " ": "Blanks"}
@@ -96,6 +97,10 @@ class ImportTableDialog(WorkDialog):
         self.into = into_box()
         self.summary = QLabel()
         self.summary.setObjectName("tableSummary")
+        # Its room stays, so that nothing jumps when there is something to say, or no longer.
+        self.problem.setMinimumHeight(2 * self.problem.fontMetrics().lineSpacing())
+        self.problem.setAlignment(Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignTop)
+        self.problem.show()
         self.bar = QProgressBar()
         self.bar.setObjectName("tableProgress")
         self.bar.setAccessibleName("Progress")
@@ -180,8 +185,10 @@ class ImportTableDialog(WorkDialog):
 
     def _import(self) -> None:
         if self._prepared is not None and self._prepared.document is not None and not self.jobs.is_busy:
-            self.chosen.emit(self._prepared, self.into.currentIndex() == 1)
+            prepared = self._prepared
+            # First, for a new document closes the dialogs of the one before.
             self.accept()
+            self.chosen.emit(prepared, self.into.currentIndex() == 1)
 
     # What comes of it
 
@@ -227,8 +234,13 @@ class ImportTableDialog(WorkDialog):
         self._prepared = prepared
         if prepared.tolerance:
             self._tolerance = prepared.tolerance
-            self.tolerance_edit.show_text(rounded_text(prepared.tolerance, decimal_mark()).replace("−", "-"))
+            self.tolerance_edit.show_text(_shown(prepared.tolerance).replace("−", "-"))
         self.complain(prepared.problem)
+        if prepared.wider_than:
+            self._explain(
+                f"The distance is {_shown(prepared.tolerance)}: {_shown(prepared.wider_than)} would leave "
+                f"more than {MOST_POINTS:,} points."
+            )
         self.preview.mark(prepared.bad_row, prepared.bad_column, prepared.bad_cells)
         self.summary.setText(_summary(prepared))
         self.ok.setEnabled(prepared.document is not None)
@@ -237,6 +249,15 @@ class ImportTableDialog(WorkDialog):
     def _fail(self, problem: Exception) -> None:
         self.complain(str(problem))
         raise problem
+
+    def complain(self, text: str) -> None:
+        """Say what is wrong; the room for it stays."""
+        self.problem.setStyleSheet(f"color: {theme_of(self.palette()).warning.name()}")
+        self.problem.setText(f"⚠ {text}" if text else "")
+
+    def _explain(self, text: str) -> None:
+        self.problem.setStyleSheet("")
+        self.problem.setText(text)
 
     def _show_share(self, share: float, word: str) -> None:
         self.summary.setText(f"{word}…")
@@ -251,6 +272,10 @@ def _distance(text: str) -> float | None:
     if not value > 0:
         raise ExpressionError("The distance must be greater than 0.")
     return value
+
+
+def _shown(distance: float) -> str:
+    return rounded_text(distance, decimal_mark())
 
 
 def _summary(prepared: Prepared) -> str:

@@ -1,8 +1,10 @@
-"""The first rows of a table as they stand in the file, and the row that is wrong."""
+"""The first rows of a table, nearly as they stand in the file, and the row that is wrong."""
 
 from __future__ import annotations
 
+import re
 from collections.abc import Sequence
+from math import isfinite
 
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QBrush, QColor
@@ -10,6 +12,11 @@ from PySide6.QtWidgets import QAbstractItemView, QTableWidget, QTableWidgetItem
 
 from app.panels.role_header import RoleHeader
 from app.theme import mix, theme_of
+
+_FITTING = 12
+"""Characters that a cell has room for, as many as a number with six digits and a power of ten."""
+
+_NUMBER = re.compile(r"[+-]?\d+((?P<mark>[.,])\d+)?(e[+-]?\d+)?", re.IGNORECASE | re.ASCII)
 
 
 class TablePreview(QTableWidget):
@@ -19,7 +26,9 @@ class TablePreview(QTableWidget):
         super().__init__()
         self.setObjectName("tablePreview")
         self.setAccessibleName("First rows of the table")
-        self.setToolTip("The first rows, as they stand in the file")
+        self.setToolTip("The first rows of the file; of long numbers the first six digits")
+        # What is no number is told by its end as much as by its beginning.
+        self.setTextElideMode(Qt.TextElideMode.ElideMiddle)
         self.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
         self.setSelectionMode(QAbstractItemView.SelectionMode.NoSelection)
         self.setHorizontalScrollMode(QAbstractItemView.ScrollMode.ScrollPerPixel)
@@ -61,6 +70,19 @@ class TablePreview(QTableWidget):
 
 
 def _item(text: str) -> QTableWidgetItem:
-    item = QTableWidgetItem(text)
+    shown = _short(text)
+    item = QTableWidgetItem(shown)
+    if shown != text or len(text) > _FITTING:
+        item.setToolTip(text)
     item.setTextAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
     return item
+
+
+def _short(text: str) -> str:
+    """Return a long number with six digits, so that its power of ten is not cut off; all else as it is."""
+    found = _NUMBER.fullmatch(text.strip()) if len(text) > _FITTING else None
+    if found is None:
+        return text
+    mark = found["mark"] or "."
+    value = float(text.replace(mark, "."))
+    return f"{value:.6g}".replace(".", mark) if isfinite(value) else text

@@ -353,3 +353,67 @@ def test_subnormal_coordinates_reach_neither_pyqtgraph_nor_a_crash(editor):
     editor.session.commit(Document((make_curve(points),)), "Shrink")
     editor.fit()
     assert not editor.screenshot().isNull()
+
+
+# Closing with the pen
+
+
+@pytest.mark.parametrize("family", [Family.HERMITE, Family.QUINTIC_HERMITE])
+def test_the_pen_closes_the_curve_at_its_first_point(arch, family):
+    arch.choose_family(family)
+    arch.trigger("closeCurve")
+    expected = arch.session.document
+    arch.trigger("undo")
+    before, steps = arch.session.document, arch.session.undo_stack.count()
+    arch.trigger("addTool")
+    arch.hover(arch.point(0))
+    assert arch.window.status_line.hint.startswith("Click to close the curve")
+    assert arch.window.canvas.viewport().cursor().shape() == Qt.CursorShape.PointingHandCursor
+    arch.click(arch.point(0))
+    assert arch.session.document == expected
+    assert arch.session.undo_stack.count() == steps
+    assert arch.session.undo_stack.undoText() == f"Close {arch.curve.name}"
+    assert arch.action("closeCurve").isChecked()
+    arch.hover(arch.point(0))
+    assert "close" not in arch.window.status_line.hint
+    arch.trigger("undo")
+    assert arch.session.document == before
+
+
+def test_the_pen_says_why_a_polynomial_cannot_be_closed(arch):
+    arch.choose_family(Family.LAGRANGE)
+    before = arch.session.document
+    arch.trigger("addTool")
+    arch.click(arch.point(0))
+    assert arch.session.document == before
+    assert arch.status.startswith("A Lagrange curve is one polynomial")
+
+
+def test_the_pen_still_drags_the_first_point_and_goes_on_at_the_last(arch):
+    arch.choose_family(Family.HERMITE)
+    arch.trigger("addTool")
+    arch.press(arch.point(0))
+    arch.move((1, 0.5))
+    arch.key(Qt.Key.Key_Escape)
+    arch.release((1, 0.5))
+    assert not arch.curve.is_closed
+    assert arch.point(0) == pytest.approx((0, 0), abs=2 * arch.pixel)
+    arch.drag(arch.point(0), (0, 1))
+    assert not arch.curve.is_closed
+    assert arch.point(0) == pytest.approx((0, 1), abs=3 * arch.pixel)
+    arch.click(arch.point(3))
+    arch.click((5, 1))
+    assert len(arch.curve.nodes) == 5
+    assert not arch.curve.is_closed
+
+
+def test_two_points_are_too_few_to_go_around(editor):
+    editor.new()
+    editor.choose_family(Family.HERMITE)
+    for point in ((0, 0), (2, 1)):
+        editor.add_point(*point)
+    editor.trigger("addTool")
+    editor.hover(editor.point(0))
+    assert "close" not in editor.window.status_line.hint
+    editor.click(editor.point(0))
+    assert not editor.curve.is_closed

@@ -3,18 +3,21 @@
 from __future__ import annotations
 
 import csv
+import re
 import time
+from pathlib import Path
 from xml.etree import ElementTree
 
 import numpy as np
 import pytest
-from PySide6.QtCore import QPoint, Qt
+from PySide6.QtCore import QEvent, QPoint, Qt
 from PySide6.QtGui import QGuiApplication, QImage
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QDialog, QFileDialog, QPushButton
+from PySide6.QtWidgets import QApplication, QDialog, QFileDialog, QPushButton
 
 from app.document.model import Family
 from app.exchange.choice import FORMATS, ExportChoice, choice_from, text_of
+from app.exchange.formats import with_ending
 from app.preferences import Preferences
 from app.testing import Editor
 
@@ -82,7 +85,7 @@ def test_a_png_as_it_was_chosen(editor, dialog, tmp_path, monkeypatch):
     image = QImage(str(export(editor, dialog, tmp_path / "a.png", monkeypatch)))
     assert image.width() == 1000
     assert image.pixelColor(0, 0).alpha() == 0
-    assert "Wrote a.png" in editor.status
+    assert editor.status == f"Wrote a.png, 1000 × {image.height()} pixels."
 
 
 def test_the_options_of_a_format_alone_are_shown(dialog):
@@ -237,3 +240,85 @@ def test_there_is_nothing_to_copy_without_a_curve(editor):
     editor.new()
     for name in ("copyImage", "copyPathData"):
         assert not editor.action(name).isEnabled()
+
+
+def shape_of_pdf(path):
+    """Width against height of the page."""
+    box = re.search(rb"/MediaBox \[([^\]]+)\]", path.read_bytes())
+    left, bottom, right, top = map(float, box[1].split())
+    return (right - left) / (top - bottom)
+
+
+def test_handles_lie_inside_the_picture_and_above_the_functions(editor, tmp_path, monkeypatch):
+    editor.new()
+    editor.choose_family(Family.HERMITE)
+    for x in (0, 2, 4):
+        editor.add_point(x, 0, velocity_handle=(x + 0.2, -3))
+    shapes = []
+    for ending in (".svg", ".png", ".pdf"):
+        editor.trigger("exportPicture")
+        dialog = editor.window.findChild(QDialog, "exportDialog")
+        choose_format(dialog, ending)
+        for name in ("handles", "basis"):
+            if not dialog.form.shown[name].isChecked():
+                click(dialog.form.shown[name])
+        settled(editor, dialog)
+        path = export(editor, dialog, tmp_path / f"a{ending}", monkeypatch)
+        if ending == ".svg":
+            root = ElementTree.parse(path).getroot()
+            left, top, width, height = map(float, root.get("viewBox").split())
+            shapes.append(width / height)
+        elif ending == ".png":
+            image = QImage(str(path))
+            shapes.append(image.width() / image.height())
+        else:
+            shapes.append(shape_of_pdf(path))
+        QApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
+    assert shapes == pytest.approx([shapes[0]] * 3, rel=5e-3)
+
+    def corners(name):
+        text = " ".join(part.get("d") for part in root.find(f"{SVG}g[@id='{name}']"))
+        return np.array(re.findall(r"[ML] (\S+) (\S+)", text), dtype=float)
+
+    handles, functions = corners("handles"), corners("basis")
+    assert np.ptp(handles[:, 1]) > 5
+    assert left < handles[:, 0].min()
+    assert handles[:, 0].max() < left + width
+    assert top < handles[:, 1].min()
+    assert handles[:, 1].max() < functions[:, 1].min()
+    assert functions[:, 1].max() < top + height
+
+
+@pytest.mark.parametrize(
+    ("ending", "typed", "written"),
+    [
+        (".points.csv", "p.csv", "p.points.csv"),
+        (".points.csv", "p", "p.points.csv"),
+        (".points.csv", "P.POINTS.CSV", "P.POINTS.CSV"),
+        (".csv", "p.points.csv", "p.csv"),
+        (".scipy.py", "sp.py", "sp.scipy.py"),
+        (".py", "sp.scipy.py", "sp.py"),
+        (".path.txt", "path.txt", "path.path.txt"),
+        (".desmos.txt", "a.path.txt", "a.desmos.txt"),
+        (".coefficients.json", "a.json", "a.coefficients.json"),
+        (".svg", "a.b", "a.b.svg"),
+        (".svg", "a.csv", "a.csv.svg"),
+        (".points.csv", ".csv", ".csv.points.csv"),
+    ],
+)
+def test_a_typed_ending_gives_way_to_the_one_of_the_format(ending, typed, written):
+    assert with_ending(Path("folder", typed), ending) == Path("folder", written)
+
+
+def test_the_file_has_the_ending_of_its_format_once(editor, dialog, tmp_path, monkeypatch):
+    choose_format(dialog, ".points.csv")
+    export(editor, dialog, tmp_path / "p.csv", monkeypatch)
+    assert [each.name for each in tmp_path.glob("p*")] == ["p.points.csv"]
+
+
+def test_a_name_that_was_not_asked_about_is_not_replaced(editor, dialog, tmp_path, monkeypatch):
+    choose_format(dialog, ".points.csv")
+    (tmp_path / "p.points.csv").write_text("mine", encoding="utf-8")
+    export(editor, dialog, tmp_path / "p.csv", monkeypatch)
+    assert (tmp_path / "p.points.csv").read_text(encoding="utf-8") == "mine"
+    assert "p.points.csv was not written. It is there already" in editor.message

@@ -279,6 +279,23 @@ def test_a_file_that_is_gone_leaves_a_modified_document(saved, path, until, monk
     assert not saved.session.is_modified
 
 
+@pytest.mark.parametrize("tries_to_save", [False, True])
+def test_a_file_that_was_changed_and_is_then_deleted_is_gone(saved, path, until, monkeypatch, tries_to_save):
+    monkeypatch.setattr("app.commands.disk_commands._LOOKS", 2)
+    mine = edit(saved)
+    save(path, THEIRS)
+    until(lambda: saved.file_message)
+    if tries_to_save:
+        saved.trigger("saveDocument")
+        assert "it was not saved" in saved.file_message
+    path.unlink()
+    until(lambda: "is gone from its folder" in saved.file_message)
+    assert offered(saved) == ["saveDocument", "saveDocumentAs"]
+    saved.answer_file_message("saveDocument")
+    assert load(path) == mine
+    assert saved.file_message == ""
+
+
 def test_a_file_put_back_at_once_was_never_gone(saved, path, qtbot):
     content = path.read_bytes()
     path.unlink()

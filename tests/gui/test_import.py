@@ -106,6 +106,25 @@ def test_into_an_empty_document_it_takes_the_place_of_the_empty_curve(editor, tm
     assert [curve.name for curve in editor.session.document.curves] == ["a"]
 
 
+def test_the_view_stays_where_all_of_an_import_is_in_sight(editor, tmp_path):
+    canvas = editor.window.canvas
+    editor.trigger("zoomOut")
+    left, bottom, right, top = before = canvas.pixel_map.box
+    x, y = (left + right) / 2, (bottom + top) / 2
+    rows = f"{x},{y}\n{x + 0.1},{y + 0.1}\n{x},{y + 0.2}\n"
+    press(opened(editor, write(tmp_path / "inside.csv", rows)), "importTable")
+    editor.settle()
+    assert editor.curve.name == "inside"
+    assert canvas.pixel_map.box == before
+    rows = f"{x},{y}\n{right + 5},{y}\n"
+    press(opened(editor, write(tmp_path / "outside.csv", rows)), "importTable")
+    editor.settle()
+    assert canvas.pixel_map.box[2] > right + 5
+    after = canvas.pixel_map.box
+    editor.trigger("undo")
+    assert canvas.pixel_map.box == after
+
+
 def test_as_a_new_document(editor, tmp_path):
     dialog = opened(editor, write(tmp_path / "a.txt", "0 0\n1 1\n2 4\n"))
     choose(dialog.into, "A new document")
@@ -131,6 +150,28 @@ def test_with_the_keyboard_alone(editor, tmp_path, monkeypatch):
     settle(editor, dialog)
     QTest.keyClick(dialog, Qt.Key.Key_Return)
     assert [node.position for node in editor.curve.nodes] == [(2, 1), (4, 3), (9, 5)]
+
+
+def test_the_preview_keeps_the_power_of_ten_of_a_long_number(editor, tmp_path):
+    long = "3.1400000000000000e-05"
+    rows = f"{long};-0.12345678901234567;a note that goes on and on to its end\n2;1.5;b\n"
+    dialog = opened(editor, write(tmp_path / "a.csv", rows))
+    cell = [dialog.preview.item(0, column) for column in range(3)]
+    assert [each.text() for each in cell[:2]] == ["3.14e-05", "-0.123457"]
+    assert [each.toolTip() for each in cell[:2]] == [long, "-0.12345678901234567"]
+    assert cell[2].text() == cell[2].toolTip() == "a note that goes on and on to its end"
+    assert dialog.preview.textElideMode() == Qt.TextElideMode.ElideMiddle
+    assert (dialog.preview.item(1, 1).text(), dialog.preview.item(1, 1).toolTip()) == ("1.5", "")
+    metrics = dialog.preview.fontMetrics()
+    wide = metrics.horizontalAdvance("-1.23457e-105")
+    assert wide + 8 < min(dialog.preview.columnWidth(column) for column in range(3))
+    dialog.close()
+    dialog = opened(editor, write(tmp_path / "b.csv", "3,1400000000000000e-05;2\n1;2\n"))
+    assert dialog.preview.item(0, 0).text() == "3,14e-05"
+    dialog.close()
+    dialog = opened(editor, write(tmp_path / "c.csv", f"{'9' * 400};1e99999999999;{'9' * 30_000}x\n"))
+    assert dialog.preview.item(0, 0).text() == "9" * 400, "beyond all numbers it stays as it is"
+    assert dialog.preview.item(0, 1).text() == "1e99999999999"
 
 
 def test_tab_walks_through_the_dialog_in_reading_order(editor, tmp_path):
@@ -236,6 +277,42 @@ def test_many_rows_are_thinned_out_unless_the_person_wants_them_all(editor, tmp_
     dialog.close()
 
 
+def test_noisy_rows_get_a_distance_that_leaves_few_enough(editor, tmp_path, monkeypatch):
+    for name in ("exchange.thinning.MOST_KEPT", "panels.import_table_dialog.MOST_POINTS"):
+        monkeypatch.setattr(f"app.{name}", 400)
+    x, y = np.linspace(0, 1, 2_000), np.random.default_rng(3).uniform(-0.02, 0.02, 2_000)
+    rows = "\n".join(map("{:.6f},{:.6f}".format, x.tolist(), y.tolist()))
+    dialog = opened(editor, write(tmp_path / "noise.csv", rows))
+    distance = dialog._prepared.tolerance
+    assert distance > 0.001
+    assert dialog.tolerance_edit.text() == f"{distance:g}"
+    assert dialog.problem.text() == (f"The distance is {distance:g}: 0.001 would leave more than 400 points.")
+    assert dialog.ok.isEnabled()
+    places = [each.pos() for each in (dialog.thinning_box, dialog.tolerance_edit, dialog.ok, dialog.preview)]
+    choose(dialog.thinning_box, "Fit a curve within")
+    edit = dialog.tolerance_edit
+    edit.setFocus()
+    edit.selectAll()
+    QTest.keyClicks(edit, "0.2")
+    settle(editor, dialog)
+    assert dialog.problem.text() == ""
+    assert places == [
+        each.pos() for each in (dialog.thinning_box, dialog.tolerance_edit, dialog.ok, dialog.preview)
+    ]
+    edit.selectAll()
+    QTest.keyClicks(edit, "0.0001")
+    settle(editor, dialog)
+    assert "allow a larger distance than 0.0001" in dialog.problem.text(), "what was typed is not replaced"
+    assert not dialog.ok.isEnabled()
+    assert places[0] == dialog.thinning_box.pos()
+    edit.selectAll()
+    QTest.keyClick(edit, Qt.Key.Key_Delete)
+    settle(editor, dialog)
+    assert dialog._prepared.tolerance == distance
+    press(dialog, "importTable")
+    assert editor.curve.name == "noise"
+
+
 @pytest.mark.parametrize("typed", ["0", "-1", "wide", "9**9**9"])
 def test_a_distance_that_is_none_is_explained(editor, tmp_path, typed):
     dialog = opened(editor, spiral(tmp_path / "spiral.csv", 1500))
@@ -296,7 +373,12 @@ def test_another_document_comes_in_too(editor, tmp_path):
 @pytest.mark.parametrize(
     ("name", "content", "reason"),
     [
-        ("a.svg", "<!DOCTYPE svg [<!ENTITY a 'b'>]><svg/>", "declares a DTD"),
+        ("a.svg", "<!DOCTYPE svg [<!ENTITY a 'b'>]><svg/>", "delete all from “<!DOCTYPE” to “]>”"),
+        (
+            "a.svg",
+            '<?xml version="1.0"?>\n<!DOCTYPE svg PUBLIC "-//W3C//DTD SVG 1.1//EN" "svg11.dtd">\n<svg/>',
+            "delete the line that begins with “<!DOCTYPE”, up to its “>”",
+        ),
         ("a.dxf", "  0\nSECTION\n", "cut off"),
         ("a.csv", "", "The file is empty"),
         ("a.json", "{", "“a.json” cannot be read: it is not JSON; the file ends too early."),
@@ -331,6 +413,30 @@ def test_dropping_a_file_imports_it(editor, tmp_path, name):
     dialog = dialog_of(editor, "importDrawingDialog" if name == "a.svg" else "importTableDialog")
     assert dialog.isVisible()
     dialog.close()
+
+
+@pytest.mark.parametrize("name", ["a.svg", "a.csv"])
+def test_another_document_gets_nothing_of_an_import(editor, tmp_path, name):
+    path = write(tmp_path / name, SVG if name == "a.svg" else "1,2\n3,4\n")
+    kind = "importDrawingDialog" if name == "a.svg" else "importTableDialog"
+    opened(editor, path, kind)
+    editor.new()
+    assert dialog_of(editor, kind) is None
+    assert [len(curve.nodes) for curve in editor.session.document.curves] == [0]
+    assert not editor.session.is_modified
+    assert editor.status == f"{name} was not imported, for another document was opened meanwhile."
+    editor.window.import_file(path)  # and one that is read for a document that has gone
+    editor.new()
+    editor.wait_for_work()
+    editor.settle()
+    assert not [each for each in editor.window.findChildren(QDialog, kind) if each.isVisible()]
+    dialog = opened(editor, path, kind)
+    choose(dialog.into, "A new document")
+    press(dialog, "importDrawing" if name == "a.svg" else "importTable")
+    editor.settle()
+    assert sum(len(curve.nodes) for curve in editor.session.document.curves) >= 2
+    assert editor.status.startswith(f"Imported {name}")
+    editor.session.undo_stack.setClean()
 
 
 # What takes long

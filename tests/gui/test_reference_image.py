@@ -63,7 +63,7 @@ def test_it_is_added_in_the_middle_with_its_aspect_and_undone(traced):
     image = image_of(traced)
     assert image.width / image.height == pytest.approx(60 / 80)
     x_min, y_min, x_max, y_max = traced.window.canvas.pixel_map.box
-    assert middle(image) == pytest.approx(((x_min + x_max) / 2, (y_min + y_max) / 2))
+    assert middle(image) == pytest.approx(((x_min + x_max) / 2, (y_min + y_max) / 2), abs=traced.pixel)
     assert traced.window.image_dock.isVisible()
     assert traced.session.undo_stack.undoText() == "Add image"
     traced.trigger("undo")
@@ -475,3 +475,16 @@ def test_far_zooms_draw_without_complaint(qtbot, tmp_path):
     for notches in (-60, 110, -100):
         editor.wheel(middle(image_of(editor)), notches)
         editor.screenshot()
+
+
+@pytest.mark.parametrize(
+    "box", [((-0.1, 0.7), (0.3, 1.1)), ((1e5, 3e5), (-7e4, 1e5)), ((1e-4, 3e-4), (0, 2e-4))]
+)
+def test_a_new_picture_lies_at_short_numbers(editor, tmp_path, box):
+    editor.window.canvas.show_box(*box)
+    editor.window.add_image(picture(tmp_path / "red.png"))
+    image = image_of(editor)
+    for value in (image.x, image.y):
+        assert float(f"{value:.6g}") == value
+    x_min, y_min, x_max, y_max = editor.window.canvas.pixel_map.box
+    assert middle(image) == pytest.approx(((x_min + x_max) / 2, (y_min + y_max) / 2), abs=1.01 * editor.pixel)

@@ -5,9 +5,10 @@ import itertools
 import numpy as np
 import pytest
 import shiboken6
-from PySide6.QtCore import QEvent, QObject, QSize, Qt
+from PySide6.QtCore import QEvent, QObject, QPoint, QSize, Qt
 from PySide6.QtGui import QColor, QIcon, QPalette
-from PySide6.QtWidgets import QMainWindow, QWidget
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QDialog, QMainWindow, QWidget
 
 from app.colours import point_colours
 from app.icons import app_icon, icon
@@ -307,3 +308,21 @@ def test_the_program_has_an_icon_of_its_own(qapp):
 def test_resources_without_a_name_give_the_folder():
     assert resource().is_dir()
     assert resource("icons", "app.svg").is_file()
+
+
+def test_check_boxes_have_a_border_that_is_seen_in_the_dark(editor):
+    editor.trigger("exportPicture")
+    dialog = editor.window.findChild(QDialog, "exportDialog")
+    rims = {}
+    for name in ("themeDark", "themeLight"):
+        editor.trigger(name)
+        theme = theme_of(dialog.palette())
+        for widget in (*dialog.form.shown.values(), dialog.form.transparent):
+            QTest.mouseClick(widget, Qt.MouseButton.LeftButton, pos=QPoint(8, widget.height() // 2))
+            picture = widget.grab().toImage()
+            row = [picture.pixelColor(x, picture.height() // 2) for x in range(picture.width() // 4)]
+            rims[name, widget] = max(contrast(colour, theme.surface) for colour in row[:3])
+            assert theme_of(widget.parentWidget().palette()) is theme
+    assert min(rim for (name, _), rim in rims.items() if name == "themeDark") > 3
+    assert min(rim for (name, _), rim in rims.items() if name == "themeLight") > 1.3
+    dialog.close()
