@@ -182,7 +182,8 @@ def _dress(app: QApplication, theme: Theme) -> None:
     if app.style().name().lower() != "fusion":
         app.setStyle(QStyleFactory.create("Fusion"))
     app.setPalette(palette)
-    app.setPalette(_palette_of_boxes(theme), "QCheckBox")  # type: ignore[arg-type]  # the stub asks for bytes, PySide for text
+    # PySide takes the name as text, whatever its types say.
+    app.setPalette(_palette_of_boxes(theme), "QCheckBox")  # type: ignore[arg-type]
     app.setStyleSheet(sheet)
 
 
