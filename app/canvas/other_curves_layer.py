@@ -48,6 +48,7 @@ class OtherCurvesLayer:
         self._rest.timeout.connect(self._make_anew)
         self._outline: _Outline | None = None
         self._layer = plot.add_layer(self.paint, z=-1)
+        self._layer.hide()
 
     def render(self, views: Sequence[CurveView], active: int) -> None:
         """Draw `views`, the active and the hidden ones excepted, from the next paint on."""
@@ -60,6 +61,7 @@ class OtherCurvesLayer:
             return
         self._views = shown
         self._picture = self._outline = None
+        self._layer.setVisible(bool(shown))
         self._layer.update()
 
     def paint(self, painter: QPainter, shown: PixelMap) -> None:

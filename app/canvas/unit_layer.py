@@ -19,6 +19,7 @@ class UnitLayer:
         self._font = QFont(plot.font())
         self._font.setPointSizeF(max(self._font.pointSizeF() - 1.5, 7.0))
         self._layer = plot.add_layer(self.paint, z=-5)
+        self._layer.hide()
 
     @property
     def unit(self) -> str:
@@ -28,6 +29,7 @@ class UnitLayer:
     @unit.setter
     def unit(self, unit: str) -> None:
         self._unit = unit
+        self._layer.setVisible(bool(unit))
         self._layer.update()
 
     def paint(self, painter: QPainter, shown: PixelMap) -> None:

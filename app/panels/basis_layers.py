@@ -35,6 +35,8 @@ _OUTLINE, _FILL = 0.3, 0.07
 _MARKED_ONE_BY_ONE = 16
 """Ticks up to which each is drawn; of more, one for every pixel is stamped."""
 
+_MOST_PENS = 1000
+
 
 class FunctionLayer:
     """All basis functions, in one item."""
@@ -42,6 +44,7 @@ class FunctionLayer:
     def __init__(self, plot: PlotWidget, theme: Theme) -> None:
         self.theme = theme
         self.scale = 1.0
+        self._pens: dict[tuple[int, float, int], QPen] = {}
         self.kinds: frozenset[int] = frozenset((0, 1, 2))
         self.emphasised: frozenset[int] = frozenset()
         self._basis: BasisView | None = None
@@ -137,14 +140,23 @@ class FunctionLayer:
             if owner in without:
                 continue
             # Mixed with the paper beforehand: Qt draws opaque lines a third faster than translucent ones.
-            pen = QPen(mix(colours[owner], self.theme.paper, opacity), width * self.scale)
+            colour = mix(colours[owner], self.theme.paper, opacity)
             for kind in kinds:
-                painter.setPen(with_dashes(pen, KIND_DASHES[kind]))
-                if kind == 0 and pen.widthF() > 1:
+                painter.setPen(self._pen(colour.rgb(), width * self.scale, kind))
+                if kind == 0 and width * self.scale > 1:
                     # Qt takes many times as long for one long line that is wide.
                     self._lines.stroke(knot, kind).draw(painter)
                 else:
                     painter.drawPolyline(self._lines.function(knot, kind))
+
+    def _pen(self, colour: int, width: float, kind: int) -> QPen:
+        """Return the pen of a function; pens are kept, for a drag needs sixty of them every frame."""
+        key = (colour, width, kind)
+        if key not in self._pens:
+            if len(self._pens) > _MOST_PENS:
+                self._pens.clear()
+            self._pens[key] = with_dashes(QPen(QColor.fromRgb(colour), width), KIND_DASHES[kind])
+        return self._pens[key]
 
     def _shown_kinds(self, basis: BasisView) -> list[int]:
         return [kind for kind in range(basis.kinds) if kind in self.kinds]
