@@ -388,7 +388,6 @@ def test_the_complaint_can_be_put_away(traced, tmp_path):
 
 
 # PySide6 6.12 wants a QPointF here, which 6.11 does not take.
-@pytest.mark.filterwarnings("ignore:Function. 'QDragEnterEvent:DeprecationWarning")
 def test_a_dropped_picture_is_one_to_trace(editor, tmp_path):
     mime = QMimeData()
     mime.setUrls([QUrl.fromLocalFile(str(picture(tmp_path / "drop.JPG")))])

@@ -149,7 +149,6 @@ def test_a_bad_file_is_explained_and_the_open_document_stays(editor, tmp_path):
 
 
 # PySide6 6.12 wants a QPointF here, which 6.11 does not take.
-@pytest.mark.filterwarnings("ignore:Function. 'QDragEnterEvent:DeprecationWarning")
 def test_a_dropped_file_is_opened(editor, tmp_path):
     path = tmp_path / "dropped.curve.json"
     editor.drag_point(2, to=(0.5, 4.2))
