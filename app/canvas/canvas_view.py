@@ -306,6 +306,12 @@ class CanvasView(PlotWidget):
             return
         low = np.min([box[0] for box in boxes], axis=0)
         high = np.max([box[1] for box in boxes], axis=0)
+        # A small curve at the edge of a large drawing has the margin of the drawing.
+        bare = _boxes_to_fit(views, margin=0.0)
+        inner_low = np.min([box[0] for box in bare], axis=0)
+        inner_high = np.max([box[1] for box in bare], axis=0)
+        margin = _FIT_MARGIN * float((inner_high - inner_low).max())
+        low, high = np.minimum(low, inner_low - margin), np.maximum(high, inner_high + margin)
         self._show_below(low, high, self.covered_top())
 
     def _show_below(self, low: Floats, high: Floats, covered: float) -> None:

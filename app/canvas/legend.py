@@ -16,6 +16,9 @@ from app.view_model.analysis.settings import Ghost
 
 _MARGIN = 10
 
+FIRST = "overlays"
+"""The group of the curve itself, with what is drawn over it and its ghosts."""
+
 
 class Legend(QFrame):
     """Lies in the lower right corner; what is pressed beside its buttons is meant for the drawing below.
@@ -50,8 +53,9 @@ class Legend(QFrame):
 
     @property
     def rows(self) -> Sequence[LegendRow]:
-        """The lines on screen."""
-        return [row for group in self._groups.values() for row in group]
+        """The lines on screen; what has no heading comes first, or it would stand under that of another."""
+        names = sorted(self._groups, key=lambda name: name != FIRST)
+        return [row for name in names for row in self._groups[name]]
 
     def render_rows(self, group: str, rows: Sequence[LegendRow]) -> None:
         """Show these lines of a group, below those of groups that were there before; hidden without any."""

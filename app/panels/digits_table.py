@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from PySide6.QtCore import Qt
-from PySide6.QtGui import QFont, QFontDatabase, QPalette
+from PySide6.QtGui import QFontDatabase, QPalette
 from PySide6.QtWidgets import QGridLayout, QLabel, QWidget
 
 from app.view_model.analysis.laboratory import Digits
@@ -52,14 +52,14 @@ class DigitsTable(QWidget):
         rows += [(METHOD_NAMES[method], *map(_aligned, pair)) for method, pair in digits.rows]
         while len(self._rows) < len(rows):
             self._add_row()
-        font = _digits_font(shown)
+        style = _digits_style(shown)
         for place, labels in enumerate(self._rows):
             texts = rows[place] if place < len(rows) else ("", "", "")
             for label, text in zip(labels, texts, strict=True):
                 label.setText(text)
                 label.setVisible(place < len(rows))
             for label in labels[1:]:
-                label.setFont(font)
+                label.setStyleSheet(style)
 
     def _add_row(self) -> None:
         labels = (QLabel(), QLabel(), QLabel())
@@ -70,12 +70,14 @@ class DigitsTable(QWidget):
         self._rows.append(labels)
 
 
-def _digits_font(shown: int) -> QFont:
-    """Return the font for so many digits: two long numbers beside each other have to fit a narrow dock."""
+def _digits_style(shown: int) -> str:
+    """Return the type for so many digits: two long numbers beside each other have to fit a narrow dock.
+
+    As a style sheet, for that of an enlarged dock would take the place of a font.
+    """
     font = QFontDatabase.systemFont(QFontDatabase.SystemFont.FixedFont)
-    if shown > _USUAL_DIGITS:
-        font.setPointSizeF(_SMALLER * font.pointSizeF())
-    return font
+    size = f" font-size: {_SMALLER * font.pointSizeF()}pt;" if shown > _USUAL_DIGITS else ""
+    return f'font-family: "{font.family()}";{size}'
 
 
 def _aligned(text: str) -> str:

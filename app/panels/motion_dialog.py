@@ -34,7 +34,8 @@ class MotionDialog(QDialog):
     accepted_as = Signal(str)
 
     def __init__(self, parent: QWidget | None = None) -> None:
-        super().__init__(parent, Qt.WindowType.Tool)
+        # A tool window would let the keys of the window behind it through.
+        super().__init__(parent, Qt.WindowType.Dialog)
         self.setObjectName("motionDialog")
         self.setWindowTitle("Export Motion")
         self.format_box = QComboBox()

@@ -52,7 +52,8 @@ class PreferencesDialog(QDialog):
     changed = Signal()
 
     def __init__(self, preferences: Preferences, keymap: Keymap, parent: QWidget | None = None) -> None:
-        super().__init__(parent, Qt.WindowType.Tool)
+        # A tool window would let the keys of the window behind it through.
+        super().__init__(parent, Qt.WindowType.Dialog)
         self.setObjectName("preferencesDialog")
         self.setWindowTitle("Preferences")
         self._preferences = preferences

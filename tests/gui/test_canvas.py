@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from PySide6.QtCore import QEvent, QPoint, Qt
 
-from app.document.model import Family, ParametrizationKind
+from app.document.model import Document, Family, ParametrizationKind, make_curve
 
 SHIFT = Qt.KeyboardModifier.ShiftModifier
 ALT = Qt.KeyboardModifier.AltModifier
@@ -417,3 +417,12 @@ def test_two_points_are_too_few_to_go_around(editor):
     assert "close" not in editor.window.status_line.hint
     editor.click(editor.point(0))
     assert not editor.curve.is_closed
+
+
+def test_small_curves_at_the_edge_of_a_large_drawing_have_its_margin(editor):
+    small = make_curve([(0, 0), (1, 1)], name="Small")
+    large = make_curve([(0, -180), (90, -20), (180, -180)], name="Large")
+    editor.session.commit(Document((small, large)), "Begin")
+    editor.fit()
+    canvas = editor.window.canvas
+    assert canvas.to_pixel(1, 1).y() > 0.05 * canvas.viewport().height()

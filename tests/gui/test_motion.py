@@ -431,3 +431,15 @@ def test_weights_make_room_for_the_dot_and_come_back(editor, qtbot):
     assert editor.window.canvas.weights is None
     editor.trigger("stopMotion")
     assert editor.window.canvas.weights is not None
+
+
+def test_keys_typed_beside_a_field_of_the_dialog_leave_the_curve_alone(editor, qtbot):
+    """In a tool window, "1" used to make the curve behind it a Lagrange curve."""
+    editor.choose_family("hermite")
+    editor.trigger("exportMotion")
+    dialog = editor.window.findChild(QDialog, "motionDialog")
+    assert dialog.windowType() is Qt.WindowType.Dialog
+    dialog.setFocus()
+    qtbot.keyClick(dialog, Qt.Key.Key_1)
+    assert editor.curve.family is Family.HERMITE
+    dialog.close()
