@@ -57,6 +57,8 @@ def test_recorded_keys_work_at_once_everywhere(editor, keys):
         "Curve"
     )
     keys.window().hide()
+    # Offscreen nobody else hands the keyboard back.
+    editor.window.activateWindow()
     QTest.keyClick(editor.window.canvas, Qt.Key.Key_2)
     assert editor.curve.family is Family.LAGRANGE
     QTest.keyClick(editor.window.canvas, Qt.Key.Key_U, CTRL)
