@@ -59,6 +59,7 @@ def test_recorded_keys_work_at_once_everywhere(editor, keys):
     keys.window().hide()
     # Offscreen nobody else hands the keyboard back.
     editor.window.activateWindow()
+    editor.settle()
     QTest.keyClick(editor.window.canvas, Qt.Key.Key_2)
     assert editor.curve.family is Family.LAGRANGE
     QTest.keyClick(editor.window.canvas, Qt.Key.Key_U, CTRL)
