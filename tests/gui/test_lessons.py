@@ -42,6 +42,13 @@ def click(qtbot, widget):
     qtbot.mouseClick(widget, Qt.MouseButton.LeftButton)
 
 
+def open_step(editor, qtbot, name, number):
+    """Open a lesson and press Next so often."""
+    editor.window.open_lesson(name)
+    for _ in range(number):
+        click(qtbot, find(editor, QPushButton, "lessonNext"))
+
+
 def test_a_lesson_is_chosen_stepped_through_and_left(editor, qtbot):
     editor.trigger("toggleLessons")
     click(qtbot, find(editor, QPushButton, "lesson2"))
@@ -63,9 +70,7 @@ def test_a_lesson_is_chosen_stepped_through_and_left(editor, qtbot):
 
 
 def test_a_goal_ticks_when_the_curve_meets_it_and_stays_ticked(editor, qtbot):
-    editor.window.open_lesson("02_three_parameter_sets")
-    for _ in range(5):
-        click(qtbot, find(editor, QPushButton, "lessonNext"))
+    open_step(editor, qtbot, "02_three_parameter_sets", 5)
     goal = find(editor, QLabel, "lessonGoal")
     assert "Goal" in goal.text()
     editor.choose_parametrization("chord_length")
@@ -75,9 +80,7 @@ def test_a_goal_ticks_when_the_curve_meets_it_and_stays_ticked(editor, qtbot):
 
 
 def test_a_goal_that_is_measured_follows_the_curve(editor, qtbot):
-    editor.window.open_lesson("01_basis_functions")
-    for _ in range(4):
-        click(qtbot, find(editor, QPushButton, "lessonNext"))
+    open_step(editor, qtbot, "01_basis_functions", 4)
     goal = find(editor, QLabel, "lessonGoal")
     assert "now 29.9" in goal.text()
     editor.choose_parametrization("chebyshev")
@@ -149,9 +152,7 @@ def test_there_is_a_way_to_every_goal():
 
 @pytest.mark.parametrize(("name", "number"), WAYS)
 def test_a_goal_is_reached_by_what_its_step_says(editor, qtbot, name, number):
-    editor.window.open_lesson(name)
-    for _ in range(number):
-        click(qtbot, find(editor, QPushButton, "lessonNext"))
+    open_step(editor, qtbot, name, number)
     assert "Goal" in find(editor, QLabel, "lessonGoal").text()
     editor.fit()
     WAYS[name, number](editor)
@@ -181,14 +182,10 @@ def test_a_step_sets_the_numbers_it_speaks_of(editor, qtbot):
 
 
 def test_the_end_of_a_lesson_leads_to_the_next(editor, qtbot):
-    editor.window.open_lesson("08_cost")
-    for _ in range(3):
-        click(qtbot, find(editor, QPushButton, "lessonNext"))
+    open_step(editor, qtbot, "08_cost", 3)
     assert editor.curve.name == "Equal steps"
     assert find(editor, QLabel, "lessonPlace").text() == "1 of 4"
-    editor.window.open_lesson(NAMES[-1])
-    for _ in range(4):
-        click(qtbot, find(editor, QPushButton, "lessonNext"))
+    open_step(editor, qtbot, NAMES[-1], 4)
     assert not find(editor, QPushButton, "lessonNext").isEnabled()
 
 
