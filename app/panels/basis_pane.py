@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import Qt
+from PySide6.QtCore import Qt, QTimer
 from PySide6.QtGui import QIcon, QResizeEvent
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QToolButton, QVBoxLayout, QWidget
 
@@ -17,6 +17,8 @@ from app.view_model.looks import KIND_DASHES, Look
 
 _NOTHING = "none while the rule gives no parameters"
 _NAMES = ("position", "velocity", "acceleration")
+
+_SOON_MS = 33
 
 
 class BasisPane(QWidget):
@@ -36,10 +38,12 @@ class BasisPane(QWidget):
         self._extent = ElidedLabel()
         self._extent.setObjectName("basisExtent")
         self._fit = self._fit_button()
+        self._soon = QTimer(self, singleShot=True, interval=_SOON_MS)
+        self._soon.timeout.connect(self._write_reach)
         self._lay_out()
         self.set_theme(LIGHT)
         panel.extent_changed.connect(self._show_extent)
-        self._show_extent(None)
+        self._write_reach()
 
     def _kind_button(self, kind: int) -> QToolButton:
         button = QToolButton()
@@ -119,7 +123,7 @@ class BasisPane(QWidget):
     @property
     def extent_text(self) -> str:
         """The note that functions leave the range; empty when they do not."""
-        return self._extent.text()
+        return _reach_text(self._reach)
 
     def set_theme(self, theme: Theme) -> None:
         """Take the colours of `theme`."""
@@ -144,8 +148,16 @@ class BasisPane(QWidget):
             self._panel.calm_values()
 
     def _show_extent(self, extent: tuple[float, float] | None) -> None:
+        appears_or_goes = (extent is None) != (self._reach is None)
         self._reach = extent
-        self._fit.setVisible(extent is not None or self._fit.isChecked())
+        if appears_or_goes:
+            self._write_reach()
+        elif extent is not None and not self._soon.isActive():
+            # A drag says something else every time: nobody reads that fast.
+            self._soon.start()
+
+    def _write_reach(self) -> None:
+        self._fit.setVisible(self._reach is not None or self._fit.isChecked())
         self._write_header()
 
 

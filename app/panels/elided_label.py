@@ -1,14 +1,78 @@
-"""A label that gives way: it ends in "…" where there is no room, and never widens the window."""
+"""Labels for words that change while a hand moves.
+
+Why not a ``QLabel`` as it is: whatever text it is given, it has the whole window laid out anew, which costs a
+drag more than drawing the curve.
+"""
 
 from __future__ import annotations
 
-from PySide6.QtCore import QSize, Qt
+import math
+
+from PySide6.QtCore import QEvent, QSize, Qt
 from PySide6.QtGui import QPainter, QPaintEvent
 from PySide6.QtWidgets import QLabel, QSizePolicy
 
+_STEP = 16
+"""Pixels by which the room of a label grows, so that a digit more or less moves nothing."""
 
-class ElidedLabel(QLabel):
-    """Shows as much of its text as there is room for; all of it in the tooltip."""
+_SPARE = 3 * _STEP
+"""Pixels of unused room that a label keeps."""
+
+
+class SteadyLabel(QLabel):
+    """A line of plain text that asks for more or less room only when it needs it."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self._text = ""
+        self._room = 0
+
+    def text(self) -> str:
+        """Return the whole text."""
+        return self._text
+
+    def setText(self, text: str) -> None:  # noqa: N802
+        """Show `text`."""
+        if text == self._text:
+            return
+        self._text = text
+        self._measure()
+        self.update()
+
+    def _measure(self) -> None:
+        wanted = self.fontMetrics().horizontalAdvance(self._text)
+        if self._text and self._room - _SPARE <= wanted <= self._room:
+            return
+        self._room = _STEP * math.ceil(wanted / _STEP)
+        if self.sizePolicy().horizontalPolicy() != QSizePolicy.Policy.Ignored:
+            self.updateGeometry()
+
+    def changeEvent(self, event: QEvent) -> None:
+        super().changeEvent(event)
+        if event.type() in (QEvent.Type.FontChange, QEvent.Type.StyleChange):
+            self._room = 0
+            self._measure()
+
+    def sizeHint(self) -> QSize:
+        margins = self.contentsMargins()
+        return QSize(
+            self._room + margins.left() + margins.right(),
+            self.fontMetrics().height() + margins.top() + margins.bottom(),
+        )
+
+    def minimumSizeHint(self) -> QSize:
+        return self.sizeHint()
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        painter = QPainter(self)
+        room = self.contentsRect()
+        shown = self.fontMetrics().elidedText(self._text, Qt.TextElideMode.ElideRight, room.width())
+        painter.drawText(room, int(self.alignment() | Qt.AlignmentFlag.AlignVCenter), shown)
+        painter.end()
+
+
+class ElidedLabel(SteadyLabel):
+    """Gives way: it shows as much of its text as there is room for, and all of it in the tooltip."""
 
     def __init__(self) -> None:
         super().__init__()
@@ -21,10 +85,3 @@ class ElidedLabel(QLabel):
         """Show `text`."""
         super().setText(text)
         self.setToolTip(text)
-
-    def paintEvent(self, event: QPaintEvent) -> None:
-        painter = QPainter(self)
-        room = self.contentsRect()
-        shown = self.fontMetrics().elidedText(self.text(), Qt.TextElideMode.ElideRight, room.width())
-        painter.drawText(room, int(self.alignment() | Qt.AlignmentFlag.AlignVCenter), shown)
-        painter.end()

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from PySide6.QtCore import Qt, QTimer
-from PySide6.QtWidgets import QLabel, QSizePolicy, QStatusBar, QWidget
+from PySide6.QtWidgets import QSizePolicy, QStatusBar, QWidget
 
 from app.document.model import Vector
-from app.panels.elided_label import ElidedLabel
+from app.panels.elided_label import ElidedLabel, SteadyLabel
 from app.view_model.basis_view import BasisView
 
 _SAID_MS = 6000
@@ -35,7 +35,7 @@ class StatusLine(QStatusBar):
         self._label.setContentsMargins(6, 0, 6, 0)
         # A long hint is cut, it never widens the window.
         self._label.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
-        self._place, self._t, self._lebesgue = QLabel(), QLabel(), QLabel()
+        self._place, self._t, self._lebesgue = SteadyLabel(), SteadyLabel(), SteadyLabel()
         self._place.setObjectName("pointerPlace")
         self._t.setObjectName("pointerT")
         self._lebesgue.setObjectName("lebesgueConstant")
@@ -47,6 +47,7 @@ class StatusLine(QStatusBar):
         self._place_now: Vector | None = None
         self._t_here: float | None = None
         self._t_scrub: float | None = None
+        self._basis: BasisView | None = None
         self.unit = ""
         self._soon = QTimer(self, singleShot=True, interval=_SOON_MS)
         self._soon.timeout.connect(self._render)
@@ -70,9 +71,10 @@ class StatusLine(QStatusBar):
         self._label.setText(self.text)
         self._place.setText(self._place_text())
         self._t.setText(self._t_text())
+        self._lebesgue.setText(self._lebesgue_text())
 
     def _render_soon(self) -> None:
-        """Write what changes with every move, but not each time: a label lays the whole line out anew."""
+        """Write what changes with every move, but not each time: nobody reads that fast."""
         if not self._soon.isActive():
             self._soon.start()
 
@@ -152,4 +154,8 @@ class StatusLine(QStatusBar):
 
     def show_lebesgue(self, basis: BasisView | None) -> None:
         """Show the Lebesgue constant of the functions on screen."""
-        self._lebesgue.setText("" if basis is None else f"Λ {basis.lebesgue_constant:.3g}")
+        self._basis = basis
+        self._render_soon()
+
+    def _lebesgue_text(self) -> str:
+        return "" if self._basis is None else f"Λ {self._basis.lebesgue_constant:.3g}"

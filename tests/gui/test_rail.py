@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from PySide6.QtCore import QEvent, QPoint, QPointF, Qt
+from PySide6.QtCore import QEvent, QObject, QPoint, QPointF, Qt
 from PySide6.QtGui import QContextMenuEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QMenu, QSlider
@@ -335,3 +335,36 @@ def test_a_right_press_takes_a_drag_back_and_opens_no_menu(editor, panel, what):
     QApplication.sendEvent(panel.viewport(), menu)
     assert isinstance(QApplication.activePopupWidget(), QMenu)
     QApplication.activePopupWidget().close()
+
+
+# The cost of a drag
+
+
+class Layouts(QObject):
+    """Counts how often a widget lays out what it holds."""
+
+    def __init__(self, widget):
+        super().__init__(widget)
+        self.count = 0
+        widget.installEventFilter(self)
+
+    def eventFilter(self, _watched, event):
+        self.count += event.type() == QEvent.Type.LayoutRequest
+        return False
+
+
+@pytest.mark.parametrize("family", list(Family))
+def test_a_drag_does_not_lay_the_window_out_at_every_move(editor, panel, family):
+    """Labels whose text changed had it done 400 times in a drag of 400 moves: a tenth of every frame."""
+    editor.choose_family(family)
+    start = panel.rail_pixel(editor.parameters[3])
+    editor.send(panel, QEvent.Type.MouseButtonPress, start)
+    editor.send(panel, QEvent.Type.MouseMove, start + QPointF(8, 0))
+    editor.settle()
+    layouts = Layouts(editor.window)
+    for step in range(40):
+        editor.send(panel, QEvent.Type.MouseMove, start + QPointF(8 + step % 20, 0))
+        panel.viewport().repaint()
+        QApplication.processEvents()
+    editor.send(panel, QEvent.Type.MouseButtonRelease, start, held=False)
+    assert layouts.count <= 4
