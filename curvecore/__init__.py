@@ -22,6 +22,7 @@ bezier              exact and approximate Bezier control points
 flatten             polylines within a tolerance
 frozen              the same while points move and parameters stay
 moved_parameters    Lagrange functions after a few parameters moved
+left_out            the curve then: some points left out and put back
 derivatives         c', c'' at many parameters, by a short cut
 bernstein_algebra   polynomials in Bernstein form: products, roots
 pieces              any curve as Bezier pieces of low degree
@@ -60,7 +61,7 @@ from curvecore.bezier import CubicPath, bezier_segments, cubic_path
 from curvecore.chain import Chain
 from curvecore.curve import Curve
 from curvecore.errors import CurveError
-from curvecore.flatten import MAX_VERTICES, flatten, flatten_parameters
+from curvecore.flatten import MAX_VERTICES, Pieces, flatten, flatten_parameters, flatten_pieces
 from curvecore.frozen import FrozenFlattening
 from curvecore.hermite import HermiteCurve, LocalBasis, QuinticHermiteCurve
 from curvecore.lagrange import LagrangeCurve
@@ -179,6 +180,7 @@ __all__ = [
     "Method",
     "Nearest",
     "OperationCounts",
+    "Pieces",
     "QuinticHermiteCurve",
     "SelfIntersections",
     "acceleration_sensitivity",
@@ -206,6 +208,7 @@ __all__ = [
     "finite_difference_velocities",
     "flatten",
     "flatten_parameters",
+    "flatten_pieces",
     "inflections",
     "joint_report",
     "lagrange_to_bezier",

@@ -33,6 +33,7 @@ __all__ = [
     "Pieces",
     "flatten",
     "flatten_parameters",
+    "flatten_pieces",
     "may_enter",
     "merged_pieces",
     "sampled_pieces",
@@ -126,19 +127,50 @@ def flatten_parameters(curve: Curve, tolerance: float, box: ArrayLike | None = N
     and then misses the tolerance. Proved for the Hermite families, measured
     with a margin of a quarter for others.
     """
+    return flatten_pieces(curve, tolerance, box).parameters
+
+
+def flatten_pieces(curve: Curve, tolerance: float, box: ArrayLike | None = None) -> Pieces:
+    """Return parameters and points of a polyline together, with no second evaluation.
+
+    Parameters
+    ----------
+    curve, tolerance, box
+        As for `flatten_parameters`.
+
+    Returns
+    -------
+    Pieces
+        With what `flatten_parameters` and `flatten` return, but for the last
+        digits of the points, and limited to +-1e300.
+
+    Raises
+    ------
+    CurveError
+        If the curve is not plane, or tolerance or box are unusable.
+    """
     limit = tolerance_value(tolerance)
     if curve.points.shape[1] != 2:
         raise CurveError(f"curve must be plane (dim 2) to be flattened, not of dim {curve.points.shape[1]}")
     edges = None if box is None else box_edges(box)
     if isinstance(curve, Chain):
-        first, *others = (flatten_parameters(piece, tolerance, box) for piece in curve.pieces)
-        return np.concatenate([first, *(each[1:] for each in others)])
+        return _end_to_end([flatten_pieces(piece, tolerance, box) for piece in curve.pieces])
     with np.errstate(over="ignore", under="ignore", invalid="ignore"):
         if isinstance(curve, (HermiteCurve, QuinticHermiteCurve)):
             pieces = _bezier_pieces(curve, limit, edges)
         else:
             pieces = sampled_pieces(curve, limit, edges)
-        return merged_pieces(pieces, limit).parameters
+        return merged_pieces(pieces, limit)
+
+
+def _end_to_end(parts: list[Pieces]) -> Pieces:
+    """Join pieces, each of which begins where the one before ends."""
+    first, *others = parts
+    return Pieces(
+        np.concatenate([first.parameters, *(part.parameters[1:] for part in others)]),
+        np.concatenate([first.points, *(part.points[1:] for part in others)]),
+        np.concatenate([part.deviation for part in parts]),
+    )
 
 
 class _Arcs(NamedTuple):
@@ -178,6 +210,8 @@ def _bezier_pieces(
         done.append((arcs.start[fine], arcs.length[fine], need[fine], bound[fine]))
         size += int(np.count_nonzero(fine))
         if fine.all():
+            if level == 0:
+                return _uniform_pieces(curve, *done[0])
             break
         arcs = _split(_Arcs(arcs.controls[~fine], arcs.start[~fine], arcs.length[~fine]))
     start, length, need, bound = (np.concatenate(column) for column in zip(*done, strict=True))

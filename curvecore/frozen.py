@@ -3,9 +3,9 @@
 The curve is linear in its points. While the parameters stay, samples follow
 a moved point by B_i(t) times the way it went: no basis function is evaluated
 again. When parameters move, the curve is evaluated once at the same samples,
-not sampled and refined anew; for a few of very many, from the functions there
-that are known. Whether the samples still lie close enough is
-read off the samples themselves. They start twice as close as the degree can
+not sampled and refined anew; for a few of them from the curve through the
+other points. Whether the samples still lie close enough is read off the
+samples themselves. They start twice as close as the degree can
 make necessary, which is why nothing can hide between them.
 """
 
@@ -17,15 +17,15 @@ from numpy.typing import ArrayLike
 from curvecore.arrays import FloatArray, box_edges, tolerance_value
 from curvecore.flatten import Pieces, may_enter, merged_pieces, sampled_pieces, segment_distance
 from curvecore.lagrange import LagrangeCurve
-from curvecore.moved_parameters import MovedParameters
+from curvecore.left_out import LeftOut
 
 __all__ = ["FrozenFlattening"]
 
 _FINER = 4.0  # of the tolerance: room for the curve to bend more before new samples are needed
 _MARGIN = 1.6  # on an estimate from one place for the whole of a piece
 _LIMIT = 1e300
-_MANY = 100  # points, from which on knowing all functions at all samples is worth it
-_MOST_KNOWN = 1 << 23  # values of functions kept, 64 MB
+_MOST_MOVED = 4  # points whose parameters move, above which evaluating anew is as fast
+_SHARE = 0.05  # of the tolerance, that roundings may take
 _MOST_COLUMNS = 16  # moved points, above which evaluating anew is as fast
 
 
@@ -55,7 +55,7 @@ class FrozenFlattening:
             pieces = sampled_pieces(curve, self._tolerance / _FINER, self._edges)
         self._parameters, self._points = pieces.parameters, pieces.points
         self._columns: dict[int, FloatArray] = {}
-        self._moved: MovedParameters | None = None
+        self._left_out: LeftOut | None = None
 
     def follow(self, curve: LagrangeCurve) -> Pieces | None:
         """Return the polyline of another curve.
@@ -94,13 +94,25 @@ class FrozenFlattening:
         return np.clip(self._points + columns @ way, -_LIMIT, _LIMIT)
 
     def _at_moved_parameters(self, curve: LagrangeCurve) -> FloatArray:
-        n = len(curve.parameters)
-        points = None
-        if n >= _MANY and n * len(self._parameters) <= _MOST_KNOWN:
-            if self._moved is None:
-                self._moved = MovedParameters(self._curve, self._parameters)
-            points = self._moved.evaluate(curve)
-        return curve.evaluate(self._parameters) if points is None else points
+        if self._left_out is None or not self._left_out.serves(curve):
+            self._left_out = self._leave_out(curve)
+        if self._left_out is not None:
+            known = self._left_out.evaluate(curve)
+            if known.rounding <= _SHARE * self._tolerance:
+                return known.points
+        return curve.evaluate(self._parameters)
+
+    def _leave_out(self, curve: LagrangeCurve) -> LeftOut | None:
+        """Leave out what `curve` has elsewhere; None where that is too much."""
+        if len(curve.parameters) != len(self._curve.parameters):
+            return None
+        differs = (curve.parameters != self._curve.parameters) | (curve.points != self._curve.points).any(
+            axis=1
+        )
+        moved = np.flatnonzero(differs)
+        if len(moved) > min(_MOST_MOVED, len(differs) - 2):
+            return None
+        return LeftOut(self._curve, moved, self._parameters)
 
     def _column(self, index: int) -> FloatArray:
         """Return the basis function of a point at all samples, (m,)."""

@@ -236,7 +236,10 @@ def freeze_parameters(document: Document, curve: int, parameters: Sequence[float
     """Make `parameters` the manual parameters; a closed curve has one more, where it returns to its start."""
     old = document.curves[curve]
     own, closing = parameters[: len(old.nodes)], parameters[len(old.nodes) :]
-    nodes = tuple(replace(node, t=float(t)) for node, t in zip(old.nodes, own, strict=True))
+    # A node that keeps its t stays the same value: what was computed of it is used again.
+    nodes = tuple(
+        node if node.t == t else replace(node, t=float(t)) for node, t in zip(old.nodes, own, strict=True)
+    )
     rule = replace(old.parametrization, kind=ParametrizationKind.MANUAL)
     if closing:
         rule = replace(rule, start=min(rule.start, float(parameters[0])), end=float(closing[0]))

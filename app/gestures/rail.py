@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 
-from app.document.edits import set_parameter
+from app.document.edits import freeze_parameters, set_parameter
 from app.gestures.machine import CANCELLED, THRESHOLD, DragMachine, Host
 from app.gestures.pointer import Hint, Hit, Part, Pointer
 from app.gestures.rail_drags import DragTicks
@@ -54,7 +54,9 @@ class RailTool:
         host = self._host
         parameters = host.active_view.parameters.tolist()
         knots = {other for other in host.selection if other != node} | {knot}
-        return DragTicks(host.document, host.active_index, parameters, knot, frozenset(knots), node, start)
+        # Frozen once: in every step of the drag only the nodes whose ticks move are other values.
+        frozen = freeze_parameters(host.document, host.active_index, parameters)
+        return DragTicks(frozen, host.active_index, parameters, knot, frozenset(knots), node, start)
 
     def choose(self, node: int) -> None:
         """Select a tick, unless it is among those selected already."""

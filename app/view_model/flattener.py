@@ -12,7 +12,7 @@ from curvecore import (
     HermiteCurve,
     LagrangeCurve,
     QuinticHermiteCurve,
-    flatten_parameters,
+    flatten_pieces,
 )
 
 Floats = npt.NDArray[np.float64]
@@ -62,5 +62,5 @@ class Flattener:
 
 
 def _flatten(curve: CoreCurve, key: FlatteningKey) -> Polyline:
-    parameters = flatten_parameters(curve, *key)
-    return Polyline(parameters, curve.evaluate(parameters))
+    pieces = flatten_pieces(curve, *key)
+    return Polyline(pieces.parameters, pieces.points)

@@ -54,13 +54,11 @@ def test_every_function_has_a_small_relative_error(n, which):
 
 
 @pytest.mark.parametrize("n", [30, 1000])
-def test_the_curve_is_the_same_as_evaluated_anew(n):
+def test_the_functions_are_the_same_as_evaluated_anew(n):
     t = chebyshev(n)
     at = np.concatenate([np.linspace(0.0, 1.0, 333), t[::7]])
-    known = MovedParameters(curve_of(t), at)
     other = curve_of(moved(t, [n // 2]))
-    size = np.abs(other.basis(at)[:, :, 0]) @ np.abs(other.points)
-    assert (np.abs(known.evaluate(other) - other.evaluate(at)) <= 4 * n * U * size).all()
+    known = MovedParameters(curve_of(t), at)
     assert np.allclose(known.basis(other), other.basis(at), rtol=8 * n * U, atol=0)
 
 
@@ -74,7 +72,7 @@ def test_what_has_moved_too_much_is_not_known():
     t = chebyshev(9)
     known = MovedParameters(curve_of(t), np.linspace(0.0, 1.0, 5))
     assert known.basis(curve_of(moved(t, [1, 2, 3, 4, 5]))) is None
-    assert known.evaluate(curve_of(chebyshev(8))) is None
+    assert known.basis(curve_of(chebyshev(8))) is None
 
 
 def test_weight_ratios_against_products():

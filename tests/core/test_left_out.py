@@ -1,0 +1,104 @@
+"""A curve while a few of its parameters move, against the curve evaluated anew and exact fractions."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+
+import numpy as np
+import pytest
+
+from curvecore import LagrangeCurve, chebyshev, uniform
+from curvecore.left_out import LeftOut
+
+U = 2.0**-53
+
+
+def points_of(n, seed=1):
+    return np.random.default_rng(seed).normal(size=(n, 2))
+
+
+def moved(t, which, share):
+    other = t.copy()
+    for k in which:
+        other[k] += share * ((t[k + 1] if share > 0 else t[k]) - (t[k] if share > 0 else t[k - 1]))
+    return other
+
+
+def exact(parameters, points, t):
+    nodes, at = [Fraction(x) for x in parameters.tolist()], Fraction(float(t))
+    result = [Fraction(0), Fraction(0)]
+    for i, own in enumerate(nodes):
+        value = Fraction(1)
+        for j, other in enumerate(nodes):
+            if j != i:
+                value *= (at - other) / (own - other)
+        for axis in (0, 1):
+            result[axis] += value * Fraction(float(points[i, axis]))
+    return result
+
+
+CASES = [
+    (n, which, share)
+    for n in (3, 5, 20)
+    for which in ([1], [1, 2], [2, 4, 9], [0], [3, 4, 5, 6])
+    for share in (0.4, -0.4, 0.99)
+    if which[-1] < n - 1 and len(which) <= n - 2 and (share > 0 or which[0] > 0)
+]
+
+
+@pytest.mark.parametrize("rule", [chebyshev, uniform])
+@pytest.mark.parametrize(("n", "which", "share"), CASES)
+def test_the_error_stays_below_the_estimate(rule, n, which, share):
+    t, points = rule(n), points_of(n)
+    other = LagrangeCurve(points, moved(t, which, share))
+    # Places that are parameters, old and new, are among them.
+    at = np.unique(np.concatenate([np.linspace(0.0, 1.0, 41), t, other.parameters]))
+    known = LeftOut(LagrangeCurve(points, t), np.array(which), at)
+    assert known.serves(other)
+    samples = known.evaluate(other)
+    for place, row in zip(at, samples.points, strict=True):
+        size = float(np.abs(other.basis([place])[0, :, 0]) @ np.abs(points).max(axis=1))
+        truth = exact(other.parameters, points, place)
+        errors = [abs(Fraction(float(v)) - e) for v, e in zip(row, truth, strict=True)]
+        # Far from what was left out the functions are those of the curve, with the error that they have.
+        assert max(errors) <= samples.rounding + 50 * U * size
+
+
+def test_a_thousand_points():
+    n = 1000
+    t, points = chebyshev(n), points_of(n)
+    other = LagrangeCurve(points, moved(t, [n // 2], 0.9))
+    at = np.linspace(0.0, 1.0, 777)
+    known = LeftOut(LagrangeCurve(points, t), np.array([n // 2]), at)
+    samples = known.evaluate(other)
+    assert samples.rounding < 1e-9
+    assert np.abs(samples.points - other.evaluate(at)).max() <= samples.rounding
+
+
+def test_what_was_left_out_may_be_anywhere():
+    t, points = chebyshev(9), points_of(9)
+    at = np.linspace(0.0, 1.0, 50)
+    known = LeftOut(LagrangeCurve(points, t), np.array([4]), at)
+    elsewhere = points.copy()
+    elsewhere[4] += 3.0
+    other = LagrangeCurve(elsewhere, moved(t, [4], 0.5))
+    assert known.serves(other)
+    samples = known.evaluate(other)
+    assert np.abs(samples.points - other.evaluate(at)).max() <= samples.rounding
+
+
+def test_other_points_or_parameters_are_not_served():
+    t, points = chebyshev(9), points_of(9)
+    known = LeftOut(LagrangeCurve(points, t), np.array([4]), np.linspace(0.0, 1.0, 5))
+    assert not known.serves(LagrangeCurve(points, moved(t, [3], 0.5)))
+    assert not known.serves(LagrangeCurve(points[:8], t[:8]))
+    assert not known.serves(LagrangeCurve(points_of(9, seed=2), t))
+
+
+def test_a_gap_that_the_others_cannot_bridge_shows_in_the_estimate():
+    """Two clusters and one point between them: without it the others say next to nothing there."""
+    t = np.concatenate([np.linspace(0.0, 1e-3, 10), [0.5], np.linspace(0.999, 1.0, 10)])
+    points = points_of(21)
+    curve = LagrangeCurve(points, t)
+    known = LeftOut(curve, np.array([10]), np.linspace(0.0, 1.0, 200))
+    assert known.evaluate(curve).rounding > 1.0
