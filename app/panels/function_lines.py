@@ -8,12 +8,14 @@ import numpy as np
 from pyqtgraph.functions import create_qpolygonf, ndarray_from_qpolygonf
 from PySide6.QtGui import QPolygonF
 
-from app.plot.drawing import Segments, Stroke, polygon
+from app.plot.drawing import Segments, Stroke, polygon, thinned
 from app.plot.pixel_map import Floats, PixelMap
 from app.view_model.basis_view import BasisView
 
 _MOST_EACH = 64
 _LIMIT = 1e4
+_THINNED = 0.05
+"""Pixels that a wide line may leave the samples: it costs by the vertex."""
 
 
 class Drawing(Enum):
@@ -59,6 +61,7 @@ class FunctionLines:
         self._made: dict[tuple[int, int], tuple[QPolygonF, Floats]] = (
             before._made if before is not None else {}
         )
+        self._strokes: dict[tuple[int, int], Stroke] = before._strokes if before is not None else {}
         self._fine: dict[int, tuple[Floats, Floats]] = {}
         self._spans: dict[int, Segments] = {}
         self._envelopes: dict[int, tuple[Floats, Floats, Floats]] = {}
@@ -112,9 +115,11 @@ class FunctionLines:
 
     def stroke(self, index: int, kind: int) -> Stroke:
         """Return one function to be drawn wide and solid."""
-        stroke = Stroke()
+        if len(self._strokes) > _MOST_EACH:
+            self._strokes.clear()
+        stroke = self._strokes.setdefault((index, kind), Stroke())
         points = ndarray_from_qpolygonf(self.function(index, kind))
-        stroke.fill(points, self._shown.width, self._shown.height)
+        stroke.fill(thinned(points, _THINNED), self._shown.width, self._shown.height)
         return stroke
 
     def spans(self, kind: int) -> Segments:
