@@ -115,7 +115,7 @@ class MainWindow(QMainWindow):
         self.canvas = Canvas(CanvasTool(self.session))
         self.basis_panel = BasisPanel(RailTool(self.session))
         self.basis_pane = BasisPane(self.basis_panel)
-        self.message_bar = MessageBar(self.canvas)
+        self.message_bar = MessageBar(self.canvas.viewport())
         self.canvas.covered_top = lambda: self.message_bar.covered
         self.splitter = QSplitter(Qt.Orientation.Vertical)
         self.splitter.setObjectName("drawingSplitter")

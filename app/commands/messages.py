@@ -100,7 +100,8 @@ class Messages(QObject):
     def _sentence(self, view: CurveView) -> tuple[str, bool]:
         """Return the most urgent sentence, empty for none, and whether it is a warning."""
         if len(view.points) < 2:
-            return _EMPTY, False
+            # After the first point the status line says what comes next; here it would cover the drawing.
+            return "" if len(view.points) else _EMPTY, False
         if view.problem:
             return view.problem, True
         if self._offered is not None:

@@ -26,7 +26,7 @@ class BendCurve(msgspec.Struct, frozen=True):
     @property
     def name(self) -> str:
         """The name of the step."""
-        return "Bend curve"
+        return f"Bend curve at t = {words.number(self.hit.t)}"
 
     @property
     def keys(self) -> str:

@@ -126,7 +126,8 @@ class CurveSettings(QWidget):
         self._render_problem()
 
     def _render_problem(self) -> None:
-        text = self._refusal or self._view.problem
+        # Nothing is wrong with a curve that is yet to be begun.
+        text = self._refusal or (self._view.problem if self._view.source.nodes else "")
         self._problem.setText(f"⚠ {text}" if text else "")
         self._problem.setVisible(bool(text))
 

@@ -17,7 +17,7 @@ class MessageBar(QFrame):
     """A sentence with a sign; hidden while there is nothing to say.
 
     It lies on top of its parent and takes no room from it: a drawing that moved when a message appears would
-    move under the hand.
+    move under the hand. What is pressed on it, but for its buttons, is pressed on the parent.
 
     Signals
     -------
@@ -59,6 +59,9 @@ class MessageBar(QFrame):
         layout.addWidget(self._text, 1)
         layout.addWidget(self._offer)
         layout.addWidget(self._close)
+        for part in (self, self._sign, self._text):
+            # What lies below hears of a pointer that only passes, too, and says what a press would do.
+            part.setMouseTracking(True)
         self.hide()
 
     @property

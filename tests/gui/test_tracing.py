@@ -76,7 +76,7 @@ def test_four_points_and_four_bends_trace_an_o(traced):
         angle = (quarter + 0.5) * math.pi / 2
         traced.drag(on_curve(traced, angle), on_outline(traced, angle), keys=ALT)
     assert worst(traced) < 0.4 * before
-    assert traced.session.undo_stack.undoText() == "Bend curve"
+    assert traced.session.undo_stack.undoText().startswith("Bend curve at t = 0.")
 
 
 @pytest.mark.parametrize("theme", ["themeLight", "themeDark"])

@@ -575,3 +575,15 @@ def test_a_closed_window_leaves_nothing_behind(qapp, tmp_path):
     QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
     assert [part() for part in left] == [None] * 4
     assert len(qapp.allWidgets()) <= before
+
+
+def test_the_line_on_the_canvas_takes_no_press_from_it(editor):
+    """A designer lost the second point of a letter to the greeting that lay over it."""
+    editor.new()
+    editor.trigger("addTool")
+    canvas, words = editor.window.canvas, editor.window.message_bar.findChild(QLabel, "messageText")
+    middle = words.mapTo(canvas.viewport(), words.rect().center())
+    QTest.mouseMove(words, words.rect().center())
+    QTest.mouseClick(words, Qt.MouseButton.LeftButton)
+    assert [editor.point(index) for index in range(len(editor.curve.nodes))] == [canvas.to_plane(middle)]
+    assert editor.message == ""
