@@ -7,7 +7,7 @@ import msgspec
 from app.document.model import Document, Vector
 from app.gestures import words
 from app.gestures.pointer import Hit, Pointer
-from app.view_model.bend import BendWith, bent
+from app.view_model.bend import Bend, BendWith
 from app.view_model.curve_view import CurveView
 
 _TOLERANCE = 0.05
@@ -22,6 +22,7 @@ class BendCurve(msgspec.Struct, frozen=True):
     view: CurveView
     hit: Hit
     start: Vector
+    _bends: dict[BendWith, Bend] = msgspec.field(default_factory=dict)
 
     @property
     def name(self) -> str:
@@ -46,8 +47,13 @@ class BendCurve(msgspec.Struct, frozen=True):
         """Let the grabbed point keep its distance to the pointer."""
         at, to = self.start, pointer.position
         target = (self.hit.position[0] + to[0] - at[0], self.hit.position[1] + to[1] - at[1])
-        curve = bent(self.view, self.hit.t, target, self._using(pointer), _TOLERANCE / pointer.scale)
+        curve = self._grabbed(self._using(pointer)).bent(target, _TOLERANCE / pointer.scale)
         return self.document.with_curve(self.curve, curve)
+
+    def _grabbed(self, using: BendWith) -> Bend:
+        if using not in self._bends:
+            self._bends[using] = Bend(self.view, self.hit.t, using)
+        return self._bends[using]
 
     def _using(self, pointer: Pointer) -> BendWith:
         if not self.view.source.family.derivatives or pointer.ctrl:

@@ -15,6 +15,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from enum import Enum, auto
+from functools import cached_property
 
 import msgspec
 import numpy as np
@@ -22,7 +23,7 @@ import numpy as np
 from app.document.edits import EditError
 from app.document.jet_edits import JetValue, with_jet_values
 from app.document.model import Curve, Family, ParametrizationKind, Vector
-from app.view_model.bend_together import Cost, divided
+from app.view_model.bend_together import Cost, divided, slope_at_rest
 from app.view_model.curve_view import CurveView, Floats, parameters_of, view_of
 from curvecore import CurveError, LagrangeCurve
 
@@ -67,35 +68,6 @@ class _Place(msgspec.Struct, frozen=True):
     def t(self, parameters: Floats) -> float:
         start, end = parameters[self.segment], parameters[self.segment + 1]
         return float(start + self.share * (end - start))
-
-
-def bent(view: CurveView, t: float, target: Vector, using: BendWith, tolerance: float) -> Curve:
-    """Return the curve of `view` with its point at `t` pulled to `target`.
-
-    Parameters
-    ----------
-    view
-        A current view.
-    t
-        Where it was grabbed, inside the domain.
-    target
-        Where that point is to lie.
-    using
-        Which data may change.
-    tolerance
-        Largest distance to `target`, in the plane, where a rule makes the answer inexact.
-
-    Raises
-    ------
-    EditError
-        If the data that may change have no hold on the curve at `t`.
-    """
-    assert view.curve is not None
-    data = _data_at(view, t, using)
-    _require_hold(data, using)
-    place = _place_of(view, t)
-    pull = np.array(target) - view.curve.evaluate(t)
-    return _Answer(view, data, place).bent(pull, tolerance)
 
 
 def least_change(view: CurveView, t: float, pull: Vector, using: BendWith) -> list[JetValue]:
@@ -157,17 +129,43 @@ def _datum(view: CurveView, knot: int, order: int, *, ahead: bool, weights: Floa
     return _Datum(index, order, ahead, float(weights[knot, order]) / scale, value, scale)
 
 
-class _Answer:
-    """How the grabbed point answers a pull."""
+class Bend:
+    """A curve grabbed at one place; made at the press, it bends the curve at every move.
 
-    def __init__(self, view: CurveView, data: Sequence[_Datum], place: _Place) -> None:
-        self._view, self._data, self._place = view, data, place
+    Parameters
+    ----------
+    view
+        A current view.
+    t
+        Where it is grabbed, inside the domain.
+    using
+        Which data may change.
+
+    Raises
+    ------
+    EditError
+        If the data that may change have no hold on the curve at `t`.
+    """
+
+    def __init__(self, view: CurveView, t: float, using: BendWith) -> None:
         assert view.curve is not None
-        self._total = sum(each.weight**2 for each in data)
-        self._start = view.curve.evaluate(place.t(view.parameters))
+        self._view, self._data, self._place = view, _data_at(view, t, using), _place_of(view, t)
+        _require_hold(self._data, using)
+        self._total = sum(each.weight**2 for each in self._data)
+        self._start = view.curve.evaluate(t)
+        self._size = float(np.ptp(view.points, axis=0).max())
 
-    def bent(self, pull: Floats, tolerance: float) -> Curve:
-        """Return the curve whose grabbed point has moved by `pull`, within `tolerance`."""
+    def bent(self, target: Vector, tolerance: float) -> Curve:
+        """Return the curve with its grabbed point pulled to `target`.
+
+        Parameters
+        ----------
+        target
+            Where that point is to lie.
+        tolerance
+            Largest distance to `target`, in the plane, where a rule makes the answer inexact.
+        """
+        pull = np.array(target) - self._start
         source = self._view.source
         is_polynomial = source.family is Family.LAGRANGE
         moves_no_parameter = all(datum.order for datum in self._data) or source.parametrization.kind in _FIXED
@@ -179,9 +177,12 @@ class _Answer:
     def _bent_and_shifted(self, pull: Floats) -> Curve:
         of_points = sum(datum.weight for datum in self._data if datum.order == 0)
         cost = Cost(1 / self._total, of_points / self._total, float(len(self._view.points)))
-        size = float(np.ptp(self._view.points, axis=0).max())
-        shares = divided(self._moved_by, pull, cost, size)
+        shares = divided(self._moved_by, pull, cost, self._size, self._slope)
         return self._curve(shares.bend, shares.shift)
+
+    @cached_property
+    def _slope(self) -> Floats:
+        return slope_at_rest(self._moved_by, self._size)
 
     def _solved(self, pull: Floats, tolerance: float) -> Floats | None:
         """Return the bend that moves the grabbed point by `pull`, None where no few steps lead to it.

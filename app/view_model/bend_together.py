@@ -62,7 +62,9 @@ class Cost(msgspec.Struct, frozen=True):
         return np.array([(r * x - q * y) / determinant, (p * y - q * x) / determinant])
 
 
-def divided(answer: Callable[[Floats], Floats | None], pull: Floats, cost: Cost, size: float) -> Shares:
+def divided(
+    answer: Callable[[Floats], Floats | None], pull: Floats, cost: Cost, size: float, slope: Floats
+) -> Shares:
     """Divide a pull so that bend and shift together are the least change, or nearly.
 
     Parameters
@@ -75,8 +77,10 @@ def divided(answer: Callable[[Floats], Floats | None], pull: Floats, cost: Cost,
         The norm of a change.
     size
         The size of the curve.
+    slope
+        From `slope_at_rest`; it serves for every pull.
     """
-    search = _Search(answer, cost, size)
+    search = _Search(answer, cost, slope)
     for share in _stages(float(np.hypot(*pull)) / size):
         search.improve(share * pull)
     return Shares(search.bend, pull - search.answer)
@@ -93,10 +97,9 @@ def _stages(length: float) -> list[float]:
 class _Search:
     """The best bend so far, what it does, and the Jacobian there."""
 
-    def __init__(self, answer: Callable[[Floats], Floats | None], cost: Cost, size: float) -> None:
-        self._answer, self._cost = answer, cost
+    def __init__(self, answer: Callable[[Floats], Floats | None], cost: Cost, slope: Floats) -> None:
+        self._answer, self._cost, self._slope = answer, cost, slope
         self.bend, self.answer = np.zeros(2), np.zeros(2)
-        self._slope = _slope(answer, _DIFFERENCE * size)
         self._damping = _FIRST_DAMPING
 
     def improve(self, pull: Floats) -> None:
@@ -119,8 +122,9 @@ class _Search:
                 self._damping = max(self._damping, _FIRST_DAMPING) * 100
 
 
-def _slope(answer: Callable[[Floats], Floats | None], h: float) -> Floats:
+def slope_at_rest(answer: Callable[[Floats], Floats | None], size: float) -> Floats:
     """Return the Jacobian of `answer` at no bend, by differences; where there is none, the identity."""
+    h = _DIFFERENCE * size
     columns = [answer(np.array(way) * h) for way in ((1.0, 0.0), (0.0, 1.0))]
     if columns[0] is None or columns[1] is None:
         return np.eye(2)

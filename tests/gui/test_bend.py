@@ -11,7 +11,7 @@ from PySide6.QtCore import Qt
 from app.document import edits
 from app.document.edits import EditError
 from app.document.model import Document, Family, ParametrizationKind, make_curve
-from app.view_model.bend import BendWith, bent, least_change
+from app.view_model.bend import Bend, BendWith, least_change
 from app.view_model.curve_view import view_of
 from curvecore import LagrangeCurve, chord_length
 
@@ -122,7 +122,7 @@ def test_the_norm_does_not_depend_on_the_unit_of_time(family):
     fast = edits.set_interval(slow, 0, 0.0, 1e-3)
     results = []
     for document, end in ((slow, 1.0), (fast, 1e-3)):
-        curve = bent(view_of(document.curves[0]), 0.4 * end, (2.0, 3.0), BendWith.ALL, 1e-9)
+        curve = Bend(view_of(document.curves[0]), 0.4 * end, BendWith.ALL).bent((2.0, 3.0), 1e-9)
         results.append([node.position for node in curve.nodes])
     assert np.array(results[0]) == pytest.approx(np.array(results[1]), abs=1e-9)
 
@@ -141,7 +141,7 @@ def test_bending_reaches_its_target_under_every_rule(family, kind):
         view = view_of(document.curves[0])
         t = float(0.35 * view.parameters[2] + 0.65 * view.parameters[3])
         target = view.curve.evaluate(t) + random.normal(size=2) / 4
-        after = view_of(bent(view, t, tuple(target), BendWith.ALL, 1e-6))
+        after = view_of(Bend(view, t, BendWith.ALL).bent(tuple(target), 1e-6))
         t = float(0.35 * after.parameters[2] + 0.65 * after.parameters[3])
         assert after.curve.evaluate(t) == pytest.approx(target, abs=2e-6)
 
@@ -166,7 +166,7 @@ def test_the_grabbed_point_follows_ten_times_as_far_as_the_curve_is_large(family
         for angle in (0.3, 2.4, 4.5):
             target = place + 10 * np.ptp(points) * np.array([np.cos(angle), np.sin(angle)])
             data = BendWith.POINTS if family is Family.LAGRANGE else using
-            after = view_of(bent(view, t, tuple(target), data, 1e-4))
+            after = view_of(Bend(view, t, data).bent(tuple(target), 1e-4))
             start, end = after.parameters[segment : segment + 2]
             assert after.curve.evaluate(start + share * (end - start)) == pytest.approx(target, abs=1e-4)
 
@@ -187,7 +187,7 @@ def test_with_a_shift_allowed_the_change_is_the_least_that_can_be():
         there = LagrangeCurve(points, tau).evaluate(tau[segment] + share * (tau[segment + 1] - tau[segment]))
         return points + (place + pull - there) - view.points
 
-    after = view_of(bent(view, t, tuple(place + pull), BendWith.ALL, 1e-9)).points - view.points
+    after = view_of(Bend(view, t, BendWith.ALL).bent(tuple(place + pull), 1e-9)).points - view.points
     # The oracle: the best of a fine grid of bends.
     grid = np.linspace(-0.6, 0.6, 61)
     best = min(float(np.linalg.norm(change(np.array([x, y])))) for x in grid for y in grid)
@@ -224,7 +224,7 @@ def test_a_corner_and_a_closed_curve_bend_on_one_side():
     document = edits.make_corner(document, 0, 0, (1.0, 1.0), (2.0, 0.0))
     view = view_of(document.curves[0])
     t = float(view.parameters[-2:].mean())
-    curve = bent(view, t, (2.0, -1.0), BendWith.DERIVATIVES, 1e-9)
+    curve = Bend(view, t, BendWith.DERIVATIVES).bent((2.0, -1.0), 1e-9)
     assert curve.nodes[0].velocity_after == (2.0, 0.0)
     assert curve.nodes[0].velocity != (1.0, 1.0)
     assert view_of(curve).curve.evaluate(t) == pytest.approx((2.0, -1.0))
@@ -234,7 +234,7 @@ def test_derivatives_have_no_hold_on_a_joint():
     document = edits.set_family(Document((make_curve(POINTS),)), 0, Family.HERMITE)
     view = view_of(document.curves[0])
     with pytest.raises(EditError, match="no hold"):
-        bent(view, float(view.parameters[1]), (1.0, 3.0), BendWith.DERIVATIVES, 1e-9)
+        Bend(view, float(view.parameters[1]), BendWith.DERIVATIVES)
 
 
 # Handles
