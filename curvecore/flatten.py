@@ -43,6 +43,7 @@ __all__ = [
 MAX_VERTICES = 1 << 14
 """A polyline has at most this many vertices, or 4 per joint if that is more."""
 
+_MOST_WORK = 1 << 22  # vertices times points of a polynomial: a curve too wild to be followed is done in time
 _FINE = 64  # a segment with more pieces is split, so that what is outside the box is left out
 _SPLIT = 8
 _ROUNDS = 20
@@ -122,7 +123,8 @@ def flatten_parameters(curve: Curve, tolerance: float, box: ArrayLike | None = N
 
     Notes
     -----
-    At most `MAX_VERTICES` vertices, or 4 per joint. A curve that needs more
+    At most `MAX_VERTICES` vertices, or 4 per joint; for a polynomial through
+    n > 256 points 2**22 / n of them, or 4 per point. A curve that needs more
     (values of 1e12 and no box) gets pieces in proportion to what it needs,
     and then misses the tolerance. Proved for the Hermite families, measured
     with a margin of a quarter for others.
@@ -296,6 +298,8 @@ def _split_weights(degree: int) -> FloatArray:
 
 def sampled_pieces(curve: Curve, tolerance: float, box: FloatArray | None) -> Pieces:
     """Sample for the degree, then refine the pieces that leave their chords."""
+    n = len(curve.parameters)
+    most = min(MAX_VERTICES, max(4 * n, _MOST_WORK // n))
     t = _first_samples(curve)
     points = _points(curve, t)
     deviation = np.zeros(t.size - 1)
@@ -303,7 +307,7 @@ def sampled_pieces(curve: Curve, tolerance: float, box: FloatArray | None) -> Pi
     for _ in range(_ROUNDS):
         count = np.ones(t.size - 1, dtype=np.intp)
         deviation[todo], count[todo] = _measure(curve, t, points, todo, tolerance, box)
-        wanted, room = int((count - 1).sum()), MAX_VERTICES - t.size
+        wanted, room = int((count - 1).sum()), most - t.size
         if wanted > room:
             count = 1 + (count - 1) * max(room, 0) // wanted
         if count.max() == 1:

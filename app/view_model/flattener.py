@@ -22,6 +22,9 @@ Box = tuple[float, float, float, float]
 FlatteningKey = tuple[float, Box | None]
 """Tolerance, and the box in which it matters."""
 
+_PAUSE = 30
+"""Curves after one that not even samples of its own could follow, for which none are taken."""
+
 
 class Polyline(msgspec.Struct, frozen=True, eq=False):
     """A curve as drawn: the parameters of its vertices (k,) and the vertices (k, 2)."""
@@ -40,6 +43,7 @@ class Flattener:
     def __init__(self) -> None:
         self._last: FlatteningKey | None = None
         self._frozen: FrozenFlattening | None = None
+        self._pause = 0
 
     def polyline(self, curve: CoreCurve | None, key: FlatteningKey) -> Polyline:
         """Return the polyline of `curve` for the tolerance and the box `key`."""
@@ -52,12 +56,17 @@ class Flattener:
     def _following(self, curve: LagrangeCurve, key: FlatteningKey) -> Polyline:
         if key != self._last:
             # The first at this scale: there may never be another one.
-            self._last, self._frozen = key, None
+            self._last, self._frozen, self._pause = key, None, 0
             return _flatten(curve, key)
         pieces = self._frozen.follow(curve) if self._frozen is not None else None
-        if pieces is None:
+        if pieces is None and self._pause == 0:
             self._frozen = FrozenFlattening(curve, *key)
             pieces = self._frozen.follow(curve)
+            if pieces is None:
+                # Too wild to be followed; it may calm down.
+                self._frozen, self._pause = None, _PAUSE
+        elif pieces is None:
+            self._pause -= 1
         return _flatten(curve, key) if pieces is None else Polyline(pieces.parameters, pieces.points)
 
 

@@ -192,3 +192,11 @@ def test_data_of_incomparable_sizes_are_flattened(points, velocities):
     t = flatten_parameters(curve, 1e-8 * points)
     assert (np.diff(t) > 0).all()
     assert len(t) <= MAX_VERTICES
+
+
+def test_a_wild_polynomial_through_very_many_points_is_given_up_in_time(rng):
+    """Equal parameters and a thousand points: values of 1e250, and 16,000 vertices did not help."""
+    curve = LagrangeCurve(rng.standard_normal((1000, 2)), np.linspace(0.0, 1.0, 1000))
+    t = flatten_parameters(curve, 1e-3, (-1.0, -1.0, 1.0, 1.0))
+    assert t.size <= 2**22 // 1000 + 1
+    assert (np.diff(t) > 0.0).all()

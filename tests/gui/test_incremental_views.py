@@ -20,7 +20,8 @@ from app.document.model import (
 )
 from app.view_model.curve_view import CurveView, view_of
 from app.view_model.flattener import Flattener
-from curvecore.flatten import segment_distance
+from curvecore import LagrangeCurve
+from curvecore.flatten import flatten_parameters, segment_distance
 
 SQUARE = ((0.0, 0.0), (1.0, 2.0), (3.0, 1.0), (4.0, 3.0), (5.5, 0.0))
 numbers = st.floats(-5, 5, allow_subnormal=False)
@@ -127,3 +128,20 @@ def test_a_lagrange_curve_at_frozen_parameters_keeps_its_samples():
         frozen.add(id(view._flattener._frozen))
     assert isinstance(view._flattener, Flattener)
     assert len(frozen) == 1
+
+
+def test_a_curve_too_wild_to_be_followed_is_flattened_once_a_step():
+    """Samples of its own were taken in every frame as well, and did not serve: a third of a second each."""
+    rng = np.random.default_rng(5)
+    t = np.linspace(0.0, 1.0, 120)
+    flattener, key = Flattener(), (1e-3, (-3.0, -3.0, 3.0, 3.0))
+    for _ in range(4):
+        curve = LagrangeCurve(rng.normal(size=(120, 2)), t)
+        line = flattener.polyline(curve, key)
+        assert (line.parameters == flatten_parameters(curve, *key)).all()
+    assert flattener._frozen is None
+    # Another scale is tried anew, and a calm curve is followed again.
+    calm = LagrangeCurve(np.column_stack([t, t**2])[:9], np.linspace(0.0, 1.0, 9))
+    for _ in range(2):
+        flattener.polyline(calm, (2e-3, key[1]))
+    assert flattener._frozen is not None
