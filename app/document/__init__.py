@@ -1,8 +1,9 @@
 """The document: immutable values, the edits that make new ones, and the file they live in.
 
-- ``model``: Document, Curve, Node and the enumerations.
+- ``model``: Document, Curve, Node and the enumerations.  ``limits``: what numbers they may hold.
 - ``edits``, ``curve_edits``: pure functions ``(Document, …) -> Document``, of points and of whole curves.
 - ``transforms``, ``parameter_edits``, ``jet_edits``: of many points, parameters or derivatives at once.
+- ``kept_handles``: derivatives set for the spacing that moved points have.
 - ``image_edits``, ``import_edits``: of the picture to trace; curves from elsewhere.
 - ``expression``: numbers as people type them.
 - ``format``: documents to and from bytes, strictly.  ``image_path``: where the file of a picture lies.

@@ -7,14 +7,19 @@ them takes them as `parameters`. What cannot be done raises `EditError` with a s
 
 from __future__ import annotations
 
-import math
 from collections.abc import Collection, Iterable, Sequence
 from itertools import pairwise
 
 from msgspec.structs import replace
 
+from app.document.kept_handles import DERIVATIVES, with_handles_kept
+
+# Who edits needs these with the edits.
+from app.document.kept_handles import stretched as stretched  # noqa: PLC0414
+from app.document.limits import EditError as EditError  # noqa: PLC0414
+from app.document.limits import checked as checked  # noqa: PLC0414
+from app.document.limits import checked_vector
 from app.document.model import (
-    MAX_MAGNITUDE,
     AccelerationRule,
     Curve,
     Document,
@@ -24,30 +29,6 @@ from app.document.model import (
     Vector,
     VelocityRule,
 )
-
-_DERIVATIVES = (
-    (1, "velocity"),
-    (2, "acceleration"),
-    (1, "velocity_after"),
-    (2, "acceleration_after"),
-)
-
-
-class EditError(ValueError):
-    """An edit that cannot be done; the message tells the person why."""
-
-
-def checked(value: float, what: str) -> float:
-    """Return `value` if a document may hold it."""
-    if not math.isfinite(value):
-        raise EditError(f"{what} must be a finite number.")
-    if abs(value) > MAX_MAGNITUDE:
-        raise EditError(f"{what} must lie between −1e12 and 1e12.")
-    return float(value)
-
-
-def _checked_vector(vector: Vector, what: str) -> Vector:
-    return (checked(vector[0], f"The x of {what}"), checked(vector[1], f"The y of {what}"))
 
 
 def _with_nodes(document: Document, curve: int, nodes: Iterable[Node]) -> Document:
@@ -94,34 +75,48 @@ def append_node(document: Document, curve: int, node: Node, *, squeeze: float = 
     a point is appended. `squeeze` is that factor, dt_new / dt_old; a velocity per unit of t grows by
     1/squeeze, an acceleration by its square, and the handles stay where the person put them.
     """
-    _checked_vector(node.position, "the point")
+    checked_vector(node.position, "the point")
     old = (stretched(each, squeeze) for each in document.curves[curve].nodes)
     return _with_nodes(document, curve, (*old, node))
 
 
 def move_nodes(document: Document, curve: int, indices: Collection[int], by: Vector) -> Document:
-    """Move the nodes at `indices` by the vector `by`; their derivatives stay."""
+    """Move the nodes at `indices` by the vector `by`; their handles go along, those of others stay."""
     nodes = list(document.curves[curve].nodes)
     for index in indices:
         nodes[index] = _moved(nodes[index], by)
-    return _with_nodes(document, curve, nodes)
+    return with_nodes_elsewhere(document, curve, nodes, indices)
 
 
 def _moved(node: Node, by: Vector) -> Node:
-    x, y = _checked_vector((node.x + by[0], node.y + by[1]), "the point")
+    x, y = checked_vector((node.x + by[0], node.y + by[1]), "the point")
     return replace(node, x=x, y=y)
 
 
 def set_position(document: Document, curve: int, index: int, position: Vector) -> Document:
     """Put node `index` at `position`."""
-    x, y = _checked_vector(position, f"point {index}")
-    return _with_node(document, curve, index, replace(document.curves[curve].nodes[index], x=x, y=y))
+    x, y = checked_vector(position, f"point {index}")
+    nodes = list(document.curves[curve].nodes)
+    nodes[index] = replace(nodes[index], x=x, y=y)
+    return with_nodes_elsewhere(document, curve, nodes)
 
 
 def delete_nodes(document: Document, curve: int, indices: Collection[int]) -> Document:
     """Remove the nodes at `indices`."""
     kept = [node for i, node in enumerate(document.curves[curve].nodes) if i not in indices]
-    return _with_nodes(document, curve, kept)
+    return with_nodes_elsewhere(document, curve, kept)
+
+
+def with_nodes_elsewhere(
+    document: Document, curve: int, nodes: Iterable[Node], together: Collection[int] = ()
+) -> Document:
+    """Put `nodes`, the same at other places or fewer, in the place of all.
+
+    The handles of those that stay stay, and those of nodes that went `together` keep their shape.
+    """
+    old = document.curves[curve]
+    new = _with_room_to_close(replace(old, nodes=tuple(nodes)))
+    return document.with_curve(curve, with_handles_kept(old, new, together))
 
 
 def set_velocity(
@@ -148,7 +143,7 @@ def _with_derivative(
     document: Document, curve: int, index: int, name: str, vector: Vector | None, *, ahead: bool
 ) -> Document:
     if vector is not None:
-        vector = _checked_vector(vector, f"the {name} of point {index}")
+        vector = checked_vector(vector, f"the {name} of point {index}")
     node = document.curves[curve].nodes[index]
     side = f"{name}_after" if node.corner and ahead else name
     return _with_node(document, curve, index, replace(node, **{side: vector}))
@@ -302,18 +297,6 @@ def _shifted(node: Node, old: tuple[float, float], new: tuple[float, float]) -> 
     return replace(node, t=new[1] if node.t == old[1] else new[0] + s * (new[1] - new[0]))
 
 
-def stretched(node: Node, factor: float) -> Node:
-    """Rescale derivatives for a time that runs `factor` times as long."""
-    if factor == 1:
-        return node
-    changed = {
-        name: _checked_vector((vector[0] / factor**order, vector[1] / factor**order), "a derivative")
-        for order, name in _DERIVATIVES
-        if (vector := getattr(node, name)) is not None
-    }
-    return replace(node, **changed) if changed else node
-
-
 def refuse_equal_parameters(curve: Curve, reason: str) -> None:
     """Raise EditError with `reason` unless the parameters that the nodes carry increase strictly."""
     given = [node.t for node in curve.nodes if node.t is not None]
@@ -338,20 +321,20 @@ def set_nodes(document: Document, curve: int, nodes: Iterable[Node]) -> Document
 
 
 def _check_node(node: Node, what: str) -> None:
-    _checked_vector(node.position, what)
+    checked_vector(node.position, what)
     if node.t is not None:
         checked(node.t, f"The t of {what}")
-    for _, name in _DERIVATIVES:
+    for _, name in DERIVATIVES:
         vector = getattr(node, name)
         if vector is not None:
-            _checked_vector(vector, f"the {name.partition('_')[0]} of {what}")
+            checked_vector(vector, f"the {name.partition('_')[0]} of {what}")
 
 
 def estimate_derivatives(
     document: Document, curve: int, indices: Collection[int], orders: Collection[int] = (1, 2)
 ) -> Document:
     """Leave the velocities (order 1) and accelerations (order 2) of the nodes at `indices` to the rules."""
-    cleared = dict.fromkeys(name for order, name in _DERIVATIVES if order in orders)
+    cleared = dict.fromkeys(name for order, name in DERIVATIVES if order in orders)
     nodes = document.curves[curve].nodes
     return _with_nodes(
         document,

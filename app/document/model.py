@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from enum import StrEnum
+from functools import cached_property
 
 import msgspec
 from msgspec.structs import replace
@@ -112,7 +113,7 @@ class Parametrization(Value, frozen=True, omit_defaults=False):
     end: float = 1.0
 
 
-class Curve(Value, frozen=True, rename={"nodes": "points"}):
+class Curve(Value, frozen=True, dict=True, rename={"nodes": "points"}):
     """Nodes, in order, and the rules that make a curve of them.
 
     Attributes
@@ -146,6 +147,15 @@ class Curve(Value, frozen=True, rename={"nodes": "points"}):
     def is_closed(self) -> bool:
         """Whether the curve returns to its first point: closed, and of a family that can."""
         return self.closed and self.family is not Family.LAGRANGE and len(self.nodes) > 1
+
+    @cached_property
+    def has_derivatives(self) -> bool:
+        """Whether the person set any; asked at every move of a drag."""
+        return any(
+            vector is not None
+            for node in self.nodes
+            for vector in (node.velocity, node.acceleration, node.velocity_after, node.acceleration_after)
+        )
 
     @property
     def is_manual(self) -> bool:

@@ -1,7 +1,7 @@
 """Edits of several nodes at once: move, scale, rotate, align, distribute, step along a grid.
 
-Like all edits these are pure. A derivative that the person set turns and grows with its node, so that a
-rigid motion of all nodes carries the whole curve along.
+Like all edits these are pure. A handle that the person set turns and grows with its node, so that a rigid
+motion of all nodes carries the whole curve along, and one of some of them changes only what lies between.
 """
 
 from __future__ import annotations
@@ -14,7 +14,7 @@ from enum import Enum
 import msgspec
 from msgspec.structs import replace
 
-from app.document.edits import EditError, checked
+from app.document.edits import EditError, checked, with_nodes_elsewhere
 from app.document.model import Document, Node, Vector
 
 _DERIVATIVES = ("velocity", "acceleration", "velocity_after", "acceleration_after")
@@ -67,10 +67,10 @@ def rotation(degrees: float, centre: Vector) -> Linear:
 
 
 def transform_nodes(document: Document, curve: int, indices: Collection[int], by: Linear) -> Document:
-    """Map the nodes at `indices` and the derivatives set there."""
+    """Map the nodes at `indices` and the handles set there."""
     old = document.curves[curve]
     nodes = [_mapped(node, by) if index in indices else node for index, node in enumerate(old.nodes)]
-    return document.with_curve(curve, replace(old, nodes=tuple(nodes)))
+    return with_nodes_elsewhere(document, curve, nodes, indices)
 
 
 def _mapped(node: Node, by: Linear) -> Node:
@@ -94,7 +94,7 @@ def step_nodes(document: Document, curve: int, indices: Collection[int], by: Vec
         _at(node, (decimal_sum(node.x, by[0]), decimal_sum(node.y, by[1]))) if index in indices else node
         for index, node in enumerate(old.nodes)
     ]
-    return document.with_curve(curve, replace(old, nodes=tuple(nodes)))
+    return with_nodes_elsewhere(document, curve, nodes, indices)
 
 
 def decimal_sum(a: float, b: float) -> float:
@@ -171,4 +171,4 @@ def with_coordinates(document: Document, curve: int, values: dict[int, float], a
         replace(node, **{name: values[index]}) if index in values else node
         for index, node in enumerate(old.nodes)
     ]
-    return document.with_curve(curve, replace(old, nodes=tuple(nodes)))
+    return with_nodes_elsewhere(document, curve, nodes, values)

@@ -1,8 +1,9 @@
 """Bending a curve: the least change of its data that puts c(t*) where it is pulled to.
 
 A curve is linear in its data, c(t) = Σ b_i d_i with the weights b_i = B_ir(t). Of all changes δd with
-Σ b_i δd_i = Δ the one of least norm is δd = b (b·b)⁻¹ Δ. Derivatives enter the norm as h·v and h²·a, h the
-length of the segment: then everything is a length in the plane.
+Σ b_i δd_i = Δ the one of least norm is δd = b (b·b)⁻¹ Δ. For a piecewise curve the norm is taken of what a
+person drags, the Bézier control points of the segment: then handles give way where they can, and points that
+were placed with care move least.
 
 That is exact at frozen parameters. Where points change and a rule gives the parameters, or estimates
 derivatives from the points, the curve answers differently: the grabbed point is then held at its share of its
@@ -13,6 +14,7 @@ bend cannot do (`bend_together`). So the grabbed point always follows, however f
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from enum import Enum, auto
 from functools import cached_property
@@ -22,6 +24,7 @@ import numpy as np
 
 from app.document.edits import EditError
 from app.document.jet_edits import JetValue, with_jet_values
+from app.document.kept_handles import with_handles_kept
 from app.document.model import Curve, Family, ParametrizationKind, Vector
 from app.view_model.bend_together import Cost, divided, slope_at_rest
 from app.view_model.curve_view import CurveView, Floats, parameters_of, view_of
@@ -45,18 +48,24 @@ class BendWith(Enum):
 
 
 class _Datum(msgspec.Struct, frozen=True):
-    """One datum with its weight at t* and its value, both scaled to lengths in the plane."""
+    """One datum: its value, and by how much it changes for every unit that the curve moves at t*."""
 
     index: int
     order: int
     ahead: bool
-    weight: float
     value: Vector
-    scale: float
+    change: float
 
     def moved(self, x: float, y: float) -> JetValue:
-        value = (self.value[0] + x / self.scale, self.value[1] + y / self.scale)
+        value = (self.value[0] + x * self.change, self.value[1] + y * self.change)
         return JetValue(self.index, self.order, self.ahead, value)
+
+
+class _Hold(msgspec.Struct, frozen=True):
+    """The data that may change, and the hold they have on the curve: Σ b_i² of what the norm is taken of."""
+
+    data: tuple[_Datum, ...]
+    strength: float
 
 
 class _Place(msgspec.Struct, frozen=True):
@@ -70,22 +79,61 @@ class _Place(msgspec.Struct, frozen=True):
         return float(start + self.share * (end - start))
 
 
-def least_change(view: CurveView, t: float, pull: Vector, using: BendWith) -> list[JetValue]:
-    """Return the data after the least change that moves c(t) by `pull` at frozen parameters."""
-    data = _data_at(view, t, using)
-    _require_hold(data, using)
-    return _moved(data, np.array(pull))
-
-
-def _moved(data: Sequence[_Datum], pull: Floats) -> list[JetValue]:
-    total = sum(each.weight**2 for each in data)
-    return [each.moved(*(pull * (each.weight / total)).tolist()) for each in data]
-
-
-def _require_hold(data: Sequence[_Datum], using: BendWith) -> None:
-    if sum(each.weight**2 for each in data) < _LEAST_HOLD:
+def _required_hold(view: CurveView, t: float, using: BendWith) -> _Hold:
+    if view.source.family is Family.LAGRANGE:
+        hold = _hold_of_points(view, t, range(len(view.source.nodes)))
+    else:
+        segment = _place_of(view, t).segment
+        if using is BendWith.POINTS:
+            hold = _hold_of_points(view, t, (segment, segment + 1))
+        else:
+            hold = _hold_of_segment(view, t, segment, ends_stay=using is BendWith.DERIVATIVES)
+    if hold.strength < _LEAST_HOLD:
         what = "The derivatives have" if using is BendWith.DERIVATIVES else "The points have"
         raise EditError(f"{what} no hold on the curve so close to a point; grab it farther away.")
+    return hold
+
+
+def _hold_of_points(view: CurveView, t: float, knots: Sequence[int]) -> _Hold:
+    """Return the hold of points at `knots` whose derivatives stay."""
+    assert view.skeleton is not None
+    weights = view.skeleton.basis(np.array([t]))[0, :, 0]
+    strength = float(sum(weights[knot] ** 2 for knot in knots))
+    return _Hold(
+        tuple(
+            _datum(view, knot, 0, float(weights[knot]) / strength if strength else 0.0, ahead=True)
+            for knot in knots
+        ),
+        strength,
+    )
+
+
+def _hold_of_segment(view: CurveView, t: float, segment: int, *, ends_stay: bool) -> _Hold:
+    """Return the hold of the Bézier control points of a segment, all or without its ends."""
+    kinds = view.source.family.derivatives + 1
+    degree = 2 * kinds - 1
+    start, end = view.parameters[segment : segment + 2].tolist()
+    h, s = end - start, (t - start) / (end - start)
+    weights = np.array([math.comb(degree, j) * s**j * (1 - s) ** (degree - j) for j in range(degree + 1)])
+    if ends_stay:
+        weights[[0, -1]] = 0.0
+    strength = float(weights @ weights)
+    controls = weights / strength if strength else weights
+    sides = ((segment, controls, h, True), (segment + 1, controls[::-1], -h, False))
+    return _Hold(
+        tuple(
+            _datum(view, knot, order, _derivative_at_start(of, step, order), ahead=ahead)
+            for knot, of, step, ahead in sides
+            for order in range(int(ends_stay), kinds)
+        ),
+        strength,
+    )
+
+
+def _derivative_at_start(controls: Floats, h: float, order: int) -> float:
+    """Return a derivative at the start of a Bézier segment of length h, by differences of control points."""
+    degree = len(controls) - 1
+    return float(np.diff(controls[: order + 1], order)[0]) * math.perm(degree, order) / h**order
 
 
 def _place_of(view: CurveView, t: float) -> _Place:
@@ -95,38 +143,15 @@ def _place_of(view: CurveView, t: float) -> _Place:
     return _Place(segment, float((t - start) / (end - start)))
 
 
-def _data_at(view: CurveView, t: float, using: BendWith) -> list[_Datum]:
-    assert view.skeleton is not None
-    weights = view.skeleton.basis(np.array([t]))[0]
-    if view.source.family is Family.LAGRANGE:
-        return [
-            _Datum(index, 0, True, float(weight), view.source.nodes[index].position, 1.0)
-            for index, weight in enumerate(weights[:, 0])
-        ]
-    segment = _place_of(view, t).segment
-    h = float(view.parameters[segment + 1] - view.parameters[segment])
-    return [
-        _datum(view, segment + 1 - ahead, order, ahead=bool(ahead), weights=weights, h=h)
-        for ahead in (1, 0)
-        for order in _orders(view, using)
-    ]
-
-
-def _orders(view: CurveView, using: BendWith) -> Sequence[int]:
-    derivatives = range(1, view.source.family.derivatives + 1)
-    return {BendWith.ALL: (0, *derivatives), BendWith.POINTS: (0,), BendWith.DERIVATIVES: derivatives}[using]
-
-
-def _datum(view: CurveView, knot: int, order: int, *, ahead: bool, weights: Floats, h: float) -> _Datum:
-    index, scale = view.owner(knot), h**order
-    if order == 0:
-        value: Vector | None = view.source.nodes[index].position
-    else:
-        value = (
-            view.velocity_of(index, ahead=ahead) if order == 1 else view.acceleration_of(index, ahead=ahead)
-        )
+def _datum(view: CurveView, knot: int, order: int, change: float, *, ahead: bool) -> _Datum:
+    index = view.owner(knot)
+    value = (
+        view.source.nodes[index].position,
+        view.velocity_of(index, ahead=ahead),
+        view.acceleration_of(index, ahead=ahead),
+    )[order]
     assert value is not None
-    return _Datum(index, order, ahead, float(weights[knot, order]) / scale, value, scale)
+    return _Datum(index, order, ahead, value, change)
 
 
 class Bend:
@@ -149,9 +174,9 @@ class Bend:
 
     def __init__(self, view: CurveView, t: float, using: BendWith) -> None:
         assert view.curve is not None
-        self._view, self._data, self._place = view, _data_at(view, t, using), _place_of(view, t)
-        _require_hold(self._data, using)
-        self._total = sum(each.weight**2 for each in self._data)
+        self._view, self._place = view, _place_of(view, t)
+        self._hold = _required_hold(view, t, using)
+        self._data = self._hold.data
         self._start = view.curve.evaluate(t)
         self._size = float(np.ptp(view.points, axis=0).max())
 
@@ -175,8 +200,8 @@ class Bend:
         return self._curve(alone) if alone is not None else self._bent_and_shifted(pull)
 
     def _bent_and_shifted(self, pull: Floats) -> Curve:
-        of_points = sum(datum.weight for datum in self._data if datum.order == 0)
-        cost = Cost(1 / self._total, of_points / self._total, float(len(self._view.points)))
+        of_points = sum(datum.change for datum in self._data if datum.order == 0)
+        cost = Cost(1 / self._hold.strength, of_points, float(len(self._view.points)))
         shares = divided(self._moved_by, pull, cost, self._size, self._slope)
         return self._curve(shares.bend, shares.shift)
 
@@ -217,8 +242,8 @@ class Bend:
 
     def _polynomial_moved_by(self, bend: Floats) -> Floats | None:
         """Return the same for a polynomial, from its points alone: twice as fast as by way of a document."""
-        total, view = self._total, self._view
-        points = view.points + np.outer([each.weight / total for each in self._data], bend)
+        view = self._view
+        points = view.points + np.outer([each.change for each in self._data], bend)
         try:
             parameters = parameters_of(view.source, points, view.arrays.times)
             curve = LagrangeCurve(points, parameters)
@@ -229,7 +254,8 @@ class Bend:
 
     def _curve(self, bend: Floats, shift: Floats | None = None) -> Curve:
         """Return the curve after a bend, and a shift of all points with it."""
-        curve = with_jet_values(self._view.source, _moved(self._data, bend))
+        changed = with_jet_values(self._view.source, [datum.moved(*bend.tolist()) for datum in self._data])
+        curve = with_handles_kept(self._view.source, changed)
         if shift is None:
             return curve
         every = [

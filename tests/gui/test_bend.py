@@ -6,14 +6,15 @@ import math
 
 import numpy as np
 import pytest
+from msgspec.structs import replace
 from PySide6.QtCore import Qt
 
 from app.document import edits
 from app.document.edits import EditError
 from app.document.model import Document, Family, ParametrizationKind, make_curve
-from app.view_model.bend import Bend, BendWith, least_change
+from app.view_model.bend import Bend, BendWith
 from app.view_model.curve_view import view_of
-from curvecore import LagrangeCurve, chord_length
+from curvecore import LagrangeCurve, bezier_segments, chord_length
 
 SHIFT = Qt.KeyboardModifier.ShiftModifier
 CTRL = Qt.KeyboardModifier.ControlModifier
@@ -28,6 +29,15 @@ def arch(editor):
     editor.window.canvas.show_box((-3, 7), (-3, 5))
     editor.settle()
     return editor
+
+
+def with_everything_set(view):
+    """The curve with the velocities and accelerations that the rules gave it set by hand."""
+    nodes = tuple(
+        replace(node, velocity=view.velocity_of(index), acceleration=view.acceleration_of(index))
+        for index, node in enumerate(view.source.nodes)
+    )
+    return replace(view.source, nodes=nodes)
 
 
 def middle(editor, segment=1, share=0.4):
@@ -108,12 +118,41 @@ def test_the_change_is_the_one_of_least_norm():
     document = edits.set_family(Document((make_curve(POINTS),)), 0, Family.LAGRANGE)
     view = view_of(edits.freeze_parameters(document, 0, [0.0, 0.2, 0.7, 1.0]).curves[0])
     pull = (0.3, -0.2)
-    changes = least_change(view, 0.41, pull, BendWith.ALL)
-    delta = np.array([each.value for each in changes]) - view.points
+    target = tuple((view.curve.evaluate(0.41) + pull).tolist())
+    delta = view_of(Bend(view, 0.41, BendWith.ALL).bent(target, 1e-9)).points - view.points
     # The oracle: NumPy's least-norm solution of one equation in four unknowns.
     row = view.curve.basis(np.array([0.41]))[:, :, 0]
     expected = np.linalg.lstsq(row, np.array([pull]), rcond=None)[0]
     assert delta == pytest.approx(expected, abs=1e-14)
+
+
+@pytest.mark.parametrize("family", [Family.HERMITE, Family.QUINTIC_HERMITE])
+@pytest.mark.parametrize("using", [BendWith.ALL, BendWith.DERIVATIVES])
+@pytest.mark.parametrize("share", [0.1, 0.5, 0.83])
+def test_the_bezier_points_of_the_segment_change_least(family, using, share):
+    document = edits.set_family(Document((make_curve(POINTS),)), 0, family)
+    view = view_of(edits.freeze_parameters(document, 0, [0.0, 0.2, 0.7, 1.0]).curves[0])
+    t, pull = 0.2 + share * 0.5, np.array([0.3, -0.2])
+    # Explicit, so that no rule answers to the points.
+    view = view_of(with_everything_set(view))
+    target = tuple((view.curve.evaluate(t) + pull).tolist())
+    after = view_of(Bend(view, t, using).bent(target, 1e-12))
+    delta = bezier_segments(after.curve)[1] - bezier_segments(view.curve)[1]
+    degree = len(delta) - 1
+    row = np.array([math.comb(degree, j) * share**j * (1 - share) ** (degree - j) for j in range(degree + 1)])
+    if using is BendWith.DERIVATIVES:
+        row[[0, -1]] = 0.0
+    expected = np.linalg.lstsq(row[None], pull[None], rcond=None)[0]
+    assert delta == pytest.approx(expected, abs=1e-13)
+
+
+def test_points_that_were_placed_move_less_than_the_pointer():
+    """With h v for the norm they went along by 94 hundredths of the way."""
+    view = view_of(edits.set_family(Document((make_curve(POINTS),)), 0, Family.HERMITE).curves[0])
+    t = float(view.parameters[1:3].mean())
+    target = tuple((view.curve.evaluate(t) + np.array([0.4, 0.3])).tolist())
+    after = view_of(Bend(view, t, BendWith.ALL).bent(target, 1e-6))
+    assert np.hypot(*(after.points - view.points).T).max() < 0.65 * 0.5
 
 
 @pytest.mark.parametrize("family", [Family.HERMITE, Family.QUINTIC_HERMITE])

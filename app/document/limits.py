@@ -1,0 +1,25 @@
+"""What a document may hold, and what says that something cannot be done."""
+
+from __future__ import annotations
+
+import math
+
+from app.document.model import MAX_MAGNITUDE, Vector
+
+
+class EditError(ValueError):
+    """An edit that cannot be done; the message tells the person why."""
+
+
+def checked(value: float, what: str) -> float:
+    """Return `value` if a document may hold it."""
+    if not math.isfinite(value):
+        raise EditError(f"{what} must be a finite number.")
+    if abs(value) > MAX_MAGNITUDE:
+        raise EditError(f"{what} must lie between −1e12 and 1e12.")
+    return float(value)
+
+
+def checked_vector(vector: Vector, what: str) -> Vector:
+    """Return `vector` if a document may hold it."""
+    return (checked(vector[0], f"The x of {what}"), checked(vector[1], f"The y of {what}"))

@@ -1,0 +1,137 @@
+"""Moving points leaves the handles of all others where they are, whatever rule spaces the parameters."""
+
+from __future__ import annotations
+
+import pytest
+from msgspec.structs import replace
+
+from app.document.edits import EditError, delete_nodes, move_nodes, set_position
+from app.document.model import (
+    Curve,
+    Document,
+    Family,
+    Node,
+    Parametrization,
+    ParametrizationKind,
+)
+from app.document.transforms import rotation, scaling, step_nodes, transform_nodes
+from app.view_model.curve_view import view_of
+
+BY_DISTANCE = (
+    Parametrization(ParametrizationKind.CHORD_LENGTH),
+    Parametrization(ParametrizationKind.CENTRIPETAL, start=-2.0, end=3.0),
+    Parametrization(ParametrizationKind.POWER, alpha=0.8),
+)
+SHAPE = ((0, 0), (1, 2), (3, 1), (4, 4), (6, 3), (7, 0), (4, -2), (1, -1))
+FAMILIES = (Family.HERMITE, Family.QUINTIC_HERMITE)
+
+
+def document(rule, family=Family.HERMITE, *, closed=False):
+    """A curve all of whose derivatives are set, with a corner at node 5."""
+    nodes = [
+        Node(float(x), float(y), velocity=(3.0 + x, 2.0 - y), acceleration=(float(y), 5.0)) for x, y in SHAPE
+    ]
+    nodes[5] = replace(nodes[5], corner=True, velocity_after=(1.0, -7.0), acceleration_after=(2.0, 2.0))
+    return Document((Curve("Wave", family, rule, tuple(nodes), closed=closed),))
+
+
+def controls(doc):
+    """The Bezier control points of each segment, as a list of lists."""
+    view = view_of(doc.curves[0])
+    found = []
+    for segment in range(len(view.parameters) - 1):
+        h = view.spacing(view.owner(segment), ahead=True) or view.spacing(0, ahead=False)
+        start, end = view.sides.after[segment], view.sides.before[segment + 1]
+        degree = 2 * len(start) - 1
+        found.append([start[0], start[0] + h * start[1] / degree, end[0] - h * end[1] / degree, end[0]])
+        if degree == 5:
+            found[-1].append(start[0] + 2 * h * start[1] / 5 + h * h * start[2] / 20)
+            found[-1].append(end[0] - 2 * h * end[1] / 5 + h * h * end[2] / 20)
+    return found
+
+
+def same(a, b):
+    return all(p == pytest.approx(q, abs=1e-12) for p, q in zip(a, b, strict=True))
+
+
+@pytest.mark.parametrize("rule", BY_DISTANCE)
+@pytest.mark.parametrize("family", FAMILIES)
+@pytest.mark.parametrize("closed", [False, True])
+@pytest.mark.parametrize("index", [0, 3, 5, 7])
+def test_one_moved_point_changes_the_two_segments_beside_it(rule, family, closed, index):
+    before = document(rule, family, closed=closed)
+    for after in (
+        move_nodes(before, 0, {index}, (2.3, 0.7)),
+        set_position(before, 0, index, (9.0, 9.0)),
+        step_nodes(before, 0, {index}, (-0.1, 0.2)),
+    ):
+        old, new = controls(before), controls(after)
+        beside = {index - 1, index} if not closed else {(index - 1) % 8, index}
+        assert all(same(old[k], new[k]) for k in range(len(old)) if k not in beside)
+
+
+@pytest.mark.parametrize("rule", BY_DISTANCE)
+@pytest.mark.parametrize("family", FAMILIES)
+@pytest.mark.parametrize(
+    "by", [rotation(30.0, (1.0, 1.0)), scaling(2.0, 2.0, (0.0, 0.0)), scaling(0.5, 0.5, (3.0, 1.0))]
+)
+def test_points_transformed_together_take_their_handles_along(rule, family, by):
+    before = document(rule, family)
+    chosen = {2, 3, 4, 5}
+    old, new = controls(before), controls(transform_nodes(before, 0, chosen, by))
+    for segment in (2, 3, 4):
+        assert same([by.point(tuple(p)) for p in old[segment]], [tuple(p) for p in new[segment]])
+    for segment in (0, 6):
+        assert same(old[segment], new[segment])
+
+
+@pytest.mark.parametrize("rule", [*BY_DISTANCE, Parametrization(ParametrizationKind.UNIFORM)])
+def test_a_transform_of_all_points_is_one_of_the_curve(rule):
+    before, by = document(rule), scaling(3.0, 3.0, (1.0, 2.0))
+    old, new = controls(before), controls(transform_nodes(before, 0, range(8), by))
+    for segment in range(7):
+        assert same([by.point(tuple(p)) for p in old[segment]], [tuple(p) for p in new[segment]])
+
+
+@pytest.mark.parametrize("rule", [*BY_DISTANCE, Parametrization(ParametrizationKind.UNIFORM)])
+def test_what_is_far_from_a_deleted_point_stays(rule):
+    before = document(rule)
+    old, new = controls(before), controls(delete_nodes(before, 0, {4}))
+    assert all(same(old[k], new[k]) for k in (0, 1, 2))
+    assert all(same(old[k], new[k - 1]) for k in (5, 6))
+
+
+@pytest.mark.parametrize(
+    "kind", [ParametrizationKind.UNIFORM, ParametrizationKind.CHEBYSHEV, ParametrizationKind.MANUAL]
+)
+def test_where_distances_do_not_matter_derivatives_stay(kind):
+    before = document(Parametrization(kind))
+    nodes = tuple(replace(node, t=k / 7) for k, node in enumerate(before.curves[0].nodes))
+    before = before.with_curve(0, replace(before.curves[0], nodes=nodes))
+    after = move_nodes(before, 0, {3}, (5.0, 5.0))
+    assert [node.velocity for node in after.curves[0].nodes] == [node.velocity for node in nodes]
+
+
+@pytest.mark.parametrize("rule", BY_DISTANCE)
+def test_there_and_back_again_is_the_same_document(rule):
+    before = document(rule)
+    away = move_nodes(before, 0, {3}, (0.5, 0.25))
+    assert move_nodes(before, 0, {3}, (0.0, 0.0)) == before
+    back = move_nodes(away, 0, {3}, (-0.5, -0.25)).curves[0].nodes
+    for one, other in zip(back, before.curves[0].nodes, strict=True):
+        assert one.velocity == pytest.approx(other.velocity, rel=1e-14)
+
+
+def test_nothing_explodes_where_all_points_coincide():
+    rule = BY_DISTANCE[0]
+    nodes = tuple(Node(1.0, 1.0, velocity=(1.0, 0.0)) for _ in range(3))
+    before = Document((Curve("Heap", Family.HERMITE, rule, nodes),))
+    after = move_nodes(before, 0, {1}, (1.0, 0.0))
+    assert [node.velocity for node in after.curves[0].nodes] == [(1.0, 0.0)] * 3
+
+
+def test_a_derivative_beyond_what_a_document_may_hold_is_refused():
+    nodes = (Node(0.0, 0.0, velocity=(9e11, 0.0)), Node(1e-6, 0.0), Node(2e-6, 0.0))
+    before = Document((Curve("Tiny", Family.HERMITE, BY_DISTANCE[0], nodes),))
+    with pytest.raises(EditError, match="derivative"):
+        move_nodes(before, 0, {2}, (1.0, 0.0))
