@@ -193,7 +193,7 @@ class Canvas(CanvasView):
 
     def hover_again(self) -> None:
         """Tell anew what lies under a pointer that rests while the view moves."""
-        if self._pointer is not None and not self.is_dragging and self._pan_from is None:
+        if self._pointer is not None and not self.is_dragging and not self._panning.is_active:
             self.hovered_at(self._pointer_now())
 
     def _show_progress(self) -> None:
@@ -225,7 +225,7 @@ class Canvas(CanvasView):
         self.hint_changed.emit(hint.text)
 
     def _set_cursor(self, hint: Hint) -> None:
-        if self._space_down or self._pan_from is not None:
+        if self._panning.owns_cursor:
             return
         kind = ToolKind.SELECT if self._image_tool is not None else self._tool.kind
         self.viewport().setCursor(cursor_of(hint, kind, self._theme))

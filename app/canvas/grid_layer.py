@@ -10,8 +10,8 @@ import numpy as np
 from PySide6.QtGui import QPainter, QPen
 
 from app.plot.drawing import Segments
+from app.plot.layered_plot import LayeredPlot
 from app.plot.pixel_map import Floats, PixelMap
-from app.plot.plot_widget import PlotWidget
 from app.theme import Theme
 
 _LEAST_GAP = 8.0
@@ -21,7 +21,7 @@ _LEAST_GAP = 8.0
 class GridLayer:
     """Fine and coarse lines that adapt to the zoom."""
 
-    def __init__(self, plot: PlotWidget, theme: Theme) -> None:
+    def __init__(self, plot: LayeredPlot, theme: Theme) -> None:
         self._plot = plot
         self.theme = theme
         self.visible = True

@@ -272,7 +272,7 @@ class BasisPanel(PlotWidget):
 
     def hover_again(self) -> None:
         """Tell anew what lies under a pointer that rests while the functions change."""
-        if self._pointer is not None and not self.is_dragging and self._pan_from is None:
+        if self._pointer is not None and not self.is_dragging and not self._panning.is_active:
             pixel = self._pointer.pixel
             self.hovered_at(Pointer(self.pixel_map.plane(*pixel), pixel, scale=self.pixel_map.sx))
 
