@@ -18,7 +18,7 @@ from app.gestures.pointer import Hint, Pointer
 from app.gestures.snapping import Snapping
 from app.gestures.tools import CanvasTool, ToolKind
 from app.gestures.transform import TransformKind
-from app.theme import LIGHT, Theme
+from app.theme import LIGHT
 from app.view_model.curve_view import CurveView
 
 
@@ -49,7 +49,7 @@ class Canvas(CanvasView):
         super().__init__(parent)
         self._tool = tool
         self._image_tool: ImageTool | None = None
-        self._overlay_layer = OverlayLayer(self, LIGHT)
+        self._overlay_layer = self.dress(OverlayLayer(self, LIGHT))
         self._pointer: Pointer | None = None
         self.map_changed.connect(self.hover_again)
 
@@ -78,16 +78,6 @@ class Canvas(CanvasView):
         """Show or hide the box with grips around two or more selected points."""
         self._tool.shows_box = visible
         self._show_overlay()
-
-    def set_theme(self, theme: Theme) -> None:
-        """Take the colours of `theme`."""
-        self._overlay_layer.theme = theme
-        super().set_theme(theme)
-
-    def set_scale(self, scale: float) -> None:
-        """Enlarge points, lines and numbers, for a projector."""
-        self._overlay_layer.scale = scale
-        super().set_scale(scale)
 
     @property
     def overlay(self) -> Overlay:

@@ -24,7 +24,7 @@ from app.canvas.unit_layer import UnitLayer
 from app.document.model import Curve, ReferenceImage, Vector
 from app.plot.pixel_map import PixelMap
 from app.plot.plot_widget import PlotWidget
-from app.theme import LIGHT, Theme
+from app.theme import LIGHT
 from app.view_model.analysis.figures import Figure
 from app.view_model.basis_view import weights_at
 from app.view_model.curve_view import CurveView, Floats
@@ -70,18 +70,17 @@ class CanvasView(PlotWidget):
         self._view: CurveView | None = None
         self._views: Sequence[CurveView] = ()
         self._scrub: float | None = None
-        self._theme = LIGHT
-        self._image_layer = ImageLayer(self, LIGHT)
-        self._grid = GridLayer(self, LIGHT)
-        self._units = UnitLayer(self, LIGHT)
-        self._other_curves = OtherCurvesLayer(self, LIGHT)
-        self._figures = FigureLayer(self, LIGHT, z=-0.5)
-        self._file_layer = FileLayer(self, LIGHT)
+        self._image_layer = self.dress(ImageLayer(self, LIGHT))
+        self._grid = self.dress(GridLayer(self, LIGHT))
+        self._units = self.dress(UnitLayer(self, LIGHT))
+        self._other_curves = self.dress(OtherCurvesLayer(self, LIGHT))
+        self._figures = self.dress(FigureLayer(self, LIGHT, z=-0.5))
+        self._file_layer = self.dress(FileLayer(self, LIGHT))
         self.legend: Legend | None = None
-        self._curve_layer = CurveLayer(self, LIGHT)
-        self._traces = TraceLayer(self, LIGHT)
-        self._point_layer = PointLayer(self, LIGHT)
-        self._corner_layer = CornerLayer(self, LIGHT)
+        self._curve_layer = self.dress(CurveLayer(self, LIGHT))
+        self._traces = self.dress(TraceLayer(self, LIGHT))
+        self._point_layer = self.dress(PointLayer(self, LIGHT))
+        self._corner_layer = self.dress(CornerLayer(self, LIGHT))
         self._motion: MotionLayer | None = None
         self.covered_top: Callable[[], float] = lambda: 0.0
 
@@ -135,8 +134,7 @@ class CanvasView(PlotWidget):
             # Built when there is something to explain: nobody waits for it at the start.
             from app.canvas.legend import Legend  # noqa: PLC0415
 
-            self.legend = Legend(self.viewport(), self._theme)
-            self.legend.set_scale(self._figures.scale)
+            self.legend = self.dress(Legend(self.viewport(), LIGHT))
             self.legend.chosen.connect(self.ghost_chosen)
             self.legend.hidden.connect(self.ghost_hidden)
         self.legend.render_rows(group, rows)
@@ -173,8 +171,7 @@ class CanvasView(PlotWidget):
             # Made when something runs: nobody waits for it at the start.
             from app.canvas.motion_layer import MotionLayer  # noqa: PLC0415
 
-            self._motion = MotionLayer(self, self._theme)
-            self._motion.scale = self._corner_layer.scale
+            self._motion = self.dress(MotionLayer(self, LIGHT))
         had_dots = bool(self.dots)
         self._motion.render(dots, lines)
         if bool(dots) != had_dots:
@@ -209,30 +206,6 @@ class CanvasView(PlotWidget):
     def ghost_opacity(self) -> float:
         """How much of a ghost is seen: 1 while it is held, less while it fades, 0 without one."""
         return self._curve_layer.ghost_opacity
-
-    def set_theme(self, theme: Theme) -> None:
-        """Take the colours of `theme`."""
-        self._theme = theme
-        for layer in (self._image_layer, self._grid, self._units, self._curve_layer, self._point_layer):
-            layer.theme = theme
-        for other in (self._other_curves, self._corner_layer, self._figures, self._file_layer, self._traces):
-            other.theme = theme
-        if self.legend is not None:
-            self.legend.set_theme(theme)
-        if self._motion is not None:
-            self._motion.theme = theme
-        super().set_theme(theme)
-
-    def set_scale(self, scale: float) -> None:
-        """Enlarge points, lines and numbers, for a projector."""
-        self._curve_layer.scale = self._point_layer.scale = scale
-        for other in (self._other_curves, self._corner_layer, self._figures, self._file_layer, self._traces):
-            other.scale = scale
-        if self.legend is not None:
-            self.legend.set_scale(scale)
-        if self._motion is not None:
-            self._motion.scale = scale
-        super().set_scale(scale)
 
     def set_hovered(self, index: int) -> None:
         """Light up a point (−1 for none)."""

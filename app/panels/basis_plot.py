@@ -8,7 +8,7 @@ from PySide6.QtWidgets import QWidget
 
 from app.panels.basis_layers import FunctionLayer, RailLayer, rail_height
 from app.panels.plot_over_t import PlotOverT
-from app.theme import LIGHT, Theme
+from app.theme import LIGHT
 from app.view_model.basis_view import BasisView, basis_view
 from app.view_model.curve_view import CurveView
 
@@ -35,8 +35,8 @@ class BasisPlot(PlotOverT):
         self._view: CurveView | None = None
         self._basis: BasisView | None = None
         self._values: tuple[float, float] = _CALM_RANGE
-        self._functions = FunctionLayer(self, LIGHT)
-        self._rail = RailLayer(self, LIGHT)
+        self._functions = self.dress(FunctionLayer(self, LIGHT))
+        self._rail = self.dress(RailLayer(self, LIGHT))
         self.getViewBox().sigResized.connect(self._show_values)
 
     def render_view(self, view: CurveView) -> None:
@@ -68,14 +68,8 @@ class BasisPlot(PlotOverT):
         """The functions on screen, None without a curve."""
         return self._basis
 
-    def set_theme(self, theme: Theme) -> None:
-        """Take the colours of `theme`."""
-        self._functions.theme = self._rail.theme = theme
-        super().set_theme(theme)
-
     def set_scale(self, scale: float) -> None:
         """Enlarge lines, ticks and numbers, for a projector."""
-        self._functions.scale = self._rail.scale = scale
         super().set_scale(scale)
         self._show_values()
 

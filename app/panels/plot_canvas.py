@@ -15,7 +15,7 @@ from app.panels.plot_layers import PlotLayer, ScrubLayer, bands
 from app.panels.plot_over_t import PlotOverT
 from app.panels.value_scale import ValueScale
 from app.plot.pixel_map import Floats
-from app.theme import LIGHT, Theme
+from app.theme import LIGHT
 from app.view_model.analysis.plot_lines import PlotData
 
 _PIXELS_A_NUMBER = 24.0
@@ -55,8 +55,8 @@ class PlotCanvas(PlotOverT):
         self._tool = tool
         self._scales: dict[str, ValueScale] = {}
         self._ticks: list[tuple[float, str]] = []
-        self._lines = PlotLayer(self, LIGHT)
-        self._scrub = ScrubLayer(self, LIGHT, self._lines)
+        self._lines = self.dress(PlotLayer(self, LIGHT))
+        self._scrub = self.dress(ScrubLayer(self, LIGHT, self._lines))
         self.getViewBox().setYRange(0.0, 1.0, padding=0)
         self.getViewBox().sigResized.connect(self._number_axis)
         self._number_axis()
@@ -115,14 +115,8 @@ class PlotCanvas(PlotOverT):
         self._scrub.scrub = t
         self._scrub.refresh()
 
-    def set_theme(self, theme: Theme) -> None:
-        """Take the colours of `theme`."""
-        self._lines.theme = self._scrub.theme = theme
-        super().set_theme(theme)
-
     def set_scale(self, scale: float) -> None:
         """Enlarge lines and numbers, for a projector."""
-        self._lines.scale = self._scrub.scale = scale
         super().set_scale(scale)
         self._number_axis()
 

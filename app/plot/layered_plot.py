@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import sys
 from collections.abc import Callable
+from typing import Protocol, TypeVar, runtime_checkable
 
 import pyqtgraph as pg
 from PySide6.QtCore import QPoint, QPointF, QRectF, Signal
@@ -15,7 +16,7 @@ from PySide6.QtGui import QColor, QFont, QPainter, QPaintEvent
 from PySide6.QtWidgets import QGraphicsItem, QGraphicsView, QStyleOptionGraphicsItem, QWidget
 
 from app.plot.pixel_map import PixelMap
-from app.theme import Theme
+from app.theme import LIGHT, Theme
 
 _AXIS_WIDTH = 46
 
@@ -23,6 +24,22 @@ _INSET = 3
 """Pixels by which layers stay inside the plot area: nearer to its edge, Qt repaints the axes every frame."""
 
 _LEAST_SPAN, _GREATEST_SPAN = 1e-9, 1e13
+
+
+class Themed(Protocol):
+    """What is drawn in the colours of a theme."""
+
+    theme: Theme
+
+
+@runtime_checkable
+class Scaled(Protocol):
+    """What is drawn larger for a projector."""
+
+    scale: float
+
+
+Dressed = TypeVar("Dressed", bound=Themed)
 
 
 class Layer(QGraphicsItem):
@@ -82,6 +99,9 @@ class LayeredPlot(pg.PlotWidget):  # type: ignore[misc]  # pyqtgraph has no type
         axes = {side: _Axis(side) for side in ("left", "bottom")}
         super().__init__(parent, enableMenu=False, axisItems=axes)
         self._layers: list[Layer] = []
+        self._dressed: list[Themed] = []
+        self._theme = LIGHT
+        self._scale = 1.0
         self._map: PixelMap | None = None
         self._set_up_plot()
         # With it Qt repaints one pixel around each layer, without it two; see _INSET.
@@ -118,8 +138,19 @@ class LayeredPlot(pg.PlotWidget):  # type: ignore[misc]  # pyqtgraph has no type
         self._layers.append(layer)
         return layer
 
+    def dress(self, drawing: Dressed) -> Dressed:
+        """Keep what is drawn here in the plot's theme and, if it has one, in its scale; return it."""
+        self._dressed.append(drawing)
+        drawing.theme = self._theme
+        if isinstance(drawing, Scaled):
+            drawing.scale = self._scale
+        return drawing
+
     def set_theme(self, theme: Theme) -> None:
         """Take the colours of `theme`."""
+        self._theme = theme
+        for drawing in self._dressed:
+            drawing.theme = theme
         self.setBackground(theme.paper)
         for name in ("left", "bottom"):
             axis = self.getAxis(name)
@@ -128,7 +159,11 @@ class LayeredPlot(pg.PlotWidget):  # type: ignore[misc]  # pyqtgraph has no type
         self.viewport().update()
 
     def set_scale(self, scale: float) -> None:
-        """Enlarge the numbers at the axes."""
+        """Enlarge lines and numbers, for a projector."""
+        self._scale = scale
+        for drawing in self._dressed:
+            if isinstance(drawing, Scaled):
+                drawing.scale = scale
         font = QFont(self.font())
         font.setPointSizeF(max(self.font().pointSizeF() - 1.5, 7.0) * scale)
         for name in ("left", "bottom"):
