@@ -266,7 +266,7 @@ class Canvas(CanvasView):
         factor = 10.0 if held & Qt.KeyboardModifier.ShiftModifier else 1.0
         if held & Qt.KeyboardModifier.ControlModifier:
             factor *= 0.1
-        pixel = 1.0 / self.pixel_map.sx
+        pixel = self.pixel_size
         if self._image_tool is not None:
             self._image_tool.nudge((direction[0] * factor * pixel, direction[1] * factor * pixel))
             return True

@@ -201,6 +201,16 @@ class LayeredPlot(pg.PlotWidget):  # type: ignore[misc]  # pyqtgraph has no type
         moved = pixel - self._area_origin()
         return (moved.x(), moved.y())
 
+    @property
+    def pixel_size(self) -> float:
+        """The size of a pixel in the plane, along x."""
+        return 1.0 / self.pixel_map.sx
+
+    def centre(self) -> QPointF:
+        """Return the middle of the plot area in viewport pixels, where the zoom actions zoom."""
+        shown = self.pixel_map
+        return self._area_origin() + QPointF(shown.width / 2, shown.height / 2)
+
     def _forget_map(self) -> None:
         self._map = None
         rect = self.getViewBox().rect()
