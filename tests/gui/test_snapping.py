@@ -344,7 +344,7 @@ def test_settings_are_remembered(qtbot, tmp_path):
 )
 def test_foreign_settings_give_the_default_and_a_sentence(tmp_path, key, value, name, default):
     preferences = Preferences(tmp_path / "settings.ini")
-    preferences._settings.setValue(key, value)
+    preferences.file.write(key, value)
     assert getattr(preferences, name) == default
     assert key in preferences.complaint
 
