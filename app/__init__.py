@@ -12,7 +12,9 @@ The layers, top to bottom; a module imports only from its own layer and those ab
 - ``analysis``, ``settle``: what is shown over the curve; what is computed beside the window.
 - ``autosave``: keeps a snapshot of what is not saved yet.
 - ``player``: a motion, and the clock that drives it.
-- ``theme``, ``colours``, ``icons``, ``preferences``: how it looks; what is remembered between starts.
+- ``theme``, ``colours``, ``icons``: how it looks.
+- ``preferences``: what is remembered between starts.  ``settings``, ``settings_file``: the kinds of settings;
+  their ini file.
 - ``keymap``: which keys do what.
 - ``disk_watch``: notices when a file may have changed.
 - ``plot``: what canvas and basis panel share: a pixel map, fast drawing, pan and zoom.

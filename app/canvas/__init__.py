@@ -1,12 +1,13 @@
 """The canvas: the curve, its points and handles, drawn and grabbed.
 
 - ``canvas_view``: what is shown.  ``canvas``: the widget, with the gestures on it.
+- ``fitting``: which part of the plane is shown.
 - ``curve_layer``, ``point_layer``, ``corner_layer``: the curve that is edited.
-- ``other_curves_layer``, ``file_layer``: the other curves; those that the file holds.
+- ``other_curves_layer``: the other curves.
 - ``grid_layer``, ``unit_layer``: grid and unit.
 - ``image_layer``, ``image_file``, ``page_image``: a picture to trace: drawn, read, and dark on dark paper.
-- ``figure_layer``, ``trace_layer``: overlays and ghosts; other versions of the curve.
-  ``legend``: what they mean.
+- ``annotations``: what explains the curve.  ``figure_layer``, ``trace_layer``, ``file_layer``: overlays and
+  ghosts; other versions of the curve; those that the file holds.  ``legend``: what they mean.
 - ``motion_layer``: dots that run, their trails and arrows.
 - ``overlay_layer``: what a gesture shows over it: rubber band, box with grips, what was snapped to, a ruler.
 - ``hit_test``: what lies under the pointer.  ``keys``: what keys mean, and the shapes of the pointer.

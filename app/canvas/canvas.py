@@ -18,7 +18,7 @@ from app.gestures.pointer import Hint, Pointer
 from app.gestures.snapping import Snapping
 from app.gestures.tools import CanvasTool, ToolKind
 from app.gestures.transform import TransformKind
-from app.theme import LIGHT, Theme
+from app.theme import LIGHT
 from app.view_model.curve_view import CurveView
 
 
@@ -49,7 +49,7 @@ class Canvas(CanvasView):
         super().__init__(parent)
         self._tool = tool
         self._image_tool: ImageTool | None = None
-        self._overlay_layer = OverlayLayer(self, LIGHT)
+        self._overlay_layer = self.dress(OverlayLayer(self, LIGHT))
         self._pointer: Pointer | None = None
         self.map_changed.connect(self.hover_again)
 
@@ -78,16 +78,6 @@ class Canvas(CanvasView):
         """Show or hide the box with grips around two or more selected points."""
         self._tool.shows_box = visible
         self._show_overlay()
-
-    def set_theme(self, theme: Theme) -> None:
-        """Take the colours of `theme`."""
-        self._overlay_layer.theme = theme
-        super().set_theme(theme)
-
-    def set_scale(self, scale: float) -> None:
-        """Enlarge points, lines and numbers, for a projector."""
-        self._overlay_layer.scale = scale
-        super().set_scale(scale)
 
     @property
     def overlay(self) -> Overlay:
@@ -193,7 +183,7 @@ class Canvas(CanvasView):
 
     def hover_again(self) -> None:
         """Tell anew what lies under a pointer that rests while the view moves."""
-        if self._pointer is not None and not self.is_dragging and self._pan_from is None:
+        if self._pointer is not None and not self.is_dragging and not self._panning.is_active:
             self.hovered_at(self._pointer_now())
 
     def _show_progress(self) -> None:
@@ -225,7 +215,7 @@ class Canvas(CanvasView):
         self.hint_changed.emit(hint.text)
 
     def _set_cursor(self, hint: Hint) -> None:
-        if self._space_down or self._pan_from is not None:
+        if self._panning.owns_cursor:
             return
         kind = ToolKind.SELECT if self._image_tool is not None else self._tool.kind
         self.viewport().setCursor(cursor_of(hint, kind, self._theme))
@@ -276,7 +266,7 @@ class Canvas(CanvasView):
         factor = 10.0 if held & Qt.KeyboardModifier.ShiftModifier else 1.0
         if held & Qt.KeyboardModifier.ControlModifier:
             factor *= 0.1
-        pixel = 1.0 / self.pixel_map.sx
+        pixel = self.pixel_size
         if self._image_tool is not None:
             self._image_tool.nudge((direction[0] * factor * pixel, direction[1] * factor * pixel))
             return True

@@ -7,8 +7,8 @@ from PySide6.QtGui import QPainter, QPen
 
 from app.canvas.point_layer import opacity_of
 from app.colours import point_colours
+from app.plot.layered_plot import LayeredPlot
 from app.plot.pixel_map import PixelMap
-from app.plot.plot_widget import PlotWidget
 from app.theme import Theme
 from app.view_model.curve_view import CurveView
 
@@ -19,7 +19,7 @@ _FAR = 1e5
 class CornerLayer:
     """Draws a square on every corner of the active curve; without corners it costs nothing."""
 
-    def __init__(self, plot: PlotWidget, theme: Theme) -> None:
+    def __init__(self, plot: LayeredPlot, theme: Theme) -> None:
         self.theme = theme
         self.scale = 1.0
         self._corners: list[int] = []

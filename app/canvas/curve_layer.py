@@ -7,8 +7,8 @@ from PySide6.QtGui import QColor, QPainter, QPen
 
 from app.colours import curve_colour
 from app.plot.drawing import Stroke
+from app.plot.layered_plot import Layer, LayeredPlot
 from app.plot.pixel_map import Floats, PixelMap
-from app.plot.plot_widget import Layer, PlotWidget
 from app.theme import Theme
 from app.view_model.curve_view import CurveView, Polyline
 
@@ -21,7 +21,7 @@ _GHOST_MS = 900
 class CurveLayer:
     """Draws the active curve within a tenth of a pixel."""
 
-    def __init__(self, plot: PlotWidget, theme: Theme) -> None:
+    def __init__(self, plot: LayeredPlot, theme: Theme) -> None:
         self.theme = theme
         self.scale = 1.0
         self._view: CurveView | None = None

@@ -13,10 +13,10 @@ from PySide6.QtGui import QColor, QFont, QFontMetricsF, QPainter
 from app.canvas.curve_layer import TOLERANCE
 from app.plot.area import AreaFill
 from app.plot.drawing import MARGIN, Floats, Segments, cut_segments
+from app.plot.layered_plot import LayeredPlot
 from app.plot.pens import draw_line, draw_mark, pen_of
 from app.plot.pixel_map import PixelMap
 from app.plot.plates import inside, write_on_plate
-from app.plot.plot_widget import PlotWidget
 from app.theme import Theme
 from app.view_model.analysis.figures import Figure, Shape
 from app.view_model.looks import GHOST_LOOKS, LOOKS, Look
@@ -43,7 +43,7 @@ class FigureLayer:
     Lines and areas lie under the curve, marks over it and under the points.
     """
 
-    def __init__(self, plot: PlotWidget, theme: Theme, *, z: float) -> None:
+    def __init__(self, plot: LayeredPlot, theme: Theme, *, z: float) -> None:
         self.theme = theme
         self.scale = 1.0
         self.figures: Sequence[Figure] = ()

@@ -9,9 +9,9 @@ from PySide6.QtCore import Qt
 from PySide6.QtGui import QPainter, QPixmap
 
 from app.canvas.curve_layer import TOLERANCE
+from app.plot.layered_plot import LayeredPlot
 from app.plot.pens import draw_line, pen_of
 from app.plot.pixel_map import PixelMap
-from app.plot.plot_widget import PlotWidget
 from app.theme import Theme
 from app.view_model.curve_view import CurveView
 from app.view_model.looks import FILE_LOOK
@@ -20,7 +20,7 @@ from app.view_model.looks import FILE_LOOK
 class FileLayer:
     """Draws the curves of the file behind those of the document, out of the reach of the mouse."""
 
-    def __init__(self, plot: PlotWidget, theme: Theme) -> None:
+    def __init__(self, plot: LayeredPlot, theme: Theme) -> None:
         self.theme = theme
         self.scale = 1.0
         self._views: Sequence[CurveView] = ()

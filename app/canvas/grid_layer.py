@@ -10,8 +10,8 @@ import numpy as np
 from PySide6.QtGui import QPainter, QPen
 
 from app.plot.drawing import Segments
+from app.plot.layered_plot import LayeredPlot
 from app.plot.pixel_map import Floats, PixelMap
-from app.plot.plot_widget import PlotWidget
 from app.theme import Theme
 
 _LEAST_GAP = 8.0
@@ -21,15 +21,20 @@ _LEAST_GAP = 8.0
 class GridLayer:
     """Fine and coarse lines that adapt to the zoom."""
 
-    def __init__(self, plot: PlotWidget, theme: Theme) -> None:
+    def __init__(self, plot: LayeredPlot, theme: Theme) -> None:
         self._plot = plot
         self.theme = theme
-        self.visible = True
+        self._visible = True
         self._shown: PixelMap | None = None
         self._fine, self._coarse = Segments(), Segments()
         self._fixed = 0.0
-        plot.add_layer(self.paint, z=-10)
+        self._layer = plot.add_layer(self.paint, z=-10)
         plot.map_changed.connect(self._tune_axes)
+
+    def set_visible(self, visible: bool) -> None:
+        """Show or hide the lines."""
+        self._visible = visible
+        self._layer.update()
 
     def set_spacing(self, spacing: float) -> None:
         """Fix the distance of the lines, in units of the plane; 0 adapts it to the zoom."""
@@ -39,6 +44,7 @@ class GridLayer:
             axis.__dict__.pop("tickStrings", None)
             axis.setTickSpacing()
         self._tune_axes()
+        self._layer.update()
 
     def _axes(self) -> tuple[Any, Any]:
         return (self._plot.getAxis("bottom"), self._plot.getAxis("left"))
@@ -66,7 +72,7 @@ class GridLayer:
 
     def paint(self, painter: QPainter, shown: PixelMap) -> None:
         """Draw the lines; they are computed anew when another part of the plane is visible."""
-        if not self.visible:
+        if not self._visible:
             return
         if shown is not self._shown:
             self._compute(shown)

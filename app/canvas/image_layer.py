@@ -11,8 +11,8 @@ from app.canvas.page_image import inverted_lightness, is_page
 from app.document.model import ReferenceImage, Vector
 from app.gestures.image_tool import CORNERS, corner_of
 from app.gestures.pointer import Hit, Part
+from app.plot.layered_plot import LayeredPlot
 from app.plot.pixel_map import PixelMap
-from app.plot.plot_widget import PlotWidget
 from app.theme import Theme
 
 GRIP_REACH = 12.0
@@ -26,7 +26,7 @@ _MARGIN = 4.0
 class ImageLayer:
     """Draws a picture at its place; a dashed frame where its file is not there."""
 
-    def __init__(self, plot: PlotWidget, theme: Theme) -> None:
+    def __init__(self, plot: LayeredPlot, theme: Theme) -> None:
         self.theme = theme
         self.has_grips = False
         self._image: ReferenceImage | None = None

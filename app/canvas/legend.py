@@ -41,13 +41,12 @@ class Legend(QFrame):
         self._below = below
         self._groups: dict[str, Sequence[LegendRow]] = {}
         self._scale = 1.0
-        self._theme = theme
         self._grid = QGridLayout(self)
         self._grid.setContentsMargins(8, 5, 6, 5)
         self._grid.setHorizontalSpacing(7)
         self._grid.setVerticalSpacing(1)
         self._grid.setColumnStretch(1, 1)
-        self.set_theme(theme)
+        self.theme = theme
         below.installEventFilter(self)
         self.hide()
 
@@ -67,8 +66,13 @@ class Legend(QFrame):
             del self._groups[group]
         self._rebuild()
 
-    def set_scale(self, scale: float) -> None:
-        """Enlarge the letters, for a projector."""
+    @property
+    def scale(self) -> float:
+        """How much the letters are enlarged, for a projector."""
+        return self._scale
+
+    @scale.setter
+    def scale(self, scale: float) -> None:
         self._scale = scale
         self._rebuild()
 
@@ -155,8 +159,13 @@ class Legend(QFrame):
             self._place()
         return super().eventFilter(watched, event)
 
-    def set_theme(self, theme: Theme) -> None:
-        """Take the colours of `theme`."""
+    @property
+    def theme(self) -> Theme:
+        """Whose colours it has."""
+        return self._theme
+
+    @theme.setter
+    def theme(self, theme: Theme) -> None:
         self._theme = theme
         paper, line = theme.paper, theme.grid_coarse.name()
         hover = mix(theme.ink, theme.paper, 0.1).name()

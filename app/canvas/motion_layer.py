@@ -10,10 +10,10 @@ from PySide6.QtGui import QColor, QFont, QFontMetricsF, QPainter, QPen
 
 from app.colours import curve_colour
 from app.plot.drawing import Segments, cut_segments
+from app.plot.layered_plot import LayeredPlot
 from app.plot.pens import draw_line
 from app.plot.pixel_map import PixelMap
 from app.plot.plates import inside, write_on_plate
-from app.plot.plot_widget import PlotWidget
 from app.theme import Theme, mix
 from app.view_model.arrow import arrow_segments
 from app.view_model.curve_view import Floats
@@ -30,7 +30,7 @@ _SHORTEST = 3.0
 class MotionLayer:
     """Draws dots that run; the scrub line's own dot lies on top of them."""
 
-    def __init__(self, plot: PlotWidget, theme: Theme) -> None:
+    def __init__(self, plot: LayeredPlot, theme: Theme) -> None:
         self.theme = theme
         self.scale = 1.0
         self.dots: Sequence[Dot] = ()

@@ -16,8 +16,8 @@ from app.colours import curve_colour
 from app.document.model import Vector
 from app.gestures.pointer import Hit, Part
 from app.plot.drawing import Stroke
+from app.plot.layered_plot import LayeredPlot
 from app.plot.pixel_map import Floats, PixelMap
-from app.plot.plot_widget import PlotWidget
 from app.theme import Theme, mix
 from app.view_model.curve_view import CurveView
 
@@ -37,7 +37,7 @@ class OtherCurvesLayer:
     painting them is then copying one picture, however many they are.
     """
 
-    def __init__(self, plot: PlotWidget, theme: Theme) -> None:
+    def __init__(self, plot: LayeredPlot, theme: Theme) -> None:
         self.theme = theme
         self.scale = 1.0
         self._views: list[tuple[int, CurveView]] = []

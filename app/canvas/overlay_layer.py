@@ -11,9 +11,9 @@ from app.document.model import Vector
 from app.gestures.overlay import Note, Overlay, Ruler
 from app.gestures.snapping import Snap
 from app.gestures.transform_box import TransformBox
+from app.plot.layered_plot import LayeredPlot
 from app.plot.pixel_map import PixelMap
 from app.plot.plates import inside, write_on_plate
-from app.plot.plot_widget import PlotWidget
 from app.theme import Theme
 
 _GRIP, _FAR = 3.5, 1e6
@@ -22,7 +22,7 @@ _GRIP, _FAR = 3.5, 1e6
 class OverlayLayer:
     """Draws an `Overlay` on top of everything."""
 
-    def __init__(self, plot: PlotWidget, theme: Theme) -> None:
+    def __init__(self, plot: LayeredPlot, theme: Theme) -> None:
         self.theme = theme
         self.scale = 1.0
         self._overlay = Overlay()

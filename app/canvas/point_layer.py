@@ -11,8 +11,8 @@ from PySide6.QtGui import QColor, QFont, QPainter, QPen, QPolygonF
 
 from app.plot.colours import colours_of
 from app.plot.drawing import Flags
+from app.plot.layered_plot import LayeredPlot
 from app.plot.pixel_map import Floats, PixelMap
-from app.plot.plot_widget import PlotWidget
 from app.plot.stamps import Stamps
 from app.theme import Theme
 from app.view_model.curve_view import CurveView, Integers
@@ -34,7 +34,7 @@ _STAMPED_FROM = 64
 class PointLayer:
     """Draws the nodes of the active curve; all in one item."""
 
-    def __init__(self, plot: PlotWidget, theme: Theme) -> None:
+    def __init__(self, plot: LayeredPlot, theme: Theme) -> None:
         self.theme = theme
         self.scale = 1.0
         self.selection: frozenset[int] = frozenset()

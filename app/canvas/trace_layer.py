@@ -9,9 +9,9 @@ import numpy as np
 from PySide6.QtGui import QPainter
 
 from app.plot.drawing import Floats, Segments, Stroke
+from app.plot.layered_plot import LayeredPlot
 from app.plot.pens import line_in_pixels, pen_of
 from app.plot.pixel_map import PixelMap
-from app.plot.plot_widget import PlotWidget
 from app.theme import Theme
 from app.view_model.looks import Look
 
@@ -29,7 +29,7 @@ class Trace(msgspec.Struct, frozen=True, eq=False):
 class TraceLayer:
     """Draws groups of traces."""
 
-    def __init__(self, plot: PlotWidget, theme: Theme) -> None:
+    def __init__(self, plot: LayeredPlot, theme: Theme) -> None:
         self.theme = theme
         self.scale = 1.0
         self.groups: dict[str, tuple[Sequence[Trace], bool]] = {}

@@ -5,15 +5,15 @@ from __future__ import annotations
 from PySide6.QtCore import QRectF, Qt
 from PySide6.QtGui import QFont, QPainter
 
+from app.plot.layered_plot import LayeredPlot
 from app.plot.pixel_map import PixelMap
-from app.plot.plot_widget import PlotWidget
 from app.theme import Theme
 
 
 class UnitLayer:
     """Writes the unit at the right end of the x axis and the upper end of the y axis."""
 
-    def __init__(self, plot: PlotWidget, theme: Theme) -> None:
+    def __init__(self, plot: LayeredPlot, theme: Theme) -> None:
         self.theme = theme
         self._unit = ""
         self._font = QFont(plot.font())

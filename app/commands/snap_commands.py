@@ -27,7 +27,7 @@ class SnapCommands:
         snapping = Snapping(preferences.snap_on, preferences.snap_kinds)
         self._parts.actions["toggleSnap"].setChecked(snapping.on)
         canvas.set_snapping(snapping)
-        canvas.set_grid_spacing(preferences.grid_spacing)
+        canvas.grid.set_spacing(preferences.grid_spacing)
         canvas.set_unit(preferences.unit_name)
         self._parts.status_line.unit = preferences.unit_name
 

@@ -91,7 +91,7 @@ class ViewCommands:
         canvas.zoom(factor, canvas.centre())
 
     def _toggle_grid(self) -> None:
-        self._parts.canvas.set_grid_visible(self._actions["toggleGrid"].isChecked())
+        self._parts.canvas.grid.set_visible(self._actions["toggleGrid"].isChecked())
 
     def _toggle_scrub(self) -> None:
         session = self._session

@@ -147,7 +147,7 @@ class WiggleCommands(QObject):
     def _preview(self, key: str) -> None:
         cure = self._cure(key)
         traces = (Trace((cure.points,), CURE_LOOK, cure.label),) if cure is not None else ()
-        self._parts.canvas.render_traces(_GROUP, traces, "Preview")
+        self._parts.canvas.annotations.render_traces(_GROUP, traces, "Preview")
 
     def _apply(self, key: str) -> None:
         cure = self._cure(key)

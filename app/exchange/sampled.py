@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from math import isnan
 
 import numpy as np
@@ -76,18 +77,23 @@ def sampled_table(
         away(0.0, "Computing samples")
         t = parameters_of(source.core, samples, spacing, allowed)
         lead = cell_of_name(name, separator) + separator if named else ""
-        length = 0.0
-        for first in range(0, len(t) - 1, _ROWS_AT_ONCE):
-            away(first / len(t), "Computing samples")
-            # The last sample of a part is the first of the next.
-            some = t[first : first + _ROWS_AT_ONCE + 1]
-            deviation = max(deviation, polyline_deviation(source.core, some))
-            rows = rows_of(source.core, some)
-            rows[:, -1] += length
-            length = float(rows[-1, -1])
-            new = rows[1 if first else 0 :, chosen]
-            lines += [lead + separator.join(map(_cell, row)) for row in new.tolist()]
+        for rows, missed in _in_parts(source.core, t, away):
+            deviation = max(deviation, missed)
+            lines += [lead + separator.join(map(_cell, row)) for row in rows[:, chosen].tolist()]
     return Written("\n".join(lines) + "\n", deviation, remarks)
+
+
+def _in_parts(core: CoreCurve, t: Floats, report: Report) -> Iterator[tuple[Floats, float]]:
+    """Yield the rows of a curve, some at a time, with the deviation of the polyline through them."""
+    length = 0.0
+    for first in range(0, len(t) - 1, _ROWS_AT_ONCE):
+        report(first / len(t), "Computing samples")
+        # The last sample of a part is the first of the next.
+        some = t[first : first + _ROWS_AT_ONCE + 1]
+        rows = rows_of(core, some)
+        rows[:, -1] += length
+        length = float(rows[-1, -1])
+        yield rows[1 if first else 0 :], polyline_deviation(core, some)
 
 
 def _columns(titles: tuple[str, ...] | None) -> list[int]:

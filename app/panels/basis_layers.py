@@ -10,9 +10,9 @@ from PySide6.QtGui import QColor, QFont, QPainter, QPen, QPolygonF
 
 from app.panels.function_lines import Drawing, FunctionLines, way_to_draw
 from app.plot.colours import colours_of
+from app.plot.layered_plot import LayeredPlot
 from app.plot.pens import with_dashes
 from app.plot.pixel_map import Floats, PixelMap
-from app.plot.plot_widget import PlotWidget
 from app.plot.stamps import Stamps
 from app.theme import Theme, mix
 from app.view_model.basis_view import BasisView
@@ -41,7 +41,7 @@ _MOST_PENS = 1000
 class FunctionLayer:
     """All basis functions, in one item."""
 
-    def __init__(self, plot: PlotWidget, theme: Theme) -> None:
+    def __init__(self, plot: LayeredPlot, theme: Theme) -> None:
         self.theme = theme
         self.scale = 1.0
         self._pens: dict[tuple[int, float, int], QPen] = {}
@@ -165,7 +165,7 @@ class FunctionLayer:
 class RailLayer:
     """The t-rail: a tick for each t_i in the colour of its point; and the scrub line above it."""
 
-    def __init__(self, plot: PlotWidget, theme: Theme) -> None:
+    def __init__(self, plot: LayeredPlot, theme: Theme) -> None:
         self.theme = theme
         self.scale = 1.0
         self.selection: frozenset[int] = frozenset()

@@ -1,4 +1,4 @@
-"""The basis panel: every basis function over t, the t-rail at its foot, and the scrub line."""
+"""The basis panel: turns mouse and keys into gestures on the t-rail and the functions above it."""
 
 from __future__ import annotations
 
@@ -11,24 +11,13 @@ from PySide6.QtWidgets import QWidget
 from app.document.edits import EditError
 from app.gestures.pointer import Hit, Part, Pointer
 from app.gestures.rail import RailTool
-from app.panels.basis_layers import FunctionLayer, RailLayer, rail_height
+from app.panels.basis_hits import hit_test
+from app.panels.basis_plot import BasisPlot
 from app.panels.tick_edit import TickEdit
-from app.plot.plot_widget import PlotWidget
-from app.theme import LIGHT, Theme
-from app.view_model.basis_view import BasisView, basis_view
-from app.view_model.curve_view import CurveView
-
-TICK_REACH = 10.0
-"""Pixels to either side of a tick within which it is grabbed."""
-
-FUNCTION_REACH = 10.0
-
-_CALM_RANGE = (-0.5, 1.2)
-_PADDING = 0.035
 
 
-class BasisPanel(PlotWidget):
-    """Draws all basis functions of the active curve; x axis t.
+class BasisPanel(BasisPlot):
+    """The basis functions of the active curve, with the gestures on them.
 
     Signals
     -------
@@ -40,8 +29,6 @@ class BasisPanel(PlotWidget):
         A press begins a gesture.
     pointed_at
         The parameter t under the pointer, or None when it has left.
-    extent_changed
-        (least, greatest) value of the functions if they leave the visible range, else None.
     drag_changed
         Ticks are being dragged, or no longer.
     menu_requested
@@ -52,171 +39,16 @@ class BasisPanel(PlotWidget):
     progress_changed = Signal(str)
     gesture_began = Signal()
     pointed_at = Signal(object)
-    extent_changed = Signal(object)
     drag_changed = Signal(bool)
     menu_requested = Signal(QPoint)
 
     def __init__(self, tool: RailTool, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self.setObjectName("basisPanel")
-        self.setAccessibleName("Basis functions")
-        self.setAccessibleDescription("The basis functions over t; drag a tick at the foot to change t.")
         self._tool = tool
-        self._view: CurveView | None = None
-        self._basis: BasisView | None = None
-        self._values: tuple[float, float] = _CALM_RANGE
-        self._functions = FunctionLayer(self, LIGHT)
-        self._rail = RailLayer(self, LIGHT)
-        self.getViewBox().sigResized.connect(self._show_values)
         self._ripple_down = False
         self._pointer: Pointer | None = None
         self.tick_edit = TickEdit(self)
         self.tick_edit.typed.connect(self._set_tick)
-
-    # What is shown
-
-    def render_view(self, view: CurveView) -> None:
-        """Show the functions of `view`; they are sampled again only if a parameter or the family changed."""
-        self._view = view
-        if _is_of(self._basis, view):
-            return
-        old = self._basis
-        self._basis = basis_view(view, self._basis)
-        self._functions.render(self._basis)
-        self._rail.render(self._basis)
-        moved = self._basis is not None and (old is None or old.curve.domain != self._basis.curve.domain)
-        if (moved or not view.source.nodes) and not self._tool.is_pressed:
-            self.fit_domain()
-        self._report_extent()
-
-    @property
-    def emphasised(self) -> frozenset[int]:
-        """The points whose functions are drawn thick."""
-        return self._functions.emphasised
-
-    @property
-    def kinds(self) -> frozenset[int]:
-        """The kinds of functions that are shown."""
-        return self._functions.kinds
-
-    @property
-    def basis(self) -> BasisView | None:
-        """The functions on screen, None without a curve."""
-        return self._basis
-
-    def set_theme(self, theme: Theme) -> None:
-        """Take the colours of `theme`."""
-        self._functions.theme = self._rail.theme = theme
-        super().set_theme(theme)
-
-    def set_scale(self, scale: float) -> None:
-        """Enlarge lines, ticks and numbers, for a projector."""
-        self._functions.scale = self._rail.scale = scale
-        super().set_scale(scale)
-        self._show_values()
-
-    def set_selection(self, selection: frozenset[int]) -> None:
-        """Draw the functions of these points thick."""
-        self._rail.selection = selection
-        self._emphasise()
-
-    def set_hovered(self, index: int) -> None:
-        """Draw the functions of this point thick, too (−1 for none)."""
-        self._rail.hovered = index
-        self._emphasise()
-
-    def _emphasise(self) -> None:
-        hovered = self._rail.hovered
-        self._functions.emphasised = self._rail.selection | ({hovered} if hovered >= 0 else frozenset())
-        self._functions.refresh()
-        self._rail.refresh()
-
-    def set_scrub(self, t: float | None) -> None:
-        """Move the scrub line, or put it away (None)."""
-        self._rail.scrub = t
-        self._rail.refresh()
-
-    def set_kinds(self, kinds: frozenset[int]) -> None:
-        """Show these kinds of functions: 0 position, 1 velocity, 2 acceleration."""
-        self._functions.kinds = kinds
-        self._functions.refresh()
-        self._report_extent()
-
-    # Ranges
-
-    def fit_domain(self) -> None:
-        """Show the whole interval of t."""
-        domain = self._domain()
-        if domain is not None:
-            start, end = domain
-            padding = _PADDING * (end - start)
-            self.getViewBox().setXRange(start - padding, end + padding, padding=0)
-        self._show_values()
-
-    @property
-    def t_range(self) -> tuple[float, float]:
-        """The part of t that is visible."""
-        start, _, end, _ = self.pixel_map.box
-        return start, end
-
-    def set_t_range(self, start: float, end: float) -> None:
-        """Show this part of t."""
-        self.getViewBox().setXRange(start, end, padding=0)
-
-    def _domain(self) -> tuple[float, float] | None:
-        """Return the interval of t; without points that which the rule is going to span, else None."""
-        if self._basis is not None:
-            return self._basis.curve.domain
-        if self._view is None or self._view.source.nodes:
-            return None
-        rule = self._view.source.parametrization
-        return rule.start, rule.end
-
-    def fit_values(self) -> None:
-        """Show the functions from their least to their greatest value."""
-        if self._basis is not None:
-            low, high = self._basis.extent(self._functions.kinds)
-            margin = 0.05 * (high - low)
-            self._values = (min(low - margin, _CALM_RANGE[0]), max(high + margin, _CALM_RANGE[1]))
-            self._show_values()
-
-    def calm_values(self) -> None:
-        """Show the usual range again, −0.5 to 1.2."""
-        self._values = _CALM_RANGE
-        self._show_values()
-
-    def _show_values(self) -> None:
-        """Map the range of values to the part of the plot area above the rail."""
-        low, high = self._values
-        height = self.getViewBox().rect().height()
-        rail = rail_height(self._rail.scale)
-        share = rail / max(height - rail, 1.0)
-        self.getViewBox().setYRange(low - share * (high - low), high, padding=0)
-        self._report_extent()
-
-    def _report_extent(self) -> None:
-        extent = self._basis.extent(self._functions.kinds) if self._basis is not None else None
-        low, high = self._values
-        inside = extent is None or (extent[0] >= low and extent[1] <= high)
-        self.extent_changed.emit(None if inside else extent)
-
-    def zoom(self, factor: float, pixel: QPointF) -> None:
-        """Zoom along t."""
-        t, _ = self.to_plane(pixel)
-        start, _, end, _ = self.pixel_map.box
-        self.getViewBox().setXRange(t + (start - t) / factor, t + (end - t) / factor, padding=0)
-
-    def pan(self, dx: float, dy: float) -> None:
-        """Move along t."""
-        start, _, end, _ = self.pixel_map.box
-        by = -dx / self.pixel_map.sx
-        self.getViewBox().setXRange(start + by, end + by, padding=0)
-
-    def rail_pixel(self, t: float) -> QPointF:
-        """Return where in the viewport the tick at `t` is grabbed."""
-        shown = self.pixel_map
-        area = QPointF(shown.point(t, 0.0)[0], shown.height - rail_height(self._rail.scale) + 8)
-        return self._area_origin() + area
 
     # Gestures
 
@@ -272,7 +104,7 @@ class BasisPanel(PlotWidget):
 
     def hover_again(self) -> None:
         """Tell anew what lies under a pointer that rests while the functions change."""
-        if self._pointer is not None and not self.is_dragging and self._pan_from is None:
+        if self._pointer is not None and not self.is_dragging and not self._panning.is_active:
             pixel = self._pointer.pixel
             self.hovered_at(Pointer(self.pixel_map.plane(*pixel), pixel, scale=self.pixel_map.sx))
 
@@ -286,43 +118,7 @@ class BasisPanel(PlotWidget):
     def _hit(self, pointer: Pointer) -> Hit | None:
         if self._basis is None:
             return None
-        if pointer.pixel[1] > self.pixel_map.height - rail_height(self._rail.scale) - 2:
-            return self._hit_tick(pointer)
-        scrub = self._rail.scrub
-        if scrub is not None and abs(self.pixel_map.point(scrub, 0)[0] - pointer.pixel[0]) <= 4:
-            return Hit(Part.SCRUB, -1, (scrub, 0.0))
-        return self._hit_function(pointer)
-
-    def _hit_tick(self, pointer: Pointer) -> Hit | None:
-        assert self._basis is not None
-        parameters = self._basis.curve.parameters
-        distances = np.abs(self.pixel_map.x(parameters) - pointer.pixel[0])
-        # A selected tick wins over its neighbours.
-        for index, owner in enumerate(self._basis.owners):
-            if owner in self._rail.selection and distances[index] <= TICK_REACH:
-                distances[index] -= TICK_REACH
-        index = int(np.argmin(distances))
-        if distances[index] > TICK_REACH:
-            return None
-        return Hit(Part.TICK, self._basis.owners[index], (float(parameters[index]), 0.0), knot=index)
-
-    def _hit_function(self, pointer: Pointer) -> Hit | None:
-        assert self._basis is not None
-        t, shown = pointer.position[0], self.pixel_map
-        start, end = self._basis.curve.domain
-        if not start <= t <= end:
-            return None
-        best: tuple[float, Hit] | None = None
-        for kind in sorted(self._functions.kinds & set(range(self._basis.kinds))):
-            values = self._basis.value_at(t, kind)
-            distances = np.abs(shown.y(values) - pointer.pixel[1])
-            # Functions that are zero here lie on top of each other; none of them is meant.
-            distances[values == 0] = np.inf
-            index = int(np.argmin(distances))
-            if distances[index] <= FUNCTION_REACH and (best is None or distances[index] < best[0]):
-                hit = Hit(Part.FUNCTION, self._basis.owners[index], (t, float(values[index])), kind=kind)
-                best = (float(distances[index]), hit)
-        return best[1] if best is not None else None
+        return hit_test(pointer, self.pixel_map, self._basis, self._rail, self._functions.kinds)
 
     # Typing at a tick, its menu, and keys
 
@@ -401,12 +197,3 @@ class BasisPanel(PlotWidget):
     def focusOutEvent(self, event: QFocusEvent) -> None:
         self._ripple_down = False
         super().focusOutEvent(event)
-
-
-def _is_of(basis: BasisView | None, view: CurveView) -> bool:
-    """Tell whether these are the functions of `view`: they depend on the family and the parameters alone."""
-    if basis is None or not view.is_current or len(view.source.nodes) <= basis.owners[-1]:
-        return False
-    same_family = basis.curve.degree == view.pieces[0].degree and basis.kinds == view.pieces[0].jets.shape[1]
-    closes = (basis.owners[-1] == 0) is view.source.is_closed
-    return same_family and closes and np.array_equal(view.parameters, basis.curve.parameters)

@@ -15,7 +15,7 @@ from PySide6.QtWidgets import QWidget
 from app.plot.pens import colour_of, draw_line
 from app.plot.pixel_map import PixelMap
 from app.plot.plot_widget import PlotWidget
-from app.theme import LIGHT, theme_of
+from app.theme import theme_of
 from app.view_model.analysis.wording import power
 from app.view_model.looks import Look
 
@@ -46,7 +46,6 @@ class LogPlot(PlotWidget):
         self.setToolTip(label)
         self.setFocusPolicy(Qt.FocusPolicy.NoFocus)
         self.setMinimumHeight(120)
-        self._drawn_theme = LIGHT
         self._marker: float | None = None
         self._lines: list[tuple[Floats, LogLine]] = []
         self._layer = self.add_layer(self._paint, z=0)
@@ -79,7 +78,7 @@ class LogPlot(PlotWidget):
         self.getAxis("bottom").setTicks([_decades(math.ceil(left), math.floor(right))])
 
     def _paint(self, painter: QPainter, shown: PixelMap) -> None:
-        theme = self._drawn_theme
+        theme = self._theme
         painter.setRenderHint(QPainter.RenderHint.Antialiasing, True)
         painter.setPen(QPen(QColor(theme.grid_fine), 1.0))
         _, low, _, high = shown.box
@@ -98,14 +97,14 @@ class LogPlot(PlotWidget):
     ) -> None:
         """Write a line's name above it to the left, or below it to the right, near its end."""
         x, y = shown.points(points[-len(points) // (2 if below else 5) :])[0].tolist()
-        painter.setPen(colour_of(line.look, self._drawn_theme))
+        painter.setPen(colour_of(line.look, self._theme))
         box = QRectF(x + 6, y + 2, 200, 18) if below else QRectF(x - 206, y - 24, 200, 18)
         side = Qt.AlignmentFlag.AlignLeft if below else Qt.AlignmentFlag.AlignRight
         painter.drawText(box, int(side | Qt.AlignmentFlag.AlignBottom), line.label)
 
     def _paint_marker(self, painter: QPainter, shown: PixelMap, marker: float) -> None:
         x = shown.point(math.log10(marker), 0.0)[0]
-        painter.setPen(QPen(self._drawn_theme.accent, 1.0))
+        painter.setPen(QPen(self._theme.accent, 1.0))
         painter.drawLine(QPointF(x, 0), QPointF(x, shown.height))
         side = Qt.AlignmentFlag.AlignLeft if x < shown.width - 80 else Qt.AlignmentFlag.AlignRight
         left = x + 4 if side == Qt.AlignmentFlag.AlignLeft else x - 84
@@ -125,8 +124,7 @@ class LogPlot(PlotWidget):
             self._dress()
 
     def _dress(self) -> None:
-        self._drawn_theme = theme_of(self.palette())
-        self.set_theme(self._drawn_theme)
+        self.set_theme(theme_of(self.palette()))
 
 
 def _decades(low: int, high: int) -> list[tuple[float, str]]:

@@ -5,17 +5,17 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 import numpy as np
-from PySide6.QtCore import QPointF, Qt, Signal
+from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QKeyEvent
 from PySide6.QtWidgets import QWidget
 
 from app.gestures.pointer import Pointer
 from app.gestures.rail import RailTool
 from app.panels.plot_layers import PlotLayer, ScrubLayer, bands
+from app.panels.plot_over_t import PlotOverT
 from app.panels.value_scale import ValueScale
 from app.plot.pixel_map import Floats
-from app.plot.plot_widget import PlotWidget
-from app.theme import LIGHT, Theme
+from app.theme import LIGHT
 from app.view_model.analysis.plot_lines import PlotData
 
 _PIXELS_A_NUMBER = 24.0
@@ -25,7 +25,7 @@ _EDGE = 7.0
 _DIRECTIONS = {Qt.Key.Key_Left: -1, Qt.Key.Key_Right: 1}
 
 
-class PlotCanvas(PlotWidget):
+class PlotCanvas(PlotOverT):
     """Draws plots; x axis t. A drag scrubs, the wheel zooms along t.
 
     The view box's own y runs from 0 to 1 over the height; every plot has its scale within.
@@ -55,8 +55,8 @@ class PlotCanvas(PlotWidget):
         self._tool = tool
         self._scales: dict[str, ValueScale] = {}
         self._ticks: list[tuple[float, str]] = []
-        self._lines = PlotLayer(self, LIGHT)
-        self._scrub = ScrubLayer(self, LIGHT, self._lines)
+        self._lines = self.dress(PlotLayer(self, LIGHT))
+        self._scrub = self.dress(ScrubLayer(self, LIGHT, self._lines))
         self.getViewBox().setYRange(0.0, 1.0, padding=0)
         self.getViewBox().sigResized.connect(self._number_axis)
         self._number_axis()
@@ -77,12 +77,6 @@ class PlotCanvas(PlotWidget):
     def columns(self) -> int:
         """The width of the plots in pixels."""
         return int(self.pixel_map.width)
-
-    @property
-    def t_range(self) -> tuple[float, float]:
-        """The part of t that is visible."""
-        start, _, end, _ = self.pixel_map.box
-        return start, end
 
     def scale_of(self, title: str) -> ValueScale:
         """Return the values at the foot and at the head of a plot."""
@@ -121,18 +115,8 @@ class PlotCanvas(PlotWidget):
         self._scrub.scrub = t
         self._scrub.refresh()
 
-    def set_t_range(self, start: float, end: float) -> None:
-        """Show this part of t."""
-        self.getViewBox().setXRange(start, end, padding=0)
-
-    def set_theme(self, theme: Theme) -> None:
-        """Take the colours of `theme`."""
-        self._lines.theme = self._scrub.theme = theme
-        super().set_theme(theme)
-
     def set_scale(self, scale: float) -> None:
         """Enlarge lines and numbers, for a projector."""
-        self._lines.scale = self._scrub.scale = scale
         super().set_scale(scale)
         self._number_axis()
 
@@ -153,19 +137,9 @@ class PlotCanvas(PlotWidget):
             self._ticks = ticks
             self.getAxis("left").setTicks([ticks])
 
-    # Ranges: whoever shares the t axis decides, and says so by `set_t_range`
-
-    def zoom(self, factor: float, pixel: QPointF) -> None:
-        """Zoom along t."""
-        t, _ = self.to_plane(pixel)
-        start, end = self.t_range
-        self.range_asked.emit(t + (start - t) / factor, t + (end - t) / factor)
-
-    def pan(self, dx: float, dy: float) -> None:
-        """Move along t."""
-        start, end = self.t_range
-        by = -dx / self.pixel_map.sx
-        self.range_asked.emit(start + by, end + by)
+    def choose_t_range(self, start: float, end: float) -> None:
+        """Ask for this part of t: whoever shares the t axis decides, and says so by `set_t_range`."""
+        self.range_asked.emit(start, end)
 
     # Gestures
 

@@ -11,9 +11,9 @@ from PySide6.QtGui import QFont, QPainter, QPen
 
 from app.panels.value_scale import ValueScale
 from app.plot.drawing import Segments, Stroke, cut_segments
+from app.plot.layered_plot import LayeredPlot
 from app.plot.pens import colour_of, line_in_pixels, with_dashes
 from app.plot.pixel_map import Floats, PixelMap
-from app.plot.plot_widget import PlotWidget
 from app.theme import Theme
 from app.view_model.analysis.plot_lines import PlotData, PlotLine
 from app.view_model.looks import DASHED
@@ -62,7 +62,7 @@ def bands(count: int, height: float, scale: float) -> list[Band]:
 class PlotLayer:
     """All plots, in one item."""
 
-    def __init__(self, plot: PlotWidget, theme: Theme) -> None:
+    def __init__(self, plot: LayeredPlot, theme: Theme) -> None:
         self.theme = theme
         self.scale = 1.0
         self.plots: Sequence[PlotData] = ()
@@ -239,7 +239,7 @@ def _by_columns(x: Floats, y: Floats, shown: PixelMap) -> Segments:
 class ScrubLayer:
     """The scrub line, and a dot on every line where it crosses."""
 
-    def __init__(self, plot: PlotWidget, theme: Theme, plots: PlotLayer) -> None:
+    def __init__(self, plot: LayeredPlot, theme: Theme, plots: PlotLayer) -> None:
         self.theme = theme
         self.scale = 1.0
         self.scrub: float | None = None

@@ -3,7 +3,8 @@
 - ``pixel_map``: plane to pixels and back.
 - ``drawing``: polylines, discs and text drawn fast; nothing unsafe reaches Qt.
 - ``pens``, ``dashes``, ``area``: looks on the screen, dashes that run on, translucent areas.
-- ``plot_widget``: a pyqtgraph plot with our own painting, pan, zoom and mouse handling.
+- ``layered_plot``: a pyqtgraph plot with our own painting: layers, ranges.  ``plot_widget``: mouse and keys
+  on it.  ``panning``: the drawing follows the mouse.
 - ``plates``: words on little plates of paper.
 - ``stamps``, ``colours``: many marks in one call, in the colours of the points.
 """

@@ -187,7 +187,7 @@ def test_a_point_dragged_under_all_that_explains_the_curve(open_wave, family, er
     for name in (*EXPLAINING, *EXPLAINING_GHOSTS[family]):
         editor.trigger(name)
     times = calmest(lambda: drag_point(editor, ["canvas"]))
-    assert len(editor.window.canvas.ghosts) == 2
+    assert len(editor.window.canvas.annotations.ghosts) == 2
     what = "error of points" if not errors[1] else "and parameters"
     assert noted(f"{NAMES[family]} n = 20, comb, band ({what}), Λ(t), ghosts", times, 12)
 

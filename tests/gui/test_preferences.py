@@ -7,6 +7,7 @@ from PySide6.QtCore import QByteArray, QPoint, QRect, QSettings
 from PySide6.QtWidgets import QWidget
 
 from app.preferences import Preferences
+from app.settings import Setting
 from app.testing import Editor
 from app.theme import ThemeMode
 
@@ -183,15 +184,15 @@ def test_a_file_edited_by_hand_is_read(store, content):
     assert store.read_bytes() == content
 
 
-NAMES = [name for name, member in vars(Preferences).items() if isinstance(member, property)]
+SETTINGS = [name for name, member in vars(Preferences).items() if isinstance(member, Setting)]
+NAMES = [*SETTINGS, "recent_files"]
 
 
 def every_key(folder):
     """The keys of everything that is remembered, those of later versions included."""
     preferences = Preferences(folder / "all.ini")
-    for name in NAMES:
-        if vars(Preferences)[name].fset is not None:
-            setattr(preferences, name, getattr(preferences, name))
+    for name in SETTINGS:
+        setattr(preferences, name, getattr(preferences, name))
     preferences.add_recent_file(folder)
     keys = QSettings(str(folder / "all.ini"), QSettings.Format.IniFormat).allKeys()
     assert len(keys) >= 11

@@ -306,7 +306,7 @@ def test_the_grid_that_is_snapped_to_is_the_one_on_screen(editor):
     assert canvas.grid_spacing[0] == pytest.approx(wide[0] / 100)
     for spacing in (*wide, *canvas.grid_spacing):
         assert len(f"{spacing!r}") <= 6
-    canvas.set_grid_spacing(0.25)
+    canvas.grid.set_spacing(0.25)
     assert canvas.grid_spacing == (0.25, 0.25)
     for width in (1e-3, 1.0, 1e4, 1e9):
         canvas.show_box((0, width), (0, width))
@@ -344,7 +344,7 @@ def test_settings_are_remembered(qtbot, tmp_path):
 )
 def test_foreign_settings_give_the_default_and_a_sentence(tmp_path, key, value, name, default):
     preferences = Preferences(tmp_path / "settings.ini")
-    preferences._settings.setValue(key, value)
+    preferences.file.write(key, value)
     assert getattr(preferences, name) == default
     assert key in preferences.complaint
 

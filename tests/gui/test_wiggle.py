@@ -54,7 +54,7 @@ def text(editor, name):
 
 
 def ghosts(editor):
-    return editor.window.canvas.traces("cure")[0]
+    return editor.window.canvas.annotations.traces("cure")[0]
 
 
 def hover(widget):

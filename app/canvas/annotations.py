@@ -1,0 +1,112 @@
+"""What is drawn beside the active curve to explain it, and the legend that says what it means."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
+from PySide6.QtCore import QObject, Signal
+
+from app.canvas.figure_layer import FigureLayer
+from app.canvas.file_layer import FileLayer
+from app.canvas.trace_layer import Trace, TraceLayer
+from app.plot.layered_plot import LayeredPlot
+from app.theme import LIGHT
+from app.view_model.analysis.figures import Figure
+from app.view_model.curve_view import CurveView
+from app.view_model.looks import FILE_LOOK, Look
+
+if TYPE_CHECKING:
+    from app.canvas.legend import Legend
+    from app.view_model.analysis.ghosts import GhostView
+    from app.view_model.analysis.legend import LegendRow
+
+
+class Annotations(QObject):
+    """Figures, ghosts and other versions of the curve.
+
+    Attributes
+    ----------
+    legend
+        None until there is something to explain.
+
+    Signals
+    -------
+    ghost_chosen, ghost_hidden
+        A variant of the curve shall become the curve, or go away; said in the legend.
+    """
+
+    ghost_chosen = Signal(object)
+    ghost_hidden = Signal(object)
+
+    def __init__(self, plot: LayeredPlot) -> None:
+        super().__init__(plot)
+        self._plot = plot
+        self._figures = plot.dress(FigureLayer(plot, LIGHT, z=-0.5))
+        self._file_layer = plot.dress(FileLayer(plot, LIGHT))
+        self._traces = plot.dress(TraceLayer(plot, LIGHT))
+        self.legend: Legend | None = None
+
+    # Figures and ghosts
+
+    def render_figures(self, figures: Sequence[Figure], ghosts: Sequence[GhostView] = ()) -> None:
+        """Show combs, vectors, bands and the like, and variants of the curve."""
+        self._figures.render(figures, ghosts)
+
+    @property
+    def figures(self) -> Sequence[Figure]:
+        """What is shown beside the curve."""
+        return self._figures.figures
+
+    @property
+    def ghosts(self) -> Sequence[GhostView]:
+        """The variants of the curve that are shown."""
+        return self._figures.ghosts
+
+    # Other versions
+
+    def show_file_version(self, views: Sequence[CurveView], name: str) -> None:
+        """Show the curves that a file holds, dashed and with this name; none: put them away."""
+        self._file_layer.render(views, name)
+        self._explain_lines("file", [(FILE_LOOK, self.file_version)] if self.file_version else ())
+
+    @property
+    def file_version(self) -> str:
+        """What the curves of a file are called in the legend; empty while none are shown."""
+        return self._file_layer.name
+
+    def render_traces(
+        self, group: str, traces: Sequence[Trace], heading: str = "", *, faded: bool = False
+    ) -> None:
+        """Show other versions of the curve over it, explained; none take the group away."""
+        self._traces.render(group, traces, faded=faded)
+        named = [(trace.look, trace.label) for trace in traces]
+        self._explain_lines(group, named, heading, muted=faded)
+
+    def traces(self, group: str) -> tuple[Sequence[Trace], bool]:
+        """Return the traces of a group, and whether they are shown faded."""
+        return self._traces.groups.get(group, ((), False))
+
+    # The legend
+
+    def render_legend(self, group: str, rows: Sequence[LegendRow]) -> None:
+        """Explain what is shown; without rows of any group there is no legend."""
+        if self.legend is None:
+            if not rows:
+                return
+            # Built when there is something to explain: nobody waits for it at the start.
+            from app.canvas.legend import Legend  # noqa: PLC0415
+
+            self.legend = self._plot.dress(Legend(self._plot.viewport(), LIGHT))
+            self.legend.chosen.connect(self.ghost_chosen)
+            self.legend.hidden.connect(self.ghost_hidden)
+        self.legend.render_rows(group, rows)
+
+    def _explain_lines(
+        self, group: str, lines: Sequence[tuple[Look, str]], heading: str = "", *, muted: bool = False
+    ) -> None:
+        if not lines and self.legend is None:
+            return
+        from app.view_model.analysis.legend import line_rows  # noqa: PLC0415 - late, as the legend
+
+        self.render_legend(group, line_rows(lines, heading, muted=muted))

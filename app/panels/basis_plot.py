@@ -1,0 +1,164 @@
+"""What the basis panel shows: every basis function over t, the t-rail at its foot, and the scrub line."""
+
+from __future__ import annotations
+
+import numpy as np
+from PySide6.QtCore import QPointF, Signal
+from PySide6.QtWidgets import QWidget
+
+from app.panels.basis_layers import FunctionLayer, RailLayer, rail_height
+from app.panels.plot_over_t import PlotOverT
+from app.theme import LIGHT
+from app.view_model.basis_view import BasisView, basis_view
+from app.view_model.curve_view import CurveView
+
+_CALM_RANGE = (-0.5, 1.2)
+_PADDING = 0.035
+
+
+class BasisPlot(PlotOverT):
+    """Draws all basis functions of the active curve; x axis t. No gestures.
+
+    Signals
+    -------
+    extent_changed
+        (least, greatest) value of the functions if they leave the visible range, else None.
+    """
+
+    extent_changed = Signal(object)
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setObjectName("basisPanel")
+        self.setAccessibleName("Basis functions")
+        self.setAccessibleDescription("The basis functions over t; drag a tick at the foot to change t.")
+        self._view: CurveView | None = None
+        self._basis: BasisView | None = None
+        self._values: tuple[float, float] = _CALM_RANGE
+        self._functions = self.dress(FunctionLayer(self, LIGHT))
+        self._rail = self.dress(RailLayer(self, LIGHT))
+        self.getViewBox().sigResized.connect(self._show_values)
+
+    def render_view(self, view: CurveView) -> None:
+        """Show the functions of `view`; they are sampled again only if a parameter or the family changed."""
+        self._view = view
+        if _is_of(self._basis, view):
+            return
+        old = self._basis
+        self._basis = basis_view(view, self._basis)
+        self._functions.render(self._basis)
+        self._rail.render(self._basis)
+        moved = self._basis is not None and (old is None or old.curve.domain != self._basis.curve.domain)
+        if (moved or not view.source.nodes) and not self.is_dragging:
+            self.fit_domain()
+        self._report_extent()
+
+    @property
+    def emphasised(self) -> frozenset[int]:
+        """The points whose functions are drawn thick."""
+        return self._functions.emphasised
+
+    @property
+    def kinds(self) -> frozenset[int]:
+        """The kinds of functions that are shown."""
+        return self._functions.kinds
+
+    @property
+    def basis(self) -> BasisView | None:
+        """The functions on screen, None without a curve."""
+        return self._basis
+
+    def set_scale(self, scale: float) -> None:
+        """Enlarge lines, ticks and numbers, for a projector."""
+        super().set_scale(scale)
+        self._show_values()
+
+    def set_selection(self, selection: frozenset[int]) -> None:
+        """Draw the functions of these points thick."""
+        self._rail.selection = selection
+        self._emphasise()
+
+    def set_hovered(self, index: int) -> None:
+        """Draw the functions of this point thick, too (−1 for none)."""
+        self._rail.hovered = index
+        self._emphasise()
+
+    def _emphasise(self) -> None:
+        hovered = self._rail.hovered
+        self._functions.emphasised = self._rail.selection | ({hovered} if hovered >= 0 else frozenset())
+        self._functions.refresh()
+        self._rail.refresh()
+
+    def set_scrub(self, t: float | None) -> None:
+        """Move the scrub line, or put it away (None)."""
+        self._rail.scrub = t
+        self._rail.refresh()
+
+    def set_kinds(self, kinds: frozenset[int]) -> None:
+        """Show these kinds of functions: 0 position, 1 velocity, 2 acceleration."""
+        self._functions.kinds = kinds
+        self._functions.refresh()
+        self._report_extent()
+
+    # Ranges
+
+    def fit_domain(self) -> None:
+        """Show the whole interval of t."""
+        domain = self._domain()
+        if domain is not None:
+            start, end = domain
+            padding = _PADDING * (end - start)
+            self.set_t_range(start - padding, end + padding)
+        self._show_values()
+
+    def _domain(self) -> tuple[float, float] | None:
+        """Return the interval of t; without points that which the rule is going to span, else None."""
+        if self._basis is not None:
+            return self._basis.curve.domain
+        if self._view is None or self._view.source.nodes:
+            return None
+        rule = self._view.source.parametrization
+        return rule.start, rule.end
+
+    def fit_values(self) -> None:
+        """Show the functions from their least to their greatest value."""
+        if self._basis is not None:
+            low, high = self._basis.extent(self._functions.kinds)
+            margin = 0.05 * (high - low)
+            self._values = (min(low - margin, _CALM_RANGE[0]), max(high + margin, _CALM_RANGE[1]))
+            self._show_values()
+
+    def calm_values(self) -> None:
+        """Show the usual range again, −0.5 to 1.2."""
+        self._values = _CALM_RANGE
+        self._show_values()
+
+    def _show_values(self) -> None:
+        """Map the range of values to the part of the plot area above the rail."""
+        low, high = self._values
+        height = self.getViewBox().rect().height()
+        rail = rail_height(self._rail.scale)
+        share = rail / max(height - rail, 1.0)
+        self.getViewBox().setYRange(low - share * (high - low), high, padding=0)
+        self._report_extent()
+
+    def _report_extent(self) -> None:
+        extent = self._basis.extent(self._functions.kinds) if self._basis is not None else None
+        low, high = self._values
+        inside = extent is None or (extent[0] >= low and extent[1] <= high)
+        self.extent_changed.emit(None if inside else extent)
+
+    def rail_pixel(self, t: float) -> QPointF:
+        """Return where in the viewport the tick at `t` is grabbed."""
+        shown = self.pixel_map
+        area = QPointF(shown.point(t, 0.0)[0], shown.height - rail_height(self._rail.scale) + 8)
+        return self._area_origin() + area
+
+
+def _is_of(basis: BasisView | None, view: CurveView) -> bool:
+    """Tell whether these are the functions of `view`: they depend on the family and the parameters alone."""
+    if basis is None or not view.is_current or len(view.source.nodes) <= basis.owners[-1]:
+        return False
+    same_family = basis.curve.degree == view.pieces[0].degree and basis.kinds == view.pieces[0].jets.shape[1]
+    closes = (basis.owners[-1] == 0) is view.source.is_closed
+    return same_family and closes and np.array_equal(view.parameters, basis.curve.parameters)

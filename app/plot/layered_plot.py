@@ -1,0 +1,248 @@
+"""A pyqtgraph plot that we paint ourselves: layers, the pixel map, and which part of the plane is seen.
+
+pyqtgraph supplies the view box, the axes and the ranges. All drawing is done by layers that paint in pixels
+of the plot area.
+"""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Callable
+from typing import Protocol, TypeVar, runtime_checkable
+
+import pyqtgraph as pg
+from PySide6.QtCore import QPoint, QPointF, QRectF, Signal
+from PySide6.QtGui import QColor, QFont, QPainter, QPaintEvent
+from PySide6.QtWidgets import QGraphicsItem, QGraphicsView, QStyleOptionGraphicsItem, QWidget
+
+from app.plot.pixel_map import PixelMap
+from app.theme import LIGHT, Theme
+
+_AXIS_WIDTH = 46
+
+_INSET = 3
+"""Pixels by which layers stay inside the plot area: nearer to its edge, Qt repaints the axes every frame."""
+
+_LEAST_SPAN, _GREATEST_SPAN = 1e-9, 1e13
+
+
+class Themed(Protocol):
+    """What is drawn in the colours of a theme."""
+
+    theme: Theme
+
+
+@runtime_checkable
+class Scaled(Protocol):
+    """What is drawn larger for a projector."""
+
+    scale: float
+
+
+Dressed = TypeVar("Dressed", bound=Themed)
+
+
+class Layer(QGraphicsItem):
+    """One layer of the drawing: a function that paints in pixels of the plot area."""
+
+    def __init__(self, plot: LayeredPlot, paint: Callable[[QPainter, PixelMap], None]) -> None:
+        super().__init__(plot.getViewBox())
+        self._plot, self._paint = plot, paint
+        self._rect = QRectF()
+
+    def resize(self, rect: QRectF) -> None:
+        """Follow the plot area."""
+        self.prepareGeometryChange()
+        self._rect = rect.adjusted(_INSET, _INSET, -_INSET, -_INSET)
+
+    def boundingRect(self) -> QRectF:
+        return self._rect
+
+    def paint(
+        self,
+        painter: QPainter,
+        option: QStyleOptionGraphicsItem,
+        widget: QWidget | None = None,
+    ) -> None:
+        """Paint; called by Qt."""
+        try:
+            painter.setClipRect(self._rect.adjusted(-1, -1, 1, 1))
+            self._paint(painter, self._plot.pixel_map)
+        except Exception:
+            # An exception that leaves a paint method crashes the process (PySide6 6.11): report it here.
+            sys.excepthook(*sys.exc_info())
+
+
+class _Axis(pg.AxisItem):  # type: ignore[misc]  # pyqtgraph has no types
+    """An axis without a label, which pyqtgraph would lay out again for every pen and range it is given."""
+
+    def labelString(self) -> str:  # noqa: N802
+        return ""
+
+
+class LayeredPlot(pg.PlotWidget):  # type: ignore[misc]  # pyqtgraph has no types
+    """A plot with layers, exact pixel mapping, and ranges that zoom and pan.
+
+    Signals
+    -------
+    painted
+        The viewport has been painted.
+    map_changed
+        Another part of the plane is visible.
+    """
+
+    painted = Signal()
+    map_changed = Signal()
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        # Menus of its own that are never shown take pyqtgraph a tenth of the start to build.
+        axes = {side: _Axis(side) for side in ("left", "bottom")}
+        super().__init__(parent, enableMenu=False, axisItems=axes)
+        self._layers: list[Layer] = []
+        self._dressed: list[Themed] = []
+        self._theme = LIGHT
+        self._scale = 1.0
+        self._map: PixelMap | None = None
+        self._set_up_plot()
+        # With it Qt repaints one pixel around each layer, without it two; see _INSET.
+        self.setOptimizationFlag(QGraphicsView.OptimizationFlag.DontAdjustForAntialiasing, True)
+        # A dropped file is the window's business.
+        self.setAcceptDrops(False)
+
+    def _set_up_plot(self) -> None:
+        self.setMenuEnabled(False)
+        # pyqtgraph builds this menu even so, without a parent; left alone it would keep the whole window.
+        self.destroyed.connect(self.plotItem.ctrlMenu.deleteLater)
+        self.hideButtons()
+        box = self.getViewBox()
+        box.setMouseEnabled(x=False, y=False)
+        box.disableAutoRange()
+        box.setLimits(
+            minXRange=_LEAST_SPAN, maxXRange=_GREATEST_SPAN, minYRange=_LEAST_SPAN, maxYRange=_GREATEST_SPAN
+        )
+        box.sigRangeChanged.connect(self._forget_map)
+        box.sigResized.connect(self._forget_map)
+        for name in ("left", "bottom", "top", "right"):
+            # There is no unit to put a prefix to, but pyqtgraph would lay its label out at every new range.
+            self.getAxis(name).enableAutoSIPrefix(False)
+        for name in ("left", "bottom"):
+            self.getAxis(name).setStyle(tickLength=5, tickTextOffset=4, hideOverlappingLabels=True)
+        # The left axes of all plots have one width: they stay aligned, and nothing jumps when numbers grow.
+        LayeredPlot.set_scale(self, 1.0)
+
+    def add_layer(self, paint: Callable[[QPainter, PixelMap], None], *, z: float) -> Layer:
+        """Add a layer that `paint` draws; higher `z` is nearer to the eye."""
+        layer = Layer(self, paint)
+        layer.setZValue(z)
+        layer.resize(self.getViewBox().rect())
+        self._layers.append(layer)
+        return layer
+
+    def dress(self, drawing: Dressed) -> Dressed:
+        """Keep what is drawn here in the plot's theme and, if it has one, in its scale; return it."""
+        self._dressed.append(drawing)
+        drawing.theme = self._theme
+        if isinstance(drawing, Scaled):
+            drawing.scale = self._scale
+        return drawing
+
+    def set_theme(self, theme: Theme) -> None:
+        """Take the colours of `theme`."""
+        self._theme = theme
+        for drawing in self._dressed:
+            drawing.theme = theme
+        self.setBackground(theme.paper)
+        for name in ("left", "bottom"):
+            axis = self.getAxis(name)
+            axis.setPen(QColor(theme.grid_coarse))
+            axis.setTextPen(QColor(theme.muted))
+        self.viewport().update()
+
+    def set_scale(self, scale: float) -> None:
+        """Enlarge lines and numbers, for a projector."""
+        self._scale = scale
+        for drawing in self._dressed:
+            if isinstance(drawing, Scaled):
+                drawing.scale = scale
+        font = QFont(self.font())
+        font.setPointSizeF(max(self.font().pointSizeF() - 1.5, 7.0) * scale)
+        for name in ("left", "bottom"):
+            self.getAxis(name).setTickFont(font)
+        self.getAxis("left").setWidth(_AXIS_WIDTH * scale)
+        self.viewport().update()
+
+    # Plane and pixels
+
+    @property
+    def pixel_map(self) -> PixelMap:
+        """The present map from the plane to the pixels of the plot area."""
+        if self._map is None:
+            box = self.getViewBox()
+            (x_range, y_range), rect = box.viewRange(), box.rect()
+            self._map = PixelMap.of_ranges(tuple(x_range), tuple(y_range), rect.width(), rect.height())
+        return self._map
+
+    def _area_origin(self) -> QPointF:
+        """Return where in the viewport the plot area begins."""
+        box = self.getViewBox()
+        return QPointF(self.viewportTransform().map(box.mapToScene(QPointF(0, 0))))
+
+    def to_pixel(self, x: float, y: float) -> QPoint:
+        """Return the viewport pixel nearest to a point of the plane."""
+        pixel = self.pixel_map.point(x, y)
+        return (self._area_origin() + QPointF(*pixel)).toPoint()
+
+    def to_plane(self, pixel: QPoint | QPointF) -> tuple[float, float]:
+        """Return the point of the plane at a viewport pixel."""
+        return self.pixel_map.plane(*self.area_pixel(QPointF(pixel)))
+
+    def area_pixel(self, pixel: QPointF) -> tuple[float, float]:
+        """Return a viewport pixel as a pixel of the plot area."""
+        moved = pixel - self._area_origin()
+        return (moved.x(), moved.y())
+
+    @property
+    def pixel_size(self) -> float:
+        """The size of a pixel in the plane, along x."""
+        return 1.0 / self.pixel_map.sx
+
+    def centre(self) -> QPointF:
+        """Return the middle of the plot area in viewport pixels, where the zoom actions zoom."""
+        shown = self.pixel_map
+        return self._area_origin() + QPointF(shown.width / 2, shown.height / 2)
+
+    def _forget_map(self) -> None:
+        self._map = None
+        rect = self.getViewBox().rect()
+        for layer in self._layers:
+            layer.resize(rect)
+        self.map_changed.emit()
+
+    def show_box(self, x_range: tuple[float, float], y_range: tuple[float, float]) -> None:
+        """Show this part of the plane."""
+        self.getViewBox().setRange(xRange=x_range, yRange=y_range, padding=0)
+
+    def zoom(self, factor: float, pixel: QPointF) -> None:
+        """Zoom in by `factor` (out where it is below one), keeping what lies under the pixel there."""
+        x, y = self.to_plane(pixel)
+        self._scale_about(1 / factor, x, y)
+
+    def _scale_about(self, factor: float, x: float, y: float) -> None:
+        x_min, y_min, x_max, y_max = self.pixel_map.box
+        if not _LEAST_SPAN < (x_max - x_min) * factor < _GREATEST_SPAN:
+            return
+        self.show_box(
+            (x + (x_min - x) * factor, x + (x_max - x) * factor),
+            (y + (y_min - y) * factor, y + (y_max - y) * factor),
+        )
+
+    def pan(self, dx: float, dy: float) -> None:
+        """Move the drawing by pixels."""
+        shown = self.pixel_map
+        x_min, y_min, x_max, y_max = shown.box
+        by_x, by_y = -dx / shown.sx, dy / shown.sy
+        self.show_box((x_min + by_x, x_max + by_x), (y_min + by_y, y_max + by_y))
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        super().paintEvent(event)
+        self.painted.emit()

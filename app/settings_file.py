@@ -1,0 +1,107 @@
+"""The ini file of the settings: read without trusting it, and set aside where it is none."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+from typing import Final
+
+from PySide6.QtCore import QByteArray, QSettings
+
+_NAME: Final = "curvebench"
+
+_SETTING = re.compile(r"\[.*\]$|[^=]+=")
+
+
+class SettingsFile:
+    """
+    What is stored under which key; a value that cannot be read counts as not stored.
+
+    Parameters
+    ----------
+    store : pathlib.Path or QSettings, optional
+        Where it is; the user's configuration folder by default.
+
+    Attributes
+    ----------
+    complaint : str
+        What was wrong with the stored values, in one sentence; empty when nothing was.
+    """
+
+    def __init__(self, store: Path | QSettings | None = None) -> None:
+        self.complaint = ""
+        self._settings = _open(store)
+        if not isinstance(store, QSettings) and _set_aside_damaged(Path(self._settings.fileName())):
+            self.complaint = f"{self._settings.fileName()} was damaged and set aside; the defaults are used."
+            # What the first one has read of it is forgotten.
+            self._settings.sync()
+            self._settings = _open(store)
+        if self._settings.status() is not QSettings.Status.NoError:
+            self.complaint = f"{self._settings.fileName()} cannot be read; the defaults are used."
+
+    def value(self, key: str) -> object:
+        """Return what is stored, None where there is nothing, or nothing that Python knows."""
+        try:
+            return self._settings.value(key)
+        except Exception:
+            # PySide raises a RuntimeError for the types of QVariant that have no counterpart.
+            self.complain(key, "it is of a foreign type")
+            return None
+
+    def text(self, key: str) -> str:
+        """Return the text that is stored; empty where there is none."""
+        stored = self.value(key)
+        if stored is None or isinstance(stored, str):
+            return stored or ""
+        self.complain(key, "it is not a text")
+        return ""
+
+    def layout(self, key: str) -> QByteArray:
+        """Return what Qt saved of a layout; empty where there is nothing."""
+        stored = self.value(key)
+        if stored is None or isinstance(stored, QByteArray):
+            return stored or QByteArray()
+        self.complain(key, "it is not a saved layout")
+        return QByteArray()
+
+    def write(self, key: str, value: object) -> None:
+        """Store a value."""
+        self._settings.setValue(key, value)
+
+    def complain(self, key: str, reason: str) -> None:
+        """Say that the value of `key` cannot be used."""
+        self.complaint = f"The remembered {key} is not usable ({reason}); the default is used."
+
+
+def _open(store: Path | QSettings | None) -> QSettings:
+    if isinstance(store, QSettings):
+        return store
+    if store is not None:
+        return QSettings(str(store), QSettings.Format.IniFormat)
+    return QSettings(QSettings.Format.IniFormat, QSettings.Scope.UserScope, _NAME, _NAME)
+
+
+def _set_aside_damaged(path: Path) -> bool:
+    """Rename the file of settings at `path` where it is none; return whether it was.
+
+    QSettings takes any bytes for settings, and writes what it made of them back for good.
+    """
+    try:
+        if not path.is_file() or not _is_damaged(path.read_bytes()):
+            return False
+        path.replace(path.with_name(path.name + ".damaged"))
+    except OSError:
+        return False
+    return True
+
+
+def _is_damaged(data: bytes) -> bool:
+    """Whether this can be no ini file: no text, an open section, or nothing that is a section or setting."""
+    try:
+        text = data.decode("utf-8")
+    except UnicodeDecodeError:
+        return True
+    lines = [line.strip() for line in text.splitlines()]
+    lines = [line for line in lines if line and not line.startswith((";", "#"))]
+    is_open = any(line.startswith("[") and "]" not in line for line in lines)
+    return "\0" in text or is_open or bool(lines and not any(map(_SETTING.match, lines)))
