@@ -36,6 +36,8 @@ class SteadyLabel(QLabel):
         if text == self._text:
             return
         self._text = text
+        # QLabel's own text is empty: this is what is read out.
+        self.setAccessibleDescription(text)
         self._measure()
         self.update()
 

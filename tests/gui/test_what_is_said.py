@@ -236,7 +236,8 @@ def test_a_long_sentence_ends_in_dots_and_is_whole_in_the_tooltip(pair):
     pair.session.say(text)
     pair.settle()
     assert pair.window.width() == 1024
-    assert pair.window.status_line.findChild(QLabel, "hint").toolTip() == text
+    hint = pair.window.status_line.findChild(QLabel, "hint")
+    assert hint.toolTip() == hint.accessibleDescription() == text
 
 
 def test_escape_gives_the_slider_its_old_value_with_the_button_down(pair):
