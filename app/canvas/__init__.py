@@ -2,7 +2,8 @@
 
 - ``canvas_view``: what is shown.  ``canvas``: the widget, with the gestures on it.
 - ``curve_layer``, ``point_layer``, ``corner_layer``: the curve that is edited.
-- ``other_curves_layer``, ``file_layer``: the other curves; those that the file holds.
+- ``other_curves_layer``, ``chosen_curves_layer``, ``file_layer``: the other curves; those of them that are
+  chosen; those that the file holds.
 - ``grid_layer``, ``unit_layer``: grid and unit.
 - ``image_layer``, ``image_file``, ``page_image``: a picture to trace: drawn, read, and dark on dark paper.
 - ``figure_layer``, ``trace_layer``: overlays and ghosts; other versions of the curve.

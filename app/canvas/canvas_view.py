@@ -11,6 +11,7 @@ from PySide6.QtCore import QPointF, Signal
 from PySide6.QtGui import QImage
 from PySide6.QtWidgets import QWidget
 
+from app.canvas.chosen_curves_layer import ChosenCurvesLayer
 from app.canvas.corner_layer import CornerLayer
 from app.canvas.curve_layer import CurveLayer
 from app.canvas.figure_layer import FigureLayer
@@ -75,6 +76,7 @@ class CanvasView(PlotWidget):
         self._grid = GridLayer(self, LIGHT)
         self._units = UnitLayer(self, LIGHT)
         self._other_curves = OtherCurvesLayer(self, LIGHT)
+        self._chosen_curves = ChosenCurvesLayer(self, LIGHT)
         self._figures = FigureLayer(self, LIGHT, z=-0.5)
         self._file_layer = FileLayer(self, LIGHT)
         self.legend: Legend | None = None
@@ -103,10 +105,14 @@ class CanvasView(PlotWidget):
         """Name the unit of length at the axes; empty for none."""
         self._units.unit = name
 
-    def render_others(self, views: Sequence[CurveView], active: int) -> None:
-        """Show the other curves of the document behind the active one."""
+    def render_others(
+        self, views: Sequence[CurveView], active: int, chosen: frozenset[int] = frozenset()
+    ) -> None:
+        """Show the other curves of the document behind the active one; some are chosen."""
         self._views = views
-        self._other_curves.render(views, active)
+        others = [place for place in range(len(views)) if place != active]
+        self._other_curves.render(views, [place for place in others if place not in chosen])
+        self._chosen_curves.render(views, [place for place in others if place in chosen])
 
     def render_figures(self, figures: Sequence[Figure], ghosts: Sequence[GhostView] = ()) -> None:
         """Show combs, vectors, bands and the like beside the active curve, and variants of it."""
@@ -215,7 +221,8 @@ class CanvasView(PlotWidget):
         self._theme = theme
         for layer in (self._image_layer, self._grid, self._units, self._curve_layer, self._point_layer):
             layer.theme = theme
-        for other in (self._other_curves, self._corner_layer, self._figures, self._file_layer, self._traces):
+        back = (self._other_curves, self._chosen_curves, self._figures, self._file_layer)
+        for other in (*back, self._corner_layer, self._traces):
             other.theme = theme
         if self.legend is not None:
             self.legend.set_theme(theme)
@@ -226,7 +233,8 @@ class CanvasView(PlotWidget):
     def set_scale(self, scale: float) -> None:
         """Enlarge points, lines and numbers, for a projector."""
         self._curve_layer.scale = self._point_layer.scale = scale
-        for other in (self._other_curves, self._corner_layer, self._figures, self._file_layer, self._traces):
+        back = (self._other_curves, self._chosen_curves, self._figures, self._file_layer)
+        for other in (*back, self._corner_layer, self._traces):
             other.scale = scale
         if self.legend is not None:
             self.legend.set_scale(scale)
