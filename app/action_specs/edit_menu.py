@@ -161,11 +161,16 @@ EDIT_MENU = (
         "Edit",
         "Ctrl+X",
         "cut",
-        "Copy the selected points and delete them",
+        "Copy the selected points, or the chosen curves, and delete them",
         separated=True,
     ),
     ActionSpec(
-        "copyPoints", "Copy", "Edit", "Ctrl+C", "copy", "Copy the selected points with their derivatives"
+        "copyPoints",
+        "Copy",
+        "Edit",
+        "Ctrl+C",
+        "copy",
+        "Copy the selected points with their derivatives, or the chosen curves",
     ),
     ActionSpec(
         "pastePoints",
@@ -173,7 +178,7 @@ EDIT_MENU = (
         "Edit",
         "Ctrl+V",
         "paste",
-        "Append the points on the clipboard: two columns x y, or three t x y",
+        "Append the points on the clipboard (two columns x y, or three t x y), or add the curves",
     ),
     ActionSpec(
         "pasteAsCurve",

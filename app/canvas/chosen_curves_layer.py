@@ -1,4 +1,4 @@
-"""The curves that are chosen beside the active one: in full colour, with a halo, their points as rings."""
+"""The curves that are chosen beside the active one: in full colour, with halos, their points as rings."""
 
 from __future__ import annotations
 
@@ -17,6 +17,9 @@ from app.view_model.curve_view import CurveView
 
 _WIDTH, _HALO = 2.0, 7.0
 _HALO_SHARE = 0.28
+_HALOS_UP_TO = 12
+"""Curves from which on there are rings alone: wide lines would take half of the time of a drag of thirty."""
+
 _RADIUS = 3.5
 _MOST_RINGS = 400
 """Points in sight of one curve above which only as many are ringed: more would be a band."""
@@ -32,9 +35,11 @@ class ChosenCurvesLayer(OtherCurvesLayer):
         stroke = Stroke()
         for view in views:
             stroke.fill(pixels_of(view, shown), shown.width, shown.height)
-            for pen in (self._line(halo, _HALO), self._line(self._colour(view), _WIDTH)):
-                painter.setPen(pen)
+            if len(views) <= _HALOS_UP_TO:
+                painter.setPen(self._line(halo, _HALO))
                 stroke.draw(painter)
+            painter.setPen(self._line(self._colour(view), _WIDTH))
+            stroke.draw(painter)
             self._paint_rings(painter, shown, view)
 
     def _colour(self, view: CurveView) -> QColor:

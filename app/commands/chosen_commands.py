@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from app.colours import CURVE_COLOURS
 from app.commands.parts import Handlers, Parts
-from app.document.several_curves import add_copies, named, remove_curves
+from app.document.several_curves import active_after_removal, add_copies, named, remove_curves
 from app.view_model.curve_view import CurveView
 
 _VERBS = {"duplicateCurve": "Duplicate", "deleteCurve": "Delete"}
@@ -94,10 +94,8 @@ class ChosenCommands:
         self._parts.cancel_gesture()
         session, chosen = self._session, self._session.chosen_curves
         document = session.document
-        before = sum(place not in chosen for place in range(session.active_index))
-        rest = len(document.curves) - len(chosen)
         self._parts.change(
             f"Delete {named(document, chosen)}",
             lambda: remove_curves(document, chosen),
-            active=max(0, min(before, rest - 1)),
+            active=active_after_removal(document, chosen, session.active_index),
         )

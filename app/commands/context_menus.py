@@ -24,13 +24,13 @@ _CURVE = (
     "deleteCurve",
 )  # fmt: skip
 _CANVAS = (
-    "addTool", "selectAll", _SEPARATOR,
+    "addTool", "selectAll", "selectAllCurves", _SEPARATOR,
     "pastePoints", "pasteAsCurve", "newCurve", _SEPARATOR,
     "fitView", "toggleGrid", "toggleSnap", "toggleScrub",
 )  # fmt: skip
 _LIST = (
     "renameCurve", "curveColour", "curveVisible", "curveLocked", _SEPARATOR,
-    "raiseCurve", "lowerCurve", _SEPARATOR,
+    "raiseCurve", "lowerCurve", "selectAllCurves", "onlyThisCurve", _SEPARATOR,
     "newCurve", "duplicateCurve", "joinCurve", "reverseCurve", "closeCurve", _SEPARATOR,
     "deleteCurve",
 )  # fmt: skip

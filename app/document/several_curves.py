@@ -108,6 +108,12 @@ def remove_curves(document: Document, curves: Collection[int]) -> Document:
     return document
 
 
+def active_after_removal(document: Document, curves: Collection[int], active: int) -> int:
+    """Return which curve to edit when `curves` are gone: the one that takes the place of the active one."""
+    before = sum(place not in curves for place in range(active))
+    return max(0, min(before, len(document.curves) - len(curves) - 1))
+
+
 def add_copies(document: Document, curves: Collection[int], colours: Sequence[str]) -> Document:
     """Add copies after the last of `curves`, in their order, in these colours, visible and free."""
     after = max(curves) + 1

@@ -5,11 +5,12 @@ from __future__ import annotations
 import numpy as np
 import pytest
 from msgspec.structs import replace
-from PySide6.QtCore import QEvent, QPoint, Qt
+from PySide6.QtCore import QEvent, QMimeData, QPoint, Qt
 from PySide6.QtGui import QContextMenuEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QLabel
 
+from app.commands.curve_clipboard import CURVES
 from app.document.model import Document, Family, Node, make_curve
 from app.gestures.snapping import SnapKind, Snapping
 from app.panels.curve_list_view import Spot, spot_rect
@@ -386,7 +387,7 @@ def test_dragging_one_moves_all_chosen(five):
     assert [moved_by(five, before, row) for row in (0, 2, 4)] == [(0, 0)] * 3
     assert (step_name(five), chosen(five)) == ("Move 2 curves", "BD")
     five.trigger("undo")
-    assert five.session.document == before
+    assert (five.session.document, chosen(five)) == (before, "BD")
 
 
 def test_shift_keeps_the_drag_to_an_axis(five):
@@ -606,3 +607,47 @@ def test_choosing_drops_no_row_drag(five):
     QTest.mouseRelease(view.viewport(), LEFT, CTRL, QPoint(place.x(), 4))
     five.settle()
     assert (names(five), chosen(five)) == ("ABCDE", "BD")
+
+
+# Clipboard
+
+
+def test_all_chosen_are_copied_and_pasted(five):
+    choose(five, "BC")
+    originals = five.session.document.curves
+    five.key(Qt.Key.Key_C, CTRL)
+    assert five.status == "Copied 2 curves."
+    assert QApplication.clipboard().text().split()[:4] == ["0.0", "2.0", "1.0", "3.0"]
+    click_row(five, 4)
+    five.key(Qt.Key.Key_V, CTRL)
+    assert [curve.name for curve in five.session.document.curves[5:]] == ["B copy", "C copy"]
+    assert [curve.nodes for curve in five.session.document.curves[5:]] == [
+        curve.nodes for curve in originals[1:3]
+    ]
+    assert (five.session.active_index, five.session.chosen_curves) == (5, {5, 6})
+    assert step_name(five) == "Paste 2 curves"
+
+
+def test_all_chosen_are_cut(five):
+    choose(five, "BD")
+    five.key(Qt.Key.Key_X, CTRL)
+    assert (names(five), chosen(five), step_name(five)) == ("ACE", "C", "Cut 2 curves")
+    five.key(Qt.Key.Key_V, CTRL)
+    assert (names(five), chosen(five)) == ("ACBDE", "BD")
+
+
+def test_selected_points_are_copied_before_chosen_curves(five):
+    choose(five, "BD")
+    five.click(five.point(1))
+    five.key(Qt.Key.Key_C, CTRL)
+    assert five.status == "Copied 1 point."
+
+
+def test_what_is_no_curve_on_the_clipboard_is_told(five):
+    data = QMimeData()
+    data.setData(CURVES, b"{")
+    QApplication.clipboard().setMimeData(data)
+    document = five.session.document
+    five.key(Qt.Key.Key_V, CTRL)
+    assert five.status.startswith("The curves on the clipboard cannot be read")
+    assert five.session.document is document
