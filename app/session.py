@@ -58,6 +58,8 @@ class Session(QObject):
 
     Attributes
     ----------
+    chosen_curves
+        The curves that are worked on together, by their places; the one that is edited is one of them.
     clock
         Tells the seconds between the changes of a run; tests give their own.
     """

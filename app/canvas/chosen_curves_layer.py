@@ -9,6 +9,7 @@ from PySide6.QtCore import QPointF, Qt
 from PySide6.QtGui import QColor, QPainter, QPen
 
 from app.canvas.other_curves_layer import OtherCurvesLayer, pixels_of
+from app.canvas.point_layer import opacity_of
 from app.colours import curve_colour
 from app.plot.drawing import Stroke
 from app.plot.pixel_map import PixelMap
@@ -26,7 +27,12 @@ _MOST_RINGS = 400
 
 
 class ChosenCurvesLayer(OtherCurvesLayer):
-    """Draws chosen curves as `OtherCurvesLayer` draws the others: from a picture, kept while they stay."""
+    """Draws chosen curves as `OtherCurvesLayer` draws the others: from a picture, kept while they stay.
+
+    Hidden ones are faint, as the active curve is: they are moved with the others.
+    """
+
+    shows_hidden = True
 
     def paint_curves(self, painter: QPainter, shown: PixelMap, views: Sequence[CurveView]) -> None:
         """Paint halos, lines and rings into the picture."""
@@ -34,6 +40,7 @@ class ChosenCurvesLayer(OtherCurvesLayer):
         halo = mix(self.theme.accent, self.theme.paper, _HALO_SHARE)
         stroke = Stroke()
         for view in views:
+            painter.setOpacity(opacity_of(view))
             stroke.fill(pixels_of(view, shown), shown.width, shown.height)
             if len(views) <= _HALOS_UP_TO:
                 painter.setPen(self._line(halo, _HALO))

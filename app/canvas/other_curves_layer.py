@@ -37,6 +37,8 @@ class OtherCurvesLayer:
     painting them is then copying one picture, however many they are.
     """
 
+    shows_hidden = False
+
     def __init__(self, plot: PlotWidget, theme: Theme) -> None:
         self.theme = theme
         self.scale = 1.0
@@ -51,11 +53,11 @@ class OtherCurvesLayer:
         self._layer.hide()
 
     def render(self, views: Sequence[CurveView], places: Sequence[int]) -> None:
-        """Draw those of `views` at these places, the hidden ones excepted, from the next paint on."""
+        """Draw those of `views` at these places from the next paint on."""
         shown = [
             (place, views[place])
             for place in places
-            if views[place].source.visible and views[place].curve is not None
+            if (views[place].source.visible or self.shows_hidden) and views[place].curve is not None
         ]
         if _same(shown, self._views):
             return

@@ -8,7 +8,7 @@ from msgspec.structs import replace
 from PySide6.QtCore import QEvent, QMimeData, QPoint, Qt
 from PySide6.QtGui import QContextMenuEvent
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication, QLabel
+from PySide6.QtWidgets import QApplication, QLabel, QPushButton
 
 from app.commands.curve_clipboard import CURVES
 from app.document.model import Document, Family, Node, make_curve
@@ -579,6 +579,30 @@ def test_chosen_curves_are_drawn_with_rings(five):
     assert not ringed(3)
 
 
+def test_a_chosen_curve_that_is_hidden_is_faint_and_moves_along(five):
+    before = five.session.document
+
+    def strength():
+        x, y = five.window.canvas.to_pixel(*on_curve(five, 3)).toTuple()
+        return min(
+            five.window.canvas.viewport().grab().toImage().pixelColor(x + dx, y + dy).lightness()
+            for dx in (-1, 0, 1)
+            for dy in (-1, 0, 1)
+        )
+
+    choose(five, "BD")
+    shown = strength()
+    click_row(five, 3, spot=Spot.EYE)
+    assert shown + 40 < strength() < 250
+    x, y = on_curve(five, 3)
+    five.drag((x, y), (x + 0.5, y))
+    assert moved_by(five, before, 1) == pytest.approx(moved_by(five, before, 3))
+    five.trigger("onlyThisCurve")
+    assert five.window.canvas._chosen_curves.hit(
+        five.window.canvas.to_pixel(*on_curve(five, 3)).toTuple(), five.window.canvas.pixel_map
+    ) is None  # fmt: skip
+
+
 def test_what_is_not_dragged_is_not_painted_anew(five):
     choose(five, "BDE")
     canvas = five.window.canvas
@@ -651,3 +675,13 @@ def test_what_is_no_curve_on_the_clipboard_is_told(five):
     five.key(Qt.Key.Key_V, CTRL)
     assert five.status.startswith("The curves on the clipboard cannot be read")
     assert five.session.document is document
+
+
+def test_curves_that_are_imported_to_others_are_chosen(five, tmp_path):
+    path = tmp_path / "drawing.svg"
+    path.write_text('<svg xmlns="http://www.w3.org/2000/svg"><path d="M0 0L9 9"/><path d="M0 9L9 0"/></svg>')
+    five.window.import_file(path)
+    five.wait_for_work()
+    QTest.mouseClick(five.window.findChild(QPushButton, "importDrawing"), LEFT)
+    five.settle()
+    assert (five.session.active_index, five.session.chosen_curves) == (5, {5, 6})
