@@ -11,7 +11,7 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QLabel, QPushButton
 
 from app.commands.curve_clipboard import CURVES
-from app.document.model import Document, Family, Node, make_curve
+from app.document.model import Document, Family, Node, Parametrization, ParametrizationKind, make_curve
 from app.gestures.snapping import SnapKind, Snapping
 from app.panels.curve_list_view import Spot, spot_rect
 
@@ -29,6 +29,9 @@ def five(editor):
         make_curve([(x, y + 2 * level) for x, y in WAVE], name=name, family=Family.QUINTIC_HERMITE)
         for level, name in enumerate("ABCDE")
     ]
+    # Spaced evenly in t, so that derivatives per unit of t go as vectors do, however distances change.
+    evenly = Parametrization(ParametrizationKind.UNIFORM)
+    curves = [replace(curve, parametrization=evenly) for curve in curves]
     node = replace(curves[2].nodes[1], velocity=(4.0, 2.0), acceleration=(-8.0, 16.0))
     curves[2] = replace(curves[2], nodes=(curves[2].nodes[0], node, *curves[2].nodes[2:]))
     editor.session.commit(Document(tuple(curves)), "Begin", active=1)
