@@ -508,8 +508,9 @@ def test_a_grip_scales_all_chosen_about_the_opposite_corner(five):
 
 def test_a_grip_snaps_a_side_to_the_grid_in_all_curves(five):
     choose(five, "BC")
+    five.window.preferences.grid_spacing = 0.3
+    five.window.apply_preferences()
     five.window.canvas.set_snapping(Snapping(True, frozenset({SnapKind.GRID})))
-    five.window.canvas.set_grid_spacing(0.3)
     x, y = five.grip(1, 0)
     five.drag((x, y), (x + 0.62, y))
     assert [positions(five, row)[3][0] for row in (1, 2)] == [3.6, 3.6]
