@@ -8,6 +8,7 @@ The layers, top to bottom; a module imports only from its own layer and those ab
 - ``exchange``: files in and out. Qt only in ``image`` and ``motion_frames``.
 - ``worker``: work off the window's thread, with progress, that can be taken back.
 - ``resources``, ``examples``, ``lessons``: what comes with the program.
+- ``undo_step``: a step of the history.
 - ``session``: the one mutable owner of the current document, its history and the selection.
 - ``analysis``, ``settle``: what is shown over the curve; what is computed beside the window.
 - ``autosave``: keeps a snapshot of what is not saved yet.

@@ -189,6 +189,7 @@ class MainWindow(QMainWindow):
         session.document_changed.connect(self._render_document)
         session.active_changed.connect(self._render_document)
         session.selection_changed.connect(self._render_selection)
+        session.chosen_changed.connect(self._render_chosen)
         session.hovered_changed.connect(self.canvas.set_hovered)
         session.hovered_changed.connect(self.basis_panel.set_hovered)
         session.scrub_changed.connect(self._render_scrub)
@@ -216,7 +217,7 @@ class MainWindow(QMainWindow):
     def _render_document(self) -> None:
         view = self.session.active_view
         self.canvas.render_view(view)
-        self.canvas.render_others(self.session.views, self.session.active_index)
+        self.canvas.render_others(self.session.views, self.session.active_index, self.session.chosen_curves)
         self.basis_pane.render_view(view)
         self.table_panel.render_view(view)
         self._commands.follow(view)
@@ -230,7 +231,9 @@ class MainWindow(QMainWindow):
         self._panels_due.stop()
         view = self.session.active_view
         self.curve_settings.render_view(view)
-        self.curve_list.render_document(self.session.document, self.session.active_index)
+        self.curve_list.render_document(
+            self.session.document, self.session.active_index, self.session.chosen_curves
+        )
         self.parametrization_bar.render_view(view)
         self.status_line.show_lebesgue(self.basis_panel.basis)
         self._commands.render(view)
@@ -240,6 +243,13 @@ class MainWindow(QMainWindow):
         self.basis_panel.set_selection(selection)
         self.table_panel.set_selection(selection)
         self._commands.render(self.session.active_view)
+
+    def _render_chosen(self, chosen: frozenset[int]) -> None:
+        session = self.session
+        self.canvas.render_others(session.views, session.active_index, chosen)
+        self.canvas.hover_again()
+        self.curve_list.render_document(session.document, session.active_index, chosen)
+        self._commands.render(session.active_view)
 
     def _render_scrub(self, t: float | None) -> None:
         self.canvas.set_scrub(t)

@@ -6,58 +6,21 @@ import time
 from collections.abc import Callable, Collection, Hashable
 from pathlib import Path
 
-import msgspec
 from PySide6.QtCore import QObject, Signal
-from PySide6.QtGui import QUndoCommand, QUndoStack
+from PySide6.QtGui import QUndoStack
 
 from app.document import storage
 from app.document.curve_edits import refuse_locked
 from app.document.edits import EditError
 from app.document.model import Curve, Document, empty_document
 from app.document.open_file import OpenFile
+from app.document.several_curves import followed
 from app.examples import first_sketch
+from app.undo_step import State, UndoStep
 from app.view_model.curve_view import CurveView, view_of
-
-
-class _State(msgspec.Struct, frozen=True):
-    """What undo brings back: a document, and which of its curves was edited."""
-
-    document: Document
-    active: int
-
 
 _RUN_SECONDS = 1.0
 """Changes of the same run that follow each other as quickly as this are one step."""
-
-
-class _Change(QUndoCommand):
-    """A step from one state to the next; the values are computed before it is made.
-
-    One that `joins` becomes a part of the step before it.
-    """
-
-    def __init__(
-        self, session: Session, before: _State, after: _State, text: str, *, joins: bool = False
-    ) -> None:
-        super().__init__(text)
-        self._session, self._before, self._after, self._joins = session, before, after, joins
-
-    def id(self) -> int:
-        return 1  # Qt asks only commands of one number whether they can be merged
-
-    def mergeWith(self, other: QUndoCommand) -> bool:  # noqa: N802
-        if not isinstance(other, _Change) or not other._joins:
-            return False
-        self._after = other._after
-        # There and back again is no step.
-        self.setObsolete(self._after == self._before)
-        return True
-
-    def redo(self) -> None:
-        self._session._restore(self._after)
-
-    def undo(self) -> None:
-        self._session._restore(self._before)
 
 
 class Session(QObject):
@@ -71,6 +34,8 @@ class Session(QObject):
         Another curve is edited.
     selection_changed
         Another set of nodes is selected.
+    chosen_changed
+        Another set of curves is chosen, to be worked on together.
     hovered_changed
         The pointer is over another node (its index, or -1), on the canvas or in the basis panel.
     scrub_changed
@@ -93,6 +58,8 @@ class Session(QObject):
 
     Attributes
     ----------
+    chosen_curves
+        The curves that are worked on together, by their places; the one that is edited is one of them.
     clock
         Tells the seconds between the changes of a run; tests give their own.
     """
@@ -100,6 +67,7 @@ class Session(QObject):
     document_changed = Signal(object)
     active_changed = Signal(int)
     selection_changed = Signal(object)
+    chosen_changed = Signal(object)
     hovered_changed = Signal(int)
     scrub_changed = Signal(object)
     file_changed = Signal()
@@ -119,6 +87,7 @@ class Session(QObject):
         self.file: OpenFile | None = None
         self.active_index = 0
         self.selection: frozenset[int] = frozenset()
+        self.chosen_curves = frozenset({0})
         self.hovered = -1
         self.scrub: float | None = None
         self.offered_at: float | None = None
@@ -170,14 +139,37 @@ class Session(QObject):
         return self.views[self.active_index]
 
     def activate(self, index: int) -> None:
-        """Edit another curve; nothing of it is selected yet."""
-        if index != self.active_index:
+        """Edit another curve, and choose it alone; nothing of it is selected yet."""
+        self.choose_curves((index,), index)
+
+    def choose_curves(self, indices: Collection[int], active: int | None = None) -> None:
+        """Choose curves to work on together.
+
+        The curve that is edited is one of them: `active`, or the one edited so far, or the chosen one nearest
+        to it. With several no points are selected, so that tools act on the curves.
+        """
+        wanted = self.active_index if active is None else active
+        if wanted not in indices:
+            wanted = min(indices, key=lambda index: abs(index - wanted), default=wanted)
+        before, self.chosen_curves = self.chosen_curves, frozenset({*indices, wanted})
+        if wanted != self.active_index:
             self.interrupted.emit()
             self.cancel()
             self.offered_at = None
-            self._enter(index)
+            self._enter(wanted)
             self._keep_scrub_inside()
-            self.active_changed.emit(index)
+            self.active_changed.emit(wanted)
+        if len(self.chosen_curves) > 1:
+            self.select([])
+        if self.chosen_curves != before:
+            self.chosen_changed.emit(self.chosen_curves)
+
+    def _follow_choice(self, before: Document) -> bool:
+        """Keep the chosen curves valid after `before`; return whether they are other places now."""
+        old = self.chosen_curves
+        kept = followed(old, before.curves, self._shown.curves) if len(old) > 1 else frozenset[int]()
+        self.chosen_curves = kept if self.active_index in kept else frozenset({self.active_index})
+        return self.chosen_curves != old
 
     def _enter(self, index: int) -> None:
         """Make curve `index` the active one; what belonged to the other is put away."""
@@ -241,9 +233,9 @@ class Session(QObject):
             self.cancel()
             return
         after = self.active_index if active is None else active
-        before = _State(self._committed, self.active_index)
+        before = State(self._committed, self.active_index)
         joins, steps = self._goes_on(run), self.undo_stack.index()
-        self.undo_stack.push(_Change(self, before, _State(document, after), text, joins=joins))
+        self.undo_stack.push(UndoStep(self._restore, before, State(document, after), text, joins=joins))
         # Where the change has taken its run back, the last step is another one.
         is_there = self.undo_stack.index() >= steps
         self._run = (run, self.clock()) if run is not None and is_there else None
@@ -257,7 +249,7 @@ class Session(QObject):
         if self._shown is not self._committed:
             self._show(self._committed)
 
-    def _restore(self, state: _State) -> None:
+    def _restore(self, state: State) -> None:
         self._run = None
         self.interrupted.emit()
         if state.active != self.active_index:
@@ -267,12 +259,15 @@ class Session(QObject):
         self._keep_scrub_inside()
 
     def _show(self, document: Document) -> None:
-        self._shown = document
+        before, self._shown = self._shown, document
+        self.active_index = min(self.active_index, len(document.curves) - 1)
+        has_moved = self._follow_choice(before)
         self._drop_stale_indices()
         self.document_changed.emit(document)
+        if has_moved:
+            self.chosen_changed.emit(self.chosen_curves)
 
     def _drop_stale_indices(self) -> None:
-        self.active_index = min(self.active_index, len(self._shown.curves) - 1)
         count = len(self.active_curve.nodes)
         if self.hovered >= count:
             self.set_hovered(-1)
@@ -337,10 +332,10 @@ class Session(QObject):
         document = self.file.read_again()
         self.cancel()
         if document != self._committed:
-            before, after = _State(self._committed, self.active_index), _State(document, 0)
+            before, after = State(self._committed, self.active_index), State(document, 0)
             if self.active_index < len(document.curves):
-                after = _State(document, self.active_index)
-            self.undo_stack.push(_Change(self, before, after, "Reload"))
+                after = State(document, self.active_index)
+            self.undo_stack.push(UndoStep(self._restore, before, after, "Reload"))
         self.undo_stack.setClean()
         self.file_changed.emit()
 
@@ -380,10 +375,11 @@ class Session(QObject):
         self._take_file(OpenFile.adopt(path) if file is None and path is not None else file)
         self.path = path
         self.select([])
+        self.choose_curves((self.active_index,))
         self.set_scrub(None)
         # Another document's curves are nobody's last good shape.
         self._views, self._views_of = [], ()
-        self._restore(_State(document, 0))
+        self._restore(State(document, 0))
         self.undo_stack.clear()
         self.undo_stack.setClean()
         self.file_changed.emit()

@@ -27,12 +27,21 @@ EDIT_MENU = (
         "selectAll", "Select All", "Edit", "Ctrl+A", "select-all", "Select all points", separated=True
     ),
     ActionSpec(
+        "selectAllCurves",
+        "Select All Curves",
+        "Edit",
+        "Ctrl+Shift+A",
+        "",
+        "Choose all curves, to move, scale, hide, colour or delete them together",
+    ),
+    ActionSpec("onlyThisCurve", "Only This Curve", "Edit", "", "", "Choose the curve that is edited alone"),
+    ActionSpec(
         "moveSelection",
         "Move",
         "Edit",
         "G",
         "move",
-        "Move the selected points with the pointer; type the amount",
+        "Move the selected points, or the chosen curves, with the pointer; type the amount",
         submenu="Transform",
     ),
     ActionSpec(
@@ -41,7 +50,7 @@ EDIT_MENU = (
         "Edit",
         "S",
         "scale",
-        "Scale the selected points with the pointer; type the factor",
+        "Scale the selected points, or the chosen curves, with the pointer; type the factor",
         submenu="Transform",
     ),
     ActionSpec(
@@ -50,7 +59,7 @@ EDIT_MENU = (
         "Edit",
         "R",
         "rotate",
-        "Rotate the selected points with the pointer; type the angle",
+        "Rotate the selected points, or the chosen curves, with the pointer; type the angle",
         submenu="Transform",
     ),
     ActionSpec(
@@ -59,7 +68,7 @@ EDIT_MENU = (
         "Edit",
         "",
         "transform-box",
-        "Show a box with grips around two or more selected points",
+        "Show a box with grips around two or more selected points, or around chosen curves",
         checkable=True,
         separated=True,
         submenu="Transform",
@@ -138,18 +147,30 @@ EDIT_MENU = (
         "Space the selected points evenly from bottom to top",
         submenu="Align",
     ),
-    ActionSpec("deleteSelection", "Delete", "Edit", "Del, Backspace", "delete", "Delete the selected points"),
+    ActionSpec(
+        "deleteSelection",
+        "Delete",
+        "Edit",
+        "Del, Backspace",
+        "delete",
+        "Delete the selected points, or the chosen curves",
+    ),
     ActionSpec(
         "cutPoints",
         "Cut",
         "Edit",
         "Ctrl+X",
         "cut",
-        "Copy the selected points and delete them",
+        "Copy the selected points, or the chosen curves, and delete them",
         separated=True,
     ),
     ActionSpec(
-        "copyPoints", "Copy", "Edit", "Ctrl+C", "copy", "Copy the selected points with their derivatives"
+        "copyPoints",
+        "Copy",
+        "Edit",
+        "Ctrl+C",
+        "copy",
+        "Copy the selected points with their derivatives, or the chosen curves",
     ),
     ActionSpec(
         "pastePoints",
@@ -157,7 +178,7 @@ EDIT_MENU = (
         "Edit",
         "Ctrl+V",
         "paste",
-        "Append the points on the clipboard: two columns x y, or three t x y",
+        "Append the points on the clipboard (two columns x y, or three t x y), or add the curves",
     ),
     ActionSpec(
         "pasteAsCurve",

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import numpy as np
 from msgspec.structs import replace
 from PySide6.QtCore import QEvent, QPoint, QPointF, Qt, Signal
@@ -63,6 +65,13 @@ class Canvas(CanvasView):
     def set_selection(self, selection: frozenset[int]) -> None:
         """Show which points are selected."""
         super().set_selection(selection)
+        self._show_overlay()
+
+    def render_others(
+        self, views: Sequence[CurveView], active: int, chosen: frozenset[int] = frozenset()
+    ) -> None:
+        """Show the other curves, and the box around those that are chosen."""
+        super().render_others(views, active, chosen)
         self._show_overlay()
 
     def set_snapping(self, snapping: Snapping) -> None:
@@ -207,7 +216,9 @@ class Canvas(CanvasView):
         polyline = self._curve_layer.polyline(shown)
         hit = hit_test(pointer.pixel, shown, self._view, polyline, layer.selection, layer.handles)
         if hit is None and self._tool.kind is ToolKind.SELECT:
-            hit = self._other_curves.hit(pointer.pixel, shown)
+            hit = self._chosen_curves.hit(pointer.pixel, shown) or self._other_curves.hit(
+                pointer.pixel, shown
+            )
         return replace(pointer, hit=hit)
 
     def _show_hint(self, hint: Hint) -> None:

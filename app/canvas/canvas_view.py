@@ -11,6 +11,7 @@ from PySide6.QtGui import QImage
 from PySide6.QtWidgets import QWidget
 
 from app.canvas.annotations import Annotations
+from app.canvas.chosen_curves_layer import ChosenCurvesLayer
 from app.canvas.corner_layer import CornerLayer
 from app.canvas.curve_layer import CurveLayer
 from app.canvas.fitting import all_inside, are_in_sight, box_of, way_back_inside
@@ -57,6 +58,7 @@ class CanvasView(PlotWidget):
         self.grid = self.dress(GridLayer(self, LIGHT))
         self._units = self.dress(UnitLayer(self, LIGHT))
         self._other_curves = self.dress(OtherCurvesLayer(self, LIGHT))
+        self._chosen_curves = self.dress(ChosenCurvesLayer(self, LIGHT))
         self._curve_layer = self.dress(CurveLayer(self, LIGHT))
         self.annotations = Annotations(self)
         self._point_layer = self.dress(PointLayer(self, LIGHT))
@@ -82,10 +84,14 @@ class CanvasView(PlotWidget):
         """Name the unit of length at the axes; empty for none."""
         self._units.unit = name
 
-    def render_others(self, views: Sequence[CurveView], active: int) -> None:
-        """Show the other curves of the document behind the active one."""
+    def render_others(
+        self, views: Sequence[CurveView], active: int, chosen: frozenset[int] = frozenset()
+    ) -> None:
+        """Show the other curves of the document behind the active one; some are chosen."""
         self._views = views
-        self._other_curves.render(views, active)
+        others = [place for place in range(len(views)) if place != active]
+        self._other_curves.render(views, [place for place in others if place not in chosen])
+        self._chosen_curves.render(views, [place for place in others if place in chosen])
 
     def render_motion(self, dots: Sequence[Dot], lines: Sequence[tuple[Role, Floats]] = ()) -> None:
         """Show dots that run, and the curves that some of them run along."""

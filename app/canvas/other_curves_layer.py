@@ -31,11 +31,13 @@ _REST_MS = 80
 
 
 class OtherCurvesLayer:
-    """Draws all visible curves but the active one, and tells which of them a pixel is on.
+    """Draws the visible curves that are neither edited nor chosen, and tells which of them a pixel is on.
 
     While the active curve is dragged the others are the same objects in front of the same part of the plane;
     painting them is then copying one picture, however many they are.
     """
+
+    shows_hidden = False
 
     def __init__(self, plot: LayeredPlot, theme: Theme) -> None:
         self.theme = theme
@@ -50,12 +52,12 @@ class OtherCurvesLayer:
         self._layer = plot.add_layer(self.paint, z=-1)
         self._layer.hide()
 
-    def render(self, views: Sequence[CurveView], active: int) -> None:
-        """Draw `views`, the active and the hidden ones excepted, from the next paint on."""
+    def render(self, views: Sequence[CurveView], places: Sequence[int]) -> None:
+        """Draw those of `views` at these places from the next paint on."""
         shown = [
-            (place, view)
-            for place, view in enumerate(views)
-            if place != active and view.source.visible and view.curve is not None
+            (place, views[place])
+            for place in places
+            if (views[place].source.visible or self.shows_hidden) and views[place].curve is not None
         ]
         if _same(shown, self._views):
             return
@@ -103,13 +105,17 @@ class OtherCurvesLayer:
         picture.fill(Qt.GlobalColor.transparent)
         painter = QPainter(picture)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing, True)
-        stroke = Stroke()
-        for _, view in self._views:
-            stroke.fill(_pixels(view, shown), shown.width, shown.height)
-            painter.setPen(self._pen(view))
-            stroke.draw(painter)
+        self.paint_curves(painter, shown, [view for _, view in self._views])
         painter.end()
         return picture
+
+    def paint_curves(self, painter: QPainter, shown: PixelMap, views: Sequence[CurveView]) -> None:
+        """Paint the curves into the picture."""
+        stroke = Stroke()
+        for view in views:
+            stroke.fill(pixels_of(view, shown), shown.width, shown.height)
+            painter.setPen(self._pen(view))
+            stroke.draw(painter)
 
     def _pen(self, view: CurveView) -> QPen:
         colour = curve_colour(view.source.colour, self.theme)
@@ -148,7 +154,7 @@ class _Outline:
     def __init__(self, views: Sequence[tuple[int, CurveView]], shown: PixelMap) -> None:
         self.shown = shown
         # Far away vertices would overflow when squared; beyond this nobody points at them.
-        polylines = [np.clip(_pixels(view, shown), -1e9, 1e9) for _, view in views]
+        polylines = [np.clip(pixels_of(view, shown), -1e9, 1e9) for _, view in views]
         self._starts = np.vstack([polyline[:-1] for polyline in polylines])
         self._along = np.vstack([np.diff(polyline, axis=0) for polyline in polylines])
         self._places = np.repeat([place for place, _ in views], [len(each) - 1 for each in polylines])
@@ -169,7 +175,7 @@ class _Outline:
         return Hit(Part.OTHER_CURVE, int(self._places[best]), self.shown.plane(*pixel))
 
 
-def _pixels(view: CurveView, shown: PixelMap) -> Floats:
+def pixels_of(view: CurveView, shown: PixelMap) -> Floats:
     """Return the curve as a polyline in pixels."""
     return shown.points(view.flattened(TOLERANCE / max(shown.sx, shown.sy), shown.box).points)
 

@@ -3,6 +3,7 @@
 - ``connect``: connects the actions of a window to all that follows.  ``parts``: the parts of a window that
   commands act on, and what a set of commands is.
 - ``edit_commands``, ``curve_commands``: history, points, family and parameters; whole curves.
+- ``chosen_commands``, ``curve_clipboard``: what is done to all chosen curves.
 - ``selection_commands``, ``tangent_commands``: transforms of the selected points; their tangents.
 - ``clipboard_commands``: points on the clipboard.  ``context_menus``: what the right button opens.
 - ``disk_commands``, ``disk_notices``: the document's file while it is open.

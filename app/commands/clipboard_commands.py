@@ -9,6 +9,7 @@ from msgspec.structs import replace
 from PySide6.QtCore import QMimeData, Qt
 from PySide6.QtGui import QGuiApplication
 
+from app.commands.curve_clipboard import CurveClipboard
 from app.commands.parts import Handlers, Parts
 from app.document import curve_edits, edits
 from app.document.edits import EditError
@@ -51,6 +52,7 @@ class ClipboardCommands:
     def __init__(self, parts: Parts) -> None:
         self._parts = parts
         self._session = parts.session
+        self._curves = CurveClipboard(parts)
         for name in _ON_CANVAS:
             # The point table and the fields of the panels use the same keys for what they show.
             parts.actions[name].setShortcutContext(Qt.ShortcutContext.WidgetWithChildrenShortcut)
@@ -71,7 +73,7 @@ class ClipboardCommands:
         """Enable what needs selected points; what is on the clipboard is looked at when it is wanted."""
         actions, chosen = self._parts.actions, self._session.selection
         for name in ("cutPoints", "copyPoints"):
-            actions[name].setEnabled(bool(chosen))
+            actions[name].setEnabled(bool(chosen) or self._curves.has_several)
         has_derivatives = view.source.family.derivatives > 0
         actions["copyDerivatives"].setEnabled(has_derivatives and len(chosen) == 1 and view.is_current)
         actions["pasteDerivatives"].setEnabled(has_derivatives and bool(chosen))
@@ -80,6 +82,8 @@ class ClipboardCommands:
 
     def _copy(self) -> None:
         view, chosen = self._session.active_view, self._session.selection
+        if self._curves.has_several:
+            self._curves.copy()
         if not chosen:
             return
         clip, mark = copied(view, chosen), decimal_mark()
@@ -95,6 +99,8 @@ class ClipboardCommands:
 
     def _cut(self) -> None:
         session, chosen = self._session, self._session.selection
+        if self._curves.has_several:
+            self._curves.cut()
         if not chosen:
             return
         self._copy()
@@ -105,7 +111,8 @@ class ClipboardCommands:
 
     def _paste(self, put: Callable[[_Pasted], None]) -> None:
         try:
-            put(_on_clipboard())
+            if not self._curves.paste():
+                put(_on_clipboard())
         except (EditError, TableTextError) as reason:
             self._session.say(str(reason))
 

@@ -6,6 +6,7 @@ from collections.abc import Callable, Mapping
 
 from PySide6.QtWidgets import QWidget
 
+from app.commands.chosen_commands import ChosenCommands
 from app.commands.clipboard_commands import ClipboardCommands
 from app.commands.context_menus import ContextMenus
 from app.commands.curve_commands import CurveCommands
@@ -80,6 +81,7 @@ class Commands:
             EditCommands(parts),
             SelectionCommands(parts),
             curves,
+            ChosenCommands(parts),
             TangentCommands(parts),
             ClipboardCommands(parts),
             self.snap,

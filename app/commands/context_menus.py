@@ -24,13 +24,13 @@ _CURVE = (
     "deleteCurve",
 )  # fmt: skip
 _CANVAS = (
-    "addTool", "selectAll", _SEPARATOR,
+    "addTool", "selectAll", "selectAllCurves", _SEPARATOR,
     "pastePoints", "pasteAsCurve", "newCurve", _SEPARATOR,
     "fitView", "toggleGrid", "toggleSnap", "toggleScrub",
 )  # fmt: skip
 _LIST = (
     "renameCurve", "curveColour", "curveVisible", "curveLocked", _SEPARATOR,
-    "raiseCurve", "lowerCurve", _SEPARATOR,
+    "raiseCurve", "lowerCurve", "selectAllCurves", "onlyThisCurve", _SEPARATOR,
     "newCurve", "duplicateCurve", "joinCurve", "reverseCurve", "closeCurve", _SEPARATOR,
     "deleteCurve",
 )  # fmt: skip
@@ -47,7 +47,9 @@ class ContextMenus:
     def _open_on_canvas(self, hit: Hit | None, place: QPoint) -> None:
         session = self._parts.session
         if hit is not None and hit.part is Part.OTHER_CURVE:
-            session.activate(hit.index)
+            # One of those that are chosen leaves them chosen: the menu is about all.
+            chosen = session.chosen_curves
+            session.choose_curves(chosen if hit.index in chosen else (hit.index,), hit.index)
             self._popup(self._menu(_CURVE), place)
         elif hit is not None and hit.part is Part.CURVE:
             self._popup(self._curve_menu(hit.t), place)

@@ -1,13 +1,11 @@
-"""Whole curves: new, duplicate, delete, join, split, reverse, close, and how they are shown."""
+"""Whole curves, one at a time: new, join, split, reverse, close, name and order."""
 
 from __future__ import annotations
 
 from collections.abc import Callable
 
 import numpy as np
-from msgspec.structs import replace
 
-from app.colours import CURVE_COLOURS
 from app.commands.parts import Handlers, Parts
 from app.document import curve_edits, edits
 from app.document.edits import EditError
@@ -42,15 +40,10 @@ class CurveCommands:
             "insertPoint": lambda: self._at_scrub(self.insert_at),
             "keepShape": self._keep_shape,
             "newCurve": self._new,
-            "duplicateCurve": self._duplicate,
-            "deleteCurve": self._delete,
             "joinCurve": self._join,
             "splitCurve": self._split,
             "reverseCurve": self._reverse,
             "closeCurve": self._toggle_closed,
-            "curveVisible": self._toggle_visible,
-            "curveLocked": self._toggle_locked,
-            "curveColour": lambda: self._parts.curve_list.choose_colour(self._session.active_index),
             "renameCurve": self._rename,
             "raiseCurve": lambda: self._move(-1),
             "lowerCurve": lambda: self._move(1),
@@ -63,8 +56,6 @@ class CurveCommands:
         actions, curve = self._actions, view.source
         index, count = self._session.active_index, len(self._session.document.curves)
         actions["closeCurve"].setChecked(curve.is_closed)
-        actions["curveVisible"].setChecked(curve.visible)
-        actions["curveLocked"].setChecked(curve.locked)
         for name in ("splitCurve", "insertPoint"):
             actions[name].setEnabled(view.is_current and not curve.locked)
         actions["keepShape"].setEnabled(self._session.offered_at is not None)
@@ -92,38 +83,6 @@ class CurveCommands:
             f"New {fresh.name}", lambda: curve_edits.add_curve(session.document, place, fresh), active=place
         ):
             self._actions["addTool"].trigger()
-
-    def _duplicate(self) -> None:
-        session = self._session
-        old, place = session.active_curve, session.active_index + 1
-        copy = replace(
-            old, name=f"{old.name} copy", visible=True, locked=False, colour=self._next_colour(old.colour)
-        )
-        self._change(
-            f"Duplicate {old.name}",
-            lambda: curve_edits.add_curve(session.document, place, copy),
-            active=place,
-        )
-        session.select(range(len(copy.nodes)))
-        session.say(f"“{copy.name}” lies on the original; all its points are selected, drag one to move it.")
-
-    def _next_colour(self, colour: str) -> str:
-        """Return the next colour of the palette that no curve has; a curve in ink is copied in ink."""
-        if not colour:
-            return colour
-        codes = [code for code in CURVE_COLOURS.values() if code]
-        start = codes.index(colour) + 1 if colour in codes else 0
-        others = [*codes[start:], *codes[:start]]
-        used = {curve.colour for curve in self._session.document.curves}
-        return next((code for code in others if code not in used), others[0])
-
-    def _delete(self) -> None:
-        session, index = self._session, self._session.active_index
-        self._change(
-            f"Delete {session.active_curve.name}",
-            lambda: curve_edits.remove_curve(session.document, index),
-            active=max(0, min(index, len(session.document.curves) - 2)),
-        )
 
     def _move(self, step: int) -> None:
         session, index = self._session, self._session.active_index
@@ -266,22 +225,6 @@ class CurveCommands:
             return None
         session.say(made.sentence)
         return made
-
-    # Looks
-
-    def _toggle_visible(self) -> None:
-        session, curve = self._session, self._session.active_curve
-        self._change(
-            f"{'Hide' if curve.visible else 'Show'} {curve.name}",
-            lambda: curve_edits.set_visible(session.document, session.active_index, not curve.visible),
-        )
-
-    def _toggle_locked(self) -> None:
-        session, curve = self._session, self._session.active_curve
-        self._change(
-            f"{'Unlock' if curve.locked else 'Lock'} {curve.name}",
-            lambda: curve_edits.set_locked(session.document, session.active_index, not curve.locked),
-        )
 
     def _rename(self) -> None:
         dock = next(each for each in self._parts.docks if each.objectName() == "curvesDock")

@@ -51,7 +51,8 @@ class EditCommands:
         """Check and enable the actions."""
         chosen = self._session.selection
         self._actions[_FAMILY_ACTIONS[view.source.family]].setChecked(True)
-        self._actions["deleteSelection"].setEnabled(bool(chosen))
+        has_curves = len(self._session.chosen_curves) > 1
+        self._actions["deleteSelection"].setEnabled(bool(chosen) or has_curves)
         has_explicit = any(
             view.is_explicit(index, order, ahead=ahead)
             for index in chosen
@@ -132,6 +133,8 @@ class EditCommands:
     def _delete_selection(self) -> None:
         session, chosen = self._session, self._session.selection
         if not chosen:
+            if len(session.chosen_curves) > 1:
+                self._actions["deleteCurve"].trigger()
             return
         self._parts.cancel_gesture()
         what = f"point {next(iter(chosen))}" if len(chosen) == 1 else f"{len(chosen)} points"

@@ -153,6 +153,9 @@ class ExchangeCommands:
         document, first = add_imported(self._session.document, new)
         if not self._parts.change(f"Import {path.name}", lambda: document, active=first):
             return
+        if first > 0:
+            # What came to others is put in its place as a whole.
+            self._session.choose_curves(range(first, first + len(new.curves)))
         self._preferences.last_folder = path.parent
         # What is in sight stays where the person put it, but for a document that holds nothing else.
         if first == 0 or not self._parts.canvas.shows_curves_from(first):

@@ -43,6 +43,7 @@ class HelpCommands:
             adding=parts.actions["addTool"].isChecked(),
             selected=len(parts.session.selection),
             has_derivatives=parts.session.active_curve.family.derivatives > 0,
+            curves=len(parts.session.chosen_curves),
         )
         self._sheet.open(moment, [(menu, parts.actions.shortcuts(menu)) for menu in MENUS])
 

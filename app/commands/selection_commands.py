@@ -1,4 +1,4 @@
-"""Move, scale, rotate, align and distribute the selected points."""
+"""Move, scale and rotate the selected points or chosen curves; align and distribute points."""
 
 from __future__ import annotations
 
@@ -50,9 +50,10 @@ class SelectionCommands:
     def render(self, view: CurveView) -> None:
         """Enable what there are enough points for."""
         count = len(self._session.selection)
+        has_curves = len(self._session.chosen_curves) > 1
         for names, least in ((_TRANSFORMS, 1), (_ALIGNMENTS, 2), (_DISTRIBUTIONS, 3)):
             for name in names:
-                self._actions[name].setEnabled(count >= least)
+                self._actions[name].setEnabled(count >= least or (has_curves and names is _TRANSFORMS))
 
     def _begin(self, kind: TransformKind) -> None:
         self._parts.canvas.begin_transform(kind)

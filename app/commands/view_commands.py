@@ -61,7 +61,7 @@ class ViewCommands:
         self._actions["toggleScrub"].setEnabled(view.curve is not None)
 
     def escape(self) -> None:
-        """Step back: gesture in flight, tool, motion, presentation, scrub line, selection."""
+        """Step back: gesture in flight, tool, motion, presentation, scrub line, selection, chosen curves."""
         session = self._session
         if self._parts.cancel_gesture() or self._parts.canvas.put_away():
             return
@@ -75,8 +75,10 @@ class ViewCommands:
             self._actions["presentation"].trigger()
         elif session.scrub is not None:
             session.set_scrub(None)
-        else:
+        elif session.selection:
             session.select([])
+        else:
+            session.choose_curves((session.active_index,))
 
     def _use_tool(self, kind: ToolKind) -> None:
         self._parts.canvas.set_tool(kind)

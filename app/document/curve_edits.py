@@ -119,14 +119,24 @@ def refuse_locked(before: Document, after: Document) -> None:
 
     Its name, colour, visibility, lock and place in the order are free.
     """
-    same_places = len(before.curves) == len(after.curves)
+    same_places, names = len(before.curves) == len(after.curves), []
     for place, curve in enumerate(before.curves):
         if not curve.locked or (same_places and after.curves[place] is curve):
             continue
         only_looks = same_places and _without_looks(after.curves[place]) == _without_looks(curve)
         # Edits hand on what they do not change: a curve elsewhere in the order is the same object.
         if not only_looks and not any(other is curve for other in after.curves):
-            raise EditError(f"“{curve.name}” is locked; unlock it in the list of curves to change it.")
+            names.append(curve.name)
+    if names:
+        raise EditError(locked_sentence(names))
+
+
+def locked_sentence(names: Sequence[str]) -> str:
+    """Say that the curves with these names are locked, and what to do."""
+    *first, last = (f"“{name}”" for name in names)
+    if not first:
+        return f"{last} is locked; unlock it in the list of curves to change it."
+    return f"{', '.join(first)} and {last} are locked; unlock them in the list of curves to change them."
 
 
 def _without_looks(curve: Curve) -> Curve:

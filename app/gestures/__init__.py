@@ -5,6 +5,8 @@
 - ``drags``: what each drag makes of the document.
 - ``bend_drag``: the curve itself, grabbed and bent.
 - ``transform``, ``transform_box``: move, scale and rotate the selection by keys, or by the grips of a box.
+- ``subject``: what these act on: selected points, or chosen curves.  ``choosing``: other curves, chosen and
+  dragged.
 - ``marquee``, ``measure``: gestures that change nothing in the document.
 - ``snapping``: what a point is drawn to.  ``magnets``: which of it for which gesture.
 - ``overlay``: what a gesture shows over the drawing.

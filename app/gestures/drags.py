@@ -10,6 +10,7 @@ import msgspec
 from app.document import edits
 from app.document.curve_edits import replace_curve
 from app.document.model import Document, Node, Vector
+from app.document.several_curves import NodeGroup, moved
 from app.document.transforms import decimal_product, step_nodes
 from app.gestures import words
 from app.gestures.pointer import Hit, Part, Pointer
@@ -32,30 +33,27 @@ def _along_axis(by: Vector, axis: int | None) -> Vector:
 
 
 class MovePoints(msgspec.Struct, frozen=True):
-    """Move nodes with the pointer; Shift keeps to one axis.
+    """Move nodes, or whole curves, with the pointer; Shift keeps to one axis.
 
     Attributes
     ----------
     grip
-        The node that snaps, where there is a `magnet`.
+        The curve and the node that snaps, where there is a `magnet`.
     axis
         0 or 1 where an axis is locked from the start.
     """
 
     document: Document
-    curve: int
-    indices: frozenset[int]
+    group: NodeGroup
     start: Vector
     magnet: Magnet | None = None
-    grip: int = -1
+    grip: tuple[int, int] = (-1, -1)
     axis: int | None = None
 
     @property
     def name(self) -> str:
         """The name of the step."""
-        if len(self.indices) == 1:
-            return f"Move point {next(iter(self.indices))}"
-        return f"Move {len(self.indices)} points"
+        return f"Move {words.group(self.group)}"
 
     keys = "Shift: along one axis · Ctrl: snap, or not"
 
@@ -66,10 +64,10 @@ class MovePoints(msgspec.Struct, frozen=True):
     def document_at(self, pointer: Pointer) -> Document:
         """Move by the whole way from the press."""
         by, target = self.way_at(pointer)
-        document = edits.move_nodes(self.document, self.curve, self.indices, by)
+        document = moved(self.document, self.group, by)
         if target is not None:
             # To the last bit where it snapped to: p + (q − p) may miss q by a rounding.
-            document = edits.set_position(document, self.curve, self.grip, target)
+            document = edits.set_position(document, *self.grip, target)
         return document
 
     def way_at(self, pointer: Pointer) -> tuple[Vector, Vector | None]:
@@ -79,9 +77,10 @@ class MovePoints(msgspec.Struct, frozen=True):
         if axis is None and pointer.shift:
             axis = 0 if abs(way[0]) >= abs(way[1]) else 1
         way = _along_axis(way, axis)
-        if self.magnet is None:
+        curve, node = self.grip
+        if self.magnet is None or node < 0:
             return way, None
-        held = self.document.curves[self.curve].nodes[self.grip].position
+        held = self.document.curves[curve].nodes[node].position
         target = self.magnet.pull(_plus(held, way), pointer, axis)
         if self.magnet.caught is None:
             return way, None
@@ -94,15 +93,14 @@ class NudgePoints(MovePoints, frozen=True):
     @property
     def name(self) -> str:
         """The name of the step."""
-        return f"Nudge {words.points(self.indices)}"
+        return f"Nudge {words.group(self.group)}"
 
 
 class StepPoints(msgspec.Struct, frozen=True):
     """Move nodes by a step of the grid, in decimal numbers."""
 
     document: Document
-    curve: int
-    indices: frozenset[int]
+    group: NodeGroup
     direction: Vector
     spacing: Vector
     factor: float
@@ -110,7 +108,7 @@ class StepPoints(msgspec.Struct, frozen=True):
     @property
     def name(self) -> str:
         """The name of the step."""
-        return f"Nudge {words.points(self.indices)}"
+        return f"Nudge {words.group(self.group)}"
 
     def document_at(self, _pointer: Pointer) -> Document:
         """Move by the step, wherever the pointer is."""
@@ -118,7 +116,9 @@ class StepPoints(msgspec.Struct, frozen=True):
             way * decimal_product(spacing, self.factor)
             for way, spacing in zip(self.direction, self.spacing, strict=True)
         )
-        return step_nodes(self.document, self.curve, self.indices, (x, y))
+        return self.group.changed(
+            self.document, lambda each, curve, indices: step_nodes(each, curve, indices, (x, y))
+        )
 
 
 class DragHandle(msgspec.Struct, frozen=True):

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from app.document.several_curves import NodeGroup
 from app.gestures import words
 from app.gestures.bend_drag import bend_keys
 from app.gestures.closing import can_end_at
@@ -17,22 +18,16 @@ def hint_at(
     view: CurveView,
     selection: frozenset[int],
     *,
-    grip: Grip | None,
     adding: bool,
     snaps: bool,
 ) -> Hint:
-    """Return the hint of the Select and Add tools over what belongs to the curve edited, or beside it.
-
-    `grip` is the grip of the box around the selection that lies there.
-    """
+    """Return the hint of the Select and Add tools over what belongs to the curve edited, or beside it."""
     if view.source.locked and (adding or hit is not None):
         return Hint(LOCKED.format(view.source.name))
     if hit is not None and hit.part is not Part.CURVE:
         return on_part(hit, view, selection, adding=adding, snaps=snaps)
     if adding:
         return to_add(hit, view, snaps=snaps)
-    if grip is not None:
-        return on_grip(grip, selection)
     if hit is not None:
         return to_bend(hit, view)
     return Hint("Drag to select points, Shift adds · Press P to add points · Wheel zooms · Space pans")
@@ -54,9 +49,11 @@ def on_part(hit: Hit, view: CurveView, selection: frozenset[int], *, adding: boo
     return Hint(f"Drag to set the {what} of point {hit.index} · {keys}", grab=True)
 
 
-def on_grip(grip: Grip, selection: frozenset[int]) -> Hint:
-    """Return the hint over a grip of the box around the selection."""
-    what = words.points(selection)
+def on_grip(grip: Grip, group: NodeGroup, refusal: str) -> Hint:
+    """Return the hint over a grip of the box around a group, or why it cannot be changed."""
+    if refusal:
+        return Hint(refusal)
+    what = words.group(group)
     if grip.rotates:
         return Hint(f"Drag to rotate {what} · Shift: steps of 15°", cursor=grip.cursor)
     return Hint(f"Drag to scale {what} · {ScaleBox.keys}", cursor=grip.cursor)

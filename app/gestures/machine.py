@@ -25,6 +25,7 @@ class Host(Protocol):
 
     active_index: int
     selection: frozenset[int]
+    chosen_curves: frozenset[int]
 
     @property
     def document(self) -> Document:
@@ -55,6 +56,9 @@ class Host(Protocol):
 
     def activate(self, index: int) -> None:
         """Edit another curve."""
+
+    def choose_curves(self, indices: Collection[int], active: int | None = None) -> None:
+        """Choose curves to work on together."""
 
     def set_scrub(self, t: float | None) -> None:
         """Move the scrub line."""

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Collection
 
 from app.document.model import Document, Vector
+from app.document.several_curves import NodeGroup
 from app.gestures.machine import Host
 from app.gestures.pointer import Pointer
 from app.gestures.snapping import (
@@ -17,6 +18,7 @@ from app.gestures.snapping import (
     targets_of_side,
 )
 from app.gestures.transform_box import Grip
+from app.view_model.curve_view import CurveView
 
 
 class Magnets:
@@ -44,12 +46,29 @@ class Magnets:
         host = self._host
         return self._make(lambda: targets_of_handle(host.views, host.active_index, node, self._kinds))
 
-    def for_grip(self, grip: Grip) -> Magnet:
-        """Return the magnet of a corner or a side of the box around the selected points."""
-        host = self._host
+    def for_group(self, group: NodeGroup, place: int = -1) -> Magnet:
+        """Return the magnet of what moves together: of the point at `place`, where it is of one curve."""
+        if not group.is_several:
+            return self.for_points(group.parts[0][1], place)
+        return self._make(lambda: targets_of(*self._beside(group), -1, self._kinds))
+
+    def for_grip(self, grip: Grip, group: NodeGroup) -> Magnet:
+        """Return the magnet of a corner or a side of the box around a group."""
         if grip.x and grip.y:
-            return self.for_points(host.selection, -1)
-        return self._make(lambda: targets_of_side(host.views, host.active_index, host.selection, self._kinds))
+            return self.for_group(group)
+        return self._make(lambda: targets_of_side(*self._beside(group), self._kinds))
+
+    def _beside(self, group: NodeGroup) -> tuple[list[CurveView], int, Collection[int]]:
+        """Return the views without other curves that move along, which is active, and what moves of it."""
+        host, moving = self._host, dict(group.parts)
+        places = [
+            place for place in range(len(host.views)) if place == host.active_index or place not in moving
+        ]
+        return (
+            [host.views[place] for place in places],
+            places.index(host.active_index),
+            moving[host.active_index],
+        )
 
     def _make(self, collect: Callable[[], Targets]) -> Magnet:
         self.now = Magnet(self._settings, self._grid, collect)

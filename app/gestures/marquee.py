@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 
 import numpy as np
 
@@ -21,8 +22,8 @@ class Marquee:
         Two opposite corners of the band; None until the pointer has travelled far enough for a drag.
     """
 
-    def __init__(self, host: Host, pointer: Pointer) -> None:
-        self._host, self._press = host, pointer
+    def __init__(self, host: Host, pointer: Pointer, on_click: Callable[[], object] | None = None) -> None:
+        self._host, self._press, self._on_click = host, pointer, on_click
         self._before = host.selection
         self.band: tuple[Vector, Vector] | None = None
 
@@ -41,10 +42,17 @@ class Marquee:
         return frozenset(np.flatnonzero(inside).tolist())
 
     def release(self, pointer: Pointer) -> None:
-        """End; a click beside everything deselects, with Shift it leaves the selection."""
+        """End; a click beside everything deselects, with Shift it leaves the selection.
+
+        With nothing to deselect, `on_click` is called.
+        """
         self.move(pointer)
-        if self.band is None and not pointer.shift:
+        if self.band is not None or pointer.shift:
+            return
+        if self._before:
             self._host.select([])
+        elif self._on_click is not None:
+            self._on_click()
 
     def cancel(self) -> None:
         """Bring back what was selected before."""

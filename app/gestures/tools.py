@@ -9,17 +9,17 @@ from enum import Enum
 from msgspec.structs import replace
 
 from app.document.model import Vector
+from app.document.several_curves import nodes_of
 from app.gestures import hints, words
 from app.gestures.bend_drag import BendCurve
+from app.gestures.choosing import Choosing
 from app.gestures.closing import can_end_at, closer
 from app.gestures.drags import (
     AppendPoint,
     DragHandle,
     InsertPoint,
     MovePoints,
-    NudgePoints,
     PullVelocity,
-    StepPoints,
 )
 from app.gestures.machine import DragMachine, Host
 from app.gestures.magnets import Magnets
@@ -28,8 +28,9 @@ from app.gestures.measure import Measure
 from app.gestures.overlay import Note, Overlay
 from app.gestures.pointer import Hint, Hit, Part, Pointer
 from app.gestures.snapping import Magnet, SnapKind, Snapping
-from app.gestures.transform import ModalTransform, Transform, TransformKind
-from app.gestures.transform_box import Grip, ScaleBox, TransformBox, box_of
+from app.gestures.subject import Subject
+from app.gestures.transform import ModalTransform, TransformKind
+from app.gestures.transform_box import Grip, TransformBox
 
 
 class ToolKind(Enum):
@@ -51,7 +52,7 @@ class CanvasTool:
     grid
         The spacing of the grid along x and y; the canvas keeps it in step with the zoom.
     shows_box
-        Whether two or more selected points get a box with grips.
+        Whether two or more selected points, or several chosen curves, get a box with grips.
     unit
         The name of the unit of length, for what is measured.
     """
@@ -61,6 +62,8 @@ class CanvasTool:
         self._machine = DragMachine(host)
         self._modal = ModalTransform(host, self._machine)
         self._magnets = Magnets(host, lambda: self.snapping, lambda: self.grid)
+        self._subject = Subject(host, self._magnets)
+        self._choosing = Choosing(host, self._machine, self._subject)
         self._marquee: Marquee | None = None
         self._measure: Measure | None = None
         self._measuring = False
@@ -99,7 +102,7 @@ class CanvasTool:
         elif self.kind is ToolKind.EXPLAIN:
             self._explain(hit)
         elif hit is not None and hit.part is Part.OTHER_CURVE:
-            self._machine.press(pointer, None, on_click=lambda: self._edit(hit.index))
+            self._choosing.press(pointer, hit)
         elif hit is not None and hit.part is not Part.CURVE:
             self._press_on_part(pointer, hit)
         elif self.kind is ToolKind.ADD:
@@ -109,7 +112,7 @@ class CanvasTool:
         elif hit is not None:
             self._press_on_curve(pointer, hit)
         else:
-            self._marquee = Marquee(self._host, pointer)
+            self._marquee = Marquee(self._host, pointer, self._choosing.choose_none)
 
     def move(self, pointer: Pointer) -> None:
         """Follow the pointer."""
@@ -205,23 +208,26 @@ class CanvasTool:
     def _box(self) -> TransformBox | None:
         if not self.shows_box or self.kind is not ToolKind.SELECT:
             return None
-        return box_of(self._host.active_view, self._host.selection)
+        return self._subject.box
 
     def _grip_at(self, pointer: Pointer) -> tuple[TransformBox, Grip] | None:
-        box = self._box()
-        grip = box.grip_at(pointer) if box is not None else None
-        return (box, grip) if box is not None and grip is not None else None
+        return self._subject.grip_at(pointer) if self._box() is not None else None
 
     # Transforms
 
     def begin_transform(self, kind: TransformKind, pointer: Pointer) -> bool:
-        """Let the selected points follow the pointer with no button down; False if none is selected."""
-        host = self._host
+        """Let the selected points, or the chosen curves, follow the pointer with no button down.
+
+        Return False if there are none, or one of the curves is locked.
+        """
         if self.is_modal:
             return self._modal.key(kind.value[0].lower())
-        if not host.selection or self.is_pressed:
+        if self._subject.group is None or self.is_pressed:
             return False
-        transform = self._transform(kind, pointer, self._box_or_point())
+        if refusal := self._subject.refusal:
+            self._host.say(refusal)
+            return False
+        transform = self._subject.transform(kind, pointer)
         self._note_wanted, self._last = True, pointer
         self._modal.begin(transform, pointer)
         return True
@@ -233,30 +239,13 @@ class CanvasTool:
             self._end()
         return taken
 
-    def _transform(self, kind: TransformKind, pointer: Pointer, centre: Vector) -> Transform:
-        host = self._host
-        nodes = host.active_view.source.nodes
-        grip = min(host.selection, key=lambda index: math.dist(nodes[index].position, pointer.position))
-        magnet = self._magnets.for_points(host.selection, grip)
-        return Transform(
-            kind, host.document, host.active_index, host.selection, centre, pointer.position, magnet, grip
-        )
-
-    def _box_or_point(self) -> Vector:
-        host = self._host
-        box = box_of(host.active_view, host.selection)
-        return box.centre if box is not None else host.active_view.source.nodes[min(host.selection)].position
-
     def _press_on_grip(self, pointer: Pointer, box: TransformBox, grip: Grip) -> None:
-        host = self._host
         self._note_wanted = True
         if grip.rotates:
-            transform = self._transform(TransformKind.ROTATE, pointer, box.centre)
+            transform = self._subject.transform(TransformKind.ROTATE, pointer)
             self._machine.press(pointer, replace(transform, by_grip=True))
             return
-        magnet = self._magnets.for_grip(grip)
-        drag = ScaleBox(host.document, host.active_index, host.selection, box, grip, pointer.position, magnet)
-        self._machine.press(pointer, drag)
+        self._machine.press(pointer, self._subject.scaling(box, grip, pointer))
 
     def walk(self, step: int) -> bool:
         """Select the next (1) or previous (−1) point; return whether there is one."""
@@ -270,17 +259,14 @@ class CanvasTool:
         return True
 
     def nudge(self, direction: Vector, pixel: float, factor: float = 1.0) -> None:
-        """Move the selected points by a step of the grid while snapping to it, else by a pixel."""
-        host = self._host
-        if not host.selection:
+        """Move the selected points, or the chosen curves, by a step of the grid or, not snapping, a pixel."""
+        group = self._subject.group
+        if group is None:
             return
         by: Vector = (direction[0] * pixel * factor, direction[1] * pixel * factor)
-        drag: NudgePoints | StepPoints = NudgePoints(
-            host.document, host.active_index, host.selection, (0.0, 0.0)
-        )
-        if self.snapping.on and SnapKind.GRID in self.snapping.kinds:
-            drag = StepPoints(host.document, host.active_index, host.selection, direction, self.grid, factor)
-        self._machine.nudge(Pointer(by, (0.0, 0.0)), drag, ("points", host.active_index, host.selection))
+        snaps = self.snapping.on and SnapKind.GRID in self.snapping.kinds
+        drag = self._subject.by_key(direction, self.grid if snaps else None, factor)
+        self._machine.nudge(Pointer(by, (0.0, 0.0)), drag, ("points", group))
 
     def hover(self, pointer: Pointer) -> Hint:
         """Return what a press here would do."""
@@ -296,14 +282,18 @@ class CanvasTool:
                 "Click on the curve where it swings out · V goes back to Select", grab=hit is not None
             )
         if hit is not None and hit.part is Part.OTHER_CURVE:
-            return Hint(f"Click to edit “{self._host.document.curves[hit.index].name}”", grab=True)
-        grip = self._grip_at(pointer)
+            return self._choosing.hint(hit)
+        grip, adding = self._grip_at(pointer), self.kind is ToolKind.ADD
+        group, idle = self._subject.group, self._choosing.idle_hint()
+        if grip is not None and group is not None and (hit is None or hit.part is Part.CURVE):
+            return hints.on_grip(grip[1], group, self._subject.refusal)
+        if hit is None and not adding and idle is not None:
+            return idle
         return hints.hint_at(
             hit,
             self._host.active_view,
             self._host.selection,
-            grip=grip[1] if grip is not None else None,
-            adding=self.kind is ToolKind.ADD,
+            adding=adding,
             snaps=self.snapping.on,
         )
 
@@ -315,10 +305,6 @@ class CanvasTool:
             return
         place = len(self._host.active_view.source.nodes) if self.kind is ToolKind.ADD else -1
         self._magnets.show_before_press(pointer, place)
-
-    def _edit(self, curve: int) -> None:
-        self._host.activate(curve)
-        self._host.say(f"Editing “{self._host.document.curves[curve].name}” now.")
 
     def _explain(self, hit: Hit | None) -> None:
         """Put the scrub line where the curve was clicked: what explains the curve stands there."""
@@ -373,9 +359,8 @@ class CanvasTool:
             pulled = self._magnets.for_handle(hit.index)
             return PullVelocity(host.document, host.active_index, host.active_view, hit.index, pulled)
         magnet = self._magnets.for_points(host.selection, hit.index)
-        return MovePoints(
-            host.document, host.active_index, host.selection, pointer.position, magnet, hit.index
-        )
+        group, grip = nodes_of(host.active_index, host.selection), (host.active_index, hit.index)
+        return MovePoints(host.document, group, pointer.position, magnet, grip)
 
     def _press_to_add(self, pointer: Pointer, hit: Hit | None) -> None:
         host = self._host

@@ -9,9 +9,9 @@ from enum import Enum
 import msgspec
 from msgspec.structs import replace
 
-from app.document import edits
 from app.document.model import Document, Vector
-from app.document.transforms import rotation, scaling, transform_nodes
+from app.document.several_curves import NodeGroup, mapped, moved
+from app.document.transforms import rotation, scaling
 from app.gestures import words
 from app.gestures.drags import MovePoints
 from app.gestures.machine import DragMachine, Host
@@ -40,7 +40,7 @@ class Transform(msgspec.Struct, frozen=True):
     start
         Where the pointer was when it began.
     magnet, grip
-        For a move: what snaps, and which node.
+        For a move: what snaps, and which node of which curve.
     axis
         0 or 1 where an axis is locked.
     typed
@@ -51,12 +51,11 @@ class Transform(msgspec.Struct, frozen=True):
 
     kind: TransformKind
     document: Document
-    curve: int
-    indices: frozenset[int]
+    group: NodeGroup
     centre: Vector
     start: Vector
     magnet: Magnet
-    grip: int
+    grip: tuple[int, int]
     axis: int | None = None
     typed: str = ""
     by_grip: bool = False
@@ -64,7 +63,7 @@ class Transform(msgspec.Struct, frozen=True):
     @property
     def name(self) -> str:
         """The name of the step."""
-        return f"{self.kind.value} {words.points(self.indices)}"
+        return f"{self.kind.value} {words.group(self.group)}"
 
     @property
     def keys(self) -> str:
@@ -99,7 +98,7 @@ class Transform(msgspec.Struct, frozen=True):
         if self.kind is TransformKind.MOVE:
             if self.typed:
                 self.magnet.release()
-                return edits.move_nodes(self.document, self.curve, self.indices, self._way(pointer))
+                return moved(self.document, self.group, self._way(pointer))
             return self._move().document_at(pointer)
         if self.kind is TransformKind.ROTATE:
             by = rotation(self._degrees(pointer), self.centre)
@@ -107,12 +106,10 @@ class Transform(msgspec.Struct, frozen=True):
             factor = self._factor(pointer)
             x, y = (1.0 if self.axis == other else factor for other in (1, 0))
             by = scaling(x, y, self.centre)
-        return transform_nodes(self.document, self.curve, self.indices, by)
+        return mapped(self.document, self.group, by)
 
     def _move(self) -> MovePoints:
-        return MovePoints(
-            self.document, self.curve, self.indices, self.start, self.magnet, self.grip, self.axis
-        )
+        return MovePoints(self.document, self.group, self.start, self.magnet, self.grip, self.axis)
 
     def _way(self, pointer: Pointer) -> Vector:
         if not self.typed:

@@ -1,14 +1,16 @@
-"""The box around the selected points: eight grips scale it, a ninth above it rotates."""
+"""The box around the selected points, or chosen curves: eight grips scale it, a ninth above it rotates."""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Collection
+from collections.abc import Sequence
 
 import msgspec
+import numpy as np
 
 from app.document.model import Document, Vector
-from app.document.transforms import scaling, transform_nodes, with_coordinates
+from app.document.several_curves import NodeGroup, mapped
+from app.document.transforms import scaling, with_coordinates
 from app.gestures import words
 from app.gestures.pointer import Cursor, Pointer
 from app.gestures.snapping import Magnet
@@ -44,7 +46,7 @@ _GRIPS = tuple(Grip(x, y) for x in (-1, 0, 1) for y in (-1, 0, 1) if x or y)
 
 
 class TransformBox(msgspec.Struct, frozen=True):
-    """The bounding box of the selected points, without padding."""
+    """The bounding box of selected points, or of the points of chosen curves, without padding."""
 
     low: Vector
     high: Vector
@@ -81,26 +83,25 @@ class TransformBox(msgspec.Struct, frozen=True):
         return grip if distance <= _REACH else None
 
 
-def box_of(view: CurveView, selection: Collection[int]) -> TransformBox | None:
+def box_of(views: Sequence[CurveView], group: NodeGroup) -> TransformBox | None:
     """Return the box around two or more points that do not all lie in one place."""
-    chosen = [index for index in selection if index < len(view.points)]
-    if len(chosen) < 2:
+    parts = [views[curve].points[sorted(indices)] for curve, indices in group.parts if indices]
+    if sum(map(len, parts)) < 2:
         return None
-    points = view.points[chosen]
-    low, high = points.min(axis=0).tolist(), points.max(axis=0).tolist()
+    low = np.min([points.min(axis=0) for points in parts], axis=0).tolist()
+    high = np.max([points.max(axis=0) for points in parts], axis=0).tolist()
     return TransformBox((low[0], low[1]), (high[0], high[1])) if low != high else None
 
 
 class ScaleBox(msgspec.Struct, frozen=True):
-    """Scale the selected points by a grip of their box.
+    """Scale the selected points, or chosen curves, by a grip of their box.
 
     What snaps, where there is a `magnet`, is the corner or the side of the box that the grip moves: it lies
     on the outermost points, the grip beside them.
     """
 
     document: Document
-    curve: int
-    indices: frozenset[int]
+    group: NodeGroup
     box: TransformBox
     grip: Grip
     start: Vector
@@ -111,7 +112,7 @@ class ScaleBox(msgspec.Struct, frozen=True):
     @property
     def name(self) -> str:
         """The name of the step."""
-        return f"Scale {words.points(self.indices)}"
+        return f"Scale {words.group(self.group)}"
 
     def note_at(self, pointer: Pointer) -> str:
         """Tell the factors."""
@@ -122,8 +123,7 @@ class ScaleBox(msgspec.Struct, frozen=True):
         """Scale about the opposite side, or about the centre with Alt."""
         way = self._way(pointer)
         x, y = self._factors(way, pointer)
-        by = scaling(x, y, self._fixed(pointer))
-        document = transform_nodes(self.document, self.curve, self.indices, by)
+        document = mapped(self.document, self.group, scaling(x, y, self._fixed(pointer)))
         caught = self.magnet.caught if self.magnet is not None else None
         for axis in caught.axes if caught is not None else ():
             # To the last bit where it snapped to.
@@ -131,9 +131,12 @@ class ScaleBox(msgspec.Struct, frozen=True):
         return document
 
     def _with_side(self, document: Document, axis: int, value: float) -> Document:
-        side, nodes = self._corner[axis], self.document.curves[self.curve].nodes
-        outermost = [index for index in self.indices if nodes[index].position[axis] == side]
-        return with_coordinates(document, self.curve, dict.fromkeys(outermost, value), axis)
+        side, curves = self._corner[axis], self.document.curves
+        for curve, indices in self.group.parts:
+            outermost = [index for index in indices if curves[curve].nodes[index].position[axis] == side]
+            if outermost:
+                document = with_coordinates(document, curve, dict.fromkeys(outermost, value), axis)
+        return document
 
     @property
     def _corner(self) -> Vector:

@@ -6,6 +6,7 @@ import math
 from collections.abc import Collection
 
 from app.document.model import Vector
+from app.document.several_curves import NodeGroup
 
 
 def number(value: float) -> str:
@@ -22,6 +23,11 @@ def vector(value: Vector) -> str:
 def points(indices: Collection[int]) -> str:
     """Return "point 3" or "4 points"."""
     return f"point {next(iter(indices))}" if len(indices) == 1 else f"{len(indices)} points"
+
+
+def group(nodes: NodeGroup) -> str:
+    """Return "point 3", "4 points" or "3 curves"."""
+    return f"{len(nodes.parts)} curves" if nodes.is_several else points(nodes.parts[0][1])
 
 
 def polar(value: Vector) -> str:

@@ -11,6 +11,7 @@ from PySide6.QtWidgets import QHBoxLayout, QMenu, QToolButton, QVBoxLayout, QWid
 from app.colours import CURVE_COLOURS, curve_colour
 from app.document import curve_edits
 from app.document.model import Document
+from app.document.several_curves import named, with_looks
 from app.panels.curve_list_model import CurveListModel
 from app.panels.curve_list_view import CurveListView, Spot
 from app.session import Session
@@ -49,9 +50,10 @@ class CurveList(QWidget):
         layout.addWidget(self.view, 1)
         layout.addLayout(self._buttons)
         self.view.activated_row.connect(session.activate)
+        self.view.chosen_rows.connect(session.choose_curves)
         self.view.spot_clicked.connect(self._switch)
         self.view.moved.connect(self._move)
-        self.render_document(session.document, session.active_index)
+        self.render_document(session.document, session.active_index, session.chosen_curves)
 
     def add_buttons(self, actions: Sequence[QAction]) -> None:
         """Put a small button for each action under the list."""
@@ -66,24 +68,39 @@ class CurveList(QWidget):
             button.setFixedSize(26, 26)
             self._buttons.insertWidget(place, button)
 
-    def render_document(self, document: Document, active: int) -> None:
-        """Show the curves of `document`."""
+    def render_document(self, document: Document, active: int, chosen: frozenset[int]) -> None:
+        """Show the curves of `document`, which of them is edited and which are chosen."""
         self.model.show_document(document)
-        self.view.show_active(active)
+        self.view.show_active(active, chosen)
 
     # What the person did
 
+    def _meant(self, row: int) -> frozenset[int]:
+        """Return the curves that a click on a part of a row is about: all that are chosen, or another one."""
+        chosen = self._session.chosen_curves
+        return chosen if row in chosen else frozenset({row})
+
     def _switch(self, row: int, spot: Spot) -> None:
-        session = self._session
-        curve = session.document.curves[row]
         if spot is Spot.SWATCH:
             self.choose_colour(row)
         elif spot is Spot.EYE:
-            text = f"{'Hide' if curve.visible else 'Show'} {curve.name}"
-            session.commit(curve_edits.set_visible(session.document, row, not curve.visible), text)
+            self.switch_visible(row)
         else:
-            text = f"{'Unlock' if curve.locked else 'Lock'} {curve.name}"
-            session.commit(curve_edits.set_locked(session.document, row, not curve.locked), text)
+            self.switch_locked(row)
+
+    def switch_visible(self, row: int) -> None:
+        """Show or hide a curve; where it is chosen, all that are."""
+        session, curves = self._session, self._meant(row)
+        document, visible = session.document, not session.document.curves[row].visible
+        text = f"{'Show' if visible else 'Hide'} {named(document, curves)}"
+        session.commit(with_looks(document, curves, visible=visible), text)
+
+    def switch_locked(self, row: int) -> None:
+        """Lock a curve or free it; where it is chosen, all that are."""
+        session, curves = self._session, self._meant(row)
+        document, locked = session.document, not session.document.curves[row].locked
+        text = f"{'Lock' if locked else 'Unlock'} {named(document, curves)}"
+        session.commit(with_looks(document, curves, locked=locked), text)
 
     def _move(self, row: int, to: int) -> None:
         session = self._session
@@ -91,7 +108,7 @@ class CurveList(QWidget):
         session.commit(document, f"Move {session.document.curves[row].name}", active=to)
 
     def choose_colour(self, row: int) -> QMenu:
-        """Open the palette for a curve, by mouse or keys; beside its swatch where the list is shown."""
+        """Open the palette for a curve, or all that are chosen with it, beside its swatch if that is seen."""
         menu = QMenu(self)
         menu.setObjectName("colourMenu")
         menu.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
@@ -110,9 +127,9 @@ class CurveList(QWidget):
         return menu
 
     def _paint(self, row: int, code: str) -> None:
-        session = self._session
-        name = session.document.curves[row].name
-        session.commit(curve_edits.set_colour(session.document, row, code), f"Colour {name}")
+        session, curves = self._session, self._meant(row)
+        document = session.document
+        session.commit(with_looks(document, curves, colour=code), f"Colour {named(document, curves)}")
 
     def contextMenuEvent(self, event: QContextMenuEvent) -> None:
         """Ask for the menu of the curve under the pointer, or of the active one."""
@@ -122,7 +139,7 @@ class CurveList(QWidget):
             row = self._session.active_index
             place = self.view.row_rect(row).center()
         if row >= 0:
-            self._session.activate(row)
+            self._session.choose_curves(self._meant(row), row)
         self.menu_requested.emit(self.view.viewport().mapToGlobal(place))
 
     def set_theme(self, theme: Theme) -> None:

@@ -73,8 +73,14 @@ class CurveListModel(QAbstractListModel):
         if role in (Qt.ItemDataRole.DisplayRole, Qt.ItemDataRole.EditRole):
             return row.name
         if role == Qt.ItemDataRole.AccessibleTextRole:
-            return f"{row.name}, {row.facts}{_state(row)}"
+            return f"{row.name}, {row.facts}{_state(row)}{self._role_of(index.row())}"
         return None
+
+    def _role_of(self, place: int) -> str:
+        chosen = self._session.chosen_curves
+        if len(chosen) < 2 or place not in chosen:
+            return ""
+        return ", chosen, edited" if place == self._session.active_index else ", chosen"
 
     def setData(self, index: Index, value: object, role: int = Qt.ItemDataRole.EditRole) -> bool:
         session, name = self._session, str(value).strip()

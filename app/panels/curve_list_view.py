@@ -15,7 +15,16 @@ from PySide6.QtCore import (
     Qt,
     Signal,
 )
-from PySide6.QtGui import QColor, QHelpEvent, QKeyEvent, QMouseEvent, QPainter, QPaintEvent, QPen
+from PySide6.QtGui import (
+    QColor,
+    QHelpEvent,
+    QKeyEvent,
+    QKeySequence,
+    QMouseEvent,
+    QPainter,
+    QPaintEvent,
+    QPen,
+)
 from PySide6.QtWidgets import (
     QAbstractItemView,
     QApplication,
@@ -34,7 +43,7 @@ from app.theme import mix, theme_of
 
 Index = QModelIndex | QPersistentModelIndex
 
-_ICON, _PAD, _SWATCH = 16, 8, 12
+_ICON, _PAD, _SWATCH, _BAR = 16, 8, 12, 3
 _RENAME = (Qt.Key.Key_F2, Qt.Key.Key_Return, Qt.Key.Key_Enter)
 _STEPS = {Qt.Key.Key_Up: -1, Qt.Key.Key_Down: 1}
 
@@ -74,12 +83,18 @@ class _RowDelegate(QStyledItemDelegate):
         """Paint a row; called by Qt."""
         theme, row = theme_of(self._view.palette()), self._view.curves.row(index.row())
         rect: QRect = option.rect
-        is_active = index.row() == self._view.active
-        if is_active:
+        is_active, is_chosen = index.row() == self._view.active, index.row() in self._view.chosen
+        is_one_of_many = is_chosen and len(self._view.chosen) > 1
+        if is_active or is_chosen:
             painter.fillRect(rect, mix(theme.accent, theme.paper, 0.2 if self._view.hasFocus() else 0.12))
+        if is_active and is_one_of_many:
+            painter.fillRect(QRect(rect.left(), rect.top(), _BAR, rect.height()), theme.accent)
         painter.save()
         painter.setRenderHint(QPainter.RenderHint.Antialiasing, True)
-        self._paint_swatch(painter, spot_rect(rect, Spot.SWATCH), curve_colour(row.colour, theme))
+        swatch = spot_rect(rect, Spot.SWATCH)
+        if is_one_of_many:
+            self._paint_ring(painter, swatch, theme.accent)
+        self._paint_swatch(painter, swatch, curve_colour(row.colour, theme))
         font = painter.font()
         font.setBold(is_active)
         painter.setFont(font)
@@ -102,6 +117,15 @@ class _RowDelegate(QStyledItemDelegate):
         painter.setPen(Qt.PenStyle.NoPen)
         painter.setBrush(colour)
         painter.drawEllipse(disc)
+
+    @staticmethod
+    def _paint_ring(painter: QPainter, rect: QRect, colour: QColor) -> None:
+        """Mark what is chosen with others, by more than a colour behind it."""
+        ring = QRectF(0, 0, _SWATCH + 6, _SWATCH + 6)
+        ring.moveCenter(QRectF(rect).center())
+        painter.setPen(QPen(colour, 1.5))
+        painter.setBrush(Qt.BrushStyle.NoBrush)
+        painter.drawEllipse(ring)
 
     def _paint_switch(self, painter: QPainter, rect: QRect, name: str, on: bool) -> None:
         place = QRect(0, 0, _ICON, _ICON)
@@ -133,6 +157,8 @@ class CurveListView(QListView):
     -------
     activated_row
         A row was clicked or walked to.
+    chosen_rows
+        These rows shall be worked on together (a set of numbers).
     spot_clicked
         The swatch, the lock or the eye of a row was clicked (row, Spot).
     moved
@@ -140,6 +166,7 @@ class CurveListView(QListView):
     """
 
     activated_row = Signal(int)
+    chosen_rows = Signal(object)
     spot_clicked = Signal(int, object)
     moved = Signal(int, int)
 
@@ -147,13 +174,19 @@ class CurveListView(QListView):
         super().__init__(parent)
         self.curves = model
         self.active = 0
+        self.chosen: frozenset[int] = frozenset()
+        # Where choosing row by row has come to, from the active one.
+        self._reached = 0
         self._press: QPoint | None = None
         self._pressed_row = -1
         self._gap: int | None = None
         self.setModel(model)
         self.setObjectName("curveList")
         self.setAccessibleName("Curves")
-        self.setToolTip("Click a curve to edit it, double-click to rename it, drag it to another place")
+        self.setToolTip(
+            "Click a curve to edit it, double-click to rename it, drag it to another place;"
+            " Ctrl or Shift+click chooses several"
+        )
         self._delegate = _RowDelegate(self)
         self.setItemDelegate(self._delegate)
         self.setFrameShape(QListView.Shape.NoFrame)
@@ -162,9 +195,11 @@ class CurveListView(QListView):
         self.setUniformItemSizes(True)
         self.setMouseTracking(True)
 
-    def show_active(self, row: int) -> None:
-        """Mark the row of the active curve."""
-        changed, self.active = row != self.active, row
+    def show_active(self, row: int, chosen: frozenset[int]) -> None:
+        """Mark the row of the active curve, and those that are chosen."""
+        changed, self.active, self.chosen = row != self.active, row, chosen
+        if self._reached not in chosen:
+            self._reached = row
         index = self.curves.index(row)
         if self.currentIndex() != index:
             self.setCurrentIndex(index)
@@ -204,11 +239,24 @@ class CurveListView(QListView):
         if event.button() != Qt.MouseButton.LeftButton or row < 0:
             return
         spot = self.spot_at(event.position().toPoint())
-        if spot is Spot.NAME:
-            self._press, self._pressed_row = event.position().toPoint(), row
-            self.activated_row.emit(row)
-        else:
+        held = event.modifiers()
+        if spot is not Spot.NAME:
             self.spot_clicked.emit(row, spot)
+        elif held & Qt.KeyboardModifier.ControlModifier:
+            self.chosen_rows.emit(self.chosen ^ {row})
+        elif held & Qt.KeyboardModifier.ShiftModifier:
+            self._choose_to(row)
+        else:
+            self._press, self._pressed_row = event.position().toPoint(), row
+            self._reached = row
+            self.activated_row.emit(row)
+
+    def _choose_to(self, row: int) -> None:
+        """Choose from the active row to this one."""
+        self._reached = max(0, min(row, self.curves.rowCount() - 1))
+        low, high = sorted((self.active, self._reached))
+        self.chosen_rows.emit(frozenset(range(low, high + 1)))
+        self.scrollTo(self.curves.index(self._reached))
 
     def mouseMoveEvent(self, event: QMouseEvent) -> None:
         place = event.position().toPoint()
@@ -227,7 +275,8 @@ class CurveListView(QListView):
 
     def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:
         place = event.position().toPoint()
-        if self._row_at(place) >= 0 and self.spot_at(place) is Spot.NAME:
+        is_plain = not event.modifiers() & ~Qt.KeyboardModifier.KeypadModifier
+        if is_plain and self._row_at(place) >= 0 and self.spot_at(place) is Spot.NAME:
             self.edit_name(self._row_at(place))
         else:
             self.mousePressEvent(event)
@@ -260,7 +309,11 @@ class CurveListView(QListView):
         if (
             isinstance(event, QKeyEvent)
             and event.type() == QEvent.Type.ShortcutOverride
-            and (self.is_dragging if event.key() == Qt.Key.Key_Escape else event.key() in _RENAME)
+            and (
+                self.is_dragging
+                if event.key() == Qt.Key.Key_Escape
+                else event.key() in _RENAME or event.matches(QKeySequence.StandardKey.SelectAll)
+            )
         ):
             event.accept()
             return True
@@ -270,6 +323,10 @@ class CurveListView(QListView):
         step = _STEPS.get(Qt.Key(event.key()))
         if event.key() == Qt.Key.Key_Escape and self.is_dragging:
             self._end_drag()
+        elif event.matches(QKeySequence.StandardKey.SelectAll):
+            self.chosen_rows.emit(frozenset(range(self.curves.rowCount())))
+        elif step is not None and event.modifiers() & Qt.KeyboardModifier.ShiftModifier:
+            self._choose_to(self._reached + step)
         elif step is not None and not event.modifiers() & ~Qt.KeyboardModifier.KeypadModifier:
             self.activated_row.emit(max(0, min(self.active + step, self.curves.rowCount() - 1)))
         elif event.key() in _RENAME and self.state() != QAbstractItemView.State.EditingState:

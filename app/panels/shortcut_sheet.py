@@ -38,51 +38,70 @@ class Moment(msgspec.Struct, frozen=True):
         How many points are selected.
     has_derivatives
         Whether the family has velocities.
+    curves
+        How many curves are chosen.
     """
 
     adding: bool
     selected: int
     has_derivatives: bool
+    curves: int = 1
+
+    @property
+    def has_curves(self) -> bool:
+        """Whether several curves are chosen and the transforms act on them: no point is selected."""
+        return self.curves > 1 and not self.selected and not self.adding
 
     @property
     def title(self) -> str:
         """What is going on, as a heading."""
         if self.adding:
             return "Now: adding points"
+        if self.has_curves:
+            return f"Now: {self.curves} curves chosen"
         if not self.selected:
             return "Now: selecting"
         return f"Now: {self.selected} point{'' if self.selected == 1 else 's'} selected"
 
 
 class _Gesture(msgspec.Struct, frozen=True):
-    """One row of the sheet and when it applies; None where it does not matter."""
+    """One row of the sheet, and what it needs: a tool, selected points, several curves, derivatives."""
 
     keys: str
     what: str
     adding: bool | None = None
-    selected: bool | None = None
+    selected: bool = False
     needs_derivatives: bool = False
+    curves: bool = False
 
     def applies(self, moment: Moment) -> bool:
-        return (
-            (self.adding is None or self.adding == moment.adding)
-            and (self.selected is None or self.selected == bool(moment.selected))
-            and (moment.has_derivatives or not self.needs_derivatives)
-        )
+        return not self.condition(moment)
 
     def condition(self, moment: Moment) -> str:
-        """Return what must be otherwise for it to apply."""
+        """Return what must be otherwise for it to apply; empty where it does."""
         if self.adding is not None and self.adding != moment.adding:
             return "when adding points" if self.adding else "when selecting"
-        if self.selected is not None and self.selected != bool(moment.selected):
-            return "with points selected"
-        return "on a Hermite curve"
+        if not self._has_subject(moment):
+            if not self.curves:
+                return "with points selected"
+            curves = "several curves chosen and no point selected"
+            return f"with points selected, or {curves}" if self.selected else f"with {curves}"
+        return "on a Hermite curve" if self.needs_derivatives and not moment.has_derivatives else ""
+
+    def _has_subject(self, moment: Moment) -> bool:
+        """Whether there is what it is done to."""
+        if not self.selected and not self.curves:
+            return True
+        return (self.selected and bool(moment.selected)) or (self.curves and moment.has_curves)
 
 
 _GESTURES = (
     _Gesture("Click", "add a point", adding=True),
     _Gesture("Press and drag", "add a point and set its velocity", adding=True, needs_derivatives=True),
     _Gesture("Click the curve", "insert a point between its neighbours", adding=True),
+    _Gesture("Drag a chosen curve", "move all chosen curves", adding=False, curves=True),
+    _Gesture("G, S, R, arrows, Del, the box", "act on all chosen curves", adding=False, curves=True),
+    _Gesture("Escape, a click beside them", "choose only the one edited", adding=False, curves=True),
     _Gesture("Drag a point", "move it; Shift keeps to one axis"),
     _Gesture("Hold Ctrl", "while something is placed, dragged or measured: snap, or not"),
     _Gesture("Escape, right button", "during a drag: take it back"),
@@ -96,9 +115,13 @@ _GESTURES = (
         "scale (Shift keeps proportions, Alt the centre) or rotate (Shift: 15° steps)",
         adding=False,
         selected=True,
+        curves=True,
     ),
     _Gesture(
-        "Moving, scaling, rotating", "X or Y locks an axis, digits type the amount, Enter ends", selected=True
+        "Moving, scaling, rotating",
+        "X or Y locks an axis, digits type the amount, Enter ends",
+        selected=True,
+        curves=True,
     ),
     _Gesture("Alt+drag a point", "pull out its velocity", needs_derivatives=True),
     _Gesture(
@@ -108,7 +131,10 @@ _GESTURES = (
         needs_derivatives=True,
     ),
     _Gesture(
-        "Arrow keys", "nudge the points, or ticks in the t-rail; Shift: ten, Ctrl: a tenth", selected=True
+        "Arrow keys",
+        "nudge the points, or ticks in the t-rail; Shift: ten, Ctrl: a tenth",
+        selected=True,
+        curves=True,
     ),
     _Gesture("Tab, Shift+Tab", "select the next or previous point", adding=False),
     _Gesture("Escape", "back to selecting", adding=True),
@@ -122,6 +148,8 @@ _GESTURES = (
     _Gesture("Drag, measuring", "distance and angle; Escape puts it away"),
     _Gesture("Drag, moving the image", "move it, or scale it by a corner; arrow keys nudge it"),
     _Gesture("Click another curve", "edit it", adding=False),
+    _Gesture("Shift+click another curve", "choose it too, or no longer", adding=False),
+    _Gesture("Ctrl+click, Shift+click, Ctrl+A", "in the list of curves: choose several"),
     _Gesture("Right button, Menu key", "what can be done there"),
     _Gesture("Drop a file", "open a document, or trace a picture"),
     _Gesture("Wheel", "zoom at the pointer"),

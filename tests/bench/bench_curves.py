@@ -17,6 +17,8 @@ from app.session import Session
 from app.testing import Editor
 
 MOST = 2.0
+ALL_MOST = 60.0
+"""Milliseconds for all curves of a drawing: each is computed and drawn anew, about one for each."""
 
 
 def document(count: int) -> Document:
@@ -34,14 +36,15 @@ def document(count: int) -> Document:
     )
 
 
-def times(qtbot, count: int, shown: str) -> Times:
-    """Drag a point of the first of `count` curves, with this dock in front."""
+def times(qtbot, count: int, shown: str, chosen: int = 1) -> Times:
+    """Drag a point of the first of `count` curves, with this dock in front and so many chosen."""
     session = Session()
     editor = Editor(qtbot, session, size=(1200, 900))
     session.commit(document(count), "Open")
     editor.show_dock(shown)
     editor.fit()
     editor.trigger("freezeParameters")
+    session.choose_curves(range(chosen))
     paints = Paints()
     canvas = editor.window.canvas
     canvas.painted.connect(paints.counter("canvas"))
@@ -56,3 +59,24 @@ def test_a_hundred_curves_cost_little_more_than_one(qtbot, shown):
     one, hundred = times(qtbot, 1, shown), times(qtbot, 100, shown)
     print(f"\n1 curve: {one}   100 curves: {hundred}   {shown}")
     assert hundred.median <= one.median + MOST
+
+
+def test_curves_that_are_chosen_cost_nothing_while_a_point_is_dragged(qtbot):
+    one, ten = times(qtbot, 100, "curvesDock"), times(qtbot, 100, "curvesDock", chosen=10)
+    print(f"\n1 of 100 chosen: {one}   10 of 100 chosen: {ten}")
+    assert ten.median <= one.median + MOST
+
+
+def test_thirty_chosen_curves_follow_the_pointer(qtbot):
+    session = Session()
+    editor = Editor(qtbot, session, size=(1200, 900))
+    session.commit(document(30), "Open")
+    editor.fit()
+    session.choose_curves(range(30))
+    paints, canvas = Paints(), editor.window.canvas
+    canvas.painted.connect(paints.counter("canvas"))
+    x, y = session.views[29].curve.evaluate(0.513)
+    found = drag(canvas.viewport(), QPointF(canvas.to_pixel(float(x), float(y))), paints, ["canvas"])
+    print(f"\n30 curves of 20 points moved together: {found}")
+    editor.window.hide()
+    assert found.median <= ALL_MOST

@@ -21,7 +21,6 @@ from app.gestures.rail import RailTool
 from app.gestures.snapping import Snapping
 from app.gestures.tools import CanvasTool, ToolKind
 from app.gestures.transform import TransformKind
-from app.gestures.transform_box import box_of
 from app.plot.pixel_map import PixelMap
 from app.session import Session
 from app.view_model.handles import handles_of
@@ -34,7 +33,7 @@ modifiers = st.fixed_dictionaries({name: st.booleans() for name in ("shift", "ct
 moves = st.lists(st.tuples(places, modifiers), min_size=1, max_size=3)
 endings = st.sampled_from(("release", "release", "release", "cancel", "undo", "forget"))
 aims = st.tuples(
-    st.sampled_from(("point", "handle", "curve", "grip", "anywhere")), st.integers(0, 40), places
+    st.sampled_from(("point", "handle", "curve", "other", "grip", "anywhere")), st.integers(0, 40), places
 )
 keys = st.lists(st.sampled_from(["1", "5", "0", ".", "-", "x", "y", "g", "s", "r", "backspace"]), max_size=4)
 
@@ -69,6 +68,7 @@ class Gestures(RuleBasedStateMachine):
         assert self.session.document == self.values[self.at]
         assert not self.tool.is_pressed
         assert all(index < len(self.session.active_curve.nodes) for index in self.session.selection)
+        assert {self.session.active_index} <= self.session.chosen_curves <= {0, 1}
 
     @invariant()
     def the_document_can_be_saved(self):
@@ -116,7 +116,19 @@ class Gestures(RuleBasedStateMachine):
         pixel = SHOWN.point(*position)
         polyline = view.flattened(TOLERANCE, SHOWN.box) if view.curve is not None else None
         hit = hit_test(pixel, SHOWN, view, polyline, chosen, handles)
+        if hit is None and self.tool.kind is ToolKind.SELECT and self.on_other(pixel):
+            hit = Hit(Part.OTHER_CURVE, self.other, position)
         return Pointer(position, pixel, hit, scale=SHOWN.sx, **held)
+
+    @property
+    def other(self):
+        return 1 - self.session.active_index
+
+    def on_other(self, pixel):
+        view = self.session.views[self.other]
+        polyline = view.flattened(TOLERANCE, SHOWN.box) if view.curve is not None else None
+        hit = hit_test(pixel, SHOWN, view, polyline, frozenset(), [])
+        return hit is not None and hit.part is Part.CURVE
 
     def aimed(self, aim):
         """A place worth pressing at."""
@@ -129,7 +141,10 @@ class Gestures(RuleBasedStateMachine):
         if what == "curve" and view.is_current:
             start, end = view.curve.domain
             return tuple(view.curve.evaluate(start + (end - start) * number / 40).tolist())
-        if what == "grip" and (box := box_of(view, chosen)) is not None:
+        if what == "other" and (other := self.session.views[self.other]).is_current:
+            start, end = other.curve.domain
+            return tuple(other.curve.evaluate(start + (end - start) * (number + 0.3) / 41).tolist())
+        if what == "grip" and (box := self.tool.overlay().box) is not None:
             grips = box.grips(SHOWN.sx)
             return grips[number % len(grips)][1]
         return anywhere
@@ -236,6 +251,10 @@ class Gestures(RuleBasedStateMachine):
     @rule(curve=st.integers(0, 1))
     def activate(self, curve):
         self.session.activate(curve)
+
+    @rule(curves=st.sets(st.integers(0, 1)))
+    def choose_curves(self, curves):
+        self.session.choose_curves(curves)
 
     @rule(edge=st.sampled_from(list(Edge)))
     def align(self, edge):

@@ -1,0 +1,71 @@
+"""The curves that are chosen beside the active one: in full colour, with halos, their points as rings."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+from PySide6.QtCore import QPointF, Qt
+from PySide6.QtGui import QColor, QPainter, QPen
+
+from app.canvas.other_curves_layer import OtherCurvesLayer, pixels_of
+from app.canvas.point_layer import opacity_of
+from app.colours import curve_colour
+from app.plot.drawing import Stroke
+from app.plot.pixel_map import PixelMap
+from app.theme import mix
+from app.view_model.curve_view import CurveView
+
+_WIDTH, _HALO = 2.0, 7.0
+_HALO_SHARE = 0.28
+_HALOS_UP_TO = 12
+"""Curves from which on there are rings alone: wide lines would take half of the time of a drag of thirty."""
+
+_RADIUS = 3.5
+_MOST_RINGS = 400
+"""Points in sight of one curve above which only as many are ringed: more would be a band."""
+
+
+class ChosenCurvesLayer(OtherCurvesLayer):
+    """Draws chosen curves as `OtherCurvesLayer` draws the others: from a picture, kept while they stay.
+
+    Hidden ones are faint, as the active curve is: they are moved with the others.
+    """
+
+    shows_hidden = True
+
+    def paint_curves(self, painter: QPainter, shown: PixelMap, views: Sequence[CurveView]) -> None:
+        """Paint halos, lines and rings into the picture."""
+        # No opacity: where the pieces of a line meet, their caps would be seen.
+        halo = mix(self.theme.accent, self.theme.paper, _HALO_SHARE)
+        stroke = Stroke()
+        for view in views:
+            painter.setOpacity(opacity_of(view))
+            stroke.fill(pixels_of(view, shown), shown.width, shown.height)
+            if len(views) <= _HALOS_UP_TO:
+                painter.setPen(self._line(halo, _HALO))
+                stroke.draw(painter)
+            painter.setPen(self._line(self._colour(view), _WIDTH))
+            stroke.draw(painter)
+            self._paint_rings(painter, shown, view)
+
+    def _colour(self, view: CurveView) -> QColor:
+        return curve_colour(view.source.colour, self.theme)
+
+    def _line(self, colour: QColor, width: float) -> QPen:
+        pen = QPen(colour, width * self.scale)
+        pen.setCapStyle(Qt.PenCapStyle.RoundCap)
+        pen.setJoinStyle(Qt.PenJoinStyle.RoundJoin)
+        return pen
+
+    def _paint_rings(self, painter: QPainter, shown: PixelMap, view: CurveView) -> None:
+        pixels, margin = shown.points(view.points), 2 * _RADIUS * self.scale
+        is_near = np.all(
+            (pixels > -margin) & (pixels < (shown.width + margin, shown.height + margin)), axis=1
+        )
+        near = pixels[is_near]
+        near = near[:: max(len(near) // _MOST_RINGS, 1)]
+        painter.setPen(QPen(self.theme.accent, 1.5 * self.scale))
+        painter.setBrush(self.theme.paper)
+        for x, y in near.tolist():
+            painter.drawEllipse(QPointF(x, y), _RADIUS * self.scale, _RADIUS * self.scale)

@@ -1,0 +1,88 @@
+"""Several whole curves on the clipboard, to the last bit; for other programs, tables of their points."""
+
+from __future__ import annotations
+
+from msgspec.structs import replace
+from PySide6.QtCore import QMimeData
+from PySide6.QtGui import QGuiApplication
+
+from app.commands.parts import Parts
+from app.document.edits import EditError
+from app.document.format import FormatError, decode, encode
+from app.document.model import Curve, Document
+from app.document.several_curves import active_after_removal, named, remove_curves
+from app.exchange.table_text import write_block
+from app.panels.number_text import decimal_mark, exact_text
+
+CURVES = "application/x-curvebench-curves"
+"""MIME type of several curves: a document of them."""
+
+
+class CurveClipboard:
+    """Copies, cuts and pastes the chosen curves; with one alone the clipboard is about its points."""
+
+    def __init__(self, parts: Parts) -> None:
+        self._parts = parts
+        self._session = parts.session
+
+    @property
+    def has_several(self) -> bool:
+        """Whether there are curves to copy: several are chosen, and no point is selected."""
+        return len(self._session.chosen_curves) > 1 and not self._session.selection
+
+    def copy(self) -> None:
+        """Copy all chosen curves."""
+        session = self._session
+        curves = tuple(session.document.curves[place] for place in sorted(session.chosen_curves))
+        mark = decimal_mark()
+        tables = [
+            write_block([[exact_text(number, mark) for number in node.position] for node in curve.nodes])
+            for curve in curves
+            if curve.nodes
+        ]
+        data = QMimeData()
+        data.setData(CURVES, encode(Document(curves)))
+        data.setText("\n".join(tables))
+        QGuiApplication.clipboard().setMimeData(data)
+        session.say(f"Copied {len(curves)} curves.")
+
+    def cut(self) -> None:
+        """Copy all chosen curves and delete them."""
+        session, document = self._session, self._session.document
+        chosen = session.chosen_curves
+        self.copy()
+        self._parts.change(
+            f"Cut {named(document, chosen)}",
+            lambda: remove_curves(document, chosen),
+            active=active_after_removal(document, chosen, session.active_index),
+        )
+
+    def paste(self) -> bool:
+        """Add the curves that were copied, in front of the active one; return whether there are any."""
+        data = QGuiApplication.clipboard().mimeData() or QMimeData()  # None where nothing was ever copied
+        if not data.hasFormat(CURVES):
+            return False
+        try:
+            curves = decode(bytes(data.data(CURVES).data())).curves
+        except FormatError as reason:
+            raise EditError(f"The curves on the clipboard cannot be read: {reason}.") from None
+        session, first = self._session, self._session.active_index + 1
+        before = session.document.curves
+        fresh = _renamed(curves, {curve.name for curve in before})
+        pasted = replace(session.document, curves=(*before[:first], *fresh, *before[first:]))
+        if self._parts.change(f"Paste {len(fresh)} curves", lambda: pasted, active=first):
+            session.choose_curves(range(first, first + len(fresh)))
+            session.say(f"Pasted {len(fresh)} curves; they are chosen.")
+        return True
+
+
+def _renamed(curves: tuple[Curve, ...], taken: set[str]) -> list[Curve]:
+    """Return the curves visible and free, under names that no other has."""
+    fresh = []
+    for curve in curves:
+        name = curve.name
+        while name in taken:
+            name = f"{name} copy"
+        taken.add(name)
+        fresh.append(replace(curve, name=name, visible=True, locked=False))
+    return fresh

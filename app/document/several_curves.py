@@ -1,0 +1,155 @@
+"""Several curves at once: edits of all of them, nodes that change together, and a choice that is kept valid.
+
+`curves` are indices of curves. Like all edits these are pure, and change all or nothing.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Collection, Sequence
+
+import msgspec
+from msgspec.structs import replace
+
+from app.document.curve_edits import locked_sentence, refuse_locked, remove_curve
+from app.document.edits import EditError, move_nodes
+from app.document.model import Curve, Document, Vector
+from app.document.transforms import Linear, transform_nodes
+
+NodesEdit = Callable[[Document, int, Collection[int]], Document]
+"""An edit of some nodes of one curve."""
+
+
+class NodeGroup(msgspec.Struct, frozen=True):
+    """Nodes that change together: some of one curve, or all of several.
+
+    Attributes
+    ----------
+    parts
+        The curves, each with the indices of its nodes.
+    """
+
+    parts: tuple[tuple[int, frozenset[int]], ...]
+
+    @property
+    def is_several(self) -> bool:
+        """Whether it is several curves, whole."""
+        return len(self.parts) > 1
+
+    @property
+    def curves(self) -> frozenset[int]:
+        """The curves that it is of."""
+        return frozenset(curve for curve, _ in self.parts)
+
+    def changed(self, document: Document, edit: NodesEdit) -> Document:
+        """Return `document` with `edit` done to all of it; locked curves refuse, named together."""
+        self.refuse_locked(document)
+        for curve, indices in self.parts:
+            document = edit(document, curve, indices)
+        return document
+
+    def refuse_locked(self, document: Document) -> None:
+        """Raise EditError if curves that it is of are locked."""
+        names = [document.curves[curve].name for curve, _ in self.parts if document.curves[curve].locked]
+        if names:
+            raise EditError(locked_sentence(names))
+
+
+def nodes_of(curve: int, indices: Collection[int]) -> NodeGroup:
+    """Return some nodes of one curve."""
+    return NodeGroup(((curve, frozenset(indices)),))
+
+
+def whole_curves(document: Document, curves: Collection[int]) -> NodeGroup:
+    """Return all nodes of some curves."""
+    return NodeGroup(
+        tuple((curve, frozenset(range(len(document.curves[curve].nodes)))) for curve in sorted(curves))
+    )
+
+
+# Edits
+
+
+def moved(document: Document, group: NodeGroup, by: Vector) -> Document:
+    """Move the nodes of a group; their derivatives stay."""
+    return group.changed(document, lambda each, curve, indices: move_nodes(each, curve, indices, by))
+
+
+def mapped(document: Document, group: NodeGroup, by: Linear) -> Document:
+    """Map the nodes of a group and the derivatives set there."""
+    return group.changed(document, lambda each, curve, indices: transform_nodes(each, curve, indices, by))
+
+
+def with_looks(
+    document: Document,
+    curves: Collection[int],
+    *,
+    visible: bool | None = None,
+    locked: bool | None = None,
+    colour: str | None = None,
+) -> Document:
+    """Show or hide curves, lock or free them, draw them in a colour; None leaves each as it is."""
+    given = {"visible": visible, "locked": locked, "colour": colour}
+    looks = {name: value for name, value in given.items() if value is not None}
+    return replace(
+        document,
+        curves=tuple(
+            replace(curve, **looks) if place in curves else curve
+            for place, curve in enumerate(document.curves)
+        ),
+    )
+
+
+def remove_curves(document: Document, curves: Collection[int]) -> Document:
+    """Remove curves; where none is left, an empty one is."""
+    before = document
+    for curve in sorted(curves, reverse=True):
+        document = remove_curve(document, curve)
+    refuse_locked(before, document)
+    return document
+
+
+def active_after_removal(document: Document, curves: Collection[int], active: int) -> int:
+    """Return which curve to edit when `curves` are gone: the one that takes the place of the active one."""
+    before = sum(place not in curves for place in range(active))
+    return max(0, min(before, len(document.curves) - len(curves) - 1))
+
+
+def add_copies(document: Document, curves: Collection[int], colours: Sequence[str]) -> Document:
+    """Add copies after the last of `curves`, in their order, in these colours, visible and free."""
+    after = max(curves) + 1
+    copies = [
+        replace(old, name=f"{old.name} copy", visible=True, locked=False, colour=colour)
+        for old, colour in zip((document.curves[curve] for curve in sorted(curves)), colours, strict=True)
+    ]
+    return replace(document, curves=(*document.curves[:after], *copies, *document.curves[after:]))
+
+
+def named(document: Document, curves: Collection[int]) -> str:
+    """Return the curve's name, or "3 curves"."""
+    if len(curves) == 1:
+        return document.curves[next(iter(curves))].name
+    return f"{len(curves)} curves"
+
+
+# The choice
+
+
+def followed(chosen: Collection[int], before: Sequence[Curve], after: Sequence[Curve]) -> frozenset[int]:
+    """Return where chosen curves are after a change: the same values, or else the same places.
+
+    An edit hands on what it does not change, so that a curve elsewhere in the order is the same object. One
+    that was changed is looked for in its place, where the number of curves is what it was.
+    """
+    if before is after:
+        return frozenset(chosen)
+    places = {id(curve): place for place, curve in enumerate(after)}
+    same_number = len(before) == len(after)
+    found = set()
+    for place in chosen:
+        if same_number and after[place] is before[place]:
+            found.add(place)
+        elif id(before[place]) in places:
+            found.add(places[id(before[place])])
+        elif same_number:
+            found.add(place)
+    return frozenset(found)

@@ -1,0 +1,57 @@
+"""A step of the history: the values before and after it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import msgspec
+from PySide6.QtGui import QUndoCommand
+
+from app.document.model import Document
+
+
+class State(msgspec.Struct, frozen=True):
+    """What undo brings back: a document, and which of its curves was edited."""
+
+    document: Document
+    active: int
+
+
+class UndoStep(QUndoCommand):
+    """A step from one state to the next; the values are computed before it is made.
+
+    One that `joins` becomes a part of the step before it. `restore` brings a state back.
+    """
+
+    def __init__(
+        self,
+        restore: Callable[[State], None],
+        before: State,
+        after: State,
+        text: str,
+        *,
+        joins: bool = False,
+    ) -> None:
+        super().__init__(text)
+        self._restore, self._before, self._after, self._joins = restore, before, after, joins
+
+    def id(self) -> int:
+        """Return a number that all steps share; called by Qt."""
+        return 1  # Qt asks only commands of one number whether they can be merged
+
+    def mergeWith(self, other: QUndoCommand) -> bool:  # noqa: N802
+        """Take in `other` if it joins; called by Qt."""
+        if not isinstance(other, UndoStep) or not other._joins:
+            return False
+        self._after = other._after
+        # There and back again is no step.
+        self.setObsolete(self._after == self._before)
+        return True
+
+    def redo(self) -> None:
+        """Bring back the state after the step; called by Qt, when it is pushed too."""
+        self._restore(self._after)
+
+    def undo(self) -> None:
+        """Bring back the state before the step; called by Qt."""
+        self._restore(self._before)

@@ -1,0 +1,136 @@
+"""Edits of several curves at once, and a choice that follows its curves."""
+
+from __future__ import annotations
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+from msgspec.structs import replace
+
+from app.document import curve_edits
+from app.document.edits import EditError, append_node, set_family
+from app.document.model import Document, Family, Node, make_curve
+from app.document.several_curves import (
+    active_after_removal,
+    add_copies,
+    followed,
+    mapped,
+    moved,
+    named,
+    nodes_of,
+    remove_curves,
+    whole_curves,
+    with_looks,
+)
+from app.document.transforms import rotation
+
+
+def names(document):
+    return "".join(curve.name for curve in document.curves)
+
+
+@pytest.fixture
+def four():
+    curves = [make_curve([(0, level), (1, level)], name=name) for level, name in enumerate("ABCD")]
+    turning = Node(
+        2.0, 0.0, velocity=(1.0, 0.0), acceleration=(0.0, 3.0), corner=True, velocity_after=(0.0, 2.0)
+    )
+    curves[1] = replace(curves[1], nodes=(*curves[1].nodes, turning))
+    return Document(tuple(curves))
+
+
+def locked(document, *places):
+    return with_looks(document, places, locked=True)
+
+
+def test_whole_curves_turn_with_all_derivatives_that_were_set(four):
+    turned = mapped(four, whole_curves(four, {1, 3}), rotation(90.0, (0.0, 0.0)))
+    assert turned.curves[1].nodes[2] == Node(
+        0.0, 2.0, velocity=(0.0, 1.0), acceleration=(-3.0, 0.0), corner=True, velocity_after=(-2.0, 0.0)
+    )
+    assert [node.position for node in turned.curves[3].nodes] == [(-3.0, 0.0), (-3.0, 1.0)]
+    assert turned.curves[0] is four.curves[0]
+    assert turned.curves[2] is four.curves[2]
+
+
+def test_some_nodes_of_one_curve_are_a_group_too(four):
+    after = moved(four, nodes_of(2, [1]), (0.5, 0.25))
+    assert [node.position for node in after.curves[2].nodes] == [(0.0, 2.0), (1.5, 2.25)]
+
+
+def test_what_is_too_large_changes_nothing(four):
+    far = replace(four.curves[3], nodes=(Node(9e11, 0.0), Node(0.0, 0.0)))
+    with pytest.raises(EditError, match="1e12"):
+        moved(four.with_curve(3, far), whole_curves(four, {0, 3}), (2e11, 0.0))
+
+
+@pytest.mark.parametrize(
+    ("places", "sentence"),
+    [
+        ((1,), "“B” is locked; unlock it in the list of curves to change it."),
+        ((1, 3), "“B” and “D” are locked; unlock them in the list of curves to change them."),
+        ((0, 1, 3), "“A”, “B” and “D” are locked; unlock them in the list of curves to change them."),
+    ],
+)
+@pytest.mark.parametrize(
+    "act",
+    [
+        lambda document: moved(document, whole_curves(document, {0, 1, 3}), (1.0, 0.0)),
+        lambda document: remove_curves(document, {0, 1, 3}),
+    ],
+)
+def test_locked_curves_are_named(four, places, sentence, act):
+    with pytest.raises(EditError) as refused:
+        act(locked(four, *places))
+    assert str(refused.value) == sentence
+
+
+def test_locked_curves_that_are_not_meant_are_no_hindrance(four):
+    document = locked(four, 2)
+    assert names(remove_curves(document, {0, 3})) == "BC"
+    assert moved(document, whole_curves(document, {0, 1}), (1.0, 0.0)).curves[0].nodes[0].x == 1.0
+
+
+def test_looks_are_changed_as_far_as_given(four):
+    after = with_looks(four, {0, 2}, visible=False, colour="#d55e00")
+    assert [(curve.visible, curve.colour, curve.locked) for curve in after.curves] == [
+        (False, "#d55e00", False),
+        (True, "", False),
+        (False, "#d55e00", False),
+        (True, "", False),
+    ]
+    assert after.curves[1] is four.curves[1]
+
+
+def test_copies_come_after_the_last_in_their_order(four):
+    document = with_looks(four, {0}, visible=False, locked=True)
+    after = add_copies(document, {0, 2}, ["", "#0072b2"])
+    assert [curve.name for curve in after.curves] == ["A", "B", "C", "A copy", "C copy", "D"]
+    copy = after.curves[3]
+    assert (copy.visible, copy.locked, after.curves[4].colour) == (True, False, "#0072b2")
+
+
+def test_the_curve_that_takes_the_place_is_edited_next(four):
+    assert [active_after_removal(four, {1, 2}, active) for active in (1, 2)] == [1, 1]
+    assert active_after_removal(four, {2, 3}, 3) == 1
+    assert active_after_removal(four, {0, 1, 2, 3}, 2) == 0
+
+
+def test_one_is_named_and_several_are_counted(four):
+    assert (named(four, {2}), named(four, {0, 2})) == ("C", "2 curves")
+
+
+@given(st.permutations(range(6)), st.sets(st.integers(0, 5)), st.sets(st.integers(0, 5)))
+def test_a_choice_follows_its_curves(order, chosen, gone):
+    before = [make_curve([(0, number)], name="same") for number in range(6)]
+    after = [before[number] for number in order if number not in gone]
+    kept = followed(chosen, before, after)
+    assert {id(after[place]) for place in kept} == {id(before[place]) for place in chosen - gone}
+
+
+def test_a_choice_stays_on_curves_that_are_changed_in_their_place(four):
+    document = set_family(append_node(four, 1, Node(9.0, 9.0)), 3, Family.HERMITE)
+    assert followed({1, 3}, four.curves, document.curves) == {1, 3}
+    lowered = curve_edits.move_curve(four, 1, 2)
+    assert followed({1, 3}, four.curves, lowered.curves) == {2, 3}
+    assert followed({1, 3}, four.curves, four.curves) == {1, 3}

@@ -1,0 +1,691 @@
+"""Several curves chosen and worked on together: the list, the canvas, the commands; real mouse and keys."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from msgspec.structs import replace
+from PySide6.QtCore import QEvent, QMimeData, QPoint, Qt
+from PySide6.QtGui import QContextMenuEvent
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QApplication, QLabel, QPushButton
+
+from app.commands.curve_clipboard import CURVES
+from app.document.model import Document, Family, Node, Parametrization, ParametrizationKind, make_curve
+from app.gestures.snapping import SnapKind, Snapping
+from app.panels.curve_list_view import Spot, spot_rect
+
+CTRL = Qt.KeyboardModifier.ControlModifier
+SHIFT = Qt.KeyboardModifier.ShiftModifier
+NO_KEYS = Qt.KeyboardModifier.NoModifier
+LEFT, RIGHT = Qt.MouseButton.LeftButton, Qt.MouseButton.RightButton
+WAVE = ((0, 0), (1, 1), (2, 0), (3, 1))
+
+
+@pytest.fixture
+def five(editor):
+    """Five waves one above the other, A below, E on top; B is active. C has derivatives of its own."""
+    curves = [
+        make_curve([(x, y + 2 * level) for x, y in WAVE], name=name, family=Family.QUINTIC_HERMITE)
+        for level, name in enumerate("ABCDE")
+    ]
+    # Spaced evenly in t, so that derivatives per unit of t go as vectors do, however distances change.
+    evenly = Parametrization(ParametrizationKind.UNIFORM)
+    curves = [replace(curve, parametrization=evenly) for curve in curves]
+    node = replace(curves[2].nodes[1], velocity=(4.0, 2.0), acceleration=(-8.0, 16.0))
+    curves[2] = replace(curves[2], nodes=(curves[2].nodes[0], node, *curves[2].nodes[2:]))
+    editor.session.commit(Document(tuple(curves)), "Begin", active=1)
+    editor.show_dock("curvesDock")
+    editor.fit()
+    return editor
+
+
+def names(editor):
+    return "".join(curve.name for curve in editor.session.document.curves)
+
+
+def chosen(editor):
+    """The names of the chosen curves, the one that is edited first."""
+    curves, session = editor.session.document.curves, editor.session
+    others = sorted(session.chosen_curves - {session.active_index})
+    assert session.active_index in session.chosen_curves
+    return "".join(curves[place].name for place in (session.active_index, *others))
+
+
+def choose(editor, letters):
+    """Choose by clicks in the list, the first letter as the curve that is edited."""
+    for number, letter in enumerate(letters):
+        click_row(editor, "ABCDE".index(letter), CTRL if number else NO_KEYS)
+
+
+def click_row(editor, row, keys=NO_KEYS, spot=Spot.NAME):
+    view = editor.window.curve_list.view
+    QTest.mouseClick(view.viewport(), LEFT, keys, spot_rect(view.row_rect(row), spot).center())
+    editor.settle()
+
+
+def on_curve(editor, row, t=0.42):
+    x, y = editor.session.views[row].curve.evaluate(t)
+    return float(x), float(y)
+
+
+def positions(editor, row):
+    return np.array([node.position for node in editor.session.document.curves[row].nodes])
+
+
+def moved_by(editor, before, row):
+    """How far a curve has been moved since `before`; it must have been moved as a whole."""
+    old = np.array([node.position for node in before.curves[row].nodes])
+    ways = positions(editor, row) - old
+    assert np.ptp(ways, axis=0) == pytest.approx((0, 0), abs=1e-12)
+    return tuple(ways[0].tolist())
+
+
+def step_name(editor):
+    return editor.session.undo_stack.undoText()
+
+
+# Choosing in the list
+
+
+def test_control_click_adds_and_takes_out(five):
+    click_row(five, 3, CTRL)
+    assert chosen(five) == "BD"
+    click_row(five, 0, CTRL)
+    assert chosen(five) == "BAD"
+    click_row(five, 3, CTRL)
+    assert chosen(five) == "BA"
+    assert step_name(five) == "Begin"
+
+
+def test_taking_out_the_edited_curve_hands_on_to_its_neighbour(five):
+    choose(five, "BCE")
+    click_row(five, 1, CTRL)
+    assert chosen(five) == "CE"
+    click_row(five, 4, CTRL)
+    click_row(five, 2, CTRL)
+    assert chosen(five) == "C"
+
+
+def test_a_plain_click_chooses_one(five):
+    choose(five, "BCE")
+    click_row(five, 1)
+    assert chosen(five) == "B"
+    choose(five, "BCE")
+    click_row(five, 4)
+    assert chosen(five) == "E"
+
+
+def test_shift_click_extends_from_the_edited_curve(five):
+    click_row(five, 3, SHIFT)
+    assert chosen(five) == "BCD"
+    click_row(five, 0, SHIFT)
+    assert chosen(five) == "BA"
+
+
+def test_shift_and_arrows_extend_and_shrink(five):
+    view = five.window.curve_list.view
+    view.setFocus()
+    for key, expected in (
+        ("Down", "BC"),
+        ("Down", "BCD"),
+        ("Up", "BC"),
+        ("Up", "B"),
+        ("Up", "BA"),
+        ("Up", "BA"),
+    ):
+        QTest.keyClick(view, getattr(Qt.Key, f"Key_{key}"), SHIFT)
+        five.settle()
+        assert chosen(five) == expected
+    QTest.keyClick(view, Qt.Key.Key_Down)
+    five.settle()
+    assert chosen(five) == "C"
+
+
+def test_control_a_in_the_list_chooses_all_and_on_the_canvas_the_points(five):
+    view = five.window.curve_list.view
+    view.setFocus()
+    QTest.keyClick(view, Qt.Key.Key_A, CTRL)
+    five.settle()
+    assert chosen(five) == "BACDE"
+    assert five.session.selection == frozenset()
+    five.key(Qt.Key.Key_A, CTRL)
+    assert five.session.selection == {0, 1, 2, 3}
+
+
+def test_the_actions_choose_all_and_one(five):
+    assert not five.action("onlyThisCurve").isEnabled()
+    five.run_command("Select All Curves")
+    assert chosen(five) == "BACDE"
+    assert not five.action("selectAllCurves").isEnabled()
+    five.trigger("onlyThisCurve")
+    assert chosen(five) == "B"
+
+
+def test_the_list_tells_a_screen_reader(five):
+    choose(five, "BD")
+    model = five.window.curve_list.model
+    told = [model.data(model.index(row), Qt.ItemDataRole.AccessibleTextRole) for row in (0, 1, 3)]
+    assert [text.partition("points")[2] for text in told] == ["", ", chosen, edited", ", chosen"]
+
+
+# Choosing on the canvas
+
+
+def test_shift_click_on_another_curve_chooses_it_too(five):
+    five.select([1, 2])
+    at = on_curve(five, 3)
+    five.hover(at)
+    assert five.window.status_line.hint == "Click to edit “D” · Shift+click: choose it too"
+    five.click(at, keys=SHIFT)
+    assert chosen(five) == "BD"
+    assert five.session.selection == frozenset()
+    assert five.status == "2 curves chosen, “B” is edited."
+    five.click(at, keys=SHIFT)
+    assert chosen(five) == "B"
+    assert five.status == "Only “B” is chosen."
+
+
+def test_a_click_on_a_chosen_curve_edits_it_alone(five):
+    choose(five, "BD")
+    five.click(on_curve(five, 3))
+    assert chosen(five) == "D"
+
+
+@pytest.mark.parametrize("how", ["Escape", "click"])
+def test_first_the_points_are_let_go_then_the_curves(five, how):
+    choose(five, "BD")
+    five.click(five.point(1))
+    assert five.session.selection == {1}
+    for expected in ("BD", "B"):
+        five.escape() if how == "Escape" else five.click((-1.5, 4.4))
+        assert (five.session.selection, chosen(five)) == (frozenset(), expected)
+
+
+def test_the_status_line_says_what_the_tools_act_on(five):
+    choose(five, "BD")
+    five.hover((-1.5, 4.4))
+    assert five.window.status_line.hint.startswith("2 curves chosen, “B” is edited · G moves, S scales")
+    five.hover(on_curve(five, 3))
+    assert five.window.status_line.hint.startswith("Drag to move 2 curves · Shift: one axis, a click takes")
+    five.select([1])
+    five.hover((-1.5, 4.4))
+    assert "curves" not in five.window.status_line.hint
+
+
+def test_the_sheet_says_it(five):
+    choose(five, "BD")
+    five.trigger("showShortcuts")
+    texts = [label.text() for label in five.window.findChild(object, "shortcutSheet").findChildren(QLabel)]
+    assert "<b>Now: 2 curves chosen</b>" in texts
+    assert texts.index("Drag a chosen curve") < texts.index("<b>Otherwise</b>")
+    five.trigger("showShortcuts")
+
+
+# The choice is kept valid
+
+
+def test_the_choice_follows_its_curves_through_changes_of_the_list(five):
+    choose(five, "BDE")
+    five.trigger("lowerCurve")
+    assert (names(five), chosen(five)) == ("ACBDE", "BDE")
+    five.trigger("undo")
+    assert (names(five), chosen(five)) == ("ABCDE", "BDE")
+    click_row(five, 2, spot=Spot.EYE)
+    assert chosen(five) == "BDE"
+    five.trigger("undo")
+    five.trigger("reverseCurve")
+    assert chosen(five) == "BDE"
+
+
+def test_the_choice_ends_with_what_replaces_the_edited_curve(five):
+    choose(five, "BDE")
+    five.trigger("newCurve")
+    assert chosen(five) == "Curve 1"
+    five.trigger("undo")
+    assert chosen(five) == "B"
+    five.trigger("selectTool")
+    choose(five, "BDE")
+    five.trigger("nextCurve")
+    assert chosen(five) == "C"
+
+
+def test_the_choice_ends_with_the_document(five):
+    five.trigger("selectAllCurves")
+    five.new()
+    assert five.session.chosen_curves == {0}
+
+
+def test_the_choice_is_no_part_of_the_history(five):
+    count = five.session.undo_stack.count()
+    choose(five, "ADE")
+    five.trigger("selectAllCurves")
+    assert five.session.undo_stack.count() == count
+    assert step_name(five) == "Begin"
+
+
+# Commands
+
+
+def test_all_chosen_are_hidden_and_shown_in_one_step(five):
+    choose(five, "BDE")
+    five.trigger("curveVisible")
+    assert [curve.visible for curve in five.session.document.curves] == [True, False, True, False, False]
+    assert step_name(five) == "Hide 3 curves"
+    click_row(five, 3, spot=Spot.EYE)
+    assert all(curve.visible for curve in five.session.document.curves)
+    assert step_name(five) == "Show 3 curves"
+
+
+def test_the_eye_of_a_curve_that_is_not_chosen_is_about_that_one(five):
+    choose(five, "BDE")
+    click_row(five, 2, spot=Spot.EYE)
+    assert step_name(five) == "Hide C"
+    assert chosen(five) == "BDE"
+
+
+def test_all_chosen_are_locked_and_freed(five):
+    choose(five, "BD")
+    click_row(five, 3, spot=Spot.LOCK)
+    assert [curve.locked for curve in five.session.document.curves] == [False, True, False, True, False]
+    assert step_name(five) == "Lock 2 curves"
+    five.trigger("curveLocked")
+    assert not any(curve.locked for curve in five.session.document.curves)
+
+
+def test_all_chosen_get_a_colour(five):
+    choose(five, "BDE")
+    click_row(five, 4, spot=Spot.SWATCH)
+    five.choose("colour_Vermillion")
+    colours = [curve.colour for curve in five.session.document.curves]
+    assert colours == ["", "#d55e00", "", "#d55e00", "#d55e00"]
+    assert step_name(five) == "Colour 3 curves"
+
+
+@pytest.mark.parametrize("how", ["action", "Delete"])
+def test_all_chosen_are_deleted_in_one_step(five, how):
+    document = five.session.document
+    choose(five, "BDE")
+    assert five.action("deleteCurve").text() == "Delete 3 Curves"
+    five.trigger("deleteCurve") if how == "action" else five.key(Qt.Key.Key_Delete)
+    assert (names(five), chosen(five), step_name(five)) == ("AC", "C", "Delete 3 curves")
+    assert five.action("deleteCurve").text() == "Delete Curve"
+    five.trigger("undo")
+    assert five.session.document == document
+
+
+def test_delete_takes_points_where_points_are_selected(five):
+    choose(five, "BD")
+    five.click(five.point(1))
+    five.key(Qt.Key.Key_Delete)
+    assert (names(five), len(five.curve.nodes)) == ("ABCDE", 3)
+
+
+def test_deleting_all_leaves_an_empty_curve(five):
+    five.trigger("selectAllCurves")
+    five.trigger("deleteCurve")
+    assert [len(curve.nodes) for curve in five.session.document.curves] == [0]
+    assert five.session.chosen_curves == {0}
+
+
+def test_all_chosen_are_duplicated_and_the_copies_chosen(five):
+    choose(five, "CB")
+    five.trigger("duplicateCurve")
+    assert [curve.name for curve in five.session.document.curves[1:5]] == ["B", "C", "B copy", "C copy"]
+    assert (five.curve.name, five.session.chosen_curves) == ("C copy", {3, 4})
+    assert step_name(five) == "Duplicate 2 curves"
+    assert five.session.selection == frozenset()
+
+
+def test_locked_curves_are_named_and_nothing_happens_half(five):
+    choose(five, "BD")
+    five.trigger("curveLocked")
+    choose(five, "ABDE")
+    document = five.session.document
+    sentence = "“B” and “D” are locked; unlock them in the list of curves to change them."
+    for act in (
+        lambda: five.trigger("deleteCurve"),
+        lambda: five.trigger("moveSelection"),
+        lambda: five.key(Qt.Key.Key_Left),
+    ):
+        five.session.say("")
+        act()
+        assert (five.status, five.session.document) == (sentence, document)
+    five.drag(on_curve(five, 4), (2, 9))
+    assert five.session.document is document
+    five.hover(on_curve(five, 4))
+    assert five.window.status_line.hint == sentence
+    five.drag(five.grip(1, 1), (5, 12))
+    assert five.session.document is document
+    assert step_name(five) == "Lock 2 curves"
+
+
+def test_the_right_button_on_a_chosen_curve_leaves_them_chosen(five):
+    choose(five, "BD")
+    for row, expected in ((3, "DB"), (2, "C")):
+        place = five.window.canvas.to_pixel(*on_curve(five, row))
+        port = five.window.canvas.viewport()
+        event = QContextMenuEvent(QContextMenuEvent.Reason.Mouse, place, port.mapToGlobal(place))
+        QApplication.sendEvent(port, event)
+        five.settle()
+        five.menu().close()
+        assert chosen(five) == expected
+
+
+# Transforms
+
+
+def test_dragging_one_moves_all_chosen(five):
+    before = five.session.document
+    choose(five, "BD")
+    x, y = on_curve(five, 3)
+    five.press((x, y))
+    five.move((x + 0.5, y - 0.25))
+    assert "Move 2 curves by" in five.status
+    assert moved_by(five, before, 1) == pytest.approx((0.5, -0.25), abs=five.pixel)
+    five.release((x + 0.5, y - 0.25))
+    by = moved_by(five, before, 3)
+    assert by == pytest.approx((0.5, -0.25), abs=five.pixel)
+    assert moved_by(five, before, 1) == pytest.approx(by)
+    assert [moved_by(five, before, row) for row in (0, 2, 4)] == [(0, 0)] * 3
+    assert (step_name(five), chosen(five)) == ("Move 2 curves", "BD")
+    five.trigger("undo")
+    assert (five.session.document, chosen(five)) == (before, "BD")
+
+
+def test_shift_keeps_the_drag_to_an_axis(five):
+    before = five.session.document
+    choose(five, "BD")
+    x, y = on_curve(five, 3)
+    five.drag((x, y), (x + 0.5, y - 0.2), keys=SHIFT)
+    assert moved_by(five, before, 1)[1] == 0.0
+    assert chosen(five) == "BD"
+
+
+def test_dragging_a_curve_that_is_not_chosen_moves_nothing(five):
+    before = five.session.document
+    choose(five, "BD")
+    five.drag(on_curve(five, 4), (2, 9))
+    assert five.session.document is before
+
+
+def test_bending_and_points_of_the_edited_curve_work_as_ever(five):
+    before = five.session.document
+    choose(five, "BD")
+    five.bend(0.42, (1.4, 3.3))
+    assert step_name(five).startswith("Bend")
+    five.drag_point(1, to=(1.2, 3.4))
+    assert step_name(five) == "Move point 1"
+    assert five.session.document.curves[3] is before.curves[3]
+    assert chosen(five) == "BD"
+
+
+@pytest.mark.parametrize(
+    ("key", "typed", "name"),
+    [("G", "x2.5", "Move 2 curves"), ("S", "y2", "Scale 2 curves"), ("R", "90", "Rotate 2 curves")],
+)
+def test_keys_transform_all_chosen_by_a_typed_amount(five, key, typed, name):
+    choose(five, "BC")
+    box = five.window.canvas.overlay.box
+    assert (box.low, box.high) == ((0, 2), (3, 5))
+    five.hover((1.5, 4.4))
+    five.key(getattr(Qt.Key, f"Key_{key}"))
+    five.type_amount(typed)
+    five.key(Qt.Key.Key_Return)
+    place = {
+        "G": lambda x, y: (x + 2.5, y),
+        "S": lambda x, y: (x, 3.5 + 2 * (y - 3.5)),
+        "R": lambda x, y: (1.5 - (y - 3.5), 3.5 + (x - 1.5)),
+    }[key]
+    for row in (1, 2):
+        assert [tuple(p) for p in positions(five, row)] == [place(x, y + 2 * row) for x, y in WAVE]
+    node = five.session.document.curves[2].nodes[1]
+    expected = {
+        "G": ((4, 2), (-8, 16)),
+        "S": ((4, 4), (-8, 32)),
+        "R": ((-2, 4), (-16, -8)),
+    }[key]
+    assert (node.velocity, node.acceleration) == expected
+    assert five.session.document.curves[1].nodes[1] == Node(*place(1, 3))
+    assert step_name(five) == name
+
+
+@pytest.mark.parametrize("key", ["G", "S", "R"])
+@pytest.mark.parametrize("how", ["Escape", "right button"])
+def test_a_transform_of_all_chosen_is_taken_back(five, key, how):
+    document, steps = five.session.document, five.session.undo_stack.count()
+    choose(five, "BCE")
+    five.hover((2.5, 4.4))
+    five.key(getattr(Qt.Key, f"Key_{key}"))
+    five.move((3.5, 6.0), held=False)
+    assert [five.session.document.curves[row] == document.curves[row] for row in range(5)] == [
+        True, False, False, True, False
+    ]  # fmt: skip
+    if how == "Escape":
+        five.escape()
+    else:
+        place = five.window.canvas.to_pixel(3.5, 6.0)
+        five.drag_pixels(five.window.canvas, place, place, button=RIGHT)
+    assert five.session.document is document
+    assert five.session.undo_stack.count() == steps
+    assert chosen(five) == "BCE"
+
+
+@pytest.mark.parametrize("what", ["curve", "grip", "turn"])
+@pytest.mark.parametrize("how", ["Escape", "right button"])
+def test_a_drag_of_all_chosen_is_taken_back(five, what, how):
+    document = five.session.document
+    choose(five, "BC")
+    start = {"curve": on_curve(five, 2), "grip": five.grip(1, 1), "turn": five.grip()}[what]
+    five.press(start)
+    five.move((start[0] + 0.7, start[1] + 0.9))
+    assert five.session.document.curves[1] != document.curves[1]
+    assert five.session.document.curves[2] != document.curves[2]
+    if how == "Escape":
+        five.escape()
+    else:
+        place = five.window.canvas.to_pixel(start[0] + 0.7, start[1] + 0.9)
+        five.send(five.window.canvas, QEvent.Type.MouseButtonPress, place, button=RIGHT)
+        five.settle()
+    assert five.session.document is document
+    five.release((start[0] + 0.7, start[1] + 0.9))
+    assert five.session.document is document
+
+
+def test_a_grip_scales_all_chosen_about_the_opposite_corner(five):
+    choose(five, "BC")
+    x, y = five.grip(1, 1)
+    five.drag((x, y), (x + 3.0, y + 1.5))
+    corner = positions(five, 2)[3]
+    assert corner == pytest.approx((6.0, 6.5), abs=2 * five.pixel)
+    assert tuple(positions(five, 1)[0]) == (0.0, 2.0)
+    factors = corner[0] / 3, (corner[1] - 2) / 3
+    node = five.session.document.curves[2].nodes[1]
+    assert node.velocity == pytest.approx((4 * factors[0], 2 * factors[1]))
+    assert node.acceleration == pytest.approx((-8 * factors[0], 16 * factors[1]))
+    assert step_name(five) == "Scale 2 curves"
+
+
+def test_a_grip_snaps_a_side_to_the_grid_in_all_curves(five):
+    choose(five, "BC")
+    five.window.preferences.grid_spacing = 0.3
+    five.window.apply_preferences()
+    five.window.canvas.set_snapping(Snapping(True, frozenset({SnapKind.GRID})))
+    x, y = five.grip(1, 0)
+    five.drag((x, y), (x + 0.62, y))
+    assert [positions(five, row)[3][0] for row in (1, 2)] == [3.6, 3.6]
+
+
+def test_the_point_under_the_pointer_snaps_to_a_curve_that_stays(five):
+    choose(five, "BC")
+    five.window.canvas.set_snapping(Snapping(True, frozenset({SnapKind.POINTS})))
+    x, y = five.session.views[2].curve.evaluate(0.97)
+    end, goal = positions(five, 2)[3], positions(five, 3)[2]
+    five.drag((x, y), (x + goal[0] - end[0] + 0.02, y + goal[1] - end[1] - 0.02))
+    assert tuple(positions(five, 2)[3]) == tuple(goal)
+    assert tuple(positions(five, 1)[3]) == pytest.approx((goal[0], goal[1] - 2))
+
+
+def test_arrows_nudge_all_chosen_and_are_one_step(five):
+    before = five.session.document
+    choose(five, "BD")
+    step = five.window.canvas.pixel_size
+    for _ in range(3):
+        five.key(Qt.Key.Key_Left)
+    five.key(Qt.Key.Key_Up, SHIFT)
+    assert moved_by(five, before, 1) == pytest.approx((-3 * step, 10 * step))
+    assert moved_by(five, before, 3) == pytest.approx((-3 * step, 10 * step))
+    assert step_name(five) == "Nudge 2 curves"
+    five.trigger("undo")
+    assert five.session.document == before
+
+
+def test_selected_points_go_before_chosen_curves(five):
+    before = five.session.document
+    choose(five, "BD")
+    five.click(five.point(1))
+    five.hover((1.5, 4.4))
+    five.key(Qt.Key.Key_G)
+    five.type_amount("1")
+    five.key(Qt.Key.Key_Return)
+    assert step_name(five) == "Move point 1"
+    assert five.session.document.curves[3] is before.curves[3]
+
+
+def test_the_box_is_there_for_several_curves_only(five):
+    choose(five, "BD")
+    assert five.window.canvas.overlay.box is not None
+    five.trigger("onlyThisCurve")
+    assert five.window.canvas.overlay.box is None
+
+
+# Seen
+
+
+def test_chosen_curves_are_drawn_with_rings(five):
+    canvas = five.window.canvas
+    accent = five.window.canvas._theme.accent
+
+    def ringed(row):
+        """Whether the accent stands around a point, and paper within."""
+        image, (x, y) = (
+            canvas.viewport().grab().toImage(),
+            canvas.to_pixel(*positions(five, row)[1]).toTuple(),
+        )
+        around = [image.pixelColor(x + dx, y + dy) for dx in range(-5, 6) for dy in range(-5, 6)]
+        near = [abs(c.red() - accent.red()) + abs(c.blue() - accent.blue()) for c in around]
+        return min(near) < 40
+
+    choose(five, "BD")
+    five.hover((-1.5, 4.4))
+    assert [ringed(row) for row in (0, 2, 3, 4)] == [False, False, True, False]
+    five.trigger("onlyThisCurve")
+    assert not ringed(3)
+
+
+def test_a_chosen_curve_that_is_hidden_is_faint_and_moves_along(five):
+    before = five.session.document
+
+    def strength():
+        x, y = five.window.canvas.to_pixel(*on_curve(five, 3)).toTuple()
+        return min(
+            five.window.canvas.viewport().grab().toImage().pixelColor(x + dx, y + dy).lightness()
+            for dx in (-1, 0, 1)
+            for dy in (-1, 0, 1)
+        )
+
+    choose(five, "BD")
+    shown = strength()
+    click_row(five, 3, spot=Spot.EYE)
+    assert shown + 40 < strength() < 250
+    x, y = on_curve(five, 3)
+    five.drag((x, y), (x + 0.5, y))
+    assert moved_by(five, before, 1) == pytest.approx(moved_by(five, before, 3))
+    five.trigger("onlyThisCurve")
+    assert five.window.canvas._chosen_curves.hit(
+        five.window.canvas.to_pixel(*on_curve(five, 3)).toTuple(), five.window.canvas.pixel_map
+    ) is None  # fmt: skip
+
+
+def test_what_is_not_dragged_is_not_painted_anew(five):
+    choose(five, "BDE")
+    canvas = five.window.canvas
+    five.settle()
+    pictures = canvas._other_curves._picture, canvas._chosen_curves._picture
+    five.press(five.point(1))
+    five.move((1.3, 3.5))
+    five.move((1.4, 3.6))
+    assert (canvas._other_curves._picture, canvas._chosen_curves._picture) == pictures
+    five.escape()
+    # The others stay while all that are chosen are dragged.
+    start = on_curve(five, 3)
+    five.press(start)
+    five.move((start[0] + 0.3, start[1]))
+    five.move((start[0] + 0.5, start[1]))
+    assert canvas._other_curves._picture is pictures[0]
+    assert canvas._chosen_curves._picture is not pictures[1]
+    five.escape()
+
+
+def test_choosing_drops_no_row_drag(five):
+    view = five.window.curve_list.view
+    place = spot_rect(view.row_rect(3), Spot.NAME).center()
+    QTest.mousePress(view.viewport(), LEFT, CTRL, place)
+    QTest.mouseMove(view.viewport(), QPoint(place.x(), 4))
+    QTest.mouseRelease(view.viewport(), LEFT, CTRL, QPoint(place.x(), 4))
+    five.settle()
+    assert (names(five), chosen(five)) == ("ABCDE", "BD")
+
+
+# Clipboard
+
+
+def test_all_chosen_are_copied_and_pasted(five):
+    choose(five, "BC")
+    originals = five.session.document.curves
+    five.key(Qt.Key.Key_C, CTRL)
+    assert five.status == "Copied 2 curves."
+    assert QApplication.clipboard().text().split()[:4] == ["0.0", "2.0", "1.0", "3.0"]
+    click_row(five, 4)
+    five.key(Qt.Key.Key_V, CTRL)
+    assert [curve.name for curve in five.session.document.curves[5:]] == ["B copy", "C copy"]
+    assert [curve.nodes for curve in five.session.document.curves[5:]] == [
+        curve.nodes for curve in originals[1:3]
+    ]
+    assert (five.session.active_index, five.session.chosen_curves) == (5, {5, 6})
+    assert step_name(five) == "Paste 2 curves"
+
+
+def test_all_chosen_are_cut(five):
+    choose(five, "BD")
+    five.key(Qt.Key.Key_X, CTRL)
+    assert (names(five), chosen(five), step_name(five)) == ("ACE", "C", "Cut 2 curves")
+    five.key(Qt.Key.Key_V, CTRL)
+    assert (names(five), chosen(five)) == ("ACBDE", "BD")
+
+
+def test_selected_points_are_copied_before_chosen_curves(five):
+    choose(five, "BD")
+    five.click(five.point(1))
+    five.key(Qt.Key.Key_C, CTRL)
+    assert five.status == "Copied 1 point."
+
+
+def test_what_is_no_curve_on_the_clipboard_is_told(five):
+    data = QMimeData()
+    data.setData(CURVES, b"{")
+    QApplication.clipboard().setMimeData(data)
+    document = five.session.document
+    five.key(Qt.Key.Key_V, CTRL)
+    assert five.status.startswith("The curves on the clipboard cannot be read")
+    assert five.session.document is document
+
+
+def test_curves_that_are_imported_to_others_are_chosen(five, tmp_path):
+    path = tmp_path / "drawing.svg"
+    path.write_text('<svg xmlns="http://www.w3.org/2000/svg"><path d="M0 0L9 9"/><path d="M0 9L9 0"/></svg>')
+    five.window.import_file(path)
+    five.wait_for_work()
+    QTest.mouseClick(five.window.findChild(QPushButton, "importDrawing"), LEFT)
+    five.settle()
+    assert (five.session.active_index, five.session.chosen_curves) == (5, {5, 6})
