@@ -83,6 +83,8 @@ _GESTURES = (
     _Gesture("Click", "add a point", adding=True),
     _Gesture("Press and drag", "add a point and set its velocity", adding=True, needs_derivatives=True),
     _Gesture("Click the curve", "insert a point between its neighbours", adding=True),
+    _Gesture("Shift+click", "add a point at the end, also on the curve or a closed one", adding=True),
+    _Gesture("Click beside a closed curve", "begin a new curve", adding=True, needs_derivatives=True),
     _Gesture("Drag a point", "move it; Shift keeps to one axis"),
     _Gesture("Hold Ctrl", "while something is placed, dragged or measured: snap, or not"),
     _Gesture("Escape, right button", "during a drag: take it back"),
