@@ -57,6 +57,7 @@ class Commands:
         self.joints = JointCommands(parts)
         self.laboratory = LaboratoryCommands(parts)
         self.wiggle = WiggleCommands(parts)
+        self.tangents = TangentCommands(parts)
         self.motion = MotionCommands(parts, self.work)
         self._teaching = TeachingCommands(parts, self.laboratory.open, self.wiggle.explain_widest)
         self._live: tuple[LiveSet, ...] = (
@@ -69,7 +70,7 @@ class Commands:
         )
         self.lessons = LessonCommands(parts)
         self._sets: tuple[CommandSet, ...] = (*self._live, *self._other_sets(curves))
-        self.context_menus = ContextMenus(parts, curves, self.wiggle.explain_at)
+        self.context_menus = ContextMenus(parts, curves, self.wiggle.explain_at, self.tangents.straighten_at)
         self._connect()
 
     def _other_sets(self, curves: CurveCommands) -> tuple[CommandSet, ...]:
@@ -80,7 +81,7 @@ class Commands:
             EditCommands(parts),
             SelectionCommands(parts),
             curves,
-            TangentCommands(parts),
+            self.tangents,
             ClipboardCommands(parts),
             self.snap,
             self.view,

@@ -3,6 +3,7 @@
 - ``model``: Document, Curve, Node and the enumerations.
 - ``edits``, ``curve_edits``: pure functions ``(Document, …) -> Document``, of points and of whole curves.
 - ``transforms``, ``parameter_edits``, ``jet_edits``: of many points, parameters or derivatives at once.
+- ``straight_edits``: segments made straight.
 - ``image_edits``, ``import_edits``: of the picture to trace; curves from elsewhere.
 - ``expression``: numbers as people type them.
 - ``format``: documents to and from bytes, strictly.  ``image_path``: where the file of a picture lies.

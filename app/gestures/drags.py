@@ -118,6 +118,17 @@ class StepPoints(msgspec.Struct, frozen=True):
         return step_nodes(self.document, self.curve, self.indices, (x, y))
 
 
+def what_handle_sets(hit: Hit, view: CurveView) -> str:
+    """Return "velocity of point 2"; at a corner, which has two, the side as well."""
+    what = "velocity" if hit.part is Part.VELOCITY_HANDLE else "acceleration"
+    return f"{what} of {_side_of(view, hit.index, ahead=hit.ahead)}"
+
+
+def _side_of(view: CurveView, index: int, *, ahead: bool) -> str:
+    side = "" if index not in view.corners else ", ahead" if ahead else ", behind"
+    return f"point {index}{side}"
+
+
 class DragHandle(msgspec.Struct, frozen=True):
     """Set a velocity or an acceleration by its handle."""
 
@@ -131,15 +142,14 @@ class DragHandle(msgspec.Struct, frozen=True):
     @property
     def name(self) -> str:
         """The name of the step."""
-        what = "velocity" if self.hit.part is Part.VELOCITY_HANDLE else "acceleration"
-        return f"Set {what} of point {self.hit.index}"
+        return f"Set {what_handle_sets(self.hit, self.view)}"
 
     keys = "Shift: steps of 15° · Alt: length only · Ctrl: snap, or not"
 
     def note_at(self, pointer: Pointer) -> str:
         """Tell the derivative by its length and direction."""
-        what = "Velocity" if self.hit.part is Part.VELOCITY_HANDLE else "Acceleration"
-        return f"{what} of point {self.hit.index}: {words.polar(self._derivative_at(pointer))}"
+        what = what_handle_sets(self.hit, self.view)
+        return f"{what[0].upper()}{what[1:]}: {words.polar(self._derivative_at(pointer))}"
 
     def document_at(self, pointer: Pointer) -> Document:
         """Keep the offset between pointer and handle that the press had."""
@@ -202,13 +212,14 @@ class PullVelocity(msgspec.Struct, frozen=True):
     @property
     def name(self) -> str:
         """The name of the step."""
-        return f"Set velocity of point {self.index}"
+        return f"Set velocity of {_side_of(self.view, self.index, ahead=True)}"
 
     keys = "Ctrl: snap, or not"
 
     def note_at(self, pointer: Pointer) -> str:
         """Tell the velocity by its length and direction."""
-        return f"Velocity of point {self.index}: {words.polar(self._velocity_at(pointer))}"
+        velocity = words.polar(self._velocity_at(pointer))
+        return f"Velocity of {_side_of(self.view, self.index, ahead=True)}: {velocity}"
 
     def _velocity_at(self, pointer: Pointer) -> Vector:
         return velocity_from_handle(self.view, self.index, pulled(pointer, self.magnet), ahead=True)

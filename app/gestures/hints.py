@@ -5,6 +5,7 @@ from __future__ import annotations
 from app.gestures import words
 from app.gestures.bend_drag import bend_keys
 from app.gestures.closing import can_end_at
+from app.gestures.drags import what_handle_sets
 from app.gestures.pen_drags import PenAct, pen_act
 from app.gestures.pointer import Cursor, Hint, Hit, Part
 from app.gestures.transform_box import Grip, ScaleBox
@@ -52,9 +53,8 @@ def on_part(hit: Hit, view: CurveView, selection: frozenset[int], *, adding: boo
         if view.source.family.derivatives:
             text += " · Alt: pull out its velocity"
         return Hint(text, grab=True)
-    what = "velocity" if hit.part is Part.VELOCITY_HANDLE else "acceleration"
     keys = f"Shift: steps of 15° · Alt: length only · Ctrl: {_snap_word(snaps)}"
-    return Hint(f"Drag to set the {what} of point {hit.index} · {keys}", grab=True)
+    return Hint(f"Drag to set the {what_handle_sets(hit, view)} · {keys}", grab=True)
 
 
 def on_grip(grip: Grip, selection: frozenset[int]) -> Hint:
