@@ -154,5 +154,11 @@ def keys_text(keys: Iterable[QKeySequence]) -> str:
 
 def _bind(action: QAction, keys: Sequence[QKeySequence]) -> None:
     action.setShortcuts(list(keys))
+    action.setToolTip(tool_tip(action))
+
+
+def tool_tip(action: QAction) -> str:
+    """Return what an action does, and the first of its keys."""
+    keys = action.shortcuts()
     suffix = f" ({native(keys[0])})" if keys else ""
-    action.setToolTip(f"{action.statusTip()}{suffix}")
+    return f"{action.statusTip()}{suffix}"

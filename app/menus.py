@@ -34,6 +34,8 @@ class Menus:
                 self.parameters = menu.addMenu("Parameters")
                 self.tangent = menu.addMenu("Tangent")
                 self._fill(self.tangent, "Tangent")
+                # A tooltip tells why an entry cannot be used.
+                self.tangent.setToolTipsVisible(True)
 
     def _fill(self, menu: QMenu, title: str) -> None:
         submenus: dict[str, QMenu] = {}

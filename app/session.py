@@ -96,6 +96,8 @@ class Session(QObject):
         self._run: tuple[Hashable, float] | None = None
         self._committed = first_sketch()
         self._shown = self._committed
+        # The curve that was edited before a preview began another one.
+        self._home: int | None = None
         self._views: list[CurveView] = []
         self._views_of: tuple[Curve, ...] = ()
 
@@ -206,10 +208,22 @@ class Session(QObject):
 
     # Changes
 
-    def preview(self, document: Document) -> None:
-        """Show `document` during a gesture; `commit` or `cancel` ends it."""
+    def preview(self, document: Document, *, active: int | None = None) -> None:
+        """Show `document` during a gesture; `commit` or `cancel` ends it.
+
+        `active` is the curve to edit meanwhile, where the gesture begins another one.
+        """
         if document is not self._shown and self._is_free(document):
+            if active is not None and self._home is None:
+                self._home = self.active_index
+                self._enter(active)
             self._show(document)
+
+    def _go_home(self) -> None:
+        """Edit the curve again that was edited before a preview."""
+        home, self._home = self._home, None
+        if home is not None:
+            self._enter(home)
 
     def _is_free(self, document: Document) -> bool:
         """Whether `document` leaves the locked curves alone; says so if not."""
@@ -233,7 +247,8 @@ class Session(QObject):
             self.cancel()
             return
         after = self.active_index if active is None else active
-        before = State(self._committed, self.active_index)
+        home, self._home = self._home, None
+        before = State(self._committed, self.active_index if home is None else home)
         joins, steps = self._goes_on(run), self.undo_stack.index()
         self.undo_stack.push(UndoStep(self._restore, before, State(document, after), text, joins=joins))
         # Where the change has taken its run back, the last step is another one.
@@ -247,10 +262,11 @@ class Session(QObject):
     def cancel(self) -> None:
         """Drop the preview; nothing is left of it."""
         if self._shown is not self._committed:
+            self._go_home()
             self._show(self._committed)
 
     def _restore(self, state: State) -> None:
-        self._run = None
+        self._run = self._home = None
         self.interrupted.emit()
         if state.active != self.active_index:
             self._enter(state.active)

@@ -219,6 +219,14 @@ CURVE_MENU = (
         checkable=True,
     ),
     ActionSpec(
+        "straightSegment",
+        "Straight Segment",
+        "Tangent",
+        "Alt+4",
+        "straight",
+        "Make the segments between neighbouring selected points straight, with corners at their ends",
+    ),
+    ActionSpec(
         "pullVelocity",
         "Pull Out Velocity",
         "Tangent",

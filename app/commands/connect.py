@@ -58,6 +58,7 @@ class Commands:
         self.joints = JointCommands(parts)
         self.laboratory = LaboratoryCommands(parts)
         self.wiggle = WiggleCommands(parts)
+        self.tangents = TangentCommands(parts)
         self.motion = MotionCommands(parts, self.work)
         self._teaching = TeachingCommands(parts, self.laboratory.open, self.wiggle.explain_widest)
         self._live: tuple[LiveSet, ...] = (
@@ -70,7 +71,7 @@ class Commands:
         )
         self.lessons = LessonCommands(parts)
         self._sets: tuple[CommandSet, ...] = (*self._live, *self._other_sets(curves))
-        self.context_menus = ContextMenus(parts, curves, self.wiggle.explain_at)
+        self.context_menus = ContextMenus(parts, curves, self.wiggle.explain_at, self.tangents.straighten_at)
         self._connect()
 
     def _other_sets(self, curves: CurveCommands) -> tuple[CommandSet, ...]:
@@ -82,7 +83,7 @@ class Commands:
             SelectionCommands(parts),
             curves,
             ChosenCommands(parts),
-            TangentCommands(parts),
+            self.tangents,
             ClipboardCommands(parts),
             self.snap,
             self.view,

@@ -13,7 +13,7 @@ from app.gestures.pointer import Hit, Part
 
 _SEPARATOR = ""
 _POINT = (
-    "tangentSmooth", "tangentCorner", "tangentEstimated", "pullVelocity", _SEPARATOR,
+    "tangentSmooth", "tangentCorner", "tangentEstimated", "straightSegment", "pullVelocity", _SEPARATOR,
     "splitCurve", _SEPARATOR,
     "cutPoints", "copyPoints", "copyDerivatives", "pasteDerivatives", _SEPARATOR,
     "deleteSelection",
@@ -39,8 +39,15 @@ _LIST = (
 class ContextMenus:
     """Fills menus from the registry of actions, for a point, a curve, the canvas and the list of curves."""
 
-    def __init__(self, parts: Parts, curves: CurveCommands, explain_at: Callable[[float], None]) -> None:
+    def __init__(
+        self,
+        parts: Parts,
+        curves: CurveCommands,
+        explain_at: Callable[[float], None],
+        straighten_at: Callable[[float], None],
+    ) -> None:
         self._parts, self._curves, self._explain_at = parts, curves, explain_at
+        self._straighten_at = straighten_at
         parts.canvas.menu_requested.connect(self._open_on_canvas)
         parts.curve_list.menu_requested.connect(lambda place: self._popup(self._menu(_LIST), place))
 
@@ -67,12 +74,14 @@ class ContextMenus:
         for name, text, icon, act in (
             ("insertPointHere", "Insert Point Here", "insertPoint", self._curves.insert_at),
             ("splitHere", "Split Here", "splitCurve", self._curves.split_at),
+            ("straightHere", "Straight Segment", "straightSegment", self._straighten_at),
             ("explainHere", "Explain This Wiggle", "explainWiggle", self._explain_at),
         ):
             known = self._parts.actions[icon]
             here = menu.addAction(known.icon(), text)
             here.setObjectName(name)
             here.setStatusTip(known.statusTip())
+            here.setToolTip(known.toolTip())
             here.setEnabled(known.isEnabled())
             here.triggered.connect(lambda _checked=False, act=act: act(t))
             menu.insertAction(top, here)
@@ -82,6 +91,7 @@ class ContextMenus:
     def _menu(self, names: tuple[str, ...]) -> QMenu:
         menu = QMenu(self._parts.window)
         menu.setObjectName("contextMenu")
+        menu.setToolTipsVisible(True)
         menu.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
         for name in names:
             if name == _SEPARATOR:

@@ -71,14 +71,7 @@ class CurveCommands:
     def _new(self) -> None:
         session = self._session
         model, place = session.active_curve, session.active_index + 1
-        fresh = Curve(
-            curve_edits.free_name(session.document),
-            model.family,
-            Parametrization(),
-            (),
-            model.velocity_rule,
-            model.acceleration_rule,
-        )
+        fresh = curve_edits.fresh_curve(session.document, model, Parametrization())
         if self._change(
             f"New {fresh.name}", lambda: curve_edits.add_curve(session.document, place, fresh), active=place
         ):

@@ -1,23 +1,29 @@
-"""The tangents at the selected points: smooth, corner, left to the rules, or pulled out."""
+"""The tangents at the selected points: smooth, corner, straight, left to the rules, or pulled out."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection
+from collections.abc import Callable, Collection, Sequence
 
 from app.commands.parts import Handlers, Parts
 from app.document import edits
 from app.document.curve_edits import replace_curve
 from app.document.edits import EditError
-from app.document.model import Curve, Document, Node
-from app.panels.words import count_of
+from app.document.model import Curve, Document, Family, Node
+from app.document.straight_edits import ONE_POLYNOMIAL, corners_of, ends_of
+from app.gestures import words
+from app.keymap import tool_tip
 from app.view_model.curve_view import CurveView
 from app.view_model.handles import with_velocities_pulled
-from app.view_model.smoothness import made_smooth, with_corners
+from app.view_model.smoothness import ENDS_STAY, inner_nodes, made_smooth, with_corners
+from app.view_model.straight import segment_at, segments_between, with_straight_segments
 
 _KINDS = ("tangentSmooth", "tangentCorner", "tangentEstimated")
 
 _VISIBLE = 16.0
 """Pixels from a point at which a handle is clear of the point's disc."""
+
+_MOST_NAMED = 3
+"""Points or segments that a sentence names one by one."""
 
 
 class TangentCommands:
@@ -30,10 +36,11 @@ class TangentCommands:
     def handlers(self) -> Handlers:
         """Return what each action does."""
         return {
-            "tangentSmooth": lambda: self._reshape("Smooth", made_smooth),
-            "tangentCorner": lambda: self._reshape("Corner at", with_corners),
+            "tangentSmooth": self._make_smooth,
+            "tangentCorner": self._make_corners,
             "tangentEstimated": lambda: self._apply("Estimate", self._estimate),
             "pullVelocity": lambda: self._reshape("Pull out velocity of", self._pulled),
+            "straightSegment": self._straighten_chosen,
         }
 
     def render(self, view: CurveView) -> None:
@@ -45,6 +52,13 @@ class TangentCommands:
             self._parts.actions[name].setEnabled(usable)
             self._parts.actions[name].setChecked(kinds == {name})
         self._parts.actions["pullVelocity"].setEnabled(usable)
+        self._render_straight(view)
+
+    def _render_straight(self, view: CurveView) -> None:
+        action = self._parts.actions["straightSegment"]
+        is_polynomial = view.source.family is Family.LAGRANGE
+        action.setEnabled(not is_polynomial and view.is_current)
+        action.setToolTip(ONE_POLYNOMIAL if is_polynomial else tool_tip(action))
 
     def _pulled(self, view: CurveView, chosen: Collection[int]) -> Curve:
         pulled = with_velocities_pulled(view, chosen, _VISIBLE * self._parts.canvas.pixel_size)
@@ -53,12 +67,71 @@ class TangentCommands:
             raise EditError(f"The {what} out already; drag the square handle.")
         return pulled
 
-    def _reshape(self, verb: str, made: Callable[[CurveView, Collection[int]], Curve]) -> None:
-        """Put the curve that `made` returns for the selected points in the place of the active one."""
+    def _make_corners(self) -> None:
+        view, chosen = self._session.active_view, sorted(self._session.selection)
+        inner = inner_nodes(view.source, chosen)
+        left_out = f"; {ENDS_STAY}" if len(inner) < len(chosen) else ""
+        if self._reshape("Corner at", with_corners, inner or chosen):
+            self._tell(f"Corner at {_points(inner)}{left_out}.", view, inner)
+
+    def _make_smooth(self) -> None:
+        view, chosen = self._session.active_view, sorted(self._session.selection)
+        if self._reshape("Smooth", made_smooth):
+            self._tell(f"Smooth at {_points(chosen)}.", view, chosen)
+
+    def _tell(self, done: str, before: CurveView, chosen: Collection[int]) -> None:
+        """Say what was done, and which tangents beside it were written down to keep the shape."""
+        nodes = zip(before.source.nodes, self._session.active_curve.nodes, strict=True)
+        kept = [place for place, (old, new) in enumerate(nodes) if place not in chosen and old != new]
+        if kept:
+            which = _points(kept) if len(kept) <= _MOST_NAMED else f"{len(kept)} other points"
+            done = f"{done} To keep the shape, the estimates of {which} are set now."
+        self._session.say(done)
+
+    # Straight segments
+
+    def straighten_at(self, t: float) -> None:
+        """Make the segment of the active curve straight that runs through `t`."""
+        self._straighten([segment_at(self._session.active_view, t)])
+
+    def _straighten_chosen(self) -> None:
+        session = self._session
+        segments = segments_between(session.active_curve, session.selection)
+        if segments:
+            self._straighten(segments)
+        else:
+            session.say("Select two neighbouring points, or click with the right button on the segment.")
+
+    def _straighten(self, segments: Sequence[int]) -> None:
         session, view = self._session, self._session.active_view
-        self._apply(
+        try:
+            made = with_straight_segments(view, segments)
+        except EditError as reason:
+            session.say(str(reason))
+            return
+        if made == view.source:
+            session.say("That is straight already.")
+            return
+        document, text = session.document, _straight_text(view.source, segments)
+        self._parts.change(text, lambda: replace_curve(document, session.active_index, made))
+        if session.document is document:
+            return
+        corners = corners_of(view.source, segments)
+        ends = {index for each in segments for index in ends_of(view.source, each)}
+        self._tell(f"{text}{f', corner at {_points(corners)}' if corners else ''}.", view, ends)
+
+    def _reshape(
+        self,
+        verb: str,
+        made: Callable[[CurveView, Collection[int]], Curve],
+        chosen: Sequence[int] | None = None,
+    ) -> bool:
+        """Put the curve that `made` returns for points, the selected ones, in the place of the active one."""
+        session, view = self._session, self._session.active_view
+        return self._apply(
             verb,
-            lambda chosen: replace_curve(session.document, session.active_index, made(view, chosen)),
+            lambda points: replace_curve(session.document, session.active_index, made(view, points)),
+            chosen,
         )
 
     def _estimate(self, chosen: Collection[int]) -> Document:
@@ -67,14 +140,36 @@ class TangentCommands:
             document = edits.make_smooth(document, curve, index, None)
         return edits.estimate_derivatives(document, curve, chosen)
 
-    def _apply(self, verb: str, edit: Callable[[Collection[int]], Document]) -> None:
-        chosen = sorted(self._session.selection)
-        if not chosen:
-            return
-        what = f"point {chosen[0]}" if len(chosen) == 1 else count_of(len(chosen), "point")
-        self._parts.change(f"{verb} {what}", lambda: edit(chosen))
+    def _apply(
+        self,
+        verb: str,
+        edit: Callable[[Collection[int]], Document],
+        chosen: Sequence[int] | None = None,
+    ) -> bool:
+        """Commit an edit of points; return whether the document is another one now."""
+        points, before = sorted(self._session.selection) if chosen is None else chosen, self._session.document
+        if not points:
+            return False
+        done = self._parts.change(f"{verb} {words.points(points)}", lambda: edit(points))
         # A mark that was clicked off shows what is, also where nothing changed.
         self.render(self._session.active_view)
+        return done and self._session.document is not before
+
+
+def _straight_text(curve: Curve, segments: Sequence[int]) -> str:
+    """Return "Straight segment 3–4", or how many they are."""
+    if len(segments) > _MOST_NAMED:
+        return f"{len(segments)} straight segments"
+    names = [f"{start}–{end}" for start, end in (ends_of(curve, each) for each in segments)]
+    return f"Straight segment{'s' if len(names) > 1 else ''} {', '.join(names)}"
+
+
+def _points(indices: Collection[int]) -> str:
+    """Return "point 3", "points 1, 2 and 3" or "7 points"."""
+    if not 1 < len(indices) <= _MOST_NAMED:
+        return words.points(indices)
+    *first, last = map(str, sorted(indices))
+    return f"points {', '.join(first)} and {last}"
 
 
 def _tangent_at(node: Node) -> str:

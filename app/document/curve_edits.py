@@ -11,7 +11,7 @@ from itertools import count
 from msgspec.structs import replace
 
 from app.document.edits import EditError, freeze_parameters, interval, refuse_equal_parameters, set_nodes
-from app.document.model import Curve, Document, Node, Vector, empty_document
+from app.document.model import Curve, Document, Node, Parametrization, Vector, empty_document
 
 
 def add_curve(document: Document, index: int, curve: Curve) -> Document:
@@ -41,6 +41,13 @@ def free_name(document: Document) -> str:
     """Return a name for a new curve that no other has."""
     taken = {curve.name for curve in document.curves}
     return next(name for number in count(1) if (name := f"Curve {number}") not in taken)
+
+
+def fresh_curve(document: Document, model: Curve, parametrization: Parametrization) -> Curve:
+    """Return an empty curve of the family and with the rules of `model`, under a name free in `document`."""
+    return Curve(
+        free_name(document), model.family, parametrization, (), model.velocity_rule, model.acceleration_rule
+    )
 
 
 def set_visible(document: Document, curve: int, visible: bool) -> Document:

@@ -3,6 +3,7 @@
 - ``pointer``: what the pointer is at, and what lies under it.
 - ``machine``: the state machine all drags share: threshold, preview, commit, cancel.
 - ``drags``: what each drag makes of the document.
+- ``pen``, ``pen_drags``: points appended and inserted, and another curve begun.
 - ``bend_drag``: the curve itself, grabbed and bent.
 - ``transform``, ``transform_box``: move, scale and rotate the selection by keys, or by the grips of a box.
 - ``subject``: what these act on: selected points, or chosen curves.  ``choosing``: other curves, chosen and

@@ -7,7 +7,8 @@ from collections.abc import Callable
 from app.document.edits import EditError
 from app.gestures.machine import Host
 from app.gestures.pointer import Hit, Part
-from app.view_model.closing import LEAST_POINTS, with_closed
+from app.view_model.appending import closed_by_pen
+from app.view_model.closing import LEAST_POINTS
 from app.view_model.curve_view import CurveView
 
 
@@ -24,7 +25,7 @@ def closer(host: Host) -> Callable[[], None]:
     def close() -> None:
         view = host.active_view
         try:
-            closed = with_closed(host.document, host.active_index, view, closed=True)
+            closed = closed_by_pen(host.document, host.active_index, view)
         except EditError as reason:
             host.say(str(reason))
             return

@@ -3,21 +3,18 @@
 from __future__ import annotations
 
 import math
-from functools import cached_property
 
 import msgspec
 
 from app.document import edits
-from app.document.curve_edits import replace_curve
-from app.document.model import Document, Node, Vector
+from app.document.model import Document, Vector
 from app.document.several_curves import NodeGroup, moved
 from app.document.transforms import decimal_product, step_nodes
 from app.gestures import words
 from app.gestures.pointer import Hit, Part, Pointer
 from app.gestures.snapping import Magnet
-from app.view_model.curve_view import CurveView, appended_parameter, appended_squeeze, view_of
+from app.view_model.curve_view import CurveView
 from app.view_model.handles import acceleration_from_handle, velocity_from_handle
-from app.view_model.reshape import Reshaped, with_point_inserted
 
 
 def _minus(a: Vector, b: Vector) -> Vector:
@@ -121,6 +118,17 @@ class StepPoints(msgspec.Struct, frozen=True):
         )
 
 
+def what_handle_sets(hit: Hit, view: CurveView) -> str:
+    """Return "velocity of point 2"; at a corner, which has two, the side as well."""
+    what = "velocity" if hit.part is Part.VELOCITY_HANDLE else "acceleration"
+    return f"{what} of {_side_of(view, hit.index, ahead=hit.ahead)}"
+
+
+def _side_of(view: CurveView, index: int, *, ahead: bool) -> str:
+    side = "" if index not in view.corners else ", ahead" if ahead else ", behind"
+    return f"point {index}{side}"
+
+
 class DragHandle(msgspec.Struct, frozen=True):
     """Set a velocity or an acceleration by its handle."""
 
@@ -134,15 +142,14 @@ class DragHandle(msgspec.Struct, frozen=True):
     @property
     def name(self) -> str:
         """The name of the step."""
-        what = "velocity" if self.hit.part is Part.VELOCITY_HANDLE else "acceleration"
-        return f"Set {what} of point {self.hit.index}"
+        return f"Set {what_handle_sets(self.hit, self.view)}"
 
     keys = "Shift: steps of 15° · Alt: length only · Ctrl: snap, or not"
 
     def note_at(self, pointer: Pointer) -> str:
         """Tell the derivative by its length and direction."""
-        what = "Velocity" if self.hit.part is Part.VELOCITY_HANDLE else "Acceleration"
-        return f"{what} of point {self.hit.index}: {words.polar(self._derivative_at(pointer))}"
+        what = what_handle_sets(self.hit, self.view)
+        return f"{what[0].upper()}{what[1:]}: {words.polar(self._derivative_at(pointer))}"
 
     def document_at(self, pointer: Pointer) -> Document:
         """Keep the offset between pointer and handle that the press had."""
@@ -205,16 +212,17 @@ class PullVelocity(msgspec.Struct, frozen=True):
     @property
     def name(self) -> str:
         """The name of the step."""
-        return f"Set velocity of point {self.index}"
+        return f"Set velocity of {_side_of(self.view, self.index, ahead=True)}"
 
     keys = "Ctrl: snap, or not"
 
     def note_at(self, pointer: Pointer) -> str:
         """Tell the velocity by its length and direction."""
-        return f"Velocity of point {self.index}: {words.polar(self._velocity_at(pointer))}"
+        velocity = words.polar(self._velocity_at(pointer))
+        return f"Velocity of {_side_of(self.view, self.index, ahead=True)}: {velocity}"
 
     def _velocity_at(self, pointer: Pointer) -> Vector:
-        return velocity_from_handle(self.view, self.index, _pulled(pointer, self.magnet), ahead=True)
+        return velocity_from_handle(self.view, self.index, pulled(pointer, self.magnet), ahead=True)
 
     def document_at(self, pointer: Pointer) -> Document:
         """Put the handle ahead of the node under the pointer."""
@@ -223,97 +231,6 @@ class PullVelocity(msgspec.Struct, frozen=True):
         return edits.set_velocity(self.document, self.curve, self.index, velocity, ahead=ahead)
 
 
-def _pulled(pointer: Pointer, magnet: Magnet | None) -> Vector:
+def pulled(pointer: Pointer, magnet: Magnet | None) -> Vector:
+    """Return where the pointer is, or what the magnet draws it to."""
     return magnet.pull(pointer.position, pointer) if magnet is not None else pointer.position
-
-
-class AppendPoint(msgspec.Struct, frozen=True):
-    """Put a new last point at the press; dragging sets its velocity, or moves it where there is none."""
-
-    document: Document
-    curve: int
-    view: CurveView
-    press: Pointer
-    magnet: Magnet | None = None
-
-    @property
-    def name(self) -> str:
-        """The name of the step."""
-        return f"Add point {len(self.view.source.nodes)}"
-
-    keys = "Ctrl: snap, or not"
-
-    def note_at(self, pointer: Pointer) -> str:
-        """Tell where it goes, and where its velocity points."""
-        place = self._place(pointer)
-        note = f"{self.name} at {words.vector(place)}"
-        if not self._sets_velocity(pointer):
-            return note
-        x, y = _minus(pointer.position, place)
-        return f"{note}, velocity at {words.angle(math.degrees(math.atan2(y, x)))}"
-
-    def _is_dragged(self, pointer: Pointer) -> bool:
-        return max(map(abs, _minus(pointer.pixel, self.press.pixel))) >= 3
-
-    def _sets_velocity(self, pointer: Pointer) -> bool:
-        return self._is_dragged(pointer) and self.view.source.family.derivatives > 0
-
-    def _place(self, pointer: Pointer) -> Vector:
-        moves = self._is_dragged(pointer) and not self._sets_velocity(pointer)
-        return _pulled(pointer if moves else self.press, self.magnet)
-
-    def document_at(self, pointer: Pointer) -> Document:
-        """Return the document with the new point."""
-        document = self._with_point(Node(*self._place(pointer)))
-        if not self._sets_velocity(pointer):
-            return document
-        index = len(self.view.source.nodes)
-        view = view_of(document.curves[self.curve])
-        velocity = velocity_from_handle(view, index, pointer.position, ahead=True)
-        return edits.set_velocity(document, self.curve, index, velocity)
-
-    def _with_point(self, node: Node) -> Document:
-        if self.view.source.is_manual:
-            node = Node(node.x, node.y, t=appended_parameter(self.view, node))
-        squeeze = appended_squeeze(self.view, [node])
-        return edits.append_node(self.document, self.curve, node, squeeze=squeeze)
-
-
-class InsertPoint(msgspec.Struct, frozen=True, dict=True):
-    """Insert a point on the curve where it was pressed, the shape kept if possible; dragging moves it."""
-
-    document: Document
-    curve: int
-    view: CurveView
-    hit: Hit
-    press: Pointer
-    magnet: Magnet | None = None
-
-    @property
-    def name(self) -> str:
-        """The name of the step."""
-        return f"Insert point {self.hit.index}"
-
-    keys = "Ctrl: snap, or not"
-
-    def note_at(self, pointer: Pointer) -> str:
-        """Tell where it goes."""
-        if self._is_on_curve(pointer):
-            return f"{self.name} at t = {words.number(self.hit.t)}"
-        return f"{self.name} at {words.vector(_pulled(pointer, self.magnet))}"
-
-    def _is_on_curve(self, pointer: Pointer) -> bool:
-        return max(map(abs, _minus(pointer.pixel, self.press.pixel))) < 3
-
-    @cached_property
-    def on_curve(self) -> Reshaped:
-        """The curve with the point where it was pressed."""
-        return with_point_inserted(self.view, self.hit.t)
-
-    def document_at(self, pointer: Pointer) -> Document:
-        """Return the document with the new point."""
-        if self._is_on_curve(pointer):
-            return replace_curve(self.document, self.curve, self.on_curve.curve)
-        is_manual = self.document.curves[self.curve].is_manual
-        node = Node(*_pulled(pointer, self.magnet), t=self.hit.t if is_manual else None)
-        return edits.insert_nodes(self.document, self.curve, self.hit.index, [node])

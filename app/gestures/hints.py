@@ -6,6 +6,8 @@ from app.document.several_curves import NodeGroup
 from app.gestures import words
 from app.gestures.bend_drag import bend_keys
 from app.gestures.closing import can_end_at
+from app.gestures.drags import what_handle_sets
+from app.gestures.pen_drags import PenAct, pen_act
 from app.gestures.pointer import Cursor, Hint, Hit, Part
 from app.gestures.transform_box import Grip, ScaleBox
 from app.view_model.curve_view import CurveView
@@ -20,14 +22,16 @@ def hint_at(
     *,
     adding: bool,
     snaps: bool,
+    shift: bool = False,
 ) -> Hint:
     """Return the hint of the Select and Add tools over what belongs to the curve edited, or beside it."""
-    if view.source.locked and (adding or hit is not None):
+    act = pen_act(hit, view, shift=shift) if adding and is_no_part(hit) else None
+    if view.source.locked and act is not PenAct.BEGIN and (adding or hit is not None):
         return Hint(LOCKED.format(view.source.name))
     if hit is not None and hit.part is not Part.CURVE:
         return on_part(hit, view, selection, adding=adding, snaps=snaps)
-    if adding:
-        return to_add(hit, view, snaps=snaps)
+    if act is not None:
+        return to_add(act, view, snaps=snaps)
     if hit is not None:
         return to_bend(hit, view)
     return Hint("Drag to select points, Shift adds · Press P to add points · Wheel zooms · Space pans")
@@ -44,9 +48,8 @@ def on_part(hit: Hit, view: CurveView, selection: frozenset[int], *, adding: boo
         if view.source.family.derivatives:
             text += " · Alt: pull out its velocity"
         return Hint(text, grab=True)
-    what = "velocity" if hit.part is Part.VELOCITY_HANDLE else "acceleration"
     keys = f"Shift: steps of 15° · Alt: length only · Ctrl: {_snap_word(snaps)}"
-    return Hint(f"Drag to set the {what} of point {hit.index} · {keys}", grab=True)
+    return Hint(f"Drag to set the {what_handle_sets(hit, view)} · {keys}", grab=True)
 
 
 def on_grip(grip: Grip, group: NodeGroup, refusal: str) -> Hint:
@@ -66,16 +69,23 @@ def to_bend(hit: Hit, view: CurveView) -> Hint:
     return Hint(f"{text} · {keys}" if keys else text, cursor=Cursor.MOVE)
 
 
-def to_add(hit: Hit | None, view: CurveView, *, snaps: bool) -> Hint:
+def to_add(act: PenAct, view: CurveView, *, snaps: bool) -> Hint:
     """Return the hint of the Add tool, on the curve or beside it."""
-    if hit is not None:
-        return Hint(f"Click to insert point {hit.index} on the curve at t = {hit.t:.4g}")
-    index = len(view.source.nodes)
+    if act is PenAct.INSERT:
+        return Hint("Click to insert a point here · Shift: add at the end")
+    keys, index = f"Ctrl: {_snap_word(snaps)}", len(view.source.nodes)
+    if act is PenAct.BEGIN:
+        return Hint(f"Click to begin a new curve · Shift: add point {index} to this one · {keys}")
     if view.source.family.derivatives:
         drag = "Press and drag to set its velocity"
     else:
         drag = "On the curve: insert between neighbours"
-    return Hint(f"Click to add point {index} · {drag} · Ctrl: {_snap_word(snaps)}")
+    return Hint(f"Click to add point {index} · {drag} · {keys}")
+
+
+def is_no_part(hit: Hit | None) -> bool:
+    """Whether neither a point nor a handle is hit: the curve itself, or nothing."""
+    return hit is None or hit.part is Part.CURVE
 
 
 def _snap_word(snaps: bool) -> str:

@@ -39,10 +39,12 @@ class Host(Protocol):
     def active_view(self) -> CurveView:
         """The view of the active curve."""
 
-    def preview(self, document: Document) -> None:
-        """Show a document for the length of the gesture."""
+    def preview(self, document: Document, *, active: int | None = None) -> None:
+        """Show a document for the length of the gesture; edit its curve `active` where that is another."""
 
-    def commit(self, document: Document, text: str, *, run: Hashable = None) -> None:
+    def commit(
+        self, document: Document, text: str, *, active: int | None = None, run: Hashable = None
+    ) -> None:
         """Make it a step of the history; quick steps of the same run are one."""
 
     def cancel(self) -> None:
@@ -101,6 +103,7 @@ class _Press(msgspec.Struct):
     last: Document | None = None
     refused: str = ""
     on_done: Callable[[], None] | None = None
+    active: int | None = None
 
 
 class DragMachine:
@@ -127,12 +130,20 @@ class DragMachine:
         """Begin: `drag` takes over past the threshold, `on_click` is called if there is no drag."""
         self._press = _Press(pointer.pixel, drag, on_click, moving=False)
 
-    def press_at_once(self, pointer: Pointer, drag: Drag, on_done: Callable[[], None] | None = None) -> None:
+    def press_at_once(
+        self,
+        pointer: Pointer,
+        drag: Drag,
+        on_done: Callable[[], None] | None = None,
+        *,
+        active: int | None = None,
+    ) -> None:
         """Begin a drag that shows its effect at the press (a new point) and commits without any move.
 
-        `on_done` is called after the commit.
+        `on_done` is called after the commit; `active` is the curve to edit from the press on, where the drag
+        makes another one.
         """
-        self._press = _Press(pointer.pixel, drag, None, moving=True, on_done=on_done)
+        self._press = _Press(pointer.pixel, drag, None, moving=True, on_done=on_done, active=active)
         self._step(pointer)
 
     def move(self, pointer: Pointer) -> None:
@@ -156,7 +167,7 @@ class DragMachine:
             self._host.say(press.refused)
             return
         press.last, press.refused = document, ""
-        self._host.preview(document)
+        self._host.preview(document, active=press.active)
 
     def nudge(self, pointer: Pointer, drag: Drag, run: Hashable) -> None:
         """Do at once what a drag to `pointer` would do; quick nudges of the same run are one step."""
@@ -188,7 +199,7 @@ class DragMachine:
         if press is None:
             return
         if press.moving and press.drag is not None and press.last is not None:
-            self._host.commit(press.last, press.drag.name)
+            self._host.commit(press.last, press.drag.name, active=press.active)
             if press.on_done is not None:
                 press.on_done()
         elif not press.moving and press.on_click is not None:

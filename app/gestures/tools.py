@@ -14,18 +14,13 @@ from app.gestures import hints, words
 from app.gestures.bend_drag import BendCurve
 from app.gestures.choosing import Choosing
 from app.gestures.closing import can_end_at, closer
-from app.gestures.drags import (
-    AppendPoint,
-    DragHandle,
-    InsertPoint,
-    MovePoints,
-    PullVelocity,
-)
+from app.gestures.drags import DragHandle, MovePoints, PullVelocity
 from app.gestures.machine import DragMachine, Host
 from app.gestures.magnets import Magnets
 from app.gestures.marquee import Marquee
 from app.gestures.measure import Measure
 from app.gestures.overlay import Note, Overlay
+from app.gestures.pen import Pen
 from app.gestures.pointer import Hint, Hit, Part, Pointer
 from app.gestures.snapping import Magnet, SnapKind, Snapping
 from app.gestures.subject import Subject
@@ -64,6 +59,7 @@ class CanvasTool:
         self._magnets = Magnets(host, lambda: self.snapping, lambda: self.grid)
         self._subject = Subject(host, self._magnets)
         self._choosing = Choosing(host, self._machine, self._subject)
+        self._pen = Pen(host, self._machine, self._magnets)
         self._marquee: Marquee | None = None
         self._measure: Measure | None = None
         self._measuring = False
@@ -106,7 +102,7 @@ class CanvasTool:
         elif hit is not None and hit.part is not Part.CURVE:
             self._press_on_part(pointer, hit)
         elif self.kind is ToolKind.ADD:
-            self._press_to_add(pointer, hit)
+            self._pen.press(pointer)
         elif grip is not None:
             self._press_on_grip(pointer, *grip)
         elif hit is not None:
@@ -295,15 +291,21 @@ class CanvasTool:
             self._host.selection,
             adding=adding,
             snaps=self.snapping.on,
+            shift=pointer.shift,
         )
 
     def _preview_snap(self, pointer: Pointer) -> None:
         """Show where a press would put something, while a tool would put something."""
-        puts = self.kind is ToolKind.MEASURE or (self.kind is ToolKind.ADD and pointer.hit is None)
-        if not puts or not self.snapping.is_active(pointer) or not math.isfinite(pointer.position[0]):
+        place = self._pen.place_of_new(pointer) if self.kind is ToolKind.ADD else -1
+        puts = self.kind is ToolKind.MEASURE or (self.kind is ToolKind.ADD and place is not None)
+        if (
+            place is None
+            or not puts
+            or not self.snapping.is_active(pointer)
+            or not math.isfinite(pointer.position[0])
+        ):
             self._magnets.drop()
             return
-        place = len(self._host.active_view.source.nodes) if self.kind is ToolKind.ADD else -1
         self._magnets.show_before_press(pointer, place)
 
     def _explain(self, hit: Hit | None) -> None:
@@ -361,35 +363,3 @@ class CanvasTool:
         magnet = self._magnets.for_points(host.selection, hit.index)
         group, grip = nodes_of(host.active_index, host.selection), (host.active_index, hit.index)
         return MovePoints(host.document, group, pointer.position, magnet, grip)
-
-    def _press_to_add(self, pointer: Pointer, hit: Hit | None) -> None:
-        host = self._host
-        if host.active_view.source.locked:
-            host.say(hints.LOCKED.format(host.active_view.source.name))
-            return
-        if hit is not None:
-            self._insert(pointer, hit)
-            return
-        index = len(host.active_view.source.nodes)
-        magnet = self._magnets.for_points((), index)
-        append = AppendPoint(host.document, host.active_index, host.active_view, pointer, magnet)
-        self._machine.press_at_once(pointer, append)
-        host.select([index])
-
-    def _insert(self, pointer: Pointer, hit: Hit) -> None:
-        host = self._host
-        magnet = self._magnets.for_points((), hit.index)
-        insert = InsertPoint(host.document, host.active_index, host.active_view, hit, pointer, magnet)
-        count = len(host.active_view.source.nodes)
-        self._machine.press_at_once(pointer, insert, on_done=lambda: self._say_outcome(insert))
-        if len(host.active_view.source.nodes) > count:
-            host.select([hit.index])
-
-    def _say_outcome(self, insert: InsertPoint) -> None:
-        made = insert.on_curve
-        if self._host.active_view.source != made.curve:
-            return  # dragged off the curve: the change is what was wanted
-        if made.parameters_moved:
-            self._host.offer(made.sentence, "keepShape", insert.hit.t)
-        else:
-            self._host.say(made.sentence)

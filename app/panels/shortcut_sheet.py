@@ -102,6 +102,8 @@ _GESTURES = (
     _Gesture("Drag a chosen curve", "move all chosen curves", adding=False, curves=True),
     _Gesture("G, S, R, arrows, Del, the box", "act on all chosen curves", adding=False, curves=True),
     _Gesture("Escape, a click beside them", "choose only the one edited", adding=False, curves=True),
+    _Gesture("Shift+click", "add a point at the end, also on the curve or a closed one", adding=True),
+    _Gesture("Click beside a closed curve", "begin a new curve", adding=True, needs_derivatives=True),
     _Gesture("Drag a point", "move it; Shift keeps to one axis"),
     _Gesture("Hold Ctrl", "while something is placed, dragged or measured: snap, or not"),
     _Gesture("Escape, right button", "during a drag: take it back"),

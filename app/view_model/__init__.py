@@ -6,11 +6,12 @@
 - ``bend``, ``bend_together``: the curve pulled somewhere.  ``nearest``: its point nearest to a place.
 - ``reshape``, ``split_join``, ``smoothness``: other points for the same curve, two of one, corners;
   ``measure``: how far it moved all the same.
+- ``straight``: segments made straight, the rest of the curve kept.
 - ``pasting``: points carried from one curve to another.
 - ``motion``: from time to parameter.  ``motion_picture``, ``arrow``: what is drawn and said of a motion.
 - ``looks``, ``palette``: how lines and marks look; the colours of points.
 - ``goals``: what a lesson asks for.
 - ``node_arrays``, ``flattener``: what one view hands on to the next, so that only what changed is computed.
 - ``analysis``: why the curve goes where it goes.
-- ``closing``: curves closed and opened, with the shape kept.
+- ``closing``: curves closed and opened, with the shape kept.  ``appending``: points appended by the pen.
 """

@@ -310,8 +310,13 @@ def appended_parameter(before: CurveView, node: Node) -> float:
     """
     t = before.parameters
     if len(t) == 0 or not before.is_current:
-        given = [each.t for each in before.source.nodes if each.t is not None]
-        return (given[-1] + 1.0) if given else before.source.parametrization.start
+        given, rule = (
+            [each.t for each in before.source.nodes if each.t is not None],
+            before.source.parametrization,
+        )
+        # After a lone point the whole interval: its handle was drawn for that.
+        step = rule.end - rule.start if len(given) == 1 else 1.0
+        return given[-1] + step if given else rule.start
     last = len(before.points) - 1
     new = float(np.hypot(*(np.array(node.position) - before.points[last])))
     if before.source.is_closed:

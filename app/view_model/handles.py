@@ -14,6 +14,7 @@ import msgspec
 from app.document.edits import EditError, set_velocity
 from app.document.model import Curve, Document, Family, Vector
 from app.view_model.curve_view import CurveView
+from app.view_model.jets import explicit_sides
 
 
 class Handle(msgspec.Struct, frozen=True):
@@ -43,13 +44,25 @@ class Handle(msgspec.Struct, frozen=True):
 def handles_of(view: CurveView, index: int, *, free: bool = False) -> list[Handle]:
     """Return the handles of node `index`; none for Lagrange, or while there is no curve.
 
-    With `free` an end of the curve has handles on its free side as well, mirrored from the other.
+    With `free` an end of the curve has handles on its free side as well, mirrored from the other. A point
+    that stands alone has the handle that was pulled out of it.
     """
+    if len(view.source.nodes) == 1:
+        return _lone_handle(view)
     handles: list[Handle] = []
     for ahead in (True, False):
         if free or view.spacing(index, ahead=ahead) is not None:
             handles += _handles_on_one_side(view, index, ahead=ahead)
     return handles
+
+
+def _lone_handle(view: CurveView) -> list[Handle]:
+    node = view.source.nodes[0]
+    velocity = explicit_sides(node, 1)[1]
+    if not view.source.family.derivatives or velocity is None:
+        return []
+    tip = _along(node.position, velocity, _whole_interval(view) / _degree(view))
+    return [Handle(1, True, tip, node.position, explicit=True)]
 
 
 def _handles_on_one_side(view: CurveView, index: int, *, ahead: bool) -> list[Handle]:
@@ -71,8 +84,7 @@ def velocity_from_handle(view: CurveView, index: int, position: Vector, *, ahead
     p, h = view.source.nodes[index].position, _signed_spacing(view, index, ahead=ahead)
     if h is None:
         # A point that stands alone: the interval it is going to open stands for h.
-        rule = view.source.parametrization
-        h = rule.end - rule.start
+        h = _whole_interval(view)
     factor = _degree(view) / h
     return ((position[0] - p[0]) * factor, (position[1] - p[1]) * factor)
 
@@ -151,6 +163,11 @@ def _signed_spacing(view: CurveView, index: int, *, ahead: bool) -> float | None
         # The free side of an end goes by the spacing of the other.
         h = view.spacing(index, ahead=not ahead)
     return h if h is None or ahead else -h
+
+
+def _whole_interval(view: CurveView) -> float:
+    rule = view.source.parametrization
+    return rule.end - rule.start
 
 
 def _degree(view: CurveView) -> int:

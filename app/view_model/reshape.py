@@ -13,6 +13,7 @@ from msgspec.structs import replace
 
 from app.document.curve_edits import reverse_curve
 from app.document.edits import EditError, freeze_parameters, stretched
+from app.document.jet_edits import JetValue, with_jet_values
 from app.document.model import Curve, Document, Node, Vector
 from app.view_model.curve_view import CurveView, Floats, Integers, view_of
 from app.view_model.jets import Sides
@@ -132,7 +133,7 @@ def _sampled(view: CurveView, t: float) -> Node:
 
 
 def estimates_kept(before: CurveView, changed: Curve, old: Integers, new: Integers) -> Curve:
-    """Make explicit, as they were in `before`, the estimates that are others in `changed`.
+    """Make explicit, as they were in `before`, the estimates that are others in `changed`, and only those.
 
     The nodes `old` of the curve before are the nodes `new` of the changed one.
     """
@@ -140,15 +141,15 @@ def estimates_kept(before: CurveView, changed: Curve, old: Integers, new: Intege
     refuse_without_curve(after)
     if before.sides is None or after.sides is None:
         return changed
-    others = np.zeros(len(old), dtype=bool)
-    for was, now in ((before.sides.before, after.sides.before), (before.sides.after, after.sides.after)):
+    values = []
+    sides = ((before.sides.before, after.sides.before), (before.sides.after, after.sides.after))
+    for ahead, (was, now) in zip((False, True), sides, strict=True):
         scale = np.abs(was[:, 1:]).max(axis=(0, 2), keepdims=True)
         moved = np.abs(now[new, 1:] - was[old, 1:]) > _ROUNDING * scale
-        others |= moved.any(axis=(1, 2))
-    nodes = list(changed.nodes)
-    for old_index, place in zip(old[others].tolist(), new[others].tolist(), strict=True):
-        nodes[place] = with_jets(nodes[place], before.sides, old_index)
-    return replace(changed, nodes=tuple(nodes))
+        for row, below in zip(*map(np.ndarray.tolist, np.nonzero(moved.any(axis=2))), strict=True):
+            value = _vector(was[old[row], below + 1])
+            values.append(JetValue(int(new[row]), below + 1, ahead, value))
+    return with_jet_values(changed, values)
 
 
 def _stretched_along(before: CurveView, grown: Curve, index: int, t: float) -> Curve:

@@ -1,7 +1,7 @@
 """Corners made of smooth points and smooth points of corners, with the curve kept as it is.
 
-A corner divides the estimates of the rules, and every point feels that. What it would change is written
-down as it was, so that nothing moves before somebody moves it.
+A corner divides the estimates of the rules, and every point of a natural spline feels that. What it would
+change, and no more, is written down as it was, so that nothing moves before somebody moves it.
 """
 
 from __future__ import annotations
@@ -16,21 +16,35 @@ from app.document.model import Curve, Document, Vector
 from app.view_model.curve_view import CurveView
 from app.view_model.reshape import estimates_kept, with_jets
 
+ENDS_STAY = "the ends of an open curve cannot be corners"
+"""What is said where some of the nodes chosen are such ends."""
+
+
+def inner_nodes(curve: Curve, indices: Collection[int]) -> list[int]:
+    """Return those of the nodes `indices` that have curve on both sides, in order."""
+    return sorted(index for index in indices if curve.is_closed or 0 < index < len(curve.nodes) - 1)
+
 
 def with_corners(view: CurveView, indices: Collection[int]) -> Curve:
     """Return the curve with corners at these nodes: both sides are explicit, and the shape stays.
 
+    Ends of an open curve are left out.
+
     Raises
     ------
     EditError
-        If there is no curve, or a node is an end of it.
+        If there is no curve, or nothing is left.
     """
-    new = [index for index in indices if not view.source.nodes[index].corner]
+    for index in indices:
+        _refuse_without_tangent(view, index)
+    inner = inner_nodes(view.source, indices)
+    if len(inner) < len(indices) == 1:
+        raise EditError(f"Point {min(indices)} is an end of the curve; a corner needs curve on both sides.")
+    if not inner:
+        raise EditError(f"{ENDS_STAY[0].upper()}{ENDS_STAY[1:]}.")
+    new = [index for index in inner if not view.source.nodes[index].corner]
     document = Document((view.source,))
     for index in new:
-        _refuse_without_tangent(view, index)
-        if not view.source.is_closed and index in (0, len(view.source.nodes) - 1):
-            raise EditError(f"Point {index} is an end of the curve; a corner needs curve on both sides.")
         document = make_corner(document, 0, index, None, None)
     if not new or view.sides is None:
         return view.source

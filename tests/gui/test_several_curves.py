@@ -460,7 +460,8 @@ def test_a_point_added_to_a_closed_curve_lies_between_its_last_and_its_first(thr
     three.trigger("closeCurve")
     three.trigger("freezeParameters")
     end = three.parameters[-1]
-    three.add_point(1.5, 1.8)
+    three.trigger("addTool")
+    three.click((1.5, 1.8), keys=Qt.KeyboardModifier.ShiftModifier)
     assert len(three.parameters) == 6
     assert three.parameters[-1] == end
     assert three.session.active_view.is_current

@@ -4,12 +4,21 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+from msgspec.structs import replace
 from PySide6.QtCore import QLocale, Qt
 from PySide6.QtGui import QGuiApplication
 from PySide6.QtTest import QTest
 
 from app.document import edits
-from app.document.model import Document, Family, Parametrization, ParametrizationKind, make_curve
+from app.document.model import (
+    AccelerationRule,
+    Document,
+    Family,
+    Parametrization,
+    ParametrizationKind,
+    VelocityRule,
+    make_curve,
+)
 
 CTRL = Qt.KeyboardModifier.ControlModifier
 SHIFT = Qt.KeyboardModifier.ShiftModifier
@@ -149,6 +158,82 @@ def test_both_velocities_of_a_corner_are_pulled_out(wave):
     wave.trigger("pullVelocity")
     assert wave.handle(ahead=True).position == pytest.approx((4 / 3, 2 / 3))
     assert wave.handle(ahead=False).position == pytest.approx((2 / 3, 2 / 3))
+
+
+def test_all_points_become_corners_but_the_ends(wave):
+    """It used to refuse everything: "Point 0 is an end of the curve"."""
+    wave.key(Qt.Key.Key_A, CTRL)
+    wave.key(Qt.Key.Key_2, ALT)
+    assert [node.corner for node in wave.curve.nodes] == [False, True, True, False]
+    assert wave.session.undo_stack.undoText() == "Corner at 2 points"
+    assert wave.status == (
+        "Corner at points 1 and 2; the ends of an open curve cannot be corners. "
+        "To keep the shape, the estimates of points 0 and 3 are set now."
+    )
+    wave.trigger("undo")
+    assert wave.curve.nodes == make_curve(WAVE).nodes
+    wave.select([0, 3])
+    document = wave.session.document
+    wave.key(Qt.Key.Key_2, ALT)
+    assert wave.session.document is document
+    assert wave.status == "The ends of an open curve cannot be corners."
+
+
+def test_a_closed_curve_has_corners_everywhere(wave):
+    wave.trigger("closeCurve")
+    wave.key(Qt.Key.Key_A, CTRL)
+    wave.key(Qt.Key.Key_2, ALT)
+    assert all(node.corner for node in wave.curve.nodes)
+    assert wave.status == "Corner at 4 points."
+
+
+@pytest.mark.parametrize(
+    ("rule", "velocities", "said"),
+    [
+        (VelocityRule.BESSEL, "...v...", "Corner at point 3."),
+        (
+            VelocityRule.NATURAL_SPLINE,
+            "vvvvvvv",
+            "Corner at point 3. To keep the shape, the estimates of 6 other points are set now.",
+        ),
+    ],
+)
+def test_a_corner_sets_no_more_estimates_than_the_shape_needs(editor, rule, velocities, said):
+    """It used to set accelerations as well, which no corner changes where they are zero by rule."""
+    curve = replace(
+        make_curve([(x, x % 3) for x in range(7)], family=Family.QUINTIC_HERMITE),
+        velocity_rule=rule,
+        acceleration_rule=AccelerationRule.ZERO,
+    )
+    editor.session.commit(Document((curve,)), "Begin")
+    before = editor.session.active_view.curve.evaluate(np.linspace(0, 1, 999))
+    editor.select([3])
+    editor.trigger("tangentCorner")
+    nodes = editor.curve.nodes
+    assert "".join("v" if node.velocity else "." for node in nodes) == velocities
+    assert "".join("a" if node.acceleration else "." for node in nodes) == "...a..."
+    assert editor.status == said
+    after = editor.session.active_view.curve.evaluate(np.linspace(0, 1, 999))
+    assert after == pytest.approx(before, abs=1e-13)
+
+
+def test_the_history_tells_the_side_of_a_corner(wave):
+    wave.select_point(1)
+    wave.trigger("tangentCorner")
+    wave.hover(wave.handle(ahead=False).position)
+    assert wave.window.status_line.hint.startswith("Drag to set the velocity of point 1, behind · ")
+    wave.drag_handle((0.5, 1.2), ahead=False)
+    assert wave.session.undo_stack.undoText() == "Set velocity of point 1, behind"
+    wave.press(wave.handle(ahead=True).position)
+    wave.move((1.5, 2))
+    assert wave.status.startswith("Velocity of point 1, ahead: ")
+    wave.release((1.5, 2))
+    assert wave.session.undo_stack.undoText() == "Set velocity of point 1, ahead"
+    wave.drag_point(1, to=(1.2, 2), keys=ALT)
+    assert wave.session.undo_stack.undoText() == "Set velocity of point 1, ahead"
+    wave.select_point(2)
+    wave.drag_handle((2.5, 1))
+    assert wave.session.undo_stack.undoText() == "Set velocity of point 2"
 
 
 def test_an_end_is_no_corner(wave):

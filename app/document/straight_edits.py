@@ -1,0 +1,81 @@
+"""Segments made straight: from one point to the next on a line, at an even pace."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Sequence
+
+from msgspec.structs import replace
+
+from app.document.edits import EditError
+from app.document.jet_edits import JetValue, with_jet_values
+from app.document.model import Curve, Document, Family, Node
+
+ONE_POLYNOMIAL = (
+    "A Lagrange curve is one polynomial and has no segments of its own; choose Hermite or quintic Hermite."
+)
+"""Why a Lagrange curve has no straight segment."""
+
+
+def straighten(
+    document: Document, curve: int, segments: Collection[int], parameters: Sequence[float]
+) -> Document:
+    """Make segments exactly straight.
+
+    Segment i leads from node i to the next one; in a closed curve the last leads back to node 0. The nodes at
+    its ends become corners, unless they are ends of an open curve: the sides within the segment get its mean
+    velocity and no acceleration, the others keep what was set there.
+
+    Parameters
+    ----------
+    document, curve
+        The curve to change.
+    segments
+        Which segments.
+    parameters
+        Those in force; a closed curve has one more, where it returns to its start.
+
+    Raises
+    ------
+    EditError
+        If the curve is no chain of segments, has no such segment, or a velocity would be out of range.
+    """
+    old = document.curves[curve]
+    if old.family is Family.LAGRANGE:
+        raise EditError(ONE_POLYNOMIAL)
+    if any(not 0 <= segment < len(parameters) - 1 for segment in segments):
+        raise EditError("There is no such segment.")
+    nodes = list(old.nodes)
+    for index in corners_of(old, segments):
+        nodes[index] = _cornered(nodes[index])
+    values = [value for segment in segments for value in _along_chord(old, segment, parameters)]
+    return document.with_curve(curve, with_jet_values(replace(old, nodes=tuple(nodes)), values))
+
+
+def ends_of(curve: Curve, segment: int) -> tuple[int, int]:
+    """Return the nodes at which a segment begins and ends."""
+    return segment, (segment + 1) % len(curve.nodes)
+
+
+def corners_of(curve: Curve, segments: Collection[int]) -> list[int]:
+    """Return the nodes at the ends of segments at which the curve can have a corner, in order."""
+    ends = {index for segment in segments for index in ends_of(curve, segment)}
+    return sorted(index for index in ends if curve.is_closed or 0 < index < len(curve.nodes) - 1)
+
+
+def _cornered(node: Node) -> Node:
+    if node.corner:
+        return node
+    return replace(node, corner=True, velocity_after=node.velocity, acceleration_after=node.acceleration)
+
+
+def _along_chord(curve: Curve, segment: int, parameters: Sequence[float]) -> list[JetValue]:
+    """Return the derivatives within a segment that is run through along its chord."""
+    start, end = ends_of(curve, segment)
+    h = parameters[segment + 1] - parameters[segment]
+    p, q = curve.nodes[start], curve.nodes[end]
+    derivatives = [((q.x - p.x) / h, (q.y - p.y) / h), (0.0, 0.0)][: curve.family.derivatives]
+    return [
+        JetValue(index, order, ahead, value)
+        for index, ahead in ((start, True), (end, False))
+        for order, value in enumerate(derivatives, start=1)
+    ]

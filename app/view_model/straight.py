@@ -1,0 +1,43 @@
+"""Straight segments between points, with the rest of the curve kept as it is."""
+
+from __future__ import annotations
+
+from collections.abc import Collection
+
+import numpy as np
+
+from app.document.edits import EditError
+from app.document.model import Curve, Document, Family
+from app.document.straight_edits import ONE_POLYNOMIAL, corners_of, straighten
+from app.view_model.curve_view import CurveView
+from app.view_model.reshape import refuse_without_curve
+from app.view_model.smoothness import with_corners
+
+
+def with_straight_segments(view: CurveView, segments: Collection[int]) -> Curve:
+    """Return the curve with these segments straight: everything beside them stays.
+
+    Raises
+    ------
+    EditError
+        If there is no curve, or it is one polynomial.
+    """
+    if view.source.family is Family.LAGRANGE:
+        raise EditError(ONE_POLYNOMIAL)
+    refuse_without_curve(view)
+    corners = corners_of(view.source, segments)
+    cornered = with_corners(view, corners) if corners else view.source
+    return straighten(Document((cornered,)), 0, segments, view.parameters.tolist()).curves[0]
+
+
+def segments_between(curve: Curve, indices: Collection[int]) -> list[int]:
+    """Return the segments of which both ends are among the nodes `indices`."""
+    count = len(curve.nodes)
+    last = count if curve.is_closed else count - 1
+    return [index for index in range(last) if {index, (index + 1) % count} <= set(indices)]
+
+
+def segment_at(view: CurveView, t: float) -> int:
+    """Return the segment that runs through `t`."""
+    last = len(view.parameters) - 2
+    return min(max(int(np.searchsorted(view.parameters, t)) - 1, 0), last)

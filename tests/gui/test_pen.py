@@ -1,0 +1,268 @@
+"""The pen: handles that stay as short as they were drawn, points at the end, and curves begun anew."""
+
+from __future__ import annotations
+
+import math
+
+import pytest
+from PySide6.QtCore import QPoint, Qt
+
+from app.document import edits
+from app.document.model import Family, ParametrizationKind
+from app.view_model.handles import handles_of
+
+SHIFT = Qt.KeyboardModifier.ShiftModifier
+HERMITE = [Family.HERMITE, Family.QUINTIC_HERMITE]
+
+
+@pytest.fixture
+def pen(editor):
+    """An empty Hermite curve, and the pen in hand."""
+    editor.new()
+    editor.choose_family(Family.HERMITE)
+    editor.trigger("addTool")
+    return editor
+
+
+@pytest.fixture
+def ring(pen):
+    """A closed curve of three points, and the pen in hand."""
+    for point in ((0, 0), (2, 0), (1, 2)):
+        pen.click(point)
+    pen.trigger("closeCurve")
+    return pen
+
+
+def at(editor, x, y):
+    """A place so many pixels right of and above the lower left part of the canvas."""
+    return editor.window.canvas.to_plane(QPoint(80 + x, 300 - y))
+
+
+def lengths(editor, index, kind=1):
+    """The lengths of the velocity handles of a point, by whether they are ahead."""
+    handles = [each for each in handles_of(editor.session.active_view, index) if each.kind == kind]
+    return {each.ahead: math.dist(each.position, each.anchor) / editor.pixel for each in handles}
+
+
+# Handles
+
+
+@pytest.mark.parametrize("kind", [*ParametrizationKind])
+@pytest.mark.parametrize("family", HERMITE)
+def test_no_handle_gets_longer_than_it_was_drawn(pen, family, kind):
+    """340 px on, a handle of 45 px used to become one of 510."""
+    pen.choose_family(family)
+    pen.choose_parametrization(kind)
+    for x in (0, 30):
+        pen.click(at(pen, x, 0))
+    pen.press(at(pen, 60, 0))
+    pen.move(at(pen, 60, 45))
+    assert "neither handle gets longer than this" in pen.status
+    pen.release(at(pen, 60, 45))
+    drawn = lengths(pen, 2)[False]
+    assert drawn == pytest.approx(45, abs=1.5)
+    pen.click(at(pen, 400, 0))
+    after = lengths(pen, 2)
+    assert max(after.values()) == pytest.approx(drawn, rel=1e-9)
+    pen.trigger("undo")
+    assert lengths(pen, 2)[False] == drawn
+    pen.click(at(pen, 75, 0))
+    assert max(lengths(pen, 2).values()) == pytest.approx(drawn, rel=1e-9)
+
+
+def test_the_handle_behind_stays_where_it_was_drawn_before_a_short_segment(pen):
+    pen.click(at(pen, 0, 0))
+    pen.drag(at(pen, 200, 0), at(pen, 245, 20))
+    (before,) = handles_of(pen.session.active_view, 1)
+    pen.click(at(pen, 230, 60))
+    behind = next(each for each in handles_of(pen.session.active_view, 1) if not each.ahead)
+    assert behind.position == pytest.approx(before.position, rel=1e-12)
+
+
+def test_an_acceleration_goes_along_by_the_square(pen):
+    pen.choose_family(Family.QUINTIC_HERMITE)
+    pen.click(at(pen, 0, 0))
+    pen.drag(at(pen, 30, 0), at(pen, 60, 0))
+    document = edits.set_acceleration(pen.session.document, 0, 1, (3.0, -4.0))
+    pen.session.commit(document, "Set")
+    old = pen.curve.nodes[1]
+    pen.click(at(pen, 330, 0))
+    new, (t0, t1, t2) = pen.curve.nodes[1], pen.parameters
+    factor = max(t1 - t0, t2 - t1)
+    assert new.velocity == pytest.approx([each / factor for each in old.velocity])
+    assert new.acceleration == pytest.approx([each / factor**2 for each in old.acceleration])
+
+
+@pytest.mark.parametrize("span", [1.0, 2.5])
+@pytest.mark.parametrize("kind", [ParametrizationKind.CHORD_LENGTH, ParametrizationKind.MANUAL])
+@pytest.mark.parametrize("family", HERMITE)
+def test_the_handle_of_the_first_point_stays(pen, family, kind, span):
+    pen.choose_family(family)
+    pen.choose_parametrization(kind)
+    pen.session.commit(edits.set_interval(pen.session.document, 0, 0.0, span), "Span")
+    tip = at(pen, 45, 30)
+    pen.press(at(pen, 0, 0))
+    pen.move(tip)
+    assert pen.status.partition(" · ")[2].startswith("the handle stays here")
+    assert pen.handle().position == pytest.approx(tip, abs=2 * pen.pixel)
+    pen.release(tip)
+    drawn = pen.handle().position
+    pen.click(at(pen, 400, 0))
+    (handle,) = (each for each in handles_of(pen.session.active_view, 0) if each.kind == 1)
+    assert handle.ahead
+    assert handle.position == pytest.approx(drawn, rel=1e-12)
+
+
+def test_closing_with_the_pen_keeps_the_handles_short_as_well(pen):
+    pen.drag(at(pen, 0, 0), at(pen, 10, 20))
+    pen.click(at(pen, 30, 0))
+    pen.click(at(pen, 330, 0))
+    pen.drag(at(pen, 360, 0), at(pen, 380, 15))
+    first, last = lengths(pen, 0)[True], lengths(pen, 3)[False]
+    pen.click(pen.point(0))
+    assert pen.curve.is_closed
+    assert max(lengths(pen, 0).values()) == pytest.approx(first, rel=1e-9)
+    assert max(lengths(pen, 3).values()) == pytest.approx(last, rel=1e-9)
+    pen.trigger("undo")
+    assert lengths(pen, 3)[False] == last
+
+
+def test_escape_takes_back_the_point_and_what_it_did_to_the_one_before(pen):
+    pen.click(at(pen, 0, 0))
+    pen.drag(at(pen, 30, 0), at(pen, 60, 20))
+    document, steps = pen.session.document, pen.session.undo_stack.count()
+    pen.press(at(pen, 330, 0))
+    pen.move(at(pen, 360, 40))
+    assert pen.curve.nodes[1].velocity != document.curves[0].nodes[1].velocity
+    pen.escape()
+    pen.release(at(pen, 360, 40))
+    assert pen.session.document is document
+    assert pen.session.undo_stack.count() == steps
+
+
+# At the end, also near the curve
+
+
+def test_shift_adds_at_the_end_near_the_curve(pen):
+    for x in (0, 100, 200):
+        pen.click(at(pen, x, 0))
+    near = at(pen, 50, 4)
+    pen.hover(near)
+    assert pen.window.status_line.hint == "Click to insert a point here · Shift: add at the end"
+    pen.move(near, held=False, keys=SHIFT)
+    assert pen.window.status_line.hint.startswith("Click to add point 3")
+    pen.click(near, keys=SHIFT)
+    assert pen.session.undo_stack.undoText() == "Add point 3"
+    assert pen.point(3) == pytest.approx(near, abs=pen.pixel)
+    assert pen.session.selection == {3}
+    pen.trigger("undo")
+    pen.click(near)
+    assert pen.session.undo_stack.undoText() == "Insert point 1"
+
+
+def test_escape_takes_back_a_point_added_near_the_curve(pen):
+    for x in (0, 100, 200):
+        pen.click(at(pen, x, 0))
+    document = pen.session.document
+    pen.press(at(pen, 50, 4), keys=SHIFT)
+    pen.move(at(pen, 80, 40), keys=SHIFT)
+    assert pen.curve.nodes[3].velocity is not None
+    pen.escape()
+    assert pen.session.document is document
+
+
+# Beside a closed curve
+
+
+def test_beside_a_closed_curve_the_pen_begins_a_new_one(ring):
+    ring.choose_parametrization(ParametrizationKind.CENTRIPETAL)
+    old, steps = ring.curve, ring.session.undo_stack.count()
+    ring.hover((4, 1))
+    assert ring.window.status_line.hint.startswith("Click to begin a new curve")
+    ring.press((4, 1))
+    ring.move((5, 2))
+    assert ring.status.startswith("Begin Curve 2 at")
+    assert ring.session.active_index == 1
+    assert ring.handle().position == pytest.approx((5, 2), abs=2 * ring.pixel)
+    ring.release((5, 2))
+    fresh = ring.curve
+    assert ring.session.document.curves == (old, fresh)
+    assert (fresh.name, fresh.colour, fresh.family) == ("Curve 2", "", old.family)
+    assert fresh.parametrization == old.parametrization
+    assert not fresh.closed
+    assert ring.point(0) == pytest.approx((4, 1), abs=ring.pixel)
+    assert ring.session.undo_stack.count() == steps + 1
+    assert ring.session.undo_stack.undoText() == "Begin Curve 2"
+    assert ring.session.selection == {0}
+    drawn = ring.handle().position
+    ring.click((6, 1))
+    assert len(ring.curve.nodes) == 2
+    (handle,) = handles_of(ring.session.active_view, 0)
+    assert handle.position == pytest.approx(drawn, rel=1e-12)
+
+
+def test_the_beginning_is_undone_in_one_step(ring):
+    document = ring.session.document
+    ring.click((4, 1))
+    assert ring.session.active_index == 1
+    ring.trigger("undo")
+    assert ring.session.document == document
+    assert ring.session.active_index == 0
+    ring.trigger("redo")
+    assert (ring.session.active_index, len(ring.curve.nodes)) == (1, 1)
+
+
+def test_escape_takes_back_the_beginning(ring):
+    document, steps = ring.session.document, ring.session.undo_stack.count()
+    ring.press((4, 1))
+    ring.move((5, 2))
+    ring.escape()
+    assert ring.session.document is document
+    assert ring.session.active_index == 0
+    ring.release((5, 2))
+    assert ring.session.undo_stack.count() == steps
+    assert ring.curve.is_closed
+
+
+def test_undo_in_the_middle_of_the_beginning_takes_back_that_alone(ring):
+    document = ring.session.document
+    ring.press((4, 1))
+    ring.trigger("undo")
+    assert ring.session.document == document
+    assert ring.session.active_index == 0
+    ring.release((4, 1))
+    assert ring.session.document == document
+
+
+def test_on_a_closed_curve_the_pen_inserts_and_with_shift_appends(ring):
+    x, y = ring.session.active_view.curve.evaluate(0.2)
+    ring.hover((x, y))
+    assert ring.window.status_line.hint == "Click to insert a point here · Shift: add at the end"
+    ring.click((x, y))
+    assert ring.session.undo_stack.undoText() == "Insert point 1"
+    ring.trigger("undo")
+    ring.click((0, 2), keys=SHIFT)
+    assert ring.session.undo_stack.undoText() == "Add point 3"
+    assert len(ring.session.document.curves) == 1
+
+
+def test_a_new_curve_can_be_begun_beside_a_locked_one(ring):
+    ring.trigger("curveLocked")
+    ring.hover((4, 1))
+    assert ring.window.status_line.hint.startswith("Click to begin a new curve")
+    ring.click((4, 1), keys=SHIFT)
+    assert "is locked" in ring.status
+    assert len(ring.session.document.curves) == 1
+    ring.click((4, 1))
+    assert not ring.curve.locked
+    assert len(ring.session.document.curves) == 2
+
+
+def test_the_sheet_tells_what_the_pen_does(ring):
+    from PySide6.QtWidgets import QLabel
+
+    ring.key(Qt.Key.Key_F1)
+    sheet = ring.window.findChild(object, "shortcutSheet")
+    said = " ".join(label.text() for label in sheet.findChildren(QLabel))
+    assert "begin a new curve" in said
+    assert "add a point at the end" in said

@@ -1,0 +1,148 @@
+"""Straight segments, from the menu, by the key and where the right button was pressed."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from PySide6.QtCore import Qt
+from PySide6.QtTest import QTest
+
+from app.document.model import Document, Family, ParametrizationKind, make_curve
+from app.view_model.handles import handles_of
+
+ALT = Qt.KeyboardModifier.AltModifier
+CTRL = Qt.KeyboardModifier.ControlModifier
+BOW = ((0, 0), (1, 2), (3, 2.5), (4, 1), (6, 0))
+HERMITE = [Family.HERMITE, Family.QUINTIC_HERMITE]
+
+
+@pytest.fixture(params=HERMITE)
+def bow(editor, request):
+    """A curve of five points."""
+    editor.session.commit(Document((make_curve(BOW, name="Bow", family=request.param),)), "Begin", active=0)
+    editor.fit()
+    return editor
+
+
+def distance_from_chord(view, segment):
+    """How far a segment leaves the line between its ends, and how unevenly it is run through."""
+    t = np.linspace(*view.parameters[segment : segment + 2], 101)
+    curve = view.curve.evaluate(t)
+    return np.abs(curve - np.linspace(curve[0], curve[-1], 101)).max()
+
+
+def others(view, segments):
+    """The curve on all other segments."""
+    t = [
+        np.linspace(*view.parameters[segment : segment + 2], 50)
+        for segment in range(len(view.parameters) - 1)
+        if segment not in segments
+    ]
+    return view.curve.evaluate(np.concatenate(t))
+
+
+def test_two_neighbours_and_the_key(bow):
+    before, steps = bow.session.active_view, bow.session.undo_stack.count()
+    assert distance_from_chord(before, 1) > 0.1
+    bow.select([1, 2])
+    bow.key(Qt.Key.Key_4, ALT)
+    after = bow.session.active_view
+    assert distance_from_chord(after, 1) < 1e-14
+    assert others(after, [1]) == pytest.approx(others(before, [1]), abs=1e-13)
+    assert [node.corner for node in bow.curve.nodes] == [False, True, True, False, False]
+    for index, ahead in ((1, False), (2, True)):
+        kept, old = (
+            [each.position for each in handles_of(view, index) if each.ahead is ahead]
+            for view in (after, before)
+        )
+        assert np.array(kept) == pytest.approx(np.array(old), abs=1e-13)
+    assert bow.session.undo_stack.count() == steps + 1
+    assert bow.session.undo_stack.undoText() == "Straight segment 1–2"
+    assert bow.status == (
+        "Straight segment 1–2, corner at points 1 and 2. "
+        "To keep the shape, the estimates of points 0, 3 and 4 are set now."
+    )
+    bow.trigger("straightSegment")
+    assert bow.status == "That is straight already."
+    assert bow.session.undo_stack.count() == steps + 1
+    bow.trigger("undo")
+    assert bow.session.document.curves[0] == before.source
+
+
+def test_an_end_gets_no_corner(bow):
+    bow.select([3, 4])
+    bow.trigger("straightSegment")
+    assert distance_from_chord(bow.session.active_view, 3) < 1e-14
+    assert [node.corner for node in bow.curve.nodes] == [False, False, False, True, False]
+    assert bow.status.startswith("Straight segment 3–4, corner at point 3.")
+
+
+@pytest.mark.parametrize("kind", [ParametrizationKind.UNIFORM, ParametrizationKind.MANUAL])
+def test_everything_selected_is_a_polygon(bow, kind):
+    bow.choose_parametrization(kind)
+    bow.key(Qt.Key.Key_A, CTRL)
+    bow.trigger("straightSegment")
+    view = bow.session.active_view
+    assert max(distance_from_chord(view, segment) for segment in range(4)) < 1e-14
+    assert bow.session.undo_stack.undoText() == "4 straight segments"
+
+
+def test_the_segment_that_closes_counts(bow):
+    bow.trigger("closeCurve")
+    before = bow.session.active_view
+    bow.select([0, 4])
+    bow.trigger("straightSegment")
+    after = bow.session.active_view
+    assert bow.session.undo_stack.undoText() == "Straight segment 4–0"
+    assert distance_from_chord(after, 4) < 1e-14
+    assert others(after, [4]) == pytest.approx(others(before, [4]), abs=1e-13)
+
+
+def test_the_context_menu_takes_the_segment_under_the_pointer(bow):
+    place = tuple(bow.session.active_view.curve.evaluate(sum(bow.parameters[2:4]) / 2))
+    bow.open_menu(place)
+    bow.choose("straightHere")
+    assert bow.session.undo_stack.undoText() == "Straight segment 2–3"
+    assert distance_from_chord(bow.session.active_view, 2) < 1e-14
+
+
+def test_points_that_are_no_neighbours_are_told(bow):
+    bow.select([0, 2])
+    document = bow.session.document
+    bow.trigger("straightSegment")
+    assert bow.session.document is document
+    assert bow.status.startswith("Select two neighbouring points")
+
+
+def test_it_can_be_found_by_its_name(bow):
+    bow.select([0, 1])
+    bow.run_command("straight segment")
+    assert bow.session.undo_stack.undoText() == "Straight segment 0–1"
+
+
+def test_a_locked_curve_stays(bow):
+    bow.trigger("curveLocked")
+    document = bow.session.document
+    bow.select([1, 2])
+    bow.trigger("straightSegment")
+    assert bow.session.document is document
+    assert "is locked" in bow.status
+
+
+def test_a_polynomial_has_none_and_says_why(editor):
+    action = editor.action("straightSegment")
+    editor.choose_family(Family.LAGRANGE)
+    assert not action.isEnabled()
+    assert action.toolTip().startswith("A Lagrange curve is one polynomial")
+    place = tuple(editor.session.active_view.curve.evaluate(0.55))
+    menu = editor.open_menu(place)
+    here = next(each for each in menu.actions() if each.objectName() == "straightHere")
+    assert not here.isEnabled()
+    assert here.toolTip() == action.toolTip()
+    assert menu.toolTipsVisible()
+    QTest.keyClick(menu, Qt.Key.Key_Escape)
+    editor.settle()
+    editor.choose_family(Family.HERMITE)
+    assert action.isEnabled()
+    assert action.toolTip().endswith("(Alt+4)")
+    assert not action.icon().isNull()
