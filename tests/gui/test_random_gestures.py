@@ -150,7 +150,8 @@ class Gestures(RuleBasedStateMachine):
         return anywhere
 
     def end(self, tool, ending, pointer):
-        before = self.values[self.at]
+        # Equal to the value of the list; nudges there and back may have made another object of it.
+        before = self.session.committed
         if ending == "release":
             tool.release(pointer)
         elif ending == "forget" and self.at > 0:
@@ -236,11 +237,11 @@ class Gestures(RuleBasedStateMachine):
     # Edits from panels and menus
 
     def edit(self, make, *arguments):
-        session = self.session
+        session, before = self.session, self.session.document
         try:
             session.commit(make(session.document, session.active_index, *arguments), make.__name__)
         except EditError:
-            assert session.document is self.values[self.at]
+            assert session.document is before
         self.note()
 
     @rule(data=st.data())
