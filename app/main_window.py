@@ -48,7 +48,7 @@ from app.preferences import Preferences
 from app.session import Session
 from app.theme import Theme, ThemeMode, apply_theme, theme_of
 from app.toolbar import Toolbar
-from app.window_layout import restore_layout
+from app.window_layout import put_away_floating, restore_layout
 from app.worker import Jobs
 
 _PANELS_MS = 100
@@ -153,6 +153,7 @@ class MainWindow(QMainWindow):
         self.status_line = StatusLine(self)
         self.setStatusBar(self.status_line)
         self.menus = Menus(self, self.actions_by_name)
+        self.menus.fill_with_panels((*self.docks, self.lessons_dock))
         self.toolbar = Toolbar(self.actions_by_name, self.parametrization_bar, self)
         self.addToolBar(self.toolbar)
 
@@ -351,6 +352,7 @@ class MainWindow(QMainWindow):
         self.preferences.window_state = self.saveState()
         self.preferences.splitter_state = self.splitter.saveState()
         self.preferences.plot_height = self.plot_panel.kept_height
+        put_away_floating(self)
 
     # Qt's events
 

@@ -16,15 +16,30 @@ EDIT_MENU = (
         "Select and drag points and handles",
         "tool",
         separated=True,
+        alone="Select Tool",
     ),
     ActionSpec(
         "addTool", "Add Points", "Edit", "P", "add", "Click to add points; drag to set a velocity", "tool"
     ),
     ActionSpec(
-        "measureTool", "Measure", "Edit", "M", "measure", "Drag to measure a distance and an angle", "tool"
+        "measureTool",
+        "Measure",
+        "Edit",
+        "M",
+        "measure",
+        "Drag to measure a distance and an angle",
+        "tool",
+        alone="Measure Tool",
     ),
     ActionSpec(
-        "selectAll", "Select All", "Edit", "Ctrl+A", "select-all", "Select all points", separated=True
+        "selectAll",
+        "Select All",
+        "Edit",
+        "Ctrl+A",
+        "select-all",
+        "Select all points",
+        separated=True,
+        alone="Select All Points",
     ),
     ActionSpec(
         "moveSelection",
@@ -34,6 +49,7 @@ EDIT_MENU = (
         "move",
         "Move the selected points with the pointer; type the amount",
         submenu="Transform",
+        alone="Move Points",
     ),
     ActionSpec(
         "scaleSelection",
@@ -43,6 +59,7 @@ EDIT_MENU = (
         "scale",
         "Scale the selected points with the pointer; type the factor",
         submenu="Transform",
+        alone="Scale Points",
     ),
     ActionSpec(
         "rotateSelection",
@@ -52,6 +69,7 @@ EDIT_MENU = (
         "rotate",
         "Rotate the selected points with the pointer; type the angle",
         submenu="Transform",
+        alone="Rotate Points",
     ),
     ActionSpec(
         "toggleTransformBox",
@@ -63,6 +81,7 @@ EDIT_MENU = (
         checkable=True,
         separated=True,
         submenu="Transform",
+        alone="Transform Box with Grips",
     ),
     ActionSpec(
         "alignLeft",
@@ -71,7 +90,8 @@ EDIT_MENU = (
         "",
         "align-left",
         "Put the selected points below the leftmost one",
-        submenu="Align",
+        submenu="Align and Distribute",
+        alone="Align Left",
     ),
     ActionSpec(
         "alignCentre",
@@ -80,7 +100,8 @@ EDIT_MENU = (
         "",
         "align-centre",
         "Put the selected points on one vertical, halfway",
-        submenu="Align",
+        submenu="Align and Distribute",
+        alone="Align Centre",
     ),
     ActionSpec(
         "alignRight",
@@ -89,7 +110,8 @@ EDIT_MENU = (
         "",
         "align-right",
         "Put the selected points below the rightmost one",
-        submenu="Align",
+        submenu="Align and Distribute",
+        alone="Align Right",
     ),
     ActionSpec(
         "alignTop",
@@ -99,7 +121,8 @@ EDIT_MENU = (
         "align-top",
         "Put the selected points level with the highest one",
         separated=True,
-        submenu="Align",
+        submenu="Align and Distribute",
+        alone="Align Top",
     ),
     ActionSpec(
         "alignMiddle",
@@ -108,7 +131,8 @@ EDIT_MENU = (
         "",
         "align-middle",
         "Put the selected points on one horizontal, halfway",
-        submenu="Align",
+        submenu="Align and Distribute",
+        alone="Align Middle",
     ),
     ActionSpec(
         "alignBottom",
@@ -117,7 +141,8 @@ EDIT_MENU = (
         "",
         "align-bottom",
         "Put the selected points level with the lowest one",
-        submenu="Align",
+        submenu="Align and Distribute",
+        alone="Align Bottom",
     ),
     ActionSpec(
         "distributeHorizontally",
@@ -127,7 +152,7 @@ EDIT_MENU = (
         "distribute-horizontally",
         "Space the selected points evenly from left to right",
         separated=True,
-        submenu="Align",
+        submenu="Align and Distribute",
     ),
     ActionSpec(
         "distributeVertically",
@@ -136,9 +161,17 @@ EDIT_MENU = (
         "",
         "distribute-vertically",
         "Space the selected points evenly from bottom to top",
-        submenu="Align",
+        submenu="Align and Distribute",
     ),
-    ActionSpec("deleteSelection", "Delete", "Edit", "Del, Backspace", "delete", "Delete the selected points"),
+    ActionSpec(
+        "deleteSelection",
+        "Delete",
+        "Edit",
+        "Del, Backspace",
+        "delete",
+        "Delete the selected points",
+        alone="Delete Points",
+    ),
     ActionSpec(
         "cutPoints",
         "Cut",
@@ -147,9 +180,16 @@ EDIT_MENU = (
         "cut",
         "Copy the selected points and delete them",
         separated=True,
+        alone="Cut Points",
     ),
     ActionSpec(
-        "copyPoints", "Copy", "Edit", "Ctrl+C", "copy", "Copy the selected points with their derivatives"
+        "copyPoints",
+        "Copy",
+        "Edit",
+        "Ctrl+C",
+        "copy",
+        "Copy the selected points with their derivatives",
+        alone="Copy Points",
     ),
     ActionSpec(
         "pastePoints",
@@ -158,6 +198,7 @@ EDIT_MENU = (
         "Ctrl+V",
         "paste",
         "Append the points on the clipboard: two columns x y, or three t x y",
+        alone="Paste Points",
     ),
     ActionSpec(
         "pasteAsCurve",

@@ -21,7 +21,7 @@ _VISIBLE = 16.0
 
 
 class TangentCommands:
-    """The Tangent menu."""
+    """The menu Curve › Tangents."""
 
     def __init__(self, parts: Parts) -> None:
         self._parts = parts
