@@ -173,7 +173,8 @@ class Canvas(CanvasView):
         self._tool.grid = self.grid_spacing
         self._active_tool.move(pointer)
         self._show_progress()
-        self.pointed_at.emit(pointer.position)
+        # Of a point that snaps or keeps to an axis, where it is and not the hand.
+        self.pointed_at.emit(self._tool.place() or pointer.position)
 
     def released(self, pointer: Pointer) -> None:
         self._active_tool.release(pointer)

@@ -9,7 +9,7 @@ import msgspec
 
 from app.document import edits
 from app.document.curve_edits import replace_curve
-from app.document.model import Document, Node, Vector
+from app.document.model import Curve, Document, Node, Vector
 from app.document.transforms import decimal_product, step_nodes
 from app.gestures import words
 from app.gestures.pointer import Hit, Part, Pointer
@@ -60,8 +60,21 @@ class MovePoints(msgspec.Struct, frozen=True):
     keys = "Shift: along one axis · Ctrl: snap, or not"
 
     def note_at(self, pointer: Pointer) -> str:
-        """Tell how far."""
-        return f"{self.name} by {words.vector(self.way_at(pointer)[0])}"
+        """Tell where one point is and how far it came; of several, how far they came."""
+        way = self.way_at(pointer)[0]
+        if len(self.indices) > 1:
+            return f"{self.name} by {words.vector(way)}"
+        return f"{words.point_at(self._held, self.place_at(pointer))} · moved {words.vector(way)}"
+
+    @property
+    def _held(self) -> int:
+        return self.grip if self.grip >= 0 else next(iter(self.indices))
+
+    def place_at(self, pointer: Pointer) -> Vector:
+        """Return where the node is that is held, to the last bit where it snapped to."""
+        by, target = self.way_at(pointer)
+        held = self.document.curves[self.curve].nodes[self._held].position
+        return target if target is not None else _plus(held, by)
 
     def document_at(self, pointer: Pointer) -> Document:
         """Move by the whole way from the press."""
@@ -96,6 +109,10 @@ class NudgePoints(MovePoints, frozen=True):
         """The name of the step."""
         return f"Nudge {words.points(self.indices)}"
 
+    def note_at(self, pointer: Pointer) -> str:
+        """Tell where one point is now, and the step."""
+        return _nudged(self.indices, self.document_at(pointer).curves[self.curve], pointer.position)
+
 
 class StepPoints(msgspec.Struct, frozen=True):
     """Move nodes by a step of the grid, in decimal numbers."""
@@ -112,13 +129,31 @@ class StepPoints(msgspec.Struct, frozen=True):
         """The name of the step."""
         return f"Nudge {words.points(self.indices)}"
 
-    def document_at(self, _pointer: Pointer) -> Document:
-        """Move by the step, wherever the pointer is."""
+    keys = ""
+
+    def note_at(self, pointer: Pointer) -> str:
+        """Tell where one point is now, and the step."""
+        return _nudged(self.indices, self.document_at(pointer).curves[self.curve], self._step)
+
+    @property
+    def _step(self) -> Vector:
         x, y = (
             way * decimal_product(spacing, self.factor)
             for way, spacing in zip(self.direction, self.spacing, strict=True)
         )
-        return step_nodes(self.document, self.curve, self.indices, (x, y))
+        return (x, y)
+
+    def document_at(self, _pointer: Pointer) -> Document:
+        """Move by the step, wherever the pointer is."""
+        return step_nodes(self.document, self.curve, self.indices, self._step)
+
+
+def _nudged(indices: frozenset[int], curve: Curve, step: Vector) -> str:
+    """Tell what a key has moved: where one point is, or how many went, and the step."""
+    if len(indices) > 1:
+        return f"{len(indices)} points nudged · step {words.vector(step)}"
+    index = next(iter(indices))
+    return f"{words.point_at(index, curve.nodes[index].position)} · step {words.vector(step)}"
 
 
 class DragHandle(msgspec.Struct, frozen=True):

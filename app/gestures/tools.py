@@ -172,6 +172,10 @@ class CanvasTool:
             return ""
         return self._with_snap(self._machine.progress_at(self._last), self._magnets.now)
 
+    def place(self) -> Vector | None:
+        """Return where the point is that is dragged, None while none is."""
+        return self._machine.place_at(self._last) if self._last is not None else None
+
     @staticmethod
     def _with_snap(text: str, magnet: Magnet | None) -> str:
         caught = magnet.caught if magnet is not None else None

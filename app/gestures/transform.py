@@ -86,8 +86,13 @@ class Transform(msgspec.Struct, frozen=True):
         if self.kind is TransformKind.SCALE:
             return f"Scale {words.number(self._factor(pointer))}{along}{self._cursor_mark()}"
         by = self._way(pointer)
+        held = self.document.curves[self.curve].nodes[self.grip].position
         amount = words.vector(by) if self.axis is None else words.number(by[self.axis])
-        return f"Move {amount}{along}{self._cursor_mark()}"
+        note = f"Move {amount}{along}{self._cursor_mark()}"
+        if len(self.indices) > 1:
+            return note
+        place = words.point_at(self.grip, (held[0] + by[0], held[1] + by[1]))
+        return f"{note} · {place}"
 
     def _cursor_mark(self) -> str:
         """Tell what has been typed where it is no number yet."""
