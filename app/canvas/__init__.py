@@ -1,7 +1,7 @@
 """The canvas: the curve, its points and handles, drawn and grabbed.
 
 - ``canvas_view``: what is shown.  ``canvas``: the widget, with the gestures on it.
-- ``curve_layer``, ``point_layer``, ``corner_layer``: the curve that is edited.
+- ``curve_layer``, ``point_layer``, ``point_density``, ``corner_layer``: the curve that is edited.
 - ``other_curves_layer``, ``file_layer``: the other curves; those that the file holds.
 - ``grid_layer``, ``unit_layer``: grid and unit.
 - ``image_layer``, ``image_file``, ``page_image``: a picture to trace: drawn, read, and dark on dark paper.

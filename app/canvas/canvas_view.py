@@ -335,6 +335,11 @@ class CanvasView(PlotWidget):
         return scrub[1:] if scrub is not None else None
 
     @property
+    def points_note(self) -> str:
+        """What is said where so many points lie so close that not all are drawn; empty where they are."""
+        return self._point_layer.note
+
+    @property
     def handles(self) -> Sequence[Handle]:
         """The handles on screen: those of the selected point."""
         return self._point_layer.handles

@@ -31,9 +31,7 @@ def labels(editor, side):
     canvas = editor.window.canvas
     axis, shown = canvas.getAxis(side), canvas.pixel_map
     x_min, y_min, x_max, y_max = shown.box
-    low, high, size = (
-        (x_min, x_max, shown.width) if side == "bottom" else (y_min, y_max, shown.height)
-    )
+    low, high, size = (x_min, x_max, shown.width) if side == "bottom" else (y_min, y_max, shown.height)
     levels = axis.tickValues(low, high, size)[: axis.style["maxTextLevel"] + 1]
     (spacing, values) = levels[0]
     return spacing, axis.tickStrings(values, 1.0, spacing)
