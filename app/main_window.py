@@ -48,7 +48,7 @@ from app.preferences import Preferences
 from app.session import Session
 from app.theme import Theme, ThemeMode, apply_theme, theme_of
 from app.toolbar import Toolbar
-from app.window_layout import put_away_floating, restore_layout
+from app.window_layout import put_away_floating, restore_layout, when_first_shown
 from app.worker import Jobs
 
 _PANELS_MS = 100
@@ -106,8 +106,8 @@ class MainWindow(QMainWindow):
             self._commands.messages.greet()
         if self.preferences.complaint:
             self.status_line.say(self.preferences.complaint)
-        self.canvas.fit()
-        self.basis_pane.fit()
+        self._fit()
+        when_first_shown(self, self._fit)
 
     # Building
 

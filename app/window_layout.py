@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 from PySide6.QtCore import QEvent, QObject, QSize, QTimer
 from PySide6.QtGui import QScreen
 from PySide6.QtWidgets import QDockWidget, QMainWindow, QSplitter
 
+from app.commands.dock_room import put_idle_docks_away
 from app.preferences import Preferences
 
 _SIZE = QSize(1280, 860)
@@ -31,8 +34,9 @@ def restore_layout(window: QMainWindow, splitter: QSplitter, preferences: Prefer
     parts = preferences.splitter_state
     if not parts.isEmpty() and not splitter.restoreState(parts):
         preferences.refuse("window/splitter", "it is no layout")
+    put_idle_docks_away(window)
     if floating_docks(window):
-        _Lifter(window)
+        when_first_shown(window, lambda: _lift(window))
 
 
 def first_size(screen: QScreen) -> QSize:
@@ -51,31 +55,42 @@ def put_away_floating(window: QMainWindow) -> None:
         dock.hide()
 
 
-class _Lifter(QObject):
-    """Lifts undocked docks over the window when it is first shown.
+def when_first_shown(window: QMainWindow, act: Callable[[], None]) -> None:
+    """Do something when the window stands on the screen for the first time and has its size."""
+    _FirstShow(window, act)
 
-    Restored before the window is there, they come to lie behind it, where nobody finds them.
-    """
 
-    def __init__(self, window: QMainWindow) -> None:
+class _FirstShow(QObject):
+    """Waits for a window to be shown."""
+
+    def __init__(self, window: QMainWindow, act: Callable[[], None]) -> None:
         super().__init__(window)
-        self._window = window
+        self._window, self._act = window, act
+        self._soon = QTimer(self, singleShot=True, interval=0)
+        self._soon.timeout.connect(self._finish)
         window.installEventFilter(self)
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         if watched is self._window and event.type() == QEvent.Type.Show:
             self._window.removeEventFilter(self)
-            # When the window itself stands on the screen.
-            QTimer.singleShot(0, self, self._lift)
+            self._soon.start()
         return False
 
-    def _lift(self) -> None:
-        for dock in floating_docks(self._window):
-            # Raising is not enough: only a dock that is shown after the window belongs to it.
-            dock.hide()
-            dock.show()
-            dock.raise_()
+    def _finish(self) -> None:
+        self._act()
         self.deleteLater()
+
+
+def _lift(window: QMainWindow) -> None:
+    """Lift undocked docks over the window.
+
+    Restored before the window is there, they come to lie behind it, where nobody finds them. Raising is not
+    enough: only a dock that is shown after the window belongs to it.
+    """
+    for dock in floating_docks(window):
+        dock.hide()
+        dock.show()
+        dock.raise_()
 
 
 def _is_usable(size: QSize) -> bool:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 from msgspec.structs import replace
-from PySide6.QtCore import QEvent, QPoint, QPointF, Qt, Signal
+from PySide6.QtCore import QEvent, QPoint, QPointF, QRectF, Qt, Signal
 from PySide6.QtGui import QContextMenuEvent, QFocusEvent, QKeyEvent
 from PySide6.QtWidgets import QWidget
 
@@ -93,6 +93,11 @@ class Canvas(CanvasView):
     def overlay(self) -> Overlay:
         """What the gestures show over the drawing."""
         return self._overlay_layer.overlay
+
+    @property
+    def readout_rect(self) -> QRectF:
+        """Where the last readout of a gesture stood, in pixels of the plot area."""
+        return self._overlay_layer.plate
 
     def _show_overlay(self) -> None:
         self._overlay_layer.render(self._tool.overlay())

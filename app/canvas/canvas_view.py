@@ -296,18 +296,22 @@ class CanvasView(PlotWidget):
         layer.scrub = (t, float(x), float(y))
 
     def fit(self) -> None:
-        """Show all visible curves and the active one; of a wild one, its points and their surroundings."""
+        """Show all visible curves and the active one; of a wild one, its points and their surroundings.
+
+        Where there are no points the picture to trace is shown.
+        """
         views = [view for view in self._views if view.source.visible or view is self._view]
         if self._view is not None and not any(view is self._view for view in views):
             views.append(self._view)
-        boxes = _boxes_to_fit(views, margin=_FIT_MARGIN)
+        # A picture may be far larger than what is traced of it; it counts while there is nothing else.
+        boxes = _boxes_to_fit(views, margin=_FIT_MARGIN) or self._image_layer.boxes(_FIT_MARGIN)
         if not boxes:
             self.show_box((-0.5, 4.5), (-0.5, 4.5))
             return
         low = np.min([box[0] for box in boxes], axis=0)
         high = np.max([box[1] for box in boxes], axis=0)
         # A small curve at the edge of a large drawing has the margin of the drawing.
-        bare = _boxes_to_fit(views, margin=0.0)
+        bare = _boxes_to_fit(views, margin=0.0) or self._image_layer.boxes(0.0)
         inner_low = np.min([box[0] for box in bare], axis=0)
         inner_high = np.max([box[1] for box in bare], axis=0)
         margin = _FIT_MARGIN * float((inner_high - inner_low).max())

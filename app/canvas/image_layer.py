@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 
+import numpy as np
 from PySide6.QtCore import QPointF, QRectF, QSize, Qt
 from PySide6.QtGui import QImage, QPainter, QPen, QPixmap
 
@@ -11,7 +12,7 @@ from app.canvas.page_image import inverted_lightness, is_page
 from app.document.model import ReferenceImage, Vector
 from app.gestures.image_tool import CORNERS, corner_of
 from app.gestures.pointer import Hit, Part
-from app.plot.pixel_map import PixelMap
+from app.plot.pixel_map import Floats, PixelMap
 from app.plot.plot_widget import PlotWidget
 from app.theme import Theme
 
@@ -53,6 +54,15 @@ class ImageLayer:
             self._layer.setVisible(image is not None)
             self._layer.update()
             self._grips.update()
+
+    def boxes(self, margin: float) -> list[tuple[Floats, Floats]]:
+        """Return the corners of the picture with a margin, in shares of its larger side; none without one."""
+        image = self._image
+        if image is None:
+            return []
+        by = margin * max(image.width, image.height)
+        low, high = np.array([image.x, image.y]), np.array([image.x + image.width, image.y + image.height])
+        return [(low - by, high + by)]
 
     def hit(self, pixel: Vector, shown: PixelMap) -> Hit | None:
         """Return which part of the picture lies under `pixel`."""

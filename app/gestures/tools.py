@@ -199,7 +199,7 @@ class CanvasTool:
         if not self._note_wanted or self._last is None:
             return None
         text = self._machine.progress_at(self._last).partition(" · ")[0]
-        return Note(self._last.position, text) if text else None
+        return Note(self._last.position, text, self._box_or_point()) if text else None
 
     def _locked_axis(self) -> tuple[Vector, int] | None:
         now = self._modal.now
@@ -208,6 +208,8 @@ class CanvasTool:
 
     def _box(self) -> TransformBox | None:
         if not self.shows_box or self.kind is not ToolKind.SELECT:
+            return None
+        if self._host.active_view.source.locked:
             return None
         return box_of(self._host.active_view, self._host.selection)
 
