@@ -93,8 +93,8 @@ class Told(Protocol):
 class Placed(Protocol):
     """A drag that holds one node."""
 
-    def place_at(self, pointer: Pointer) -> Vector:
-        """Return where the node is now."""
+    def place_at(self, pointer: Pointer) -> Vector | None:
+        """Return where the node is now; None where no node is held after all."""
 
 
 class _Press(msgspec.Struct):

@@ -86,13 +86,19 @@ class Transform(msgspec.Struct, frozen=True):
         if self.kind is TransformKind.SCALE:
             return f"Scale {words.number(self._factor(pointer))}{along}{self._cursor_mark()}"
         by = self._way(pointer)
-        held = self.document.curves[self.curve].nodes[self.grip].position
         amount = words.vector(by) if self.axis is None else words.number(by[self.axis])
         note = f"Move {amount}{along}{self._cursor_mark()}"
         if len(self.indices) > 1:
             return note
-        place = words.point_at(self.grip, (held[0] + by[0], held[1] + by[1]))
-        return f"{note} · {place}"
+        return f"{note} · {words.point_at(self.grip, self._moved(by))}"
+
+    def _moved(self, by: Vector) -> Vector:
+        held = self.document.curves[self.curve].nodes[self.grip].position
+        return (held[0] + by[0], held[1] + by[1])
+
+    def place_at(self, pointer: Pointer) -> Vector | None:
+        """Return where the node is that is moved, None while nodes are scaled or rotated."""
+        return self._moved(self._way(pointer)) if self.kind is TransformKind.MOVE else None
 
     def _cursor_mark(self) -> str:
         """Tell what has been typed where it is no number yet."""

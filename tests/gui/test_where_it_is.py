@@ -78,6 +78,11 @@ def test_a_transform_by_key_tells_where_its_one_point_is(arch):
     arch.type_amount("2")
     assert arch.status.startswith("Move 2, 0 · Point 1 at 3, 2 · ")
     assert arch.window.canvas.overlay.note.text == "Move 2, 0"
+    arch.hover((1.5, 2.5))
+    assert shown_place(arch) == "x 3   y 2"
+    arch.key(Qt.Key.Key_S)
+    arch.hover((1.6, 2.5))
+    assert shown_place(arch).startswith("x 1.6") or shown_place(arch).startswith("x 1.59")
     arch.escape()
 
 
