@@ -9,7 +9,7 @@ from PySide6.QtWidgets import QWidget
 
 from app.action_specs import SPECS, ActionSpec
 from app.icons import icon
-from app.keymap import Binding, Keymap, keys_text
+from app.keymap import Binding, Keymap, call_alone, keys_text, name_alone
 from app.theme import Theme
 
 
@@ -23,11 +23,13 @@ class Actions:
         for spec in SPECS:
             action = self._actions[spec.name] = self._make(spec, window)
             keys = tuple(_sequences(spec.shortcut))
-            self.keymap.add(Binding(action, spec.text.removesuffix("…"), spec.menu, keys))
+            self.keymap.add(Binding(action, name_alone(action).removesuffix("…"), spec.menu, keys))
 
     def _make(self, spec: ActionSpec, window: QWidget) -> QAction:
         action = QAction(spec.text, window)
         action.setObjectName(spec.name)
+        if spec.alone:
+            call_alone(action, spec.alone)
         action.setStatusTip(spec.tip or spec.text)
         action.setCheckable(spec.checkable or bool(spec.group))
         # Keys of actions that stand in menus alone are dead while the menu bar is hidden (presentation).

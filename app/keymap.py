@@ -22,6 +22,8 @@ RESERVED = {
 }
 """Keys that, alone or with Shift, belong to the drawing and to the fields; an action cannot have them."""
 
+_ALONE = "nameAlone"
+
 
 class Binding(msgspec.Struct, frozen=True):
     """An action that may have keys.
@@ -128,6 +130,16 @@ class Keymap(QObject):
                 free = [key for key in keys if not key.isEmpty() and self.owner_of(key) is None]
                 _bind(self._bindings[name].action, free)
         self.changed.emit()
+
+
+def call_alone(action: QAction, name: str) -> None:
+    """Give an action a name that stands alone, for where the menu around it is not seen."""
+    action.setProperty(_ALONE, name)
+
+
+def name_alone(action: QAction) -> str:
+    """Return what an action is called where its menu is not seen."""
+    return str(action.property(_ALONE) or action.text().replace("&", ""))
 
 
 def refusal(key: QKeySequence) -> str:

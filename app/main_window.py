@@ -48,7 +48,7 @@ from app.preferences import Preferences
 from app.session import Session
 from app.theme import Theme, ThemeMode, apply_theme, theme_of
 from app.toolbar import Toolbar
-from app.window_layout import restore_layout
+from app.window_layout import put_away_floating, restore_layout, when_first_shown
 from app.worker import Jobs
 
 _PANELS_MS = 100
@@ -106,8 +106,8 @@ class MainWindow(QMainWindow):
             self._commands.messages.greet()
         if self.preferences.complaint:
             self.status_line.say(self.preferences.complaint)
-        self.canvas.fit()
-        self.basis_pane.fit()
+        self._fit()
+        when_first_shown(self, self._fit)
 
     # Building
 
@@ -153,6 +153,7 @@ class MainWindow(QMainWindow):
         self.status_line = StatusLine(self)
         self.setStatusBar(self.status_line)
         self.menus = Menus(self, self.actions_by_name)
+        self.menus.fill_with_panels((*self.docks, self.lessons_dock))
         self.toolbar = Toolbar(self.actions_by_name, self.parametrization_bar, self)
         self.addToolBar(self.toolbar)
 
@@ -361,6 +362,7 @@ class MainWindow(QMainWindow):
         self.preferences.window_state = self.saveState()
         self.preferences.splitter_state = self.splitter.saveState()
         self.preferences.plot_height = self.plot_panel.kept_height
+        put_away_floating(self)
 
     # Qt's events
 

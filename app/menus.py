@@ -2,15 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from pathlib import Path
 
 from PySide6.QtGui import QAction
-from PySide6.QtWidgets import QMainWindow, QMenu
+from PySide6.QtWidgets import QDockWidget, QMainWindow, QMenu
 
 from app.action_specs import MENUS
 from app.actions import Actions
 from app.examples import example_name, example_paths
+from app.keymap import call_alone
 from app.preferences import Preferences
 
 
@@ -19,8 +20,8 @@ class Menus:
 
     Attributes
     ----------
-    parameters, tangent
-        The menus in Curve that others fill, or open elsewhere too.
+    parameters
+        The menu in Curve that begins with the rules, which others fill in.
     recent, examples
         The menus in File that `fill_with_files` fills.
     """
@@ -29,27 +30,40 @@ class Menus:
         self._actions = actions
         for title in MENUS:
             menu = window.menuBar().addMenu(title)
-            self._fill(menu, title)
+            submenus = self._fill(menu, title)
             if title == "Curve":
-                self.parameters = menu.addMenu("Parameters")
-                self.tangent = menu.addMenu("Tangent")
-                self._fill(self.tangent, "Tangent")
+                self.parameters = submenus["Parameters"]
                 # A tooltip tells why an entry cannot be used.
-                self.tangent.setToolTipsVisible(True)
+                submenus["Tangents"].setToolTipsVisible(True)
 
-    def _fill(self, menu: QMenu, title: str) -> None:
+    def _fill(self, menu: QMenu, title: str) -> dict[str, QMenu]:
         submenus: dict[str, QMenu] = {}
         for spec, action in self._actions.of_menu(title):
             if spec.submenu and spec.submenu not in submenus:
+                if spec.separated:
+                    menu.addSeparator()
                 submenus[spec.submenu] = menu.addMenu(spec.submenu)
-                submenus[spec.submenu].setObjectName(f"{spec.submenu.lower()}Menu")
+                submenus[spec.submenu].setObjectName(f"{spec.submenu.lower().replace(' ', '_')}Menu")
             place = submenus.get(spec.submenu, menu)
-            if spec.separated:
+            if spec.separated and not place.isEmpty():
                 place.addSeparator()
             place.addAction(action)
             if spec.name == "openDocument":
                 self.recent = menu.addMenu("Open Recent")
                 self.examples = menu.addMenu("Examples")
+            elif spec.name == "toggleSidePanel":
+                self._panels = menu.addMenu("Panels")
+                self._panels.setObjectName("panelsMenu")
+        return submenus
+
+    def fill_with_panels(self, docks: Sequence[QDockWidget]) -> None:
+        """Offer every dock to be shown or put away."""
+        for dock in docks:
+            action = dock.toggleViewAction()
+            action.setObjectName(f"{dock.objectName()}Shown")
+            action.setStatusTip(f"Show or put away the panel {dock.windowTitle()}")
+            call_alone(action, f"{dock.windowTitle()} Panel")
+            self._panels.addAction(action)
 
     def fill_with_files(
         self,

@@ -2,28 +2,95 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import QSize
-from PySide6.QtWidgets import QMainWindow, QSplitter
+from collections.abc import Callable
 
+from PySide6.QtCore import QEvent, QObject, QSize, QTimer
+from PySide6.QtGui import QScreen
+from PySide6.QtWidgets import QDockWidget, QMainWindow, QSplitter
+
+from app.commands.dock_room import put_idle_docks_away
 from app.preferences import Preferences
 
 _SIZE = QSize(1280, 860)
 _LEAST = QSize(200, 150)
 """Smaller than any window that a person would have left."""
 
+_FRAME = QSize(16, 48)
+"""Room for title bar and borders, which nobody knows before the window is shown."""
+
 
 def restore_layout(window: QMainWindow, splitter: QSplitter, preferences: Preferences) -> None:
-    """Lay the window out as the preferences remember it; what is not usable is refused, and said so."""
-    window.resize(_SIZE)
+    """Lay the window out as the preferences remember it; what is no layout is refused, and said so.
+
+    A place that is on no screen (any more) is not worth a word: the window opens at its usual size.
+    """
+    usual = first_size(window.screen())
+    window.resize(usual)
     geometry, state = preferences.window_geometry, preferences.window_state
     if not geometry.isEmpty() and not (window.restoreGeometry(geometry) and _is_usable(window.size())):
-        window.resize(_SIZE)
-        preferences.refuse("window/geometry", "it is no place on a screen")
+        window.resize(usual)
     if not state.isEmpty() and not window.restoreState(state):
         preferences.refuse("window/state", "it is no layout")
     parts = preferences.splitter_state
     if not parts.isEmpty() and not splitter.restoreState(parts):
         preferences.refuse("window/splitter", "it is no layout")
+    put_idle_docks_away(window)
+    if floating_docks(window):
+        when_first_shown(window, lambda: _lift(window))
+
+
+def first_size(screen: QScreen) -> QSize:
+    """Return how large the first window is: with its frame it fits the screen."""
+    return _SIZE.boundedTo(screen.availableSize() - _FRAME).expandedTo(_LEAST)
+
+
+def floating_docks(window: QMainWindow) -> list[QDockWidget]:
+    """Return the docks that are windows of their own and not put away."""
+    return [dock for dock in window.findChildren(QDockWidget) if dock.isFloating() and not dock.isHidden()]
+
+
+def put_away_floating(window: QMainWindow) -> None:
+    """Let undocked docks go with their window; Qt leaves them on the screen while another one is open."""
+    for dock in floating_docks(window):
+        dock.hide()
+
+
+def when_first_shown(window: QMainWindow, act: Callable[[], None]) -> None:
+    """Do something when the window stands on the screen for the first time and has its size."""
+    _FirstShow(window, act)
+
+
+class _FirstShow(QObject):
+    """Waits for a window to be shown."""
+
+    def __init__(self, window: QMainWindow, act: Callable[[], None]) -> None:
+        super().__init__(window)
+        self._window, self._act = window, act
+        self._soon = QTimer(self, singleShot=True, interval=0)
+        self._soon.timeout.connect(self._finish)
+        window.installEventFilter(self)
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        if watched is self._window and event.type() == QEvent.Type.Show:
+            self._window.removeEventFilter(self)
+            self._soon.start()
+        return False
+
+    def _finish(self) -> None:
+        self._act()
+        self.deleteLater()
+
+
+def _lift(window: QMainWindow) -> None:
+    """Lift undocked docks over the window.
+
+    Restored before the window is there, they come to lie behind it, where nobody finds them. Raising is not
+    enough: only a dock that is shown after the window belongs to it.
+    """
+    for dock in floating_docks(window):
+        dock.hide()
+        dock.show()
+        dock.raise_()
 
 
 def _is_usable(size: QSize) -> bool:

@@ -24,6 +24,7 @@ ANALYSIS_MENU = (
         "Draw c′ as arrows at the points and at the scrub line",
         checkable=True,
         submenu="Overlays",
+        alone="Velocities as Arrows",
     ),
     ActionSpec(
         "overlayAccelerations",
@@ -34,6 +35,7 @@ ANALYSIS_MENU = (
         "Draw c″ as arrows at the points and at the scrub line; two where it jumps",
         checkable=True,
         submenu="Overlays",
+        alone="Accelerations as Arrows",
     ),
     ActionSpec(
         "overlayCircle",
@@ -115,6 +117,7 @@ ANALYSIS_MENU = (
         "seed",
         "Draw other random errors",
         submenu="Overlays",
+        alone="New Seed of Disturbed Curves",
     ),
     ActionSpec(
         "ghostLagrange",
@@ -125,6 +128,7 @@ ANALYSIS_MENU = (
         "Draw the same points as a Lagrange curve, too",
         checkable=True,
         submenu="Ghosts",
+        alone="Ghost: Lagrange",
     ),
     ActionSpec(
         "ghostHermite",
@@ -135,6 +139,7 @@ ANALYSIS_MENU = (
         "Draw the same points as a cubic Hermite curve, too",
         checkable=True,
         submenu="Ghosts",
+        alone="Ghost: Hermite",
     ),
     ActionSpec(
         "ghostQuinticHermite",
@@ -145,6 +150,7 @@ ANALYSIS_MENU = (
         "Draw the same points as a quintic Hermite curve, too",
         checkable=True,
         submenu="Ghosts",
+        alone="Ghost: Quintic Hermite",
     ),
     ActionSpec(
         "ghostUniform",
@@ -156,6 +162,7 @@ ANALYSIS_MENU = (
         checkable=True,
         separated=True,
         submenu="Ghosts",
+        alone="Ghost: Uniform",
     ),
     ActionSpec(
         "ghostChordLength",
@@ -166,6 +173,7 @@ ANALYSIS_MENU = (
         "Draw the curve with chord-length parameters, too",
         checkable=True,
         submenu="Ghosts",
+        alone="Ghost: Chord Length",
     ),
     ActionSpec(
         "ghostCentripetal",
@@ -176,6 +184,7 @@ ANALYSIS_MENU = (
         "Draw the curve with centripetal parameters, too",
         checkable=True,
         submenu="Ghosts",
+        alone="Ghost: Centripetal",
     ),
     ActionSpec(
         "ghostChebyshev",
@@ -186,6 +195,7 @@ ANALYSIS_MENU = (
         "Draw the curve with Chebyshev parameters, too",
         checkable=True,
         submenu="Ghosts",
+        alone="Ghost: Chebyshev",
     ),
     ActionSpec(
         "plotSpeed",
@@ -196,6 +206,7 @@ ANALYSIS_MENU = (
         "Plot the speed |c′| over t, below the basis functions",
         checkable=True,
         submenu="Plots",
+        alone="Plot Speed",
     ),
     ActionSpec(
         "plotAcceleration",
@@ -206,6 +217,7 @@ ANALYSIS_MENU = (
         "Plot the size of the acceleration |c″| over t",
         checkable=True,
         submenu="Plots",
+        alone="Plot Acceleration",
     ),
     ActionSpec(
         "plotJerk",
@@ -216,6 +228,7 @@ ANALYSIS_MENU = (
         "Plot |c‴| over t: how fast the acceleration changes",
         checkable=True,
         submenu="Plots",
+        alone="Plot Jerk",
     ),
     ActionSpec(
         "plotCurvature",
@@ -226,6 +239,7 @@ ANALYSIS_MENU = (
         "Plot the curvature κ over t, positive where the curve turns left",
         checkable=True,
         submenu="Plots",
+        alone="Plot Curvature",
     ),
     ActionSpec(
         "plotLebesgue",
@@ -236,6 +250,7 @@ ANALYSIS_MENU = (
         "Plot Λ(t): how many times errors of the points can grow at t",
         checkable=True,
         submenu="Plots",
+        alone="Plot Lebesgue Function",
     ),
     ActionSpec(
         "plotErrors",
@@ -246,6 +261,7 @@ ANALYSIS_MENU = (
         "Plot the error of each method of the laboratory over t",
         checkable=True,
         submenu="Plots",
+        alone="Plot Errors of the Methods",
     ),
     ActionSpec(
         "plotHodograph",
@@ -256,6 +272,7 @@ ANALYSIS_MENU = (
         "Draw the velocity c′ as a curve in the plane, with the origin",
         separated=True,
         submenu="Plots",
+        alone="Plot Hodograph…",
     ),
     ActionSpec(
         "showJoints",
@@ -302,10 +319,38 @@ ANALYSIS_MENU = (
         "Let a dot run along the curve, with its velocity and acceleration; again to pause",
         checkable=True,
         submenu="Motion",
+        alone="Play Motion",
     ),
-    ActionSpec("stopMotion", "Stop", "Analysis", "", "stop", "End the motion (Escape)", submenu="Motion"),
-    ActionSpec("motionSlower", "Slower", "Analysis", "J", "slower", "Play slower", submenu="Motion"),
-    ActionSpec("motionFaster", "Faster", "Analysis", "L", "faster", "Play faster", submenu="Motion"),
+    ActionSpec(
+        "stopMotion",
+        "Stop",
+        "Analysis",
+        "",
+        "stop",
+        "End the motion (Escape)",
+        submenu="Motion",
+        alone="Stop Motion",
+    ),
+    ActionSpec(
+        "motionSlower",
+        "Slower",
+        "Analysis",
+        "J",
+        "slower",
+        "Play slower",
+        submenu="Motion",
+        alone="Slower Motion",
+    ),
+    ActionSpec(
+        "motionFaster",
+        "Faster",
+        "Analysis",
+        "L",
+        "faster",
+        "Play faster",
+        submenu="Motion",
+        alone="Faster Motion",
+    ),
     ActionSpec(
         "motionOnce",
         "Once",
@@ -316,6 +361,7 @@ ANALYSIS_MENU = (
         "motionRepeat",
         separated=True,
         submenu="Motion",
+        alone="Play Motion Once",
     ),
     ActionSpec(
         "motionLoop",
@@ -326,9 +372,18 @@ ANALYSIS_MENU = (
         "Begin again at the end",
         "motionRepeat",
         submenu="Motion",
+        alone="Loop Motion",
     ),
     ActionSpec(
-        "motionPingPong", "Ping-Pong", "Analysis", "", "", "Run to and fro", "motionRepeat", submenu="Motion"
+        "motionPingPong",
+        "Ping-Pong",
+        "Analysis",
+        "",
+        "",
+        "Run to and fro",
+        "motionRepeat",
+        submenu="Motion",
+        alone="Ping-Pong Motion",
     ),
     ActionSpec(
         "motionByT",
@@ -340,6 +395,7 @@ ANALYSIS_MENU = (
         "motionPace",
         separated=True,
         submenu="Motion",
+        alone="Motion by t",
     ),
     ActionSpec(
         "motionByLength",
@@ -350,6 +406,7 @@ ANALYSIS_MENU = (
         "Let the length grow evenly: the dot is equally fast everywhere",
         "motionPace",
         submenu="Motion",
+        alone="Motion by Arc Length",
     ),
     ActionSpec(
         "motionCompare",
@@ -361,6 +418,7 @@ ANALYSIS_MENU = (
         checkable=True,
         separated=True,
         submenu="Motion",
+        alone="Compare Motion, Cubic and Quintic",
     ),
     ActionSpec(
         "exportMotion",

@@ -16,15 +16,30 @@ EDIT_MENU = (
         "Select and drag points and handles",
         "tool",
         separated=True,
+        alone="Select Tool",
     ),
     ActionSpec(
         "addTool", "Add Points", "Edit", "P", "add", "Click to add points; drag to set a velocity", "tool"
     ),
     ActionSpec(
-        "measureTool", "Measure", "Edit", "M", "measure", "Drag to measure a distance and an angle", "tool"
+        "measureTool",
+        "Measure",
+        "Edit",
+        "M",
+        "measure",
+        "Drag to measure a distance and an angle",
+        "tool",
+        alone="Measure Tool",
     ),
     ActionSpec(
-        "selectAll", "Select All", "Edit", "Ctrl+A", "select-all", "Select all points", separated=True
+        "selectAll",
+        "Select All",
+        "Edit",
+        "Ctrl+A",
+        "select-all",
+        "Select all points",
+        separated=True,
+        alone="Select All Points",
     ),
     ActionSpec(
         "selectAllCurves",
@@ -43,6 +58,7 @@ EDIT_MENU = (
         "move",
         "Move the selected points, or the chosen curves, with the pointer; type the amount",
         submenu="Transform",
+        alone="Move Points",
     ),
     ActionSpec(
         "scaleSelection",
@@ -52,6 +68,7 @@ EDIT_MENU = (
         "scale",
         "Scale the selected points, or the chosen curves, with the pointer; type the factor",
         submenu="Transform",
+        alone="Scale Points",
     ),
     ActionSpec(
         "rotateSelection",
@@ -61,6 +78,7 @@ EDIT_MENU = (
         "rotate",
         "Rotate the selected points, or the chosen curves, with the pointer; type the angle",
         submenu="Transform",
+        alone="Rotate Points",
     ),
     ActionSpec(
         "toggleTransformBox",
@@ -72,6 +90,7 @@ EDIT_MENU = (
         checkable=True,
         separated=True,
         submenu="Transform",
+        alone="Transform Box with Grips",
     ),
     ActionSpec(
         "alignLeft",
@@ -80,7 +99,8 @@ EDIT_MENU = (
         "",
         "align-left",
         "Put the selected points below the leftmost one",
-        submenu="Align",
+        submenu="Align and Distribute",
+        alone="Align Left",
     ),
     ActionSpec(
         "alignCentre",
@@ -89,7 +109,8 @@ EDIT_MENU = (
         "",
         "align-centre",
         "Put the selected points on one vertical, halfway",
-        submenu="Align",
+        submenu="Align and Distribute",
+        alone="Align Centre",
     ),
     ActionSpec(
         "alignRight",
@@ -98,7 +119,8 @@ EDIT_MENU = (
         "",
         "align-right",
         "Put the selected points below the rightmost one",
-        submenu="Align",
+        submenu="Align and Distribute",
+        alone="Align Right",
     ),
     ActionSpec(
         "alignTop",
@@ -108,7 +130,8 @@ EDIT_MENU = (
         "align-top",
         "Put the selected points level with the highest one",
         separated=True,
-        submenu="Align",
+        submenu="Align and Distribute",
+        alone="Align Top",
     ),
     ActionSpec(
         "alignMiddle",
@@ -117,7 +140,8 @@ EDIT_MENU = (
         "",
         "align-middle",
         "Put the selected points on one horizontal, halfway",
-        submenu="Align",
+        submenu="Align and Distribute",
+        alone="Align Middle",
     ),
     ActionSpec(
         "alignBottom",
@@ -126,7 +150,8 @@ EDIT_MENU = (
         "",
         "align-bottom",
         "Put the selected points level with the lowest one",
-        submenu="Align",
+        submenu="Align and Distribute",
+        alone="Align Bottom",
     ),
     ActionSpec(
         "distributeHorizontally",
@@ -136,7 +161,7 @@ EDIT_MENU = (
         "distribute-horizontally",
         "Space the selected points evenly from left to right",
         separated=True,
-        submenu="Align",
+        submenu="Align and Distribute",
     ),
     ActionSpec(
         "distributeVertically",
@@ -145,7 +170,7 @@ EDIT_MENU = (
         "",
         "distribute-vertically",
         "Space the selected points evenly from bottom to top",
-        submenu="Align",
+        submenu="Align and Distribute",
     ),
     ActionSpec(
         "deleteSelection",
@@ -153,7 +178,8 @@ EDIT_MENU = (
         "Edit",
         "Del, Backspace",
         "delete",
-        "Delete the selected points, or the chosen curves",
+        "Delete the selected points",
+        alone="Delete Points",
     ),
     ActionSpec(
         "cutPoints",
@@ -163,6 +189,7 @@ EDIT_MENU = (
         "cut",
         "Copy the selected points, or the chosen curves, and delete them",
         separated=True,
+        alone="Cut Points",
     ),
     ActionSpec(
         "copyPoints",
@@ -171,6 +198,7 @@ EDIT_MENU = (
         "Ctrl+C",
         "copy",
         "Copy the selected points with their derivatives, or the chosen curves",
+        alone="Copy Points",
     ),
     ActionSpec(
         "pastePoints",
@@ -179,6 +207,7 @@ EDIT_MENU = (
         "Ctrl+V",
         "paste",
         "Append the points on the clipboard (two columns x y, or three t x y), or add the curves",
+        alone="Paste Points",
     ),
     ActionSpec(
         "pasteAsCurve",

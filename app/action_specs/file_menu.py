@@ -24,6 +24,7 @@ FILE_MENU = (
         "reset",
         "Take over what the file holds now; Undo brings back what was here",
         submenu="Disk",
+        alone="Reload File",
     ),
     ActionSpec(
         "keepMine",
@@ -33,6 +34,7 @@ FILE_MENU = (
         "",
         "Go on with what is here; the next save replaces the changed file",
         submenu="Disk",
+        alone="Keep Mine, not the File",
     ),
     ActionSpec(
         "compareWithFile",
@@ -43,6 +45,7 @@ FILE_MENU = (
         "Show what the file holds now, dashed behind the drawing",
         checkable=True,
         submenu="Disk",
+        alone="Compare with File as Ghost",
     ),
     ActionSpec(
         "overwriteFile",
@@ -52,6 +55,7 @@ FILE_MENU = (
         "save",
         "Replace the changed file by what is here",
         submenu="Disk",
+        alone="Overwrite File",
     ),
     ActionSpec(
         "takeOver",
@@ -61,6 +65,7 @@ FILE_MENU = (
         "unlock",
         "Make a document yours that is open elsewhere",
         submenu="Disk",
+        alone="Take Over the Document",
     ),
     ActionSpec(
         "editAnyway",
@@ -70,6 +75,7 @@ FILE_MENU = (
         "unlock",
         "Take the document over although somebody may be editing it",
         submenu="Disk",
+        alone="Edit the Document Anyway",
     ),
     ActionSpec(
         "importFile",

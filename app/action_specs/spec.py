@@ -27,9 +27,12 @@ class ActionSpec(msgspec.Struct, frozen=True):
     checkable
         Whether it is a switch of its own.
     separated
-        Whether a separator stands before it in its menu.
+        Whether a separator stands before it in its menu; of the first in a submenu, before the submenu.
     submenu
         The submenu of `menu` it stands in; empty for the menu itself.
+    alone
+        What it is called where its menu is not seen: in the palette and the list of keys; the text itself
+        where empty.
     """
 
     name: str
@@ -42,3 +45,4 @@ class ActionSpec(msgspec.Struct, frozen=True):
     checkable: bool = False
     separated: bool = False
     submenu: str = ""
+    alone: str = ""

@@ -5,7 +5,15 @@ from __future__ import annotations
 from app.action_specs.spec import ActionSpec
 
 VIEW_MENU = (
-    ActionSpec("fitView", "Fit", "View", "F", "fit", "Show the whole curve"),
+    ActionSpec(
+        "fitView",
+        "Fit",
+        "View",
+        "F",
+        "fit",
+        "Show all visible curves; without points the reference image",
+        alone="Fit View",
+    ),
     ActionSpec("zoomIn", "Zoom In", "View", "+, =", "zoom-in", "Zoom in on the canvas"),
     ActionSpec("zoomOut", "Zoom Out", "View", "-", "zoom-out", "Zoom out on the canvas"),
     ActionSpec(
@@ -17,6 +25,7 @@ VIEW_MENU = (
         "Show or hide the grid",
         checkable=True,
         separated=True,
+        alone="Show Grid",
     ),
     ActionSpec(
         "toggleSnap",

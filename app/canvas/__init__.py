@@ -2,7 +2,7 @@
 
 - ``canvas_view``: what is shown.  ``canvas``: the widget, with the gestures on it.
 - ``fitting``: which part of the plane is shown.
-- ``curve_layer``, ``point_layer``, ``corner_layer``: the curve that is edited.
+- ``curve_layer``, ``point_layer``, ``point_density``, ``corner_layer``: the curve that is edited.
 - ``other_curves_layer``, ``chosen_curves_layer``: the other curves; those of them that are chosen.
 - ``grid_layer``, ``unit_layer``: grid and unit.
 - ``image_layer``, ``image_file``, ``page_image``: a picture to trace: drawn, read, and dark on dark paper.

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 import numpy as np
 from msgspec.structs import replace
-from PySide6.QtCore import QEvent, QPoint, QPointF, Qt, Signal
+from PySide6.QtCore import QEvent, QPoint, QPointF, QRectF, Qt, Signal
 from PySide6.QtGui import QContextMenuEvent, QFocusEvent, QKeyEvent
 from PySide6.QtWidgets import QWidget
 
@@ -93,6 +93,11 @@ class Canvas(CanvasView):
         """What the gestures show over the drawing."""
         return self._overlay_layer.overlay
 
+    @property
+    def readout_rect(self) -> QRectF:
+        """Where the last readout of a gesture stood, in pixels of the plot area."""
+        return self._overlay_layer.plate
+
     def _show_overlay(self) -> None:
         self._overlay_layer.render(self._tool.overlay())
 
@@ -172,7 +177,8 @@ class Canvas(CanvasView):
         self._tool.grid = self.grid_spacing
         self._active_tool.move(pointer)
         self._show_progress()
-        self.pointed_at.emit(pointer.position)
+        # Of a point that snaps or keeps to an axis, where it is and not the hand.
+        self.pointed_at.emit(self._tool.place() or pointer.position)
 
     def released(self, pointer: Pointer) -> None:
         self._active_tool.release(pointer)

@@ -178,11 +178,15 @@ class CanvasView(PlotWidget):
         layer.scrub = (t, float(x), float(y))
 
     def fit(self) -> None:
-        """Show all visible curves and the active one; of a wild one, its points and their surroundings."""
+        """Show all visible curves and the active one; of a wild one, its points and their surroundings.
+
+        Where there are no points the picture to trace is shown.
+        """
         views = [view for view in self._views if view.source.visible or view is self._view]
         if self._view is not None and not any(view is self._view for view in views):
             views.append(self._view)
-        box = box_of(views)
+        # A picture may be far larger than what is traced of it; it counts while there is nothing else.
+        box = box_of(views) or self._image_layer.box
         if box is None:
             self.show_box((-0.5, 4.5), (-0.5, 4.5))
         else:
@@ -207,6 +211,11 @@ class CanvasView(PlotWidget):
         """The point of the curve at the scrub line, None while there is none."""
         scrub = self._point_layer.scrub
         return scrub[1:] if scrub is not None else None
+
+    @property
+    def points_note(self) -> str:
+        """What is said where so many points lie so close that not all are drawn; empty where they are."""
+        return self._point_layer.note
 
     @property
     def handles(self) -> Sequence[Handle]:

@@ -34,6 +34,12 @@ def box_of(views: Sequence[CurveView]) -> Box | None:
     return Box(np.minimum(around.low, bare.low - margin), np.maximum(around.high, bare.high + margin))
 
 
+def with_margin(box: Box) -> Box:
+    """Return a box with the margin that is left around what is shown."""
+    margin = _FIT_MARGIN * float((box.high - box.low).max())
+    return Box(box.low - margin, box.high + margin)
+
+
 def are_in_sight(views: Sequence[CurveView], shown: PixelMap) -> bool:
     """Whether curves lie in sight, as far as `box_of` would show them."""
     return all(all_inside(shown, np.array(box)) for box in _boxes(views, margin=0.0))

@@ -17,6 +17,11 @@ from app.theme import Theme
 _LEAST_GAP = 8.0
 """Pixels between two lines of a grid of fixed spacing, at least."""
 
+_LEAST_COARSE_GAP = 80.0
+"""Pixels between two coarse lines of a grid that adapts, at least; steps of 1, 2, 5 keep them below 200."""
+
+_MOST_DIGITS = 15
+
 
 class GridLayer:
     """Fine and coarse lines that adapt to the zoom."""
@@ -28,8 +33,10 @@ class GridLayer:
         self._shown: PixelMap | None = None
         self._fine, self._coarse = Segments(), Segments()
         self._fixed = 0.0
+        self._steps = (0.0, 0.0)
         self._layer = plot.add_layer(self.paint, z=-10)
         plot.map_changed.connect(self._tune_axes)
+        self.set_spacing(0.0)
 
     def set_visible(self, visible: bool) -> None:
         """Show or hide the lines."""
@@ -39,10 +46,10 @@ class GridLayer:
     def set_spacing(self, spacing: float) -> None:
         """Fix the distance of the lines, in units of the plane; 0 adapts it to the zoom."""
         self._fixed, self._shown = spacing, None
+        # Labels of an adaptive grid stand at the coarse lines alone, as dense along x as along y.
+        text_level = 2 if spacing else 0
         for axis in self._axes():
-            # The class's own method again.
-            axis.__dict__.pop("tickStrings", None)
-            axis.setTickSpacing()
+            axis.setStyle(maxTextLevel=text_level)
         self._tune_axes()
         self._layer.update()
 
@@ -51,24 +58,19 @@ class GridLayer:
 
     def spacing(self, shown: PixelMap) -> tuple[float, float]:
         """Return the distance of the fine lines along x and y: what snapping to the grid goes by."""
-        if self._fixed:
-            return (self._fixed, self._fixed)
-        x_min, y_min, x_max, y_max = shown.box
-        along_x, along_y = self._axes()
-        return (
-            _finest(along_x.tickSpacing(x_min, x_max, shown.width)),
-            _finest(along_y.tickSpacing(y_min, y_max, shown.height)),
-        )
+        fine = self._fixed or adaptive_steps(shown.sx)[1]
+        return (fine, fine)
 
     def _tune_axes(self) -> None:
-        """Keep lines of a fixed distance apart on the screen: of a dense grid not every line is drawn."""
-        if not self._fixed:
+        """Keep the lines apart on the screen, both ways alike: the plane has the same unit along x and y."""
+        sx = self._plot.pixel_map.sx
+        steps = grid_steps(self._fixed, sx) if self._fixed else adaptive_steps(sx)
+        if steps == self._steps:
             return
-        coarse, fine = grid_steps(self._fixed, self._plot.pixel_map.sx)
-        self._shown = None
+        self._steps, self._shown = steps, None
         for axis in self._axes():
             axis.tickStrings = tick_labels
-            axis.setTickSpacing(major=coarse, minor=fine)
+            axis.setTickSpacing(major=steps[0], minor=steps[1])
 
     def paint(self, painter: QPainter, shown: PixelMap) -> None:
         """Draw the lines; they are computed anew when another part of the plane is visible."""
@@ -91,9 +93,18 @@ class GridLayer:
             lines.fill(_lines(across[0], across[1], shown))
 
 
-def _finest(levels: list[tuple[float, float]]) -> float:
-    """Return the spacing of the fine lines without the rounding of the power of ten in it."""
-    return float(f"{levels[min(1, len(levels) - 1)][0]:.12g}")
+def adaptive_steps(pixels_per_unit: float) -> tuple[float, float]:
+    """Return the distances of coarse and fine lines that suit the zoom: steps of 1, 2, 5, 10, ….
+
+    Coarse lines are 80 to 200 pixels apart, fine ones a fifth of that, or a half where the fifth would be an
+    odd number (0.4): never less than 16 pixels.
+    """
+    needed = _LEAST_COARSE_GAP / pixels_per_unit
+    power = math.floor(math.log10(needed))
+    digit = next(digit for digit in (1, 2, 5, 10) if digit * 10.0**power >= needed * (1 - 1e-12))
+    fine = {1: 0.2, 2: 1.0, 5: 1.0, 10: 2.0}[digit]
+    # As the decimal number that is meant: 0.2, not 2 · 0.1 in binary.
+    return float(f"{digit}e{power}"), float(f"{fine}e{power}")
 
 
 def grid_steps(spacing: float, pixels_per_unit: float) -> tuple[float, float]:
@@ -112,11 +123,14 @@ def grid_steps(spacing: float, pixels_per_unit: float) -> tuple[float, float]:
 def tick_labels(values: Sequence[float], scale: float, spacing: float) -> list[str]:
     """Return the numbers at ticks `spacing` apart.
 
-    pyqtgraph writes as many decimals as the spacing has places: 0.75 as 0.8 where ticks are 0.25 apart.
+    pyqtgraph writes as many decimals as the spacing has places: 0.75 as 0.8 where ticks are 0.25 apart; and
+    six digits at most, so that neighbours far from the origin are told alike.
     """
     # A multiple of the spacing that should be zero may be off by a rounding.
     exact = [round(value / spacing) * spacing * scale for value in values]
-    return [f"{value:.7g}".replace("-", "−") for value in exact]
+    largest = max((abs(value / spacing) for value in values), default=1.0)
+    digits = min(max(7, math.ceil(math.log10(max(largest, 1.0))) + 1), _MOST_DIGITS)
+    return [f"{value:.{digits}g}".replace("-", "−") for value in exact]
 
 
 def _values(levels: list[tuple[float, list[float]]], level: int) -> Floats:

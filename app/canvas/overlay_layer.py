@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-import math
+from collections.abc import Sequence
 
 from PySide6.QtCore import QPointF, QRectF, QSizeF, Qt
 from PySide6.QtGui import QColor, QFont, QFontMetricsF, QPainter, QPen
@@ -13,10 +13,12 @@ from app.gestures.snapping import Snap
 from app.gestures.transform_box import TransformBox
 from app.plot.layered_plot import LayeredPlot
 from app.plot.pixel_map import PixelMap
-from app.plot.plates import inside, write_on_plate
+from app.plot.plates import beyond, inside, write_on_plate
 from app.theme import Theme
 
 _GRIP, _FAR = 3.5, 1e6
+_CLEAR = 18.0
+"""Pixels between a readout and its place: a selected point with its ring, or a grip, stays free."""
 
 
 class OverlayLayer:
@@ -26,6 +28,8 @@ class OverlayLayer:
         self.theme = theme
         self.scale = 1.0
         self._overlay = Overlay()
+        # Where the last readout stood, in pixels.
+        self.plate = QRectF()
         self._font = QFont(plot.font())
         self._layer = plot.add_layer(self.paint, z=20)
 
@@ -145,30 +149,36 @@ class OverlayLayer:
         painter.drawLine(QPointF(*start), QPointF(*end))
         for place in (start, end):
             painter.drawEllipse(QPointF(*place), 2.5 * self.scale, 2.5 * self.scale)
-        self._paint_text(painter, shown, self._beside(painter, start, end, ruler.text), ruler.text)
-
-    @staticmethod
-    def _beside(painter: QPainter, start: Vector, end: Vector, text: str) -> QPointF:
-        """Return where a text touches the middle of a line, on the side where the right angle is not."""
         dx, dy = end[0] - start[0], end[1] - start[1]
-        length = math.hypot(dx, dy) or 1.0
-        x, y = abs(dy) / length, abs(dx) / length
-        x, y = (-x if dx >= 0 else x), (-y if dy <= 0 else y)
-        metrics = QFontMetricsF(painter.font())
-        away = abs(x) * (metrics.horizontalAdvance(text) / 2 + 8) + abs(y) * (metrics.height() / 2 + 6)
-        return QPointF((start[0] + end[0]) / 2 + away * x, (start[1] + end[1]) / 2 + away * y)
+        # On the side where the right angle is not, clear of the points at the ends.
+        way = QPointF(abs(dy) * (-1 if dx >= 0 else 1), abs(dx) * (-1 if dy <= 0 else 1))
+        middle = QPointF((start[0] + end[0]) / 2, (start[1] + end[1]) / 2)
+        self._write_beyond(painter, shown, middle, (way, -way), ruler.text)
 
     # Words
 
     def _paint_note(self, painter: QPainter, shown: PixelMap, note: Note) -> None:
         place = shown.point(*note.position)
         if _is_drawable(*place):
-            self._paint_text(painter, shown, QPointF(*place) + QPointF(0, -24 * self.scale), note.text)
+            way = QPointF(*place) - QPointF(*shown.point(*note.work))
+            aside = QPointF(-way.y(), way.x())
+            self._write_beyond(painter, shown, QPointF(*place), (way, aside, -aside, -way), note.text)
+
+    def _write_beyond(
+        self, painter: QPainter, shown: PixelMap, place: QPointF, ways: Sequence[QPointF], text: str
+    ) -> None:
+        """Write beside a place, away from what is worked on."""
+        plate = self.plate = beyond(place, ways, _CLEAR * self.scale, self._size(painter, text), shown)
+        write_on_plate(painter, plate, text, self.theme.paper, self.theme.accent)
+
+    @staticmethod
+    def _size(painter: QPainter, text: str) -> QSizeF:
+        metrics = QFontMetricsF(painter.font())
+        return QSizeF(metrics.horizontalAdvance(text) + 10, metrics.height() + 4)
 
     def _paint_text(self, painter: QPainter, shown: PixelMap, centre: QPointF, text: str) -> None:
         """Write on a plate of paper, kept inside the drawing."""
-        metrics = QFontMetricsF(painter.font())
-        size = QSizeF(metrics.horizontalAdvance(text) + 10, metrics.height() + 4)
+        size = self._size(painter, text)
         plate = inside(centre.x() - size.width() / 2, centre.y() - size.height() / 2, size, shown)
         write_on_plate(painter, plate, text, self.theme.paper, self.theme.accent)
 

@@ -2,28 +2,28 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Sequence
 
 import numpy as np
 from PySide6.QtCore import QPointF, QRectF, Qt
 from PySide6.QtGui import QColor, QFont, QPainter, QPen, QPolygonF
 
+from app.canvas.point_density import RADIUS, Discs, discs_for, with_neighbours
 from app.plot.colours import colours_of
 from app.plot.drawing import Flags
 from app.plot.layered_plot import LayeredPlot
 from app.plot.pixel_map import Floats, PixelMap
+from app.plot.plates import write_on_plate
 from app.plot.stamps import Stamps
 from app.theme import Theme
 from app.view_model.curve_view import CurveView, Integers
 from app.view_model.handles import Handle, handles_of
 
-_RADIUS, _SELECTED_RADIUS, _GROWTH, _LEAST_RADIUS = 4.5, 5.5, 1.0, 2.0
+_SELECTED_RADIUS, _GROWTH = 5.5, 1.0
 _LABELLED_UP_TO = 12
 _WEIGHED_UP_TO = 24
 _LEAST_WEIGHT = 5e-3
 _FAR = 1e5
-_SAMPLED = 256
 _HIDDEN = 0.35
 """Opacity of the points of a curve that is hidden, while it is edited."""
 
@@ -49,7 +49,8 @@ class PointLayer:
         self._handles: list[Handle] = []
         self._layer = plot.add_layer(self.paint, z=10)
         self._font = QFont(plot.font())
-        self._discs = Stamps(_disc)
+        self._stamps = Stamps(_disc)
+        self._discs_now = Discs(RADIUS, 0.0)
         self._pixels_of: tuple[Floats | None, PixelMap | None] = (None, None)
         self._pixels: Floats = np.empty((0, 2))
         self._visible: Integers = np.empty(0, dtype=np.intp)
@@ -106,37 +107,52 @@ class PointLayer:
     def _paint_points(
         self, painter: QPainter, pixels: Floats, visible: Integers, colours: Sequence[QColor]
     ) -> None:
+        discs = self._discs_now = discs_for(pixels, visible, self.scale)
         chosen = [index for index in self.selection if index < len(pixels)]
         is_calm = np.ones(len(pixels), dtype=bool)
         is_calm[chosen] = False
         calm = visible[is_calm[visible]]
+        hovered = calm[calm == self.hovered]
+        if discs.crowded:
+            calm = with_neighbours([*chosen, *hovered.tolist()], calm)
         if len(calm) < _STAMPED_FROM:
-            self._paint_discs(painter, pixels, calm.tolist(), colours)
+            self._paint_discs(painter, pixels, calm.tolist(), colours, discs.radius, discs.rim)
         else:
-            radius, rim = self._size_of_many(pixels, visible)
-            self._discs.draw(painter, pixels[calm], calm, len(pixels), self.theme, radius, rim)
-            hovered = calm[calm == self.hovered]
-            self._paint_discs(painter, pixels, hovered.tolist(), colours)
+            self._stamps.draw(painter, pixels[calm], calm, len(pixels), self.theme, discs.radius, discs.rim)
+        self._paint_discs(
+            painter, pixels, hovered.tolist(), colours, (RADIUS + _GROWTH) * self.scale, 1.5 * self.scale
+        )
         for index in visible[~is_calm[visible]].tolist():
             self._paint_selected(painter, QPointF(*pixels[index]), colours[index])
+        if discs.crowded:
+            self._paint_note(painter, shown=painter.clipBoundingRect())
 
-    def _size_of_many(self, pixels: Floats, visible: Integers) -> tuple[float, float]:
-        """Return radius and rim of the discs: small and bare where they would cover each other."""
-        every = max(len(visible) // _SAMPLED, 1)
-        sample = visible[:-1:every]
-        steps = pixels[sample + 1] - pixels[sample]
-        # In steps, so that the discs do not swell and shrink under a drag.
-        room = math.floor(float(np.median(np.hypot(steps[:, 0], steps[:, 1])))) / 2
-        radius = min(max(room, _LEAST_RADIUS * self.scale), _RADIUS * self.scale)
-        return radius, 1.5 * self.scale if radius >= _RADIUS * self.scale else 0.0
+    @property
+    def note(self) -> str:
+        """What is said where points are left away; empty where all are drawn."""
+        if self._view is None or not self._discs_now.crowded:
+            return ""
+        return f"{len(self._view.points)} points: selection only · zoom in to see all"
+
+    def _paint_note(self, painter: QPainter, shown: QRectF) -> None:
+        painter.setFont(self._scaled_font(0.9))
+        size = painter.fontMetrics().size(0, self.note)
+        plate = QRectF(0, 0, size.width() + 10, size.height() + 4)
+        plate.moveBottomLeft(shown.bottomLeft() + QPointF(6, -6))
+        write_on_plate(painter, plate, self.note, self.theme.paper, self.theme.muted)
 
     def _paint_discs(
-        self, painter: QPainter, pixels: Floats, indices: Sequence[int], colours: Sequence[QColor]
+        self,
+        painter: QPainter,
+        pixels: Floats,
+        indices: Sequence[int],
+        colours: Sequence[QColor],
+        radius: float,
+        rim: float,
     ) -> None:
-        painter.setPen(QPen(self.theme.paper, 1.5 * self.scale))
+        painter.setPen(QPen(self.theme.paper, rim) if rim else Qt.PenStyle.NoPen)
         for index in indices:
             painter.setBrush(colours[index])
-            radius = (_RADIUS + (_GROWTH if index == self.hovered else 0)) * self.scale
             painter.drawEllipse(QPointF(*pixels[index]), radius, radius)
 
     def _paint_selected(self, painter: QPainter, place: QPointF, colour: QColor) -> None:

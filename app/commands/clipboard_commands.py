@@ -6,7 +6,7 @@ from collections.abc import Callable, Sequence
 
 import msgspec
 from msgspec.structs import replace
-from PySide6.QtCore import QMimeData, Qt
+from PySide6.QtCore import QMimeData, QObject, Qt, Signal
 from PySide6.QtGui import QGuiApplication
 
 from app.commands.curve_clipboard import CurveClipboard
@@ -46,6 +46,33 @@ class _Pasted(msgspec.Struct, frozen=True):
     first_row: int = 1
 
 
+class _ClipboardWatch(QObject):
+    """Knows whether there are derivatives on the clipboard.
+
+    Another program may have to be asked for that: it is, when somebody wants to know, and once.
+    """
+
+    changed = Signal()
+
+    def __init__(self, window: QObject) -> None:
+        # A child of the window: the clipboard lives longer.
+        super().__init__(window)
+        self._known: bool | None = None
+        QGuiApplication.clipboard().dataChanged.connect(self._forget)
+
+    @property
+    def holds_derivatives(self) -> bool:
+        """Whether there are some now."""
+        if self._known is None:
+            data = QGuiApplication.clipboard().mimeData()
+            self._known = data is not None and data.hasFormat(DERIVATIVES)
+        return self._known
+
+    def _forget(self) -> None:
+        self._known = None
+        self.changed.emit()
+
+
 class ClipboardCommands:
     """Cut, copy and paste with the canvas in focus; the point table has its own for cells."""
 
@@ -53,6 +80,8 @@ class ClipboardCommands:
         self._parts = parts
         self._session = parts.session
         self._curves = CurveClipboard(parts)
+        self._watch = _ClipboardWatch(parts.window)
+        self._watch.changed.connect(self._render_paste)
         for name in _ON_CANVAS:
             # The point table and the fields of the panels use the same keys for what they show.
             parts.actions[name].setShortcutContext(Qt.ShortcutContext.WidgetWithChildrenShortcut)
@@ -70,13 +99,18 @@ class ClipboardCommands:
         }
 
     def render(self, view: CurveView) -> None:
-        """Enable what needs selected points; what is on the clipboard is looked at when it is wanted."""
+        """Enable what needs selected points, and derivatives on the clipboard."""
         actions, chosen = self._parts.actions, self._session.selection
         for name in ("cutPoints", "copyPoints"):
             actions[name].setEnabled(bool(chosen) or self._curves.has_several)
         has_derivatives = view.source.family.derivatives > 0
         actions["copyDerivatives"].setEnabled(has_derivatives and len(chosen) == 1 and view.is_current)
-        actions["pasteDerivatives"].setEnabled(has_derivatives and bool(chosen))
+        self._render_paste()
+
+    def _render_paste(self) -> None:
+        has_derivatives = self._session.active_curve.family.derivatives > 0
+        usable = has_derivatives and bool(self._session.selection) and self._watch.holds_derivatives
+        self._parts.actions["pasteDerivatives"].setEnabled(usable)
 
     # Points
 

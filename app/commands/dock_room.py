@@ -20,6 +20,13 @@ def make_room_once(window: QMainWindow, dock: QDockWidget, height: int) -> None:
     QTimer.singleShot(0, dock, lambda: _make_room(window, dock, height))
 
 
+def put_idle_docks_away(window: QMainWindow) -> None:
+    """Hide the docks that have nothing to show (they are disabled) after a layout was restored."""
+    for dock in window.findChildren(QDockWidget):
+        if not dock.isEnabled():
+            dock.hide()
+
+
 def _make_room(window: QMainWindow, dock: QDockWidget, height: int) -> None:
     above = next(
         (

@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+from PySide6.QtGui import QAction
+
 from app.commands.parts import Handlers, Parts
 from app.document import edits
 from app.document.model import Family, ParametrizationKind
+from app.keymap import call_alone
 from app.panels.parametrization_bar import KIND_NAMES
 from app.view_model.curve_view import CurveView
 
@@ -65,9 +68,13 @@ class EditCommands:
         self._actions["useUniform"].setEnabled(not is_uniform)
 
     def _fill_parameters_menu(self) -> None:
+        menu = self._parts.parameters_menu
+        below = menu.insertSeparator(menu.actions()[0])
         for kind, name in KIND_NAMES.items():
-            action = self._parts.parameters_menu.addAction(name)
+            action = QAction(name, menu)
             action.setObjectName(f"parameters_{kind}")
+            call_alone(action, f"{name} Parameters")
+            menu.insertAction(below, action)
             action.triggered.connect(lambda _checked=False, kind=kind: self._use_parametrization(kind))
 
     def _render_history(self) -> None:

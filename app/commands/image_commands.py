@@ -5,7 +5,7 @@ from __future__ import annotations
 from math import ceil, log10
 from pathlib import Path
 
-from PySide6.QtGui import QImage
+from PySide6.QtGui import QAction, QActionGroup, QImage
 from PySide6.QtWidgets import QFileDialog
 
 from app.canvas.image_file import ImageFileError, read_image
@@ -20,7 +20,7 @@ PICTURE_SUFFIXES = (".png", ".jpg", ".jpeg")
 """How the names of files end that are pictures to trace."""
 
 _PICTURES = "Pictures (*.png *.jpg *.jpeg);;All files (*)"
-_MISSING = "The reference image is not shown. {} “Find Image…” in the File menu says where it is now."
+_MISSING = "The reference image is not shown. {}"
 _SHARE = 0.8
 """Part of the canvas that a new picture fills."""
 
@@ -41,8 +41,10 @@ class ImageCommands:
         # Another document may name the same file, which may have changed meanwhile.
         parts.session.opened.connect(self._forget_file)
         # Choosing what the mouse does to points gives it back to them.
-        for name in ("selectTool", "addTool"):
-            self._actions[name].triggered.connect(self._leave_moving)
+        tools = self._actions["selectTool"].actionGroup()
+        assert tools is not None
+        self._tools, self._tool_before = tools, tools.checkedAction()
+        tools.triggered.connect(self._leave_moving)
         self._show_dock(False)
 
     def handlers(self) -> Handlers:
@@ -158,7 +160,7 @@ class ImageCommands:
     def _remove(self) -> None:
         self._parts.change("Remove image", lambda: set_image(self._session.document, None))
 
-    def _leave_moving(self) -> None:
+    def _leave_moving(self, _tool: QAction | None = None) -> None:
         if self._actions["moveImage"].isChecked():
             self._actions["moveImage"].setChecked(False)
             self._toggle_moving()
@@ -166,7 +168,21 @@ class ImageCommands:
     def _toggle_moving(self) -> None:
         moving = self._actions["moveImage"].isChecked()
         self._parts.canvas.set_image_tool(ImageTool(self._session) if moving else None)
+        self._light_tools(lit=not moving)
         if moving:
             self._session.say(
                 "Drag the image to move it, a corner to scale it; Escape goes back to the points."
             )
+
+    def _light_tools(self, *, lit: bool) -> None:
+        """Let no tool for points look as if it were in use while the mouse has the picture."""
+        policy = QActionGroup.ExclusionPolicy
+        if not lit:
+            self._tool_before = self._tools.checkedAction() or self._tool_before
+            self._tools.setExclusionPolicy(policy.ExclusiveOptional)
+            if self._tool_before is not None:
+                self._tool_before.setChecked(False)
+            return
+        if self._tools.checkedAction() is None and self._tool_before is not None:
+            self._tool_before.setChecked(True)
+        self._tools.setExclusionPolicy(policy.Exclusive)

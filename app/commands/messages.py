@@ -10,7 +10,8 @@ from app.document.model import ParametrizationKind
 from app.view_model.curve_view import CurveView
 
 _GREETING = "Drag a point and watch its functions below. P adds points, F1 shows all keys."
-_EMPTY = "Click on the canvas to add points; two of them make a curve."
+_EMPTY = "Press P, then click on the canvas to add points; two of them make a curve."
+_EMPTY_ADDING = "Click on the canvas to add points; two of them make a curve."
 
 _BY_DISTANCE = (
     ParametrizationKind.CHORD_LENGTH,
@@ -29,7 +30,9 @@ class Messages(QObject):
     def __init__(self, parts: Parts) -> None:
         super().__init__(parts.window)
         self._bar, self._session = parts.message_bar, parts.session
-        self._use_uniform = parts.actions["useUniform"]
+        self._use_uniform, self._find_image = parts.actions["useUniform"], parts.actions["findImage"]
+        self._add_tool = parts.actions["addTool"]
+        self._add_tool.toggled.connect(self._render_again)
         self._greeting = ""
         self._image_problem = ""
         self._put_away = ""
@@ -53,7 +56,7 @@ class Messages(QObject):
         self._offered = None
 
     def _begin_anew(self) -> None:
-        self._put_away = ""
+        self._put_away = self._greeting = ""
         self.render(self._session.active_view)
 
     def set_image_problem(self, text: str) -> None:
@@ -70,8 +73,10 @@ class Messages(QObject):
     def greet(self) -> None:
         """Show the hint of the first start, until it is put away or something has been done."""
         self._greeting = _GREETING
-        self._session.opened.connect(self._forget_greeting)
         self._session.history_changed.connect(self._forget_greeting)
+        self.render(self._session.active_view)
+
+    def _render_again(self, _on: bool) -> None:
         self.render(self._session.active_view)
 
     def _forget_greeting(self) -> None:
@@ -94,20 +99,32 @@ class Messages(QObject):
 
     def _way_out(self, view: CurveView, text: str) -> QAction | None:
         """Return what would help against what is wrong."""
+        if text == self._image_problem:
+            return self._find_image
         by_distance = view.source.parametrization.kind in _BY_DISTANCE
         return self._use_uniform if by_distance and text == view.problem else None
+
+    def _before_a_curve(self, view: CurveView) -> tuple[str, bool]:
+        """Return the sentence while there is no curve, and whether it is a warning."""
+        if len(view.points):
+            # After the first point the status line says what comes next; here it would cover the drawing.
+            return "", False
+        if self._image_problem:
+            return self._image_problem, True
+        if self._put_away in (_EMPTY, _EMPTY_ADDING):
+            # Put away with one tool it stays away with another.
+            return self._put_away, False
+        return _EMPTY_ADDING if self._add_tool.isChecked() else _EMPTY, False
 
     def _sentence(self, view: CurveView) -> tuple[str, bool]:
         """Return the most urgent sentence, empty for none, and whether it is a warning."""
         if len(view.points) < 2:
-            # After the first point the status line says what comes next; here it would cover the drawing.
-            return "" if len(view.points) else _EMPTY, False
+            return self._before_a_curve(view)
         if view.problem:
             return view.problem, True
         if self._offered is not None:
             return self._offered[0], False
         if self._image_problem:
             return self._image_problem, True
-        if not view.source.visible:
-            return f"“{view.source.name}” is hidden; it is drawn faintly while you edit it.", False
-        return self._greeting, False
+        hidden = f"“{view.source.name}” is hidden; it is drawn faintly while you edit it."
+        return self._greeting if view.source.visible else hidden, False

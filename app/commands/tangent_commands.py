@@ -27,7 +27,7 @@ _MOST_NAMED = 3
 
 
 class TangentCommands:
-    """The Tangent menu."""
+    """The menu Curve › Tangents."""
 
     def __init__(self, parts: Parts) -> None:
         self._parts = parts

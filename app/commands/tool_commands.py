@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterator
 from typing import TYPE_CHECKING
 
 from PySide6.QtGui import QAction
-from PySide6.QtWidgets import QDockWidget, QMenu
+from PySide6.QtWidgets import QMenu
 
 from app.commands.parts import Handlers, Parts
 from app.panels.command_palette import Command, CommandPalette
@@ -55,11 +55,8 @@ class ToolCommands:
             menu = _menu_of(entry)
             if menu is not None:
                 found.update(_entries(menu, menu.title()))
-        for dock in window.findChildren(QDockWidget):
-            if dock.isEnabled():
-                found.setdefault(dock.toggleViewAction(), "View › Panels")
         for action in window.findChildren(QAction):
-            if action.objectName() and _menu_of(action) is None and _is_named(action):
+            if action.objectName() and action.isVisible() and _menu_of(action) is None and _is_named(action):
                 found.setdefault(action, "")
         own = self._parts.actions["commandPalette"]
         return [Command(action, path) for action, path in found.items() if action is not own]

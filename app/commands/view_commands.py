@@ -5,6 +5,7 @@ from __future__ import annotations
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QDockWidget
 
+from app.commands.dock_room import put_idle_docks_away
 from app.commands.parts import Handlers, Parts
 from app.gestures.tools import ToolKind
 from app.panels.late_dock import LateDock
@@ -120,6 +121,7 @@ class ViewCommands:
         if shown and keeps_layout and self._before_folding:
             # Shown one by one, docks share the height anew and change which tab is in front.
             window.restoreState(self._before_folding)
+            put_idle_docks_away(window)
 
     def _change_scale(self, step: int) -> None:
         self._set_scale(_SCALES[max(0, min(_SCALES.index(self._scale) + step, len(_SCALES) - 1))])
@@ -151,6 +153,7 @@ class ViewCommands:
         window.menuBar().show()
         parts.status_line.show()
         window.restoreState(self._before_presentation)
+        put_idle_docks_away(window)
 
     def _kept_for_a_lesson(self) -> list[QDockWidget]:
         """Return what a lesson needs at hand while it is presented: the laboratory, if it is in front."""

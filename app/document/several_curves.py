@@ -36,6 +36,16 @@ class NodeGroup(msgspec.Struct, frozen=True):
         return len(self.parts) > 1
 
     @property
+    def first_node(self) -> tuple[int, int]:
+        """A curve and one of its nodes; there must be one."""
+        return next((curve, min(indices)) for curve, indices in self.parts if indices)
+
+    @property
+    def only_node(self) -> tuple[int, int] | None:
+        """The curve and the node where it is a single one."""
+        return self.first_node if not self.is_several and len(self.parts[0][1]) == 1 else None
+
+    @property
     def curves(self) -> frozenset[int]:
         """The curves that it is of."""
         return frozenset(curve for curve, _ in self.parts)

@@ -55,8 +55,18 @@ class MovePoints(msgspec.Struct, frozen=True):
     keys = "Shift: along one axis · Ctrl: snap, or not"
 
     def note_at(self, pointer: Pointer) -> str:
-        """Tell how far."""
-        return f"{self.name} by {words.vector(self.way_at(pointer)[0])}"
+        """Tell where one point is and how far it came; of several, how far they came."""
+        way, one = self.way_at(pointer)[0], self.group.only_node
+        if one is None:
+            return f"{self.name} by {words.vector(way)}"
+        return f"{words.point_at(one[1], self.place_at(pointer))} · moved {words.vector(way)}"
+
+    def place_at(self, pointer: Pointer) -> Vector:
+        """Return where the node is that is held, to the last bit where it snapped to."""
+        by, target = self.way_at(pointer)
+        curve, index = self.grip if self.grip[1] >= 0 else self.group.first_node
+        held = self.document.curves[curve].nodes[index].position
+        return target if target is not None else _plus(held, by)
 
     def document_at(self, pointer: Pointer) -> Document:
         """Move by the whole way from the press."""
@@ -92,6 +102,10 @@ class NudgePoints(MovePoints, frozen=True):
         """The name of the step."""
         return f"Nudge {words.group(self.group)}"
 
+    def note_at(self, pointer: Pointer) -> str:
+        """Tell where one point is now, and the step."""
+        return _nudged(self.group, self.document_at(pointer), pointer.position)
+
 
 class StepPoints(msgspec.Struct, frozen=True):
     """Move nodes by a step of the grid, in decimal numbers."""
@@ -107,15 +121,35 @@ class StepPoints(msgspec.Struct, frozen=True):
         """The name of the step."""
         return f"Nudge {words.group(self.group)}"
 
-    def document_at(self, _pointer: Pointer) -> Document:
-        """Move by the step, wherever the pointer is."""
+    keys = ""
+
+    def note_at(self, pointer: Pointer) -> str:
+        """Tell where one point is now, and the step."""
+        return _nudged(self.group, self.document_at(pointer), self._step)
+
+    @property
+    def _step(self) -> Vector:
         x, y = (
             way * decimal_product(spacing, self.factor)
             for way, spacing in zip(self.direction, self.spacing, strict=True)
         )
+        return (x, y)
+
+    def document_at(self, _pointer: Pointer) -> Document:
+        """Move by the step, wherever the pointer is."""
         return self.group.changed(
-            self.document, lambda each, curve, indices: step_nodes(each, curve, indices, (x, y))
+            self.document, lambda each, curve, indices: step_nodes(each, curve, indices, self._step)
         )
+
+
+def _nudged(group: NodeGroup, document: Document, step: Vector) -> str:
+    """Tell what a key has moved: where one point is, or how many went, and the step."""
+    one = group.only_node
+    if one is None:
+        return f"{words.group(group)} nudged · step {words.vector(step)}"
+    curve, index = one
+    place = document.curves[curve].nodes[index].position
+    return f"{words.point_at(index, place)} · step {words.vector(step)}"
 
 
 def what_handle_sets(hit: Hit, view: CurveView) -> str:

@@ -95,6 +95,14 @@ class Told(Protocol):
         """Return the amount, such as "Rotate 30°"."""
 
 
+@runtime_checkable
+class Placed(Protocol):
+    """A drag that holds one node."""
+
+    def place_at(self, pointer: Pointer) -> Vector | None:
+        """Return where the node is now; None where no node is held after all."""
+
+
 class _Press(msgspec.Struct):
     pixel: Vector
     drag: Drag | None
@@ -175,6 +183,9 @@ class DragMachine:
             self._host.commit(drag.document_at(pointer), drag.name, run=run)
         except EditError as reason:
             self._host.say(str(reason))
+            return
+        if isinstance(drag, Told):
+            self._host.say(drag.note_at(pointer))
 
     def exchange(self, pointer: Pointer, drag: Drag) -> None:
         """Go on with another drag from the same press: an axis was locked, an amount typed."""
@@ -191,6 +202,13 @@ class DragMachine:
             return press.refused
         parts = (press.drag.note_at(pointer), press.drag.keys, "Escape cancels")
         return " · ".join(part for part in parts if part)
+
+    def place_at(self, pointer: Pointer) -> Vector | None:
+        """Return where the node is that the drag in flight holds, None where it holds none."""
+        press = self._press
+        if press is None or not press.moving or press.refused or not isinstance(press.drag, Placed):
+            return None
+        return press.drag.place_at(pointer)
 
     def release(self, pointer: Pointer) -> None:
         """End: commit what the drag made, or click."""

@@ -10,10 +10,17 @@ from app.gestures.transform_box import TransformBox
 
 
 class Note(msgspec.Struct, frozen=True):
-    """A few words beside a place."""
+    """A few words beside a place.
+
+    Attributes
+    ----------
+    work
+        The middle of what is worked on: the words stand on the side of the place where that is not.
+    """
 
     position: Vector
     text: str
+    work: Vector
 
 
 class Ruler(msgspec.Struct, frozen=True):

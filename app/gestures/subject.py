@@ -80,7 +80,8 @@ class Subject:
         return ""
 
     @property
-    def _centre(self) -> Vector:
+    def centre(self) -> Vector:
+        """The middle of the box, or the one point; there must be a group."""
         group, box = self._now()
         assert group is not None
         if box is not None:
@@ -98,7 +99,7 @@ class Subject:
         assert group is not None
         grip = self._nearest(group, pointer)
         magnet = self._magnets.for_group(group, grip[1])
-        return Transform(kind, self._host.document, group, self._centre, pointer.position, magnet, grip)
+        return Transform(kind, self._host.document, group, self.centre, pointer.position, magnet, grip)
 
     def _nearest(self, group: NodeGroup, pointer: Pointer) -> tuple[int, int]:
         """Return the curve and the index of the node that is nearest to the pointer: it snaps."""

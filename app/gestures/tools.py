@@ -171,6 +171,10 @@ class CanvasTool:
             return ""
         return self._with_snap(self._machine.progress_at(self._last), self._magnets.now)
 
+    def place(self) -> Vector | None:
+        """Return where the point is that is dragged, None while none is."""
+        return self._machine.place_at(self._last) if self._last is not None else None
+
     @staticmethod
     def _with_snap(text: str, magnet: Magnet | None) -> str:
         caught = magnet.caught if magnet is not None else None
@@ -194,7 +198,7 @@ class CanvasTool:
         if not self._note_wanted or self._last is None:
             return None
         text = self._machine.progress_at(self._last).partition(" · ")[0]
-        return Note(self._last.position, text) if text else None
+        return Note(self._last.position, text, self._subject.centre) if text else None
 
     def _locked_axis(self) -> tuple[Vector, int] | None:
         now = self._modal.now
@@ -204,7 +208,7 @@ class CanvasTool:
     def _box(self) -> TransformBox | None:
         if not self.shows_box or self.kind is not ToolKind.SELECT:
             return None
-        return self._subject.box
+        return self._subject.box if not self._subject.refusal else None
 
     def _grip_at(self, pointer: Pointer) -> tuple[TransformBox, Grip] | None:
         return self._subject.grip_at(pointer) if self._box() is not None else None

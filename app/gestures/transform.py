@@ -86,7 +86,18 @@ class Transform(msgspec.Struct, frozen=True):
             return f"Scale {words.number(self._factor(pointer))}{along}{self._cursor_mark()}"
         by = self._way(pointer)
         amount = words.vector(by) if self.axis is None else words.number(by[self.axis])
-        return f"Move {amount}{along}{self._cursor_mark()}"
+        note = f"Move {amount}{along}{self._cursor_mark()}"
+        one = self.group.only_node
+        return note if one is None else f"{note} · {words.point_at(one[1], self._moved(by))}"
+
+    def _moved(self, by: Vector) -> Vector:
+        curve, index = self.grip
+        held = self.document.curves[curve].nodes[index].position
+        return (held[0] + by[0], held[1] + by[1])
+
+    def place_at(self, pointer: Pointer) -> Vector | None:
+        """Return where the node is that is moved, None while nodes are scaled or rotated."""
+        return self._moved(self._way(pointer)) if self.kind is TransformKind.MOVE else None
 
     def _cursor_mark(self) -> str:
         """Tell what has been typed where it is no number yet."""

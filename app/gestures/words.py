@@ -30,6 +30,11 @@ def group(nodes: NodeGroup) -> str:
     return f"{len(nodes.parts)} curves" if nodes.is_several else points(nodes.parts[0][1])
 
 
+def point_at(index: int, place: Vector) -> str:
+    """Return "Point 3 at 2.4, 5.158"."""
+    return f"Point {index} at {vector(place)}"
+
+
 def polar(value: Vector) -> str:
     """Return length and direction, "3.2 at 45°"."""
     return f"{number(math.hypot(*value))} at {angle(math.degrees(math.atan2(value[1], value[0])))}"

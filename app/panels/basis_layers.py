@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+from bisect import bisect_left
 from collections.abc import Sequence
 
 import numpy as np
@@ -33,7 +35,10 @@ _MOST_EMPHASISED = 32
 _NEIGHBOURS = 2
 _OUTLINE, _FILL = 0.3, 0.07
 _MARKED_ONE_BY_ONE = 16
-"""Ticks up to which each is drawn; of more, one for every pixel is stamped."""
+"""Ticks up to which each is drawn; of more, as many as there is room for are stamped."""
+
+_LEAST_TICK_GAP = 4.0
+"""Pixels between ticks that are not chosen, at least: closer together they are a ribbon."""
 
 _MOST_PENS = 1000
 
@@ -223,9 +228,11 @@ class RailLayer:
     def _stamp_ticks(
         self, painter: QPainter, x: Floats, visible: Integers, count: int, top: float
     ) -> Integers:
-        """Draw one of the ticks at each pixel, and return the chosen ones, which are drawn after all."""
-        ticks = visible[np.diff(np.rint(x[visible]), prepend=-np.inf) > 0]
-        size = 5.0 * self.scale
+        """Draw as many ticks as there is room for, and return the chosen ones, which are drawn after all."""
+        least = _LEAST_TICK_GAP * self.scale
+        ticks, gap = spread_out(x, visible, least)
+        # Stamped anew for every size: in steps, so that a drag does not.
+        size = min(max(gap // 2 - 1, 0.5 * least), 5.0 * self.scale)
         places = np.column_stack([x[ticks], np.full(len(ticks), top + 1 + size)])
         owners = ticks % max(count, 1)
         self._stamps.draw(painter, places, owners, count, self.theme, size, 0.0)
@@ -265,6 +272,27 @@ class RailLayer:
         box = QRectF(x - 98 if left else x + 8, 2, 90, 18 * self.scale)
         side = Qt.AlignmentFlag.AlignRight if left else Qt.AlignmentFlag.AlignLeft
         painter.drawText(box, int(side | Qt.AlignmentFlag.AlignTop), f"t = {t:.4g}")
+
+
+def spread_out(x: Floats, ticks: Integers, least: float) -> tuple[Integers, float]:
+    """Return ticks that lie at least so far apart, from the left, and the usual gap between them.
+
+    Parameters
+    ----------
+    x
+        The pixels of all ticks, ascending.
+    ticks
+        The indices of those that want to be drawn, ascending.
+    """
+    gaps = np.diff(x[ticks])
+    if len(gaps) and gaps.min() < least:
+        places, kept, index = x[ticks].tolist(), list[int](), 0
+        while index < len(places):
+            kept.append(index)
+            index = bisect_left(places, places[index] + least, index + 1)
+        ticks = ticks[kept]
+        gaps = np.diff(x[ticks])
+    return ticks, float(np.sort(gaps)[len(gaps) // 2]) if len(gaps) else math.inf
 
 
 def _tick(painter: QPainter, size: float) -> None:

@@ -38,7 +38,7 @@ from PySide6.QtWidgets import (
 )
 from shiboken6 import isValid
 
-from app.keymap import native
+from app.keymap import name_alone, native
 from app.panels.fuzzy import fitness
 from app.theme import mix, theme_of
 
@@ -55,8 +55,8 @@ class Command(msgspec.Struct, frozen=True):
 
     @property
     def name(self) -> str:
-        """What it is called, without the mark of the letter to press."""
-        return self.action.text().replace("&", "")
+        """What it is called, in words that stand alone."""
+        return name_alone(self.action)
 
 
 class CommandPalette(QFrame):

@@ -9,6 +9,7 @@ from PySide6.QtTest import QTest
 
 from app.action_specs import SPECS
 from app.document.model import Family, ParametrizationKind
+from app.keymap import name_alone
 from app.panels.command_palette import CommandPalette
 from app.panels.fuzzy import fitness
 
@@ -56,10 +57,10 @@ def test_letters_typed_there_do_nothing_else(editor):
         ("spa", "Side Panel"),
         ("frz", "Freeze Parameters"),
         ("export", "Export…"),
-        ("param cheb", "Chebyshev"),
+        ("param cheb", "Chebyshev Parameters"),
         ("examples letter", "Letter S"),
         ("dark", "Theme: Dark"),
-        ("panels history", "History"),
+        ("panels history", "History Panel"),
     ],
 )
 def test_a_few_letters_find_it(editor, typed, name):
@@ -73,9 +74,9 @@ def test_everything_in_the_registry_and_in_the_menus_is_found(editor, palette, t
     found = set(editor.find_command(""))
     for spec in SPECS:
         if spec.name != "commandPalette":
-            assert editor.action(spec.name).text() in found
+            assert name_alone(editor.action(spec.name)) in found
     assert "of yesterday.curve.json" in found
-    assert {"Centripetal", "Letter S", "Points"} <= found
+    assert {"Centripetal Parameters", "Letter S", "Points Panel"} <= found
 
 
 def test_a_dynamic_action_is_done(editor):

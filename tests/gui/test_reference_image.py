@@ -364,7 +364,10 @@ def test_a_missing_file_is_explained_and_can_be_found_again(traced, tmp_path):
     traced.window.open_file(path)
     image = image_of(traced)
     assert "There is no file" in traced.message
-    assert "Find Image" in traced.message
+    offer = traced.window.message_bar.findChild(QToolButton, "offeredAction")
+    assert offer.isVisible()
+    assert offer.defaultAction() is traced.action("findImage")
+    assert offer.text() == "Find Image"
     assert len(traced.curve.nodes) == 8
     assert panel_of(traced).findChild(QLabel, "imageProblem").isVisible()
     traced.screenshot()

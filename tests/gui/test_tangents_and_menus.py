@@ -5,10 +5,11 @@ from __future__ import annotations
 import numpy as np
 import pytest
 from msgspec.structs import replace
-from PySide6.QtCore import QLocale, Qt
+from PySide6.QtCore import QLocale, QMimeData, Qt
 from PySide6.QtGui import QGuiApplication
 from PySide6.QtTest import QTest
 
+from app.commands.clipboard_commands import DERIVATIVES
 from app.document import edits
 from app.document.model import (
     AccelerationRule,
@@ -662,5 +663,9 @@ def test_both_sides_of_a_corner_are_copied(wave):
 def test_without_derivatives_on_the_clipboard_pasting_says_so(wave):
     wave.paste_text("1 2")
     wave.select_point(1)
+    assert not wave.action("pasteDerivatives").isEnabled()
+    broken = QMimeData()
+    broken.setData(DERIVATIVES, b"{")
+    QGuiApplication.clipboard().setMimeData(broken)
     wave.trigger("pasteDerivatives")
     assert "no derivatives on the clipboard" in wave.status

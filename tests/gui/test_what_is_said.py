@@ -124,11 +124,11 @@ def test_undo_and_redo_say_what_they_did(pair):
 def test_the_amount_of_a_cancelled_drag_goes_at_once(pair):
     pair.press(pair.point(1))
     pair.move((1.3, 4.4))
-    assert pair.status.startswith("Move point 1")
+    assert pair.status.startswith("Point 1 at ")
     pair.escape()
     assert pair.status == "Cancelled."
     pair.release((1.3, 4.4))
-    assert not pair.status.startswith("Move point 1")
+    assert not pair.status.startswith("Point 1 at")
 
 
 @pytest.mark.parametrize("act", ["deleteSelection", "undo", "familyLagrange"])
@@ -136,7 +136,7 @@ def test_the_amount_of_a_drag_goes_with_a_command_in_its_midst(pair, act):
     pair.press(pair.point(1))
     pair.move((1.3, 4.4))
     pair.trigger(act)
-    assert not pair.status.startswith("Move point 1")
+    assert not pair.status.startswith("Point 1 at")
 
 
 def test_a_transform_that_keys_began_leaves_nothing_behind(pair):

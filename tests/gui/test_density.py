@@ -1,0 +1,113 @@
+"""Many points leave the curve to be seen: discs and ticks have no more room than there is."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+
+from app.canvas.point_density import RADIUS, discs_for, with_neighbours
+from app.document.model import Document, Family, make_curve
+from app.panels.basis_layers import spread_out
+
+
+def row(count, gap):
+    """Pixels of points in a row."""
+    return np.column_stack([np.arange(count) * gap, np.zeros(count)]), np.arange(count)
+
+
+@pytest.mark.parametrize("count", [2, 8, 60, 1000])
+def test_discs_leave_half_of_the_way_free(count):
+    for gap in (4.0, 7.0, 10.0, 15.0):
+        discs = discs_for(*row(count, gap), 1.0)
+        assert discs.radius <= max(gap / 4, 1.25)
+        assert discs.rim == 0
+        assert not discs.crowded
+    assert discs_for(*row(count, 18.5), 1.0).radius == RADIUS
+    assert discs_for(*row(count, 18.5), 1.0).rim > 0
+
+
+def test_closer_than_three_pixels_many_are_left_away_but_few_never():
+    assert discs_for(*row(60, 2.5), 1.0).crowded
+    assert not discs_for(*row(20, 2.5), 1.0).crowded
+    assert not discs_for(*row(1, 1.0), 1.0).crowded
+
+
+def test_one_close_pair_does_not_shrink_the_others():
+    pixels, visible = row(6, 40.0)
+    pixels[5] = pixels[4] + 2
+    assert discs_for(pixels, visible, 1.0).radius == RADIUS
+
+
+def test_neighbours_of_the_chosen_are_drawn_unless_the_chosen_are_many():
+    among = np.arange(100)
+    assert with_neighbours([0, 50], among).tolist() == [0, 1, 2, 48, 49, 50, 51, 52]
+    assert with_neighbours(range(60), among).tolist() == []
+
+
+def test_ticks_keep_their_distance():
+    x = np.cumsum(np.tile([0.3, 2.0, 9.0], 30))
+    kept, gap = spread_out(x, np.arange(90), 4.0)
+    assert np.diff(x[kept]).min() >= 4
+    assert kept[0] == 0
+    assert gap > 4
+    everything, _ = spread_out(x * 100, np.arange(90), 4.0)
+    assert everything.tolist() == list(range(90))
+    assert spread_out(x, np.arange(1), 4.0)[1] == math.inf
+
+
+@pytest.fixture
+def wave(editor):
+    """Sixty points on a wave, ten pixels apart."""
+    points = [(0.1 * i, math.sin(0.1 * i)) for i in range(60)]
+    editor.session.commit(Document((make_curve(points, family=Family.HERMITE),)), "Begin")
+    editor.fit()
+    return editor
+
+
+def ink_share(editor):
+    """Between how many neighbours the middle of the curve is seen in its own colour."""
+    image, canvas = editor.window.canvas.grab().toImage(), editor.window.canvas
+    view = editor.session.active_view
+    middles = view.curve.evaluate((view.parameters[1:] + view.parameters[:-1]) / 2)
+    seen = []
+    for x, y in middles.tolist():
+        place = canvas.to_pixel(x, y)
+        around = [image.pixelColor(place.x(), place.y() + dy) for dy in (-1, 0, 1)]
+        seen.append(min(colour.lightness() for colour in around) < 60)
+    return sum(seen) / len(seen)
+
+
+def test_the_curve_is_seen_between_sixty_points(wave):
+    wave.trigger("themeLight")
+    canvas = wave.window.canvas
+    far = math.dist(canvas.to_pixel(0, 0).toTuple(), canvas.to_pixel(0.1, 0.0998).toTuple())
+    assert far < 16
+    assert ink_share(wave) > 0.9
+    assert canvas.points_note == ""
+
+
+def test_of_a_ribbon_of_points_only_the_chosen_are_drawn_and_a_note_says_so(wave):
+    canvas = wave.window.canvas
+    canvas.zoom(0.12, canvas.centre())
+    wave.settle()
+    assert canvas.points_note == "60 points: selection only · zoom in to see all"
+    wave.screenshot()
+    wave.select([30])
+    chosen = wave.screenshot()
+    wave.select([])
+    assert wave.screenshot() != chosen
+    wave.fit()
+    assert canvas.points_note == ""
+
+
+def test_a_point_that_is_not_drawn_is_grabbed_all_the_same(wave):
+    canvas = wave.window.canvas
+    canvas.zoom(0.12, canvas.centre())
+    wave.settle()
+    wave.click(wave.point(59))
+    assert wave.session.selection == {59}
+    before = wave.point(59)
+    wave.drag_point(59, to=(before[0] + 2, before[1] + 1))
+    assert wave.point(59) == pytest.approx((before[0] + 2, before[1] + 1), abs=1.5 * wave.pixel)

@@ -1,0 +1,161 @@
+"""Menus of a bearable height, words that stand alone, and a way back to every panel."""
+
+from __future__ import annotations
+
+import pytest
+from PySide6.QtCore import QByteArray, QEvent, QObject, QPoint, QSize, Qt
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QAbstractButton, QApplication, QDockWidget, QMenu
+
+from app.main_window import MainWindow
+from app.preferences import Preferences
+from app.session import Session
+from app.window_layout import first_size
+
+_ROOM = 700 - 30
+"""Height of a small window below its menu bar."""
+
+
+def menus_of(menu: QMenu):
+    """Yield a menu and those within it."""
+    yield menu
+    for action in menu.actions():
+        if action.menu() is not None:
+            yield from menus_of(action.menu())
+
+
+def panels_menu(editor) -> QMenu:
+    return editor.window.findChild(QMenu, "panelsMenu")
+
+
+def choose(menu: QMenu, text: str) -> None:
+    """Open a menu and click on an entry of it."""
+    menu.popup(QPoint(0, 0))
+    (entry,) = [action for action in menu.actions() if action.text() == text]
+    QTest.mouseClick(menu, Qt.MouseButton.LeftButton, pos=menu.actionGeometry(entry).center())
+
+
+def test_every_menu_fits_below_the_menu_bar_of_a_small_window(editor):
+    for entry in editor.window.menuBar().actions():
+        for menu in menus_of(entry.menu()):
+            menu.aboutToShow.emit()
+            assert menu.sizeHint().height() <= _ROOM, menu.title()
+
+
+def test_the_curve_menu_is_short(editor):
+    (curve,) = [entry.menu() for entry in editor.window.menuBar().actions() if entry.text() == "Curve"]
+    entries = [action for action in curve.actions() if not action.isSeparator()]
+    assert len(entries) <= 15
+    submenus = [action.text() for action in entries if action.menu() is not None]
+    assert submenus == ["Points", "Tangents", "Parameters", "Properties", "Order"]
+
+
+def test_names_in_the_palette_stand_alone(editor):
+    found = editor.find_command("")
+    for word in ("Top", "Smooth", "Uniform", "Play", "Overwrite"):
+        assert word not in found
+    editor.select([0, 1])
+    assert editor.find_command("top")[0] == "Align Top"
+    editor.choose_family("hermite")
+    assert editor.find_command("smooth")[0] == "Smooth Tangents"
+    assert len(found) == len(set(found))
+
+
+def test_the_rules_come_first_among_the_parameters(editor):
+    (menu,) = [each for each in editor.window.findChildren(QMenu) if each.objectName() == "parametersMenu"]
+    texts = [action.text() for action in menu.actions()]
+    assert texts[:8] == [
+        "Uniform", "Chord length", "Centripetal", "Power α", "Chebyshev", "Manual", "", "Freeze Parameters",
+    ]  # fmt: skip
+
+
+def test_a_closed_panel_comes_back_from_the_menu_view(editor):
+    dock = editor.window.findChild(QDockWidget, "curvesDock")
+    dock.raise_()
+    editor.settle()
+    button = dock.findChild(QAbstractButton, "qt_dockwidget_closebutton")
+    QTest.mouseClick(button, Qt.MouseButton.LeftButton)
+    assert dock.isHidden()
+    menu = panels_menu(editor)
+    assert [action.text() for action in menu.actions() if not action.isChecked()] == [
+        "Curves", "Lab", "Wiggle", "Hodograph", "Image", "Lessons",
+    ]  # fmt: skip
+    choose(menu, "Curves")
+    assert dock.isVisible()
+    assert not dock.visibleRegion().isEmpty()
+
+
+def test_the_panels_menu_has_every_dock(editor):
+    docks = editor.window.findChildren(QDockWidget)
+    actions = panels_menu(editor).actions()
+    assert {dock.toggleViewAction() for dock in docks} == set(actions)
+    for action in actions:
+        assert action.isCheckable()
+        assert action.statusTip()
+        assert action.objectName()
+
+
+class ShowOrder(QObject):
+    """Notes who is shown, in order."""
+
+    def __init__(self, *watched):
+        super().__init__()
+        self.shown = []
+        for each in watched:
+            each.installEventFilter(self)
+
+    def eventFilter(self, watched, event):
+        if event.type() == QEvent.Type.Show:
+            self.shown.append(watched.objectName())
+        return False
+
+
+def test_an_undocked_panel_is_shown_after_the_window_at_the_next_start(qtbot, tmp_path):
+    preferences = tmp_path / "settings.ini"
+    first = MainWindow(Session(), Preferences(preferences))
+    first.setObjectName("mainWindow")
+    with qtbot.waitExposed(first):
+        first.show()
+    dock = first.findChild(QDockWidget, "historyDock")
+    dock.setFloating(True)
+    first.close()
+    assert not dock.isVisible()
+    second = MainWindow(Session(), Preferences(preferences))
+    second.setObjectName("mainWindow")
+    qtbot.addWidget(second)
+    dock = second.findChild(QDockWidget, "historyDock")
+    order = ShowOrder(second, dock)
+    with qtbot.waitExposed(second):
+        second.show()
+    qtbot.waitUntil(lambda: order.shown[-1:] == ["historyDock"])
+    assert dock.isFloating()
+    assert dock.isVisible()
+
+
+class FakeScreen:
+    """A screen of another size than the one here."""
+
+    def __init__(self, width, height):
+        self._size = QSize(width, height)
+
+    def availableSize(self):
+        return self._size
+
+
+@pytest.mark.parametrize(("screen", "most"), [((1024, 768), (1008, 720)), ((3840, 2160), (1280, 860))])
+def test_the_first_window_fits_the_screen_with_its_frame(screen, most):
+    size = first_size(FakeScreen(*screen))
+    assert (size.width(), size.height()) == most
+
+
+def test_a_place_that_is_none_is_not_worth_a_word(qtbot, tmp_path):
+    preferences = Preferences(tmp_path / "settings.ini")
+    tiny = MainWindow(Session(), preferences)
+    qtbot.addWidget(tiny)
+    usual = tiny.size()
+    preferences.window_geometry = QByteArray(b"none")
+    window = MainWindow(Session(), preferences)
+    qtbot.addWidget(window)
+    assert preferences.complaint == ""
+    assert window.size() == usual
+    assert QApplication.activeModalWidget() is None

@@ -1,0 +1,103 @@
+"""While a point moves, the status line says where it is: not only how far it went, or where the hand is."""
+
+from __future__ import annotations
+
+import pytest
+from PySide6.QtCore import Qt
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QLabel
+
+from app.document.model import Document, make_curve
+
+CTRL, SHIFT = Qt.KeyboardModifier.ControlModifier, Qt.KeyboardModifier.ShiftModifier
+RIGHT, UP = Qt.Key.Key_Right, Qt.Key.Key_Up
+
+
+@pytest.fixture
+def arch(editor):
+    editor.session.commit(Document((make_curve(((0.0, 0.0), (1.0, 2.0), (3.0, 2.0), (4.0, 0.0))),)), "Begin")
+    editor.window.canvas.show_box((-3, 7), (-3, 5))
+    editor.settle()
+    return editor
+
+
+def shown_place(editor):
+    """The numbers at the right of the status line."""
+    QTest.qWait(50)
+    return editor.window.statusBar().findChild(QLabel, "pointerPlace").text()
+
+
+def test_a_dragged_point_tells_where_it_is(arch):
+    arch.press(arch.point(1))
+    arch.move((1.5, 2.25))
+    assert arch.status.startswith("Point 1 at ")
+    x, y = arch.point(1)
+    assert f"Point 1 at {x:.4g}, {y:.4g} · moved {x - 1:.4g}, {y - 2:.4g}" in arch.status
+    arch.release((1.5, 2.25))
+
+
+def test_a_point_that_snaps_tells_its_own_place_and_not_the_hand_s(arch):
+    near = arch.window.canvas.grid_spacing[0] * 3
+    arch.press(arch.point(1), keys=CTRL)
+    arch.move((1 + near + 3 * arch.pixel, 2 + 2 * arch.pixel), keys=CTRL)
+    place = arch.point(1)
+    assert place == pytest.approx((1 + near, 2.0), abs=1e-12)
+    assert f"Point 1 at {place[0]:.4g}, 2 · moved {near:.4g}, 0" in arch.status
+    assert shown_place(arch) == f"x {place[0]:.4g}   y 2"
+    arch.escape()
+    arch.release((1 + near, 2.0))
+
+
+def test_along_one_axis_too(arch):
+    arch.press(arch.point(2), keys=SHIFT)
+    arch.move((4.0, 2.2), keys=SHIFT)
+    assert "Point 2 at 4" in arch.status
+    assert shown_place(arch).endswith("y 2")
+    arch.release((4.0, 2.2), keys=SHIFT)
+
+
+def test_several_points_tell_how_far_they_went(arch):
+    arch.select([1, 2])
+    arch.press(arch.point(1))
+    arch.move((1.5, 2.0))
+    assert arch.status.startswith("Move 2 points by 0.5")
+    assert shown_place(arch).startswith(f"x {arch.point(1)[0]:.4g}")
+    arch.release((1.5, 2.0))
+
+
+def test_the_pointer_s_place_comes_back_after_the_drag(arch):
+    arch.drag_point(1, to=(1.5, 2.25))
+    arch.hover((5.0, 1.0))
+    assert shown_place(arch).startswith("x 5") or shown_place(arch).startswith("x 4.99")
+
+
+def test_a_transform_by_key_tells_where_its_one_point_is(arch):
+    arch.select([1])
+    arch.hover((1.0, 2.0))
+    arch.trigger("moveSelection")
+    arch.type_amount("2")
+    assert arch.status.startswith("Move 2, 0 · Point 1 at 3, 2 · ")
+    assert arch.window.canvas.overlay.note.text == "Move 2, 0"
+    arch.hover((1.5, 2.5))
+    assert shown_place(arch) == "x 3   y 2"
+    arch.key(Qt.Key.Key_S)
+    arch.hover((1.6, 2.5))
+    assert shown_place(arch).startswith("x 1.6") or shown_place(arch).startswith("x 1.59")
+    arch.escape()
+
+
+def test_nudges_say_where_the_point_is_and_the_step(arch):
+    arch.select([1])
+    arch.key(RIGHT)
+    assert arch.status == f"Point 1 at {1 + arch.pixel:.4g}, 2 · step {arch.pixel:.4g}, 0"
+    arch.select([1, 2])
+    arch.key(UP)
+    assert arch.status == f"2 points nudged · step 0, {arch.pixel:.4g}"
+
+
+def test_nudges_on_the_grid_say_its_step(arch):
+    arch.trigger("toggleSnap")
+    arch.select([2])
+    fine = arch.window.canvas.grid_spacing[0]
+    arch.key(RIGHT)
+    assert arch.status == f"Point 2 at {3 + fine:.4g}, 2 · step {fine:.4g}, 0"
