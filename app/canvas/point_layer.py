@@ -150,6 +150,8 @@ class PointLayer:
         radius: float,
         rim: float,
     ) -> None:
+        if not indices:
+            return
         painter.setPen(QPen(self.theme.paper, rim) if rim else Qt.PenStyle.NoPen)
         for index in indices:
             painter.setBrush(colours[index])

@@ -61,10 +61,10 @@ class MovePoints(msgspec.Struct, frozen=True):
 
     def note_at(self, pointer: Pointer) -> str:
         """Tell where one point is and how far it came; of several, how far they came."""
-        way = self.way_at(pointer)[0]
+        way, target = self.way_at(pointer)
         if len(self.indices) > 1:
             return f"{self.name} by {words.vector(way)}"
-        return f"{words.point_at(self._held, self.place_at(pointer))} · moved {words.vector(way)}"
+        return f"{words.point_at(self._held, self._place(way, target))} · moved {words.vector(way)}"
 
     @property
     def _held(self) -> int:
@@ -72,7 +72,9 @@ class MovePoints(msgspec.Struct, frozen=True):
 
     def place_at(self, pointer: Pointer) -> Vector:
         """Return where the node is that is held, to the last bit where it snapped to."""
-        by, target = self.way_at(pointer)
+        return self._place(*self.way_at(pointer))
+
+    def _place(self, by: Vector, target: Vector | None) -> Vector:
         held = self.document.curves[self.curve].nodes[self._held].position
         return target if target is not None else _plus(held, by)
 
