@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 import numpy as np
-from PySide6.QtCore import QPointF, QRectF, Qt
+from PySide6.QtCore import QPointF, QRectF, Qt, QTimer
 from PySide6.QtGui import QColor, QFont, QPainter, QPen, QPolygonF
 
 from app.canvas.point_density import RADIUS, Discs, discs_for, with_neighbours
@@ -21,6 +21,9 @@ from app.view_model.handles import Handle, handles_of
 
 _SELECTED_RADIUS, _GROWTH = 5.5, 1.0
 _LABELLED_UP_TO = 12
+_DISCS_MS = 200
+"""How long discs keep their size while points move."""
+
 _WEIGHED_UP_TO = 24
 _LEAST_WEIGHT = 5e-3
 _FAR = 1e5
@@ -51,6 +54,11 @@ class PointLayer:
         self._font = QFont(plot.font())
         self._stamps = Stamps(_disc)
         self._discs_now = Discs(RADIUS, 0.0)
+        self._discs_asked: tuple[object, ...] = ()
+        self._measured: Floats | None = None
+        # Paints once more when a drag has ended, with discs as large as there is room for then.
+        self._soon = QTimer(plot, singleShot=True, interval=_DISCS_MS)
+        self._soon.timeout.connect(self.refresh)
         self._pixels_of: tuple[Floats | None, PixelMap | None] = (None, None)
         self._pixels: Floats = np.empty((0, 2))
         self._visible: Integers = np.empty(0, dtype=np.intp)
@@ -107,7 +115,7 @@ class PointLayer:
     def _paint_points(
         self, painter: QPainter, pixels: Floats, visible: Integers, colours: Sequence[QColor]
     ) -> None:
-        discs = self._discs_now = discs_for(pixels, visible, self.scale)
+        discs = self._discs_of(pixels, visible)
         chosen = [index for index in self.selection if index < len(pixels)]
         is_calm = np.ones(len(pixels), dtype=bool)
         is_calm[chosen] = False
@@ -126,6 +134,17 @@ class PointLayer:
             self._paint_selected(painter, QPointF(*pixels[index]), colours[index])
         if discs.crowded:
             self._paint_note(painter, shown=painter.clipBoundingRect())
+
+    def _discs_of(self, pixels: Floats, visible: Integers) -> Discs:
+        """Return how discs are drawn; under a drag that hardly changes, and is not asked every frame."""
+        asked = (self._pixels_of[1], len(pixels), len(visible), self.scale)
+        if asked == self._discs_asked and self._soon.isActive():
+            return self._discs_now
+        if pixels is not self._measured:
+            self._soon.start()
+        self._discs_asked, self._measured = asked, pixels
+        self._discs_now = discs_for(pixels, visible, self.scale)
+        return self._discs_now
 
     @property
     def note(self) -> str:
@@ -150,6 +169,8 @@ class PointLayer:
         radius: float,
         rim: float,
     ) -> None:
+        if not indices:
+            return
         painter.setPen(QPen(self.theme.paper, rim) if rim else Qt.PenStyle.NoPen)
         for index in indices:
             painter.setBrush(colours[index])

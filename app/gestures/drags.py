@@ -56,14 +56,17 @@ class MovePoints(msgspec.Struct, frozen=True):
 
     def note_at(self, pointer: Pointer) -> str:
         """Tell where one point is and how far it came; of several, how far they came."""
-        way, one = self.way_at(pointer)[0], self.group.only_node
+        way, target = self.way_at(pointer)
+        one = self.group.only_node
         if one is None:
             return f"{self.name} by {words.vector(way)}"
-        return f"{words.point_at(one[1], self.place_at(pointer))} · moved {words.vector(way)}"
+        return f"{words.point_at(one[1], self._place(way, target))} · moved {words.vector(way)}"
 
     def place_at(self, pointer: Pointer) -> Vector:
         """Return where the node is that is held, to the last bit where it snapped to."""
-        by, target = self.way_at(pointer)
+        return self._place(*self.way_at(pointer))
+
+    def _place(self, by: Vector, target: Vector | None) -> Vector:
         curve, index = self.grip if self.grip[1] >= 0 else self.group.first_node
         held = self.document.curves[curve].nodes[index].position
         return target if target is not None else _plus(held, by)

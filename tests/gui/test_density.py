@@ -6,6 +6,7 @@ import math
 
 import numpy as np
 import pytest
+from PySide6.QtTest import QTest
 
 from app.canvas.point_density import RADIUS, discs_for, with_neighbours
 from app.document.model import Document, Family, make_curve
@@ -111,3 +112,20 @@ def test_a_point_that_is_not_drawn_is_grabbed_all_the_same(wave):
     before = wave.point(59)
     wave.drag_point(59, to=(before[0] + 2, before[1] + 1))
     assert wave.point(59) == pytest.approx((before[0] + 2, before[1] + 1), abs=1.5 * wave.pixel)
+
+
+def test_discs_find_their_size_after_points_came_together_without_another_event(wave):
+    canvas = wave.window.canvas
+    document = wave.session.document
+    wave.session.commit(scaled(document, 0.1), "Shrink")
+    QTest.qWait(300)
+    assert canvas.points_note.startswith("60 points")
+    wave.session.undo_stack.undo()
+    QTest.qWait(300)
+    assert canvas.points_note == ""
+
+
+def scaled(document, factor):
+    """The same points, closer together, seen at the same zoom."""
+    points = [(factor * node.x, factor * node.y) for node in document.curves[0].nodes]
+    return Document((make_curve(points, family=Family.HERMITE),))
