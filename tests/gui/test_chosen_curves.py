@@ -357,6 +357,7 @@ def test_locked_curves_are_named_and_nothing_happens_half(five):
     assert five.window.status_line.hint == sentence
     # What cannot be moved has no grips.
     assert five.window.canvas.overlay.box is None
+    assert step_name(five) == "Lock 2 curves"
 
 
 def test_the_right_button_on_a_chosen_curve_leaves_them_chosen(five):
