@@ -2,8 +2,8 @@
 
 A curve is linear in its data, c(t) = Σ b_i d_i with the weights b_i = B_ir(t). Of all changes δd with
 Σ b_i δd_i = Δ the one of least norm is δd = b (b·b)⁻¹ Δ. For a piecewise curve the norm is taken of what a
-person drags, the Bézier control points of the segment: then handles give way where they can, and points that
-were placed with care move least.
+person drags, the Bézier control points of the segment, and a way of the curve's own points counts more than
+one of handles: these give way where they can, and points that were placed with care move least.
 
 That is exact at frozen parameters. Where points change and a rule gives the parameters, or estimates
 derivatives from the points, the curve answers differently: the grabbed point is then held at its share of its
@@ -32,6 +32,9 @@ from curvecore import CurveError, LagrangeCurve
 
 _LEAST_HOLD = 1e-4
 """b·b below which the data have no hold on the curve: they would change a hundred times as much as it."""
+
+_PRICE_OF_POINTS = 3.0
+"""What a way of a point on the curve costs, that of a handle being 1: it moves only where it is grabbed."""
 
 _MAX_STEPS = 8
 
@@ -62,10 +65,14 @@ class _Datum(msgspec.Struct, frozen=True):
 
 
 class _Hold(msgspec.Struct, frozen=True):
-    """The data that may change, and the hold they have on the curve: Σ b_i² of what the norm is taken of."""
+    """The data that may change, and the hold they have on the curve: Σ b_i² of what the norm is taken of.
+
+    `price` is what the way of a point counts in that norm.
+    """
 
     data: tuple[_Datum, ...]
     strength: float
+    price: float = 1.0
 
 
 class _Place(msgspec.Struct, frozen=True):
@@ -115,10 +122,11 @@ def _hold_of_segment(view: CurveView, t: float, segment: int, *, ends_stay: bool
     start, end = view.parameters[segment : segment + 2].tolist()
     h, s = end - start, (t - start) / (end - start)
     weights = np.array([math.comb(degree, j) * s**j * (1 - s) ** (degree - j) for j in range(degree + 1)])
-    if ends_stay:
-        weights[[0, -1]] = 0.0
-    strength = float(weights @ weights)
-    controls = weights / strength if strength else weights
+    # Per price: with Q = λ q the norm is |Q|² and the weights are b / λ.
+    changes = weights.copy()
+    changes[[0, -1]] *= 0.0 if ends_stay else _PRICE_OF_POINTS**-2
+    strength = float(weights @ changes)
+    controls = changes / strength if strength else changes
     sides = ((segment, controls, h, True), (segment + 1, controls[::-1], -h, False))
     return _Hold(
         tuple(
@@ -127,6 +135,7 @@ def _hold_of_segment(view: CurveView, t: float, segment: int, *, ends_stay: bool
             for order in range(int(ends_stay), kinds)
         ),
         strength,
+        _PRICE_OF_POINTS,
     )
 
 
@@ -201,7 +210,8 @@ class Bend:
 
     def _bent_and_shifted(self, pull: Floats) -> Curve:
         of_points = sum(datum.change for datum in self._data if datum.order == 0)
-        cost = Cost(1 / self._hold.strength, of_points, float(len(self._view.points)))
+        price = self._hold.price**2
+        cost = Cost(1 / self._hold.strength, price * of_points, price * len(self._view.points))
         shares = divided(self._moved_by, pull, cost, self._size, self._slope)
         return self._curve(shares.bend, shares.shift)
 

@@ -140,19 +140,21 @@ def test_the_bezier_points_of_the_segment_change_least(family, using, share):
     delta = bezier_segments(after.curve)[1] - bezier_segments(view.curve)[1]
     degree = len(delta) - 1
     row = np.array([math.comb(degree, j) * share**j * (1 - share) ** (degree - j) for j in range(degree + 1)])
-    if using is BendWith.DERIVATIVES:
-        row[[0, -1]] = 0.0
-    expected = np.linalg.lstsq(row[None], pull[None], rcond=None)[0]
-    assert delta == pytest.approx(expected, abs=1e-13)
+    # A way of a point on the curve counts three times as much as one of a handle, or is not allowed.
+    price = np.ones(degree + 1)
+    price[[0, -1]] = np.inf if using is BendWith.DERIVATIVES else 3.0
+    priced = np.linalg.lstsq((row / price)[None], pull[None], rcond=None)[0]
+    assert delta == pytest.approx(priced / price[:, None], abs=1e-13)
 
 
-def test_points_that_were_placed_move_less_than_the_pointer():
+@pytest.mark.parametrize(("share", "most"), [(0.5, 0.15), (0.7, 0.3), (0.85, 0.6)])
+def test_points_that_were_placed_move_far_less_than_the_pointer(share, most):
     """With h v for the norm they went along by 94 hundredths of the way."""
     view = view_of(edits.set_family(Document((make_curve(POINTS),)), 0, Family.HERMITE).curves[0])
-    t = float(view.parameters[1:3].mean())
+    t = float(view.parameters[1] + share * (view.parameters[2] - view.parameters[1]))
     target = tuple((view.curve.evaluate(t) + np.array([0.4, 0.3])).tolist())
     after = view_of(Bend(view, t, BendWith.ALL).bent(target, 1e-6))
-    assert np.hypot(*(after.points - view.points).T).max() < 0.65 * 0.5
+    assert np.hypot(*(after.points - view.points).T).max() < most * 0.5
 
 
 @pytest.mark.parametrize("family", [Family.HERMITE, Family.QUINTIC_HERMITE])
