@@ -262,9 +262,10 @@ class Editor(Hand):
 
     def find_command(self, text: str) -> list[str]:
         """Open the command palette, type, and return the names it finds, best first; it stays open."""
-        palette = self._palette()
-        if not palette.isVisible():
+        built = self.window.findChild(CommandPalette)
+        if built is None or not built.isVisible():
             self.trigger("commandPalette")
+        palette = self._palette()
         palette.search.clear()
         QTest.keyClicks(palette.search, text)
         self.settle()

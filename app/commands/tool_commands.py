@@ -9,11 +9,11 @@ from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QMenu
 
 from app.commands.parts import Handlers, Parts
-from app.panels.command_palette import Command, CommandPalette
 from app.theme import ThemeMode
 from app.view_model.curve_view import CurveView
 
 if TYPE_CHECKING:
+    from app.panels.command_palette import Command, CommandPalette
     from app.panels.preferences_dialog import PreferencesDialog
 
 
@@ -24,7 +24,7 @@ class ToolCommands:
         self._parts = parts
         self._apply_preferences = apply_preferences
         self._keymap = parts.actions.keymap
-        self._palette = CommandPalette(parts.canvas, self._commands)
+        self._palette: CommandPalette | None = None
         self._dialog: PreferencesDialog | None = None
         self._keymap.load(parts.preferences.shortcuts)
         self._keymap.changed.connect(self._remember_keys)
@@ -43,6 +43,11 @@ class ToolCommands:
     # Palette
 
     def _toggle_palette(self) -> None:
+        if self._palette is None:
+            # Nobody waits for it at the start.
+            from app.panels.command_palette import CommandPalette  # noqa: PLC0415
+
+            self._palette = CommandPalette(self._parts.canvas, self._commands)
         if self._palette.isVisible():
             self._palette.close_and_return()
         else:
@@ -50,6 +55,8 @@ class ToolCommands:
 
     def _commands(self) -> list[Command]:
         """Return everything with a name: what the menus hold, then what only other places offer."""
+        from app.panels.command_palette import Command  # noqa: PLC0415 - as the palette itself
+
         window, found = self._parts.window, dict[QAction, str]()
         for entry in window.menuBar().actions():
             menu = _menu_of(entry)

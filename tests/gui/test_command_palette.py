@@ -16,7 +16,11 @@ from app.panels.fuzzy import fitness
 
 @pytest.fixture
 def palette(editor):
-    return editor.window.findChild(CommandPalette)
+    # It is built when it is first opened.
+    editor.trigger("commandPalette")
+    palette = editor.window.findChild(CommandPalette)
+    palette.close_and_return()
+    return palette
 
 
 def press(palette, key):
