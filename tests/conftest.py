@@ -36,13 +36,21 @@ def own_home(tmp_path_factory, monkeypatch):
 
 
 @pytest.fixture(autouse=True)
-def _no_window_left_open():
-    """Fail a test that leaves a window on the screen; the next one would find it there."""
+def _no_window_left_over():
+    """Fail a test that leaves a window, shown or hidden; the next one would find it there."""
     yield
     widgets = sys.modules.get("PySide6.QtWidgets")
     if widgets is None or not isinstance(widgets.QApplication.instance(), widgets.QApplication):
         return
-    left = [widget for widget in widgets.QApplication.topLevelWidgets() if widget.isVisible()]
+    core = sys.modules["PySide6.QtCore"]
+    # What qtbot closed is deleted by an event loop, which not every next test has.
+    core.QCoreApplication.sendPostedEvents(None, core.QEvent.Type.DeferredDelete)
+    left = [
+        widget
+        for widget in widgets.QApplication.topLevelWidgets()
+        if widget.isVisible() or isinstance(widget, widgets.QMainWindow)
+    ]
     for widget in left:
         widget.hide()
-    assert not left, f"still open: {left} (give windows to qtbot.addWidget)"
+        widget.deleteLater()
+    assert not left, f"left over: {left} (give windows to qtbot.addWidget)"

@@ -114,6 +114,7 @@ def test_an_undocked_panel_is_shown_after_the_window_at_the_next_start(qtbot, tm
     preferences = tmp_path / "settings.ini"
     first = MainWindow(Session(), Preferences(preferences))
     first.setObjectName("mainWindow")
+    qtbot.addWidget(first)
     with qtbot.waitExposed(first):
         first.show()
     dock = first.findChild(QDockWidget, "historyDock")
