@@ -29,7 +29,8 @@ PICTURE_SIDE = 12.0
 """Longer side of a TikZ picture, in centimetres."""
 
 _PICTURE_DIGITS = 5  # TeX itself counts in 1/65536 pt, 5e-6 cm
-_ROWS_OF_ARRAY = 40
+_LINES_OF_ARRAY = 40
+_POINTS_OF_LINE = 2  # what the text of an article is wide enough for
 _SPECIAL = {
     **{each: f"\\{each}" for each in "#$%&_{}"},
     "\\": r"\textbackslash{}",
@@ -118,8 +119,8 @@ def _lagrange(piece: LagrangeCurve, digits: int) -> str:
         rf"\qquad {start} \le t \le {end} \]"
     )
     data = zip(piece.parameters.tolist(), piece.points.tolist(), strict=True)
-    rows = [[str(i), tex_number(t, digits), _point(point, digits)] for i, (t, point) in enumerate(data)]
-    return "\n".join([formula, *_arrays(["i", "t_i", r"\mathbf{p}_i"], rows)])
+    rows = [[[str(i), tex_number(t, digits), _point(point, digits)]] for i, (t, point) in enumerate(data)]
+    return "\n".join([formula, *_arrays([["i", "t_i", r"\mathbf{p}_i"]], rows)])
 
 
 def _segments(piece: SimpleCurve, digits: int) -> str:
@@ -131,19 +132,33 @@ def _segments(piece: SimpleCurve, digits: int) -> str:
     t = [tex_number(value, digits) for value in piece.parameters.tolist()]
     controls = beziers_of(piece, 1.0).control_points.tolist()
     rows = [
-        [t[i], t[i + 1], *(_point(point, digits) for point in segment)] for i, segment in enumerate(controls)
+        _in_lines([t[i], t[i + 1]], [_point(point, digits) for point in segment])
+        for i, segment in enumerate(controls)
     ]
-    titles = ["t_i", "t_{i+1}", *(rf"\mathbf{{b}}_{k}" for k in range(degree + 1))]
-    return "\n".join([formula, *_arrays(titles, rows)])
+    titles = [rf"\mathbf{{b}}_{k}" for k in range(degree + 1)]
+    return "\n".join([formula, *_arrays(_in_lines(["t_i", "t_{i+1}"], titles), rows)])
 
 
-def _arrays(titles: list[str], rows: list[list[str]]) -> list[str]:
-    """Return rows of cells as arrays short enough for a page."""
+def _in_lines(head: list[str], points: list[str]) -> list[list[str]]:
+    """Return the cells of one segment as lines of the width of a page, the head before the first."""
+    starts = range(0, len(points), _POINTS_OF_LINE)
+    return [
+        [*(head if first == 0 else [""] * len(head)), *points[first : first + _POINTS_OF_LINE]]
+        for first in starts
+    ]
+
+
+def _arrays(titles: list[list[str]], rows: list[list[list[str]]]) -> list[str]:
+    """Return rows, each of as many lines of cells as the titles, as arrays short enough for a page."""
+    step = _LINES_OF_ARRAY // len(titles)
     result = []
-    for first in range(0, len(rows), _ROWS_OF_ARRAY):
-        lines = [" & ".join(cells) for cells in [titles, *rows[first : first + _ROWS_OF_ARRAY]]]
-        body = " \\\\\n".join(lines)
-        result.append(f"\\[ \\begin{{array}}{{{'l' * len(titles)}}}\n{body}\n\\end{{array}} \\]")
+    for first in range(0, len(rows), step):
+        blocks = [
+            " \\\\\n".join(" & ".join(cells) for cells in row)
+            for row in [titles, *rows[first : first + step]]
+        ]
+        body = " \\\\[4pt]\n".join(blocks) if len(titles) > 1 else " \\\\\n".join(blocks)
+        result.append(f"\\[ \\begin{{array}}{{{'l' * len(titles[0])}}}\n{body}\n\\end{{array}} \\]")
     return result
 
 

@@ -143,11 +143,13 @@ def tex_values(cell):
 
 
 def tex_rows(text):
+    """The cells of every row; a row of several lines has a gap behind it."""
     arrays = re.findall(r"\\begin\{array\}\{l+\}\n(.*?)\n\\end\{array\}", text, re.DOTALL)
+    gap = " \\\\[4pt]\n" if "[4pt]" in text else " \\\\\n"
     return [
-        [tex_values(cell) for cell in line.split(" & ")]
+        [tex_values(cell) for cell in re.split(r" & | \\\\\n", row) if cell]
         for body in arrays
-        for line in body.split(" \\\\\n")[1:]
+        for row in body.split(gap)[1:]
     ]
 
 
@@ -165,6 +167,11 @@ def test_the_numbers_of_the_formula_give_the_curve_within_the_stated_deviation(k
         middle = bernstein(np.array(controls), np.array([0.5]))[0]
         speed = np.hypot(*source.core.evaluate((start + end) / 2, 1))
         assert np.hypot(*(middle - source.core.evaluate((start + end) / 2))) <= bound + 1e-3 * speed
+
+
+def test_the_rows_of_a_formula_fit_a_page(kind):
+    for line in latex_formula(kind).text.splitlines():
+        assert line.count("& (") <= 2
 
 
 def test_more_digits_come_closer(sketch):
@@ -254,3 +261,4 @@ def test_tex_typesets_it(gallery, tmp_path):
         check=False,
     )
     assert done.returncode == 0, done.stdout[-2000:]
+    assert b"Overfull" not in done.stdout
