@@ -12,7 +12,8 @@ from msgspec.structs import replace
 from app.document import edits
 from app.document.edits import EditError
 from app.document.model import Document, Family, Node, Vector
-from app.view_model.curve_view import CurveView, Floats, appended_parameter, appended_squeeze, view_of
+from app.view_model.appending import with_nodes_appended
+from app.view_model.curve_view import CurveView, Floats, appended_parameter, view_of
 from app.view_model.jets import explicit_sides
 
 
@@ -296,10 +297,7 @@ def _append(document: Document, curve: int, view: CurveView, new: Sequence[Node]
         first = appended_parameter(before, new[0])
         step = first - (before.source.nodes[-1].t or 0.0) if before.source.nodes else 1.0
         new = [replace(node, t=first + step * offset) for offset, node in enumerate(new)]
-        return edits.insert_nodes(document, curve, len(before.source.nodes), new)
-    squeeze = appended_squeeze(before, new)
-    document = edits.append_node(document, curve, new[0], squeeze=squeeze)
-    return edits.insert_nodes(document, curve, len(before.source.nodes) + 1, new[1:])
+    return with_nodes_appended(document, curve, before, new)
 
 
 # Back to the rules

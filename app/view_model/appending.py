@@ -1,4 +1,4 @@
-"""Points appended and curves closed by the pen, so that no handle grows beyond what was drawn.
+"""Points appended and curves closed so that no handle grows beyond what was drawn.
 
 A node has one velocity, and its handles lie at ±h·v/3 of the segments on its two sides: a segment that is ten
 times as long as the one before it would pull the handle ahead ten times as far out as the person did.
@@ -6,12 +6,12 @@ times as long as the one before it would pull the handle ahead ten times as far 
 
 from __future__ import annotations
 
-from collections.abc import Collection
+from collections.abc import Collection, Sequence
 
 import numpy as np
 from msgspec.structs import replace
 
-from app.document.edits import append_node, stretched
+from app.document.edits import append_node, insert_nodes, stretched
 from app.document.model import Curve, Document, Node, Vector
 from app.view_model.closing import with_closed
 from app.view_model.curve_view import CurveView, appended_parameter, appended_squeeze, parameters_of
@@ -31,11 +31,23 @@ def with_point_appended(document: Document, curve: int, view: CurveView, positio
         If the position is not one that a document may hold.
     """
     t = appended_parameter(view, Node(*position)) if view.source.is_manual else None
-    node = Node(*position, t=t)
-    document = append_node(document, curve, node, squeeze=appended_squeeze(view, [node]))
+    return with_nodes_appended(document, curve, view, [Node(*position, t=t)])
+
+
+def with_nodes_appended(document: Document, curve: int, view: CurveView, nodes: Sequence[Node]) -> Document:
+    """Return the document with `nodes` at the end of its curve `curve`; handles as by `with_point_appended`.
+
+    Raises
+    ------
+    EditError
+        If they are not what a document may hold.
+    """
+    count = len(view.source.nodes)
+    document = append_node(document, curve, nodes[0], squeeze=appended_squeeze(view, nodes))
+    document = insert_nodes(document, curve, count + 1, nodes[1:])
     if view.source.is_closed:
         return document
-    return _kept_short(document, curve, view, [len(view.source.nodes) - 1])
+    return _kept_short(document, curve, view, [count - 1])
 
 
 def closed_by_pen(document: Document, curve: int, view: CurveView) -> Document:

@@ -9,7 +9,6 @@ from msgspec.structs import replace
 
 from app.document.edits import (
     EditError,
-    append_node,
     freeze_parameters,
     insert_nodes,
     set_interval,
@@ -17,7 +16,8 @@ from app.document.edits import (
     stretched,
 )
 from app.document.model import Curve, Document, Node, Parametrization, ParametrizationKind, make_curve
-from app.view_model.curve_view import CurveView, appended_parameter, appended_squeeze, view_of
+from app.view_model.appending import with_nodes_appended
+from app.view_model.curve_view import CurveView, appended_parameter, view_of
 
 
 def copied(view: CurveView, indices: Collection[int]) -> Curve:
@@ -39,10 +39,8 @@ def appended(view: CurveView, pasted: Sequence[Node]) -> Curve:
     """
     document, count = Document((view.source,)), len(view.source.nodes)
     if view.source.is_manual:
-        return insert_nodes(document, 0, count, _later(view, pasted)).curves[0]
-    bare = [replace(node, t=None) for node in pasted]
-    document = append_node(document, 0, bare[0], squeeze=appended_squeeze(view, bare))
-    document = insert_nodes(document, 0, count + 1, bare[1:])
+        return with_nodes_appended(document, 0, view, _later(view, pasted)).curves[0]
+    document = with_nodes_appended(document, 0, view, [replace(node, t=None) for node in pasted])
     factor = _factor(pasted, view_of(document.curves[0]))
     nodes = document.curves[0].nodes
     new = (stretched(node, factor) for node in nodes[count:])

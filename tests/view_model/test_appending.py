@@ -1,0 +1,48 @@
+"""However points come to the end of a curve, the handles there get no longer than they were."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+
+from app.document import edits
+from app.document.model import Document, Family, Node, ParametrizationKind, make_curve
+from app.panels.point_table_edits import COLUMNS, X, paste_block
+from app.view_model.appending import with_point_appended
+from app.view_model.curve_view import view_of
+from app.view_model.handles import handles_of
+from app.view_model.pasting import appended
+
+FAR = (9.0, 1.0)
+
+
+def by_pen(document, view):
+    return with_point_appended(document, 0, view, FAR)
+
+
+def by_paste(document, view):
+    return document.with_curve(0, appended(view, [Node(*FAR)]))
+
+
+def by_table(document, view):
+    return paste_block(document, 0, view, 3, COLUMNS[X : X + 2], np.array([FAR]))
+
+
+def longest(document):
+    """The longest velocity handle of the point that was the last."""
+    handles = handles_of(view_of(document.curves[0]), 2)
+    return max(math.dist(each.position, each.anchor) for each in handles if each.kind == 1)
+
+
+@pytest.mark.parametrize("append", [by_pen, by_paste, by_table])
+@pytest.mark.parametrize("kind", [*ParametrizationKind])
+@pytest.mark.parametrize("family", [Family.HERMITE, Family.QUINTIC_HERMITE])
+def test_a_far_point_makes_no_handle_longer(family, kind, append):
+    document = Document((make_curve([(0, 0), (0.3, 0.1), (0.5, 0)], family=family),))
+    document = edits.set_parametrization(document, 0, kind, [0.0, 0.6, 1.0])
+    document = edits.set_velocity(document, 0, 2, (0.4, 0.9))
+    after = append(document, view_of(document.curves[0]))
+    assert len(after.curves[0].nodes) == 4
+    assert longest(after) == pytest.approx(longest(document), rel=1e-9)
