@@ -2,15 +2,14 @@
 
 from __future__ import annotations
 
-from msgspec.structs import replace
 from PySide6.QtCore import QMimeData
 from PySide6.QtGui import QGuiApplication
 
 from app.commands.parts import Parts
 from app.document.edits import EditError
 from app.document.format import FormatError, decode, encode
-from app.document.model import Curve, Document
-from app.document.several_curves import active_after_removal, named, remove_curves
+from app.document.model import Document
+from app.document.several_curves import active_after_removal, add_curves, named, remove_curves
 from app.exchange.table_text import write_block
 from app.panels.number_text import decimal_mark, exact_text
 
@@ -67,22 +66,8 @@ class CurveClipboard:
         except FormatError as reason:
             raise EditError(f"The curves on the clipboard cannot be read: {reason}.") from None
         session, first = self._session, self._session.active_index + 1
-        before = session.document.curves
-        fresh = _renamed(curves, {curve.name for curve in before})
-        pasted = replace(session.document, curves=(*before[:first], *fresh, *before[first:]))
-        if self._parts.change(f"Paste {len(fresh)} curves", lambda: pasted, active=first):
-            session.choose_curves(range(first, first + len(fresh)))
-            session.say(f"Pasted {len(fresh)} curves; they are chosen.")
+        pasted = add_curves(session.document, curves, first)
+        if self._parts.change(f"Paste {len(curves)} curves", lambda: pasted, active=first):
+            session.choose_curves(range(first, first + len(curves)))
+            session.say(f"Pasted {len(curves)} curves; they are chosen.")
         return True
-
-
-def _renamed(curves: tuple[Curve, ...], taken: set[str]) -> list[Curve]:
-    """Return the curves visible and free, under names that no other has."""
-    fresh = []
-    for curve in curves:
-        name = curve.name
-        while name in taken:
-            name = f"{name} copy"
-        taken.add(name)
-        fresh.append(replace(curve, name=name, visible=True, locked=False))
-    return fresh

@@ -5,7 +5,9 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Collection, Sequence
+from itertools import chain, count
 
 import msgspec
 from msgspec.structs import replace
@@ -17,6 +19,8 @@ from app.document.transforms import Linear, transform_nodes
 
 NodesEdit = Callable[[Document, int, Collection[int]], Document]
 """An edit of some nodes of one curve."""
+
+_COPY = re.compile(r" copy( \d+)?$")
 
 
 class NodeGroup(msgspec.Struct, frozen=True):
@@ -127,11 +131,34 @@ def active_after_removal(document: Document, curves: Collection[int], active: in
 def add_copies(document: Document, curves: Collection[int], colours: Sequence[str]) -> Document:
     """Add copies after the last of `curves`, in their order, in these colours, visible and free."""
     after = max(curves) + 1
+    originals = [document.curves[curve] for curve in sorted(curves)]
     copies = [
-        replace(old, name=f"{old.name} copy", visible=True, locked=False, colour=colour)
-        for old, colour in zip((document.curves[curve] for curve in sorted(curves)), colours, strict=True)
+        replace(copy, colour=colour)
+        for copy, colour in zip(renamed(originals, _names(document)), colours, strict=True)
     ]
     return replace(document, curves=(*document.curves[:after], *copies, *document.curves[after:]))
+
+
+def add_curves(document: Document, curves: Sequence[Curve], at: int) -> Document:
+    """Add curves from elsewhere at place `at` of the order, visible and free, under names of their own."""
+    fresh = renamed(curves, _names(document))
+    return replace(document, curves=(*document.curves[:at], *fresh, *document.curves[at:]))
+
+
+def renamed(curves: Sequence[Curve], taken: Collection[str]) -> list[Curve]:
+    """Return the curves, visible and free, under names not `taken`: "Leaf", "Leaf copy", "Leaf copy 2"."""
+    used, fresh = set(taken), []
+    for curve in curves:
+        stem = _COPY.sub("", curve.name)
+        later = (f"{stem} copy {number}" for number in count(2))
+        name = next(each for each in chain((curve.name, f"{stem} copy"), later) if each not in used)
+        used.add(name)
+        fresh.append(replace(curve, name=name, visible=True, locked=False))
+    return fresh
+
+
+def _names(document: Document) -> set[str]:
+    return {curve.name for curve in document.curves}
 
 
 def named(document: Document, curves: Collection[int]) -> str:

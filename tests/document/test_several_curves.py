@@ -13,6 +13,7 @@ from app.document.model import Document, Family, Node, make_curve
 from app.document.several_curves import (
     active_after_removal,
     add_copies,
+    add_curves,
     followed,
     mapped,
     moved,
@@ -108,6 +109,15 @@ def test_copies_come_after_the_last_in_their_order(four):
     assert [curve.name for curve in after.curves] == ["A", "B", "C", "A copy", "C copy", "D"]
     copy = after.curves[3]
     assert (copy.visible, copy.locked, after.curves[4].colour) == (True, False, "#0072b2")
+
+
+def test_copies_of_copies_are_numbered(four):
+    document = four
+    for curve in (0, 1, 2):
+        document = add_copies(document, {curve}, [""])
+    assert [curve.name for curve in document.curves[:5]] == ["A", "A copy", "A copy 2", "A copy 3", "B"]
+    pasted = add_curves(document, [document.curves[4], make_curve([], name="New")], 1)
+    assert [curve.name for curve in pasted.curves[:3]] == ["A", "B copy", "New"]
 
 
 def test_the_curve_that_takes_the_place_is_edited_next(four):
