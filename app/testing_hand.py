@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import QEvent, QPoint, QPointF, Qt
+import time
+
+from PySide6.QtCore import QEvent, QPoint, QPointF, Qt, QTimer
 from PySide6.QtGui import QContextMenuEvent, QGuiApplication, QMouseEvent, QWheelEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QMenu, QWidget
@@ -14,6 +16,23 @@ from app.plot.plot_widget import PlotWidget
 _STEPS = 6
 _NO_KEYS = Qt.KeyboardModifier.NoModifier
 _LEFT = Qt.MouseButton.LeftButton
+_SHORT_MS = 300
+
+
+def wait_for_rest(widget: QWidget, seconds: float = 10.0) -> None:
+    """Wait until what follows the hand at a pace of its own has caught up: numbers, panels, the table, discs.
+
+    Raises
+    ------
+    TimeoutError
+        If it does not within so many seconds.
+    """
+    timers = [timer for timer in widget.findChildren(QTimer) if timer.isSingleShot()]
+    deadline = time.monotonic() + seconds
+    while any(timer.isActive() and timer.interval() <= _SHORT_MS for timer in timers):
+        if time.monotonic() > deadline:
+            raise TimeoutError(f"The window does not come to rest within {seconds:g} s.")
+        QTest.qWait(5)
 
 
 class Hand:
@@ -168,3 +187,8 @@ class Hand:
         """Let Qt deliver what is pending and paint."""
         for _ in range(2):
             QGuiApplication.processEvents()
+
+    def wait_for_rest(self) -> None:
+        """Wait until numbers, panels and the table have followed the hand."""
+        wait_for_rest(self.window)
+        self.settle()

@@ -141,7 +141,7 @@ def test_what_is_saved_given_up_or_undone_is_not_kept(kept, qtbot, tmp_path, mon
         kept.window.open_file(other)
     else:
         kept.trigger({"new": "newDocument", "undo": "undo"}[how])
-    qtbot.waitUntil(lambda: not files(), timeout=300)
+    qtbot.waitUntil(lambda: not files(), timeout=WAIT_MS)
     qtbot.wait(2 * SOON_MS)
     assert files() == []
 

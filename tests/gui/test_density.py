@@ -6,7 +6,6 @@ import math
 
 import numpy as np
 import pytest
-from PySide6.QtTest import QTest
 
 from app.canvas.point_density import RADIUS, discs_for, with_neighbours
 from app.document.model import Document, Family, make_curve
@@ -118,10 +117,10 @@ def test_discs_find_their_size_after_points_came_together_without_another_event(
     canvas = wave.window.canvas
     document = wave.session.document
     wave.session.commit(scaled(document, 0.1), "Shrink")
-    QTest.qWait(300)
+    wave.wait_for_rest()
     assert canvas.points_note.startswith("60 points")
     wave.session.undo_stack.undo()
-    QTest.qWait(300)
+    wave.wait_for_rest()
     assert canvas.points_note == ""
 
 

@@ -13,6 +13,7 @@ from app.document.model import Family, ParametrizationKind, VelocityRule, make_c
 from app.panels.point_table import INTERVAL_MS, PointTable
 from app.panels.point_table_delegate import CellEditor
 from app.session import Session
+from app.testing_hand import wait_for_rest
 from app.theme import DARK, LIGHT, ThemeMode, apply_theme
 
 Role = Qt.ItemDataRole
@@ -659,7 +660,7 @@ def test_a_thousand_rows_are_updated_and_not_reset(qtbot):
 
 def test_a_stream_of_previews_is_followed_at_a_pace_and_ends_on_the_last(qtbot):
     table = Table(qtbot)
-    qtbot.wait(2 * INTERVAL_MS)
+    wait_for_rest(table.window)
     changes = QSignalSpy(table.model.dataChanged)
     before = table.session.document
     for step in range(1, 51):
@@ -694,7 +695,7 @@ def test_rendering_commits_nothing(quintic):
     steps = quintic.session.undo_stack.count()
     for family in Family:
         quintic.session.preview(edits.set_family(quintic.session.document, 0, family))
-        quintic.qtbot.wait(INTERVAL_MS + 10)
+        wait_for_rest(quintic.window)
     quintic.session.cancel()
     assert quintic.session.undo_stack.count() == steps
 
@@ -791,12 +792,12 @@ def test_a_column_keeps_its_decimals_while_previews_stream(table):
     before, seen = table.session.document, []
     for step in range(1, 6):
         table.session.preview(edits.move_nodes(before, 0, [3], (0.5 * step + 0.1 ** (step % 3 + 1), 0.0)))
-        table.qtbot.wait(INTERVAL_MS + 20)
+        wait_for_rest(table.window)
         assert len(decimals(table, X)) == 1
         seen.append(decimals(table, X))
     assert seen == [seen[0]] * 5
     table.session.cancel()
-    table.qtbot.wait(INTERVAL_MS + 20)
+    wait_for_rest(table.window)
     assert decimals(table, X) == {2}
 
 
@@ -805,14 +806,14 @@ def test_a_number_that_outgrows_its_column_takes_decimals_once(table):
     counts = []
     for x in (0.123, 5000.123, 0.123):
         table.session.preview(edits.set_position(before, 0, 3, (x, 0.0)))
-        table.qtbot.wait(INTERVAL_MS + 20)
+        wait_for_rest(table.window)
         counts.append(decimals(table, X))
     assert max(counts[1]) < max(counts[0])
     assert counts[1] == counts[2]
 
 
 def test_a_change_of_decimals_is_painted_in_every_row(table):
-    table.qtbot.wait(2 * INTERVAL_MS)
+    wait_for_rest(table.window)
     painted = []
     paint = table.view.cell_delegate.paint
     table.view.cell_delegate.paint = lambda painter, option, index: (
@@ -820,7 +821,7 @@ def test_a_change_of_decimals_is_painted_in_every_row(table):
         paint(painter, option, index),
     )
     table.session.preview(edits.set_position(table.session.document, 0, 3, (1 / 3, 2.5)))
-    table.qtbot.wait(2 * INTERVAL_MS)
+    wait_for_rest(table.window)
     assert set(painted) == set(range(8))
 
 

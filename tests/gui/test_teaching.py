@@ -78,7 +78,7 @@ def test_put_away_it_comes_back_for_a_new_reason_only(editor):
     assert badge(editor).isVisible()
 
 
-def test_nothing_comes_or_goes_during_a_drag(editor, qtbot):
+def test_nothing_comes_or_goes_during_a_drag(editor):
     curve = wave(4)
     nodes = tuple(replace(node, t=float(t)) for node, t in zip(curve.nodes, (0, 1, 2, 3), strict=True))
     show(
@@ -90,7 +90,7 @@ def test_nothing_comes_or_goes_during_a_drag(editor, qtbot):
     editor.send(panel, QEvent.Type.MouseButtonPress, start)
     for _ in range(3):
         editor.send(panel, QEvent.Type.MouseMove, end)
-    qtbot.wait(150)  # panels lag 100 ms behind a drag
+    editor.wait_for_rest()
     assert np.diff(editor.parameters).min() < 0.01
     assert not badge(editor).isVisible()
     editor.send(panel, QEvent.Type.MouseButtonRelease, end, held=False)

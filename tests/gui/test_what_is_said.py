@@ -41,8 +41,7 @@ def enter(widget):
 
 
 def shown_t(editor):
-    # The numbers at the right follow the pointer at thirty a second.
-    QTest.qWait(50)
+    editor.wait_for_rest()
     return editor.window.status_line.findChild(QLabel, "pointerT").text()
 
 

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import pytest
 from PySide6.QtCore import Qt
-from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QLabel
 
 from app.document.model import Document, make_curve
@@ -23,7 +22,7 @@ def arch(editor):
 
 def shown_place(editor):
     """The numbers at the right of the status line."""
-    QTest.qWait(50)
+    editor.wait_for_rest()
     return editor.window.statusBar().findChild(QLabel, "pointerPlace").text()
 
 
