@@ -142,6 +142,7 @@ def _convert(options: argparse.Namespace) -> int:
     wanted = replace(
         picture_options(options, source.document),
         samples=options.samples,
+        cubic=options.cubic,
         spacing=Spacing(options.by),
         columns=tuple(options.columns.split(",")) if options.columns else None,
     )

@@ -101,6 +101,11 @@ def add_convert_options(convert: argparse.ArgumentParser) -> None:
         metavar="X",
         help="largest deviation where a format cannot hold the curve itself (default: 1e-5 of its size)",
     )
+    convert.add_argument(
+        "--cubic",
+        action="store_true",
+        help="of a DXF: no spline above degree 3, for programs that draw none, such as LibreCAD",
+    )
     _add_table_options(convert)
     add_picture_options(convert)
 

@@ -380,6 +380,8 @@ def test_convert_puts_points_into_a_dxf(capsys, tmp_path):
     kinds = [entity.dxftype() for entity in drawing.modelspace()]
     assert (kinds.count("SPLINE"), kinds.count("POINT")) == (1, 9)
     assert not drawing.audit().errors
+    assert main(["convert", str(EXAMPLES / "robot_move.curve.json"), str(out), "--cubic"]) == 0
+    assert [spline.dxf.degree for spline in ezdxf.readfile(out).modelspace()] == [3]
 
 
 def test_the_start_takes_no_readers_writers_or_dialogs_along():

@@ -67,6 +67,8 @@ class ExportChoice(msgspec.Struct, frozen=True):
         What else to draw; the basis functions are those of the curve that is edited.
     tolerance
         None for the default.
+    cubic
+        Of DXF: no spline above degree 3.
     spacing, samples, columns
         Of tables of samples.
     """
@@ -81,6 +83,7 @@ class ExportChoice(msgspec.Struct, frozen=True):
     grid: bool = False
     basis: bool = False
     tolerance: float | None = None
+    cubic: bool = False
     spacing: Spacing = Spacing.T
     samples: int = SAMPLES
     columns: tuple[str, ...] = TITLES
@@ -103,6 +106,7 @@ class ExportChoice(msgspec.Struct, frozen=True):
             transparent=self.transparent,
             extras=extras if is_picture else None,
             columns=self.columns,
+            cubic=self.cubic,
         )
 
 

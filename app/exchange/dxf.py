@@ -20,12 +20,14 @@ from app.exchange.arcs import PIECES_OF_A_TURN, error_of_arc
 from app.exchange.cubics_in import Imported, Path, imported, lines
 from app.exchange.drawing import RELATIVE_TOLERANCE, ExchangeError, Floats
 from app.exchange.parts import (
+    Beziers,
     Source,
     Written,
     accuracy,
     bezier_values,
     beziers_of,
     checked_tolerance,
+    cubics_of,
     one_line,
     sources_of,
 )
@@ -52,12 +54,15 @@ _END = re.compile(r"(^|\n)[ \t]*0[ \t]*\n[ \t]*EOF\s*\Z")
 # Out
 
 
-def dxf_text(document: Document, tolerance: float | None = None, *, points: bool = False) -> Written:
+def dxf_text(
+    document: Document, tolerance: float | None = None, *, points: bool = False, cubic: bool = False
+) -> Written:
     """Return the curves as DXF (R2010): one SPLINE each, on a layer of its own.
 
     Cubic and quintic Hermite curves, and Lagrange curves up to degree 10, are written exactly but for
-    rounding, with their parameters as knots; others as cubics within the tolerance. With `points` the layer
-    of each curve holds its points as well, as POINTs.
+    rounding, with their parameters as knots; others as cubics within the tolerance. With `cubic` all above
+    degree 3 are: some programs, LibreCAD among them, show nothing of a spline of higher degree. With `points`
+    the layer of each curve holds its points as well, as POINTs.
 
     Raises
     ------
@@ -71,7 +76,7 @@ def dxf_text(document: Document, tolerance: float | None = None, *, points: bool
     deviation = 0.0
     for source in sources:
         layer = _layer(drawing, source)
-        deviation = max(deviation, _add_spline(drawing, source, allowed, layer))
+        deviation = max(deviation, _add_spline(drawing, source, _pieces(source, allowed, cubic), layer))
         for x, y in source.core.points[: len(source.curve.nodes)].tolist() if points else ():
             drawing.modelspace().add_point((x, y, 0.0), dxfattribs={"layer": layer})
     comments = [accuracy(deviation), *map(one_line, remarks)]
@@ -83,8 +88,14 @@ def dxf_text(document: Document, tolerance: float | None = None, *, points: bool
     return Written(head + stream.getvalue(), deviation, remarks)
 
 
-def _add_spline(drawing: Drawing, source: Source, tolerance: float, layer: str) -> float:
-    parts = [beziers_of(piece, tolerance) for piece in source.pieces]
+def _pieces(source: Source, tolerance: float, cubic: bool) -> list[Beziers]:
+    return [
+        cubics_of(piece, tolerance) if cubic and piece.degree > 3 else beziers_of(piece, tolerance)
+        for piece in source.pieces
+    ]
+
+
+def _add_spline(drawing: Drawing, source: Source, parts: list[Beziers], layer: str) -> float:
     degree = parts[0].degree
     points = [parts[0].control_points[0, :1]]
     points += [part.control_points[:, 1:].reshape(-1, 2) for part in parts]

@@ -78,7 +78,7 @@ class Exported(msgspec.Struct, frozen=True):
     pixels: tuple[int, int] | None = None
 
 
-class Options(msgspec.Struct, frozen=True):
+class Options(msgspec.Struct, frozen=True, kw_only=True):
     """How to write; each format takes what concerns it. See `export`."""
 
     width: int | None = None
@@ -91,6 +91,7 @@ class Options(msgspec.Struct, frozen=True):
     transparent: bool = False
     extras: Extras | None = None
     columns: tuple[str, ...] | None = None
+    cubic: bool = False
     report: Report = silent
 
     def reporting(self, report: Report) -> Options:

@@ -42,7 +42,7 @@ def _svg(document: Document, options: Options) -> Written:
 def _dxf(document: Document, options: Options) -> Written:
     from app.exchange.dxf import dxf_text  # noqa: PLC0415
 
-    return dxf_text(document, options.tolerance, points=options.points)
+    return dxf_text(document, options.tolerance, points=options.points, cubic=options.cubic)
 
 
 def _table(separator: str) -> Writer:

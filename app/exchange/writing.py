@@ -32,6 +32,7 @@ def export(
     transparent: bool = False,
     extras: Extras | None = None,
     columns: tuple[str, ...] | None = None,
+    cubic: bool = False,
     report: Report = silent,
 ) -> Exported:
     """Write a document in the format that the ending of `path` names.
@@ -61,6 +62,8 @@ def export(
         Of pictures: what else to draw.
     columns
         Of tables of samples: the columns to write; by default all.
+    cubic
+        Of DXF: whether to write no spline above degree 3.
     report
         Hears how far it has come; until the file is put in place it may raise `Cancelled`.
 
@@ -77,7 +80,18 @@ def export(
         If the file cannot be written; an old one stays as it was.
     """
     options = Options(
-        width, tolerance, style, points, samples, spacing, scale, transparent, extras, columns, report
+        width=width,
+        tolerance=tolerance,
+        style=style,
+        points=points,
+        samples=samples,
+        spacing=spacing,
+        scale=scale,
+        transparent=transparent,
+        extras=extras,
+        columns=columns,
+        cubic=cubic,
+        report=report,
     )
     return export_with(document, path, options)
 

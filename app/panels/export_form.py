@@ -65,6 +65,11 @@ class ExportForm(QWidget):
         self.tolerance_edit = FieldEdit(
             "exportTolerance", "Tolerance", "Largest distance from the true curves, or “automatic”"
         )
+        self.cubic = _check(
+            "exportCubic",
+            "No spline above degree 3",
+            "Cubic pieces within the tolerance: LibreCAD, for one, draws no spline of higher degree",
+        )
         self.spacing_box = choice_box(
             "exportSpacing", "Samples", "How the rows are spread along each curve", list(_SPACINGS.values())
         )
@@ -90,6 +95,7 @@ class ExportForm(QWidget):
         self._show_grid = _in_columns(list(self.shown.values()), 2)
         form.addRow("Show", self._show_grid)
         form.addRow("Tolerance", self.tolerance_edit)
+        form.addRow("", self.cubic)
         form.addRow("Samples", self.spacing_box)
         form.addRow("Rows", self.samples_box)
         self._column_grid = _in_columns(list(self.columns.values()), 3)
@@ -101,7 +107,7 @@ class ExportForm(QWidget):
         for spin in (self.width_box, self.samples_box):
             # Numbers have no signal of the person's alone; what the program sets is the same as before.
             spin.valueChanged.connect(self._change)
-        for check in (self.transparent, *self.shown.values(), *self.columns.values()):
+        for check in (self.transparent, self.cubic, *self.shown.values(), *self.columns.values()):
             check.clicked.connect(self._change)
         self.tolerance_edit.committed.connect(self._type_tolerance)
 
@@ -116,6 +122,7 @@ class ExportForm(QWidget):
         for name, check in self.shown.items():
             check.setChecked(getattr(choice, name))
         self.tolerance_edit.show_text(_tolerance_text(choice.tolerance))
+        self.cubic.setChecked(choice.cubic)
         self.spacing_box.setCurrentIndex(list(_SPACINGS).index(choice.spacing))
         self.samples_box.setValue(choice.samples)
         for title, check in self.columns.items():
@@ -132,6 +139,7 @@ class ExportForm(QWidget):
             self.transparent: is_picture,
             self._show_grid: is_picture or choice.ending == ".dxf",
             self.tolerance_edit: choice.ending in WITH_TOLERANCE or by_tolerance,
+            self.cubic: choice.ending == ".dxf",
             self.spacing_box: is_table,
             self.samples_box: is_table and not by_tolerance,
             self._column_grid: is_table,
@@ -161,6 +169,7 @@ class ExportForm(QWidget):
             dark=self.colour_box.currentIndex() == 1,
             transparent=self.transparent.isChecked(),
             tolerance=self._shown.tolerance,
+            cubic=self.cubic.isChecked(),
             spacing=list(_SPACINGS)[self.spacing_box.currentIndex()],
             samples=self.samples_box.value(),
             columns=titles or TITLES,

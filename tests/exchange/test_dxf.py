@@ -41,8 +41,9 @@ def points_of(curve, count=2001):
     return made.evaluate(np.linspace(*made.domain, count))
 
 
-def test_ezdxf_gives_the_curve_within_the_stated_deviation(kind):
-    written = dxf_text(kind, tolerance=1e-4)
+@pytest.mark.parametrize("cubic", [False, True])
+def test_ezdxf_gives_the_curve_within_the_stated_deviation(kind, cubic):
+    written = dxf_text(kind, tolerance=1e-4, cubic=cubic)
     (spline,) = loaded(written.text).modelspace()
     assert spline.dxftype() == "SPLINE"
     assert spline.fit_point_count() == 0
@@ -59,6 +60,8 @@ def test_the_degree_is_the_true_one(kind):
     (spline,) = loaded(dxf_text(kind).text).modelspace()
     degree = core(kind).degree
     assert spline.dxf.degree == (degree if degree <= 10 else 3)
+    (spline,) = loaded(dxf_text(kind, cubic=True).text).modelspace()
+    assert spline.dxf.degree == min(degree, 3)
 
 
 @pytest.mark.parametrize("count", [2, 3, 4, 6, 11])

@@ -96,9 +96,21 @@ def test_the_options_of_a_format_alone_are_shown(dialog):
         assert form.samples_box.isVisible() is (ending == ".csv")
         assert form.tolerance_edit.isVisible() is (ending == ".svg")
         assert dialog.look.isVisible() is (ending in (".png", ".svg"))
+        assert not form.cubic.isVisible()
     choose_format(dialog, ".dxf")
+    assert form.cubic.isVisible()
     assert form.shown["points"].isVisible()
     assert not form.shown["grid"].isVisible()
+
+
+def test_a_dxf_for_programs_that_draw_cubics_only(editor, dialog, tmp_path, monkeypatch):
+    ezdxf = pytest.importorskip("ezdxf")
+    editor.choose_family(Family.QUINTIC_HERMITE)
+    choose_format(dialog, ".dxf")
+    click(dialog.form.cubic)
+    path = export(editor, dialog, tmp_path / "a", monkeypatch)
+    (spline,) = ezdxf.readfile(path.with_suffix(".dxf")).modelspace()
+    assert spline.dxf.degree == 3
 
 
 def test_a_table_as_it_was_chosen(editor, dialog, tmp_path, monkeypatch):
