@@ -2,8 +2,9 @@
 
 A curve is linear in its data, c(t) = Σ b_i d_i with the weights b_i = B_ir(t). Of all changes δd with
 Σ b_i δd_i = Δ the one of least norm is δd = b (b·b)⁻¹ Δ. For a piecewise curve the norm is taken of what a
-person drags, the Bézier control points of the segment, and a way of the curve's own points counts more than
-one of handles: these give way where they can, and points that were placed with care move least.
+person drags, the Bézier control points that the data at the ends of the segment carry, also those of its
+neighbours; and a way of the curve's own points counts more than one of handles: these give way where they
+can, points that were placed with care move least, and a small pull here is no large swing next door.
 
 That is exact at frozen parameters. Where points change and a rule gives the parameters, or estimates
 derivatives from the points, the curve answers differently: the grabbed point is then held at its share of its
@@ -33,7 +34,7 @@ from curvecore import CurveError, LagrangeCurve
 _LEAST_HOLD = 1e-4
 """b·b below which the data have no hold on the curve: they would change a hundred times as much as it."""
 
-_PRICE_OF_POINTS = 3.0
+_PRICE_OF_POINTS = 8.0
 """What a way of a point on the curve costs, that of a handle being 1: it moves only where it is grabbed."""
 
 _MAX_STEPS = 8
@@ -116,33 +117,60 @@ def _hold_of_points(view: CurveView, t: float, knots: Sequence[int]) -> _Hold:
 
 
 def _hold_of_segment(view: CurveView, t: float, segment: int, *, ends_stay: bool) -> _Hold:
-    """Return the hold of the Bézier control points of a segment, all or without its ends."""
-    kinds = view.source.family.derivatives + 1
-    degree = 2 * kinds - 1
-    start, end = view.parameters[segment : segment + 2].tolist()
-    h, s = end - start, (t - start) / (end - start)
-    weights = np.array([math.comb(degree, j) * s**j * (1 - s) ** (degree - j) for j in range(degree + 1)])
-    # Per price: with Q = λ q the norm is |Q|² and the weights are b / λ.
-    changes = weights.copy()
-    changes[[0, -1]] *= 0.0 if ends_stay else _PRICE_OF_POINTS**-2
-    strength = float(weights @ changes)
-    controls = changes / strength if strength else changes
-    sides = ((segment, controls, h, True), (segment + 1, controls[::-1], -h, False))
-    return _Hold(
-        tuple(
-            _datum(view, knot, order, _derivative_at_start(of, step, order), ahead=ahead)
-            for knot, of, step, ahead in sides
-            for order in range(int(ends_stay), kinds)
-        ),
-        strength,
-        _PRICE_OF_POINTS,
+    """Return the hold of the points and derivatives at the ends of a segment, or of the derivatives alone."""
+    assert view.skeleton is not None
+    basis = view.skeleton.basis(np.array([t]))[0]
+    h = float(np.diff(view.parameters)[segment])
+    ends = [
+        _end(view, knot, basis[knot], h if ahead else -h, ends_stay=ends_stay)
+        for knot, ahead in ((segment, True), (segment + 1, False))
+    ]
+    strength = sum(end.strength for end in ends)
+    data = (
+        _datum(view, end.knot, order, change / strength if strength else 0.0, ahead=end.ahead)
+        for end in ends
+        for order, change in enumerate(end.changes, start=int(ends_stay))
     )
+    return _Hold(tuple(data), strength, _PRICE_OF_POINTS)
 
 
-def _derivative_at_start(controls: Floats, h: float, order: int) -> float:
-    """Return a derivative at the start of a Bézier segment of length h, by differences of control points."""
-    degree = len(controls) - 1
-    return float(np.diff(controls[: order + 1], order)[0]) * math.perm(degree, order) / h**order
+class _End(msgspec.Struct, frozen=True):
+    """One end of the segment: how its data change for every unit of force, and the hold they have."""
+
+    knot: int
+    ahead: bool
+    changes: list[float]
+    strength: float
+
+
+def _end(view: CurveView, knot: int, weights: Floats, h: float, *, ends_stay: bool) -> _End:
+    """Return what least change the data at `knot` answer with; h < 0 where the segment lies behind.
+
+    The change is measured by the ways of the Bézier control points that depend on them, on both sides of a
+    smooth node: a handle that is short here may be a long one there.
+    """
+    kinds, ahead = view.source.family.derivatives + 1, h > 0
+    scales = h ** np.arange(kinds)
+    rows = [_PRICE_OF_POINTS * np.eye(kinds)[0], *_control_rows(kinds, 1.0)]
+    index = view.owner(knot)
+    beyond = None if index in view.corners else view.spacing(index, ahead=not ahead)
+    if beyond:
+        rows += _control_rows(kinds, -beyond / abs(h))
+    first = int(ends_stay)
+    norm = np.array(rows)[:, first:]
+    force = (weights / scales)[first:]
+    # The data of unit h, so that nothing depends on the unit of time.
+    changes = np.linalg.solve(norm.T @ norm, force)
+    return _End(knot, ahead, (changes / scales[first:]).tolist(), float(force @ changes))
+
+
+def _control_rows(kinds: int, h: float) -> list[Floats]:
+    """Return the control points behind the first as combinations of the data at the start of a segment."""
+    degree = 2 * kinds - 1
+    return [
+        np.array([math.comb(j, order) * h**order / math.perm(degree, order) for order in range(kinds)])
+        for j in range(1, kinds)
+    ]
 
 
 def _place_of(view: CurveView, t: float) -> _Place:

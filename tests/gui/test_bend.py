@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 
+import msgspec
 import numpy as np
 import pytest
 from msgspec.structs import replace
@@ -126,28 +127,65 @@ def test_the_change_is_the_one_of_least_norm():
     assert delta == pytest.approx(expected, abs=1e-14)
 
 
+def control_points(view):
+    """All Bézier control points, each once, in one row; those on the curve are every third or fifth."""
+    pieces = bezier_segments(view.curve)
+    return np.vstack([pieces[0, :1], *(piece[1:] for piece in pieces)])
+
+
+def answers(view, knots, orders):
+    """How the control points answer to the data at `knots`: a column for each datum."""
+    rest, columns = control_points(view), []
+    for knot in knots:
+        for order in orders:
+            jets = view.curve.jets.copy()
+            jets[knot, order] += (1.0, 0.0)
+            moved = msgspec.structs.replace(view, curve=view.curve.with_jets(jets))
+            columns.append((control_points(moved) - rest)[:, 0])
+    return np.array(columns).T
+
+
 @pytest.mark.parametrize("family", [Family.HERMITE, Family.QUINTIC_HERMITE])
 @pytest.mark.parametrize("using", [BendWith.ALL, BendWith.DERIVATIVES])
+@pytest.mark.parametrize("segment", [0, 1])
 @pytest.mark.parametrize("share", [0.1, 0.5, 0.83])
-def test_the_bezier_points_of_the_segment_change_least(family, using, share):
+def test_control_points_on_both_sides_of_the_joints_change_least(family, using, segment, share):
     document = edits.set_family(Document((make_curve(POINTS),)), 0, family)
     view = view_of(edits.freeze_parameters(document, 0, [0.0, 0.2, 0.7, 1.0]).curves[0])
-    t, pull = 0.2 + share * 0.5, np.array([0.3, -0.2])
     # Explicit, so that no rule answers to the points.
     view = view_of(with_everything_set(view))
+    t = view.parameters[segment] + share * (view.parameters[segment + 1] - view.parameters[segment])
+    pull = np.array([0.3, -0.2])
     target = tuple((view.curve.evaluate(t) + pull).tolist())
     after = view_of(Bend(view, t, using).bent(target, 1e-12))
-    delta = bezier_segments(after.curve)[1] - bezier_segments(view.curve)[1]
-    degree = len(delta) - 1
-    row = np.array([math.comb(degree, j) * share**j * (1 - share) ** (degree - j) for j in range(degree + 1)])
-    # A way of a point on the curve counts three times as much as one of a handle, or is not allowed.
-    price = np.ones(degree + 1)
-    price[[0, -1]] = np.inf if using is BendWith.DERIVATIVES else 3.0
-    priced = np.linalg.lstsq((row / price)[None], pull[None], rcond=None)[0]
-    assert delta == pytest.approx(priced / price[:, None], abs=1e-13)
+    orders = range(int(using is BendWith.DERIVATIVES), view.curve.jets.shape[1])
+    knots = (segment, segment + 1)
+    answer = answers(view, knots, orders)
+    # A way of a point on the curve counts eight times as much as one of a handle.
+    price = np.ones(len(answer))
+    price[:: view.curve.degree] = 8.0
+    weights = view.curve.basis(np.array([t]))[0][np.ix_(knots, orders)].ravel()
+    # The oracle: least squares under one condition, by the equations of Lagrange's multiplier.
+    normal = 2 * (price[:, None] * answer).T @ (price[:, None] * answer)
+    system = np.block([[normal, weights[:, None]], [weights[None], np.zeros((1, 1))]])
+    best = np.linalg.solve(system, np.vstack([np.zeros((len(weights), 2)), pull]))[:-1]
+    assert control_points(after) - control_points(view) == pytest.approx(answer @ best, abs=1e-12)
 
 
-@pytest.mark.parametrize(("share", "most"), [(0.5, 0.15), (0.7, 0.3), (0.85, 0.6)])
+@pytest.mark.parametrize("share", [0.1, 0.3, 0.5])
+def test_a_small_pull_is_no_large_swing_next_door(share):
+    """A quintic's handles counted on one side alone: the neighbour went three times as far as the pointer."""
+    view = view_of(edits.set_family(Document((make_curve(POINTS),)), 0, Family.QUINTIC_HERMITE).curves[0])
+    t = float(view.parameters[1] + share * (view.parameters[2] - view.parameters[1]))
+    target = view.curve.evaluate(t) + np.array([0.0, 0.2])
+    after = view_of(Bend(view, t, BendWith.ALL).bent(tuple(target.tolist()), 1e-9))
+    for segment in (0, 2):
+        ways = [np.linspace(*each.parameters[segment : segment + 2], 200) for each in (view, after)]
+        moved = after.curve.evaluate(ways[1]) - view.curve.evaluate(ways[0])
+        assert np.hypot(*moved.T).max() < 0.2
+
+
+@pytest.mark.parametrize(("share", "most"), [(0.5, 0.1), (0.7, 0.2), (0.85, 0.4)])
 def test_points_that_were_placed_move_far_less_than_the_pointer(share, most):
     """With h v for the norm they went along by 94 hundredths of the way."""
     view = view_of(edits.set_family(Document((make_curve(POINTS),)), 0, Family.HERMITE).curves[0])
