@@ -6,21 +6,31 @@ import time
 from collections.abc import Callable, Collection, Hashable
 from pathlib import Path
 
+import msgspec
 from PySide6.QtCore import QObject, Signal
 from PySide6.QtGui import QUndoStack
 
 from app.document import storage
+from app.document.choice import followed_curves, followed_nodes
 from app.document.curve_edits import refuse_locked
 from app.document.edits import EditError
+from app.document.format import FormatError, validate_changes
 from app.document.model import Curve, Document, empty_document
 from app.document.open_file import OpenFile
-from app.document.several_curves import followed
 from app.examples import first_sketch
 from app.undo_step import State, UndoStep
 from app.view_model.curve_view import CurveView, view_of
 
 _RUN_SECONDS = 1.0
 """Changes of the same run that follow each other as quickly as this are one step."""
+
+
+class _Home(msgspec.Struct, frozen=True):
+    """What was edited, selected and chosen before a preview began another curve."""
+
+    active: int
+    selection: frozenset[int]
+    chosen: frozenset[int]
 
 
 class Session(QObject):
@@ -96,8 +106,7 @@ class Session(QObject):
         self._run: tuple[Hashable, float] | None = None
         self._committed = first_sketch()
         self._shown = self._committed
-        # The curve that was edited before a preview began another one.
-        self._home: int | None = None
+        self._home: _Home | None = None
         self._views: list[CurveView] = []
         self._views_of: tuple[Curve, ...] = ()
 
@@ -150,6 +159,9 @@ class Session(QObject):
         The curve that is edited is one of them: `active`, or the one edited so far, or the chosen one nearest
         to it. With several no points are selected, so that tools act on the curves.
         """
+        if self.is_previewing:
+            # The gesture may edit a curve that goes with its preview.
+            self.interrupt()
         wanted = self.active_index if active is None else active
         if wanted not in indices:
             wanted = min(indices, key=lambda index: abs(index - wanted), default=wanted)
@@ -169,7 +181,7 @@ class Session(QObject):
     def _follow_choice(self, before: Document) -> bool:
         """Keep the chosen curves valid after `before`; return whether they are other places now."""
         old = self.chosen_curves
-        kept = followed(old, before.curves, self._shown.curves) if len(old) > 1 else frozenset[int]()
+        kept = followed_curves(old, before.curves, self._shown.curves) if len(old) > 1 else frozenset[int]()
         self.chosen_curves = kept if self.active_index in kept else frozenset({self.active_index})
         return self.chosen_curves != old
 
@@ -215,15 +227,16 @@ class Session(QObject):
         """
         if document is not self._shown and self._is_free(document):
             if active is not None and self._home is None:
-                self._home = self.active_index
+                self._home = _Home(self.active_index, self.selection, self.chosen_curves)
                 self._enter(active)
             self._show(document)
 
-    def _go_home(self) -> None:
-        """Edit the curve again that was edited before a preview."""
-        home, self._home = self._home, None
-        if home is not None:
-            self._enter(home)
+    def interrupt(self) -> bool:
+        """Drop the gesture in flight, wherever it is, with its preview; return whether one was shown."""
+        was_previewing = self.is_previewing
+        self.interrupted.emit()
+        self.cancel()
+        return was_previewing
 
     def _is_free(self, document: Document) -> bool:
         """Whether `document` leaves the locked curves alone; says so if not."""
@@ -234,26 +247,36 @@ class Session(QObject):
             return False
         return True
 
+    def _can_be_kept(self, document: Document) -> bool:
+        """Whether a file may hold `document`; says why not. What no edit should make is stopped here."""
+        try:
+            validate_changes(self._committed, document)
+        except FormatError as reason:
+            self.say(f"This cannot be kept: {reason}.")
+            return False
+        return True
+
     def commit(
         self, document: Document, text: str, *, active: int | None = None, run: Hashable = None
-    ) -> None:
-        """Make `document` the current one, as one step of the history called `text`.
+    ) -> bool:
+        """Make `document` the current one, as one step of the history called `text`; return whether it is.
 
         `active` is the curve to edit from then on, where that changes. Changes of the same `run` that follow
         each other within a second, with nothing between them, are one step: arrow keys. A document in which
-        a locked curve is another one is refused with a sentence.
+        a locked curve is another one, or that no file could hold, is refused with a sentence.
         """
-        if document == self._committed or not self._is_free(document):
+        if document == self._committed or not self._is_free(document) or not self._can_be_kept(document):
             self.cancel()
-            return
+            return False
         after = self.active_index if active is None else active
         home, self._home = self._home, None
-        before = State(self._committed, self.active_index if home is None else home)
+        before = State(self._committed, self.active_index if home is None else home.active)
         joins, steps = self._goes_on(run), self.undo_stack.index()
         self.undo_stack.push(UndoStep(self._restore, before, State(document, after), text, joins=joins))
         # Where the change has taken its run back, the last step is another one.
         is_there = self.undo_stack.index() >= steps
         self._run = (run, self.clock()) if run is not None and is_there else None
+        return True
 
     def _goes_on(self, run: Hashable) -> bool:
         """Whether a change of this run follows the last one closely enough to be the same step."""
@@ -261,9 +284,15 @@ class Session(QObject):
 
     def cancel(self) -> None:
         """Drop the preview; nothing is left of it."""
-        if self._shown is not self._committed:
-            self._go_home()
-            self._show(self._committed)
+        if self._shown is self._committed:
+            return
+        home, self._home = self._home, None
+        if home is not None:
+            self._enter(home.active)
+        self._show(self._committed)
+        if home is not None:
+            self.choose_curves(home.chosen)
+            self.select(home.selection)
 
     def _restore(self, state: State) -> None:
         self._run = self._home = None
@@ -278,10 +307,19 @@ class Session(QObject):
         before, self._shown = self._shown, document
         self.active_index = min(self.active_index, len(document.curves) - 1)
         has_moved = self._follow_choice(before)
+        selection = self._followed_selection(before)
         self._drop_stale_indices()
         self.document_changed.emit(document)
+        # Whoever draws it has had to hear of the nodes first.
+        self.select(selection)
         if has_moved:
             self.chosen_changed.emit(self.chosen_curves)
+
+    def _followed_selection(self, before: Document) -> frozenset[int]:
+        """Return where the nodes are now that were selected in `before`."""
+        if not self.selection or self.active_index >= len(before.curves):
+            return frozenset()
+        return followed_nodes(self.selection, before.curves[self.active_index].nodes, self.active_curve.nodes)
 
     def _drop_stale_indices(self) -> None:
         count = len(self.active_curve.nodes)

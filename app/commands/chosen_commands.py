@@ -45,18 +45,15 @@ class ChosenCommands:
 
     def _choose_all(self) -> None:
         session = self._session
-        self._parts.cancel_gesture()
         session.choose_curves(range(len(session.document.curves)))
         session.say(f"{named(session.document, session.chosen_curves)} chosen.")
 
     def _choose_one(self) -> None:
-        self._parts.cancel_gesture()
         self._session.choose_curves((self._session.active_index,))
 
     # Number
 
     def _duplicate(self) -> None:
-        self._parts.cancel_gesture()
         session, chosen = self._session, self._session.chosen_curves
         document, order = session.document, sorted(chosen)
         colours = self._next_colours([document.curves[place].colour for place in order])
@@ -91,7 +88,6 @@ class ChosenCommands:
         return found
 
     def _delete(self) -> None:
-        self._parts.cancel_gesture()
         session, chosen = self._session, self._session.chosen_curves
         document = session.document
         self._parts.change(

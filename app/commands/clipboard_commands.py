@@ -138,8 +138,10 @@ class ClipboardCommands:
         if not chosen:
             return
         self._copy()
-        document = edits.delete_nodes(session.document, session.active_index, chosen)
-        if self._change(f"Cut {count_of(len(chosen), 'point')}", document):
+        if self._parts.change(
+            f"Cut {count_of(len(chosen), 'point')}",
+            lambda: edits.delete_nodes(session.document, session.active_index, chosen),
+        ):
             session.select([])
             session.say(f"Cut {count_of(len(chosen), 'point')}.")
 
@@ -157,8 +159,10 @@ class ClipboardCommands:
             curve = appended_with_parameters(view, pasted.nodes, pasted.first_row)
         else:
             curve = appended(view, pasted.nodes)
-        document = curve_edits.replace_curve(session.document, session.active_index, curve)
-        if self._change(f"Paste {count_of(len(pasted.nodes), 'point')}", document):
+        if self._parts.change(
+            f"Paste {count_of(len(pasted.nodes), 'point')}",
+            lambda: curve_edits.replace_curve(session.document, session.active_index, curve),
+        ):
             session.select(range(count, count + len(pasted.nodes)))
             self._show_points()
             session.say(f"Pasted {count_of(len(pasted.nodes), 'point')}.")
@@ -173,7 +177,7 @@ class ClipboardCommands:
             curve = as_new_curve(session.active_curve, pasted.nodes, name)
         document = curve_edits.add_curve(session.document, place, curve)
         edits.set_nodes(document, place, curve.nodes)
-        if self._change(f"Paste as {name}", document, active=place):
+        if self._parts.change(f"Paste as {name}", lambda: document, active=place):
             self._show_points()
             session.say(f"Pasted {count_of(len(curve.nodes), 'point')} as “{name}”.")
 
@@ -217,17 +221,11 @@ class ClipboardCommands:
             for index, node in enumerate(session.active_curve.nodes)
         )
         what = f"point {next(iter(chosen))}" if len(chosen) == 1 else count_of(len(chosen), "point")
-        if self._change(
+        if self._parts.change(
             f"Paste derivatives to {what}",
-            edits.set_nodes(session.document, session.active_index, nodes),
+            lambda: edits.set_nodes(session.document, session.active_index, nodes),
         ):
             session.say(f"Pasted the derivatives into {what}.")
-
-    def _change(self, text: str, document: Document, *, active: int | None = None) -> bool:
-        """Commit `document`; return whether it is the one shown now."""
-        return (
-            self._parts.change(text, lambda: document, active=active) and self._session.document is document
-        )
 
 
 def _row(node: Node, *, timed: bool) -> Sequence[float]:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
+from functools import partial
 
 from PySide6.QtWidgets import QWidget
 
@@ -39,6 +40,14 @@ from app.commands.wiggle_commands import WiggleCommands
 from app.settle import Settler
 from app.view_model.curve_view import CurveView
 
+_DURING_A_GESTURE = {
+    "undo",  # takes the gesture back, and nothing else
+    "selectTool", "addTool", "measureTool",
+    "moveSelection", "scaleSelection", "rotateSelection",
+    "toggleTransformBox", "commandPalette",
+}  # fmt: skip
+"""Commands of the menus File, Edit and Curve that a gesture in flight may go on beside, or that end it."""
+
 
 class Commands:
     """All commands of one window."""
@@ -72,6 +81,12 @@ class Commands:
         self.lessons = LessonCommands(parts)
         self._sets: tuple[CommandSet, ...] = (*self._live, *self._other_sets(curves))
         self.context_menus = ContextMenus(parts, curves, self.wiggle.explain_at, self.tangents.straighten_at)
+        self._interrupting = {
+            spec.name
+            for menu in ("File", "Edit", "Curve")
+            for spec, _action in parts.actions.of_menu(menu)
+            if spec.name not in _DURING_A_GESTURE
+        }
         self._connect()
 
     def _other_sets(self, curves: CurveCommands) -> tuple[CommandSet, ...]:
@@ -101,7 +116,13 @@ class Commands:
     def _connect(self) -> None:
         for handlers in (self._file_handlers(), *(each.handlers() for each in self._sets)):
             for name, handler in handlers.items():
-                self._parts.actions[name].triggered.connect(lambda _checked=False, handler=handler: handler())
+                self._parts.actions[name].triggered.connect(partial(self._run, name, handler))
+
+    def _run(self, name: str, handler: Callable[[], object], _checked: bool = False) -> None:
+        """Carry out a command; one that could change the document does not find a gesture's preview there."""
+        if name in self._interrupting:
+            self._parts.cancel_gesture()
+        handler()
 
     def _build_analysis(self) -> QWidget:
         from app.panels.analysis_panel import AnalysisPanel  # noqa: PLC0415 - late, as all of them

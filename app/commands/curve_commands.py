@@ -72,7 +72,7 @@ class CurveCommands:
         session = self._session
         model, place = session.active_curve, session.active_index + 1
         fresh = curve_edits.fresh_curve(session.document, model, Parametrization())
-        if self._change(
+        if self._parts.change(
             f"New {fresh.name}", lambda: curve_edits.add_curve(session.document, place, fresh), active=place
         ):
             self._actions["addTool"].trigger()
@@ -81,7 +81,7 @@ class CurveCommands:
         session, index = self._session, self._session.active_index
         to = index + step
         if 0 <= to < len(session.document.curves):
-            self._change(
+            self._parts.change(
                 f"Move {session.active_curve.name}",
                 lambda: curve_edits.move_curve(session.document, index, to),
                 active=to,
@@ -115,6 +115,8 @@ class CurveCommands:
         fixed = view_of(frozen.curves[session.active_index])
         if self._reshape(f"Freeze and insert point {index}", lambda: with_point_inserted(fixed, t)):
             session.select([index])
+        else:
+            session.undo_stack.redo()
 
     def split_at(self, t: float) -> None:
         """Split the active curve at `t`."""
@@ -126,7 +128,7 @@ class CurveCommands:
             return
         first, *others = done.curves
         self._say_if(
-            self._change(
+            self._parts.change(
                 f"Split {session.active_curve.name}",
                 lambda: _with_parts(session.document, index, first, others),
             ),
@@ -183,13 +185,13 @@ class CurveCommands:
         if not view.is_current:
             self._session.say(f"There is no curve to reverse. {view.problem}")
             return
-        self._reshape(f"Reverse {view.source.name}", lambda: reversed_curve(view))
-        self._session.select([])
+        if self._reshape(f"Reverse {view.source.name}", lambda: reversed_curve(view)) is not None:
+            self._session.select([])
 
     def _toggle_closed(self) -> None:
         session, view = self._session, self._session.active_view
         closed = not view.source.is_closed
-        self._change(
+        self._parts.change(
             f"{'Close' if closed else 'Open'} {view.source.name}",
             lambda: with_closed(session.document, session.active_index, view, closed),
         )
@@ -212,7 +214,7 @@ class CurveCommands:
             session.say(str(reason))
             return None
         document, index = session.document, session.active_index
-        if not self._change(
+        if not self._parts.change(
             text, lambda: then(curve_edits.replace_curve(document, index, made.curve)), active=active
         ):
             return None
@@ -224,11 +226,6 @@ class CurveCommands:
         dock.show()
         dock.raise_()
         self._parts.curve_list.view.edit_name(self._session.active_index)
-
-    def _change(self, text: str, edit: Callable[[], Document], *, active: int | None = None) -> bool:
-        """Commit an edit; return whether the document is another one now."""
-        before = self._session.document
-        return self._parts.change(text, edit, active=active) and self._session.document is not before
 
     def _say_if(self, done: bool, text: str) -> None:
         if done:

@@ -115,6 +115,7 @@ class EditCommands:
         self.render(session.active_view)
 
     def _use_parametrization(self, kind: ParametrizationKind) -> None:
+        self._parts.cancel_gesture()  # the menu's entries are no commands of their own
         session, view = self._session, self._session.active_view
         if kind is ParametrizationKind.MANUAL and not view.is_current:
             session.say("There are no parameters to start from; mend the points first.")
@@ -143,11 +144,11 @@ class EditCommands:
             if len(session.chosen_curves) > 1:
                 self._actions["deleteCurve"].trigger()
             return
-        self._parts.cancel_gesture()
         what = f"point {next(iter(chosen))}" if len(chosen) == 1 else f"{len(chosen)} points"
-        document = edits.delete_nodes(session.document, session.active_index, chosen)
-        session.select([])
-        self._parts.change(f"Delete {what}", lambda: document)
+        if self._parts.change(
+            f"Delete {what}", lambda: edits.delete_nodes(session.document, session.active_index, chosen)
+        ):
+            session.select([])
 
     def _reset_derivatives(self) -> None:
         session, chosen = self._session, self._session.selection

@@ -56,17 +56,15 @@ class Parts(msgspec.Struct, frozen=True):
     lessons_dock: QDockWidget
 
     def change(self, text: str, edit: Callable[[], Document], *, active: int | None = None) -> bool:
-        """Commit what `edit` makes as the step `text`, or say why it cannot be done.
+        """Commit what `edit` makes as the step `text`, or say why not; return whether the document changed.
 
-        A gesture in flight is dropped first: its preview is no part of the step.
+        A gesture in flight was dropped before the command began: see `Commands`.
         """
-        self.cancel_gesture()
         try:
-            self.session.commit(edit(), text, active=active)
+            return self.session.commit(edit(), text, active=active)
         except EditError as reason:
             self.session.say(str(reason))
             return False
-        return True
 
     def cancel_gesture(self) -> bool:
         """Drop the gesture in flight; return whether there was one."""
@@ -74,6 +72,7 @@ class Parts(msgspec.Struct, frozen=True):
             self.canvas.cancel_gesture()
             or self.basis_panel.cancel_gesture()
             or self.plot_panel.cancel_gesture()
+            or (self.session.is_previewing and self.session.interrupt())
         )
 
 

@@ -112,9 +112,8 @@ class TangentCommands:
         if made == view.source:
             session.say("That is straight already.")
             return
-        document, text = session.document, _straight_text(view.source, segments)
-        self._parts.change(text, lambda: replace_curve(document, session.active_index, made))
-        if session.document is document:
+        text = _straight_text(view.source, segments)
+        if not self._parts.change(text, lambda: replace_curve(session.document, session.active_index, made)):
             return
         corners = corners_of(view.source, segments)
         ends = {index for each in segments for index in ends_of(view.source, each)}
@@ -147,13 +146,13 @@ class TangentCommands:
         chosen: Sequence[int] | None = None,
     ) -> bool:
         """Commit an edit of points; return whether the document is another one now."""
-        points, before = sorted(self._session.selection) if chosen is None else chosen, self._session.document
+        points = sorted(self._session.selection) if chosen is None else chosen
         if not points:
             return False
         done = self._parts.change(f"{verb} {words.points(points)}", lambda: edit(points))
         # A mark that was clicked off shows what is, also where nothing changed.
         self.render(self._session.active_view)
-        return done and self._session.document is not before
+        return done
 
 
 def _straight_text(curve: Curve, segments: Sequence[int]) -> str:

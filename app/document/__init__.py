@@ -4,8 +4,8 @@
 - ``edits``, ``curve_edits``: pure functions ``(Document, …) -> Document``, of points and of whole curves.
 - ``transforms``, ``parameter_edits``, ``jet_edits``: of many points, parameters or derivatives at once.
 - ``kept_handles``: derivatives set for the spacing that moved points have.
-- ``several_curves``: of several curves at once, and a choice of curves that is kept valid.
-- ``straight_edits``: segments made straight.
+- ``several_curves``: of several curves at once.  ``straight_edits``: segments made straight.
+- ``choice``: where chosen curves and selected nodes are after a change.
 - ``image_edits``, ``import_edits``: of the picture to trace; curves from elsewhere.
 - ``expression``: numbers as people type them.
 - ``format``: documents to and from bytes, strictly.  ``image_path``: where the file of a picture lies.

@@ -30,6 +30,9 @@ from app.document.model import (
     VelocityRule,
 )
 
+LEAST_TO_CLOSE = 3
+"""Points that a closed curve has at least."""
+
 
 def _with_nodes(document: Document, curve: int, nodes: Iterable[Node]) -> Document:
     return document.with_curve(
@@ -102,8 +105,10 @@ def set_position(document: Document, curve: int, index: int, position: Vector) -
 
 
 def delete_nodes(document: Document, curve: int, indices: Collection[int]) -> Document:
-    """Remove the nodes at `indices`."""
+    """Remove the nodes at `indices`; a closed curve that has too few left to close is open from then on."""
     kept = [node for i, node in enumerate(document.curves[curve].nodes) if i not in indices]
+    if len(kept) < LEAST_TO_CLOSE and document.curves[curve].closed:
+        document = document.with_curve(curve, replace(document.curves[curve], closed=False))
     return with_nodes_elsewhere(document, curve, kept)
 
 
@@ -179,7 +184,7 @@ def set_closed(document: Document, curve: int, closed: bool, *, squeeze: float =
             "A Lagrange curve is one polynomial, and a polynomial that is not constant cannot repeat itself "
             "smoothly; choose Hermite or quintic Hermite to close the curve."
         )
-    if closed and len(old.nodes) < 3:
+    if closed and len(old.nodes) < LEAST_TO_CLOSE:
         raise EditError("A closed curve needs at least three points.")
     nodes = tuple(stretched(node, squeeze) for node in old.nodes)
     return document.with_curve(curve, _with_room_to_close(replace(old, nodes=nodes, closed=closed)))
@@ -274,7 +279,7 @@ def set_interval(document: Document, curve: int, start: float, end: float) -> Do
     factor = (end - start) / (old_end - old_start)
     nodes = tuple(stretched(_shifted(node, (old_start, old_end), (start, end)), factor) for node in old.nodes)
     rule = replace(old.parametrization, start=start, end=end)
-    result = replace(old, nodes=nodes, parametrization=rule)
+    result = _with_room_to_close(replace(old, nodes=nodes, parametrization=rule))
     refuse_equal_parameters(result, "The interval is too short to keep the parameters apart.")
     return document.with_curve(curve, result)
 

@@ -241,6 +241,16 @@ def validate(document: Document) -> None:
         _validate_image(document.image)
 
 
+def validate_changes(before: Document, after: Document) -> None:
+    """Raise FormatError, as `validate` does, for what in `after` is not the same object as in `before`."""
+    known = {id(curve) for curve in before.curves}
+    for index, curve in enumerate(after.curves):
+        if id(curve) not in known:
+            _validate_curve(curve, f"curves[{index}]")
+    if after.image is not None and after.image is not before.image:
+        _validate_image(after.image)
+
+
 def _validate_image(image: ReferenceImage) -> None:
     for key in ("x", "y", "width", "height", "opacity"):
         _check_number(getattr(image, key), f"image.{key}")

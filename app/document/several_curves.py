@@ -1,4 +1,4 @@
-"""Several curves at once: edits of all of them, nodes that change together, and a choice that is kept valid.
+"""Several curves at once: edits of all of them, and nodes that change together.
 
 `curves` are indices of curves. Like all edits these are pure, and change all or nothing.
 """
@@ -166,27 +166,3 @@ def named(document: Document, curves: Collection[int]) -> str:
     if len(curves) == 1:
         return document.curves[next(iter(curves))].name
     return f"{len(curves)} curves"
-
-
-# The choice
-
-
-def followed(chosen: Collection[int], before: Sequence[Curve], after: Sequence[Curve]) -> frozenset[int]:
-    """Return where chosen curves are after a change: the same values, or else the same places.
-
-    An edit hands on what it does not change, so that a curve elsewhere in the order is the same object. One
-    that was changed is looked for in its place, where the number of curves is what it was.
-    """
-    if before is after:
-        return frozenset(chosen)
-    places = {id(curve): place for place, curve in enumerate(after)}
-    same_number = len(before) == len(after)
-    found = set()
-    for place in chosen:
-        if same_number and after[place] is before[place]:
-            found.add(place)
-        elif id(before[place]) in places:
-            found.add(places[id(before[place])])
-        elif same_number:
-            found.add(place)
-    return frozenset(found)

@@ -4,11 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from app.document.edits import EditError
+from app.document.edits import LEAST_TO_CLOSE, EditError
 from app.gestures.machine import Host
 from app.gestures.pointer import Hit, Part
 from app.view_model.appending import closed_by_pen
-from app.view_model.closing import LEAST_POINTS
 from app.view_model.curve_view import CurveView
 
 
@@ -16,7 +15,7 @@ def can_end_at(hit: Hit | None, view: CurveView) -> bool:
     """Whether the curve might end at what is hit: its first point, and there are others to go around."""
     curve = view.source
     is_first = hit is not None and hit.part is Part.POINT and hit.index == 0
-    return is_first and not curve.is_closed and len(curve.nodes) >= LEAST_POINTS
+    return is_first and not curve.is_closed and len(curve.nodes) >= LEAST_TO_CLOSE
 
 
 def closer(host: Host) -> Callable[[], None]:

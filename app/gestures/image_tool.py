@@ -6,6 +6,7 @@ import math
 
 import msgspec
 
+from app.document.edits import EditError
 from app.document.image_edits import move_image, scale_image
 from app.document.model import Document, ReferenceImage, Vector
 from app.gestures.machine import DragMachine, Host
@@ -101,8 +102,12 @@ class ImageTool:
     def nudge(self, by: Vector) -> None:
         """Move the picture by a little."""
         document = self._host.document
-        if document.image is not None and not document.image.locked:
+        if document.image is None or document.image.locked:
+            return
+        try:
             self._host.commit(move_image(document, by), "Nudge image", run="image")
+        except EditError as reason:
+            self._host.say(str(reason))
 
     def hover(self, pointer: Pointer) -> Hint:
         """Return what a press here would do."""

@@ -44,7 +44,7 @@ class Host(Protocol):
 
     def commit(
         self, document: Document, text: str, *, active: int | None = None, run: Hashable = None
-    ) -> None:
+    ) -> bool:
         """Make it a step of the history; quick steps of the same run are one."""
 
     def cancel(self) -> None:
@@ -104,6 +104,7 @@ class _Press(msgspec.Struct):
     refused: str = ""
     on_done: Callable[[], None] | None = None
     active: int | None = None
+    selection: frozenset[int] | None = None
 
 
 class DragMachine:
@@ -141,9 +142,12 @@ class DragMachine:
         """Begin a drag that shows its effect at the press (a new point) and commits without any move.
 
         `on_done` is called after the commit; `active` is the curve to edit from the press on, where the drag
-        makes another one.
+        makes another one. What is selected now is selected again when it is cancelled.
         """
-        self._press = _Press(pointer.pixel, drag, None, moving=True, on_done=on_done, active=active)
+        selection = self._host.selection
+        self._press = _Press(
+            pointer.pixel, drag, None, moving=True, on_done=on_done, active=active, selection=selection
+        )
         self._step(pointer)
 
     def move(self, pointer: Pointer) -> None:
@@ -222,13 +226,16 @@ class DragMachine:
 
     def cancel(self) -> bool:
         """Drop the gesture in flight and everything it showed; return whether there was one."""
-        was_pressed, was_moving = self.is_pressed, self.is_moving
+        press = self._press
         self.forget()
-        if was_pressed:
-            self._host.cancel()
-        if was_moving:
+        if press is None:
+            return False
+        self._host.cancel()
+        if press.selection is not None:
+            self._host.select(press.selection)
+        if press.moving:
             self._host.say(CANCELLED)
-        return was_pressed
+        return True
 
     def forget(self) -> None:
         """Drop the gesture in flight without touching the document: somebody else has replaced it."""

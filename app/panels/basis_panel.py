@@ -64,8 +64,9 @@ class BasisPanel(BasisPlot):
         return was_pressed
 
     def forget_gesture(self) -> None:
-        """Drop the gesture in flight; the document is another one."""
+        """Drop the gesture in flight, and what is being typed; the document is another one."""
         self._tool.forget()
+        self.tick_edit.hide()
         self._end_gesture()
 
     def _end_gesture(self) -> None:

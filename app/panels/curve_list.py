@@ -90,6 +90,7 @@ class CurveList(QWidget):
 
     def switch_visible(self, row: int) -> None:
         """Show or hide a curve; where it is chosen, all that are."""
+        self._session.interrupt()
         session, curves = self._session, self._meant(row)
         document, visible = session.document, not session.document.curves[row].visible
         text = f"{'Show' if visible else 'Hide'} {named(document, curves)}"
@@ -97,6 +98,7 @@ class CurveList(QWidget):
 
     def switch_locked(self, row: int) -> None:
         """Lock a curve or free it; where it is chosen, all that are."""
+        self._session.interrupt()
         session, curves = self._session, self._meant(row)
         document, locked = session.document, not session.document.curves[row].locked
         text = f"{'Lock' if locked else 'Unlock'} {named(document, curves)}"
@@ -104,6 +106,7 @@ class CurveList(QWidget):
 
     def _move(self, row: int, to: int) -> None:
         session = self._session
+        session.interrupt()
         document = curve_edits.move_curve(session.document, row, to)
         session.commit(document, f"Move {session.document.curves[row].name}", active=to)
 
@@ -127,6 +130,7 @@ class CurveList(QWidget):
         return menu
 
     def _paint(self, row: int, code: str) -> None:
+        self._session.interrupt()
         session, curves = self._session, self._meant(row)
         document = session.document
         session.commit(with_looks(document, curves, colour=code), f"Colour {named(document, curves)}")

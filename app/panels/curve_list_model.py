@@ -89,6 +89,7 @@ class CurveListModel(QAbstractListModel):
         if not name:
             session.say("A curve needs a name.")
             return False
+        session.interrupt()
         session.commit(edits.rename_curve(session.document, index.row(), name), "Rename curve")
         return True
 

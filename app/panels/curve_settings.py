@@ -188,6 +188,7 @@ class CurveSettings(QWidget):
 
     def _commit(self, edit: Callable[[Document, int], Document], text: str) -> None:
         session = self._session
+        session.interrupt()
         document = edit(session.document, session.active_index)
         self._forget_refusal()
         session.commit(document, text)

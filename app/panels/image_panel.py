@@ -8,7 +8,6 @@ from pathlib import Path
 from PySide6.QtCore import QEvent, QSize, Qt
 from PySide6.QtGui import QAction
 from PySide6.QtWidgets import (
-    QAbstractSlider,
     QCheckBox,
     QFormLayout,
     QHBoxLayout,
@@ -26,6 +25,7 @@ from app.document.model import Document, ReferenceImage
 from app.panels.field_edit import FieldEdit
 from app.panels.live_slider import LiveSlider
 from app.panels.number_text import decimal_mark, rounded_text
+from app.panels.slider_edit import SliderEdit
 from app.session import Session
 from app.theme import theme_of
 
@@ -39,7 +39,6 @@ class ImagePanel(QWidget):
         super().__init__(parent)
         self.setObjectName("imagePanel")
         self._session = session
-        self._cancelled = False
         self._refusal = self._problem_text = ""
         self.x_edit = _number_edit("imageX", "x", "x of the lower left corner")
         self.y_edit = _number_edit("imageY", "y", "y of the lower left corner")
@@ -97,9 +96,13 @@ class ImagePanel(QWidget):
         for edit in (self.x_edit, self.y_edit, self.width_edit, self.height_edit):
             edit.committed.connect(lambda text, edit=edit: self._type_number(edit, text))
             edit.left.connect(self._forget_refusal)
-        self.opacity.actionTriggered.connect(self._move_slider)
-        self.opacity.sliderReleased.connect(self._release_slider)
-        self.opacity.cancelled.connect(self._cancel_slider)
+        fading = SliderEdit(
+            self.opacity,
+            self._session,
+            lambda document, position: set_image_opacity(document, position / _STEPS),
+            lambda position: _fade_name(position / _STEPS),
+        )
+        fading.finished.connect(lambda: self.render_image(self._session.document.image))
         self.lock.clicked.connect(self._set_locked)
 
     def add_buttons(self, actions: Sequence[QAction]) -> None:
@@ -191,6 +194,7 @@ class ImagePanel(QWidget):
         self._render_problem()
 
     def _commit(self, edit: Callable[[Document], Document], text: str) -> None:
+        self._session.interrupt()
         document = edit(self._session.document)
         self._forget_refusal()
         self._session.commit(document, text)
@@ -198,27 +202,6 @@ class ImagePanel(QWidget):
     def _set_locked(self, locked: bool) -> None:
         name = "Lock image" if locked else "Unlock image"
         self._commit(lambda document: set_image_locked(document, locked), name)
-
-    def _move_slider(self, action: int) -> None:
-        """Follow a drag live; a step by key, wheel or click is a change of its own."""
-        share = self.opacity.sliderPosition() / _STEPS
-        document = set_image_opacity(self._session.document, share)
-        if action == QAbstractSlider.SliderAction.SliderMove.value and self.opacity.isSliderDown():
-            if not self._cancelled:
-                self._session.preview(document)
-        elif document != self._session.document:
-            self._session.commit(document, _fade_name(share))
-
-    def _release_slider(self) -> None:
-        if not self._cancelled:
-            self._session.commit(self._session.document, _fade_name(self.opacity.sliderPosition() / _STEPS))
-        self._cancelled = False
-        self.render_image(self._session.document.image)
-
-    def _cancel_slider(self) -> None:
-        self._cancelled = True
-        self._session.cancel()
-        self._session.say("Cancelled.")
 
 
 def _fade_name(share: float) -> str:

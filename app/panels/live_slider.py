@@ -25,11 +25,15 @@ class LiveSlider(QSlider):
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         if event.key() == Qt.Key.Key_Escape and self.isSliderDown():
-            self._is_over = True
             self.cancelled.emit()
-            self.setSliderDown(False)
+            self.abandon()
             return
         super().keyPressEvent(event)
+
+    def abandon(self) -> None:
+        """End the drag here; what the mouse still does before its release means nothing."""
+        self._is_over = True
+        self.setSliderDown(False)
 
     def mousePressEvent(self, event: QMouseEvent) -> None:
         self._is_over = False

@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from PySide6.QtCore import Qt, Signal
-from PySide6.QtWidgets import QAbstractSlider, QComboBox, QHBoxLayout, QLabel, QSizePolicy, QWidget
+from PySide6.QtWidgets import QComboBox, QHBoxLayout, QLabel, QSizePolicy, QWidget
 
 from app.document import edits
-from app.document.model import Curve, ParametrizationKind
+from app.document.model import Curve, Document, ParametrizationKind
 from app.panels.live_slider import LiveSlider
+from app.panels.slider_edit import SliderEdit
 from app.session import Session
 from app.view_model.curve_view import CurveView
 
@@ -45,7 +46,6 @@ class ParametrizationBar(QWidget):
     def __init__(self, session: Session, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._session = session
-        self._cancelled = False
         self.box = QComboBox()
         self.box.setObjectName("parametrizationBox")
         self.box.setAccessibleName("Parametrization")
@@ -67,10 +67,11 @@ class ParametrizationBar(QWidget):
         slider.setToolTip("Δt = |Δp|^α: 0 uniform, ½ centripetal, 1 chord length")
         slider.setRange(0, _STEPS)
         slider.setFixedWidth(_SLIDER_WIDTH)
-        slider.actionTriggered.connect(self._move_slider)
         slider.sliderPressed.connect(lambda: self.drag_changed.emit(True))
-        slider.sliderReleased.connect(self._release_slider)
-        slider.cancelled.connect(self._cancel_slider)
+        edit = SliderEdit(
+            slider, self._session, self._with_alpha, lambda position: f"Set α to {position / _STEPS:.2f}"
+        )
+        edit.finished.connect(self._show_end)
         return slider
 
     def _lay_out(self) -> None:
@@ -103,6 +104,7 @@ class ParametrizationBar(QWidget):
     def _choose_kind(self, index: int) -> None:
         kind = list(KIND_NAMES)[index]
         session = self._session
+        session.interrupt()
         parameters = session.active_view.parameters.tolist()
         if kind is ParametrizationKind.MANUAL and not session.active_view.is_current:
             session.say("There are no parameters to start from; mend the points first.")
@@ -111,29 +113,15 @@ class ParametrizationBar(QWidget):
         document = edits.set_parametrization(session.document, session.active_index, kind, parameters)
         session.commit(document, f"Use {KIND_NAMES[kind].lower()} parameters")
 
-    def _move_slider(self, action: int) -> None:
-        """Follow a drag live; a step by key, wheel or click is a change of its own."""
-        session = self._session
-        alpha = self._slider.sliderPosition() / _STEPS
-        document = edits.set_alpha(session.document, session.active_index, alpha)
-        if action == QAbstractSlider.SliderAction.SliderMove.value and self._slider.isSliderDown():
-            if not self._cancelled:
-                session.preview(document)
-        elif _alpha_of(session.active_curve) != alpha:
-            session.commit(document, f"Set α to {alpha:.2f}")
+    def _with_alpha(self, document: Document, position: int) -> Document:
+        index, alpha = self._session.active_index, position / _STEPS
+        if _alpha_of(document.curves[index]) == alpha:
+            return document
+        return edits.set_alpha(document, index, alpha)
 
-    def _release_slider(self) -> None:
-        session = self._session
-        if not self._cancelled:
-            session.commit(session.document, f"Set α to {self._slider.sliderPosition() / _STEPS:.2f}")
-        self._cancelled = False
-        self.render_view(session.active_view)
+    def _show_end(self) -> None:
+        self.render_view(self._session.active_view)
         self.drag_changed.emit(False)
-
-    def _cancel_slider(self) -> None:
-        self._cancelled = True
-        self._session.cancel()
-        self._session.say("Cancelled.")
 
 
 def _alpha_of(curve: Curve) -> float | None:

@@ -250,6 +250,7 @@ class PointTable(QWidget):
 
     def reset_to_estimated(self) -> None:
         """Leave the selected velocities and accelerations to the rules again."""
+        self._session.interrupt()
         session, rows, orders = self._session, self.view.selected_rows(), self._orders_to_reset()
         if not orders:
             return
@@ -272,6 +273,7 @@ class PointTable(QWidget):
 
     def paste(self) -> None:
         """Put the numbers on the clipboard into the cells from the current one on; all or none."""
+        self._session.interrupt()
         try:
             block = read_titled_block(QGuiApplication.clipboard().text(), decimal_mark())
             cells = self.view.selected_cells()
@@ -353,5 +355,6 @@ class PointTable(QWidget):
 
     def _reset_kept(self) -> None:
         session, (rows, orders) = self._session, self._to_reset
+        session.interrupt()
         document = edits.estimate_derivatives(session.document, session.active_index, rows, orders)
         session.commit(document, reset_name(rows, orders))

@@ -263,6 +263,7 @@ class PointTableModel(QAbstractTableModel):
         if number == self.values[row, column] and not self.estimated[row, column]:
             return
         session = self._session
+        session.interrupt()
         document = set_cell(
             session.document, session.active_index, session.active_view, row, self.columns[column], number
         )

@@ -8,9 +8,6 @@ from app.document.edits import set_closed
 from app.document.model import Document
 from app.view_model.curve_view import CurveView, squeeze_of
 
-LEAST_POINTS = 3
-"""Points that a closed curve has at least."""
-
 
 def with_closed(document: Document, index: int, view: CurveView, closed: bool) -> Document:
     """Return the document with its curve `index`, which `view` shows, closed or open.

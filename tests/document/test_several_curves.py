@@ -8,13 +8,13 @@ from hypothesis import strategies as st
 from msgspec.structs import replace
 
 from app.document import curve_edits
+from app.document.choice import followed_curves
 from app.document.edits import EditError, append_node, set_family
 from app.document.model import Document, Family, Node, make_curve
 from app.document.several_curves import (
     active_after_removal,
     add_copies,
     add_curves,
-    followed,
     mapped,
     moved,
     named,
@@ -134,13 +134,13 @@ def test_one_is_named_and_several_are_counted(four):
 def test_a_choice_follows_its_curves(order, chosen, gone):
     before = [make_curve([(0, number)], name="same") for number in range(6)]
     after = [before[number] for number in order if number not in gone]
-    kept = followed(chosen, before, after)
+    kept = followed_curves(chosen, before, after)
     assert {id(after[place]) for place in kept} == {id(before[place]) for place in chosen - gone}
 
 
 def test_a_choice_stays_on_curves_that_are_changed_in_their_place(four):
     document = set_family(append_node(four, 1, Node(9.0, 9.0)), 3, Family.HERMITE)
-    assert followed({1, 3}, four.curves, document.curves) == {1, 3}
+    assert followed_curves({1, 3}, four.curves, document.curves) == {1, 3}
     lowered = curve_edits.move_curve(four, 1, 2)
-    assert followed({1, 3}, four.curves, lowered.curves) == {2, 3}
-    assert followed({1, 3}, four.curves, four.curves) == {1, 3}
+    assert followed_curves({1, 3}, four.curves, lowered.curves) == {2, 3}
+    assert followed_curves({1, 3}, four.curves, four.curves) == {1, 3}

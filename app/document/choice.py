@@ -1,0 +1,53 @@
+"""Chosen curves and selected nodes: where they are after a change."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Sequence
+
+from app.document.model import Curve, Node, Vector
+
+
+def followed_curves(
+    chosen: Collection[int], before: Sequence[Curve], after: Sequence[Curve]
+) -> frozenset[int]:
+    """Return where chosen curves are after a change: the same values, or else the same places.
+
+    An edit hands on what it does not change, so that a curve elsewhere in the order is the same object. One
+    that was changed is looked for in its place, where the number of curves is what it was.
+    """
+    if before is after:
+        return frozenset(chosen)
+    places = {id(curve): place for place, curve in enumerate(after)}
+    same_number = len(before) == len(after)
+    found = set()
+    for place in chosen:
+        if same_number and after[place] is before[place]:
+            found.add(place)
+        elif id(before[place]) in places:
+            found.add(places[id(before[place])])
+        elif same_number:
+            found.add(place)
+    return frozenset(found)
+
+
+def followed_nodes(chosen: Collection[int], before: Sequence[Node], after: Sequence[Node]) -> frozenset[int]:
+    """Return where chosen nodes are after a change; those of which nothing is left are left out.
+
+    As many nodes as before are the same ones, wherever they went. Otherwise a node is where it was in the
+    plane: of several at one place the first stays the first. An index beyond those of `before` is one of
+    `after` already.
+    """
+    if len(before) == len(after):
+        return frozenset(chosen)
+    places: dict[Vector, list[int]] = {}
+    for index, node in enumerate(after):
+        places.setdefault(node.position, []).append(index)
+    found = []
+    for index in chosen:
+        if index >= len(before):
+            found += [index] if index < len(after) else []
+            continue
+        here = before[index].position
+        rank = sum(node.position == here for node in before[:index])
+        found += places.get(here, [])[rank : rank + 1]
+    return frozenset(found)

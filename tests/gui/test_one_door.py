@@ -1,0 +1,303 @@
+"""What changes the document during a gesture: it finds the document without the gesture's preview."""
+
+from __future__ import annotations
+
+import pytest
+from msgspec.structs import replace
+from PySide6.QtCore import Qt
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QStyle, QStyleOptionSlider
+
+from app.document import edits
+from app.document.format import FormatError, validate
+from app.document.model import (
+    Curve,
+    Document,
+    Family,
+    Node,
+    Parametrization,
+    ParametrizationKind,
+    ReferenceImage,
+    make_curve,
+)
+from app.panels.curve_list_view import Spot
+from app.view_model.curve_view import view_of
+
+LEFT = Qt.MouseButton.LeftButton
+
+COMMANDS = [
+    *("freezeParameters", "startUniform", "startChordLength", "resetVelocities", "familyLagrange"),
+    *("insertPoint", "splitCurve", "joinCurve", "reverseCurve", "closeCurve", "duplicateCurve", "newCurve"),
+    *("deleteCurve", "raiseCurve", "curveVisible", "curveLocked", "nextCurve"),
+    *("tangentCorner", "tangentSmooth", "tangentEstimated", "pullVelocity", "straightSegment"),
+    *("deleteSelection", "cutPoints", "pastePoints", "pasteAsCurve", "pasteDerivatives", "alignLeft"),
+]
+
+
+def hat(name="Hat", right=0.0):
+    """A curve with something set at two of its nodes."""
+    points = [(right, 0), (right + 1, 2), (right + 3, 2), (right + 4, 0)]
+    curve = make_curve(points, family=Family.HERMITE, name=name)
+    document = edits.set_velocity(Document((curve,)), 0, 1, (3.0, 1.0))
+    return edits.set_velocity(document, 0, 2, (2.0, -1.0)).curves[0]
+
+
+@pytest.fixture
+def two(editor):
+    """Two curves, the second one edited, two of its points selected, points and derivatives copied before."""
+    editor.session.commit(Document((hat(), hat("Other", 5.0))), "Begin")
+    editor.fit()
+    editor.session.activate(1)
+    editor.select([1])
+    editor.trigger("copyDerivatives")
+    editor.select([1, 2])
+    editor.session.set_scrub(0.4)
+    return editor
+
+
+def with_on_clipboard(editor, name):
+    if name == "pasteDerivatives":
+        editor.select([1])
+        editor.trigger("copyDerivatives")
+        editor.select([1, 2])
+    else:
+        editor.trigger("copyPoints")
+
+
+def under_g(editor):
+    editor.hover((7.0, 1.0))
+    editor.trigger("moveSelection")
+    editor.hover((7.5, 1.8))
+    assert editor.session.is_previewing
+
+
+def under_a_drag(editor):
+    editor.press(editor.point(3))
+    editor.move((9.5, 1.0))
+    editor.move((9.6, 1.2))
+    assert editor.session.is_previewing
+
+
+def under_the_pen(editor):
+    editor.trigger("addTool")
+    editor.press((9.8, -1.0))
+    editor.move((9.9, -1.2))
+    assert editor.session.is_previewing
+
+
+def what_it_does(editor, name, begin, *, cancelled):
+    """What a command makes of the document in a gesture, or behind one that was cancelled."""
+    before = editor.session.committed
+    editor.select([1, 2])
+    begin(editor)
+    if cancelled:
+        editor.escape()
+        assert editor.session.document is before
+    editor.trigger(name)
+    assert not editor.session.is_previewing
+    after = editor.session.document
+    editor.trigger("selectTool")
+    while editor.session.committed is not before:
+        editor.session.undo_stack.undo()
+    editor.session.activate(1)
+    return after
+
+
+@pytest.mark.parametrize(
+    ("name", "begin"),
+    [
+        *((name, under_g) for name in COMMANDS),
+        *((name, begin) for name in COMMANDS[::4] for begin in (under_a_drag, under_the_pen)),
+    ],
+)
+def test_a_command_in_the_middle_of_a_gesture_does_what_it_does_without(two, name, begin):
+    with_on_clipboard(two, name)
+    begin(two)
+    can_be_used = two.action(name).isEnabled()
+    two.escape()
+    if not can_be_used:
+        # One point is held, where the command is for several, or for what nobody set there.
+        assert name in ("alignLeft", "resetVelocities")
+        return
+    two.trigger("selectTool")
+    alone = what_it_does(two, name, begin, cancelled=True)
+    assert what_it_does(two, name, begin, cancelled=False) == alone
+
+
+def test_a_panel_in_the_middle_of_a_gesture_changes_what_was_there(two):
+    under_g(two)
+    before = two.session.committed
+    two.show_dock("curvesDock")
+    two.click_in_list(0, Spot.EYE)
+    assert two.session.document.curves[1] is before.curves[1]
+    under_g(two)
+    two.choose_parametrization(ParametrizationKind.UNIFORM)
+    assert two.session.document.curves[1].nodes == before.curves[1].nodes
+    assert two.session.undo_stack.undoText() == "Use uniform parameters"
+
+
+def press_alpha(editor):
+    """Take hold of the handle of the α slider and drag it to its middle."""
+    slider = editor.window.parametrization_bar._slider
+    option = QStyleOptionSlider()
+    slider.initStyleOption(option)
+    handle = slider.style().subControlRect(
+        QStyle.ComplexControl.CC_Slider, option, QStyle.SubControl.SC_SliderHandle, slider
+    )
+    QTest.mousePress(slider, LEFT, pos=handle.center())
+    QTest.mouseMove(slider, slider.rect().center())
+    assert editor.session.is_previewing
+    return slider
+
+
+def test_undo_during_a_drag_of_alpha_takes_back_the_drag_alone(two):
+    two.drag_point(0, to=(5.5, 0.5))
+    index = two.session.undo_stack.index()
+    before = two.session.document
+    slider = press_alpha(two)
+    two.trigger("undo")
+    assert two.session.undo_stack.index() == index
+    assert two.session.document is before
+    QTest.mouseMove(slider, slider.rect().center() / 2)
+    QTest.mouseRelease(slider, LEFT, pos=slider.rect().center() / 2)
+    assert two.session.document is before
+    assert slider.value() == 100
+    two.trigger("undo")
+    assert two.session.undo_stack.index() == index - 1
+
+
+def test_another_curve_while_the_pen_begins_one(editor):
+    rings = [
+        edits.set_closed(
+            Document((make_curve([(x, 0), (x + 2, 0), (x + 2, 2)], family=Family.HERMITE),)), 0, True
+        ).curves[0]
+        for x in (0.0, 4.0)
+    ]
+    editor.session.commit(Document(tuple(rings)), "Begin")
+    editor.fit()
+    editor.trigger("selectAllCurves")
+    assert editor.session.chosen_curves == {0, 1}
+    editor.trigger("addTool")
+    editor.press((1.0, 1.5))
+    assert len(editor.session.document.curves) == 3
+    editor.escape()
+    assert editor.session.chosen_curves == {0, 1}
+    editor.release((1.0, 1.5))
+    editor.press((1.0, 1.5))
+    editor.trigger("nextCurve")
+    editor.release((1.0, 1.5))
+    assert len(editor.session.document.curves) == 2
+    assert editor.session.active_index == 1
+
+
+# What is selected
+
+
+def test_undo_of_an_insertion_leaves_no_other_point_selected(two):
+    two.session.activate(0)
+    place = tuple(two.session.active_view.curve.evaluate(0.15))
+    two.trigger("addTool")
+    two.click(place)
+    two.trigger("selectTool")
+    assert two.session.selection == {1}
+    two.trigger("undo")
+    assert two.session.selection == frozenset()
+    two.key(Qt.Key.Key_Delete)
+    assert len(two.curve.nodes) == 4
+
+
+def test_what_is_refused_leaves_the_selection(two):
+    two.trigger("curveLocked")
+    for name in ("deleteSelection", "cutPoints", "reverseCurve"):
+        two.trigger(name)
+        assert two.session.selection == {1, 2}
+        assert "is locked" in two.status
+
+
+def test_a_number_typed_at_a_tick_stays_with_its_curve(two):
+    panel = two.window.basis_panel
+    two.click_parameter(1)
+    panel.edit_tick(1)
+    assert panel.tick_edit.isVisible()
+    two.trigger("nextCurve")
+    assert not panel.tick_edit.isVisible()
+    panel.edit_tick(1)
+    two.trigger("undo")
+    assert not panel.tick_edit.isVisible()
+
+
+# What no file can hold
+
+
+def test_a_closed_curve_with_too_few_points_left_is_open(editor):
+    editor.new()
+    editor.choose_family(Family.HERMITE)
+    editor.trigger("addTool")
+    for point in ((0, 0), (2, 0), (2, 2)):
+        editor.click(point)
+    editor.trigger("closeCurve")
+    editor.trigger("selectAll")
+    editor.trigger("deleteSelection")
+    for point in ((0, 0), (2, 0), (2, 2), (0, 2)):
+        editor.click(point)
+    assert [(len(curve.nodes), curve.closed) for curve in editor.session.document.curves] == [(4, False)]
+
+
+def test_the_interval_of_a_polynomial_that_would_be_closed_leaves_room_to_close():
+    document = Document((make_curve([(0, 0), (1, 2), (3, 2)], family=Family.HERMITE),))
+    document = edits.freeze_parameters(edits.set_closed(document, 0, True), 0, [0.0, 0.3, 0.6, 1.0])
+    document = edits.set_interval(edits.set_family(document, 0, Family.LAGRANGE), 0, 0.0, 2.0)
+    validate(document)
+    assert view_of(edits.set_family(document, 0, Family.HERMITE).curves[0]).is_current
+
+
+def test_points_that_would_share_a_parameter_are_not_pasted(editor):
+    source = Curve(
+        "S", Family.HERMITE, Parametrization(end=1e-6), tuple(Node(i / 10, 2.0) for i in range(21))
+    )
+    manual = Parametrization(ParametrizationKind.MANUAL)
+    target = Curve("T", Family.HERMITE, manual, (Node(0.0, 0.0, t=1.7e9), Node(1.0, 0.0, t=1.7e9 + 1)))
+    editor.session.commit(Document((source, target)), "Begin")
+    editor.trigger("selectAll")
+    editor.trigger("copyPoints")
+    editor.session.activate(1)
+    before = editor.session.document
+    editor.trigger("pastePoints")
+    assert editor.session.document is before
+    assert "must be greater than" in editor.status
+    validate(editor.session.document)
+
+
+def test_derivatives_beyond_all_that_can_be_kept_are_refused_with_a_sentence(editor):
+    curve = make_curve([(0, 0), (1e6, 2e6), (3e6, 1e6)], family=Family.HERMITE)
+    rule = Parametrization(ParametrizationKind.UNIFORM, end=1e-7)
+    editor.session.commit(Document((replace(curve, parametrization=rule),)), "Begin")
+    editor.select([1])
+    editor.trigger("copyDerivatives")
+    editor.select([0])
+    before = editor.session.document
+    editor.trigger("pasteDerivatives")
+    assert editor.session.document is before
+    assert "must lie between" in editor.status
+
+
+def test_a_picture_at_the_end_of_the_plane_is_not_nudged_farther(editor, tmp_path):
+    image = ReferenceImage(str(tmp_path / "none.png"), 1e12, 0.0, 1.0, 1.0)
+    editor.session.commit(Document(editor.session.document.curves, image), "Begin")
+    editor.window.canvas.show_box((1e12 - 1, 1e12), (0, 1))
+    editor.trigger("moveImage")
+    editor.window.canvas.setFocus()
+    editor.key(Qt.Key.Key_Right, Qt.KeyboardModifier.ShiftModifier)
+    assert editor.session.document.image is image
+    assert "must lie between" in editor.status
+
+
+def test_what_no_file_can_hold_is_not_committed(editor):
+    """The last gate, should an edit forget to check."""
+    wild = replace(editor.curve, nodes=(*editor.curve.nodes, Node(float("nan"), 0.0)))
+    with pytest.raises(FormatError):
+        validate(Document((wild,)))
+    before = editor.session.document
+    assert not editor.session.commit(Document((wild,)), "Wild")
+    assert editor.session.document is before
+    assert editor.status.startswith("This cannot be kept: curves[0].points[")
