@@ -3,8 +3,8 @@
 A velocity is per unit of t; what a person sees and drags of it is the handle, h v / 3. Where a rule spaces
 the parameters by distance, every h is a share of the whole length, so one moved point changes them all, and
 with them the handles of finished parts far away. The derivatives that the person set are rescaled here for
-the new h: what lies between points that stay keeps its shape, points that move together keep their handles,
-or scale them as their distances, and where a distance changes the handles along it change with it.
+the new h: what lies between points that stay keeps its shape, and so does what moves together; handles beside
+a distance that changes stay as long as they were where nothing else hangs on them.
 """
 
 from __future__ import annotations
@@ -13,6 +13,7 @@ import math
 from collections.abc import Collection, Sequence
 from itertools import pairwise
 
+import msgspec
 from msgspec.structs import replace
 
 from app.document.limits import checked_vector
@@ -33,7 +34,7 @@ _NOISE = 1e-12
 def with_handles_kept(before: Curve, after: Curve, together: Collection[int] = ()) -> Curve:
     """Return `after`, whose points are elsewhere or fewer, with derivatives set for the new spacing.
 
-    Those of the nodes `together` went with them: handles between two of these grow as their distance does.
+    Those of the nodes `together` went with them.
     """
     exponent = _exponent(after)
     if exponent is None or not before.has_derivatives:
@@ -43,11 +44,62 @@ def with_handles_kept(before: Curve, after: Curve, together: Collection[int] = (
     if not all(0.0 < total < math.inf for total in whole):
         return after
     far = whole[0] / whole[1]
-    if len(old) != len(new):
-        factors = [far] * len(after.nodes)
-    else:
-        factors = [far * near for near in _near(after, together, old, new)]
+    factors = [(far, far)] * len(after.nodes)
+    if len(old) == len(new):
+        growth = _Growth(old, new, after.is_closed, _moved(before, after, together))
+        for index in growth.nodes:
+            behind, ahead = growth.beside(after.nodes[index], index)
+            factors[index] = far * behind, far * ahead
     return replace(after, nodes=tuple(map(_for_spacing, after.nodes, factors)))
+
+
+def _moved(before: Curve, after: Curve, together: Collection[int]) -> frozenset[int]:
+    pairs = enumerate(zip(before.nodes, after.nodes, strict=True))
+    return frozenset({*together, *(i for i, (a, b) in pairs if a is not b and a.position != b.position)})
+
+
+class _Growth(msgspec.Struct, frozen=True):
+    """By how much segments grow from `old` to `new` spacings, as the handles at a node count it.
+
+    What lies between points that stay decides for those, and what lies between points that moved together for
+    these: that keeps its shape. Else all that lies beside a node does, and its handles together stay as long
+    as they were.
+    """
+
+    old: Sequence[float]
+    new: Sequence[float]
+    is_closed: bool
+    moved: frozenset[int]
+
+    @property
+    def nodes(self) -> set[int]:
+        """The nodes beside which there is a segment that grows."""
+        count = len(self.old) + (not self.is_closed)
+        grown = [
+            segment for segment, pair in enumerate(zip(self.old, self.new, strict=True)) if pair[0] != pair[1]
+        ]
+        return {node % count for segment in grown for node in (segment, segment + 1)}
+
+    def beside(self, node: Node, index: int) -> tuple[float, float]:
+        """Return the growth for what node `index` has before and after a corner; elsewhere the same."""
+        count, last = len(self.old), index == len(self.old)
+        behind = (index - 1) % count if index or self.is_closed else None
+        ahead = None if last else index
+        sides = [[side for side in (behind, ahead) if side is not None]]
+        if node.corner:
+            sides = [[side] for side in sides[0]]
+        grown = [self._of(side, index) for side in sides]
+        return grown[0], grown[-1]
+
+    def _of(self, segments: Sequence[int], index: int) -> float:
+        nodes = len(self.old) + (not self.is_closed)
+        alike = [
+            segment
+            for segment in segments
+            if (segment in self.moved) is ((segment + 1) % nodes in self.moved) is (index in self.moved)
+        ]
+        was, now = (sum(each[segment] for segment in alike or segments) for each in (self.old, self.new))
+        return now / was if was > 0.0 and now > 0.0 else 1.0
 
 
 def _exponent(curve: Curve) -> float | None:
@@ -71,20 +123,17 @@ def _spacings(curve: Curve, exponent: float) -> list[float]:
     return [math.dist(a.position, b.position) ** exponent for a, b in pairwise(nodes)]
 
 
-def _near(after: Curve, together: Collection[int], old: Sequence[float], new: Sequence[float]) -> list[float]:
-    """Return by how much the segments at each node grow that have both ends among the nodes `together`."""
-    count, together = len(after.nodes), frozenset(together)
-    lengths = [(0.0, 0.0)] * count
-    for segment, pair in enumerate(zip(old, new, strict=True)):
-        ends = segment, (segment + 1) % count
-        if all(end in together for end in ends):
-            for end in ends:
-                lengths[end] = lengths[end][0] + pair[0], lengths[end][1] + pair[1]
-    return [now / was if was > 0.0 and now > 0.0 else 1.0 for was, now in lengths]
-
-
-def _for_spacing(node: Node, factor: float) -> Node:
-    return node if abs(factor - 1.0) < _NOISE else stretched(node, factor)
+def _for_spacing(node: Node, factors: tuple[float, float]) -> Node:
+    """Rescale derivatives for spacings that grow by these factors, those after a corner by the second."""
+    behind, ahead = (1.0 if abs(factor - 1.0) < _NOISE else factor for factor in factors)
+    if behind == ahead:
+        return stretched(node, behind)
+    after = stretched(node, ahead)
+    return replace(
+        stretched(node, behind),
+        velocity_after=after.velocity_after,
+        acceleration_after=after.acceleration_after,
+    )
 
 
 def stretched(node: Node, factor: float) -> Node:

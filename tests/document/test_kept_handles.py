@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import numpy as np
 import pytest
 from msgspec.structs import replace
 
@@ -68,6 +69,33 @@ def test_one_moved_point_changes_the_two_segments_beside_it(rule, family, closed
         old, new = controls(before), controls(after)
         beside = {index - 1, index} if not closed else {(index - 1) % 8, index}
         assert all(same(old[k], new[k]) for k in range(len(old)) if k not in beside)
+
+
+def handles(doc, segment):
+    """The velocity handles of a segment, ahead of its start and behind its end."""
+    start, ahead, behind, end = (np.array(point) for point in controls(doc)[segment][:4])
+    return ahead - start, behind - end
+
+
+@pytest.mark.parametrize("rule", BY_DISTANCE)
+@pytest.mark.parametrize("family", FAMILIES)
+def test_handles_on_which_nothing_else_hangs_stay_as_they_were(rule, family):
+    """A point dragged far away made those of its neighbour at the end eight times as long."""
+    before = document(rule, family)
+    after = move_nodes(before, 0, {1}, (20.0, -30.0))
+    # The first point has one handle, the last one too; both sides of a corner are their own.
+    assert handles(after, 0)[0] == pytest.approx(handles(before, 0)[0], rel=1e-12)
+    after = move_nodes(before, 0, {4}, (20.0, -30.0))
+    assert handles(after, 4)[1] == pytest.approx(handles(before, 4)[1], rel=1e-12)
+    assert handles(after, 5)[0] == pytest.approx(handles(before, 5)[0], rel=1e-12)
+
+
+@pytest.mark.parametrize("rule", BY_DISTANCE)
+def test_the_handles_of_a_moved_point_together_stay_as_long_as_they_were(rule):
+    before = document(rule)
+    after = move_nodes(before, 0, {3}, (5.0, 8.0))
+    old, new = (np.hypot(*handles(each, 2)[1]) + np.hypot(*handles(each, 3)[0]) for each in (before, after))
+    assert new == pytest.approx(old, rel=1e-12)
 
 
 @pytest.mark.parametrize("rule", BY_DISTANCE)

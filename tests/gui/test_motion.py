@@ -99,12 +99,12 @@ def test_k_plays_and_pauses(editor, motion):
 
 
 def test_the_real_clock_moves_the_dot(editor, qtbot):
+    began = time.perf_counter()
     editor.trigger("playMotion")
     player = editor.window.findChild(Player)
-    began = time.perf_counter()
     qtbot.waitUntil(lambda: editor.session.scrub > 0.05)
     # Frames may be dropped; the dot is never ahead of the clock.
-    assert player.seconds <= time.perf_counter() - began + 0.1
+    assert player.seconds <= time.perf_counter() - began
 
 
 def test_the_domain_is_in_seconds(editor, motion):
