@@ -255,7 +255,7 @@ class Canvas(CanvasView):
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         is_escape = event.key() == Qt.Key.Key_Escape
-        if (is_escape and self._escape()) or self._type_into_transform(event) or self._nudge(event):
+        if (is_escape and self._escape()) or self._type_into_transform(event) or self._takes(event):
             event.accept()
             return
         super().keyPressEvent(event)
@@ -273,6 +273,22 @@ class Canvas(CanvasView):
             if not self._tool.is_modal:
                 self.hovered_at(self._pointer_now())
         return key is not None
+
+    def _takes(self, event: QKeyEvent) -> bool:
+        return self._nudge(event) or self._finish_curve(event)
+
+    def _finish_curve(self, event: QKeyEvent) -> bool:
+        """Finish the curve that the pen draws: the next press begins another one."""
+        is_enter = event.key() in (Qt.Key.Key_Return, Qt.Key.Key_Enter)
+        adds = self._tool.kind is ToolKind.ADD and self._image_tool is None
+        if not (is_enter and adds and self._tool.pen.finish()):
+            return False
+        self.hover_again()
+        return True
+
+    def forget_finished(self) -> None:
+        """Forget which curves the pen has finished; the document is another one."""
+        self._tool.pen.forget_finished()
 
     def _nudge(self, event: QKeyEvent) -> bool:
         """Move the selected points by a pixel or a step of the grid: with Shift ten, with Ctrl a tenth."""

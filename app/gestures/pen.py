@@ -12,15 +12,56 @@ from app.view_model.curve_view import view_of
 
 
 class Pen:
-    """Appends and inserts points, and begins another curve beside a closed one."""
+    """Appends and inserts points, and begins another curve beside one that is closed or finished.
+
+    What is finished is neither in the document nor in its history: it only says what the next press means.
+    """
 
     def __init__(self, host: Host, machine: DragMachine, magnets: Magnets) -> None:
         self._host, self._machine, self._magnets = host, machine, magnets
+        # The finished curves, by their places and names.
+        self._finished: set[tuple[int, str]] = set()
+
+    @property
+    def is_finished(self) -> bool:
+        """Whether the person has finished the curve that is edited, so that the next press begins another."""
+        return self._key in self._finished and hints.can_finish(self._host.active_view)
+
+    @property
+    def _key(self) -> tuple[int, str]:
+        return self._host.active_index, self._host.active_view.source.name
+
+    def finish(self) -> bool:
+        """Finish the curve that is edited; return whether there is one with an end."""
+        host = self._host
+        if not hints.can_finish(host.active_view) or self._machine.is_pressed:
+            return False
+        self._finished.add(self._key)
+        host.select([])
+        host.say(f"“{host.active_view.source.name}” is finished; the next press begins another curve.")
+        return True
+
+    def goes_on_at(self, hit: Hit) -> bool:
+        """Whether a click on what is hit goes on with a finished curve."""
+        view = self._host.active_view
+        return self.is_finished and hints.is_end(hit, view) and not view.source.locked
+
+    def go_on(self) -> None:
+        """Go on with the finished curve."""
+        host = self._host
+        self._finished.discard(self._key)
+        count = len(host.active_view.source.nodes)
+        host.select([count - 1])
+        host.say(f"Going on with “{host.active_view.source.name}”; the next press adds point {count}.")
+
+    def forget_finished(self) -> None:
+        """Forget what was finished; the document is another one."""
+        self._finished.clear()
 
     def press(self, pointer: Pointer) -> None:
         """Begin what a press here does."""
         host, hit = self._host, pointer.hit
-        act = pen_act(hit, host.active_view, shift=pointer.shift)
+        act = self._act(pointer)
         if act is PenAct.BEGIN:
             self._begin(pointer)
         elif host.active_view.source.locked:
@@ -30,20 +71,25 @@ class Pen:
         else:
             self._append(pointer)
 
+    def _act(self, pointer: Pointer) -> PenAct:
+        view = self._host.active_view
+        return pen_act(pointer.hit, view, shift=pointer.shift, finished=self.is_finished)
+
     def place_of_new(self, pointer: Pointer) -> int | None:
         """Return the index of a point that a press puts just here; −1 in another curve, None for none."""
         if not hints.is_no_part(pointer.hit):
             return None
-        view = self._host.active_view
-        act = pen_act(pointer.hit, view, shift=pointer.shift)
-        return {PenAct.APPEND: len(view.source.nodes), PenAct.BEGIN: -1}.get(act)
+        count = len(self._host.active_view.source.nodes)
+        return {PenAct.APPEND: count, PenAct.BEGIN: -1}.get(self._act(pointer))
 
     def _append(self, pointer: Pointer) -> None:
         host = self._host
         index = len(host.active_view.source.nodes)
-        magnet = self._magnets.for_points((), index)
+        magnet = self._magnets.for_new(index)
+        key = self._key
         append = AppendPoint(host.document, host.active_index, host.active_view, pointer, magnet)
-        self._machine.press_at_once(pointer, append)
+        # Only when it is done: Escape leaves a finished curve finished.
+        self._machine.press_at_once(pointer, append, on_done=lambda: self._finished.discard(key))
         host.select([index])
 
     def _begin(self, pointer: Pointer) -> None:
@@ -52,14 +98,15 @@ class Pen:
         model, place = host.active_view.source, host.active_index + 1
         fresh = fresh_curve(host.document, model, model.parametrization)
         document = add_curve(host.document, place, fresh)
-        begin = BeginCurve(document, place, view_of(fresh), pointer, self._magnets.for_points((), -1))
+        self._finished.discard((place, fresh.name))
+        begin = BeginCurve(document, place, view_of(fresh), pointer, self._magnets.for_new(-1))
         self._machine.press_at_once(pointer, begin, active=place)
         if host.active_index == place:
             host.select([0])
 
     def _insert(self, pointer: Pointer, hit: Hit) -> None:
         host = self._host
-        magnet = self._magnets.for_points((), hit.index)
+        magnet = self._magnets.for_points((hit.index,), hit.index)
         insert = InsertPoint(host.document, host.active_index, host.active_view, hit, pointer, magnet)
         count = len(host.active_view.source.nodes)
         self._machine.press_at_once(pointer, insert, on_done=lambda: self._say_outcome(insert))
