@@ -14,6 +14,7 @@ from app.canvas.canvas_view import CanvasView
 from app.canvas.hit_test import hit_test
 from app.canvas.keys import ARROWS, cursor_of, transform_key
 from app.canvas.overlay_layer import OverlayLayer
+from app.canvas.pen_layer import PenLayer
 from app.gestures.image_tool import ImageTool
 from app.gestures.overlay import Overlay
 from app.gestures.pointer import Hint, Pointer
@@ -52,6 +53,7 @@ class Canvas(CanvasView):
         self._tool = tool
         self._image_tool: ImageTool | None = None
         self._overlay_layer = self.dress(OverlayLayer(self, LIGHT))
+        self._pen_layer = self.dress(PenLayer(self, LIGHT))
         self._pointer: Pointer | None = None
         self.map_changed.connect(self.hover_again)
 
@@ -99,7 +101,9 @@ class Canvas(CanvasView):
         return self._overlay_layer.plate
 
     def _show_overlay(self) -> None:
-        self._overlay_layer.render(self._tool.overlay())
+        overlay = self._tool.overlay()
+        self._overlay_layer.render(overlay)
+        self._pen_layer.render(overlay.ahead, overlay.spot)
 
     def set_image_tool(self, tool: ImageTool | None) -> None:
         """Let the mouse move and scale the picture, until None gives it back to the points."""

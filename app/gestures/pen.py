@@ -2,13 +2,18 @@
 
 from __future__ import annotations
 
+import math
+
 from app.document.curve_edits import add_curve, fresh_curve
+from app.document.model import Vector
 from app.gestures import hints
 from app.gestures.machine import DragMachine, Host
 from app.gestures.magnets import Magnets
 from app.gestures.pen_drags import AppendPoint, BeginCurve, InsertPoint, PenAct, pen_act
 from app.gestures.pointer import Hit, Pointer
-from app.view_model.curve_view import view_of
+from app.gestures.snapping import Magnet
+from app.view_model.curve_view import CurveView, view_of
+from app.view_model.pen_preview import view_with_point
 
 
 class Pen:
@@ -21,6 +26,11 @@ class Pen:
         self._host, self._machine, self._magnets = host, machine, magnets
         # The finished curves, by their places and names.
         self._finished: set[tuple[int, str]] = set()
+        # What a press would make of the curve that `_seen` shows.
+        self._seen: CurveView | None = None
+        self._ahead: CurveView | None = None
+        self._spot: Vector | None = None
+        self._place: Vector | None = None
 
     @property
     def is_finished(self) -> bool:
@@ -81,6 +91,38 @@ class Pen:
             return None
         count = len(self._host.active_view.source.nodes)
         return {PenAct.APPEND: count, PenAct.BEGIN: -1}.get(self._act(pointer))
+
+    # What a press would do, shown before it
+
+    @property
+    def ahead(self) -> CurveView | None:
+        """The curve as it would be with a point added where the pointer is, None where none would be."""
+        return self._ahead if self._seen is self._host.active_view else None
+
+    @property
+    def spot(self) -> Vector | None:
+        """Where on the curve a point would be inserted, None where none would be."""
+        return self._spot if self._seen is self._host.active_view else None
+
+    def look_ahead(self, pointer: Pointer, magnet: Magnet | None) -> None:
+        """Find out what a press at `pointer` would make of the curve; `magnet` draws a point there."""
+        host, view, hit = self._host, self._host.active_view, pointer.hit
+        is_here = math.isfinite(pointer.position[0]) and hints.is_no_part(hit)
+        act = self._act(pointer) if is_here and not view.source.locked else PenAct.BEGIN
+        self._spot = hit.position if act is PenAct.INSERT and hit is not None else None
+        if act is not PenAct.APPEND:
+            self._seen, self._ahead, self._place = view, None, None
+            return
+        place = (
+            magnet.caught.position if magnet is not None and magnet.caught is not None else pointer.position
+        )
+        if place != self._place or view is not self._seen:
+            self._ahead = view_with_point(host.document, host.active_index, view, place, self._ahead)
+        self._seen, self._place = view, place
+
+    def look_away(self) -> None:
+        """Show nothing of what a press would do."""
+        self._seen = self._ahead = self._spot = self._place = None
 
     def _append(self, pointer: Pointer) -> None:
         host = self._host

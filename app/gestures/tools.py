@@ -159,6 +159,7 @@ class CanvasTool:
         self._modal.drop()
         self._marquee = None
         self._magnets.drop()
+        self.pen.look_away()
         self._measuring = self._note_wanted = False
 
     # What is shown meanwhile
@@ -194,6 +195,8 @@ class CanvasTool:
             ruler=measured.ruler if measured is not None and measured.is_something else None,
             note=self._note(),
             axis=self._locked_axis(),
+            ahead=self.pen.ahead if not self.is_pressed else None,
+            spot=self.pen.spot if not self.is_pressed else None,
         )
 
     def _note(self) -> Note | None:
@@ -275,6 +278,8 @@ class CanvasTool:
         hit = pointer.hit
         self._host.set_hovered(hit.index if hit is not None and hit.part is Part.POINT else -1)
         self._preview_snap(pointer)
+        if self.kind is ToolKind.ADD:
+            self.pen.look_ahead(pointer, self._magnets.now)
         if self.kind is ToolKind.MEASURE:
             return Hint(f"Drag to measure a distance and an angle · {KEYS} · V goes back to Select")
         if self.kind is ToolKind.EXPLAIN:
