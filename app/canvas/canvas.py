@@ -53,6 +53,7 @@ class Canvas(CanvasView):
         self._tool = tool
         self._image_tool: ImageTool | None = None
         self._overlay_layer = self.dress(OverlayLayer(self, LIGHT))
+        self._overlay_layer.around = self._surroundings_of
         self._pen_layer = self.dress(PenLayer(self, LIGHT))
         self._pointer: Pointer | None = None
         self.map_changed.connect(self.hover_again)
@@ -99,6 +100,11 @@ class Canvas(CanvasView):
     def readout_rect(self) -> QRectF:
         """Where the last readout of a gesture stood, in pixels of the plot area."""
         return self._overlay_layer.plate
+
+    @property
+    def snap_label_rect(self) -> QRectF:
+        """Where the words about the last snap stood, in pixels of the plot area."""
+        return self._overlay_layer.label
 
     def _show_overlay(self) -> None:
         overlay = self._tool.overlay()
