@@ -12,9 +12,10 @@ from app.document.model import Vector
 from app.gestures.overlay import Note, Overlay, Ruler
 from app.gestures.snapping import Snap
 from app.gestures.transform_box import TransformBox
+from app.plot.halo import Halo
 from app.plot.layered_plot import LayeredPlot
 from app.plot.pixel_map import PixelMap
-from app.plot.plates import beyond, write_on_plate, write_with_halo
+from app.plot.plates import beyond, write_on_plate
 from app.theme import Theme
 
 _GRIP, _FAR = 3.5, 1e6
@@ -44,6 +45,7 @@ class OverlayLayer:
         self.plate = QRectF()
         # Where the words about the last snap stood.
         self.label = QRectF()
+        self._halo = Halo()
         self._font = QFont(plot.font())
         self._layer = plot.add_layer(self.paint, z=20)
 
@@ -210,7 +212,8 @@ class OverlayLayer:
         """Write beside a point, where it covers least of the curve and no number."""
         size, gap = self._size(painter, text), (_LABEL_GAP[0] * self.scale, _LABEL_GAP[1] * self.scale)
         self.label = free_corner(pixel, size, gap, around, shown)
-        write_with_halo(painter, self.label, text, self.theme.paper, self.theme.accent, 4 * self.scale)
+        theme = self.theme
+        self._halo.write(painter, self.label, text, theme.paper, theme.accent, 2 * self.scale)
 
 
 def _rectangle(shown: PixelMap, a: Vector, b: Vector) -> QRectF:

@@ -97,7 +97,7 @@ class _Gesture(msgspec.Struct, frozen=True):
 
 _GESTURES = (
     _Gesture("Click", "add a point", adding=True),
-    _Gesture("Press and drag", "add a point and set its velocity", adding=True, needs_derivatives=True),
+    _Gesture("Press and drag", "add a point and set its velocity; Shift: 15° steps", adding=True, needs_derivatives=True),
     _Gesture("Click the curve", "insert a point between its neighbours", adding=True),
     _Gesture("Drag a chosen curve", "move all chosen curves", adding=False, curves=True),
     _Gesture("G, S, R, arrows, Del, the box", "act on all chosen curves", adding=False, curves=True),
@@ -148,7 +148,7 @@ _GESTURES = (
     _Gesture("Double-click a tick", "type its t; right-click for more"),
     _Gesture("Drag in the basis panel", "scrub: every point shows its weight at t; Escape puts it away"),
     _Gesture("Click a basis function", "select its point"),
-    _Gesture("Drag, measuring", "distance and angle; Escape puts it away"),
+    _Gesture("Drag, measuring", "distance and angle; Shift: 15° steps; Escape puts it away"),
     _Gesture("Drag, moving the image", "move it, or scale it by a corner; arrow keys nudge it"),
     _Gesture("Click another curve", "edit it", adding=False),
     _Gesture("Shift+click another curve", "choose it too, or no longer", adding=False),

@@ -6,7 +6,7 @@ import math
 from collections.abc import Sequence
 
 from PySide6.QtCore import QPointF, QRectF, QSizeF, Qt
-from PySide6.QtGui import QColor, QFontMetricsF, QPainter, QPainterPath, QPen
+from PySide6.QtGui import QColor, QPainter
 
 from app.plot.pixel_map import PixelMap
 
@@ -34,23 +34,6 @@ def beyond(place: QPointF, ways: Sequence[QPointF], gap: float, size: QSizeF, sh
         if box == inside(box.left(), box.top(), size, shown):
             return box
     return inside(place.x() + gap, place.y() + gap, size, shown)
-
-
-def write_with_halo(
-    painter: QPainter, box: QRectF, text: str, paper: QColor, ink: QColor, width: float
-) -> None:
-    """Write text in the middle of a box, with paper only around its letters: what lies below stays seen."""
-    metrics = QFontMetricsF(painter.font())
-    left = box.center().x() - metrics.horizontalAdvance(text) / 2
-    base = box.center().y() + (metrics.ascent() - metrics.descent()) / 2
-    letters = QPainterPath()
-    letters.addText(QPointF(left, base), painter.font(), text)
-    halo = QPen(paper, width)
-    halo.setJoinStyle(Qt.PenJoinStyle.RoundJoin)
-    painter.setRenderHint(QPainter.RenderHint.Antialiasing, True)
-    painter.strokePath(letters, halo)
-    painter.setPen(ink)
-    painter.drawText(QPointF(left, base), text)
 
 
 def write_on_plate(painter: QPainter, plate: QRectF, text: str, paper: QColor, ink: QColor) -> None:

@@ -7,7 +7,7 @@ from app.document.model import Document, Family, Vector
 from app.view_model.appending import with_point_appended
 from app.view_model.curve_view import CurveView, view_of
 
-_UP_TO = {Family.LAGRANGE: 30, Family.HERMITE: 200, Family.QUINTIC_HERMITE: 200}
+_UP_TO = {Family.LAGRANGE: 24, Family.HERMITE: 200, Family.QUINTIC_HERMITE: 200}
 """Points up to which it takes a millisecond at each move of the pointer.
 
 Beyond some 40 points a Lagrange curve by the distances swings so wildly that flattening it takes 5 to 80 ms.

@@ -165,8 +165,8 @@ def test_it_follows_a_step_back_and_another_family(hermite):
     [
         (Family.HERMITE, 200, True),
         (Family.HERMITE, 201, False),
-        (Family.LAGRANGE, 30, True),
-        (Family.LAGRANGE, 31, False),
+        (Family.LAGRANGE, 24, True),
+        (Family.LAGRANGE, 25, False),
     ],
 )
 def test_none_where_it_would_take_long(editor, family, count, is_shown):
