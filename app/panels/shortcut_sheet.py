@@ -97,7 +97,12 @@ class _Gesture(msgspec.Struct, frozen=True):
 
 _GESTURES = (
     _Gesture("Click", "add a point", adding=True),
-    _Gesture("Press and drag", "add a point and set its velocity; Shift: 15° steps", adding=True, needs_derivatives=True),
+    _Gesture(
+        "Press and drag",
+        "add a point and set its velocity; Shift: 15° steps",
+        adding=True,
+        needs_derivatives=True,
+    ),
     _Gesture("Click the curve", "insert a point between its neighbours", adding=True),
     _Gesture("Drag a chosen curve", "move all chosen curves", adding=False, curves=True),
     _Gesture("G, S, R, arrows, Del, the box", "act on all chosen curves", adding=False, curves=True),
