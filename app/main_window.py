@@ -199,6 +199,7 @@ class MainWindow(QMainWindow):
         session.interrupted.connect(self.basis_panel.forget_gesture)
         session.interrupted.connect(self.status_line.forget)
         session.opened.connect(self._fit)
+        session.opened.connect(self.canvas.forget_finished)
         session.said.connect(self.status_line.say)
         session.offered.connect(self._offer)
         for plot in (self.canvas, self.basis_panel):

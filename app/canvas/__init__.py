@@ -10,5 +10,7 @@
   ghosts; other versions of the curve; those that the file holds.  ``legend``: what they mean.
 - ``motion_layer``: dots that run, their trails and arrows.
 - ``overlay_layer``: what a gesture shows over it: rubber band, box with grips, what was snapped to, a ruler.
+- ``label_place``: where words beside a point cover least.
+- ``pen_layer``: what the pen would make before it is pressed.
 - ``hit_test``: what lies under the pointer.  ``keys``: what keys mean, and the shapes of the pointer.
 """

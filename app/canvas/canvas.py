@@ -14,6 +14,7 @@ from app.canvas.canvas_view import CanvasView
 from app.canvas.hit_test import hit_test
 from app.canvas.keys import ARROWS, cursor_of, transform_key
 from app.canvas.overlay_layer import OverlayLayer
+from app.canvas.pen_layer import PenLayer
 from app.gestures.image_tool import ImageTool
 from app.gestures.overlay import Overlay
 from app.gestures.pointer import Hint, Pointer
@@ -52,6 +53,8 @@ class Canvas(CanvasView):
         self._tool = tool
         self._image_tool: ImageTool | None = None
         self._overlay_layer = self.dress(OverlayLayer(self, LIGHT))
+        self._overlay_layer.around = self._surroundings_of
+        self._pen_layer = self.dress(PenLayer(self, LIGHT))
         self._pointer: Pointer | None = None
         self.map_changed.connect(self.hover_again)
 
@@ -98,8 +101,15 @@ class Canvas(CanvasView):
         """Where the last readout of a gesture stood, in pixels of the plot area."""
         return self._overlay_layer.plate
 
+    @property
+    def snap_label_rect(self) -> QRectF:
+        """Where the words about the last snap stood, in pixels of the plot area."""
+        return self._overlay_layer.label
+
     def _show_overlay(self) -> None:
-        self._overlay_layer.render(self._tool.overlay())
+        overlay = self._tool.overlay()
+        self._overlay_layer.render(overlay)
+        self._pen_layer.render(overlay.ahead, overlay.spot)
 
     def set_image_tool(self, tool: ImageTool | None) -> None:
         """Let the mouse move and scale the picture, until None gives it back to the points."""
@@ -255,7 +265,7 @@ class Canvas(CanvasView):
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         is_escape = event.key() == Qt.Key.Key_Escape
-        if (is_escape and self._escape()) or self._type_into_transform(event) or self._nudge(event):
+        if (is_escape and self._escape()) or self._type_into_transform(event) or self._takes(event):
             event.accept()
             return
         super().keyPressEvent(event)
@@ -273,6 +283,22 @@ class Canvas(CanvasView):
             if not self._tool.is_modal:
                 self.hovered_at(self._pointer_now())
         return key is not None
+
+    def _takes(self, event: QKeyEvent) -> bool:
+        return self._nudge(event) or self._finish_curve(event)
+
+    def _finish_curve(self, event: QKeyEvent) -> bool:
+        """Finish the curve that the pen draws: the next press begins another one."""
+        is_enter = event.key() in (Qt.Key.Key_Return, Qt.Key.Key_Enter)
+        adds = self._tool.kind is ToolKind.ADD and self._image_tool is None
+        if not (is_enter and adds and self._tool.pen.finish()):
+            return False
+        self.hover_again()
+        return True
+
+    def forget_finished(self) -> None:
+        """Forget which curves the pen has finished; the document is another one."""
+        self._tool.pen.forget_finished()
 
     def _nudge(self, event: QKeyEvent) -> bool:
         """Move the selected points by a pixel or a step of the grid: with Shift ten, with Ctrl a tenth."""

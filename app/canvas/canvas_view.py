@@ -6,6 +6,7 @@ from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING
 
 import msgspec
+import numpy as np
 from PySide6.QtCore import QPointF
 from PySide6.QtGui import QImage
 from PySide6.QtWidgets import QWidget
@@ -17,10 +18,12 @@ from app.canvas.curve_layer import CurveLayer
 from app.canvas.fitting import all_inside, are_in_sight, box_of, way_back_inside
 from app.canvas.grid_layer import GridLayer
 from app.canvas.image_layer import ImageLayer
+from app.canvas.label_place import Surroundings, number_box, segments_near
 from app.canvas.other_curves_layer import OtherCurvesLayer
 from app.canvas.point_layer import PointLayer
 from app.canvas.unit_layer import UnitLayer
 from app.document.model import Curve, ReferenceImage, Vector
+from app.plot.drawing import cut_segments
 from app.plot.plot_widget import PlotWidget
 from app.theme import LIGHT
 from app.view_model.basis_view import weights_at
@@ -211,6 +214,17 @@ class CanvasView(PlotWidget):
         """The point of the curve at the scrub line, None while there is none."""
         scrub = self._point_layer.scrub
         return scrub[1:] if scrub is not None else None
+
+    def _surroundings_of(self, pixel: Vector) -> Surroundings:
+        """Return what words beside a pixel should not cover: curve, handles, and numbers of points."""
+        shown, layer = self.pixel_map, self._point_layer
+        lines = [(*shown.point(*each.anchor), *shown.point(*each.position)) for each in layer.handles]
+        segments = np.array(lines).reshape(-1, 4)
+        polyline = self._curve_layer.polyline(shown)
+        if polyline is not None:
+            segments = np.vstack([segments, segments_near(polyline.points, pixel, shown)])
+        words = [number_box(centre, length, layer.scale) for centre, length in layer.numbers]
+        return Surroundings(cut_segments(segments, shown.width, shown.height), words)
 
     @property
     def points_note(self) -> str:

@@ -2,21 +2,32 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 
 from PySide6.QtCore import QPointF, QRectF, QSizeF, Qt
 from PySide6.QtGui import QColor, QFont, QFontMetricsF, QPainter, QPen
 
+from app.canvas.label_place import NOTHING, Surroundings, free_corner
 from app.document.model import Vector
 from app.gestures.overlay import Note, Overlay, Ruler
 from app.gestures.snapping import Snap
 from app.gestures.transform_box import TransformBox
+from app.plot.halo import Halo
 from app.plot.layered_plot import LayeredPlot
 from app.plot.pixel_map import PixelMap
-from app.plot.plates import beyond, inside, write_on_plate
+from app.plot.plates import beyond, write_on_plate
 from app.theme import Theme
 
 _GRIP, _FAR = 3.5, 1e6
+_ARM = 9
+"""Length of the arms of the cross where something is caught."""
+
+_GRID_LINE, _NUMBER_ENDS = 60, 27
+"""Half the length of what is shown of a line of the grid, and how far the number of a point reaches."""
+
+_LABEL_GAP = (8.0, 7.0)
+"""Pixels between a point and the words about what it snapped to."""
+
 _CLEAR = 18.0
 """Pixels between a readout and its place: a selected point with its ring, or a grip, stays free."""
 
@@ -28,8 +39,13 @@ class OverlayLayer:
         self.theme = theme
         self.scale = 1.0
         self._overlay = Overlay()
+        # Tells what words beside a pixel should not cover.
+        self.around: Callable[[Vector], Surroundings] = lambda _pixel: NOTHING
         # Where the last readout stood, in pixels.
         self.plate = QRectF()
+        # Where the words about the last snap stood.
+        self.label = QRectF()
+        self._halo = Halo()
         self._font = QFont(plot.font())
         self._layer = plot.add_layer(self.paint, z=20)
 
@@ -123,19 +139,33 @@ class OverlayLayer:
         place = shown.point(*snap.position)
         if not _is_drawable(*place):
             return
-        pixel, size = QPointF(*place), 9 * self.scale
+        pixel = QPointF(*place)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing, True)
         painter.setPen(self._pen(style=Qt.PenStyle.DashLine))
         for guide in snap.guides:
             from_ = shown.point(*guide)
             if _is_drawable(*from_):
                 painter.drawLine(QPointF(*from_), pixel)
-        painter.setPen(self._pen(1.5))
+        around = self.around(place)
         # A caught x is shown by a piece of its vertical, a caught y by one of its horizontal.
         for axis in snap.axes:
-            arm = QPointF(0, size) if axis == 0 else QPointF(size, 0)
-            painter.drawLine(pixel - arm, pixel + arm)
-        self._paint_text(painter, shown, pixel + QPointF(0, 26 * self.scale), snap.label)
+            along = QPointF(0, self.scale) if axis == 0 else QPointF(self.scale, 0)
+            if axis == snap.grid_line:
+                self._paint_grid_line(painter, pixel, along, around.words)
+            else:
+                painter.setPen(self._pen(1.5))
+                painter.drawLine(pixel - along * _ARM, pixel + along * _ARM)
+        self._paint_label(painter, shown, pixel, snap.label, around)
+
+    def _paint_grid_line(
+        self, painter: QPainter, pixel: QPointF, along: QPointF, words: Sequence[QRectF]
+    ) -> None:
+        """Draw a piece of a line of the grid, long and dashed: a short one would look like a crossing."""
+        painter.setPen(self._pen(style=Qt.PenStyle.DashLine))
+        for way in (along, -along):
+            near = QRectF(pixel, pixel + way * _NUMBER_ENDS).normalized().adjusted(-1, -1, 1, 1)
+            has_number = any(near.intersects(each) for each in words)
+            painter.drawLine(pixel + way * (_NUMBER_ENDS if has_number else 0), pixel + way * _GRID_LINE)
 
     def _paint_ruler(self, painter: QPainter, shown: PixelMap, ruler: Ruler) -> None:
         start, end = shown.point(*ruler.start), shown.point(*ruler.end)
@@ -176,11 +206,14 @@ class OverlayLayer:
         metrics = QFontMetricsF(painter.font())
         return QSizeF(metrics.horizontalAdvance(text) + 10, metrics.height() + 4)
 
-    def _paint_text(self, painter: QPainter, shown: PixelMap, centre: QPointF, text: str) -> None:
-        """Write on a plate of paper, kept inside the drawing."""
-        size = self._size(painter, text)
-        plate = inside(centre.x() - size.width() / 2, centre.y() - size.height() / 2, size, shown)
-        write_on_plate(painter, plate, text, self.theme.paper, self.theme.accent)
+    def _paint_label(
+        self, painter: QPainter, shown: PixelMap, pixel: QPointF, text: str, around: Surroundings
+    ) -> None:
+        """Write beside a point, where it covers least of the curve and no number."""
+        size, gap = self._size(painter, text), (_LABEL_GAP[0] * self.scale, _LABEL_GAP[1] * self.scale)
+        self.label = free_corner(pixel, size, gap, around, shown)
+        theme = self.theme
+        self._halo.write(painter, self.label, text, theme.paper, theme.accent, 2 * self.scale)
 
 
 def _rectangle(shown: PixelMap, a: Vector, b: Vector) -> QRectF:

@@ -55,6 +55,8 @@ class PointLayer:
         self._stamps = Stamps(_disc)
         self._discs_now = Discs(RADIUS, 0.0)
         self._discs_asked: tuple[object, ...] = ()
+        # Where numbers were written last, in pixels, and how many characters they have.
+        self.numbers: list[tuple[QPointF, int]] = []
         self._measured: Floats | None = None
         # Paints once more when a drag has ended, with discs as large as there is room for then.
         self._soon = QTimer(plot, singleShot=True, interval=_DISCS_MS)
@@ -188,6 +190,7 @@ class PointLayer:
     # Numbers
 
     def _paint_numbers(self, painter: QPainter, pixels: Floats, visible: Integers) -> None:
+        self.numbers = []
         if len(pixels) > _LABELLED_UP_TO:
             # Many numbers at once would cover each other and the curve.
             named = self.selection if len(self.selection) <= _LABELLED_UP_TO else frozenset[int]()
@@ -208,6 +211,7 @@ class PointLayer:
                 # Beyond the disc, so that neither covers the curve.
                 away = max(away, self._weight_radius(weight) + 14 * self.scale)
             centre = self._number_place(pixels, index, away)
+            self.numbers.append((centre, len(text)))
             if self.over_picture:
                 self._paint_plate(painter, centre, text)
             box = QRectF(centre.x() - 60, centre.y() - 12, 120, 24)

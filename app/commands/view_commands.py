@@ -15,7 +15,7 @@ from app.view_model.curve_view import CurveView
 
 _TOOL_HINTS = {
     ToolKind.SELECT: "Drag points and handles; P adds points.",
-    ToolKind.ADD: "Click to add points; V or Escape goes back to selecting.",
+    ToolKind.ADD: "Click to add points; Enter finishes the curve; V or Escape goes back to selecting.",
     ToolKind.MEASURE: "Drag to measure; V or Escape goes back to selecting.",
 }
 _SCALES = (0.75, 1.0, 1.25, 1.5, 2.0, 2.5, 3.0)

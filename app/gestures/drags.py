@@ -206,7 +206,7 @@ class DragHandle(msgspec.Struct, frozen=True):
             before = view.acceleration_of(index, ahead=ahead)
         if pointer.alt and before is not None and any(before):
             return _along_direction(free, before)
-        return _in_steps(free) if pointer.shift else free
+        return in_steps(free) if pointer.shift else free
 
     def _snapped(self, tip: Vector, pointer: Pointer) -> Vector:
         if self.magnet is None:
@@ -226,7 +226,7 @@ def _along_direction(v: Vector, direction: Vector) -> Vector:
     return (share * unit[0], share * unit[1])
 
 
-def _in_steps(v: Vector) -> Vector:
+def in_steps(v: Vector) -> Vector:
     """Turn `v` to the nearest multiple of 15 degrees; along the axes exactly."""
     steps = round(math.degrees(math.atan2(v[1], v[0])) / 15)
     length = math.hypot(*v)

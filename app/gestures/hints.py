@@ -12,6 +12,7 @@ from app.gestures.pointer import Cursor, Hint, Hit, Part
 from app.gestures.transform_box import Grip, ScaleBox
 from app.view_model.curve_view import CurveView
 
+_ENTER = "Enter: finish the curve"
 LOCKED = "“{}” is locked; unlock it in the list of curves to change it."
 
 
@@ -23,12 +24,15 @@ def hint_at(
     adding: bool,
     snaps: bool,
     shift: bool = False,
+    finished: bool = False,
 ) -> Hint:
     """Return the hint of the Select and Add tools over what belongs to the curve edited, or beside it."""
-    act = pen_act(hit, view, shift=shift) if adding and is_no_part(hit) else None
+    act = pen_act(hit, view, shift=shift, finished=finished) if adding and is_no_part(hit) else None
     if view.source.locked and act is not PenAct.BEGIN and (adding or hit is not None):
         return Hint(LOCKED.format(view.source.name))
     if hit is not None and hit.part is not Part.CURVE:
+        if finished and is_end(hit, view):
+            return Hint(f"Click to go on with this curve · Drag to move point {hit.index}", grab=True)
         return on_part(hit, view, selection, adding=adding, snaps=snaps)
     if act is not None:
         return to_add(act, view, snaps=snaps)
@@ -75,12 +79,24 @@ def to_add(act: PenAct, view: CurveView, *, snaps: bool) -> Hint:
         return Hint("Click to insert a point here · Shift: add at the end")
     keys, index = f"Ctrl: {_snap_word(snaps)}", len(view.source.nodes)
     if act is PenAct.BEGIN:
-        return Hint(f"Click to begin a new curve · Shift: add point {index} to this one · {keys}")
+        return Hint(f"Click to begin another curve · Shift: add point {index} to this one · {keys}")
     if view.source.family.derivatives:
-        drag = "Press and drag to set its velocity"
+        drag = "Drag to set its velocity, Shift: steps of 15°"
     else:
         drag = "On the curve: insert between neighbours"
-    return Hint(f"Click to add point {index} · {drag} · {keys}")
+    parts = (f"Click to add point {index}", _ENTER if can_finish(view) else "", drag, keys)
+    return Hint(" · ".join(part for part in parts if part))
+
+
+def can_finish(view: CurveView) -> bool:
+    """Whether there is a curve with an end, so that the pen can finish it and begin another one."""
+    return not view.source.is_closed and len(view.source.nodes) > 1
+
+
+def is_end(hit: Hit, view: CurveView) -> bool:
+    """Whether the last point of an open curve is hit."""
+    is_last = hit.part is Part.POINT and hit.index == len(view.source.nodes) - 1
+    return is_last and not view.source.is_closed
 
 
 def is_no_part(hit: Hit | None) -> bool:

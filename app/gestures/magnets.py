@@ -41,6 +41,12 @@ class Magnets:
         host = self._host
         return self._make(lambda: targets_of(host.views, host.active_index, moving, place, self._kinds))
 
+    def for_new(self, place: int) -> Magnet:
+        """Return the magnet of a point that is put at `place`, −1 for the first of another curve."""
+        # What there is before the press: later the new point would be drawn to itself.
+        views, active = self._host.views, self._host.active_index
+        return self._make(lambda: targets_of(views, active, (), place, self._kinds))
+
     def for_handle(self, node: int) -> Magnet:
         """Return the magnet of the end of a handle."""
         host = self._host

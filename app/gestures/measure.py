@@ -4,14 +4,19 @@ from __future__ import annotations
 
 import math
 
+from app.document.model import Vector
 from app.gestures import words
+from app.gestures.drags import in_steps
 from app.gestures.overlay import Ruler
 from app.gestures.pointer import Pointer
 from app.gestures.snapping import Magnet
 
+KEYS = "Shift: steps of 15° · Ctrl: snap, or not"
+"""What each modifier key changes while something is measured."""
+
 
 class Measure:
-    """A line from the press to the pointer, both snapping.
+    """A line from the press to the pointer, both snapping; with Shift its angle goes in steps of 15°.
 
     Attributes
     ----------
@@ -28,13 +33,26 @@ class Measure:
 
     def move(self, pointer: Pointer) -> None:
         """Follow the pointer."""
-        end = self.magnet.pull(pointer.position, pointer)
+        end = self._end(pointer)
         dx, dy = end[0] - self._start[0], end[1] - self._start[1]
         unit = f" {self._unit}" if self._unit else ""
         direction = words.angle(math.degrees(math.atan2(dy, dx)))
         length = f"{words.number(math.hypot(dx, dy))}{unit}"
         text = f"{length} · Δx {words.number(dx)} · Δy {words.number(dy)} · {direction}"
         self.ruler = Ruler(self._start, end, text)
+
+    def _end(self, pointer: Pointer) -> Vector:
+        if not pointer.shift:
+            return self.magnet.pull(pointer.position, pointer)
+        # An angle that is held leaves nothing to be drawn elsewhere.
+        self.magnet.release()
+        x, y = self._start
+        dx, dy = in_steps((pointer.position[0] - x, pointer.position[1] - y))
+        return (x + dx, y + dy)
+
+    def progress(self) -> str:
+        """Return what is measured, and what the keys would change."""
+        return f"{self.ruler.text} · {KEYS}" if self.ruler.text else ""
 
     @property
     def is_something(self) -> bool:

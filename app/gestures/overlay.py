@@ -7,6 +7,7 @@ import msgspec
 from app.document.model import Vector
 from app.gestures.snapping import Snap
 from app.gestures.transform_box import TransformBox
+from app.view_model.curve_view import CurveView
 
 
 class Note(msgspec.Struct, frozen=True):
@@ -48,6 +49,10 @@ class Overlay(msgspec.Struct, frozen=True):
         The amount of a transform, beside the pointer.
     axis
         The locked axis (0 or 1) and a point on it.
+    ahead
+        The curve as it would be with a point where the pen is.
+    spot
+        Where on the curve the pen would insert a point.
     """
 
     band: tuple[Vector, Vector] | None = None
@@ -56,3 +61,5 @@ class Overlay(msgspec.Struct, frozen=True):
     ruler: Ruler | None = None
     note: Note | None = None
     axis: tuple[Vector, int] | None = None
+    ahead: CurveView | None = None
+    spot: Vector | None = None

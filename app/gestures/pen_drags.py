@@ -12,7 +12,7 @@ from app.document import edits
 from app.document.curve_edits import replace_curve
 from app.document.model import Document, Node, Vector
 from app.gestures import words
-from app.gestures.drags import pulled
+from app.gestures.drags import in_steps, pulled
 from app.gestures.pointer import Hit, Part, Pointer
 from app.gestures.snapping import Magnet
 from app.view_model.appending import with_point_appended
@@ -29,16 +29,17 @@ class PenAct(Enum):
     BEGIN = auto()
 
 
-def pen_act(hit: Hit | None, view: CurveView, *, shift: bool) -> PenAct:
+def pen_act(hit: Hit | None, view: CurveView, *, shift: bool, finished: bool = False) -> PenAct:
     """Return what a press does: on the curve insert, beside it append; with Shift append everywhere.
 
-    A closed curve has no end to go on from: beside it another one begins.
+    A closed curve has no end to go on from, and that of a finished one is left alone: beside them another
+    curve begins.
     """
     if shift:
         return PenAct.APPEND
     if hit is not None and hit.part is Part.CURVE:
         return PenAct.INSERT
-    return PenAct.BEGIN if view.source.is_closed else PenAct.APPEND
+    return PenAct.BEGIN if view.source.is_closed or finished else PenAct.APPEND
 
 
 def _is_away(pointer: Pointer, press: Pointer) -> bool:
@@ -61,7 +62,11 @@ class AppendPoint(msgspec.Struct, frozen=True):
         """The name of the step."""
         return f"Add point {len(self.view.source.nodes)}"
 
-    keys = "Ctrl: snap, or not"
+    @property
+    def keys(self) -> str:
+        """What each modifier key would change while it is dragged."""
+        # Where the point lies was decided at the press; only a velocity is still being set.
+        return "Shift: steps of 15°" if self.view.source.family.derivatives else "Ctrl: snap, or not"
 
     def note_at(self, pointer: Pointer) -> str:
         """Tell where it goes, and where its velocity points."""
@@ -69,13 +74,13 @@ class AppendPoint(msgspec.Struct, frozen=True):
         note = f"{self.name} at {words.vector(place)}"
         if not self._sets_velocity(pointer):
             return note
-        x, y = pointer.position[0] - place[0], pointer.position[1] - place[1]
+        x, y = self._way(pointer, place)
         note = f"{note}, velocity at {words.angle(math.degrees(math.atan2(y, x)))}"
         if self.view.source.is_closed:
             return note
         # What will hold when the next point comes.
         is_first = not self.view.source.nodes
-        return f"{note} · {'the handle stays here' if is_first else 'neither handle gets longer than this'}"
+        return f"{note} · {'the handle stays here' if is_first else 'handles stay at most this long'}"
 
     def _is_dragged(self, pointer: Pointer) -> bool:
         return _is_away(pointer, self.press)
@@ -87,6 +92,12 @@ class AppendPoint(msgspec.Struct, frozen=True):
         moves = self._is_dragged(pointer) and not self._sets_velocity(pointer)
         return pulled(pointer if moves else self.press, self.magnet)
 
+    @staticmethod
+    def _way(pointer: Pointer, place: Vector) -> Vector:
+        """Return how far the handle is drawn out, and where to: with Shift in steps."""
+        way = (pointer.position[0] - place[0], pointer.position[1] - place[1])
+        return in_steps(way) if pointer.shift else way
+
     def document_at(self, pointer: Pointer) -> Document:
         """Return the document with the new point."""
         place = self._place(pointer)
@@ -95,7 +106,8 @@ class AppendPoint(msgspec.Struct, frozen=True):
             return document
         index = len(self.view.source.nodes)
         view = view_of(document.curves[self.curve])
-        velocity = velocity_from_handle(view, index, pointer.position, ahead=True)
+        x, y = self._way(pointer, place)
+        velocity = velocity_from_handle(view, index, (place[0] + x, place[1] + y), ahead=True)
         return edits.set_velocity(document, self.curve, index, velocity)
 
 

@@ -46,17 +46,20 @@ class Snap(msgspec.Struct, frozen=True):
     position
         The exact place.
     label
-        Its name, such as "point 3", "grid", "level with point 2".
+        Its name, such as "point 3", "grid" (a crossing of it), "grid x" (one line), "level with point 2".
     guides
         The points that the place is level with or straight above; a line is drawn from each.
     axes
         Which coordinates were caught.
+    grid_line
+        The coordinate that a line of the grid holds, None where it is none or a crossing.
     """
 
     position: Vector
     label: str
     guides: tuple[Vector, ...] = ()
     axes: tuple[int, ...] = (0, 1)
+    grid_line: int | None = None
 
 
 class _Points(msgspec.Struct, frozen=True, eq=False):
@@ -84,6 +87,11 @@ class _Line(msgspec.Struct, frozen=True):
     value: float
     label: str
     guide: Vector | None = None
+
+    @property
+    def is_grid(self) -> bool:
+        """Whether it is a line of the grid."""
+        return self.guide is None
 
 
 class Targets(msgspec.Struct, frozen=True):
@@ -243,9 +251,13 @@ class Magnet:
             return None
         x = caught[0].value if 0 in caught else position[0]
         y = caught[1].value if 1 in caught else position[1]
-        labels = dict.fromkeys(line.label for line in caught.values())
+        by_grid = [axis for axis, line in caught.items() if line.is_grid]
+        labels = [line.label for line in caught.values()]
+        if len(by_grid) == 2:
+            labels = ["grid"]
         guides = tuple(line.guide for line in caught.values() if line.guide is not None)
-        return Snap((x, y), " · ".join(labels), guides, tuple(caught))
+        grid_line = by_grid[0] if len(by_grid) == 1 else None
+        return Snap((x, y), " · ".join(labels), guides, tuple(caught), grid_line)
 
     def _line(self, position: Vector, reach: float, axis: int) -> _Line | None:
         """Return the coordinate to snap to along one axis; a neighbour's comes before the grid's."""
@@ -254,7 +266,7 @@ class Magnet:
         level = [_level(at, name, position, axis) for at, name in self._targets.neighbours]
         grid = []
         if SnapKind.GRID in self._settings().kinds:
-            grid = [_Line(grid_value(value, self._grid()[axis]), "grid")]
+            grid = [_Line(grid_value(value, self._grid()[axis]), f"grid {'xy'[axis]}")]
         for lines in (level, grid):
             near = [line for line in lines if abs(line.value - value) <= reach]
             if near:

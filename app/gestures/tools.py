@@ -18,7 +18,7 @@ from app.gestures.drags import DragHandle, MovePoints, PullVelocity
 from app.gestures.machine import DragMachine, Host
 from app.gestures.magnets import Magnets
 from app.gestures.marquee import Marquee
-from app.gestures.measure import Measure
+from app.gestures.measure import KEYS, Measure
 from app.gestures.overlay import Note, Overlay
 from app.gestures.pen import Pen
 from app.gestures.pointer import Hint, Hit, Part, Pointer
@@ -50,6 +50,8 @@ class CanvasTool:
         Whether two or more selected points, or several chosen curves, get a box with grips.
     unit
         The name of the unit of length, for what is measured.
+    pen
+        What the Add tool does.
     """
 
     def __init__(self, host: Host) -> None:
@@ -59,7 +61,7 @@ class CanvasTool:
         self._magnets = Magnets(host, lambda: self.snapping, lambda: self.grid)
         self._subject = Subject(host, self._magnets)
         self._choosing = Choosing(host, self._machine, self._subject)
-        self._pen = Pen(host, self._machine, self._magnets)
+        self.pen = Pen(host, self._machine, self._magnets)
         self._marquee: Marquee | None = None
         self._measure: Measure | None = None
         self._measuring = False
@@ -102,7 +104,7 @@ class CanvasTool:
         elif hit is not None and hit.part is not Part.CURVE:
             self._press_on_part(pointer, hit)
         elif self.kind is ToolKind.ADD:
-            self._pen.press(pointer)
+            self.pen.press(pointer)
         elif grip is not None:
             self._press_on_grip(pointer, *grip)
         elif hit is not None:
@@ -157,6 +159,7 @@ class CanvasTool:
         self._modal.drop()
         self._marquee = None
         self._magnets.drop()
+        self.pen.look_away()
         self._measuring = self._note_wanted = False
 
     # What is shown meanwhile
@@ -166,7 +169,7 @@ class CanvasTool:
         if self._marquee is not None:
             return self._marquee.progress() if self._marquee.band is not None else ""
         if self._measuring and self._measure is not None:
-            return self._with_snap(self._measure.ruler.text, self._measure.magnet)
+            return self._with_snap(self._measure.progress(), self._measure.magnet)
         if self._last is None:
             return ""
         return self._with_snap(self._machine.progress_at(self._last), self._magnets.now)
@@ -192,6 +195,8 @@ class CanvasTool:
             ruler=measured.ruler if measured is not None and measured.is_something else None,
             note=self._note(),
             axis=self._locked_axis(),
+            ahead=self.pen.ahead if not self.is_pressed else None,
+            spot=self.pen.spot if not self.is_pressed else None,
         )
 
     def _note(self) -> Note | None:
@@ -273,10 +278,10 @@ class CanvasTool:
         hit = pointer.hit
         self._host.set_hovered(hit.index if hit is not None and hit.part is Part.POINT else -1)
         self._preview_snap(pointer)
+        if self.kind is ToolKind.ADD:
+            self.pen.look_ahead(pointer, self._magnets.now)
         if self.kind is ToolKind.MEASURE:
-            return Hint(
-                "Drag to measure a distance and an angle · Ctrl: snap, or not · V goes back to Select"
-            )
+            return Hint(f"Drag to measure a distance and an angle · {KEYS} · V goes back to Select")
         if self.kind is ToolKind.EXPLAIN:
             return Hint(
                 "Click on the curve where it swings out · V goes back to Select", grab=hit is not None
@@ -296,11 +301,12 @@ class CanvasTool:
             adding=adding,
             snaps=self.snapping.on,
             shift=pointer.shift,
+            finished=adding and self.pen.is_finished,
         )
 
     def _preview_snap(self, pointer: Pointer) -> None:
         """Show where a press would put something, while a tool would put something."""
-        place = self._pen.place_of_new(pointer) if self.kind is ToolKind.ADD else -1
+        place = self.pen.place_of_new(pointer) if self.kind is ToolKind.ADD else -1
         puts = self.kind is ToolKind.MEASURE or (self.kind is ToolKind.ADD and place is not None)
         if (
             place is None
@@ -327,6 +333,8 @@ class CanvasTool:
             click = self._select_at_press(pointer, hit.index)
             if self.kind is ToolKind.ADD and can_end_at(hit, host.active_view):
                 click = closer(host)
+            elif self.kind is ToolKind.ADD and self.pen.goes_on_at(hit):
+                click = self.pen.go_on
             self._machine.press(pointer, self._point_drag(pointer, hit), on_click=click)
             return
         magnet = self._magnets.for_handle(hit.index)

@@ -57,7 +57,7 @@ def test_no_handle_gets_longer_than_it_was_drawn(pen, family, kind):
         pen.click(at(pen, x, 0))
     pen.press(at(pen, 60, 0))
     pen.move(at(pen, 60, 45))
-    assert "neither handle gets longer than this" in pen.status
+    assert "handles stay at most this long" in pen.status
     pen.release(at(pen, 60, 45))
     drawn = lengths(pen, 2)[False]
     assert drawn == pytest.approx(45, abs=1.5)
@@ -178,7 +178,7 @@ def test_beside_a_closed_curve_the_pen_begins_a_new_one(ring):
     ring.choose_parametrization(ParametrizationKind.CENTRIPETAL)
     old, steps = ring.curve, ring.session.undo_stack.count()
     ring.hover((4, 1))
-    assert ring.window.status_line.hint.startswith("Click to begin a new curve")
+    assert ring.window.status_line.hint.startswith("Click to begin another curve")
     ring.press((4, 1))
     ring.move((5, 2))
     assert ring.status.startswith("Begin Curve 2 at")
@@ -249,7 +249,7 @@ def test_on_a_closed_curve_the_pen_inserts_and_with_shift_appends(ring):
 def test_a_new_curve_can_be_begun_beside_a_locked_one(ring):
     ring.trigger("curveLocked")
     ring.hover((4, 1))
-    assert ring.window.status_line.hint.startswith("Click to begin a new curve")
+    assert ring.window.status_line.hint.startswith("Click to begin another curve")
     ring.click((4, 1), keys=SHIFT)
     assert "is locked" in ring.status
     assert len(ring.session.document.curves) == 1
@@ -264,5 +264,5 @@ def test_the_sheet_tells_what_the_pen_does(ring):
     ring.key(Qt.Key.Key_F1)
     sheet = ring.window.findChild(object, "shortcutSheet")
     said = " ".join(label.text() for label in sheet.findChildren(QLabel))
-    assert "begin a new curve" in said
+    assert "begin another curve" in said
     assert "add a point at the end" in said

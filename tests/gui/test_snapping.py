@@ -67,7 +67,7 @@ def test_what_is_nearest_is_caught_within_eight_pixels():
     assert snap_of((3.95, 0.03)) == ((4.0, 0.0), "point 3")
     assert snap_of((4.09, 0.5), kinds={SnapKind.POINTS}) == ((4.09, 0.5), None)
     assert snap_of((2.05, -1.05)) == ((2.0, -1.0), "point 1 of Base")
-    assert snap_of((1.96, 0.6)) == ((2.0, 0.6), "grid")
+    assert snap_of((1.96, 0.6)) == ((2.0, 0.6), "grid x")
     assert snap_of((2.05, 1.06)) == ((2.0, 1.0), "grid")
     assert snap_of((1.5, 2.15)) == ((1.5, 2.11), "level with point 2")
     assert snap_of((3.05, 3.5)) == ((3.07, 3.5), "straight above point 2")
@@ -90,7 +90,7 @@ def test_another_curve_is_met_exactly():
 
 
 def test_a_locked_axis_stays_locked():
-    assert snap_of((3.95, 0.03), axis=0) == ((4.0, 0.03), "grid")
+    assert snap_of((3.95, 0.03), axis=0) == ((4.0, 0.03), "grid x")
     assert snap_of((3.95, 0.03), axis=1)[0] == (3.95, 0.0)
 
 
@@ -200,7 +200,7 @@ def test_the_corner_of_the_box_meets_another_curve(pair):
     pair.release(at)
 
 
-@pytest.mark.parametrize(("to", "label"), [(3.5, "grid"), (4.0, "straight above point 3")])
+@pytest.mark.parametrize(("to", "label"), [(3.5, "grid x"), (4.0, "straight above point 3")])
 def test_a_side_of_the_box_snaps_along_its_way(pair, to, label):
     pair.select([0, 1, 2])
     at = drag_grip(pair, 1, 0, (3.07, 1.055), (to, 1.055))

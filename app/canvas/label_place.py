@@ -1,0 +1,91 @@
+"""Where a few words beside a point stand: on the corner where they cover least."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import msgspec
+import numpy as np
+from PySide6.QtCore import QPointF, QRectF, QSizeF
+
+from app.document.model import Vector
+from app.plot.pixel_map import Floats, PixelMap
+from app.plot.plates import inside
+
+_CORNERS = ((1, 1), (-1, 1), (1, -1), (-1, -1))
+"""Right and below first; of corners that are as good as each other the first is taken, so that words rest."""
+
+_NEAR = 200.0
+"""Pixels around a point within which its words may lie."""
+
+_COVERED_WORDS, _CUT_OFF = 200.0, 1000.0
+"""What words over other words, and words beyond the edge, count as, in pixels of curve covered."""
+
+
+class Surroundings(msgspec.Struct, frozen=True, eq=False):
+    """What should not be covered, in pixels: line segments (k, 4) = x1, y1, x2, y2, and other words."""
+
+    segments: Floats
+    words: Sequence[QRectF] = ()
+
+
+NOTHING = Surroundings(np.empty((0, 4)))
+
+
+def segments_near(points: Floats, pixel: Vector, shown: PixelMap) -> Floats:
+    """Return the segments (k, 4) in pixels of a polyline of the plane that come near a pixel."""
+    (x, y), reach = shown.plane(*pixel), (_NEAR / shown.sx, _NEAR / shown.sy)
+    here = np.array([x, y])
+    starts, ends = points[:-1], points[1:]
+    is_near = np.all(
+        (np.minimum(starts, ends) < here + reach) & (np.maximum(starts, ends) > here - reach), axis=1
+    )
+    return np.hstack([shown.points(starts[is_near]), shown.points(ends[is_near])])
+
+
+def number_box(centre: QPointF, length: int, scale: float) -> QRectF:
+    """Return the room that a number of so many characters takes."""
+    box = QRectF(0, 0, (7 * length + 4) * scale, 15 * scale)
+    box.moveCenter(centre)
+    return box
+
+
+def free_corner(
+    place: QPointF, size: QSizeF, gap: tuple[float, float], around: Surroundings, shown: PixelMap
+) -> QRectF:
+    """Return a box of some size on the corner of `place` where it covers least of what is around.
+
+    Parameters
+    ----------
+    gap
+        Pixels to the right or left, and above or below, that stay free.
+    """
+    boxes = [_on_corner(place, size, gap, *corner) for corner in _CORNERS]
+    covered = covered_lengths(around.segments, boxes).tolist()
+    for index, box in enumerate(boxes):
+        covered[index] += _COVERED_WORDS * sum(box.intersects(each) for each in around.words)
+        if box != inside(box.left(), box.top(), size, shown):
+            covered[index] += _CUT_OFF
+    best = boxes[covered.index(min(covered))]
+    return inside(best.left(), best.top(), size, shown)
+
+
+def _on_corner(place: QPointF, size: QSizeF, gap: tuple[float, float], right: int, down: int) -> QRectF:
+    centre = place + QPointF(right * (gap[0] + size.width() / 2), down * (gap[1] + size.height() / 2))
+    box = QRectF(0, 0, size.width(), size.height())
+    box.moveCenter(centre)
+    return box
+
+
+def covered_lengths(segments: Floats, boxes: Sequence[QRectF]) -> Floats:
+    """Return how many pixels of segments (k, 4) each of the boxes covers, (len(boxes),)."""
+    low = np.array([(box.left(), box.top()) for box in boxes])[:, None]
+    high = np.array([(box.right(), box.bottom()) for box in boxes])[:, None]
+    start, way = segments[:, :2], segments[:, 2:] - segments[:, :2]
+    # Along an axis a segment is parallel to two sides: it enters and leaves there as far away as can be.
+    slope = np.where(way == 0, 1e-12, way)
+    to_low, to_high = (low - start) / slope, (high - start) / slope
+    enter = np.minimum(to_low, to_high).max(axis=2).clip(0.0, 1.0)
+    leave = np.maximum(to_low, to_high).min(axis=2).clip(0.0, 1.0)
+    lengths: Floats = np.maximum(leave - enter, 0.0) @ np.hypot(way[:, 0], way[:, 1])
+    return lengths

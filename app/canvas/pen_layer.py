@@ -1,0 +1,63 @@
+"""What the pen would make, before it is pressed: the curve with one point more, or the spot to insert at."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import QPointF, Qt
+from PySide6.QtGui import QPainter, QPen
+
+from app.canvas.curve_layer import TOLERANCE
+from app.document.model import Vector
+from app.plot.drawing import Stroke
+from app.plot.layered_plot import LayeredPlot
+from app.plot.pixel_map import PixelMap
+from app.theme import Theme
+from app.view_model.curve_view import CurveView
+
+_FAR = 1e5
+
+
+class PenLayer:
+    """Draws a thin line below the curve, so that only what would change is seen, and a ring on the curve."""
+
+    def __init__(self, plot: LayeredPlot, theme: Theme) -> None:
+        self.theme = theme
+        self.scale = 1.0
+        self._ahead: CurveView | None = None
+        self._spot: Vector | None = None
+        self._stroke = Stroke()
+        self._drawn: tuple[CurveView | None, PixelMap | None] = (None, None)
+        self._line = plot.add_layer(self._paint_line, z=-0.5)
+        self._ring = plot.add_layer(self._paint_ring, z=9.5)
+
+    def render(self, ahead: CurveView | None, spot: Vector | None) -> None:
+        """Draw these from the next paint on; None for nothing."""
+        if ahead is not self._ahead:
+            self._ahead = ahead
+            self._line.update()
+        if spot != self._spot:
+            self._spot = spot
+            self._ring.update()
+
+    def _paint_line(self, painter: QPainter, shown: PixelMap) -> None:
+        view = self._ahead
+        if view is None:
+            return
+        if self._drawn[0] is not view or self._drawn[1] is not shown:
+            polyline = view.flattened(TOLERANCE / max(shown.sx, shown.sy), shown.box)
+            self._stroke.fill(shown.points(polyline.points), shown.width, shown.height)
+            self._drawn = (view, shown)
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing, True)
+        painter.setPen(QPen(self.theme.ghost, 1.3 * self.scale))
+        self._stroke.draw(painter)
+
+    def _paint_ring(self, painter: QPainter, shown: PixelMap) -> None:
+        if self._spot is None:
+            return
+        x, y = shown.point(*self._spot)
+        if max(abs(x), abs(y)) > _FAR:
+            return
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing, True)
+        painter.setBrush(self.theme.paper)
+        painter.setPen(QPen(self.theme.accent, 1.5 * self.scale))
+        painter.drawEllipse(QPointF(x, y), 4 * self.scale, 4 * self.scale)
+        painter.setBrush(Qt.BrushStyle.NoBrush)

@@ -1,0 +1,57 @@
+"""Words with paper only around their letters: what lies below stays seen."""
+
+from __future__ import annotations
+
+import math
+
+from PySide6.QtCore import QPointF, QRectF, Qt
+from PySide6.QtGui import QColor, QFontMetricsF, QPainter, QPainterPath, QPen, QPixmap
+
+
+class Halo:
+    """Draws words with a halo; the last ones are kept as a picture.
+
+    Stroking the outlines of a few letters takes a millisecond, and words stay the same for many frames.
+    """
+
+    def __init__(self) -> None:
+        self._made_for: tuple[object, ...] = ()
+        self._picture = QPixmap()
+
+    def write(
+        self, painter: QPainter, box: QRectF, text: str, paper: QColor, ink: QColor, width: float
+    ) -> None:
+        """Write text in the middle of a box, with `width` pixels of paper on either side of each line."""
+        ratio = painter.device().devicePixelRatioF()
+        wanted = (text, painter.font().key(), paper.rgba(), ink.rgba(), width, ratio, box.size())
+        if wanted != self._made_for:
+            self._made_for = wanted
+            self._picture = _picture_of(painter, box, text, paper, ink, width, ratio)
+        # On whole pixels, where letters are sharp.
+        painter.drawPixmap(QPointF(round(box.left() - width), round(box.top() - width)), self._picture)
+
+
+def _picture_of(
+    painter: QPainter, box: QRectF, text: str, paper: QColor, ink: QColor, width: float, ratio: float
+) -> QPixmap:
+    across, down = box.width() + 2 * width, box.height() + 2 * width
+    picture = QPixmap(math.ceil(across * ratio), math.ceil(down * ratio))
+    picture.setDevicePixelRatio(ratio)
+    picture.fill(Qt.GlobalColor.transparent)
+    metrics = QFontMetricsF(painter.font())
+    start = QPointF(
+        round((across - metrics.horizontalAdvance(text)) / 2),
+        round((down + metrics.ascent() - metrics.descent()) / 2),
+    )
+    letters = QPainterPath()
+    letters.addText(start, painter.font(), text)
+    halo = QPen(paper, 2 * width)
+    halo.setJoinStyle(Qt.PenJoinStyle.RoundJoin)
+    drawing = QPainter(picture)
+    drawing.setRenderHint(QPainter.RenderHint.Antialiasing, True)
+    drawing.strokePath(letters, halo)
+    drawing.setFont(painter.font())
+    drawing.setPen(ink)
+    drawing.drawText(start, text)
+    drawing.end()
+    return picture

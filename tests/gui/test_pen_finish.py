@@ -1,0 +1,242 @@
+"""Enter with the pen in hand: the curve is finished, and the next press begins another one."""
+
+from __future__ import annotations
+
+import math
+
+import pytest
+from PySide6.QtCore import QPoint, Qt
+
+from app.document.model import Family
+
+SHIFT = Qt.KeyboardModifier.ShiftModifier
+CTRL = Qt.KeyboardModifier.ControlModifier
+
+
+@pytest.fixture
+def pen(editor):
+    """An open Hermite curve of three points, and the pen in hand."""
+    editor.new()
+    editor.choose_family(Family.HERMITE)
+    editor.trigger("addTool")
+    for x, y in ((0, 0), (100, 60), (200, 0)):
+        editor.click(at(editor, x, y))
+    return editor
+
+
+def at(editor, x, y):
+    """A place so many pixels right of and above the lower left part of the canvas."""
+    return editor.window.canvas.to_plane(QPoint(80 + x, 300 - y))
+
+
+def hint(editor):
+    return editor.window.status_line.hint
+
+
+def sizes(editor):
+    return [len(curve.nodes) for curve in editor.session.document.curves]
+
+
+@pytest.mark.parametrize("key", [Qt.Key.Key_Return, Qt.Key.Key_Enter])
+def test_enter_finishes_and_the_next_press_begins_another_curve(pen, key):
+    document, steps = pen.session.document, pen.session.undo_stack.count()
+    pen.hover(at(pen, 300, 150))
+    assert hint(pen).startswith("Click to add point 3 · Enter: finish the curve")
+    pen.key(key)
+    assert pen.status == "“Curve 1” is finished; the next press begins another curve."
+    assert hint(pen).startswith("Click to begin another curve · Shift: add point 3 to this one")
+    assert pen.session.document is document
+    assert pen.session.undo_stack.count() == steps
+    assert pen.session.selection == frozenset()
+    pen.click(at(pen, 300, 150))
+    pen.click(at(pen, 340, 150))
+    assert sizes(pen) == [3, 2]
+    assert pen.session.active_index == 1
+    assert pen.session.document.curves[0] == document.curves[0]
+
+
+def test_several_curves_in_a_row_and_back_again(pen):
+    for y in (150, 200):
+        pen.key(Qt.Key.Key_Return)
+        pen.click(at(pen, 300, y))
+        pen.click(at(pen, 340, y))
+    assert sizes(pen) == [3, 2, 2]
+    pen.session.activate(0)
+    pen.hover(at(pen, 400, 200))
+    assert hint(pen).startswith("Click to begin another curve")
+    pen.session.activate(2)
+    pen.hover(at(pen, 400, 200))
+    assert hint(pen).startswith("Click to add point 2")
+
+
+def test_a_click_on_the_last_point_goes_on(pen):
+    pen.key(Qt.Key.Key_Return)
+    pen.hover(pen.point(2))
+    assert hint(pen) == "Click to go on with this curve · Drag to move point 2"
+    pen.click(pen.point(2))
+    assert pen.status == "Going on with “Curve 1”; the next press adds point 3."
+    pen.click(at(pen, 300, 150))
+    assert sizes(pen) == [4]
+
+
+def test_a_drag_of_the_last_point_moves_it_and_the_curve_stays_finished(pen):
+    pen.key(Qt.Key.Key_Return)
+    pen.drag(pen.point(2), at(pen, 220, 20))
+    assert pen.point(2) == pytest.approx(at(pen, 220, 20), abs=2 * pen.pixel)
+    pen.click(at(pen, 300, 150))
+    assert sizes(pen) == [3, 1]
+
+
+def test_shift_goes_on(pen):
+    pen.key(Qt.Key.Key_Return)
+    pen.click(at(pen, 300, 150), keys=SHIFT)
+    assert sizes(pen) == [4]
+    pen.click(at(pen, 340, 150))
+    assert sizes(pen) == [5]
+
+
+def test_escape_takes_back_a_press_with_shift_and_the_curve_stays_finished(pen):
+    document = pen.session.document
+    pen.key(Qt.Key.Key_Return)
+    pen.press(at(pen, 300, 150), keys=SHIFT)
+    pen.escape()
+    pen.release(at(pen, 300, 150))
+    assert pen.session.document is document
+    pen.click(at(pen, 300, 150))
+    assert sizes(pen) == [3, 1]
+
+
+def test_escape_takes_back_the_beginning_and_the_curve_stays_finished(pen):
+    document = pen.session.document
+    pen.key(Qt.Key.Key_Return)
+    pen.press(at(pen, 300, 150))
+    pen.move(at(pen, 330, 170))
+    assert sizes(pen) == [3, 1]
+    pen.escape()
+    pen.release(at(pen, 330, 170))
+    assert pen.session.document is document
+    assert pen.session.active_index == 0
+    pen.click(at(pen, 300, 150))
+    assert sizes(pen) == [3, 1]
+    pen.trigger("undo")
+    assert sizes(pen) == [3]
+    pen.click(at(pen, 300, 150))
+    assert sizes(pen) == [3, 1]
+
+
+def test_a_finished_curve_stays_finished_with_another_tool_in_between(pen):
+    pen.key(Qt.Key.Key_Return)
+    pen.escape()
+    assert pen.action("selectTool").isChecked()
+    pen.trigger("addTool")
+    pen.click(at(pen, 300, 150))
+    assert sizes(pen) == [3, 1]
+
+
+def test_without_enter_coming_back_to_the_pen_goes_on(pen):
+    pen.escape()
+    pen.trigger("addTool")
+    pen.click(at(pen, 300, 150))
+    assert sizes(pen) == [4]
+
+
+def test_enter_is_nothing_elsewhere(pen):
+    pen.press(at(pen, 300, 150))
+    pen.key(Qt.Key.Key_Return)
+    pen.release(at(pen, 300, 150))
+    pen.trigger("selectTool")
+    pen.key(Qt.Key.Key_Return)
+    pen.trigger("addTool")
+    pen.click(at(pen, 340, 150))
+    assert sizes(pen) == [5]
+    pen.new()
+    pen.click(at(pen, 0, 0))
+    pen.key(Qt.Key.Key_Return)
+    pen.click(at(pen, 50, 0))
+    assert sizes(pen) == [2]
+
+
+def test_another_document_knows_of_no_finished_curve(pen):
+    pen.key(Qt.Key.Key_Return)
+    pen.new()
+    for x in (0, 100, 200):
+        pen.click(at(pen, x, 0))
+    assert sizes(pen) == [3]
+
+
+def test_a_point_that_is_being_inserted_is_not_drawn_to_itself(pen):
+    x, y = map(float, pen.session.active_view.curve.evaluate(0.3))
+    pen.press((x, y))
+    away = (x + 12 * pen.pixel, y + 3 * pen.pixel)
+    pen.move(away)
+    pen.move((away[0] + 4 * pen.pixel, away[1]), keys=CTRL)
+    snap = pen.window.canvas.overlay.snap
+    assert snap is None or "point 1" not in snap.label
+    pen.escape()
+
+
+# Steps of 15 degrees
+
+
+def direction(editor, index):
+    return math.degrees(math.atan2(*reversed(editor.curve.nodes[index].velocity)))
+
+
+def test_shift_turns_the_velocity_drawn_out_in_steps_and_ctrl_is_not_offered(pen):
+    place = at(pen, 300, 150)
+    pen.press(place)
+    pen.move(at(pen, 360, 180))
+    assert direction(pen, 3) == pytest.approx(26.6, abs=1.5)
+    pen.move(at(pen, 360, 180), keys=SHIFT)
+    assert direction(pen, 3) == pytest.approx(30, abs=1e-9)
+    assert "velocity at 30° · handles stay at most this long · Shift: steps of 15°" in pen.status
+    assert "Ctrl" not in pen.status
+    assert math.dist(pen.handle().position, place) == pytest.approx(
+        math.dist(at(pen, 360, 180), place), abs=2 * pen.pixel
+    )
+    pen.release(at(pen, 360, 180), keys=SHIFT)
+    assert direction(pen, 3) == pytest.approx(30, abs=1e-9)
+
+
+def test_escape_takes_back_a_velocity_drawn_in_steps(pen):
+    document = pen.session.document
+    pen.press(at(pen, 300, 150))
+    pen.move(at(pen, 360, 180), keys=SHIFT)
+    pen.escape()
+    pen.release(at(pen, 360, 180), keys=SHIFT)
+    assert pen.session.document is document
+
+
+def test_what_ctrl_does_is_told_where_a_drag_moves_the_point(pen):
+    pen.choose_family(Family.LAGRANGE)
+    pen.press(at(pen, 300, 150))
+    spacing = pen.window.canvas.grid_spacing[0]
+    by_the_grid = (12 * spacing + 3 * pen.pixel, 9 * spacing + 2 * pen.pixel)
+    pen.move(by_the_grid)
+    assert "Ctrl: snap, or not" in pen.status
+    assert "Shift" not in pen.status
+    assert pen.point(3) == pytest.approx(by_the_grid, abs=pen.pixel)
+    pen.move(by_the_grid, keys=CTRL)
+    assert pen.point(3) == pytest.approx((12 * spacing, 9 * spacing), rel=1e-12)
+    pen.escape()
+
+
+@pytest.mark.parametrize(("to", "angle"), [((160, 70), "30°"), ((30, 150), "90°"), ((-90, 11), "180°")])
+def test_measuring_goes_in_steps_with_shift(pen, to, angle):
+    pen.trigger("measureTool")
+    start = at(pen, 40, 20)
+    pen.hover(start)
+    assert "Shift: steps of 15° · Ctrl: snap, or not" in hint(pen)
+    pen.press(start)
+    pen.move(at(pen, *to), keys=SHIFT)
+    ruler = pen.window.canvas.overlay.ruler
+    assert ruler.text.endswith(f" · {angle}")
+    assert "Shift: steps of 15° · Ctrl: snap, or not" in pen.status
+    assert math.dist(ruler.start, ruler.end) == pytest.approx(
+        math.dist(start, at(pen, *to)), abs=2 * pen.pixel
+    )
+    pen.move(at(pen, *to))
+    assert not pen.window.canvas.overlay.ruler.text.endswith(f" · {angle}")
+    pen.escape()
+    assert pen.window.canvas.overlay.ruler is None
+    pen.release(at(pen, *to))

@@ -1,0 +1,178 @@
+"""What the pen shows before it is pressed: the curve with one point more, or the spot to insert at."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from PySide6.QtCore import QEvent, QPoint, Qt
+from PySide6.QtWidgets import QApplication
+
+from app.document.model import Document, Family, ParametrizationKind, make_curve
+from app.theme import LIGHT
+
+SHIFT = Qt.KeyboardModifier.ShiftModifier
+CTRL = Qt.KeyboardModifier.ControlModifier
+
+
+def at(editor, x, y):
+    """A place so many pixels right of and above the lower left part of the canvas."""
+    return editor.window.canvas.to_plane(QPoint(80 + x, 300 - y))
+
+
+@pytest.fixture(params=[*Family])
+def pen(editor, request):
+    """A curve of three points of each family, and the pen in hand."""
+    return drawn(editor, request.param)
+
+
+@pytest.fixture
+def hermite(editor):
+    return drawn(editor, Family.HERMITE)
+
+
+def drawn(editor, family):
+    editor.new()
+    editor.choose_family(family)
+    editor.trigger("addTool")
+    for x, y in ((0, 0), (100, 60), (200, 0)):
+        editor.click(at(editor, x, y))
+    return editor
+
+
+def ahead(editor):
+    """The curve shown ahead, as a value."""
+    view = editor.window.canvas.overlay.ahead
+    return view.source if view is not None else None
+
+
+def ghost_pixels(editor):
+    """How many pixels of the canvas have the colour of the line ahead."""
+    editor.settle()
+    image = editor.window.canvas.grab().toImage()
+    wanted = LIGHT.ghost.rgb()
+    return sum(image.pixel(x, y) == wanted for x in range(0, image.width(), 2) for y in range(image.height()))
+
+
+@pytest.mark.parametrize("kind", [ParametrizationKind.CHORD_LENGTH, ParametrizationKind.MANUAL])
+def test_what_is_shown_is_what_a_click_makes(pen, kind):
+    pen.choose_parametrization(kind)
+    document, steps = pen.session.document, pen.session.undo_stack.count()
+    assert ahead(pen) is None
+    for x, y in ((300, 150), (310, 130)):
+        pen.hover(at(pen, x, y))
+        shown = ahead(pen)
+        assert len(shown.nodes) == 4
+    assert pen.session.document is document
+    assert pen.session.undo_stack.count() == steps
+    pen.click(at(pen, 310, 130))
+    assert pen.curve == shown
+
+
+def test_it_is_painted_with_the_pen_alone(hermite):
+    hermite.hover(at(hermite, 300, 170))
+    shown = ghost_pixels(hermite)
+    assert shown > 20
+    hermite.escape()
+    assert ahead(hermite) is None
+    assert ghost_pixels(hermite) < shown / 4
+    hermite.trigger("addTool")
+    hermite.hover(at(hermite, 300, 170))
+    assert ghost_pixels(hermite) == shown
+    hermite.trigger("measureTool")
+    hermite.hover(at(hermite, 300, 171))
+    assert ahead(hermite) is None
+    assert ghost_pixels(hermite) < shown / 4
+
+
+def test_it_goes_when_the_pointer_leaves(hermite):
+    hermite.hover(at(hermite, 300, 170))
+    assert ahead(hermite) is not None
+    QApplication.sendEvent(hermite.window.canvas, QEvent(QEvent.Type.Leave))
+    hermite.settle()
+    assert ahead(hermite) is None
+
+
+def test_it_goes_with_a_press_and_escape_brings_nothing_back(hermite):
+    document = hermite.session.document
+    hermite.hover(at(hermite, 300, 170))
+    hermite.press(at(hermite, 300, 170))
+    assert ahead(hermite) is None
+    hermite.move(at(hermite, 320, 180))
+    assert ahead(hermite) is None
+    hermite.escape()
+    assert ahead(hermite) is None
+    assert hermite.session.document is document
+    hermite.release(at(hermite, 320, 180))
+    assert len(ahead(hermite).nodes) == 4
+
+
+def test_it_snaps(hermite):
+    spacing = hermite.window.canvas.grid_spacing[0]
+    near = (12 * spacing + 3 * hermite.pixel, 9 * spacing + 2 * hermite.pixel)
+    hermite.move(near, held=False, keys=CTRL)
+    assert ahead(hermite).nodes[3].position == pytest.approx((12 * spacing, 9 * spacing), rel=1e-12)
+    hermite.move(near, held=False)
+    assert ahead(hermite).nodes[3].position == pytest.approx(near, abs=hermite.pixel)
+
+
+def test_none_where_a_press_begins_another_curve(hermite):
+    hermite.hover(at(hermite, 300, 170))
+    hermite.key(Qt.Key.Key_Return)
+    assert ahead(hermite) is None
+    hermite.hover(at(hermite, 310, 170))
+    assert ahead(hermite) is None
+    hermite.move(at(hermite, 310, 171), held=False, keys=SHIFT)
+    assert len(ahead(hermite).nodes) == 4
+    hermite.trigger("closeCurve")
+    hermite.hover(at(hermite, 320, 170))
+    assert ahead(hermite) is None
+
+
+def test_on_the_curve_the_spot_is_shown_instead(hermite):
+    x, y = map(float, hermite.session.active_view.curve.evaluate(0.3))
+    hermite.hover((x + hermite.pixel, y + 2 * hermite.pixel))
+    spot = hermite.window.canvas.overlay.spot
+    assert ahead(hermite) is None
+    hermite.click((x + hermite.pixel, y + 2 * hermite.pixel))
+    assert hermite.point(1) == pytest.approx(spot, abs=0.5 * hermite.pixel)
+    assert hermite.window.canvas.overlay.spot is None
+    hermite.escape()
+    hermite.hover((x, y))
+    assert hermite.window.canvas.overlay.spot is None
+
+
+def test_none_over_points_on_locked_curves_and_on_empty_ones(hermite):
+    hermite.hover(hermite.point(1))
+    assert ahead(hermite) is None
+    hermite.trigger("curveLocked")
+    hermite.hover(at(hermite, 300, 170))
+    assert ahead(hermite) is None
+    hermite.new()
+    hermite.hover(at(hermite, 300, 170))
+    assert ahead(hermite) is None
+
+
+def test_it_follows_a_step_back_and_another_family(hermite):
+    hermite.hover(at(hermite, 300, 170))
+    hermite.trigger("undo")
+    assert len(ahead(hermite).nodes) == 3
+    hermite.choose_family(Family.LAGRANGE)
+    assert ahead(hermite).family is Family.LAGRANGE
+
+
+@pytest.mark.parametrize(
+    ("family", "count", "is_shown"),
+    [
+        (Family.HERMITE, 200, True),
+        (Family.HERMITE, 201, False),
+        (Family.LAGRANGE, 24, True),
+        (Family.LAGRANGE, 25, False),
+    ],
+)
+def test_none_where_it_would_take_long(editor, family, count, is_shown):
+    angles = np.linspace(0, 6, count)
+    points = [(float(x), float(y)) for x, y in zip(np.cos(angles), np.sin(angles), strict=True)]
+    editor.session.commit(Document((make_curve(points, family=family),)), "Begin")
+    editor.trigger("addTool")
+    editor.hover((0.0, 0.1))
+    assert (ahead(editor) is not None) is is_shown
