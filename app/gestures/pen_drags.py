@@ -10,7 +10,7 @@ import msgspec
 
 from app.document import edits
 from app.document.curve_edits import replace_curve
-from app.document.model import Document, Node, Vector
+from app.document.model import Document, Vector
 from app.gestures import words
 from app.gestures.drags import in_steps, pulled
 from app.gestures.pointer import Hit, Part, Pointer
@@ -152,9 +152,8 @@ class InsertPoint(msgspec.Struct, frozen=True, dict=True):
         return with_point_inserted(self.view, self.hit.t)
 
     def document_at(self, pointer: Pointer) -> Document:
-        """Return the document with the new point."""
+        """Return the document with the new point; dragged away it takes its handles along."""
+        document = replace_curve(self.document, self.curve, self.on_curve.curve)
         if self._is_on_curve(pointer):
-            return replace_curve(self.document, self.curve, self.on_curve.curve)
-        is_manual = self.document.curves[self.curve].is_manual
-        node = Node(*pulled(pointer, self.magnet), t=self.hit.t if is_manual else None)
-        return edits.insert_nodes(self.document, self.curve, self.hit.index, [node])
+            return document
+        return edits.set_position(document, self.curve, self.hit.index, pulled(pointer, self.magnet))

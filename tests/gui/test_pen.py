@@ -4,11 +4,12 @@ from __future__ import annotations
 
 import math
 
+import numpy as np
 import pytest
 from PySide6.QtCore import QPoint, Qt
 
 from app.document import edits
-from app.document.model import Family, ParametrizationKind
+from app.document.model import Family, Node, ParametrizationKind
 from app.view_model.handles import handles_of
 
 SHIFT = Qt.KeyboardModifier.ShiftModifier
@@ -266,3 +267,27 @@ def test_the_sheet_tells_what_the_pen_does(ring):
     said = " ".join(label.text() for label in sheet.findChildren(QLabel))
     assert "begin another curve" in said
     assert "add a point at the end" in said
+
+
+@pytest.mark.parametrize("kind", [ParametrizationKind.UNIFORM, ParametrizationKind.CHORD_LENGTH])
+def test_a_point_inserted_and_dragged_a_little_changes_the_curve_a_little(pen, kind):
+    """Past the threshold all handles used to jump: the parameters move, and nothing was rescaled."""
+    pen.choose_parametrization(kind)
+    nodes = [Node(x, y, velocity=(12.0, 0.0)) for x, y in ((0.0, 0.0), (4.0, 3.0), (8.0, 0.0), (12.0, 3.0))]
+    pen.session.commit(edits.set_nodes(pen.session.document, 0, nodes), "Begin")
+    pen.fit()
+    before = [handles_of(pen.session.active_view, index)[0].position for index in (0, 3)]
+    place = tuple(pen.session.active_view.curve.evaluate(0.5))
+    pen.press(place)
+    clicked = np.array(pen.session.active_view.flattened(0.01).points)
+    pen.move((place[0] + 4 * pen.pixel, place[1]))
+    view = pen.session.active_view
+    assert len(view.source.nodes) == 5
+    for index, was in zip((0, 4), before, strict=True):
+        assert handles_of(view, index)[0].position == pytest.approx(was, abs=1e-9)
+    dragged = np.array(view.flattened(0.01).points)
+    apart = np.hypot(*(clicked[:, None] - dragged[None]).transpose(2, 0, 1)).min(axis=1)
+    assert apart.max() < 8 * pen.pixel
+    pen.escape()
+    assert len(pen.curve.nodes) == 4
+    pen.release(place)
