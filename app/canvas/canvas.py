@@ -122,7 +122,7 @@ class Canvas(CanvasView):
 
     def set_tool(self, kind: ToolKind) -> None:
         """Choose what a press means."""
-        self._active_tool.cancel()
+        self.cancel_gesture()
         self._tool.put_away()
         self._tool.kind = kind
         self._point_layer.is_adding = kind is ToolKind.ADD
@@ -156,7 +156,9 @@ class Canvas(CanvasView):
         """Let the selected points follow the pointer from where it is, until Enter, a click or Escape."""
         self.setFocus(Qt.FocusReason.OtherFocusReason)
         self._tool.grid = self.grid_spacing
-        if self._tool.begin_transform(kind, self._pointer_now()):
+        pointer = self._pointer_now()
+        if self._tool.begin_transform(kind, pointer):
+            self._hand = self._hand or pointer
             self._show_progress()
 
     def _pointer_now(self) -> Pointer:
