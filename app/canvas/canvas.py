@@ -153,7 +153,7 @@ class Canvas(CanvasView):
         self.progress_changed.emit("")
 
     def begin_transform(self, kind: TransformKind) -> None:
-        """Let the selected points follow the pointer from where it is, until Enter, a click or Escape."""
+        """Let the selected points, or else all, follow the pointer until Enter, a click or Escape."""
         self.setFocus(Qt.FocusReason.OtherFocusReason)
         self._tool.grid = self.grid_spacing
         pointer = self._pointer_now()
@@ -267,14 +267,16 @@ class Canvas(CanvasView):
 
     def _type_into_transform(self, event: QKeyEvent) -> bool:
         """Give a transform in flight the key; all others wait until it has ended."""
-        if not self._tool.is_modal:
-            return False
-        key = transform_key(event)
-        if key is not None and self._tool.transform_key(key):
+        key = transform_key(event) if self._tool.is_modal else None
+        if key is not None:
+            self._give_to_transform(key)
+        return key is not None
+
+    def _give_to_transform(self, key: str) -> None:
+        if self._tool.transform_key(key):
             self._show_progress()
             if not self._tool.is_modal:
                 self.hovered_at(self._pointer_now())
-        return key is not None
 
     def _nudge(self, event: QKeyEvent) -> bool:
         """Move the selected points by a pixel or a step of the grid: with Shift ten, with Ctrl a tenth."""
@@ -295,6 +297,8 @@ class Canvas(CanvasView):
 
     def focusNextPrevChild(self, forward: bool) -> bool:
         """Let Tab walk the points; past the last one it leaves the canvas, as Tab does everywhere."""
+        if self._tool.is_modal:
+            self._give_to_transform("tab")
         if self._tool.is_pressed:
             return True
         if not self._tool.walk(1 if forward else -1):

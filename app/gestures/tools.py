@@ -27,6 +27,9 @@ from app.gestures.subject import Subject
 from app.gestures.transform import ModalTransform, TransformKind
 from app.gestures.transform_box import Grip, TransformBox
 
+_KEYS = {TransformKind.MOVE: "g", TransformKind.SCALE: "s", TransformKind.ROTATE: "r"}
+"""What begins each transform goes on with it where another one is in flight."""
+
 
 class ToolKind(Enum):
     """What a press on the canvas means."""
@@ -218,13 +221,14 @@ class CanvasTool:
     def begin_transform(self, kind: TransformKind, pointer: Pointer) -> bool:
         """Let the selected points, or the chosen curves, follow the pointer with no button down.
 
-        Return False if there are none, or one of the curves is locked.
+        With nothing selected or chosen it acts on all points of the curve that is edited. Return False if
+        there are none, or one of the curves is locked.
         """
         if self.is_modal:
-            return self._modal.key(kind.value[0].lower())
-        if self._subject.group is None or self.is_pressed:
+            return self._modal.key(_KEYS[kind])
+        if self.is_pressed:
             return False
-        if refusal := self._subject.refusal:
+        if refusal := self._subject.refusal_of_keys:
             self._host.say(refusal)
             return False
         transform = self._subject.transform(kind, pointer)

@@ -121,9 +121,8 @@ _GESTURES = (
     ),
     _Gesture(
         "Moving, scaling, rotating",
-        "X or Y locks an axis, digits type the amount, Enter ends",
-        selected=True,
-        curves=True,
+        "G, S, R: what is selected, else all points. X or Y locks an axis, digits type the amount, "
+        "Tab (or ;) goes from x to y, Enter ends",
     ),
     _Gesture("Alt+drag a point", "pull out its velocity", needs_derivatives=True),
     _Gesture(
