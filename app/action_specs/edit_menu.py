@@ -66,7 +66,7 @@ EDIT_MENU = (
         "Edit",
         "S",
         "scale",
-        "Scale what is selected or chosen, or else all points, with the pointer; type the factor, or x, Tab, y",
+        "Scale what is selected or chosen, or else all points, with the pointer; type a factor, or x, Tab, y",
         submenu="Transform",
         alone="Scale Points",
     ),

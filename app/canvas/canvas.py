@@ -16,7 +16,7 @@ from app.canvas.keys import ARROWS, cursor_of, transform_key
 from app.canvas.overlay_layer import OverlayLayer
 from app.gestures.image_tool import ImageTool
 from app.gestures.overlay import Overlay
-from app.gestures.pointer import Hint, Pointer
+from app.gestures.pointer import Hint, Hit, Pointer
 from app.gestures.snapping import Snapping
 from app.gestures.tools import CanvasTool, ToolKind
 from app.gestures.transform import TransformKind
@@ -171,7 +171,10 @@ class Canvas(CanvasView):
         self.gesture_began.emit()
         self._pointer = pointer
         self._tool.grid = self.grid_spacing
-        self._active_tool.press(self._with_hit(pointer))
+        pointer = self._with_hit(pointer)
+        if self._image_tool is None and self._tool.enter(pointer):
+            pointer = self._with_hit(pointer)
+        self._active_tool.press(pointer)
         self._show_progress()
 
     def moved(self, pointer: Pointer) -> None:
@@ -254,6 +257,10 @@ class Canvas(CanvasView):
         hit = self._with_hit(self.pointer_at(place)).hit if place is not None else None
         corner = (place or self.centre()).toPoint()
         self.menu_requested.emit(hit, self.viewport().mapToGlobal(corner))
+
+    def hit_at(self, place: QPoint) -> Hit | None:
+        """Return what lies at a place of the screen."""
+        return self._with_hit(self.pointer_at(QPointF(self.viewport().mapFromGlobal(place)))).hit
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         is_escape = event.key() == Qt.Key.Key_Escape

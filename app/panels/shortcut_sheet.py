@@ -148,7 +148,7 @@ _GESTURES = (
     _Gesture("Click a basis function", "select its point"),
     _Gesture("Drag, measuring", "distance and angle; Escape puts it away"),
     _Gesture("Drag, moving the image", "move it, or scale it by a corner; arrow keys nudge it"),
-    _Gesture("Click another curve", "edit it", adding=False),
+    _Gesture("Press another curve", "edit it; drag to bend it or move a point", adding=False),
     _Gesture("Shift+click another curve", "choose it too, or no longer", adding=False),
     _Gesture("Ctrl+click, Shift+click, Ctrl+A", "in the list of curves: choose several"),
     _Gesture("Right button, Menu key", "what can be done there"),

@@ -42,10 +42,10 @@ def undo_text(editor):
     ("key", "typed", "expected", "status", "name"),
     [
         (Key.Key_G, "2", np.add(POINTS, (2, 0)), "All 5 points: move 2, 0", "Move all 5 points"),
-        (Key.Key_S, "3", (np.array(POINTS) - (2.5, 1)) * 3 + (2.5, 1), "All 5 points: scale 3", "Scale all 5 points"),
+        (Key.Key_S, "3", 3 * np.array(POINTS) - (5, 2), "All 5 points: scale 3", "Scale all 5 points"),
         (Key.Key_R, "180", (5, 2) - np.array(POINTS), "All 5 points: rotate 180°", "Rotate all 5 points"),
     ],
-)  # fmt: skip
+)
 def test_with_nothing_selected_they_act_on_all_points(arch, key, typed, expected, status, name):
     other = arch.session.document.curves[1]
     arch.key(key)
