@@ -166,6 +166,19 @@ def test_the_first_right_click_offers_what_can_be_done_at_that_place(three):
     assert three.point(2) == pytest.approx(at, abs=2 * three.pixel)
 
 
+def test_the_first_right_click_on_a_locked_curve_offers_no_change_of_shape(three):
+    three.session.activate(2)
+    three.trigger("curveLocked")
+    three.session.activate(1)
+    three.settle()
+    found = entries(three.open_menu(on_curve(three, 2)))
+    assert three.curve.name == "C"
+    assert not found["insertPointHere"]
+    assert not found["splitHere"]
+    assert found["curveLocked"]
+    close(three)
+
+
 def test_the_first_right_click_on_its_point_is_for_the_point(three):
     found = entries(three.open_menu((2, 6)))
     assert (three.curve.name, three.session.selection) == ("C", {2})
