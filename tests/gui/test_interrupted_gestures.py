@@ -148,8 +148,9 @@ def test_a_list_that_a_key_opens_takes_the_release_but_leaves_no_gesture(arch):
     assert arch.session.document is document
 
 
-@pytest.mark.parametrize("key", [Key.Key_V, Key.Key_M, Key.Key_P])
-@pytest.mark.parametrize("what", ["pen", "band"])
+@pytest.mark.parametrize(
+    ("what", "key"), [("pen", Key.Key_V), ("pen", Key.Key_M), ("pen", Key.Key_P), ("band", Key.Key_P)]
+)
 def test_another_tool_in_mid_drag_leaves_nothing_of_it(arch, what, key):
     document = arch.session.document
     begin(arch, what)

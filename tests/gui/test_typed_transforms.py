@@ -119,38 +119,41 @@ def test_a_locked_or_empty_curve_says_so(arch):
 # A number for x and one for y
 
 
-@pytest.mark.parametrize(
-    ("key", "typed", "status", "second"),
-    [
-        (Key.Key_G, "1\t2", "Move x 1, y 2| · typing y · Tab: x", (2, 4)),
-        (Key.Key_G, "1;2", "Move x 1, y 2|", (2, 4)),
-        (Key.Key_G, "1,5\t-,25", "Move x 1.5, y −.25|", (2.5, 1.75)),
-        (Key.Key_G, "\t2", "Move x 0, y 2|", (1, 4)),
-        (Key.Key_G, "1\t", "Move x 1, y |", (2, 2)),
-        (Key.Key_G, "1\t2\t5", "Move x 15|, y 2 · typing x · Tab: y", (16, 4)),
-        (Key.Key_G, "1\t-", "Move x 1, y −|", (2, 2)),
-        (Key.Key_G, "y3\t1", "Move x 1|, y 3", (2, 5)),
-        (Key.Key_G, "x3\t1", "Move x 3, y 1|", (4, 3)),
-        (Key.Key_G, "3\t1y", "Move 1 along y", (1, 3)),
-        (Key.Key_G, "3\t1x", "Move 3 along x", (4, 2)),
-        (Key.Key_G, "3y", "Move 3 along y", (1, 5)),
-        (Key.Key_S, "2\t3", "Scale x 2, y 3|", (0, 4)),
-        (Key.Key_S, "2\t", "Scale x 2, y |", (0, 2)),
-        (Key.Key_S, "\t3", "Scale x 1, y 3|", (1, 4)),
-        (Key.Key_S, "2", "Scale 2", (0, 3)),
-        (Key.Key_R, "9\t0", "Rotate 90°", (1, 0)),
-    ],
-)
-def test_tab_goes_from_x_to_y(arch, key, typed, status, second):
+# Keys, what is typed, how the status begins, and where point 1 ends.
+TYPED = [
+    (Key.Key_G, "1\t2", "Move x 1, y 2| · typing y · Tab: x", (2, 4)),
+    (Key.Key_G, "1;2", "Move x 1, y 2|", (2, 4)),
+    (Key.Key_G, "1,5\t-,25", "Move x 1.5, y −.25|", (2.5, 1.75)),
+    (Key.Key_G, "\t2", "Move x 0, y 2|", (1, 4)),
+    (Key.Key_G, "1\t", "Move x 1, y |", (2, 2)),
+    (Key.Key_G, "1\t2\t5", "Move x 15|, y 2 · typing x · Tab: y", (16, 4)),
+    (Key.Key_G, "1\t-", "Move x 1, y −|", (2, 2)),
+    (Key.Key_G, "y3\t1", "Move x 1|, y 3", (2, 5)),
+    (Key.Key_G, "x3\t1", "Move x 3, y 1|", (4, 3)),
+    (Key.Key_G, "3\t1y", "Move 1 along y", (1, 3)),
+    (Key.Key_G, "3\t1x", "Move 3 along x", (4, 2)),
+    (Key.Key_G, "3y", "Move 3 along y", (1, 5)),
+    (Key.Key_S, "2\t3", "Scale x 2, y 3|", (0, 4)),
+    (Key.Key_S, "2\t", "Scale x 2, y |", (0, 2)),
+    (Key.Key_S, "\t3", "Scale x 1, y 3|", (1, 4)),
+    (Key.Key_S, "2", "Scale 2", (0, 3)),
+    (Key.Key_R, "9\t0", "Rotate 90°", (1, 0)),
+]
+
+
+@pytest.mark.parametrize("key", [Key.Key_G, Key.Key_S, Key.Key_R])
+def test_tab_goes_from_x_to_y(arch, key):
     """Points 1 and 3, at (1, 2) and (3, 0), are worked on; they are scaled and turned about (2, 1)."""
-    arch.session.commit(Document((make_curve([(0, 0), (1, 2), (2, 3), (3, 0)]),)), "Four")
-    arch.select([1, 3])
-    arch.key(key)
-    arch.type_amount(typed)
-    assert arch.status.startswith(status)
-    arch.key(Key.Key_Return)
-    assert arch.point(1) == pytest.approx(second, abs=1e-12)
-    assert arch.session.selection == {1, 3}
+    four = Document((make_curve([(0, 0), (1, 2), (2, 3), (3, 0)]),))
+    for typed, status, second in (case[1:] for case in TYPED if case[0] == key):
+        arch.session.commit(four, "Four")
+        arch.select([1, 3])
+        arch.key(key)
+        arch.type_amount(typed)
+        assert arch.status.startswith(status)
+        arch.key(Key.Key_Return)
+        assert arch.point(1) == pytest.approx(second, abs=1e-12), typed
+        assert arch.session.selection == {1, 3}
 
 
 def test_both_numbers_can_be_mended_and_given_up(arch):
