@@ -17,7 +17,7 @@ from app.canvas.overlay_layer import OverlayLayer
 from app.canvas.pen_layer import PenLayer
 from app.gestures.image_tool import ImageTool
 from app.gestures.overlay import Overlay
-from app.gestures.pointer import Hint, Pointer
+from app.gestures.pointer import Hint, Hit, Pointer
 from app.gestures.snapping import Snapping
 from app.gestures.tools import CanvasTool, ToolKind
 from app.gestures.transform import TransformKind
@@ -132,7 +132,7 @@ class Canvas(CanvasView):
 
     def set_tool(self, kind: ToolKind) -> None:
         """Choose what a press means."""
-        self._active_tool.cancel()
+        self.cancel_gesture()
         self._tool.put_away()
         self._tool.kind = kind
         self._point_layer.is_adding = kind is ToolKind.ADD
@@ -163,10 +163,12 @@ class Canvas(CanvasView):
         self.progress_changed.emit("")
 
     def begin_transform(self, kind: TransformKind) -> None:
-        """Let the selected points follow the pointer from where it is, until Enter, a click or Escape."""
+        """Let the selected points, or else all, follow the pointer until Enter, a click or Escape."""
         self.setFocus(Qt.FocusReason.OtherFocusReason)
         self._tool.grid = self.grid_spacing
-        if self._tool.begin_transform(kind, self._pointer_now()):
+        pointer = self._pointer_now()
+        if self._tool.begin_transform(kind, pointer):
+            self._hand = self._hand or pointer
             self._show_progress()
 
     def _pointer_now(self) -> Pointer:
@@ -179,7 +181,10 @@ class Canvas(CanvasView):
         self.gesture_began.emit()
         self._pointer = pointer
         self._tool.grid = self.grid_spacing
-        self._active_tool.press(self._with_hit(pointer))
+        pointer = self._with_hit(pointer)
+        if self._image_tool is None and self._tool.enter(pointer):
+            pointer = self._with_hit(pointer)
+        self._active_tool.press(pointer)
         self._show_progress()
 
     def moved(self, pointer: Pointer) -> None:
@@ -263,6 +268,10 @@ class Canvas(CanvasView):
         corner = (place or self.centre()).toPoint()
         self.menu_requested.emit(hit, self.viewport().mapToGlobal(corner))
 
+    def hit_at(self, place: QPoint) -> Hit | None:
+        """Return what lies at a place of the screen."""
+        return self._with_hit(self.pointer_at(QPointF(self.viewport().mapFromGlobal(place)))).hit
+
     def keyPressEvent(self, event: QKeyEvent) -> None:
         is_escape = event.key() == Qt.Key.Key_Escape
         if (is_escape and self._escape()) or self._type_into_transform(event) or self._takes(event):
@@ -275,14 +284,16 @@ class Canvas(CanvasView):
 
     def _type_into_transform(self, event: QKeyEvent) -> bool:
         """Give a transform in flight the key; all others wait until it has ended."""
-        if not self._tool.is_modal:
-            return False
-        key = transform_key(event)
-        if key is not None and self._tool.transform_key(key):
+        key = transform_key(event) if self._tool.is_modal else None
+        if key is not None:
+            self._give_to_transform(key)
+        return key is not None
+
+    def _give_to_transform(self, key: str) -> None:
+        if self._tool.transform_key(key):
             self._show_progress()
             if not self._tool.is_modal:
                 self.hovered_at(self._pointer_now())
-        return key is not None
 
     def _takes(self, event: QKeyEvent) -> bool:
         return self._nudge(event) or self._finish_curve(event)
@@ -319,6 +330,8 @@ class Canvas(CanvasView):
 
     def focusNextPrevChild(self, forward: bool) -> bool:
         """Let Tab walk the points; past the last one it leaves the canvas, as Tab does everywhere."""
+        if self._tool.is_modal:
+            self._give_to_transform("tab")
         if self._tool.is_pressed:
             return True
         if not self._tool.walk(1 if forward else -1):

@@ -24,11 +24,17 @@ _TRANSFORM_KEYS = {
     Qt.Key.Key_Comma: ".",
     Qt.Key.Key_Minus: "-",
     Qt.Key.Key_Backspace: "backspace",
+    Qt.Key.Key_Tab: "tab",
+    Qt.Key.Key_Backtab: "tab",
+    Qt.Key.Key_Semicolon: "tab",
     Qt.Key.Key_Return: "enter",
     Qt.Key.Key_Enter: "enter",
     **{Qt.Key(getattr(Qt.Key, f"Key_{name.upper()}")): name for name in "xygsr"},
 }
 """What a transform in flight understands, and calls it."""
+
+_WITH_SHIFT = (Qt.Key.Key_Backtab, Qt.Key.Key_Tab, Qt.Key.Key_Semicolon)
+"""Keys that mean the same with Shift: some keyboards have the semicolon there."""
 
 _CURSORS = {
     Cursor.MOVE: Qt.CursorShape.SizeAllCursor,
@@ -41,8 +47,10 @@ _CURSORS = {
 
 def transform_key(event: QKeyEvent) -> str | None:
     """Return what a key means to a transform in flight, None for nothing."""
-    held = event.modifiers() & ~Qt.KeyboardModifier.KeypadModifier
-    return _TRANSFORM_KEYS.get(Qt.Key(event.key())) if not held else None
+    key, held = Qt.Key(event.key()), event.modifiers() & ~Qt.KeyboardModifier.KeypadModifier
+    if key in _WITH_SHIFT:
+        held &= ~Qt.KeyboardModifier.ShiftModifier
+    return _TRANSFORM_KEYS.get(key) if not held else None
 
 
 def cursor_of(hint: Hint, tool: ToolKind, theme: Theme) -> QCursor:

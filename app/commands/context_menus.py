@@ -57,7 +57,7 @@ class ContextMenus:
             # One of those that are chosen leaves them chosen: the menu is about all.
             chosen = session.chosen_curves
             session.choose_curves(chosen if hit.index in chosen else (hit.index,), hit.index)
-            self._popup(self._menu(_CURVE), place)
+            self._open_on_edited(place)
         elif hit is not None and hit.part is Part.CURVE:
             self._popup(self._curve_menu(hit.t), place)
         elif hit is not None:
@@ -66,6 +66,15 @@ class ContextMenus:
             self._popup(self._menu(_POINT), place)
         else:
             self._popup(self._menu(_CANVAS), place)
+
+    def _open_on_edited(self, place: QPoint) -> None:
+        """Open the menu for a place on the curve that the right button has made the one edited."""
+        hit = self._parts.canvas.hit_at(place)
+        is_alone = len(self._parts.session.chosen_curves) == 1
+        if hit is not None and hit.part is not Part.OTHER_CURVE and (is_alone or hit.part is Part.CURVE):
+            self._open_on_canvas(hit, place)
+        else:
+            self._popup(self._menu(_CURVE), place)
 
     def _curve_menu(self, t: float) -> QMenu:
         """Return the menu for a place on the active curve."""

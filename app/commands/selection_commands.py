@@ -50,13 +50,16 @@ class SelectionCommands:
     def render(self, view: CurveView) -> None:
         """Enable what there are enough points for."""
         count = len(self._session.selection)
-        has_curves = len(self._session.chosen_curves) > 1
-        for names, least in ((_TRANSFORMS, 1), (_ALIGNMENTS, 2), (_DISTRIBUTIONS, 3)):
+        # The transforms act on all points where none is selected, and say so where there is none at all.
+        for names, least in ((_ALIGNMENTS, 2), (_DISTRIBUTIONS, 3)):
             for name in names:
-                self._actions[name].setEnabled(count >= least or (has_curves and names is _TRANSFORMS))
+                self._actions[name].setEnabled(count >= least)
 
     def _begin(self, kind: TransformKind) -> None:
-        self._parts.canvas.begin_transform(kind)
+        if self._parts.canvas.is_moving_image:
+            self._session.say("The image is being moved now; Escape goes back to the points.")
+        else:
+            self._parts.canvas.begin_transform(kind)
 
     def _align(self, edge: Edge) -> None:
         session, chosen = self._session, self._session.selection

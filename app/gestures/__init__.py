@@ -6,6 +6,7 @@
 - ``pen``, ``pen_drags``: points appended and inserted, and another curve begun.
 - ``bend_drag``: the curve itself, grabbed and bent.
 - ``transform``, ``transform_box``: move, scale and rotate the selection by keys, or by the grips of a box.
+- ``typed_amount``: the number, or the two, typed meanwhile.
 - ``subject``: what these act on: selected points, or chosen curves.  ``choosing``: other curves, chosen and
   dragged.
 - ``marquee``, ``measure``: gestures that change nothing in the document.

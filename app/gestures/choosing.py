@@ -1,18 +1,43 @@
-"""Curves that are not edited: a click edits one, Shift+click chooses it too, a drag moves the chosen ones."""
+"""Curves that are not edited: a press edits one, Shift+click chooses it too, a drag moves the chosen ones."""
 
 from __future__ import annotations
 
 from app.document.several_curves import named
 from app.gestures.machine import DragMachine, Host
-from app.gestures.pointer import Hint, Hit, Pointer
+from app.gestures.pointer import Hint, Hit, Part, Pointer
 from app.gestures.subject import Subject
 
 
 class Choosing:
-    """What presses on curves mean that are not edited."""
+    """What presses on curves mean that are not edited.
+
+    Attributes
+    ----------
+    entered
+        What is said after a click with the press by which a curve came to be edited; empty for other presses.
+    """
 
     def __init__(self, host: Host, machine: DragMachine, subject: Subject) -> None:
         self._host, self._machine, self._subject = host, machine, subject
+        self.entered = ""
+
+    def enter(self, pointer: Pointer) -> bool:
+        """Edit the curve under a press from now on, so that the press acts on it; return whether it does.
+
+        With Shift, and on a curve that is chosen together with others, a press means all of them.
+        """
+        hit, host = pointer.hit, self._host
+        if (
+            hit is None
+            or hit.part is not Part.OTHER_CURVE
+            or pointer.shift
+            or hit.index in host.chosen_curves
+        ):
+            return False
+        host.activate(hit.index)
+        self.entered = self._edited()
+        host.say(self.entered)
+        return True
 
     def press(self, pointer: Pointer, hit: Hit) -> None:
         """Begin a click on the curve hit, or where it is chosen a drag of all that are."""
@@ -22,7 +47,10 @@ class Choosing:
 
     def _edit(self, curve: int) -> None:
         self._host.activate(curve)
-        self._host.say(f"Editing “{self._host.document.curves[curve].name}” now.")
+        self._host.say(self._edited())
+
+    def _edited(self) -> str:
+        return f"Editing “{self._host.active_view.source.name}” now."
 
     def _toggle(self, curve: int) -> None:
         host = self._host
@@ -43,7 +71,9 @@ class Choosing:
         host = self._host
         name, chosen = host.document.curves[hit.index].name, host.chosen_curves
         if hit.index not in chosen:
-            return Hint(f"Click to edit “{name}” · Shift+click: choose it too", grab=True)
+            is_locked = host.document.curves[hit.index].locked
+            drag = " (locked)" if is_locked else ", drag to bend it or move a point"
+            return Hint(f"Click to edit “{name}”{drag} · Shift+click: choose it too", grab=True)
         if refusal := self._subject.refusal_of_curves:
             return Hint(refusal)
         moving = named(host.document, chosen)

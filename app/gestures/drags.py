@@ -268,6 +268,17 @@ class PullVelocity(msgspec.Struct, frozen=True):
         return edits.set_velocity(self.document, self.curve, self.index, velocity, ahead=ahead)
 
 
+class Refuse(msgspec.Struct, frozen=True):
+    """A drag of what cannot be changed: it says why."""
+
+    reason: str
+    name: str = ""
+
+    def document_at(self, _pointer: Pointer) -> Document:
+        """Make nothing of it."""
+        raise edits.EditError(self.reason)
+
+
 def pulled(pointer: Pointer, magnet: Magnet | None) -> Vector:
     """Return where the pointer is, or what the magnet draws it to."""
     return magnet.pull(pointer.position, pointer) if magnet is not None else pointer.position

@@ -14,7 +14,7 @@ from app.gestures.pointer import Pointer
 
 
 class Marquee:
-    """Selects the points inside the band, live; Shift adds to what was selected before.
+    """Selects the points inside the band, live; while Shift is held, adds to what was selected before.
 
     Attributes
     ----------
@@ -33,7 +33,7 @@ class Marquee:
             return
         self.band = (self._press.position, pointer.position)
         inside = self._inside(self.band)
-        self._host.select(self._before | inside if self._press.shift else inside)
+        self._host.select(self._before | inside if pointer.shift else inside)
 
     def _inside(self, band: tuple[Vector, Vector]) -> frozenset[int]:
         low, high = np.min(band, axis=0), np.max(band, axis=0)
@@ -64,4 +64,4 @@ class Marquee:
         """Tell what is selected."""
         count = len(self._host.selection)
         chosen = f"{words.points(self._host.selection)} selected" if count else "No point selected"
-        return f"{chosen[:1].upper()}{chosen[1:]} · Escape cancels"
+        return f"{chosen[:1].upper()}{chosen[1:]} · Shift: add to what was selected · Escape cancels"

@@ -7,6 +7,7 @@ from enum import Enum, auto
 from functools import cached_property
 
 import msgspec
+from msgspec.structs import replace
 
 from app.document import edits
 from app.document.curve_edits import replace_curve
@@ -90,7 +91,8 @@ class AppendPoint(msgspec.Struct, frozen=True):
 
     def _place(self, pointer: Pointer) -> Vector:
         moves = self._is_dragged(pointer) and not self._sets_velocity(pointer)
-        return pulled(pointer if moves else self.press, self.magnet)
+        held = self.press if pointer.ctrl == self.press.ctrl else replace(self.press, ctrl=pointer.ctrl)
+        return pulled(pointer if moves else held, self.magnet)
 
     @staticmethod
     def _way(pointer: Pointer, place: Vector) -> Vector:

@@ -62,6 +62,21 @@ class Subject:
         return whole_curves(host.document, host.chosen_curves) if len(host.chosen_curves) > 1 else None
 
     @property
+    def for_keys(self) -> NodeGroup:
+        """What keys transform: the same, or else all nodes of the curve that is edited."""
+        return self.group or nodes_of(
+            self._host.active_index, range(len(self._host.active_view.source.nodes))
+        )
+
+    @property
+    def refusal_of_keys(self) -> str:
+        """Why keys cannot transform anything: it is locked, or there is nothing."""
+        group, source = self.for_keys, self._host.active_view.source
+        if not any(indices for _, indices in group.parts):
+            return f"“{source.name}” has no points yet; press P to add some."
+        return self._refusal_of(group)
+
+    @property
     def refusal(self) -> str:
         """Why it cannot be changed: what of it is locked; empty where nothing is."""
         return self._refusal_of(self.group)
@@ -81,9 +96,11 @@ class Subject:
 
     @property
     def centre(self) -> Vector:
-        """The middle of the box, or the one point; there must be a group."""
+        """The middle of the box, or the one point, of what keys transform."""
         group, box = self._now()
-        assert group is not None
+        if group is None:
+            group = self.for_keys
+            box = box_of(self._host.views, group)
         if box is not None:
             return box.centre
         for curve, indices in group.parts:
@@ -94,12 +111,20 @@ class Subject:
     # Drags
 
     def transform(self, kind: TransformKind, pointer: Pointer) -> Transform:
-        """Return the transform that begins at `pointer`; there must be a group."""
-        group = self.group
-        assert group is not None
+        """Return the transform that begins at `pointer`; with nothing selected, of all points."""
+        group = self.for_keys
         grip = self._nearest(group, pointer)
         magnet = self._magnets.for_group(group, grip[1])
-        return Transform(kind, self._host.document, group, self.centre, pointer.position, magnet, grip)
+        return Transform(
+            kind,
+            self._host.document,
+            group,
+            self.centre,
+            pointer.position,
+            magnet,
+            grip,
+            everything=self.group is None,
+        )
 
     def _nearest(self, group: NodeGroup, pointer: Pointer) -> tuple[int, int]:
         """Return the curve and the index of the node that is nearest to the pointer: it snaps."""

@@ -14,8 +14,8 @@ from app.gestures import hints, words
 from app.gestures.bend_drag import BendCurve
 from app.gestures.choosing import Choosing
 from app.gestures.closing import can_end_at, closer
-from app.gestures.drags import DragHandle, MovePoints, PullVelocity
-from app.gestures.machine import DragMachine, Host
+from app.gestures.drags import DragHandle, MovePoints, PullVelocity, Refuse
+from app.gestures.machine import Drag, DragMachine, Host
 from app.gestures.magnets import Magnets
 from app.gestures.marquee import Marquee
 from app.gestures.measure import KEYS, Measure
@@ -26,6 +26,9 @@ from app.gestures.snapping import Magnet, SnapKind, Snapping
 from app.gestures.subject import Subject
 from app.gestures.transform import ModalTransform, TransformKind
 from app.gestures.transform_box import Grip, TransformBox
+
+_KEYS = {TransformKind.MOVE: "g", TransformKind.SCALE: "s", TransformKind.ROTATE: "r"}
+"""What begins each transform goes on with it where another one is in flight."""
 
 
 class ToolKind(Enum):
@@ -83,6 +86,11 @@ class CanvasTool:
         """Whether a transform follows the pointer with no button down."""
         return self._modal.now is not None
 
+    def enter(self, pointer: Pointer) -> bool:
+        """Edit another curve that is pressed, before `press`; return whether another thing lies there now."""
+        self._choosing.entered = ""
+        return self.kind is ToolKind.SELECT and not self.is_modal and self._choosing.enter(pointer)
+
     def press(self, pointer: Pointer) -> None:
         """Begin a gesture, or end the one that keys began."""
         self._last = pointer
@@ -109,6 +117,9 @@ class CanvasTool:
             self._press_on_grip(pointer, *grip)
         elif hit is not None:
             self._press_on_curve(pointer, hit)
+        elif self._choosing.entered:
+            # At the very edge of reach, beside the curve that this press has made the one edited.
+            self._machine.press(pointer, None)
         else:
             self._marquee = Marquee(self._host, pointer, self._choosing.choose_none)
 
@@ -223,13 +234,14 @@ class CanvasTool:
     def begin_transform(self, kind: TransformKind, pointer: Pointer) -> bool:
         """Let the selected points, or the chosen curves, follow the pointer with no button down.
 
-        Return False if there are none, or one of the curves is locked.
+        With nothing selected or chosen it acts on all points of the curve that is edited. Return False if
+        there are none, or one of the curves is locked.
         """
         if self.is_modal:
-            return self._modal.key(kind.value[0].lower())
-        if self._subject.group is None or self.is_pressed:
+            return self._modal.key(_KEYS[kind])
+        if self.is_pressed:
             return False
-        if refusal := self._subject.refusal:
+        if refusal := self._subject.refusal_of_keys:
             self._host.say(refusal)
             return False
         transform = self._subject.transform(kind, pointer)
@@ -335,12 +347,18 @@ class CanvasTool:
                 click = closer(host)
             elif self.kind is ToolKind.ADD and self.pen.goes_on_at(hit):
                 click = self.pen.go_on
-            self._machine.press(pointer, self._point_drag(pointer, hit), on_click=click)
+            drag = self._unless_locked(self._point_drag(pointer, hit))
+            self._machine.press(pointer, drag, on_click=click)
             return
         magnet = self._magnets.for_handle(hit.index)
-        drag = DragHandle(host.document, host.active_index, host.active_view, hit, pointer.position, magnet)
+        handle = DragHandle(host.document, host.active_index, host.active_view, hit, pointer.position, magnet)
         # A drag drags the handle; a click means what lies below it, for a click does nothing to a handle.
-        self._machine.press(pointer, drag, self._click_on(pointer, hit.over) if hit.over >= 0 else None)
+        below = self._click_on(pointer, hit.over) if hit.over >= 0 else None
+        self._machine.press(pointer, self._unless_locked(handle), below)
+
+    def _unless_locked(self, drag: Drag) -> Drag:
+        source = self._host.active_view.source
+        return Refuse(hints.LOCKED.format(source.name)) if source.locked else drag
 
     def _click_on(self, pointer: Pointer, index: int) -> Callable[[], None]:
         """Return what a click selects: a point alone, or with Shift added to the others or taken away."""
@@ -360,12 +378,9 @@ class CanvasTool:
     def _press_on_curve(self, pointer: Pointer, hit: Hit) -> None:
         host = self._host
         x, y = hit.position
+        said = self._choosing.entered or f"t = {words.number(hit.t)} · c(t) = ({words.vector((x, y))})"
         bend = BendCurve(host.document, host.active_index, host.active_view, hit, pointer.position)
-        self._machine.press(
-            pointer,
-            bend,
-            on_click=lambda: host.say(f"t = {words.number(hit.t)} · c(t) = ({words.vector((x, y))})"),
-        )
+        self._machine.press(pointer, self._unless_locked(bend), on_click=lambda: host.say(said))
 
     def _point_drag(self, pointer: Pointer, hit: Hit) -> MovePoints | PullVelocity:
         host = self._host

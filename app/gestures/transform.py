@@ -17,6 +17,7 @@ from app.gestures.drags import MovePoints
 from app.gestures.machine import DragMachine, Host
 from app.gestures.pointer import Pointer
 from app.gestures.snapping import Magnet
+from app.gestures.typed_amount import TypedAmount
 
 _LEAST_ARM = 20.0
 """Pixels: begun closer to the centre, a scale would jump at the first move."""
@@ -47,6 +48,8 @@ class Transform(msgspec.Struct, frozen=True):
         The amount as typed so far; the pointer gives it while this is empty.
     by_grip
         Whether it is dragged by the grip of a box, where no keys are taken.
+    everything
+        Whether it acts on all points of the curve because none is selected: the words say so.
     """
 
     kind: TransformKind
@@ -57,38 +60,55 @@ class Transform(msgspec.Struct, frozen=True):
     magnet: Magnet
     grip: tuple[int, int]
     axis: int | None = None
-    typed: str = ""
+    typed: TypedAmount = TypedAmount()
     by_grip: bool = False
+    everything: bool = False
 
     @property
     def name(self) -> str:
         """The name of the step."""
-        return f"{self.kind.value} {words.group(self.group)}"
+        return f"{self.kind.value} {'all ' if self._is_all else ''}{words.group(self.group)}"
+
+    @property
+    def _is_all(self) -> bool:
+        return self.everything and self.group.only_node is None
 
     @property
     def keys(self) -> str:
         """What keys change."""
         if self.by_grip:
             return "Shift: steps of 15°"
+        if self.typed.is_pair:
+            return f"{self.typed.keys} · Enter or click: done"
         turn = {
-            TransformKind.MOVE: "X or Y: one axis · Ctrl: snap, or not",
-            TransformKind.SCALE: "X or Y: one axis",
-            TransformKind.ROTATE: "Shift: steps of 15°",
+            TransformKind.MOVE: "X or Y: one axis · Ctrl: snap, or not · type a number, or x Tab y",
+            TransformKind.SCALE: "X or Y: one axis · type a number, or x Tab y",
+            TransformKind.ROTATE: "Shift: steps of 15° · type a number",
         }[self.kind]
-        return f"{turn} · type a number · Enter or click: done"
+        return f"{turn} · Enter or click: done"
 
     def note_at(self, pointer: Pointer) -> str:
-        """Tell the amount."""
+        """Tell the amount; of all points because none is selected, that too."""
+        note, one = f"{self.kind.value} {self._amount_at(pointer)}", self.group.only_node
+        if self._is_all:
+            what = words.group(self.group)
+            return f"All {what}: {note[0].lower()}{note[1:]}"
+        if one is None or self.kind is not TransformKind.MOVE:
+            return note
+        return f"{note} · {words.point_at(one[1], self._moved(self._way(pointer)))}"
+
+    def _amount_at(self, pointer: Pointer) -> str:
+        """Return the amount in words; while one is typed that is no number yet, with that."""
+        mark = f" ({self.typed.unfinished}…)" if self.typed.unfinished else ""
         if self.kind is TransformKind.ROTATE:
-            return f"Rotate {words.angle(self._degrees(pointer))}{self._cursor_mark()}"
+            return f"{words.angle(self._degrees(pointer))}{mark}"
+        if self.typed.is_pair:
+            return self.typed.told("0" if self.kind is TransformKind.MOVE else "1")
         along = "" if self.axis is None else f" along {'xy'[self.axis]}"
         if self.kind is TransformKind.SCALE:
-            return f"Scale {words.number(self._factor(pointer))}{along}{self._cursor_mark()}"
+            return f"{words.number(self._factor(pointer))}{along}{mark}"
         by = self._way(pointer)
-        amount = words.vector(by) if self.axis is None else words.number(by[self.axis])
-        note = f"Move {amount}{along}{self._cursor_mark()}"
-        one = self.group.only_node
-        return note if one is None else f"{note} · {words.point_at(one[1], self._moved(by))}"
+        return f"{words.vector(by) if self.axis is None else words.number(by[self.axis])}{along}{mark}"
 
     def _moved(self, by: Vector) -> Vector:
         curve, index = self.grip
@@ -99,46 +119,46 @@ class Transform(msgspec.Struct, frozen=True):
         """Return where the node is that is moved, None while nodes are scaled or rotated."""
         return self._moved(self._way(pointer)) if self.kind is TransformKind.MOVE else None
 
-    def _cursor_mark(self) -> str:
-        """Tell what has been typed where it is no number yet."""
-        unfinished = self.typed and _amount(self.typed) is None
-        return f" ({self.typed.replace('-', '−')}…)" if unfinished else ""
-
     def document_at(self, pointer: Pointer) -> Document:
         """Transform by the whole amount since the beginning."""
         if self.kind is TransformKind.MOVE:
-            if self.typed:
+            if self.typed.counts:
                 self.magnet.release()
                 return moved(self.document, self.group, self._way(pointer))
             return self._move().document_at(pointer)
         if self.kind is TransformKind.ROTATE:
             by = rotation(self._degrees(pointer), self.centre)
         else:
-            factor = self._factor(pointer)
-            x, y = (1.0 if self.axis == other else factor for other in (1, 0))
-            by = scaling(x, y, self.centre)
+            by = scaling(*self._factors(pointer), self.centre)
         return mapped(self.document, self.group, by)
 
     def _move(self) -> MovePoints:
         return MovePoints(self.document, self.group, self.start, self.magnet, self.grip, self.axis)
 
     def _way(self, pointer: Pointer) -> Vector:
-        if not self.typed:
+        if not self.typed.counts:
             return self._move().way_at(pointer)[0]
-        amount = _amount(self.typed) or 0.0
+        if self.typed.is_pair:
+            return self.typed.pair(0.0)
+        amount = self.typed.number(0.0)
         return (0.0, amount) if self.axis == 1 else (amount, 0.0)
 
+    def _factors(self, pointer: Pointer) -> Vector:
+        if self.typed.is_pair:
+            return self.typed.pair(1.0)
+        factor = self._factor(pointer)
+        return (1.0 if self.axis == 1 else factor, 1.0 if self.axis == 0 else factor)
+
     def _factor(self, pointer: Pointer) -> float:
-        if self.typed:
-            amount = _amount(self.typed)
-            return 1.0 if amount is None else amount
+        if self.typed.counts:
+            return self.typed.number(1.0)
         arm = max(math.dist(self.start, self.centre), _LEAST_ARM / pointer.scale)
         grown = math.dist(pointer.position, self.centre) - math.dist(self.start, self.centre)
         return 1.0 + grown / arm
 
     def _degrees(self, pointer: Pointer) -> float:
-        if self.typed:
-            return _amount(self.typed) or 0.0
+        if self.typed.counts:
+            return self.typed.number(0.0)
         first, now = (_direction(self.centre, place) for place in (self.start, pointer.position))
         turned = (now - first + 180.0) % 360.0 - 180.0
         return 15.0 * round(turned / 15.0) if pointer.shift else turned
@@ -146,15 +166,6 @@ class Transform(msgspec.Struct, frozen=True):
 
 def _direction(centre: Vector, place: Vector) -> float:
     return math.degrees(math.atan2(place[1] - centre[1], place[0] - centre[0]))
-
-
-def _amount(typed: str) -> float | None:
-    """Return the number typed, None while it is none yet ("−", ".")."""
-    try:
-        value = float(typed)
-    except ValueError:
-        return None
-    return value if math.isfinite(value) else None
 
 
 class ModalTransform:
@@ -190,7 +201,7 @@ class ModalTransform:
         self._transform = None
 
     def key(self, key: str) -> bool:
-        """Take a key: a digit, ".", "-", "x", "y", "g", "s", "r", "backspace" or "enter"."""
+        """Take a key: a digit, ".", "-", "tab", "x", "y", "g", "s", "r", "backspace" or "enter"."""
         now, last = self.now, self.last
         if now is None or last is None:
             return False
@@ -207,16 +218,13 @@ class ModalTransform:
     def _change(self, now: Transform, key: str) -> Callable[[], Transform] | None:
         kinds = {"g": TransformKind.MOVE, "s": TransformKind.SCALE, "r": TransformKind.ROTATE}
         if key in kinds:
-            return lambda: replace(now, kind=kinds[key], typed="")
-        if key in ("x", "y") and now.kind is not TransformKind.ROTATE:
+            return lambda: replace(now, kind=kinds[key], typed=TypedAmount())
+        if key in ("x", "y", "tab") and now.kind is TransformKind.ROTATE:
+            return None
+        if key in ("x", "y"):
             axis = "xy".index(key)
-            return lambda: replace(now, axis=None if now.axis == axis else axis)
-        if key == "backspace":
-            return lambda: replace(now, typed=now.typed[:-1])
-        if key == "-":
-            # A minus sign turns the amount round, wherever it is typed.
-            turned = now.typed[1:] if now.typed.startswith("-") else f"-{now.typed}"
-            return lambda: replace(now, typed=turned)
-        if (key == "." and "." not in now.typed) or (len(key) == 1 and key in "0123456789"):
-            return lambda: replace(now, typed=now.typed + key)
-        return None
+            return lambda: replace(now, axis=None if now.axis == axis else axis, typed=now.typed.joined(axis))
+        if key == "tab":
+            return lambda: replace(now, axis=None, typed=now.typed.after_tab(now.axis))
+        typed = now.typed.after(key)
+        return (lambda: replace(now, typed=typed)) if typed is not None else None

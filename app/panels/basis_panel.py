@@ -170,7 +170,7 @@ class BasisPanel(BasisPlot):
     def keyPressEvent(self, event: QKeyEvent) -> None:
         if event.key() == Qt.Key.Key_E and not event.modifiers():
             # The repeats count, too: the press may have gone to another widget, before the mouse came here.
-            self._ripple_down = True
+            self._set_ripple(down=True)
             event.accept()
         elif (event.key() == Qt.Key.Key_Escape and self.cancel_gesture()) or self._nudge(event):
             event.accept()
@@ -192,9 +192,15 @@ class BasisPanel(BasisPlot):
 
     def keyReleaseEvent(self, event: QKeyEvent) -> None:
         if event.key() == Qt.Key.Key_E and not event.isAutoRepeat():
-            self._ripple_down = False
+            self._set_ripple(down=False)
         super().keyReleaseEvent(event)
 
     def focusOutEvent(self, event: QFocusEvent) -> None:
-        self._ripple_down = False
+        self._set_ripple(down=False)
         super().focusOutEvent(event)
+
+    def _set_ripple(self, *, down: bool) -> None:
+        """Note whether E is down, and show at once what it changes of a drag in flight."""
+        was_down, self._ripple_down = self._ripple_down, down
+        if down != was_down and self.is_dragging:
+            self._move_again()

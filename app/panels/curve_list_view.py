@@ -305,6 +305,9 @@ class CurveListView(QListView):
     # Keys
 
     def event(self, event: QEvent) -> bool:
+        if event.type() == QEvent.Type.WindowBlocked and self.is_dragging:
+            # A dialog takes the mouse, and the release with it.
+            self._end_drag()
         # Escape takes back a drag, and F2 renames, before they are the window's.
         if (
             isinstance(event, QKeyEvent)

@@ -143,6 +143,11 @@ class PlotCanvas(PlotOverT):
 
     # Gestures
 
+    @property
+    def is_dragging(self) -> bool:
+        """Whether a gesture is in flight."""
+        return self._tool.is_pressed
+
     def cancel_gesture(self) -> bool:
         """Drop the gesture in flight; return whether there was one."""
         return self._tool.cancel()

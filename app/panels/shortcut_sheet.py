@@ -127,9 +127,8 @@ _GESTURES = (
     ),
     _Gesture(
         "Moving, scaling, rotating",
-        "X or Y locks an axis, digits type the amount, Enter ends",
-        selected=True,
-        curves=True,
+        "G, S, R: what is selected, else all points. X or Y locks an axis, digits type the amount, "
+        "Tab (or ;) goes from x to y, Enter ends",
     ),
     _Gesture("Alt+drag a point", "pull out its velocity", needs_derivatives=True),
     _Gesture(
@@ -155,7 +154,7 @@ _GESTURES = (
     _Gesture("Click a basis function", "select its point"),
     _Gesture("Drag, measuring", "distance and angle; Shift: 15° steps; Escape puts it away"),
     _Gesture("Drag, moving the image", "move it, or scale it by a corner; arrow keys nudge it"),
-    _Gesture("Click another curve", "edit it", adding=False),
+    _Gesture("Press another curve", "edit it; drag to bend it or move a point", adding=False),
     _Gesture("Shift+click another curve", "choose it too, or no longer", adding=False),
     _Gesture("Ctrl+click, Shift+click, Ctrl+A", "in the list of curves: choose several"),
     _Gesture("Right button, Menu key", "what can be done there"),

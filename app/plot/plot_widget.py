@@ -5,6 +5,7 @@ pyqtgraph's own mouse layer is bypassed (it throttles moves and tests every item
 
 from __future__ import annotations
 
+from msgspec.structs import replace
 from PySide6.QtCore import QEvent, QPointF, Qt
 from PySide6.QtGui import QContextMenuEvent, QEnterEvent, QFocusEvent, QKeyEvent, QMouseEvent, QWheelEvent
 from PySide6.QtWidgets import QWidget
@@ -16,6 +17,15 @@ from app.plot.panning import Panning
 ZOOM_STEP = 1.2
 """Zoom factor of one notch of the wheel."""
 
+_MODIFIERS = {Qt.Key.Key_Shift: "shift", Qt.Key.Key_Control: "ctrl", Qt.Key.Key_Alt: "alt"}
+"""Keys that change what a gesture does, and which part of a pointer tells."""
+
+_FLAGS = {
+    "shift": Qt.KeyboardModifier.ShiftModifier,
+    "ctrl": Qt.KeyboardModifier.ControlModifier,
+    "alt": Qt.KeyboardModifier.AltModifier,
+}
+
 
 class PlotWidget(LayeredPlot):
     """A plot with wheel zoom and panning, on which a subclass builds its gestures."""
@@ -24,6 +34,9 @@ class PlotWidget(LayeredPlot):
         super().__init__(parent)
         self._panning = Panning(self)
         self._menu_refused = False
+        # Where the mouse was heard of last, None once it has left; and whether its left button was down.
+        self._hand: Pointer | None = None
+        self._is_held = False
         self.setMouseTracking(True)
         self.viewport().setMouseTracking(True)
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
@@ -82,7 +95,8 @@ class PlotWidget(LayeredPlot):
                 return
         self.setFocus(Qt.FocusReason.MouseFocusReason)
         if not self._panning.press(event) and event.button() == Qt.MouseButton.LeftButton:
-            self.pressed(self.pointer_at(event))
+            self._hand, self._is_held = self.pointer_at(event), True
+            self.pressed(self._hand)
         event.accept()
 
     def contextMenuEvent(self, event: QContextMenuEvent) -> None:
@@ -97,16 +111,64 @@ class PlotWidget(LayeredPlot):
 
     def mouseMoveEvent(self, event: QMouseEvent) -> None:
         if not self._panning.move(event):
+            self._hand = self.pointer_at(event)
             if event.buttons() & Qt.MouseButton.LeftButton:
-                self.moved(self.pointer_at(event))
+                self.moved(self._hand)
             elif not event.buttons():
-                self.hovered_at(self.pointer_at(event))
+                if self._is_held:
+                    # The release went elsewhere: to a list that a key has opened, for instance.
+                    self._let_go()
+                self.hovered_at(self._hand)
         event.accept()
 
     def mouseReleaseEvent(self, event: QMouseEvent) -> None:
         if not self._panning.release() and event.button() == Qt.MouseButton.LeftButton:
-            self.released(self.pointer_at(event))
+            self._hand, self._is_held = self.pointer_at(event), False
+            self.released(self._hand)
         event.accept()
+
+    def event(self, event: QEvent) -> bool:
+        if event.type() == QEvent.Type.WindowBlocked:
+            # A dialog takes the mouse, and the release with it.
+            self._let_go()
+        if (
+            event.type() == QEvent.Type.ShortcutOverride
+            and isinstance(event, QKeyEvent)
+            and self.is_dragging
+            and Qt.Key(event.key()) in _MODIFIERS
+        ):
+            # Else Alt alone, let go, would go to the menu bar and take the keys along.
+            event.accept()
+            return True
+        return bool(super().event(event))
+
+    def _let_go(self) -> None:
+        """Drop what the mouse is doing here, panning too."""
+        self._is_held = False
+        self._panning.forget_key()
+        self._panning.release()
+        if self.is_dragging:
+            self.cancel_gesture()
+
+    def _hear_modifier(self, event: QKeyEvent, *, down: bool) -> None:
+        name = _MODIFIERS.get(Qt.Key(event.key()))
+        if name is None or event.isAutoRepeat() or self._hand is None:
+            return
+        held = event.modifiers()
+        now = {each: bool(held & _FLAGS[each]) for each in _FLAGS} | {name: down}
+        self._hand = replace(self._hand, **now)
+        self._move_again()
+
+    def _move_again(self) -> None:
+        """Go on as if the pointer had moved to where it is: another key is held, or the view has moved."""
+        if self._hand is None or self._panning.is_active:
+            return
+        shown, pixel = self.pixel_map, self._hand.pixel
+        self._hand = replace(self._hand, position=shown.plane(*pixel), scale=shown.sx)
+        if self.is_dragging:
+            self.moved(self._hand)
+        elif not self._is_held:
+            self.hovered_at(self._hand)
 
     def wheelEvent(self, event: QWheelEvent) -> None:
         notches = event.angleDelta().y() / 120
@@ -116,16 +178,20 @@ class PlotWidget(LayeredPlot):
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         self._panning.hear_key(event, down=True)
+        self._hear_modifier(event, down=True)
         event.ignore()
 
     def keyReleaseEvent(self, event: QKeyEvent) -> None:
         self._panning.hear_key(event, down=False)
+        self._hear_modifier(event, down=False)
         event.ignore()
 
     def enterEvent(self, event: QEnterEvent) -> None:
         event.accept()
 
     def leaveEvent(self, event: QEvent) -> None:
+        if not self.is_dragging:
+            self._hand = None
         self.left()
         event.accept()
 

@@ -176,7 +176,7 @@ def test_shift_click_on_another_curve_chooses_it_too(five):
     five.select([1, 2])
     at = on_curve(five, 3)
     five.hover(at)
-    assert five.window.status_line.hint == "Click to edit “D” · Shift+click: choose it too"
+    assert five.window.status_line.hint.startswith("Click to edit “D”, drag to bend it or move a point")
     five.click(at, keys=SHIFT)
     assert chosen(five) == "BD"
     assert five.session.selection == frozenset()
@@ -402,11 +402,15 @@ def test_shift_keeps_the_drag_to_an_axis(five):
     assert chosen(five) == "BD"
 
 
-def test_dragging_a_curve_that_is_not_chosen_moves_nothing(five):
+def test_dragging_a_curve_that_is_not_chosen_bends_that_one_alone(five):
     before = five.session.document
     choose(five, "BD")
-    five.drag(on_curve(five, 4), (2, 9))
-    assert five.session.document is before
+    x, y = on_curve(five, 4)
+    five.drag((x, y), (x, y + 0.5))
+    assert step_name(five).startswith("Bend")
+    assert chosen(five) == "E"
+    now = five.session.document
+    assert [now.curves[at] is before.curves[at] for at in range(5)] == [True, True, True, True, False]
 
 
 def test_bending_and_points_of_the_edited_curve_work_as_ever(five):

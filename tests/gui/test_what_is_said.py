@@ -291,7 +291,7 @@ def test_redoing_an_image_leaves_the_tab_in_front(pair, tmp_path):
 def test_a_click_edits_another_curve_and_says_so(pair):
     place = tuple(pair.session.views[0].curve.evaluate(0.5))
     pair.hover(place)
-    assert pair.status == "Click to edit “A” · Shift+click: choose it too"
+    assert pair.status.startswith("Click to edit “A”, drag to bend it or move a point")
     pair.click(place)
     assert pair.session.active_index == 0
     assert pair.status == "Editing “A” now."

@@ -1,0 +1,165 @@
+"""Gestures that a dialog, a list or another tool interrupts: nothing of them stays behind."""
+
+from __future__ import annotations
+
+import pytest
+from PySide6.QtCore import QEvent, QPointF, Qt, QTimer
+from PySide6.QtGui import QColor, QImage
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QApplication, QMessageBox
+
+from app.document.model import Document, Family, make_curve
+from app.panels.command_palette import CommandPalette
+
+CTRL = Qt.KeyboardModifier.ControlModifier
+Key = Qt.Key
+POINTS = ((0.0, 0.0), (1.0, 2.0), (3.0, 2.0), (4.0, 0.0))
+
+
+@pytest.fixture
+def arch(editor):
+    """Four points of an arch, not saved."""
+    editor.session.commit(Document((make_curve(POINTS, family=Family.HERMITE),)), "Begin")
+    editor.window.canvas.show_box((-3, 7), (-3, 5))
+    editor.settle()
+    return editor
+
+
+def begin(editor, what):
+    """Begin a gesture on the canvas."""
+    if what == "transform":
+        editor.select([1, 2])
+        editor.hover((0, 3))
+        editor.key(Key.Key_G)
+        editor.move((1, 4), held=False)
+        return
+    start = {"point": editor.point(1), "band": (-1, 3)}.get(what, (5, 1))
+    if what in ("pen", "measure"):
+        editor.trigger({"pen": "addTool", "measure": "measureTool"}[what])
+    editor.press(start)
+    editor.move((start[0] + 0.7, start[1] + 0.9))
+
+
+def ask_to_save(editor, widget=None):
+    """Press Ctrl+N, as the person does, and cancel what it asks."""
+    asked = []
+
+    def answer():
+        box = editor.window.findChild(QMessageBox, "saveChanges")
+        asked.append(editor.status)
+        box.button(QMessageBox.StandardButton.Cancel).click()
+
+    QTimer.singleShot(0, answer)
+    QTest.keyClick(widget or editor.window.canvas, Key.Key_N, CTRL)
+    editor.settle()
+    assert len(asked) == 1
+    assert QApplication.activeModalWidget() is None
+    return asked[0]
+
+
+@pytest.mark.parametrize("what", ["point", "band", "pen", "measure", "transform"])
+def test_a_dialog_takes_the_gesture_back(arch, what):
+    document, steps = arch.session.document, arch.session.undo_stack.count()
+    begin(arch, what)
+    assert arch.window.canvas.is_dragging
+    assert "Escape cancels" in arch.status or what == "measure"
+    assert "Escape cancels" not in ask_to_save(arch)
+    canvas = arch.window.canvas
+    assert not canvas.is_dragging
+    assert (arch.session.document, arch.session.undo_stack.count()) == (document, steps)
+    assert (canvas.overlay.band, canvas.overlay.ruler, canvas.overlay.note) == (None, None, None)
+    arch.trigger("selectTool")
+    arch.window.status_line.forget_said()
+    arch.hover(arch.point(2))
+    assert arch.status.startswith("Drag to move")
+    arch.drag_point(2, to=(3.5, 3))
+    assert arch.point(2) == pytest.approx((3.5, 3), abs=2 * arch.pixel)
+
+
+def test_a_dialog_takes_a_drag_of_the_picture_back(arch, tmp_path):
+    image = QImage(60, 80, QImage.Format.Format_RGB32)
+    image.fill(QColor("#ff0000"))
+    assert image.save(str(tmp_path / "red.png"))
+    arch.window.add_image(tmp_path / "red.png")
+    arch.trigger("moveImage")
+    before = arch.session.document.image
+    arch.press((before.x + before.width / 2, before.y + before.height / 2))
+    arch.move((before.x, before.y))
+    assert arch.session.document.image != before
+    ask_to_save(arch)
+    assert arch.session.document.image == before
+    assert not arch.window.canvas.is_dragging
+    arch.move((2, 2), held=False)
+    assert arch.session.document.image == before
+
+
+def test_a_dialog_takes_a_drag_of_a_tick_back(arch):
+    document, panel = arch.session.document, arch.window.basis_panel
+    start = panel.rail_pixel(arch.parameters[1])
+    arch.send(panel, QEvent.Type.MouseButtonPress, start)
+    arch.send(panel, QEvent.Type.MouseMove, start + QPointF(30, 0))
+    assert arch.session.document is not document
+    ask_to_save(arch, panel)
+    assert arch.session.document is document
+    assert not panel.is_dragging
+    arch.send(panel, QEvent.Type.MouseMove, start + QPointF(60, 0), held=False)
+    assert arch.session.document is document
+
+
+def test_a_dialog_ends_panning(arch):
+    canvas = arch.window.canvas
+    arch.hold_space()
+    arch.press((1, 1))
+    arch.move((2, 1))
+    ask_to_save(arch)
+    box = canvas.pixel_map.box
+    arch.move((3, 1), held=False)
+    assert canvas.pixel_map.box == box
+    arch.drag_point(1, to=(1.5, 3))
+    assert canvas.pixel_map.box == box
+    assert arch.point(1) == pytest.approx((1.5, 3), abs=2 * arch.pixel)
+
+
+def test_a_dialog_takes_the_drag_of_a_row_back(arch):
+    arch.trigger("duplicateCurve")
+    arch.show_dock("curvesDock")
+    document, view = arch.session.document, arch.window.curve_list.view
+    start, end = (view.row_rect(row).center() for row in (0, 1))
+    left = Qt.MouseButton.LeftButton
+    QTest.mousePress(view.viewport(), left, pos=start)
+    for place in (start, view.row_rect(1).bottomLeft(), end):
+        arch.send(view, QEvent.Type.MouseMove, place)
+    assert view.is_dragging
+    ask_to_save(arch, view)
+    assert not view.is_dragging
+    QTest.mouseRelease(view.viewport(), left, pos=end)
+    assert arch.session.document is document
+
+
+def test_a_list_that_a_key_opens_takes_the_release_but_leaves_no_gesture(arch):
+    document = arch.session.document
+    begin(arch, "band")
+    arch.trigger("commandPalette")
+    arch.window.findChild(CommandPalette).close()
+    arch.hover((2, 3))
+    assert not arch.window.canvas.is_dragging
+    assert arch.window.canvas.overlay.band is None
+    assert "Escape cancels" not in arch.status
+    assert arch.session.document is document
+
+
+@pytest.mark.parametrize(
+    ("what", "key"), [("pen", Key.Key_V), ("pen", Key.Key_M), ("pen", Key.Key_P), ("band", Key.Key_P)]
+)
+def test_another_tool_in_mid_drag_leaves_nothing_of_it(arch, what, key):
+    document = arch.session.document
+    begin(arch, what)
+    assert "Escape cancels" in arch.status
+    QTest.keyClick(arch.window.canvas, key)
+    arch.settle()
+    assert arch.session.document is document
+    assert arch.status == "Cancelled."
+    arch.move((5.5, 2))
+    arch.release((5.5, 2))
+    assert arch.session.document is document
+    assert "Escape cancels" not in arch.status

@@ -1,0 +1,225 @@
+"""G, S and R with nothing selected, and amounts typed for x and for y; real keys."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from PySide6.QtCore import QEvent, Qt
+from PySide6.QtGui import QKeyEvent
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QApplication, QLabel, QWidget
+
+from app.document.model import Document, Family, make_curve
+
+SHIFT = Qt.KeyboardModifier.ShiftModifier
+Key = Qt.Key
+POINTS = ((0.0, 0.0), (1.0, 2.0), (3.0, 2.0), (4.0, 0.0), (5.0, 1.0))
+
+
+@pytest.fixture
+def arch(editor):
+    """Five points, none selected."""
+    curves = (make_curve(POINTS, name="Arch"), make_curve([(0, -2), (4, -2)], name="Base"))
+    editor.session.commit(Document(curves), "Begin")
+    editor.window.canvas.show_box((-3, 7), (-3, 5))
+    editor.select([])
+    editor.hover((-1, 3))
+    return editor
+
+
+def points(editor):
+    return np.array([node.position for node in editor.curve.nodes])
+
+
+def undo_text(editor):
+    return editor.session.undo_stack.undoText()
+
+
+# Nothing selected
+
+
+@pytest.mark.parametrize(
+    ("key", "typed", "expected", "status", "name"),
+    [
+        (Key.Key_G, "2", np.add(POINTS, (2, 0)), "All 5 points: move 2, 0", "Move all 5 points"),
+        (Key.Key_S, "3", 3 * np.array(POINTS) - (5, 2), "All 5 points: scale 3", "Scale all 5 points"),
+        (Key.Key_R, "180", (5, 2) - np.array(POINTS), "All 5 points: rotate 180°", "Rotate all 5 points"),
+    ],
+)
+def test_with_nothing_selected_they_act_on_all_points(arch, key, typed, expected, status, name):
+    other = arch.session.document.curves[1]
+    arch.key(key)
+    arch.type_amount(typed)
+    assert arch.status.startswith(status)
+    assert "Escape cancels" in arch.status
+    assert arch.window.canvas.overlay.note.text == status
+    arch.key(Key.Key_Return)
+    assert points(arch) == pytest.approx(np.array(expected), abs=1e-12)
+    assert undo_text(arch) == name
+    assert arch.session.selection == frozenset()
+    assert arch.session.document.curves[1] is other
+    assert arch.curve.family is Family.LAGRANGE
+    arch.trigger("undo")
+    assert points(arch).tolist() == [list(each) for each in POINTS]
+
+
+@pytest.mark.parametrize("key", [Key.Key_G, Key.Key_S, Key.Key_R])
+def test_escape_takes_a_transform_of_all_points_back(arch, key):
+    document, steps = arch.session.document, arch.session.undo_stack.count()
+    arch.key(key)
+    arch.move((0.5, 4.5), held=False)
+    assert arch.session.document != document
+    assert arch.status.startswith("All 5 points: ")
+    arch.escape()
+    assert arch.session.document is document
+    assert arch.session.undo_stack.count() == steps
+    assert arch.session.selection == frozenset()
+    assert arch.status == "Cancelled."
+
+
+def test_the_pointer_moves_all_points_and_a_click_ends_it(arch):
+    arch.key(Key.Key_G)
+    arch.move((0, 2), held=False)
+    arch.click((0, 2))
+    assert points(arch) == pytest.approx(np.add(POINTS, (1, -1)), abs=2 * arch.pixel)
+    assert arch.session.selection == frozenset()
+
+
+def test_selected_points_come_first(arch):
+    arch.select([1, 2])
+    arch.key(Key.Key_G)
+    arch.type_amount("1")
+    assert arch.status.startswith("Move 1, 0")
+    arch.key(Key.Key_Return)
+    assert points(arch)[:, 0].tolist() == [0, 2, 4, 4, 5]
+
+
+def test_of_a_single_point_it_says_which(arch):
+    arch.session.commit(Document((make_curve([(1, 1)]),)), "One")
+    arch.key(Key.Key_G)
+    arch.type_amount("1")
+    assert arch.status.startswith("Move 1, 0 · Point 0 at 2, 1")
+    arch.key(Key.Key_Return)
+    assert (arch.point(0), undo_text(arch)) == ((2.0, 1.0), "Move point 0")
+
+
+def test_a_locked_or_empty_curve_says_so(arch):
+    arch.trigger("curveLocked")
+    document = arch.session.document
+    arch.key(Key.Key_G)
+    assert arch.status == "“Arch” is locked; unlock it in the list of curves to change it."
+    assert not arch.window.canvas.is_dragging
+    arch.trigger("newCurve")
+    arch.key(Key.Key_S)
+    assert arch.status == f"“{arch.curve.name}” has no points yet; press P to add some."
+    assert not arch.window.canvas.is_dragging
+    assert arch.session.document.curves[0] is document.curves[0]
+
+
+# A number for x and one for y
+
+
+# Keys, what is typed, how the status begins, and where point 1 ends.
+TYPED = [
+    (Key.Key_G, "1\t2", "Move x 1, y 2| · typing y · Tab: x", (2, 4)),
+    (Key.Key_G, "1;2", "Move x 1, y 2|", (2, 4)),
+    (Key.Key_G, "1,5\t-,25", "Move x 1.5, y −.25|", (2.5, 1.75)),
+    (Key.Key_G, "\t2", "Move x 0, y 2|", (1, 4)),
+    (Key.Key_G, "1\t", "Move x 1, y |", (2, 2)),
+    (Key.Key_G, "1\t2\t5", "Move x 15|, y 2 · typing x · Tab: y", (16, 4)),
+    (Key.Key_G, "1\t-", "Move x 1, y −|", (2, 2)),
+    (Key.Key_G, "y3\t1", "Move x 1|, y 3", (2, 5)),
+    (Key.Key_G, "x3\t1", "Move x 3, y 1|", (4, 3)),
+    (Key.Key_G, "3\t1y", "Move 1 along y", (1, 3)),
+    (Key.Key_G, "3\t1x", "Move 3 along x", (4, 2)),
+    (Key.Key_G, "3y", "Move 3 along y", (1, 5)),
+    (Key.Key_S, "2\t3", "Scale x 2, y 3|", (0, 4)),
+    (Key.Key_S, "2\t", "Scale x 2, y |", (0, 2)),
+    (Key.Key_S, "\t3", "Scale x 1, y 3|", (1, 4)),
+    (Key.Key_S, "2", "Scale 2", (0, 3)),
+    (Key.Key_R, "9\t0", "Rotate 90°", (1, 0)),
+]
+
+
+@pytest.mark.parametrize("key", [Key.Key_G, Key.Key_S, Key.Key_R])
+def test_tab_goes_from_x_to_y(arch, key):
+    """Points 1 and 3, at (1, 2) and (3, 0), are worked on; they are scaled and turned about (2, 1)."""
+    four = Document((make_curve([(0, 0), (1, 2), (2, 3), (3, 0)]),))
+    for typed, status, second in (case[1:] for case in TYPED if case[0] == key):
+        arch.session.commit(four, "Four")
+        arch.select([1, 3])
+        arch.key(key)
+        arch.type_amount(typed)
+        assert arch.status.startswith(status)
+        arch.key(Key.Key_Return)
+        assert arch.point(1) == pytest.approx(second, abs=1e-12), typed
+        assert arch.session.selection == {1, 3}
+
+
+def test_both_numbers_can_be_mended_and_given_up(arch):
+    arch.select([1])
+    arch.key(Key.Key_G)
+    arch.type_amount("12\t34")
+    for expected in ("Move x 12, y 3|", "Move x 12, y |", "Move 12, 0", "Move 1, 0"):
+        arch.key(Key.Key_Backspace)
+        assert arch.status.startswith(expected)
+    arch.key(Key.Key_Tab, SHIFT)
+    assert arch.status.startswith("Move x 1, y |")
+    arch.key(Key.Key_Tab, SHIFT)
+    assert arch.status.startswith("Move x 1|, y 0")
+    arch.key(Key.Key_S)
+    assert arch.status.startswith("Scale 1 ")
+    arch.escape()
+    assert points(arch).tolist() == [list(each) for each in POINTS]
+
+
+def test_a_semicolon_above_the_comma_counts_too(arch):
+    arch.select([1])
+    arch.key(Key.Key_G)
+    arch.type_amount("1")
+    canvas = arch.window.canvas
+    for kind in (QEvent.Type.KeyPress, QEvent.Type.KeyRelease):
+        QApplication.sendEvent(canvas, QKeyEvent(kind, Key.Key_Semicolon, SHIFT, ";"))
+    arch.type_amount("2")
+    arch.key(Key.Key_Return)
+    assert arch.point(1) == (2, 4)
+
+
+def test_the_pointer_counts_no_longer_once_two_numbers_are_typed(arch):
+    arch.select([1])
+    arch.key(Key.Key_G)
+    arch.type_amount("1\t2")
+    arch.move((3, 4), held=False)
+    assert arch.point(1) == (2, 4)
+    arch.escape()
+    assert arch.point(1) == (1, 2)
+
+
+def test_tab_walks_the_points_again_afterwards(arch):
+    arch.select([1])
+    arch.key(Key.Key_G)
+    arch.type_amount("1\t2")
+    arch.key(Key.Key_Return)
+    QTest.keyClick(arch.window.canvas, Key.Key_Tab)
+    assert arch.session.selection == {2}
+
+
+def test_it_is_told_where_the_other_keys_are(arch):
+    arch.key(Key.Key_G)
+    assert "type a number, or x Tab y" in arch.status
+    arch.escape()
+    assert "Tab" in arch.action("moveSelection").toolTip()
+    assert "Tab" in arch.action("scaleSelection").toolTip()
+    arch.trigger("showShortcuts")
+    sheet = arch.window.findChild(QWidget, "shortcutSheet")
+    assert any("Tab (or ;) goes from x to y" in label.text() for label in sheet.findChildren(QLabel))
+
+
+def test_while_the_picture_is_moved_it_says_so(arch, tmp_path):
+    image = arch.window.grab()
+    assert image.save(str(tmp_path / "shot.png"))
+    arch.window.add_image(tmp_path / "shot.png")
+    arch.trigger("moveImage")
+    arch.key(Key.Key_G)
+    assert arch.status == "The image is being moved now; Escape goes back to the points."
+    assert not arch.window.canvas.is_dragging
