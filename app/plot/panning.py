@@ -17,6 +17,7 @@ class Panning:
     def __init__(self, plot: LayeredPlot) -> None:
         self._plot = plot
         self._from: QPointF | None = None
+        self._button = Qt.MouseButton.MiddleButton
         self._space_down = False
 
     @property
@@ -34,8 +35,8 @@ class Panning:
         means_it = event.button() == Qt.MouseButton.MiddleButton or (
             event.button() == Qt.MouseButton.LeftButton and self._space_down
         )
-        if means_it:
-            self._from = event.position()
+        if means_it and not self.is_active:
+            self._from, self._button = event.position(), event.button()
             self._plot.viewport().setCursor(Qt.CursorShape.ClosedHandCursor)
         return means_it
 
@@ -48,13 +49,18 @@ class Panning:
         self._plot.pan(moved.x(), moved.y())
         return True
 
-    def release(self) -> bool:
-        """End; return whether the drawing followed the mouse."""
-        was_active = self.is_active
-        if was_active:
+    def release(self, event: QMouseEvent) -> bool:
+        """End, if the button that began it is let go; return whether it is."""
+        ends = self.is_active and event.button() == self._button
+        if ends:
+            self.stop()
+        return ends
+
+    def stop(self) -> None:
+        """End, if it is going on."""
+        if self.is_active:
             self._from = None
             self._show_cursor()
-        return was_active
 
     def hear_key(self, event: QKeyEvent, *, down: bool) -> None:
         """Note whether Space is down."""

@@ -94,6 +94,8 @@ class PlotWidget(LayeredPlot):
                 event.accept()
                 return
         self.setFocus(Qt.FocusReason.MouseFocusReason)
+        if self._is_held and event.button() == Qt.MouseButton.LeftButton:
+            self._let_go()  # the release was never heard of
         if not self._panning.press(event) and event.button() == Qt.MouseButton.LeftButton:
             self._hand, self._is_held = self.pointer_at(event), True
             self.pressed(self._hand)
@@ -122,7 +124,8 @@ class PlotWidget(LayeredPlot):
         event.accept()
 
     def mouseReleaseEvent(self, event: QMouseEvent) -> None:
-        if not self._panning.release() and event.button() == Qt.MouseButton.LeftButton:
+        # A drag with the left button ends with it, also while the middle one pans.
+        if not self._panning.release(event) and event.button() == Qt.MouseButton.LeftButton:
             self._hand, self._is_held = self.pointer_at(event), False
             self.released(self._hand)
         event.accept()
@@ -146,7 +149,7 @@ class PlotWidget(LayeredPlot):
         """Drop what the mouse is doing here, panning too."""
         self._is_held = False
         self._panning.forget_key()
-        self._panning.release()
+        self._panning.stop()
         if self.is_dragging:
             self.cancel_gesture()
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 from PySide6.QtCore import QEvent, QPointF, Qt, QTimer
-from PySide6.QtGui import QColor, QImage
+from PySide6.QtGui import QColor, QImage, QMouseEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QMessageBox
 
@@ -163,3 +163,41 @@ def test_another_tool_in_mid_drag_leaves_nothing_of_it(arch, what, key):
     arch.release((5.5, 2))
     assert arch.session.document is document
     assert "Escape cancels" not in arch.status
+
+
+# Two buttons
+
+
+def mouse(editor, kind, at, button, held):
+    """One mouse event on the canvas, as the window system reports it."""
+    canvas = editor.window.canvas
+    pixel = QPointF(canvas.to_pixel(*at))
+    place = canvas.viewport().mapToGlobal(pixel)
+    keys = Qt.KeyboardModifier.NoModifier
+    QApplication.sendEvent(canvas.viewport(), QMouseEvent(kind, pixel, place, button, held, keys))
+
+
+def test_a_drag_ends_with_its_own_button_while_the_middle_one_pans(editor):
+    left, middle, none = Qt.MouseButton.LeftButton, Qt.MouseButton.MiddleButton, Qt.MouseButton.NoButton
+    start = editor.point(1)
+    there = (start[0] + 0.5, start[1] + 0.5)
+    editor.press(start)
+    editor.move(there)
+    mouse(editor, QEvent.Type.MouseButtonPress, there, middle, left | middle)
+    mouse(editor, QEvent.Type.MouseButtonRelease, there, left, middle)
+    assert not editor.window.canvas.is_dragging
+    assert editor.session.undo_stack.undoText() == "Move point 1"
+    mouse(editor, QEvent.Type.MouseButtonRelease, there, middle, none)
+    moved = editor.point(1)
+    editor.drag_point(2, to=(3.0, 2.0))
+    assert editor.point(1) == moved
+
+
+def test_a_press_after_a_release_that_was_never_heard_begins_anew(editor):
+    document = editor.session.document
+    start = editor.point(1)
+    editor.press(start)
+    editor.move((start[0] + 0.5, start[1] + 0.5))
+    editor.press(editor.window.canvas.pixel_map.plane(20, 20))
+    assert editor.session.document is document
+    editor.escape()
