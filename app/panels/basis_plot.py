@@ -8,6 +8,7 @@ from PySide6.QtWidgets import QWidget
 
 from app.panels.basis_layers import FunctionLayer, RailLayer, rail_height
 from app.panels.plot_over_t import PlotOverT
+from app.plot.layered_plot import GREATEST_SPAN
 from app.theme import LIGHT
 from app.view_model.basis_view import BasisView, basis_view
 from app.view_model.curve_view import CurveView
@@ -121,11 +122,14 @@ class BasisPlot(PlotOverT):
         return rule.start, rule.end
 
     def fit_values(self) -> None:
-        """Show the functions from their least to their greatest value."""
+        """Show the functions from their least to their greatest value, as far as an axis reaches."""
         if self._basis is not None:
             low, high = self._basis.extent(self._functions.kinds)
+            most = 0.5 * GREATEST_SPAN / (1.0 + self._rail_share())
+            low, high = max(low, -most), min(high, most)
             margin = 0.05 * (high - low)
-            self._values = (min(low - margin, _CALM_RANGE[0]), max(high + margin, _CALM_RANGE[1]))
+            low, high = min(low - margin, _CALM_RANGE[0]), max(high + margin, _CALM_RANGE[1])
+            self._values = (max(low, -most), min(high, most))
             self._show_values()
 
     def calm_values(self) -> None:
@@ -136,11 +140,13 @@ class BasisPlot(PlotOverT):
     def _show_values(self) -> None:
         """Map the range of values to the part of the plot area above the rail."""
         low, high = self._values
-        height = self.getViewBox().rect().height()
-        rail = rail_height(self._rail.scale)
-        share = rail / max(height - rail, 1.0)
-        self.getViewBox().setYRange(low - share * (high - low), high, padding=0)
+        self.getViewBox().setYRange(low - self._rail_share() * (high - low), high, padding=0)
         self._report_extent()
+
+    def _rail_share(self) -> float:
+        """Return the height of the rail as a share of what is left for the functions."""
+        rail, height = rail_height(self._rail.scale), float(self.getViewBox().rect().height())
+        return rail / max(height - rail, 1.0)
 
     def _report_extent(self) -> None:
         extent = self._basis.extent(self._functions.kinds) if self._basis is not None else None
