@@ -84,7 +84,7 @@ def test_a_curve_that_comes_in_from_outside_the_box_is_noticed():
 
 @pytest.mark.parametrize("n", [3, 4, 6, 9])
 def test_tips_that_move_along_their_own_line_are_followed_or_refused(n):
-    """Samples on the chords of their neighbours say nothing of tips between them: 3.3 tolerances were missed."""
+    """Samples on the chords of their neighbours say nothing of tips between them: 3.3 tolerances missed."""
     rng = np.random.default_rng(n)
     tolerance, followed = 1e-3, 0
     for _ in range(60):
