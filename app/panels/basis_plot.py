@@ -36,6 +36,7 @@ class BasisPlot(PlotOverT):
         self._view: CurveView | None = None
         self._basis: BasisView | None = None
         self._values: tuple[float, float] = _CALM_RANGE
+        self._held_domain: tuple[float, float] | None = None
         self._functions = self.dress(FunctionLayer(self, LIGHT))
         self._rail = self.dress(RailLayer(self, LIGHT))
         self.getViewBox().sigResized.connect(self._show_values)
@@ -50,7 +51,8 @@ class BasisPlot(PlotOverT):
         self._functions.render(self._basis)
         self._rail.render(self._basis)
         moved = self._basis is not None and (old is None or old.curve.domain != self._basis.curve.domain)
-        if (moved or not view.source.nodes) and not self.is_dragging:
+        was_held = self._held_domain is not None and self._domain() == self._held_domain
+        if (moved or not view.source.nodes) and not self.is_dragging and not was_held:
             self.fit_domain()
         self._report_extent()
 
@@ -111,6 +113,16 @@ class BasisPlot(PlotOverT):
             padding = _PADDING * (end - start)
             self.set_t_range(start - padding, end + padding)
         self._show_values()
+
+    def _hold_domain(self) -> None:
+        """Keep the interval in view as it is while a drag changes it: ticks must not run from the pointer."""
+        self._held_domain = self._domain()
+
+    def _let_go_of_domain(self) -> None:
+        """Show the whole interval if the drag that ends has changed it."""
+        held, self._held_domain = self._held_domain, None
+        if held is not None and self._domain() != held:
+            self.fit_domain()
 
     def _domain(self) -> tuple[float, float] | None:
         """Return the interval of t; without points that which the rule is going to span, else None."""
