@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 from msgspec.structs import replace
+from PySide6.QtCore import Qt
 
 from app.document.edits import EditError
 from app.document.kept_handles import stretched
@@ -106,3 +107,16 @@ def test_a_handle_on_an_interval_of_next_to_no_length_is_refused_in_words(opened
     editor.drag_handle((1.0, 0.5), kind)
     assert editor.curve.nodes == nodes
     assert "must" in editor.status
+
+
+@pytest.mark.parametrize("size", [1.0, 1e-100, 1e-200, 1e-300])
+def test_a_tiny_box_is_scaled_in_proportion(opened, size):
+    """The square of the way across it vanished below 1e-154: a warning of NumPy, and nothing moved."""
+    editor = opened(make_curve([(0, 0), (size, 2 * size), (3 * size, size)]))
+    editor.select([0, 1, 2])
+    x, y = editor.grip(1, 1)
+    way = 40 * editor.window.canvas.pixel_size
+    editor.drag((float(x), float(y)), (x + way, y + way), keys=Qt.KeyboardModifier.ShiftModifier)
+    factor = editor.point(2)[0] / (3 * size)
+    assert factor > 1.05
+    assert editor.point(1) == pytest.approx((factor * size, factor * 2 * size), rel=1e-9)
