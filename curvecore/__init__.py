@@ -28,7 +28,7 @@ bernstein_algebra   polynomials in Bernstein form: products, roots
 pieces              any curve as Bezier pieces of low degree
 geometry            curvature, box, inflections, extrema of curvature
 lengths             lengths within a bound, and the way back
-nearest_point       the nearest point of a curve
+nearest_point       the nearest point of a curve, of all or within a reach
 intersections       where a curve crosses itself
 continuity          jumps at the joints, and the class that follows
 exact               polynomials through data, in integers
@@ -98,7 +98,7 @@ if TYPE_CHECKING:
         equal_arc_length_parameters,
         parameter_at_length,
     )
-    from curvecore.nearest_point import Nearest, nearest
+    from curvecore.nearest_point import Nearest, NearestWithin, nearest
     from curvecore.operation_counts import OperationCounts, operation_counts
     from curvecore.rounding import (
         Method,
@@ -136,7 +136,7 @@ _ANALYSIS = {
         "speed",
     ],
     "intersections": ["SelfIntersections", "self_intersections"],
-    "nearest_point": ["Nearest", "nearest"],
+    "nearest_point": ["Nearest", "NearestWithin", "nearest"],
     "operation_counts": ["OperationCounts", "operation_counts"],
     "rounding": [
         "Method",
@@ -179,6 +179,7 @@ __all__ = [
     "LocalBasis",
     "Method",
     "Nearest",
+    "NearestWithin",
     "OperationCounts",
     "Pieces",
     "QuinticHermiteCurve",

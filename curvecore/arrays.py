@@ -225,11 +225,11 @@ def finite_number(value: float, name: str) -> float:
     return float(array)
 
 
-def tolerance_value(tolerance: float) -> float:
-    """Check a distance that an approximation may deviate: finite, above zero."""
-    value = finite_number(tolerance, "tolerance")
+def tolerance_value(tolerance: float, name: str = "tolerance") -> float:
+    """Check a distance, as an approximation may deviate: finite, above zero."""
+    value = finite_number(tolerance, name)
     if not value > 0.0:
-        raise CurveError(f"tolerance must be greater than 0, not {value}")
+        raise CurveError(f"{name} must be greater than 0, not {value}")
     return value
 
 

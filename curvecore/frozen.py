@@ -12,6 +12,7 @@ make necessary, which is why nothing can hide between them.
 from __future__ import annotations
 
 import numpy as np
+import numpy.typing as npt
 from numpy.typing import ArrayLike
 
 from curvecore.arrays import FloatArray, box_edges, tolerance_value
@@ -20,6 +21,8 @@ from curvecore.lagrange import LagrangeCurve
 from curvecore.left_out import LeftOut
 
 __all__ = ["FrozenFlattening"]
+
+ComplexArray = npt.NDArray[np.complex128]
 
 _FINER = 4.0  # of the tolerance: room for the curve to bend more before new samples are needed
 _MARGIN = 1.6  # on an estimate from one place for the whole of a piece
@@ -73,7 +76,7 @@ class FrozenFlattening:
         """
         if curve.domain != self._curve.domain or curve.degree > self._curve.degree:
             return None
-        with np.errstate(over="ignore", under="ignore", invalid="ignore"):
+        with np.errstate(over="ignore", under="ignore", invalid="ignore", divide="ignore"):
             points = self._samples(curve)
             deviation = self._deviation(points)
             if not np.isfinite(points).all() or np.any((deviation > self._tolerance) & (deviation < np.inf)):
@@ -137,9 +140,55 @@ class FrozenFlattening:
         deviation[:-1] = off / quotient
         deviation[1:] = np.maximum(deviation[1:], off * quotient)
         deviation *= 0.25 * _MARGIN
+        passed = _passed(points, quotient)
+        if passed is not None:
+            deviation += _MARGIN * passed
         if self._edges is not None:
             reach = np.maximum(np.append(off, 0.0), np.insert(off, 0, 0.0))[:, None]
+            if passed is not None:
+                reach += _MARGIN * passed[:, None]
             low = np.minimum(points[:-1], points[1:]) - reach
             high = np.maximum(points[:-1], points[1:]) + reach
             deviation[~may_enter(np.stack([low, high], axis=1), self._edges)] = np.inf
         return deviation
+
+
+def _passed(points: FloatArray, quotient: FloatArray) -> FloatArray | None:
+    """Estimate how far each piece passes an end of its chord and comes back; None where none does.
+
+    Samples along the chord show nothing of it. `quotient` says how much longer in t each piece but the first
+    is than the one before it.
+    """
+    # Complex numbers: one operation for both coordinates.
+    at = np.ascontiguousarray(points).view(np.complex128)[:, 0]
+    step = at[1:] - at[:-1]
+    onward = (step[1:] * step[:-1].conj()).real > 0.0
+    first = _passed_at_end(complex(step[0]), complex(step[1]), float(quotient[0]))
+    last = _passed_at_end(complex(step[-1]), complex(step[-2]), 1.0 / float(quotient[-1]))
+    if not (first or last) and onward.all():
+        return None
+    after = step[1:] / quotient
+    bend = (after - step[:-1]) * (2.0 / (1.0 + quotient))
+    way = np.where(onward, 0.0, _way_on((step[:-1] * quotient + after) / (1.0 + quotient), bend))
+    passed = np.zeros(len(step))
+    passed[:-1] = way
+    passed[1:] = np.maximum(passed[1:], way)
+    passed[0], passed[-1] = max(passed[0], first), max(passed[-1], last)
+    return passed
+
+
+def _passed_at_end(step: complex, following: complex, quotient: float) -> float:
+    """Return how far a curve first goes the other way, given the first steps from its end."""
+    change = (following / quotient - step) / (1.0 + quotient)
+    velocity = step - change
+    if (velocity * step.conjugate()).real > 0.0:
+        return 0.0
+    return float(_way_on(np.array([velocity]), np.array([2.0 * change]))[0])
+
+
+def _way_on(velocity: ComplexArray, bend: ComplexArray) -> FloatArray:
+    """Return how far a parabola goes on before it turns: (v . c'')**2 / (2 |c''|**3)."""
+    size = np.abs(bend)
+    along = (velocity * bend.conj()).real / size
+    way: FloatArray = np.where(size > 0.0, 0.5 * along * along / size, 0.0)
+    return way

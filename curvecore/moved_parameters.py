@@ -22,6 +22,8 @@ from curvecore.lagrange import LagrangeCurve
 __all__ = ["MovedParameters"]
 
 _MOST_MOVED = 4  # parameters, above which the saving is gone
+_LARGEST = 1e300
+_TINY = float(np.finfo(np.float64).tiny)
 
 
 class MovedParameters:
@@ -39,11 +41,16 @@ class MovedParameters:
         self._curve, self._parameters = curve, curve.parameters
         self._t = parameter_values(t).values
         self._basis = curve.basis(self._t)[:, :, 0]
+        sizes = np.abs(self._basis)
+        # At a parameter all functions but one are 0 in truth; elsewhere what is 0 has underflowed.
+        sizes[np.isin(self._t, self._parameters)] = 1.0
+        self._least, self._greatest = float(sizes.min(initial=1.0)), float(sizes.max(initial=1.0))
 
     def basis(self, curve: LagrangeCurve) -> FloatArray | None:
         """Return the basis functions of `curve`, shape (m, n, 1), as `LagrangeCurve.basis` does.
 
-        Returns None where `curve` has another number of parameters, or too many that moved.
+        Returns None where `curve` has another number of parameters, or too many that moved, and where values
+        are too large or too small to be made use of.
         """
         moved = self._moved(curve)
         if moved is None:
@@ -51,13 +58,23 @@ class MovedParameters:
         if not len(moved):
             return self._basis[:, :, None]
         with np.errstate(divide="ignore", invalid="ignore", over="ignore", under="ignore"):
-            ratio, weights = self._ratio(curve, moved), self._weights(curve, moved)
+            ratio, weights, own = (part(curve, moved) for part in (self._ratio, self._weights, self._own))
+            if not self._serves(weights):
+                return None
             values = self._basis * weights
             values *= ratio[:, None]
-            values[:, moved] *= self._own(curve, moved)
+            values[:, moved] *= own
             places, rows = self._rows_at_moved(curve, moved, weights)
-        values[places] = rows
-        return values[:, :, None]
+            values[places] = rows
+            # Looking at every value is dear; mostly the factors tell that none can be too large.
+            bound = self._greatest * np.abs(weights).max() * np.abs(ratio).max() * max(np.abs(own).max(), 1.0)
+            if bound < _LARGEST or np.abs(values).max() < _LARGEST:
+                return values[:, :, None]
+        return None
+
+    def _serves(self, weights: FloatArray) -> bool:
+        """Tell whether the values before were all in range, and stay so when they are weighed."""
+        return bool(self._greatest < _LARGEST and self._least * np.abs(weights).min() >= _TINY)
 
     def _moved(self, curve: LagrangeCurve) -> IntArray | None:
         if len(curve.parameters) != len(self._parameters):

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from typing import NamedTuple
 
 import numpy as np
 from msgspec.structs import replace
@@ -75,25 +76,42 @@ def _nearest_handle(
 def _on_curve(pixel: Vector, shown: PixelMap, view: CurveView, polyline: Polyline) -> Hit | None:
     if view.curve is None or not view.is_current or len(polyline.points) < 2:
         return None
-    segment, share, distance = nearest_on_polyline(shown.points(polyline.points), pixel)
-    if distance > CURVE_REACH:
+    nearest = Segments([shown.points(polyline.points)]).nearest(pixel)
+    if nearest is None or nearest.distance > CURVE_REACH:
         return None
-    t0, t1 = polyline.parameters[segment : segment + 2]
-    t = float(t0 + share * (t1 - t0))
+    t0, t1 = polyline.parameters[nearest.segment : nearest.segment + 2]
+    t = float(t0 + nearest.share * (t1 - t0))
     x, y = view.curve.evaluate(t)
     index = int(np.searchsorted(view.parameters, t))
     return Hit(Part.CURVE, max(index, 1), (float(x), float(y)), t=t)
 
 
-def nearest_on_polyline(points: Floats, pixel: Vector) -> tuple[int, float, float]:
-    """Return (segment, share of its length, distance) of the point of a polyline nearest to `pixel`."""
-    # Far away vertices would overflow when squared; beyond this nobody points at them.
-    points = np.clip(points, -1e9, 1e9)
-    start, along = points[:-1], np.diff(points, axis=0)
-    away = np.asarray(pixel) - start
-    squared = (along**2).sum(axis=1)
-    shares = np.clip((away * along).sum(axis=1) / np.where(squared > 0, squared, 1.0), 0.0, 1.0)
-    gaps = away - shares[:, None] * along
-    distances = np.hypot(gaps[:, 0], gaps[:, 1])
-    best = int(np.argmin(distances))
-    return best, float(shares[best]), float(distances[best])
+class Nearest(NamedTuple):
+    """The place of some segments that is nearest to a pixel: which one, share of its length, distance."""
+
+    segment: int
+    share: float
+    distance: float
+
+
+class Segments:
+    """Segments of polylines in pixels, numbered one polyline after the other: one pass finds the nearest."""
+
+    def __init__(self, polylines: Sequence[Floats]) -> None:
+        # Far away vertices would overflow when squared; beyond this nobody points at them.
+        clipped = [np.clip(points, -1e9, 1e9) for points in polylines]
+        self._starts = np.vstack([points[:-1] for points in clipped])
+        self._along = np.vstack([np.diff(points, axis=0) for points in clipped])
+        squared = (self._along**2).sum(axis=1)
+        self._squared = np.where(squared > 0, squared, 1.0)
+
+    def nearest(self, pixel: Vector) -> Nearest | None:
+        """Return what is nearest to `pixel`, the last where several are; None without segments."""
+        if not len(self._starts):
+            return None
+        away = np.asarray(pixel) - self._starts
+        shares = np.clip((away * self._along).sum(axis=1) / self._squared, 0.0, 1.0)
+        gaps = away - shares[:, None] * self._along
+        distances = np.hypot(gaps[:, 0], gaps[:, 1])
+        best = len(distances) - 1 - int(np.argmin(distances[::-1]))
+        return Nearest(best, float(shares[best]), float(distances[best]))

@@ -11,7 +11,7 @@ from PySide6.QtCore import QRectF, Qt, QTimer
 from PySide6.QtGui import QColor, QPainter, QPen, QPixmap
 
 from app.canvas.curve_layer import TOLERANCE
-from app.canvas.hit_test import CURVE_REACH
+from app.canvas.hit_test import CURVE_REACH, Segments
 from app.colours import curve_colour
 from app.document.model import Vector
 from app.gestures.pointer import Hit, Part
@@ -153,26 +153,16 @@ class _Outline:
 
     def __init__(self, views: Sequence[tuple[int, CurveView]], shown: PixelMap) -> None:
         self.shown = shown
-        # Far away vertices would overflow when squared; beyond this nobody points at them.
-        polylines = [np.clip(pixels_of(view, shown), -1e9, 1e9) for _, view in views]
-        self._starts = np.vstack([polyline[:-1] for polyline in polylines])
-        self._along = np.vstack([np.diff(polyline, axis=0) for polyline in polylines])
+        polylines = [pixels_of(view, shown) for _, view in views]
+        self._segments = Segments(polylines)
         self._places = np.repeat([place for place, _ in views], [len(each) - 1 for each in polylines])
-        squared = (self._along**2).sum(axis=1)
-        self._squared = np.where(squared > 0, squared, 1.0)
 
     def hit(self, pixel: Vector) -> Hit | None:
         """Return the curve within reach that is nearest."""
-        if not len(self._places):
+        nearest = self._segments.nearest(pixel)
+        if nearest is None or nearest.distance > CURVE_REACH:
             return None
-        away = np.asarray(pixel) - self._starts
-        shares = np.clip((away * self._along).sum(axis=1) / self._squared, 0.0, 1.0)
-        gaps = away - shares[:, None] * self._along
-        distances = np.hypot(gaps[:, 0], gaps[:, 1])
-        best = len(distances) - 1 - int(np.argmin(distances[::-1]))
-        if distances[best] > CURVE_REACH:
-            return None
-        return Hit(Part.OTHER_CURVE, int(self._places[best]), self.shown.plane(*pixel))
+        return Hit(Part.OTHER_CURVE, int(self._places[nearest.segment]), self.shown.plane(*pixel))
 
 
 def pixels_of(view: CurveView, shown: PixelMap) -> Floats:

@@ -12,6 +12,7 @@ from app.document.edits import EditError
 from app.document.model import Curve, Document, Parametrization
 from app.view_model.closing import with_closed
 from app.view_model.curve_view import CurveView, view_of
+from app.view_model.measure import is_kept
 from app.view_model.reshape import Reshaped, reversed_curve, with_point_inserted
 from app.view_model.split_join import joined, split
 
@@ -132,8 +133,7 @@ class CurveCommands:
                 f"Split {session.active_curve.name}",
                 lambda: _with_parts(session.document, index, first, others),
             ),
-            f"{'Split' if others else 'Opened'} at t = {t:.4g}: "
-            f"shape kept, largest change {done.residual:.2g}.",
+            f"{'Split' if others else 'Opened'} at t = {t:.4g}: {done.sentence}",
         )
 
     def _split(self) -> None:
@@ -167,7 +167,8 @@ class CurveCommands:
             active=index - (partner < index),
         )
         if made is not None:
-            session.say(f"Joined with “{name}”: shapes kept, largest change {made.residual:.2g}.")
+            shapes = "shapes kept" if is_kept(made.residual, (made.curve,)) else "the shapes are others"
+            session.say(f"Joined with “{name}”: {shapes}, largest change {made.residual:.2g}.")
 
     def _nearest_start(self) -> int | None:
         """Return the open visible curve whose start is nearest to the end of the active one."""

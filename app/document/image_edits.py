@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+
 from msgspec.structs import replace
 
 from app.document.edits import EditError, checked
@@ -61,4 +63,7 @@ def set_image_locked(document: Document, locked: bool) -> Document:
 def set_image_file(document: Document, path: str, aspect: float) -> Document:
     """Show another file at the same place; `aspect` is its width over its height."""
     image = _image(document)
-    return replace(document, image=replace(image, path=path, height=image.width / aspect))
+    if not 0.0 < aspect < math.inf:
+        raise EditError("The image must be wider and higher than nothing.")
+    found = replace(document, image=replace(image, path=path, height=image.width / aspect))
+    return place_image(found, (image.x, image.y), image.width)

@@ -141,8 +141,17 @@ def stretched(node: Node, factor: float) -> Node:
     if factor == 1:
         return node
     changed = {
-        name: checked_vector((vector[0] / factor**order, vector[1] / factor**order), "a derivative")
+        name: checked_vector(
+            (_divided(vector[0], factor, order), _divided(vector[1], factor, order)), "a derivative"
+        )
         for order, name in DERIVATIVES
         if (vector := getattr(node, name)) is not None
     }
     return replace(node, **changed) if changed else node
+
+
+def _divided(value: float, factor: float, times: int) -> float:
+    """Divide by `factor` several times: its powers may vanish, or be infinite, where it is not."""
+    for _ in range(times):
+        value /= factor
+    return value

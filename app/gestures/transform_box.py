@@ -158,7 +158,7 @@ class ScaleBox(msgspec.Struct, frozen=True):
     def _arm(self, pointer: Pointer) -> Vector:
         """Return the way from what stays to what moves."""
         corner, fixed = self._corner, self._fixed(pointer)
-        return (corner[0] - fixed[0], corner[1] - fixed[1])
+        return (float(corner[0] - fixed[0]), float(corner[1] - fixed[1]))
 
     def _way(self, pointer: Pointer) -> Vector:
         """Return how far the corner goes, after snapping."""
@@ -167,8 +167,11 @@ class ScaleBox(msgspec.Struct, frozen=True):
         axis = None if self.grip.x and self.grip.y else 0 if self.grip.x else 1
         if pointer.shift:
             # As far as the way goes along the diagonal; only its longer side can snap without leaving it.
-            along = (way[0] * arm[0] + way[1] * arm[1]) / (arm[0] ** 2 + arm[1] ** 2)
-            way, axis = (along * arm[0], along * arm[1]), 0 if abs(arm[0]) >= abs(arm[1]) else 1
+            # By directions, not by squares: that of a tiny box is nothing to divide by.
+            length = math.hypot(*arm)
+            across, up = arm[0] / length, arm[1] / length
+            along = way[0] * across + way[1] * up
+            way, axis = (along * across, along * up), 0 if abs(arm[0]) >= abs(arm[1]) else 1
         if self.magnet is None:
             return way
         x, y = self.magnet.pull((corner[0] + way[0], corner[1] + way[1]), pointer, axis)

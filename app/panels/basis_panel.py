@@ -70,11 +70,13 @@ class BasisPanel(BasisPlot):
         self._end_gesture()
 
     def _end_gesture(self) -> None:
+        self._let_go_of_domain()
         self.drag_changed.emit(False)
         self.progress_changed.emit("")
 
     def pressed(self, pointer: Pointer) -> None:
         self.gesture_began.emit()
+        self._hold_domain()
         hit = self._hit(pointer)
         if hit is not None and hit.part is Part.TICK:
             self.drag_changed.emit(True)

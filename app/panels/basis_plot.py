@@ -8,6 +8,7 @@ from PySide6.QtWidgets import QWidget
 
 from app.panels.basis_layers import FunctionLayer, RailLayer, rail_height
 from app.panels.plot_over_t import PlotOverT
+from app.plot.layered_plot import GREATEST_SPAN
 from app.theme import LIGHT
 from app.view_model.basis_view import BasisView, basis_view
 from app.view_model.curve_view import CurveView
@@ -35,6 +36,7 @@ class BasisPlot(PlotOverT):
         self._view: CurveView | None = None
         self._basis: BasisView | None = None
         self._values: tuple[float, float] = _CALM_RANGE
+        self._held_domain: tuple[float, float] | None = None
         self._functions = self.dress(FunctionLayer(self, LIGHT))
         self._rail = self.dress(RailLayer(self, LIGHT))
         self.getViewBox().sigResized.connect(self._show_values)
@@ -49,7 +51,8 @@ class BasisPlot(PlotOverT):
         self._functions.render(self._basis)
         self._rail.render(self._basis)
         moved = self._basis is not None and (old is None or old.curve.domain != self._basis.curve.domain)
-        if (moved or not view.source.nodes) and not self.is_dragging:
+        was_held = self._held_domain is not None and self._domain() == self._held_domain
+        if (moved or not view.source.nodes) and not self.is_dragging and not was_held:
             self.fit_domain()
         self._report_extent()
 
@@ -111,6 +114,16 @@ class BasisPlot(PlotOverT):
             self.set_t_range(start - padding, end + padding)
         self._show_values()
 
+    def _hold_domain(self) -> None:
+        """Keep the interval in view as it is while a drag changes it: ticks must not run from the pointer."""
+        self._held_domain = self._domain()
+
+    def _let_go_of_domain(self) -> None:
+        """Show the whole interval if the drag that ends has changed it."""
+        held, self._held_domain = self._held_domain, None
+        if held is not None and self._domain() != held:
+            self.fit_domain()
+
     def _domain(self) -> tuple[float, float] | None:
         """Return the interval of t; without points that which the rule is going to span, else None."""
         if self._basis is not None:
@@ -121,11 +134,14 @@ class BasisPlot(PlotOverT):
         return rule.start, rule.end
 
     def fit_values(self) -> None:
-        """Show the functions from their least to their greatest value."""
+        """Show the functions from their least to their greatest value, as far as an axis reaches."""
         if self._basis is not None:
             low, high = self._basis.extent(self._functions.kinds)
+            most = 0.5 * GREATEST_SPAN / (1.0 + self._rail_share())
+            low, high = max(low, -most), min(high, most)
             margin = 0.05 * (high - low)
-            self._values = (min(low - margin, _CALM_RANGE[0]), max(high + margin, _CALM_RANGE[1]))
+            low, high = min(low - margin, _CALM_RANGE[0]), max(high + margin, _CALM_RANGE[1])
+            self._values = (max(low, -most), min(high, most))
             self._show_values()
 
     def calm_values(self) -> None:
@@ -136,11 +152,13 @@ class BasisPlot(PlotOverT):
     def _show_values(self) -> None:
         """Map the range of values to the part of the plot area above the rail."""
         low, high = self._values
-        height = self.getViewBox().rect().height()
-        rail = rail_height(self._rail.scale)
-        share = rail / max(height - rail, 1.0)
-        self.getViewBox().setYRange(low - share * (high - low), high, padding=0)
+        self.getViewBox().setYRange(low - self._rail_share() * (high - low), high, padding=0)
         self._report_extent()
+
+    def _rail_share(self) -> float:
+        """Return the height of the rail as a share of what is left for the functions."""
+        rail, height = rail_height(self._rail.scale), float(self.getViewBox().rect().height())
+        return rail / max(height - rail, 1.0)
 
     def _report_extent(self) -> None:
         extent = self._basis.extent(self._functions.kinds) if self._basis is not None else None

@@ -23,7 +23,10 @@ _AXIS_WIDTH = 46
 _INSET = 3
 """Pixels by which layers stay inside the plot area: nearer to its edge, Qt repaints the axes every frame."""
 
-_LEAST_SPAN, _GREATEST_SPAN = 1e-9, 1e13
+_LEAST_SPAN = 1e-9
+
+GREATEST_SPAN = 1e13
+"""Longest range of an axis: pyqtgraph shrinks a longer one about its middle, wherever that lies."""
 
 
 class Themed(Protocol):
@@ -118,7 +121,7 @@ class LayeredPlot(pg.PlotWidget):  # type: ignore[misc]  # pyqtgraph has no type
         box.setMouseEnabled(x=False, y=False)
         box.disableAutoRange()
         box.setLimits(
-            minXRange=_LEAST_SPAN, maxXRange=_GREATEST_SPAN, minYRange=_LEAST_SPAN, maxYRange=_GREATEST_SPAN
+            minXRange=_LEAST_SPAN, maxXRange=GREATEST_SPAN, minYRange=_LEAST_SPAN, maxYRange=GREATEST_SPAN
         )
         box.sigRangeChanged.connect(self._forget_map)
         box.sigResized.connect(self._forget_map)
@@ -229,7 +232,7 @@ class LayeredPlot(pg.PlotWidget):  # type: ignore[misc]  # pyqtgraph has no type
 
     def _scale_about(self, factor: float, x: float, y: float) -> None:
         x_min, y_min, x_max, y_max = self.pixel_map.box
-        if not _LEAST_SPAN < (x_max - x_min) * factor < _GREATEST_SPAN:
+        if not _LEAST_SPAN < (x_max - x_min) * factor < GREATEST_SPAN:
             return
         self.show_box(
             (x + (x_min - x) * factor, x + (x_max - x) * factor),

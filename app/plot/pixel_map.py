@@ -33,7 +33,16 @@ class PixelMap(msgspec.Struct, frozen=True):
     def of_ranges(
         cls, x_range: tuple[float, float], y_range: tuple[float, float], width: float, height: float
     ) -> PixelMap:
-        """Return the map that shows the two ranges in an area of width × height pixels."""
+        """Return the map that shows the two ranges in an area of width × height pixels.
+
+        Raises
+        ------
+        ValueError
+            If a range is empty: there is no map then.
+        """
+        for start, end in (x_range, y_range):
+            if not start < end:
+                raise ValueError(f"a range from {start!r} to {end!r} shows nothing")
         width, height = max(width, 1.0), max(height, 1.0)
         sx, sy = width / (x_range[1] - x_range[0]), height / (y_range[1] - y_range[0])
         return cls(x_range[0], y_range[1], sx, sy, width, height)

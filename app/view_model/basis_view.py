@@ -34,6 +34,8 @@ _MOST_UNEVEN = 65
 _LEAST_SAMPLES = 17
 """Samples of a segment, however short: its functions are at most quintic."""
 
+_MOST_SCALED = 1e300
+
 _PEAK = (1.0, 2.5, 25.0)
 """What makes B_1/h and B_2/h², which peak at 0.20 and 0.017, reach almost one half."""
 
@@ -264,8 +266,10 @@ def basis_scales(curve: SimpleCurve) -> Floats:
     spacing = np.diff(curve.parameters)
     longer = np.maximum(np.append(spacing, 0.0), np.insert(spacing, 0, 0.0))
     orders = np.arange(curve.jets.shape[1])
-    factors: Floats = np.array(_PEAK[: len(orders)]) / longer[:, None] ** orders
-    return factors
+    with np.errstate(divide="ignore", over="ignore", under="ignore"):
+        factors: Floats = np.array(_PEAK[: len(orders)]) / longer[:, None] ** orders
+    # The square of a spacing may vanish; functions that have vanished with it are drawn as nothing.
+    return np.minimum(factors, _MOST_SCALED)
 
 
 def basis_formulas(family: Family) -> tuple[str, ...]:

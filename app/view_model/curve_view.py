@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Sequence
 from functools import cached_property
 from itertools import pairwise
@@ -292,7 +293,10 @@ def appended_squeeze(before: CurveView, nodes: Sequence[Node]) -> float:
 
 
 def squeeze_of(before: CurveView, after: Curve) -> float:
-    """Return how much longer in t the points of `before` are in `after`, where they come first."""
+    """Return how much longer in t the points of `before` are in `after`, where they come first.
+
+    One where their parameters all but meet, in `after` or before: then there is no curve to keep.
+    """
     last = len(before.source.nodes) - 1
     points = np.array([node.position for node in after.nodes])
     try:
@@ -300,7 +304,9 @@ def squeeze_of(before: CurveView, after: Curve) -> float:
     except CurveError:
         return 1.0
     old = before.parameters
-    return float((new[last] - new[0]) / (old[last] - old[0]))
+    longer, long = float(new[last] - new[0]), float(old[last] - old[0])
+    squeeze = longer / long if long > 0.0 else 1.0
+    return squeeze if 0.0 < squeeze < math.inf else 1.0
 
 
 def appended_parameter(before: CurveView, node: Node) -> float:

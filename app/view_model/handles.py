@@ -85,18 +85,22 @@ def velocity_from_handle(view: CurveView, index: int, position: Vector, *, ahead
     if h is None:
         # A point that stands alone: the interval it is going to open stands for h.
         h = _whole_interval(view)
-    factor = _degree(view) / h
-    return ((position[0] - p[0]) * factor, (position[1] - p[1]) * factor)
+    degree = _degree(view)
+    return (degree * float(position[0] - p[0]) / h, degree * float(position[1] - p[1]) / h)
 
 
 def acceleration_from_handle(view: CurveView, index: int, position: Vector, *, ahead: bool) -> Vector:
-    """Return the acceleration whose handle lies at `position`, the velocity staying what it is."""
+    """Return the acceleration whose handle lies at `position`, the velocity staying what it is.
+
+    Infinite where no number is large enough, on an interval of next to no length: no edit takes that.
+    """
     velocity, h = view.velocity_of(index, ahead=ahead), _signed_spacing(view, index, ahead=ahead)
     if velocity is None or h is None:
         return (0.0, 0.0)
     base = _along(view.source.nodes[index].position, velocity, 2 * h / 5)
-    factor = 20 / (h * h)
-    return ((position[0] - base[0]) * factor, (position[1] - base[1]) * factor)
+    # Not by h²: it may vanish where h does not.
+    x, y = float(position[0] - base[0]), float(position[1] - base[1])
+    return (20 * x / h / h, 20 * y / h / h)
 
 
 def with_velocities_pulled(view: CurveView, indices: Collection[int], visible: float) -> Curve:

@@ -2,12 +2,24 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import numpy as np
 
+from app.document.model import Curve
 from app.view_model.curve_view import CurveView, Floats
 
 _SAMPLES = 32
 _MOST_SAMPLES = 20_000
+
+_KEPT = 1e-8
+"""Change, relative to the size of a curve, up to which its shape counts as kept: nobody sees it."""
+
+
+def is_kept(residual: float, curves: Sequence[Curve]) -> bool:
+    """Tell whether the shape of these curves is the same but for roundings, `residual` being what changed."""
+    points = np.array([node.position for curve in curves for node in curve.nodes])
+    return residual <= _KEPT * float(np.ptp(points, axis=0).max())
 
 
 def dense(knots: Floats) -> Floats:

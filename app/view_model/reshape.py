@@ -17,7 +17,7 @@ from app.document.jet_edits import JetValue, with_jet_values
 from app.document.model import Curve, Document, Node, Vector
 from app.view_model.curve_view import CurveView, Floats, Integers, view_of
 from app.view_model.jets import Sides
-from app.view_model.measure import dense, largest_distance
+from app.view_model.measure import dense, is_kept, largest_distance
 
 _ROUNDING = 64 * 2.0**-53
 """Relative difference of two estimates up to which they count as the same."""
@@ -46,6 +46,8 @@ class Reshaped(msgspec.Struct, frozen=True):
         change = f"largest change {self.residual:.2g}"
         if self.parameters_moved:
             return f"The parameters moved: {change}."
+        if not is_kept(self.residual, (self.curve,)):
+            return f"The shape is another, {change}."
         return f"Shape kept, {change}."
 
 

@@ -12,7 +12,7 @@ from msgspec.structs import replace
 from app.document.edits import EditError
 from app.document.model import Curve, Family, Node, ParametrizationKind, Vector
 from app.view_model.curve_view import CurveView, view_of
-from app.view_model.measure import dense, largest_distance
+from app.view_model.measure import dense, is_kept, largest_distance
 from app.view_model.reshape import Reshaped, baked, refuse_without_curve, with_point_inserted
 from curvecore import chebyshev
 
@@ -36,6 +36,16 @@ class Split(msgspec.Struct, frozen=True):
 
     curves: tuple[Curve, ...]
     residual: float
+
+    @property
+    def sentence(self) -> str:
+        """What became of the shape."""
+        change = f"largest change {self.residual:.2g}"
+        return (
+            f"shape kept, {change}."
+            if is_kept(self.residual, self.curves)
+            else f"the shape is another, {change}."
+        )
 
 
 def split(view: CurveView, t: float) -> Split:
@@ -155,20 +165,19 @@ def joined(first: CurveView, second: CurveView) -> Reshaped:
     """
     _refuse_to_join(first, second)
     a, b = baked(first), baked(second)
-    seam: tuple[Node, ...]
+    ending, beginning = _ending(a.nodes[-1]), _beginning(b.nodes[0])
     gap = _gap(first, second)
     size = max(float(np.ptp(np.vstack([first.points, second.points]), axis=0).max()), 1e-300)
     if gap <= _COINCIDE * size:
         wait = 0.0
-        seam = (_merged(a.nodes[-1], b.nodes[0]),)
-        before, after = a.nodes[:-1], b.nodes[1:]
+        seam, after = (_merged(ending, beginning),), b.nodes[1:]
     else:
         wait = gap / _speed_at_seam(first, second)
-        seam, before, after = (), a.nodes, b.nodes
+        seam, after = (ending,), (beginning, *b.nodes[1:])
     end = float(first.parameters[-1])
     start = float(second.parameters[0])
     later = tuple(replace(node, t=end + wait + ((node.t or 0.0) - start)) for node in after)
-    nodes = (*before, *seam, *later)
+    nodes = (*a.nodes[:-1], *seam, *later)
     if any(not (y.t or 0.0) > (x.t or 0.0) for x, y in pairwise(nodes)):
         raise EditError("The parameters of the second curve lie too close together to follow the first's.")
     curve = _part(a, nodes, nodes[-1].t or 0.0, a.name)

@@ -2,6 +2,8 @@
 
 import numpy as np
 import pytest
+from hypothesis import assume, given, settings
+from hypothesis.strategies import integers, lists, sampled_from
 
 from curvecore import (
     MAX_VERTICES,
@@ -200,3 +202,42 @@ def test_a_wild_polynomial_through_very_many_points_is_given_up_in_time(rng):
     t = flatten_parameters(curve, 1e-3, (-1.0, -1.0, 1.0, 1.0))
     assert t.size <= 2**22 // 1000 + 1
     assert (np.diff(t) > 0.0).all()
+
+
+TURNS_BACK = {
+    "line": [[1.7, 0], [6, 0], [0.2, 0], [4.4, 0]],
+    "hairpins": [[3.6, 0.02], [4.63, 0.02], [2.75, 0.04], [4.57, 0.06], [1.5, 0.03], [5.05, 0.05]],
+}
+
+
+@pytest.mark.parametrize("name", TURNS_BACK)
+@pytest.mark.parametrize("tolerance", [0.1, 1e-2, 1e-3, 1e-4])
+def test_the_tips_of_a_curve_that_turns_back_are_drawn(name, tolerance):
+    """They lay up to 34 tolerances beyond the polyline: the samples beside them all lay on it."""
+    points = np.array(TURNS_BACK[name], dtype=float)
+    curve = LagrangeCurve(points, uniform(len(points)))
+    dense = curve.evaluate(np.linspace(0.0, 1.0, 20001))
+    for angle in (0.0, 0.7, 2.0):
+        turn = np.array([[np.cos(angle), -np.sin(angle)], [np.sin(angle), np.cos(angle)]])
+        turned = LagrangeCurve(points @ turn, curve.parameters)
+        assert distances(turned, flatten_parameters(turned, tolerance), samples=400) <= tolerance
+    drawn = flatten(curve, tolerance)
+    assert np.abs(drawn.min(axis=0) - dense.min(axis=0)).max() <= tolerance
+    assert np.abs(drawn.max(axis=0) - dense.max(axis=0)).max() <= tolerance
+
+
+@settings(max_examples=200, deadline=None)
+@given(
+    along=lists(integers(-100, 100), min_size=3, max_size=9),
+    slope=integers(-8, 8),
+    width=sampled_from([0.0, 1e-3, 1e-2, 0.1]),
+    fineness=sampled_from([50, 300, 3000]),
+)
+def test_curves_that_run_to_and_fro_stay_within_the_tolerance(along, slope, width, fineness):
+    assume(len(set(along)) > 1)
+    x = np.array(along, dtype=float)
+    points = np.column_stack([x, slope * x / 8 + width * np.cos(7.0 * np.arange(len(x)))])
+    curve = LagrangeCurve(points, uniform(len(x)))
+    size = np.ptp(curve.evaluate(np.linspace(0.0, 1.0, 200)), axis=0).max()
+    tolerance = size / fineness
+    assert distances(curve, flatten_parameters(curve, tolerance)) <= tolerance

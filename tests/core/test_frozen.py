@@ -80,3 +80,25 @@ def test_a_curve_that_comes_in_from_outside_the_box_is_noticed():
     inside = curve.with_jets((points - [9.0, 9.0])[:, None])
     pieces = frozen.follow(inside)
     assert pieces is None or worst_distance(inside, pieces) <= TOLERANCE
+
+
+@pytest.mark.parametrize("n", [3, 4, 6, 9])
+def test_tips_that_move_along_their_own_line_are_followed_or_refused(n):
+    """Samples on the chords of their neighbours say nothing of tips between them: 3.3 tolerances missed."""
+    rng = np.random.default_rng(n)
+    tolerance, followed = 1e-3, 0
+    for _ in range(60):
+        points = np.column_stack([rng.uniform(0.0, 4.0, n), 1.0 + rng.choice([0.0, 1e-3]) * rng.random(n)])
+        curve = LagrangeCurve(points, chebyshev(n))
+        frozen = FrozenFlattening(curve, tolerance)
+        for size in (0.01, 0.03, 0.1):
+            points[rng.integers(n), 0] += size
+            moved = curve.with_jets(points[:, None])
+            pieces = frozen.follow(moved)
+            if pieces is not None:
+                followed += 1
+                t = np.concatenate([np.linspace(*ends, 40) for ends in pairwise(pieces.parameters)])
+                piece = np.repeat(np.arange(len(pieces.parameters) - 1), 40)
+                off = segment_distance(moved.evaluate(t), pieces.points[piece], pieces.points[piece + 1])
+                assert off.max() <= tolerance
+    assert followed >= 40

@@ -7,7 +7,7 @@ from fractions import Fraction
 import numpy as np
 import pytest
 
-from curvecore import LagrangeCurve, chebyshev
+from curvecore import LagrangeCurve, chebyshev, uniform
 from curvecore.moved_parameters import MovedParameters
 
 U = 2.0**-53
@@ -79,3 +79,30 @@ def test_weight_ratios_against_products():
     t = np.array([0.0, 0.1, 0.5, 0.75, 1.0])
     weights = [1 / np.prod([a - b for b in t if b != a]) for a in t]
     assert curve_of(t).weight_ratios(2) == pytest.approx(np.array(weights) / weights[2], rel=1e-14)
+
+
+@pytest.mark.parametrize("n", [1000, 1050, 1100, 1300])
+@pytest.mark.parametrize("share", [3e-4, 0.3])
+def test_values_at_the_edge_of_the_range_are_exact_or_not_known(n, share):
+    """On 1100 equal parameters the functions reach the largest number: one tick moved made them infinite."""
+    t = uniform(n)
+    at = np.concatenate([np.linspace(0.0, 1.0, 23), t[1:4] + 1e-5])
+    known = MovedParameters(curve_of(t), at)
+    for which in (1, n // 2, n - 2):
+        other = curve_of(moved(t, [which], share))
+        values = known.basis(other)
+        assert (values is None) is (n > 1000)
+        fresh = other.basis(at)
+        assert np.isfinite(fresh).all()
+        with np.errstate(under="ignore"):
+            assert values is None or (np.abs(values - fresh) <= 8 * n * U * np.abs(fresh)).all()
+
+
+def test_values_that_would_leave_the_range_are_not_known():
+    """In range before, and beyond it when two points all but meet: their functions grow without bound."""
+    t = uniform(1000)
+    known = MovedParameters(curve_of(t), np.array([5e-4, 0.4]))
+    for share, is_known in ((1e-2, True), (1e-12, False)):
+        other = t.copy()
+        other[500] = t[499] + share * (t[500] - t[499])
+        assert (known.basis(curve_of(other)) is not None) is is_known

@@ -8,8 +8,10 @@ from curvecore import (
     CurveError,
     HermiteCurve,
     LagrangeCurve,
+    NearestWithin,
     QuinticHermiteCurve,
     chebyshev,
+    chord_length,
     natural_spline_velocities,
     nearest,
     uniform,
@@ -102,3 +104,47 @@ def test_unusable_arguments(rng):
             nearest(curve, point, 1e-3)
     with pytest.raises(CurveError, match="tolerance"):
         nearest(curve, [0.0, 0.0], -1.0)
+
+
+@pytest.mark.parametrize("n", [2, 3, 5, 12, 20])
+@pytest.mark.parametrize("reach", [0.01, 0.1, 10.0])
+def test_within_a_reach_no_sample_is_nearer(rng, n, reach):
+    for curve in curves(rng, n, 2):
+        t = np.linspace(0.0, 1.0, 5001)
+        dense, within = curve.evaluate(t), NearestWithin(curve)
+        for _ in range(12):
+            place = curve.evaluate(rng.random()) + 2.0 * reach * rng.random() * rng.standard_normal(2)
+            distances = np.linalg.norm(dense - place, axis=1)
+            found = within.to(place, reach)
+            if found is None:
+                assert distances.min() > 0.998 * reach
+            else:
+                assert found.distance <= min(distances.min() + 1e-6, reach)
+                assert (found.point == curve.evaluate(found.parameter)).all()
+                assert found.distance == pytest.approx(nearest(curve, place, 1e-9).distance, abs=1e-6)
+                assert found.error <= 1e-3 * reach
+
+
+@pytest.mark.parametrize("reach", [9.0, 0.01])
+def test_points_of_a_curve_that_runs_to_and_fro_are_found_on_it(reach):
+    """A place on the curve was told to be 3.48 away: the nearest chord was that of another branch."""
+    points = np.array([(0, 0), (4, 0.001), (1, 0.002), (3, 0.003)])
+    for t in (uniform(4), chord_length(points)):
+        curve = LagrangeCurve(points, t)
+        within = NearestWithin(curve)
+        for at in np.linspace(0.0, 1.0, 97):
+            assert within.to(curve.evaluate(at), reach).distance < 1e-8
+
+
+def test_a_chain_within_a_reach(rng):
+    left = HermiteCurve([[0, 0], [1, 0]], [[1, 0], [1, 0]], [0, 1])
+    right = HermiteCurve([[0, 5], [1, 5]], [[1, 0], [1, 0]], [1, 2])
+    within = NearestWithin(Chain([left, right]))
+    assert within.to([0.25, 4.0], 2.0).parameter == pytest.approx(1.25, abs=1e-8)
+    assert within.to([0.25, 2.0], 1.5) is None
+    assert within.to([0.25, 1e12], 1.5) is None
+    for point in ([0.0], [0.0, np.inf]):
+        with pytest.raises(CurveError, match=r"point|finite"):
+            within.to(point, 1.0)
+    with pytest.raises(CurveError, match="reach"):
+        within.to([0.0, 0.0], 0.0)

@@ -33,6 +33,48 @@ def test_dragging_a_tick_changes_t_and_makes_the_parameters_manual(editor, panel
     assert editor.curve.parametrization.kind is ParametrizationKind.CHORD_LENGTH
 
 
+@pytest.mark.parametrize("to", [0.8, "far to the right"])
+def test_after_a_drag_of_the_last_tick_its_interval_is_shown_and_undo_shows_the_same(editor, panel, to):
+    """The range stayed -0.035 to 1.035, a tick at 1.4 out of sight; undo and redo showed another one."""
+    before = panel.t_range
+    start = panel.rail_pixel(1.0)
+    end = panel.rail_pixel(to) if to == 0.8 else start + QPointF(300, 0)
+    editor.send(panel, QEvent.Type.MouseButtonPress, start)
+    editor.send(panel, QEvent.Type.MouseMove, start + (end - start) / 2)
+    editor.send(panel, QEvent.Type.MouseMove, end)
+    assert panel.t_range == before
+    editor.send(panel, QEvent.Type.MouseButtonRelease, end, held=False)
+    last = editor.parameters[-1]
+    assert (last > 1.2) is (to != 0.8)
+    assert panel.t_range == pytest.approx((-0.035 * last, 1.035 * last))
+    shown = panel.t_range
+    editor.trigger("undo")
+    assert panel.t_range == pytest.approx(before)
+    editor.trigger("redo")
+    assert panel.t_range == pytest.approx(shown)
+
+
+def test_escape_leaves_the_part_of_t_that_is_shown(editor, panel):
+    panel.set_t_range(0.9, 1.1)
+    editor.settle()
+    start = panel.rail_pixel(1.0)
+    editor.send(panel, QEvent.Type.MouseButtonPress, start)
+    editor.send(panel, QEvent.Type.MouseMove, start + QPointF(60, 0))
+    assert editor.parameters[-1] > 1.0
+    editor.key(Qt.Key.Key_Escape)
+    assert editor.parameters[-1] == 1.0
+    assert panel.t_range == pytest.approx((0.9, 1.1))
+    editor.send(panel, QEvent.Type.MouseButtonRelease, start + QPointF(60, 0), held=False)
+    assert panel.t_range == pytest.approx((0.9, 1.1))
+
+
+def test_a_drag_inside_the_interval_leaves_the_part_of_t_that_is_shown(editor, panel):
+    panel.set_t_range(0.2, 0.8)
+    editor.settle()
+    editor.drag_parameter(3, to=editor.parameters[3] + 0.02)
+    assert panel.t_range == pytest.approx((0.2, 0.8))
+
+
 def test_a_tick_stops_before_its_neighbours(editor):
     editor.drag_parameter(3, to=0.95)
     t = editor.parameters

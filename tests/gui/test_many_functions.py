@@ -7,6 +7,7 @@ import pytest
 from PySide6.QtWidgets import QLabel
 
 from app.document.model import Curve, Document, Family, Node, Parametrization, ParametrizationKind
+from app.document.parameter_edits import set_parameters
 from app.panels.function_lines import Drawing, FunctionLines, way_to_draw
 from app.plot.pixel_map import PixelMap
 from app.plot.stamps import cells_of
@@ -123,3 +124,17 @@ def test_an_envelope_beyond_the_edge_of_the_panel_is_empty():
     basis = basis_view(view_of(wave(65, Family.LAGRANGE)))
     lines = FunctionLines(basis, PixelMap.of_ranges((5.0, 6.0), (-0.6, 1.3), 880, 200))
     assert len(lines.edge(0, upper=True)) == 0
+
+
+def test_functions_at_the_edge_of_the_range_stay_finite_when_a_tick_moves():
+    """Infinite on 1100 equal parameters: those from before the move were at the edge of the range."""
+    nodes = tuple(Node(float(i), float(i % 3)) for i in range(1100))
+    document = Document((Curve("Comb", Family.LAGRANGE, Parametrization(UNIFORM), nodes),))
+    view = view_of(document.curves[0])
+    before = basis_view(view)
+    parameters = view.parameters.tolist()
+    parameters[550] += 3e-4
+    after = view_of(set_parameters(document, 0, parameters).curves[0])
+    values = basis_view(after, before).values
+    assert np.isfinite(values).all()
+    assert np.array_equal(values, basis_view(after).values)

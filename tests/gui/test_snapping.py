@@ -15,6 +15,7 @@ from app.gestures.snapping import Magnet, SnapKind, Snapping, grid_value, target
 from app.preferences import Preferences
 from app.testing import Editor
 from app.view_model.curve_view import view_of
+from app.view_model.nearest import NearestPoint
 
 SHIFT = Qt.KeyboardModifier.ShiftModifier
 CTRL = Qt.KeyboardModifier.ControlModifier
@@ -77,6 +78,14 @@ def test_what_is_nearest_is_caught_within_eight_pixels():
 def test_neighbours_are_no_points_to_fall_on():
     # Two points in a row in one place have no distance to go by.
     assert snap_of((0.02, 0.03), kinds={SnapKind.POINTS})[1] is None
+
+
+def test_a_place_on_another_curve_that_doubles_back_is_met_there():
+    """The nearest chord was one of another branch: there was no snap, or one 3.48 units away."""
+    curve = view_of(make_curve([(0, 0), (4, 0.001), (1, 0.002), (3, 0.003)]))
+    place = tuple(curve.curve.evaluate(0.3916).tolist())
+    for reach in (0.01, 9.0):
+        assert NearestPoint(curve).within(place, reach).position == pytest.approx(place, abs=1e-12)
 
 
 def test_another_curve_is_met_exactly():

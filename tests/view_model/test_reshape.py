@@ -11,9 +11,9 @@ from app.document.edits import EditError
 from app.document.model import Document, Family, Node, ParametrizationKind, VelocityRule, make_curve
 from app.view_model.curve_view import view_of
 from app.view_model.measure import dense
-from app.view_model.reshape import baked, reversed_curve, with_point_inserted
+from app.view_model.reshape import Reshaped, baked, reversed_curve, with_point_inserted
 from app.view_model.smoothness import made_smooth, with_corners
-from app.view_model.split_join import joined, split
+from app.view_model.split_join import Split, joined, split
 
 POINTS = ((0.0, 0.0), (1.0, 2.0), (3.0, 2.5), (4.0, 0.0), (6.0, -1.0), (7.0, 1.0))
 HERMITE = (Family.HERMITE, Family.QUINTIC_HERMITE)
@@ -229,6 +229,42 @@ def test_curves_that_meet_at_an_angle_make_a_corner(family):
     after = view_of(made.curve)
     assert made.residual < ROUNDING
     assert distance(second, after, shift=1.0) < ROUNDING
+
+
+@pytest.mark.parametrize("family", HERMITE)
+@pytest.mark.parametrize("apart", [0.0, 2.0])
+@pytest.mark.parametrize("cornered", ["first", "second", "both"])
+def test_ends_that_were_corners_join_with_what_is_drawn_of_them(family, apart, cornered):
+    """A start that carries both sides of a corner has the one after it; the other went in: off by 1.9."""
+    corner = {
+        "corner": True,
+        "velocity": (5.0, 5.0),
+        "velocity_after": (0.0, -7.0),
+        "acceleration": (1.0, 2.0),
+        "acceleration_after": (-30.0, 4.0),
+    }
+    first, second = view(family).source, view(family, [(7.0, 1.0), (9.0, 4.0), (8.0, 5.0)]).source
+    x, y = first.nodes[-1].position
+    start = replace(second.nodes[0], x=x + apart, y=y)
+    end = first.nodes[-1]
+    if cornered != "second":
+        end = replace(end, **corner)
+    if cornered != "first":
+        start = replace(start, **corner)
+    a = view_of(replace(first, nodes=(*first.nodes[:-1], end)))
+    b = view_of(replace(second, nodes=(start, *second.nodes[1:])))
+    made = joined(a, b)
+    assert made.residual < ROUNDING
+    assert made.sentence.startswith("Shape kept")
+    corners = [index for index, node in enumerate(made.curve.nodes) if node.corner]
+    assert corners == ([] if apart else [len(first.nodes) - 1])
+
+
+def test_a_change_that_is_no_rounding_is_not_called_kept():
+    curve = view().source
+    assert Reshaped(curve, 1e-12).sentence == "Shape kept, largest change 1e-12."
+    assert Reshaped(curve, 1.9).sentence == "The shape is another, largest change 1.9."
+    assert Split((curve, curve), 1e-3).sentence == "the shape is another, largest change 0.001."
 
 
 def test_between_curves_that_do_not_meet_a_smooth_segment_leads_from_one_to_the_other():

@@ -1,0 +1,135 @@
+"""Numbers at the edge of what can be drawn: nothing is divided by zero, and what is asked for is seen."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from msgspec.structs import replace
+from PySide6.QtCore import Qt
+
+from app.canvas.hit_test import Segments
+from app.document.edits import EditError
+from app.document.kept_handles import stretched
+from app.document.model import Curve, Document, Family, Node, Parametrization, ParametrizationKind, make_curve
+from app.plot.layered_plot import GREATEST_SPAN
+from app.plot.pixel_map import PixelMap
+from app.view_model.curve_view import squeeze_of, view_of
+
+
+@pytest.fixture
+def opened(editor):
+    """Open curves in the editor, fitted; returns the editor."""
+
+    def open_(*curves):
+        editor.session.restore(Document(curves), None)
+        editor.fit()
+        editor.settle()
+        return editor
+
+    return open_
+
+
+def uniform_wave(n):
+    angle = np.linspace(0, 6, n)
+    curve = make_curve(np.column_stack([angle, np.sin(angle)]).tolist())
+    return replace(curve, parametrization=Parametrization(ParametrizationKind.UNIFORM))
+
+
+@pytest.mark.parametrize("n", [40, 60, 100])
+def test_wild_functions_are_fitted_about_zero_as_far_as_an_axis_reaches(opened, n):
+    """At n = 60 the range was -4.1e13 to -3.1e13; at n = 100 it was empty, and every paint failed."""
+    editor = opened(uniform_wave(n))
+    pane, panel = editor.window.basis_pane, editor.window.basis_panel
+    said = pane.extent_text
+    pane._fit.click()
+    editor.settle()
+    _, low, _, high = panel.pixel_map.box
+    least, greatest = panel.basis.extent({0})
+    assert low < 0.0 < high
+    assert high - low <= GREATEST_SPAN * (1 + 1e-9)
+    if n > 60:
+        assert (low, high) == pytest.approx((-0.6 * GREATEST_SPAN, 0.4 * GREATEST_SPAN), rel=0.2)
+    if greatest < high:
+        assert low < least
+        assert pane.extent_text == ""
+    else:
+        assert pane.extent_text == said  # what they reach in truth
+    assert not editor.screenshot().isNull()
+
+
+@pytest.mark.parametrize("empty", [(1.0, 1.0), (2.0, 1.0), (1e25, 1e25 + 1e8), (0.0, float("nan"))])
+def test_an_empty_range_has_no_map(empty):
+    with pytest.raises(ValueError, match="shows nothing"):
+        PixelMap.of_ranges(empty, (0.0, 1.0), 100, 100)
+    with pytest.raises(ValueError, match="shows nothing"):
+        PixelMap.of_ranges((0.0, 1.0), empty, 100, 100)
+
+
+def test_the_pen_far_away_on_an_interval_of_timestamps_divides_by_nothing(opened):
+    """The points so far have no length in t any more beside the new one: ZeroDivisionError in the press."""
+    interval = Parametrization(start=1.7e9, end=1.7e9 + 1)
+    nodes = (Node(0.0, 0.0, velocity=(1.0, 0.0)), Node(1.0, 1.0))
+    editor = opened(Curve("Time", Family.HERMITE, interval, nodes))
+    editor.window.canvas.show_box((-3.3e7, 3.3e7), (-3e7, 3e7))
+    editor.settle()
+    editor.trigger("addTool")
+    editor.click((3e7, 1e7))
+    assert editor.curve.nodes[:2] == nodes
+    assert editor.point(2) == pytest.approx((3e7, 1e7), rel=0.01)
+    assert "strictly increasing" in editor.session.active_view.problem
+    editor.trigger("undo")
+    assert editor.curve.nodes == nodes
+
+
+@pytest.mark.parametrize("closed", [False, True])
+def test_what_squeezes_parameters_to_nothing_leaves_derivatives(closed):
+    interval = Parametrization(start=1.7e9, end=1.7e9 + 1)
+    nodes = tuple(Node(float(x), float(x), velocity=(1.0, 0.0)) for x in range(3))
+    before = view_of(Curve("Time", Family.HERMITE, interval, nodes, closed=closed))
+    after = replace(before.source, nodes=(*nodes, Node(3e9, 1e9)))
+    assert squeeze_of(before, after) == 1.0
+
+
+def test_a_derivative_too_large_for_a_squeezed_interval_is_refused():
+    """The square of 1e-200 is nothing to divide by, and that of 1e200 more than a number holds."""
+    node = Node(0.0, 0.0, acceleration=(1.0, 0.0))
+    with pytest.raises(EditError, match="finite"):
+        stretched(node, 1e-200)
+    assert stretched(node, 1e200).acceleration == (0.0, 0.0)
+
+
+@pytest.mark.parametrize("kind", [1, 2])
+def test_a_handle_on_an_interval_of_next_to_no_length_is_refused_in_words(opened, kind):
+    """The square of the spacing vanished: ZeroDivisionError in the drag of an acceleration."""
+    rule = Parametrization(ParametrizationKind.UNIFORM, end=1e-200)
+    nodes = tuple(Node(float(x), 0.0) for x in range(3))
+    editor = opened(Curve("Brief", Family.QUINTIC_HERMITE, rule, nodes))
+    editor.select_point(1)
+    editor.drag_handle((1.0, 0.5), kind)
+    assert editor.curve.nodes == nodes
+    assert "must" in editor.status
+
+
+@pytest.mark.parametrize("size", [1.0, 1e-100, 1e-200, 1e-300])
+def test_a_tiny_box_is_scaled_in_proportion(opened, size):
+    """The square of the way across it vanished below 1e-154: a warning of NumPy, and nothing moved."""
+    editor = opened(make_curve([(0, 0), (size, 2 * size), (3 * size, size)]))
+    editor.select([0, 1, 2])
+    x, y = editor.grip(1, 1)
+    way = 40 * editor.window.canvas.pixel_size
+    editor.drag((float(x), float(y)), (x + way, y + way), keys=Qt.KeyboardModifier.ShiftModifier)
+    factor = editor.point(2)[0] / (3 * size)
+    assert factor > 1.05
+    assert editor.point(1) == pytest.approx((factor * size, factor * 2 * size), rel=1e-9)
+
+
+def test_the_nearest_segment_of_several_polylines():
+    """Vertices that leave every picture, points that coincide, and a tie, which the last one drawn wins."""
+    far = np.array([(0.0, 0.0), (1e300, 0.0), (1e300, 1e300)])
+    still = np.array([(5.0, 9.0), (5.0, 9.0)])
+    segments = Segments([far, still, np.array([(0.0, 0.0), (0.0, -8.0)])])
+    assert segments.nearest((4.0, 1.0)) == (0, pytest.approx(4e-9), 1.0)
+    assert segments.nearest((5.0, 8.0)) == (2, 0.0, 1.0)
+    assert segments.nearest((-1.0, -2.0)) == (3, 0.25, 1.0)
+    assert segments.nearest((-3.0, 0.0)).segment == 3
+    assert Segments([np.zeros((1, 2))]).nearest((0.0, 0.0)) is None
