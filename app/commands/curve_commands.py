@@ -45,10 +45,10 @@ class CurveCommands:
             "reverseCurve": self._reverse,
             "closeCurve": self._toggle_closed,
             "renameCurve": self._rename,
-            "raiseCurve": lambda: self._move(-1),
-            "lowerCurve": lambda: self._move(1),
-            "nextCurve": lambda: self._walk(1),
-            "previousCurve": lambda: self._walk(-1),
+            "raiseCurve": lambda: self._move(1),
+            "lowerCurve": lambda: self._move(-1),
+            "nextCurve": lambda: self._walk(-1),
+            "previousCurve": lambda: self._walk(1),
         }
 
     def render(self, view: CurveView) -> None:
@@ -61,8 +61,8 @@ class CurveCommands:
         actions["keepShape"].setEnabled(self._session.offered_at is not None)
         actions["joinCurve"].setEnabled(view.is_current and count > 1)
         actions["reverseCurve"].setEnabled(len(curve.nodes) > 1)
-        actions["raiseCurve"].setEnabled(index > 0)
-        actions["lowerCurve"].setEnabled(index < count - 1)
+        actions["raiseCurve"].setEnabled(index < count - 1)
+        actions["lowerCurve"].setEnabled(index > 0)
         for name in ("nextCurve", "previousCurve"):
             actions[name].setEnabled(count > 1)
 
@@ -88,6 +88,7 @@ class CurveCommands:
             )
 
     def _walk(self, step: int) -> None:
+        # The next one is the one below in the list, hence behind.
         session = self._session
         session.activate((session.active_index + step) % len(session.document.curves))
         session.say(f"Editing “{session.active_curve.name}”.")
