@@ -123,7 +123,7 @@ class CurveCommands:
         try:
             done = split(session.active_view, t)
         except EditError as reason:
-            session.say(str(reason))
+            session.refuse(str(reason))
             return
         first, *others = done.curves
         self._say_if(
@@ -146,7 +146,7 @@ class CurveCommands:
     def _at_scrub(self, act: Callable[[float], None]) -> None:
         t = self._session.scrub
         if t is None:
-            self._session.say(
+            self._session.refuse(
                 "Select an inner point, or put the scrub line (T) where on the curve it shall be."
             )
         else:
@@ -156,7 +156,7 @@ class CurveCommands:
         session, index = self._session, self._session.active_index
         partner = self._nearest_start()
         if partner is None:
-            session.say("There is no other open, visible curve whose start could follow.")
+            session.refuse("There is no other open, visible curve whose start could follow.")
             return
         name = session.document.curves[partner].name
         made = self._reshape(
@@ -182,7 +182,7 @@ class CurveCommands:
     def _reverse(self) -> None:
         view = self._session.active_view
         if not view.is_current:
-            self._session.say(f"There is no curve to reverse. {view.problem}")
+            self._session.refuse(f"There is no curve to reverse. {view.problem}")
             return
         self._reshape(f"Reverse {view.source.name}", lambda: reversed_curve(view))
         self._session.select([])
@@ -210,7 +210,7 @@ class CurveCommands:
         try:
             made = make()
         except EditError as reason:
-            session.say(str(reason))
+            session.refuse(str(reason))
             return None
         document, index = session.document, session.active_index
         if not self._change(

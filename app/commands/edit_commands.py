@@ -117,7 +117,7 @@ class EditCommands:
     def _use_parametrization(self, kind: ParametrizationKind) -> None:
         session, view = self._session, self._session.active_view
         if kind is ParametrizationKind.MANUAL and not view.is_current:
-            session.say("There are no parameters to start from; mend the points first.")
+            session.refuse("There are no parameters to start from; mend the points first.")
             return
         self._parts.change(
             f"Use {KIND_NAMES[kind].lower()} parameters",

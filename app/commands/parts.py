@@ -64,7 +64,7 @@ class Parts(msgspec.Struct, frozen=True):
         try:
             self.session.commit(edit(), text, active=active)
         except EditError as reason:
-            self.session.say(str(reason))
+            self.session.refuse(str(reason))
             return False
         return True
 

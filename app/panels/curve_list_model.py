@@ -100,7 +100,7 @@ class CurveListModel(QAbstractListModel):
         if role != Qt.ItemDataRole.EditRole or not index.isValid():
             return False
         if not name:
-            session.say("A curve needs a name.")
+            session.refuse("A curve needs a name.")
             return False
         session.commit(edits.rename_curve(session.document, self.place_of(index), name), "Rename curve")
         return True
