@@ -187,7 +187,7 @@ def _dress(app: QApplication, theme: Theme) -> None:
     boxes = _palette_of_boxes(theme)
     for name in ("QCheckBox", "QLineEdit", "QAbstractSpinBox"):
         # PySide takes the name as text, whatever its types say.
-        app.setPalette(boxes, name)  # type: ignore[call-overload]
+        app.setPalette(boxes, name)  # type: ignore[arg-type]
     app.setStyleSheet(sheet)
 
 
@@ -288,13 +288,13 @@ QPushButton:hover, QComboBox:hover, QToolButton[autoRaise="false"]:hover { backg
 QPushButton:pressed, QToolButton[autoRaise="false"]:pressed { background: $pressed }
 QPushButton:checked { background: $checked; border-color: $accent }
 QToolButton[autoRaise="false"] { padding: 1px 2px }
-QToolButton[autoRaise="false"][checkable="true"] { background: none; border-color: $line; color: $muted }
-QToolButton[autoRaise="false"]:checked { background: $raised; border-color: $edge; color: $ink }
-QPushButton:default, QPushButton:focus, QComboBox:focus, QToolButton[autoRaise="false"]:focus {
-    border-color: $accent
-}
+QToolButton[autoRaise="false"][checkable="true"] { background: none }
+QToolButton[autoRaise="false"]:checked { background: $raised }
 QPushButton:disabled, QComboBox:disabled, QToolButton[autoRaise="false"]:disabled {
     background: none; border-color: $line; color: $pale
+}
+QPushButton:default, QPushButton:focus, QComboBox:focus, QToolButton[autoRaise="false"]:focus {
+    border-color: $accent
 }
 QComboBox { border-color: $rim; padding: 2px 4px 2px 6px }
 QComboBox:editable { background: $paper; padding-left: 1px }
