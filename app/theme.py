@@ -281,9 +281,9 @@ QDockWidget::close-button:hover, QDockWidget::float-button:hover { background: $
 QPushButton, QComboBox, QToolButton[autoRaise="false"] {
     background: $raised; border: 1px solid $edge; border-radius: 3px; color: $ink; padding: 3px 8px
 }
-QPushButton { padding: 4px 12px }
+QPushButton { padding: 3px 5px }
 QDialogButtonBox { dialogbuttonbox-buttons-have-icons: 0 }
-QDialogButtonBox QPushButton { min-width: 56px }
+QDialogButtonBox QPushButton { min-width: 56px; padding: 4px 12px }
 QPushButton:hover, QComboBox:hover, QToolButton[autoRaise="false"]:hover { background: $lifted }
 QPushButton:pressed, QToolButton[autoRaise="false"]:pressed { background: $pressed }
 QPushButton:checked { background: $checked; border-color: $accent }
@@ -296,6 +296,9 @@ QPushButton:disabled, QComboBox:disabled, QToolButton[autoRaise="false"]:disable
 QPushButton:default, QPushButton:focus, QComboBox:focus, QToolButton[autoRaise="false"]:focus {
     border-color: $accent
 }
+QCommandLinkButton, QCommandLinkButton:default { background: none; border-color: transparent }
+QCommandLinkButton:hover { background: $hover }
+QCommandLinkButton:focus { border-color: $accent }
 QComboBox { border-color: $rim; padding: 2px 4px 2px 6px }
 QComboBox:editable { background: $paper; padding-left: 1px }
 QComboBox::drop-down { border: none; width: 18px }
