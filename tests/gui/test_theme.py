@@ -190,6 +190,8 @@ def forget_the_system(app):
 def dressed(qapp):
     """The application, undressed again afterwards."""
     style, palette, sheet = qapp.style().name(), qapp.palette(), qapp.styleSheet()
+    # Another test may have put the palette back that all have, and with it taken away those of some classes.
+    qapp.setStyleSheet("")
     yield qapp
     forget_the_system(qapp)
     qapp.setStyleSheet(sheet)
