@@ -9,7 +9,7 @@ from PySide6.QtWidgets import QWidget
 
 from app.action_specs import SPECS, ActionSpec
 from app.icons import icon
-from app.keymap import Binding, Keymap, call_alone, keys_text, name_alone
+from app.keymap import Binding, Keymap, call_alone, keys_text, name_alone, say_needs, tool_tip
 from app.theme import Theme
 
 
@@ -30,6 +30,9 @@ class Actions:
         action.setObjectName(spec.name)
         if spec.alone:
             call_alone(action, spec.alone)
+        if spec.needs:
+            say_needs(action, spec.needs)
+            action.enabledChanged.connect(lambda _on: action.setToolTip(tool_tip(action)))
         action.setStatusTip(spec.tip or spec.text)
         action.setCheckable(spec.checkable or bool(spec.group))
         # Keys of actions that stand in menus alone are dead while the menu bar is hidden (presentation).

@@ -126,7 +126,7 @@ class Autosave(QObject):
             self._kept = None
             self._again.start()
         if problem and not self._has_complained:
-            self._session.say(problem)
+            self._session.refuse(problem)
         self._has_complained = bool(problem)
 
     def _discard(self) -> None:

@@ -137,7 +137,7 @@ class FileCommands:
             self._session.file.close()
 
     def _ask_about_changes(self) -> int:
-        name = title_of(self._session).replace("Untitled", "the sketch")
+        name = title_of(self._session) if self._session.path is not None else "the sketch"
         question = QMessageBox(self._window)
         question.setObjectName("saveChanges")
         question.setWindowTitle("Curvebench")
@@ -151,11 +151,8 @@ class FileCommands:
 
 
 def title_of(session: Session) -> str:
-    """Return what the document is called: its file, else the name that its first curve was given."""
-    if session.path is not None:
-        return session.path.name
-    name = session.document.curves[0].name
-    return "Untitled" if name == NEW_NAME else name
+    """Return what the document is called: its file; a curve's name would change with the order of curves."""
+    return "Untitled" if session.path is None else session.path.name
 
 
 def file_stem(session: Session) -> str:

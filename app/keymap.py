@@ -22,7 +22,7 @@ RESERVED = {
 }
 """Keys that, alone or with Shift, belong to the drawing and to the fields; an action cannot have them."""
 
-_ALONE = "nameAlone"
+_ALONE, _NEEDS = "nameAlone", "needs"
 
 
 class Binding(msgspec.Struct, frozen=True):
@@ -86,6 +86,18 @@ class Keymap(QObject):
                     return name
         return None
 
+    def why_not(self, keys: QKeyCombination) -> str:
+        """Return why the action with these keys cannot be used now, as a sentence; empty where none has them.
+
+        Qt passes the keys of an action that is disabled on, as if they were nobody's.
+        """
+        held = keys.keyboardModifiers() & ~Qt.KeyboardModifier.KeypadModifier
+        key = QKeySequence(QKeyCombination(held, keys.key()))
+        for binding in self._bindings.values():
+            if not binding.action.isEnabled() and key in binding.action.shortcuts():
+                return why_not(binding.action)
+        return ""
+
     def assign(self, name: str, keys: Sequence[QKeySequence]) -> None:
         """Give an action these keys, and take them from whoever has them."""
         for key in keys:
@@ -137,6 +149,17 @@ def call_alone(action: QAction, name: str) -> None:
     action.setProperty(_ALONE, name)
 
 
+def say_needs(action: QAction, needs: str) -> None:
+    """Tell an action what must be there before it can be used."""
+    action.setProperty(_NEEDS, needs)
+
+
+def why_not(action: QAction) -> str:
+    """Return what is missing where an action cannot be used, as a sentence."""
+    needs, name = action.property(_NEEDS), name_alone(action).removesuffix("…")
+    return f"“{name}” needs {needs}." if needs else f"“{name}” is not possible here."
+
+
 def name_alone(action: QAction) -> str:
     """Return what an action is called where its menu is not seen."""
     return str(action.property(_ALONE) or action.text().replace("&", ""))
@@ -170,7 +193,8 @@ def _bind(action: QAction, keys: Sequence[QKeySequence]) -> None:
 
 
 def tool_tip(action: QAction) -> str:
-    """Return what an action does, and the first of its keys."""
-    keys = action.shortcuts()
+    """Return what an action does, and the first of its keys; where it cannot be used, what it needs."""
+    keys, needs = action.shortcuts(), action.property(_NEEDS)
     suffix = f" ({native(keys[0])})" if keys else ""
-    return f"{action.statusTip()}{suffix}"
+    missing = f"\nNeeds {needs}" if needs and not action.isEnabled() else ""
+    return f"{action.statusTip()}{suffix}{missing}"

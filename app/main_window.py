@@ -105,7 +105,7 @@ class MainWindow(QMainWindow):
             # Who opens a document came to work on it.
             self._commands.messages.greet()
         if self.preferences.complaint:
-            self.status_line.say(self.preferences.complaint)
+            self.status_line.refuse(self.preferences.complaint)
         self._fit()
         when_first_shown(self, self._fit)
 
@@ -201,6 +201,7 @@ class MainWindow(QMainWindow):
         session.opened.connect(self._fit)
         session.opened.connect(self.canvas.forget_finished)
         session.said.connect(self.status_line.say)
+        session.refused.connect(self.status_line.refuse)
         session.offered.connect(self._offer)
         for plot in (self.canvas, self.basis_panel):
             plot.hint_changed.connect(self.status_line.show_hint)
@@ -377,6 +378,10 @@ class MainWindow(QMainWindow):
     def keyPressEvent(self, event: QKeyEvent) -> None:
         if event.key() == Qt.Key.Key_Escape:
             self._commands.view.escape()
+            return
+        # What has been used by nobody: the keys of an action that is disabled, for one.
+        if why_not := self.actions_by_name.keymap.why_not(event.keyCombination()):
+            self.session.refuse(why_not)
             return
         super().keyPressEvent(event)
 

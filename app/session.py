@@ -63,6 +63,8 @@ class Session(QObject):
         is void, and what has been said about the old one is out of date.
     said
         A sentence for the status line.
+    refused
+        A sentence for the status line: something was not done, and why.
     offered
         A sentence that stays until the next step, and the name of an action that goes with it.
 
@@ -86,6 +88,7 @@ class Session(QObject):
     saved = Signal()
     interrupted = Signal()
     said = Signal(str)
+    refused = Signal(str)
     offered = Signal(str, str)
 
     def __init__(self, parent: QObject | None = None) -> None:
@@ -243,7 +246,7 @@ class Session(QObject):
         try:
             refuse_locked(self._committed, document)
         except EditError as reason:
-            self.say(str(reason))
+            self.refuse(str(reason))
             return False
         return True
 
@@ -252,7 +255,7 @@ class Session(QObject):
         try:
             validate_changes(self._committed, document)
         except FormatError as reason:
-            self.say(f"This cannot be kept: {reason}.")
+            self.refuse(f"This cannot be kept: {reason}.")
             return False
         return True
 
@@ -353,6 +356,10 @@ class Session(QObject):
     def say(self, text: str) -> None:
         """Show a sentence in the status line."""
         self.said.emit(text)
+
+    def refuse(self, text: str) -> None:
+        """Say that something was not done, and why: marked, so that it is not taken for a hint."""
+        self.refused.emit(text)
 
     def offer(self, text: str, action: str, at: float | None = None) -> None:
         """Show a sentence above the canvas, and beside it a button for the action of this name.

@@ -290,7 +290,7 @@ class Editor(Hand):
         self.drag_pixels(panel, panel.to_pixel(start, height), panel.to_pixel(t, height))
 
     def click_in_list(self, row: int, spot: Spot = Spot.NAME) -> None:
-        """Click a part of a row in the list of curves."""
+        """Click a part of a row in the list of curves; `row` is the curve's place in the document."""
         self.show_dock("curvesDock")
         view = self.window.curve_list.view
         QTest.mouseClick(view.viewport(), _LEFT, pos=spot_rect(view.row_rect(row), spot).center())

@@ -10,6 +10,8 @@ from PySide6.QtCore import QObject, Qt
 from PySide6.QtGui import QColor, QPalette
 from PySide6.QtWidgets import QApplication, QStyleFactory
 
+from app.resources import resource
+
 
 class ThemeMode(enum.Enum):
     """What the person asked for."""
@@ -182,8 +184,10 @@ def _dress(app: QApplication, theme: Theme) -> None:
     if app.style().name().lower() != "fusion":
         app.setStyle(QStyleFactory.create("Fusion"))
     app.setPalette(palette)
-    # PySide takes the name as text, whatever its types say.
-    app.setPalette(_palette_of_boxes(theme), "QCheckBox")  # type: ignore[arg-type]
+    boxes = _palette_of_boxes(theme)
+    for name in ("QCheckBox", "QLineEdit", "QAbstractSpinBox"):
+        # PySide takes the name as text, whatever its types say.
+        app.setPalette(boxes, name)  # type: ignore[arg-type]
     app.setStyleSheet(sheet)
 
 
@@ -204,16 +208,20 @@ def palette_of(theme: Theme) -> QPalette:
 
 
 def _palette_of_boxes(theme: Theme) -> QPalette:
-    """Return the palette of check boxes, whose border Fusion draws in a darker shade of their background.
+    """Return the palette of check boxes and fields, whose border Fusion draws in a darker shade of Window.
 
-    In the dark that cannot be seen; they fill no background, so that theirs can be lighter.
+    Of the usual one that could hardly be seen, in the dark not at all; they fill nothing with it.
     """
-    palette = palette_of(theme)
-    if theme.name == "dark":
-        window = QPalette.ColorRole.Window
-        palette.setColor(window, mix(theme.ink, theme.surface, 0.75))
-        palette.setColor(QPalette.ColorGroup.Disabled, window, mix(theme.ink, theme.surface, 0.4))
+    palette, window = palette_of(theme), QPalette.ColorRole.Window
+    palette.setColor(window, rim(theme).lighter(_FUSION_DARKER))
+    pale = mix(theme.ink, theme.surface, 0.24).lighter(_FUSION_DARKER)
+    palette.setColor(QPalette.ColorGroup.Disabled, window, pale)
     return palette
+
+
+def rim(theme: Theme) -> QColor:
+    """Return the colour of the border around a field: three times as light or dark as what is beside it."""
+    return mix(theme.ink, theme.surface, 0.58 if theme.name == "light" else 0.46)
 
 
 def _role_colours(theme: Theme) -> dict[QPalette.ColorRole, QColor]:
@@ -245,6 +253,9 @@ def _role_colours(theme: Theme) -> dict[QPalette.ColorRole, QColor]:
     }
 
 
+_FUSION_DARKER: Final = 140
+"""Fusion's borders are Window, so many hundredths darker."""
+
 _STYLE_SHEET: Final = """
 QToolBar { background: $surface; border: none; border-bottom: 1px solid $line; padding: 4px; spacing: 2px }
 QToolBar::separator { background: $line; width: 1px; height: 1px; margin: 5px 6px }
@@ -258,7 +269,40 @@ QToolBar QToolButton[popupMode="1"] { padding-right: 16px }
 QToolBar QToolButton::menu-button { border: none; width: 14px }
 QMainWindow::separator, QSplitter::handle { background: $line; width: 1px; height: 1px }
 QMainWindow::separator:hover, QSplitter::handle:hover { background: $accent }
+QDockWidget {
+    titlebar-close-icon: url("$icons/close-$name.svg");
+    titlebar-normal-icon: url("$icons/float-$name.svg")
+}
 QDockWidget::title { background: $surface; padding: 7px 10px; text-align: left }
+QDockWidget::close-button, QDockWidget::float-button {
+    background: none; border: none; border-radius: 4px; padding: 1px; icon-size: 28px
+}
+QDockWidget::close-button:hover, QDockWidget::float-button:hover { background: $pressed }
+QPushButton, QComboBox, QToolButton[autoRaise="false"] {
+    background: $raised; border: 1px solid $edge; border-radius: 3px; color: $ink; padding: 3px 8px
+}
+QPushButton { padding: 3px 5px }
+QDialogButtonBox { dialogbuttonbox-buttons-have-icons: 0 }
+QDialogButtonBox QPushButton { min-width: 56px; padding: 4px 12px }
+QPushButton:hover, QComboBox:hover, QToolButton[autoRaise="false"]:hover { background: $lifted }
+QPushButton:pressed, QToolButton[autoRaise="false"]:pressed { background: $pressed }
+QPushButton:checked { background: $checked; border-color: $accent }
+QToolButton[autoRaise="false"] { padding: 1px 2px }
+QToolButton[autoRaise="false"][checkable="true"] { background: none }
+QToolButton[autoRaise="false"]:checked { background: $raised }
+QPushButton:disabled, QComboBox:disabled, QToolButton[autoRaise="false"]:disabled {
+    background: none; border-color: $line; color: $pale
+}
+QPushButton:default, QPushButton:focus, QComboBox:focus, QToolButton[autoRaise="false"]:focus {
+    border-color: $accent
+}
+QCommandLinkButton, QCommandLinkButton:default { background: none; border-color: transparent }
+QCommandLinkButton:hover { background: $hover }
+QCommandLinkButton:focus { border-color: $accent }
+QComboBox { border-color: $rim; padding: 2px 4px 2px 6px }
+QComboBox:editable { background: $paper; padding-left: 1px }
+QComboBox::drop-down { border: none; width: 18px }
+QComboBox::down-arrow { image: url("$icons/arrow-$name.svg"); width: 14px; height: 14px }
 QHeaderView { background: $surface; border: none }
 QHeaderView::section, QTableCornerButton::section {
     background: $surface; color: $muted; border: none; border-bottom: 1px solid $line; padding: 5px 8px
@@ -305,8 +349,12 @@ def style_sheet_of(theme: Theme) -> str:
         "$muted": theme.muted,
         "$pale": mix(theme.ink, theme.surface, 0.38),
         "$ink": theme.ink,
+        "$paper": theme.paper,
+        "$rim": rim(theme),
+        "$lifted": mix(theme.ink, _role_colours(theme)[QPalette.ColorRole.Button], 0.06),
     }
-    sheet = _STYLE_SHEET
+    folder = resource("icons", "styled", f"close-{theme.name}.svg").parent
+    sheet = _STYLE_SHEET.replace("$icons", folder.as_posix()).replace("$name", theme.name)
     for word, colour in colours.items():
         sheet = sheet.replace(word, colour.name())
     return sheet

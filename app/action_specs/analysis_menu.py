@@ -309,6 +309,7 @@ ANALYSIS_MENU = (
         "explain",
         "Click on the curve where it swings out: who pulls it there, and what would calm it",
         "tool",
+        needs="a curve through two points or more",
     ),
     ActionSpec(
         "playMotion",
@@ -320,6 +321,7 @@ ANALYSIS_MENU = (
         checkable=True,
         submenu="Motion",
         alone="Play Motion",
+        needs="a curve through two points or more",
     ),
     ActionSpec(
         "stopMotion",
@@ -330,6 +332,7 @@ ANALYSIS_MENU = (
         "End the motion (Escape)",
         submenu="Motion",
         alone="Stop Motion",
+        needs="a motion that is shown",
     ),
     ActionSpec(
         "motionSlower",
@@ -419,6 +422,7 @@ ANALYSIS_MENU = (
         separated=True,
         submenu="Motion",
         alone="Compare Motion, Cubic and Quintic",
+        needs="a curve through two points or more",
     ),
     ActionSpec(
         "exportMotion",
@@ -428,5 +432,6 @@ ANALYSIS_MENU = (
         "film",
         "Write the motion as GIF, APNG or MP4",
         submenu="Motion",
+        needs="a curve through two points or more",
     ),
 )

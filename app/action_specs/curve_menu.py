@@ -29,6 +29,7 @@ CURVE_MENU = (
         "Insert a point on the curve; under manual parameters its shape stays",
         separated=True,
         submenu="Points",
+        needs="a curve through two points or more that is not locked",
     ),
     ActionSpec(
         "keepShape",
@@ -38,6 +39,7 @@ CURVE_MENU = (
         "lock",
         "Take the insertion back, freeze the parameters and insert the point again: the shape stays",
         submenu="Points",
+        needs="an insertion that has just moved the parameters",
     ),
     ActionSpec(
         "tangentSmooth",
@@ -49,6 +51,7 @@ CURVE_MENU = (
         checkable=True,
         submenu="Tangents",
         alone="Smooth Tangents",
+        needs="selected points of a Hermite curve",
     ),
     ActionSpec(
         "tangentCorner",
@@ -60,6 +63,7 @@ CURVE_MENU = (
         checkable=True,
         submenu="Tangents",
         alone="Corner Tangents",
+        needs="selected points of a Hermite curve",
     ),
     ActionSpec(
         "tangentEstimated",
@@ -71,6 +75,7 @@ CURVE_MENU = (
         checkable=True,
         submenu="Tangents",
         alone="Estimated Tangents",
+        needs="selected points of a Hermite curve",
     ),
     ActionSpec(
         "straightSegment",
@@ -80,6 +85,7 @@ CURVE_MENU = (
         "straight",
         "Make the segments between neighbouring selected points straight, with corners at their ends",
         submenu="Tangents",
+        needs="a Hermite curve",
     ),
     ActionSpec(
         "pullVelocity",
@@ -90,6 +96,7 @@ CURVE_MENU = (
         "Give the selected points velocities of their own, with handles to drag; Alt+drag a point does too",
         separated=True,
         submenu="Tangents",
+        needs="selected points of a Hermite curve",
     ),
     ActionSpec(
         "resetVelocities",
@@ -99,6 +106,7 @@ CURVE_MENU = (
         "reset",
         "Let the rules estimate the velocities and accelerations of the selected points again",
         submenu="Tangents",
+        needs="selected points with a velocity or an acceleration that was set",
     ),
     ActionSpec(
         "freezeParameters",
@@ -108,6 +116,7 @@ CURVE_MENU = (
         "lock",
         "Keep the parameters as they are: make them manual",
         submenu="Parameters",
+        needs="parameters that a rule gives",
     ),
     ActionSpec(
         "useUniform",
@@ -117,6 +126,7 @@ CURVE_MENU = (
         "spline",
         "Space the parameters evenly, wherever the points lie",
         submenu="Parameters",
+        needs="parameters that are not uniform",
     ),
     ActionSpec(
         "typeParameter",
@@ -127,6 +137,7 @@ CURVE_MENU = (
         "Type the parameter of the selected point at its tick",
         submenu="Parameters",
         alone="Type a Parameter t…",
+        needs="one selected point",
     ),
     ActionSpec(
         "startUniform",
@@ -138,6 +149,7 @@ CURVE_MENU = (
         separated=True,
         submenu="Parameters",
         alone="Manual Parameters, from Uniform",
+        needs="two points or more",
     ),
     ActionSpec(
         "startChordLength",
@@ -148,6 +160,7 @@ CURVE_MENU = (
         "Make the parameters manual, spaced as the points are",
         submenu="Parameters",
         alone="Manual Parameters, from Chord Length",
+        needs="two points or more",
     ),
     ActionSpec(
         "startCentripetal",
@@ -158,6 +171,7 @@ CURVE_MENU = (
         "Make the parameters manual, spaced by the square roots of the distances",
         submenu="Parameters",
         alone="Manual Parameters, from Centripetal",
+        needs="two points or more",
     ),
     ActionSpec(
         "startChebyshev",
@@ -168,6 +182,7 @@ CURVE_MENU = (
         "Make the parameters manual, at Chebyshev points",
         submenu="Parameters",
         alone="Manual Parameters, from Chebyshev",
+        needs="two points or more",
     ),
     ActionSpec(
         "newCurve",
@@ -203,6 +218,7 @@ CURVE_MENU = (
         "Join the end of the curve to the nearest start of another",
         separated=True,
         alone="Join Curve End to Start",
+        needs="a second curve",
     ),
     ActionSpec(
         "splitCurve",
@@ -212,6 +228,7 @@ CURVE_MENU = (
         "split",
         "Split the curve at the selected point, or at the scrub line",
         alone="Split Curve",
+        needs="a curve through two points or more that is not locked",
     ),
     ActionSpec(
         "reverseCurve",
@@ -221,6 +238,7 @@ CURVE_MENU = (
         "reverse",
         "Run through the curve the other way",
         alone="Reverse Curve",
+        needs="two points or more",
     ),
     ActionSpec(
         "closeCurve",
@@ -278,23 +296,25 @@ CURVE_MENU = (
     ),
     ActionSpec(
         "raiseCurve",
-        "Move Up in the List",
+        "Raise",
         "Curve",
         "Alt+Up",
         "move-up",
-        "Draw the curve earlier, behind others",
+        "Move the curve up in the list: it is drawn in front of the next one",
         submenu="Order",
-        alone="Move Curve Up in the List",
+        alone="Raise Curve",
+        needs="a curve in front of this one",
     ),
     ActionSpec(
         "lowerCurve",
-        "Move Down in the List",
+        "Lower",
         "Curve",
         "Alt+Down",
         "move-down",
-        "Draw the curve later, in front of others",
+        "Move the curve down in the list: it is drawn behind the next one",
         submenu="Order",
-        alone="Move Curve Down in the List",
+        alone="Lower Curve",
+        needs="a curve behind this one",
     ),
     ActionSpec(
         "nextCurve",
@@ -302,9 +322,10 @@ CURVE_MENU = (
         "Curve",
         "Ctrl+PgDown",
         "",
-        "Edit the next curve",
+        "Edit the next curve down the list",
         separated=True,
         submenu="Order",
+        needs="a second curve",
     ),
     ActionSpec(
         "previousCurve",
@@ -312,7 +333,8 @@ CURVE_MENU = (
         "Curve",
         "Ctrl+PgUp",
         "",
-        "Edit the previous curve",
+        "Edit the next curve up the list",
         submenu="Order",
+        needs="a second curve",
     ),
 )

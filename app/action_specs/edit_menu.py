@@ -5,8 +5,18 @@ from __future__ import annotations
 from app.action_specs.spec import ActionSpec
 
 EDIT_MENU = (
-    ActionSpec("undo", "Undo", "Edit", "Ctrl+Z", "undo", "Take the last step back"),
-    ActionSpec("redo", "Redo", "Edit", "Ctrl+Shift+Z, Ctrl+Y", "redo", "Do the step again"),
+    ActionSpec(
+        "undo", "Undo", "Edit", "Ctrl+Z", "undo", "Take the last step back", needs="a step to take back"
+    ),
+    ActionSpec(
+        "redo",
+        "Redo",
+        "Edit",
+        "Ctrl+Shift+Z, Ctrl+Y",
+        "redo",
+        "Do the step again",
+        needs="a step that was taken back",
+    ),
     ActionSpec(
         "selectTool",
         "Select",
@@ -48,8 +58,17 @@ EDIT_MENU = (
         "Ctrl+Shift+A",
         "",
         "Choose all curves, to move, scale, hide, colour or delete them together",
+        needs="a curve that is not chosen yet",
     ),
-    ActionSpec("onlyThisCurve", "Only This Curve", "Edit", "", "", "Choose the curve that is edited alone"),
+    ActionSpec(
+        "onlyThisCurve",
+        "Only This Curve",
+        "Edit",
+        "",
+        "",
+        "Choose the curve that is edited alone",
+        needs="several chosen curves",
+    ),
     ActionSpec(
         "moveSelection",
         "Move",
@@ -101,6 +120,7 @@ EDIT_MENU = (
         "Put the selected points below the leftmost one",
         submenu="Align and Distribute",
         alone="Align Left",
+        needs="two selected points or more",
     ),
     ActionSpec(
         "alignCentre",
@@ -111,6 +131,7 @@ EDIT_MENU = (
         "Put the selected points on one vertical, halfway",
         submenu="Align and Distribute",
         alone="Align Centre",
+        needs="two selected points or more",
     ),
     ActionSpec(
         "alignRight",
@@ -121,6 +142,7 @@ EDIT_MENU = (
         "Put the selected points below the rightmost one",
         submenu="Align and Distribute",
         alone="Align Right",
+        needs="two selected points or more",
     ),
     ActionSpec(
         "alignTop",
@@ -132,6 +154,7 @@ EDIT_MENU = (
         separated=True,
         submenu="Align and Distribute",
         alone="Align Top",
+        needs="two selected points or more",
     ),
     ActionSpec(
         "alignMiddle",
@@ -142,6 +165,7 @@ EDIT_MENU = (
         "Put the selected points on one horizontal, halfway",
         submenu="Align and Distribute",
         alone="Align Middle",
+        needs="two selected points or more",
     ),
     ActionSpec(
         "alignBottom",
@@ -152,6 +176,7 @@ EDIT_MENU = (
         "Put the selected points level with the lowest one",
         submenu="Align and Distribute",
         alone="Align Bottom",
+        needs="two selected points or more",
     ),
     ActionSpec(
         "distributeHorizontally",
@@ -162,6 +187,7 @@ EDIT_MENU = (
         "Space the selected points evenly from left to right",
         separated=True,
         submenu="Align and Distribute",
+        needs="three selected points or more",
     ),
     ActionSpec(
         "distributeVertically",
@@ -171,6 +197,7 @@ EDIT_MENU = (
         "distribute-vertically",
         "Space the selected points evenly from bottom to top",
         submenu="Align and Distribute",
+        needs="three selected points or more",
     ),
     ActionSpec(
         "deleteSelection",
@@ -180,6 +207,7 @@ EDIT_MENU = (
         "delete",
         "Delete the selected points",
         alone="Delete Points",
+        needs="selected points",
     ),
     ActionSpec(
         "cutPoints",
@@ -190,6 +218,7 @@ EDIT_MENU = (
         "Copy the selected points, or the chosen curves, and delete them",
         separated=True,
         alone="Cut Points",
+        needs="selected points, or several chosen curves",
     ),
     ActionSpec(
         "copyPoints",
@@ -199,6 +228,7 @@ EDIT_MENU = (
         "copy",
         "Copy the selected points with their derivatives, or the chosen curves",
         alone="Copy Points",
+        needs="selected points, or several chosen curves",
     ),
     ActionSpec(
         "pastePoints",
@@ -225,9 +255,16 @@ EDIT_MENU = (
         "",
         "Copy all curves as a picture without paper, PNG and SVG",
         separated=True,
+        needs="a curve through two points or more",
     ),
     ActionSpec(
-        "copyPathData", "Copy as SVG Path", "Edit", "", "", "Copy all curves as the path data of an SVG"
+        "copyPathData",
+        "Copy as SVG Path",
+        "Edit",
+        "",
+        "",
+        "Copy all curves as the path data of an SVG",
+        needs="a curve through two points or more",
     ),
     ActionSpec(
         "copyDerivatives",
@@ -236,6 +273,7 @@ EDIT_MENU = (
         "Ctrl+Alt+C",
         "",
         "Copy the velocity and the acceleration of the selected point",
+        needs="one selected point of a Hermite curve",
     ),
     ActionSpec(
         "pasteDerivatives",
@@ -244,6 +282,7 @@ EDIT_MENU = (
         "Ctrl+Alt+V",
         "",
         "Give the selected points the velocity and the acceleration that were copied",
+        needs="copied derivatives, and selected points of a Hermite curve",
     ),
     ActionSpec(
         "commandPalette",

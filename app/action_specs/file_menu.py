@@ -25,6 +25,7 @@ FILE_MENU = (
         "Take over what the file holds now; Undo brings back what was here",
         submenu="Disk",
         alone="Reload File",
+        needs="a file that can be read",
     ),
     ActionSpec(
         "keepMine",
@@ -35,6 +36,7 @@ FILE_MENU = (
         "Go on with what is here; the next save replaces the changed file",
         submenu="Disk",
         alone="Keep Mine, not the File",
+        needs="a file that was changed outside this window",
     ),
     ActionSpec(
         "compareWithFile",
@@ -46,6 +48,7 @@ FILE_MENU = (
         checkable=True,
         submenu="Disk",
         alone="Compare with File as Ghost",
+        needs="a file that was changed outside this window",
     ),
     ActionSpec(
         "overwriteFile",
@@ -66,6 +69,7 @@ FILE_MENU = (
         "Make a document yours that is open elsewhere",
         submenu="Disk",
         alone="Take Over the Document",
+        needs="a document that is open read-only",
     ),
     ActionSpec(
         "editAnyway",
@@ -106,9 +110,26 @@ FILE_MENU = (
         "move",
         "Drag the reference image, and scale it by its corners; points are out of reach meanwhile",
         checkable=True,
+        needs="a reference image that is not locked",
     ),
-    ActionSpec("findImage", "Find Image…", "File", "", "", "Say where the file of the reference image is"),
-    ActionSpec("removeImage", "Remove Image", "File", "", "", "Take the reference image out of the document"),
+    ActionSpec(
+        "findImage",
+        "Find Image…",
+        "File",
+        "",
+        "",
+        "Say where the file of the reference image is",
+        needs="a reference image",
+    ),
+    ActionSpec(
+        "removeImage",
+        "Remove Image",
+        "File",
+        "",
+        "",
+        "Take the reference image out of the document",
+        needs="a reference image",
+    ),
     ActionSpec(
         "recoverWork",
         "Recover Unsaved Work",
@@ -126,6 +147,7 @@ FILE_MENU = (
         "stop",
         "Stop reading or writing; nothing changes",
         separated=True,
+        needs="a file that is being read or written",
     ),
     ActionSpec("quit", "Quit", "File", "Ctrl+Q", "quit", "Close the window", separated=True),
 )

@@ -33,6 +33,9 @@ class ActionSpec(msgspec.Struct, frozen=True):
     alone
         What it is called where its menu is not seen: in the palette and the list of keys; the text itself
         where empty.
+    needs
+        What must be there before it can be used, to follow "needs"; empty where it always can be, or where
+        nothing short says it.
     """
 
     name: str
@@ -46,3 +49,4 @@ class ActionSpec(msgspec.Struct, frozen=True):
     separated: bool = False
     submenu: str = ""
     alone: str = ""
+    needs: str = ""

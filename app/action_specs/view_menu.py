@@ -44,6 +44,7 @@ VIEW_MENU = (
         "spline",
         "Show a point running along the curve and the weight of every point",
         checkable=True,
+        needs="a curve through two points or more",
     ),
     ActionSpec(
         "toggleBasis",

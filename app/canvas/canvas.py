@@ -317,6 +317,8 @@ class Canvas(CanvasView):
         if direction is None or self._active_tool.is_pressed:
             return False
         held = event.modifiers()
+        if held & Qt.KeyboardModifier.AltModifier:
+            return False
         factor = 10.0 if held & Qt.KeyboardModifier.ShiftModifier else 1.0
         if held & Qt.KeyboardModifier.ControlModifier:
             factor *= 0.1
@@ -326,6 +328,7 @@ class Canvas(CanvasView):
             return True
         self._tool.grid = self.grid_spacing
         self._tool.nudge(direction, pixel, factor)
+        self._reveal_selected()
         return True
 
     def focusNextPrevChild(self, forward: bool) -> bool:

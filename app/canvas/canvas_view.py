@@ -168,6 +168,8 @@ class CanvasView(PlotWidget):
     def set_image(self, image: ReferenceImage | None, pixels: QImage | None) -> None:
         """Show a picture behind the curves; without `pixels` the frame where it belongs."""
         self._image_layer.render(image, pixels)
+        for layer in (self._curve_layer, self._other_curves):
+            layer.set_cased(pixels is not None)
         self._point_layer.over_picture = pixels is not None
 
     def _show_weights(self) -> None:

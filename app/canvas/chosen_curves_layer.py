@@ -53,8 +53,7 @@ class ChosenCurvesLayer(OtherCurvesLayer):
         return curve_colour(view.source.colour, self.theme)
 
     def _line(self, colour: QColor, width: float) -> QPen:
-        pen = QPen(colour, width * self.scale)
-        pen.setCapStyle(Qt.PenCapStyle.RoundCap)
+        pen = super()._line(colour, width)
         pen.setJoinStyle(Qt.PenJoinStyle.RoundJoin)
         return pen
 

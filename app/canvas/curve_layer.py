@@ -15,7 +15,10 @@ from app.view_model.curve_view import CurveView, Polyline
 TOLERANCE = 0.1
 """Largest distance between the curve and what is drawn of it, in pixels; a quarter can be seen as corners."""
 
-_GHOST_MS = 900
+CASING = 1.0
+"""Pixels of paper on either side of a line that lies on a picture: grey on grey would not be seen."""
+
+_GHOST_MS, _WIDTH = 900, 2.0
 
 
 class CurveLayer:
@@ -29,7 +32,7 @@ class CurveLayer:
         self._drawn: tuple[CurveView | None, PixelMap | None] = (None, None)
         self._ghost_drawn: tuple[Floats | None, PixelMap | None] = (None, None)
         self._ghost: Floats | None = None
-        self._ghost_held = False
+        self._ghost_held = self._is_cased = False
         self._fade = QVariantAnimation(plot, startValue=1.0, endValue=0.0, duration=_GHOST_MS)
         self._layer: Layer = plot.add_layer(self.paint, z=0)
         self._fade.valueChanged.connect(lambda _value: self._layer.update())
@@ -82,8 +85,16 @@ class CurveLayer:
             self._paint_ghost(painter, shown, self._ghost)
         if self._view is not self._drawn[0] or shown is not self._drawn[1]:
             self._fill(shown)
+        if self._is_cased:
+            painter.setPen(self._line(self.theme.paper, _WIDTH + 2 * CASING))
+            self._stroke.draw(painter)
         painter.setPen(self._pen())
         self._stroke.draw(painter)
+
+    def set_cased(self, cased: bool) -> None:
+        """Keep the line apart from what lies below it, a picture to trace, or not."""
+        self._is_cased = cased
+        self._layer.update()
 
     def _fill(self, shown: PixelMap) -> None:
         polyline = self.polyline(shown)
@@ -94,13 +105,17 @@ class CurveLayer:
         self._drawn = (self._view, shown)
 
     def _pen(self) -> QPen:
-        pen = QPen(self.theme.curve, 2.0 * self.scale)
-        pen.setCapStyle(Qt.PenCapStyle.RoundCap)
+        pen = self._line(self.theme.curve, _WIDTH)
         if self._view is not None:
             source = self._view.source
             # Faint: the last good curve, of nodes or rules that are no more, and a hidden one that is edited.
             is_faint = not (self._view.is_current and source.visible)
             pen.setColor(self.theme.ghost if is_faint else curve_colour(source.colour, self.theme))
+        return pen
+
+    def _line(self, colour: QColor, width: float) -> QPen:
+        pen = QPen(colour, width * self.scale)
+        pen.setCapStyle(Qt.PenCapStyle.RoundCap)
         return pen
 
     def _paint_ghost(self, painter: QPainter, shown: PixelMap, points: Floats) -> None:

@@ -10,7 +10,7 @@ import numpy as np
 from PySide6.QtCore import QRectF, Qt, QTimer
 from PySide6.QtGui import QColor, QPainter, QPen, QPixmap
 
-from app.canvas.curve_layer import TOLERANCE
+from app.canvas.curve_layer import CASING, TOLERANCE
 from app.canvas.hit_test import CURVE_REACH, Segments
 from app.colours import curve_colour
 from app.document.model import Vector
@@ -42,6 +42,7 @@ class OtherCurvesLayer:
     def __init__(self, plot: LayeredPlot, theme: Theme) -> None:
         self.theme = theme
         self.scale = 1.0
+        self._is_cased = False
         self._views: list[tuple[int, CurveView]] = []
         self._picture: _Picture | None = None
         self._seconds = 0.0
@@ -65,6 +66,12 @@ class OtherCurvesLayer:
         self._picture = self._outline = None
         self._layer.setVisible(bool(shown))
         self._layer.update()
+
+    def set_cased(self, cased: bool) -> None:
+        """Keep the lines apart from what lies below them, a picture to trace, or not."""
+        if cased != self._is_cased:
+            self._is_cased, self._picture = cased, None
+            self._layer.update()
 
     def paint(self, painter: QPainter, shown: PixelMap) -> None:
         """Draw the picture; it is made anew when another part of the plane is visible.
@@ -114,14 +121,20 @@ class OtherCurvesLayer:
         stroke = Stroke()
         for view in views:
             stroke.fill(pixels_of(view, shown), shown.width, shown.height)
-            painter.setPen(self._pen(view))
+            if self._is_cased:
+                painter.setPen(self._line(self.theme.paper, _WIDTH + 2 * CASING))
+                stroke.draw(painter)
+            painter.setPen(self._line(self._colour(view), _WIDTH))
             stroke.draw(painter)
 
-    def _pen(self, view: CurveView) -> QPen:
+    def _colour(self, view: CurveView) -> QColor:
         colour = curve_colour(view.source.colour, self.theme)
         if not view.source.colour:
             colour = QColor(self.theme.muted)
-        pen = QPen(mix(colour, self.theme.paper, _OPACITY), _WIDTH * self.scale)
+        return colour if self._is_cased else mix(colour, self.theme.paper, _OPACITY)
+
+    def _line(self, colour: QColor, width: float) -> QPen:
+        pen = QPen(colour, width * self.scale)
         pen.setCapStyle(Qt.PenCapStyle.RoundCap)
         return pen
 

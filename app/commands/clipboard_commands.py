@@ -15,7 +15,7 @@ from app.document import curve_edits, edits
 from app.document.edits import EditError
 from app.document.format import FormatError, decode, encode
 from app.document.model import Curve, Document, Node
-from app.exchange.table_text import TableTextError, read_block, write_block
+from app.exchange.table_text import Block, TableTextError, read_titled_block, write_block
 from app.panels.number_text import decimal_mark, exact_text
 from app.panels.words import count_of
 from app.view_model.curve_view import CurveView
@@ -39,11 +39,15 @@ _ON_CANVAS = ("cutPoints", "copyPoints", "pastePoints", "pasteAsCurve", "copyDer
 
 
 class _Pasted(msgspec.Struct, frozen=True):
-    """What is on the clipboard: points, whether they came as text, and the row they begin in."""
+    """What is on the clipboard: points, whether they came as text, and the row they begin in.
+
+    `note` goes on the sentence that tells what was pasted.
+    """
 
     nodes: tuple[Node, ...]
     like: Curve | None = None
     first_row: int = 1
+    note: str = ""
 
 
 class _ClipboardWatch(QObject):
@@ -150,7 +154,7 @@ class ClipboardCommands:
             if not self._curves.paste():
                 put(_on_clipboard())
         except (EditError, TableTextError) as reason:
-            self._session.say(str(reason))
+            self._session.refuse(str(reason))
 
     def _append(self, pasted: _Pasted) -> None:
         session, view = self._session, self._session.active_view
@@ -165,7 +169,7 @@ class ClipboardCommands:
         ):
             session.select(range(count, count + len(pasted.nodes)))
             self._show_points()
-            session.say(f"Pasted {count_of(len(pasted.nodes), 'point')}.")
+            session.say(f"Pasted {count_of(len(pasted.nodes), 'point')}{pasted.note}.")
 
     def _add_curve(self, pasted: _Pasted) -> None:
         session, place = self._session, self._session.active_index + 1
@@ -179,7 +183,7 @@ class ClipboardCommands:
         edits.set_nodes(document, place, curve.nodes)
         if self._parts.change(f"Paste as {name}", lambda: document, active=place):
             self._show_points()
-            session.say(f"Pasted {count_of(len(curve.nodes), 'point')} as “{name}”.")
+            session.say(f"Pasted {count_of(len(curve.nodes), 'point')} as “{name}”{pasted.note}.")
 
     def _show_points(self) -> None:
         """Fit the view if points that were pasted lie outside it."""
@@ -214,7 +218,7 @@ class ClipboardCommands:
         session, chosen = self._session, self._session.selection
         jet = _derivatives_on_clipboard()
         if jet is None:
-            session.say("There are no derivatives on the clipboard; Copy Derivatives puts them there.")
+            session.refuse("There are no derivatives on the clipboard; Copy Derivatives puts them there.")
             return
         nodes = (
             _with_derivatives(node, jet) if index in chosen else node
@@ -243,10 +247,30 @@ def _on_clipboard() -> _Pasted:
         if curve.nodes:
             return _Pasted(curve.nodes, curve)
     text = data.text() if data.hasText() else ""
-    rows = read_block(text, decimal_mark())
+    block = read_titled_block(text, decimal_mark())
     # A row of titles was skipped.
-    first_row = 1 + len(text.rstrip().splitlines()) - len(rows)
-    return _Pasted(nodes_of_rows(rows), first_row=first_row)
+    first_row = 1 + len(text.rstrip().splitlines()) - len(block.rows)
+    note = "; the row of titles was skipped" if block.titles else ""
+    return _Pasted(nodes_of_rows(_in_order(block)), first_row=first_row, note=note)
+
+
+def _in_order(block: Block) -> list[list[float]]:
+    """Return the rows of points with the columns that titles name in the order t x y.
+
+    Raises
+    ------
+    EditError
+        If the titles name something else.
+    """
+    names = [title for title in block.titles if title != "#"]
+    if not names:
+        return block.rows
+    if sorted(names) not in (["x", "y"], ["t", "x", "y"]):
+        raise EditError(
+            f"Points are x y, or t x y; the titles are {' '.join(names)}. The point table takes them all."
+        )
+    places = [block.titles.index(name) for name in sorted(names)]
+    return [[row[place] for place in places] for row in block.rows]
 
 
 def _derivatives_on_clipboard() -> Node | None:

@@ -46,10 +46,10 @@ class CurveCommands:
             "reverseCurve": self._reverse,
             "closeCurve": self._toggle_closed,
             "renameCurve": self._rename,
-            "raiseCurve": lambda: self._move(-1),
-            "lowerCurve": lambda: self._move(1),
-            "nextCurve": lambda: self._walk(1),
-            "previousCurve": lambda: self._walk(-1),
+            "raiseCurve": lambda: self._move(1),
+            "lowerCurve": lambda: self._move(-1),
+            "nextCurve": lambda: self._walk(-1),
+            "previousCurve": lambda: self._walk(1),
         }
 
     def render(self, view: CurveView) -> None:
@@ -62,8 +62,8 @@ class CurveCommands:
         actions["keepShape"].setEnabled(self._session.offered_at is not None)
         actions["joinCurve"].setEnabled(view.is_current and count > 1)
         actions["reverseCurve"].setEnabled(len(curve.nodes) > 1)
-        actions["raiseCurve"].setEnabled(index > 0)
-        actions["lowerCurve"].setEnabled(index < count - 1)
+        actions["raiseCurve"].setEnabled(index < count - 1)
+        actions["lowerCurve"].setEnabled(index > 0)
         for name in ("nextCurve", "previousCurve"):
             actions[name].setEnabled(count > 1)
 
@@ -89,6 +89,7 @@ class CurveCommands:
             )
 
     def _walk(self, step: int) -> None:
+        # The next one is the one below in the list, hence behind.
         session = self._session
         session.activate((session.active_index + step) % len(session.document.curves))
         session.say(f"Editing “{session.active_curve.name}”.")
@@ -125,7 +126,7 @@ class CurveCommands:
         try:
             done = split(session.active_view, t)
         except EditError as reason:
-            session.say(str(reason))
+            session.refuse(str(reason))
             return
         first, *others = done.curves
         self._say_if(
@@ -147,7 +148,7 @@ class CurveCommands:
     def _at_scrub(self, act: Callable[[float], None]) -> None:
         t = self._session.scrub
         if t is None:
-            self._session.say(
+            self._session.refuse(
                 "Select an inner point, or put the scrub line (T) where on the curve it shall be."
             )
         else:
@@ -157,7 +158,7 @@ class CurveCommands:
         session, index = self._session, self._session.active_index
         partner = self._nearest_start()
         if partner is None:
-            session.say("There is no other open, visible curve whose start could follow.")
+            session.refuse("There is no other open, visible curve whose start could follow.")
             return
         name = session.document.curves[partner].name
         made = self._reshape(
@@ -184,7 +185,7 @@ class CurveCommands:
     def _reverse(self) -> None:
         view = self._session.active_view
         if not view.is_current:
-            self._session.say(f"There is no curve to reverse. {view.problem}")
+            self._session.refuse(f"There is no curve to reverse. {view.problem}")
             return
         if self._reshape(f"Reverse {view.source.name}", lambda: reversed_curve(view)) is not None:
             self._session.select([])
@@ -212,7 +213,7 @@ class CurveCommands:
         try:
             made = make()
         except EditError as reason:
-            session.say(str(reason))
+            session.refuse(str(reason))
             return None
         document, index = session.document, session.active_index
         if not self._parts.change(

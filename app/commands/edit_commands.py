@@ -118,7 +118,7 @@ class EditCommands:
         self._parts.cancel_gesture()  # the menu's entries are no commands of their own
         session, view = self._session, self._session.active_view
         if kind is ParametrizationKind.MANUAL and not view.is_current:
-            session.say("There are no parameters to start from; mend the points first.")
+            session.refuse("There are no parameters to start from; mend the points first.")
             return
         self._parts.change(
             f"Use {KIND_NAMES[kind].lower()} parameters",

@@ -101,7 +101,7 @@ class ExchangeCommands:
         self._documents += 1
 
     def _give_up(self, path: Path) -> None:
-        self._session.say(f"{path.name} was not imported, for another document was opened meanwhile.")
+        self._session.refuse(f"{path.name} was not imported, for another document was opened meanwhile.")
 
     def _open_for_this_document(self, path: Path, dialog: QDialog) -> None:
         """Show the dialog of an import until another document is opened."""

@@ -56,7 +56,7 @@ class FileWork:
             self.refuse(path, what, problem)
 
         if not self.jobs.start(title, work, done, failed):
-            self._parts.session.say(f"{self.jobs.title} is still going on; stop it first.")
+            self._parts.session.refuse(f"{self.jobs.title} is still going on; stop it first.")
 
     def refuse(self, path: Path, what: str, problem: Exception) -> None:
         """Say why something was not done with a file."""

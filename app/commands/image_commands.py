@@ -6,7 +6,7 @@ from math import ceil, log10
 from pathlib import Path
 
 from PySide6.QtGui import QAction, QActionGroup, QImage
-from PySide6.QtWidgets import QFileDialog
+from PySide6.QtWidgets import QDockWidget, QFileDialog
 
 from app.canvas.image_file import ImageFileError, read_image
 from app.commands.messages import Messages
@@ -36,6 +36,8 @@ class ImageCommands:
         self._pixels: QImage | None = None
         self._problem = ""
         self._shown: ReferenceImage | None = None
+        # What stood in front when the panel came; it comes back when the panel goes.
+        self._in_front_before: list[QDockWidget] = []
         names = ("moveImage", "findImage", "removeImage")
         parts.image_panel.add_buttons([self._actions[name] for name in names])
         # Another document may name the same file, which may have changed meanwhile.
@@ -91,11 +93,15 @@ class ImageCommands:
         side_panel = self._actions["toggleSidePanel"].isChecked()
         presenting = self._actions["presentation"].isChecked()
         in_front = [each for each in self._parts.docks if not each.visibleRegion().isEmpty()]
+        covered = self._parts.window.tabifiedDockWidgets(dock) if dock in in_front and not shown else []
         dock.setVisible(shown and side_panel and not presenting)
-        # A tab that appears comes to the front; undo and redo must not turn the page over.
-        for each in in_front:
-            if each is not dock:
+        # A tab that appears comes to the front, and one that goes brings its neighbour there; undo and redo
+        # must not turn the page over.
+        for each in (*in_front, *(each for each in covered if each in self._in_front_before)):
+            if each is not dock and not each.isHidden():
                 each.raise_()
+        if shown:
+            self._in_front_before = in_front
 
     def _load(self, path: str) -> None:
         self._loaded_path, self._pixels, self._problem = path, None, ""

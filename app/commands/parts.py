@@ -63,7 +63,7 @@ class Parts(msgspec.Struct, frozen=True):
         try:
             return self.session.commit(edit(), text, active=active)
         except EditError as reason:
-            self.session.say(str(reason))
+            self.session.refuse(str(reason))
             return False
 
     def cancel_gesture(self) -> bool:

@@ -60,7 +60,7 @@ class RailCommands:
         ruled = session.document.with_curve(session.active_index, replace(curve, parametrization=rule))
         view = view_of(ruled.curves[session.active_index])
         if not view.is_current:
-            session.say(view.problem)
+            session.refuse(view.problem)
             return
         self._parts.change(
             f"Start from {words} parameters",

@@ -57,7 +57,7 @@ class SelectionCommands:
 
     def _begin(self, kind: TransformKind) -> None:
         if self._parts.canvas.is_moving_image:
-            self._session.say("The image is being moved now; Escape goes back to the points.")
+            self._session.refuse("The image is being moved now; Escape goes back to the points.")
         else:
             self._parts.canvas.begin_transform(kind)
 

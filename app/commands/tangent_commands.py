@@ -100,17 +100,17 @@ class TangentCommands:
         if segments:
             self._straighten(segments)
         else:
-            session.say("Select two neighbouring points, or click with the right button on the segment.")
+            session.refuse("Select two neighbouring points, or click with the right button on the segment.")
 
     def _straighten(self, segments: Sequence[int]) -> None:
         session, view = self._session, self._session.active_view
         try:
             made = with_straight_segments(view, segments)
         except EditError as reason:
-            session.say(str(reason))
+            session.refuse(str(reason))
             return
         if made == view.source:
-            session.say("That is straight already.")
+            session.refuse("That is straight already.")
             return
         text = _straight_text(view.source, segments)
         if not self._parts.change(text, lambda: replace_curve(session.document, session.active_index, made)):

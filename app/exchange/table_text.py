@@ -15,6 +15,7 @@ MAX_COLUMNS = 16
 
 _TITLES = {"#", "t", "x", "y", "vx", "vy", "ax", "ay"}
 _GROUPED = re.compile(r"[-+−]?[0-9]{1,3}(,[0-9]{3})+")
+_UNIT = re.compile(r"(?<=\w)\s*[\[(][^\])]*[\])]$")
 _DECIMAL_COMMA = re.compile(r"[0-9]*,[0-9]+")
 
 
@@ -34,11 +35,6 @@ class Block(msgspec.Struct, frozen=True):
     rows: list[list[float]]
 
 
-def read_block(text: str, mark: str = ".") -> list[list[float]]:
-    """Return the rows of `read_titled_block`."""
-    return read_titled_block(text, mark).rows
-
-
 def read_titled_block(text: str, mark: str = ".") -> Block:
     """Return the numbers of a block of text, row by row.
 
@@ -46,7 +42,7 @@ def read_titled_block(text: str, mark: str = ".") -> Block:
     ----------
     text
         Rows as lines; cells separated by tabs, semicolons, commas or spaces. A first row may hold titles of
-        the point table (t, x, y, vx, …).
+        the point table (t, x, y, vx, …), with a unit ("x [mm]") or after a "#" as for a comment.
     mark
         The decimal mark of the person's locale. A comma between cells that something else separates is read
         as a decimal comma wherever it cannot be a group separator.
@@ -69,7 +65,7 @@ def read_titled_block(text: str, mark: str = ".") -> Block:
         raise TableTextError(
             f"These are {max(map(len, cells))} columns; {MAX_COLUMNS} can be pasted at once."
         )
-    titles = tuple(cell.lower() for cell in cells[0])
+    titles = _titles(cells)
     skipped = 1 if len(cells) > 1 and set(titles) <= _TITLES else 0
     numbers = [
         [_number(cell, row, column, "," if comma else mark) for column, cell in enumerate(line, start=1)]
@@ -81,6 +77,13 @@ def read_titled_block(text: str, mark: str = ".") -> Block:
     if len(titles) != len(numbers[0]):
         raise TableTextError(f"There are {len(titles)} titles, but {len(numbers[0])} columns.")
     return Block(titles, numbers)
+
+
+def _titles(cells: list[list[str]]) -> tuple[str, ...]:
+    """Return the cells of the first row as titles: in lower case, without units and the sign of a comment."""
+    titles = tuple(_UNIT.sub("", cell.lower()) for cell in cells[0])
+    is_comment = len(cells) > 1 and len(titles) == len(cells[1]) + 1 and titles[0] == "#"
+    return titles[1:] if is_comment else titles
 
 
 def _separator(lines: list[str], mark: str) -> tuple[str, bool]:

@@ -26,7 +26,7 @@ def closer(host: Host) -> Callable[[], None]:
         try:
             closed = closed_by_pen(host.document, host.active_index, view)
         except EditError as reason:
-            host.say(str(reason))
+            host.refuse(str(reason))
             return
         host.commit(closed, f"Close {view.source.name}")
 

@@ -107,7 +107,7 @@ class ImageTool:
         try:
             self._host.commit(move_image(document, by), "Nudge image", run="image")
         except EditError as reason:
-            self._host.say(str(reason))
+            self._host.refuse(str(reason))
 
     def hover(self, pointer: Pointer) -> Hint:
         """Return what a press here would do."""

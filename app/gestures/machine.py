@@ -68,6 +68,9 @@ class Host(Protocol):
     def say(self, text: str) -> None:
         """Show a sentence in the status line."""
 
+    def refuse(self, text: str) -> None:
+        """Say that something was not done, and why."""
+
     def offer(self, text: str, action: str, at: float | None = None) -> None:
         """Show a sentence, and a button for an action about the parameter `at`."""
 
@@ -168,7 +171,7 @@ class DragMachine:
             document = press.drag.document_at(pointer)
         except EditError as reason:
             press.refused = str(reason)
-            self._host.say(press.refused)
+            self._host.refuse(press.refused)
             return
         press.last, press.refused = document, ""
         self._host.preview(document, active=press.active)
@@ -178,7 +181,7 @@ class DragMachine:
         try:
             self._host.commit(drag.document_at(pointer), drag.name, run=run)
         except EditError as reason:
-            self._host.say(str(reason))
+            self._host.refuse(str(reason))
             return
         if isinstance(drag, Told):
             self._host.say(drag.note_at(pointer))

@@ -75,7 +75,7 @@ class Pen:
         if act is PenAct.BEGIN:
             self._begin(pointer)
         elif host.active_view.source.locked:
-            host.say(hints.LOCKED.format(host.active_view.source.name))
+            host.refuse(hints.LOCKED.format(host.active_view.source.name))
         elif act is PenAct.INSERT and hit is not None:
             self._insert(pointer, hit)
         else:

@@ -242,7 +242,7 @@ class CanvasTool:
         if self.is_pressed:
             return False
         if refusal := self._subject.refusal_of_keys:
-            self._host.say(refusal)
+            self._host.refuse(refusal)
             return False
         transform = self._subject.transform(kind, pointer)
         self._note_wanted, self._last = True, pointer
@@ -337,7 +337,7 @@ class CanvasTool:
         elif hit is not None and hit.part is Part.OTHER_CURVE:
             self._host.activate(hit.index)
         else:
-            self._host.say("Click on the curve itself, where it swings out.")
+            self._host.refuse("Click on the curve itself, where it swings out.")
 
     def _press_on_part(self, pointer: Pointer, hit: Hit) -> None:
         host = self._host

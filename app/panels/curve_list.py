@@ -138,7 +138,7 @@ class CurveList(QWidget):
     def contextMenuEvent(self, event: QContextMenuEvent) -> None:
         """Ask for the menu of the curve under the pointer, or of the active one."""
         place = self.view.viewport().mapFromGlobal(event.globalPos())
-        row = self.view.indexAt(place).row()
+        row = self.model.place_of(self.view.indexAt(place))
         if event.reason() == QContextMenuEvent.Reason.Keyboard:
             row = self._session.active_index
             place = self.view.row_rect(row).center()

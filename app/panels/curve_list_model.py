@@ -1,4 +1,8 @@
-"""The curves of the document as a Qt list model: one row for each, in the order in which they are drawn."""
+"""The curves of the document as a Qt list model: one row for each, the one in front at the top.
+
+A document has its curves in the order in which they are drawn, hence from the back to the front; rows are
+counted the other way round. Everything outside Qt's indices names a curve by its place in the document.
+"""
 
 from __future__ import annotations
 
@@ -54,11 +58,19 @@ class CurveListModel(QAbstractListModel):
         self._rows = new
         changed = [place for place, row in enumerate(new) if row != old[place]]
         if changed:
-            self.dataChanged.emit(self.index(changed[0]), self.index(changed[-1]))
+            self.dataChanged.emit(self.index_of(changed[-1]), self.index_of(changed[0]))
 
     def row(self, place: int) -> Row:
-        """Return what row `place` shows."""
+        """Return what is shown of the curve at `place`."""
         return self._rows[place]
+
+    def place_of(self, index: Index) -> int:
+        """Return which curve of the document an index is about; -1 for none."""
+        return len(self._rows) - 1 - index.row() if index.isValid() else -1
+
+    def index_of(self, place: int) -> QModelIndex:
+        """Return the index of the curve at `place` of the document."""
+        return self.index(len(self._rows) - 1 - place)
 
     def rowCount(self, parent: Index = _NO_INDEX) -> int:
         return 0 if parent.isValid() else len(self._rows)
@@ -69,11 +81,12 @@ class CurveListModel(QAbstractListModel):
     def data(self, index: Index, role: int = Qt.ItemDataRole.DisplayRole) -> object:
         if not index.isValid() or index.row() >= len(self._rows):
             return None
-        row = self._rows[index.row()]
+        place = self.place_of(index)
+        row = self._rows[place]
         if role in (Qt.ItemDataRole.DisplayRole, Qt.ItemDataRole.EditRole):
             return row.name
         if role == Qt.ItemDataRole.AccessibleTextRole:
-            return f"{row.name}, {row.facts}{_state(row)}{self._role_of(index.row())}"
+            return f"{row.name}, {row.facts}{_state(row)}{self._role_of(place)}"
         return None
 
     def _role_of(self, place: int) -> str:
@@ -87,10 +100,10 @@ class CurveListModel(QAbstractListModel):
         if role != Qt.ItemDataRole.EditRole or not index.isValid():
             return False
         if not name:
-            session.say("A curve needs a name.")
+            session.refuse("A curve needs a name.")
             return False
         session.interrupt()
-        session.commit(edits.rename_curve(session.document, index.row(), name), "Rename curve")
+        session.commit(edits.rename_curve(session.document, self.place_of(index), name), "Rename curve")
         return True
 
 

@@ -45,7 +45,11 @@ Index = QModelIndex | QPersistentModelIndex
 
 _ICON, _PAD, _SWATCH, _BAR = 16, 8, 12, 3
 _RENAME = (Qt.Key.Key_F2, Qt.Key.Key_Return, Qt.Key.Key_Enter)
-_STEPS = {Qt.Key.Key_Up: -1, Qt.Key.Key_Down: 1}
+_DELETE = (Qt.Key.Key_Delete, Qt.Key.Key_Backspace)
+_STEPS = {Qt.Key.Key_Up: 1, Qt.Key.Key_Down: -1}
+"""Where the next curve lies in the document: the list has the one in front at the top."""
+
+_ALL = QKeySequence.StandardKey.SelectAll
 
 
 class Spot(Enum):
@@ -81,9 +85,10 @@ class _RowDelegate(QStyledItemDelegate):
 
     def paint(self, painter: QPainter, option: QStyleOptionViewItem, index: Index) -> None:
         """Paint a row; called by Qt."""
-        theme, row = theme_of(self._view.palette()), self._view.curves.row(index.row())
+        place = self._view.curves.place_of(index)
+        theme, row = theme_of(self._view.palette()), self._view.curves.row(place)
         rect: QRect = option.rect
-        is_active, is_chosen = index.row() == self._view.active, index.row() in self._view.chosen
+        is_active, is_chosen = place == self._view.active, place in self._view.chosen
         is_one_of_many = is_chosen and len(self._view.chosen) > 1
         if is_active or is_chosen:
             painter.fillRect(rect, mix(theme.accent, theme.paper, 0.2 if self._view.hasFocus() else 0.12))
@@ -153,6 +158,8 @@ class _RowDelegate(QStyledItemDelegate):
 class CurveListView(QListView):
     """Reports what the person did; which row is the active one comes from the session.
 
+    A row is named by the place of its curve in the document, wherever it stands in the list.
+
     Signals
     -------
     activated_row
@@ -163,12 +170,15 @@ class CurveListView(QListView):
         The swatch, the lock or the eye of a row was clicked (row, Spot).
     moved
         A row was dragged to another place (from, to).
+    deletion_wanted
+        The chosen curves shall be deleted.
     """
 
     activated_row = Signal(int)
     chosen_rows = Signal(object)
     spot_clicked = Signal(int, object)
     moved = Signal(int, int)
+    deletion_wanted = Signal()
 
     def __init__(self, model: CurveListModel, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -184,8 +194,8 @@ class CurveListView(QListView):
         self.setObjectName("curveList")
         self.setAccessibleName("Curves")
         self.setToolTip(
-            "Click a curve to edit it, double-click to rename it, drag it to another place;"
-            " Ctrl or Shift+click chooses several"
+            "The curve in front is at the top. Click a curve to edit it, double-click to rename it,"
+            " drag it to another place; Ctrl or Shift+click chooses several"
         )
         self._delegate = _RowDelegate(self)
         self.setItemDelegate(self._delegate)
@@ -200,7 +210,7 @@ class CurveListView(QListView):
         changed, self.active, self.chosen = row != self.active, row, chosen
         if self._reached not in chosen:
             self._reached = row
-        index = self.curves.index(row)
+        index = self.curves.index_of(row)
         if self.currentIndex() != index:
             self.setCurrentIndex(index)
         if changed:
@@ -209,14 +219,14 @@ class CurveListView(QListView):
 
     def edit_name(self, row: int) -> None:
         """Let the person type another name."""
-        self.edit(self.curves.index(row))
+        self.edit(self.curves.index_of(row))
 
     def row_rect(self, row: int) -> QRect:
         """Return where a row lies in the viewport."""
-        return self.visualRect(self.curves.index(row))
+        return self.visualRect(self.curves.index_of(row))
 
     def _row_at(self, place: QPoint) -> int:
-        return self.indexAt(place).row()
+        return self.curves.place_of(self.indexAt(place))
 
     def spot_at(self, place: QPoint) -> Spot:
         """Return the part of a row at a place of the viewport."""
@@ -256,7 +266,7 @@ class CurveListView(QListView):
         self._reached = max(0, min(row, self.curves.rowCount() - 1))
         low, high = sorted((self.active, self._reached))
         self.chosen_rows.emit(frozenset(range(low, high + 1)))
-        self.scrollTo(self.curves.index(self._reached))
+        self.scrollTo(self.curves.index_of(self._reached))
 
     def mouseMoveEvent(self, event: QMouseEvent) -> None:
         place = event.position().toPoint()
@@ -268,10 +278,12 @@ class CurveListView(QListView):
         self.viewport().update()
 
     def mouseReleaseEvent(self, event: QMouseEvent) -> None:
-        gap, row = self._gap, self._pressed_row
+        gap, place = self._gap, self._pressed_row
         self._end_drag()
+        row = self.curves.index_of(place).row()
         if gap is not None and gap not in (row, row + 1):
-            self.moved.emit(row, gap if gap < row else gap - 1)
+            below = gap if gap < row else gap - 1
+            self.moved.emit(place, self.curves.rowCount() - 1 - below)
 
     def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:
         place = event.position().toPoint()
@@ -282,9 +294,9 @@ class CurveListView(QListView):
             self.mousePressEvent(event)
 
     def _gap_at(self, place: QPoint) -> int:
-        """Return between which rows a drop would fall, by the number of the row after it."""
-        height = max(self.row_rect(0).height(), 1)
-        gap = round((place.y() - self.row_rect(0).top()) / height)
+        """Return between which rows a drop would fall, by the number of the row below it, from the top."""
+        top = self.visualRect(self.curves.index(0))
+        gap = round((place.y() - top.top()) / max(top.height(), 1))
         return max(0, min(gap, self.curves.rowCount()))
 
     def _end_drag(self) -> None:
@@ -296,7 +308,8 @@ class CurveListView(QListView):
         if self._gap is None:
             return
         last = self.curves.rowCount() - 1
-        y = self.row_rect(self._gap).top() if self._gap <= last else self.row_rect(last).bottom()
+        rect = self.visualRect(self.curves.index(min(self._gap, last)))
+        y = rect.top() if self._gap <= last else rect.bottom()
         painter = QPainter(self.viewport())
         painter.setPen(QPen(theme_of(self.palette()).accent, 2))
         painter.drawLine(4, max(y, 1), self.viewport().width() - 4, max(y, 1))
@@ -308,14 +321,14 @@ class CurveListView(QListView):
         if event.type() == QEvent.Type.WindowBlocked and self.is_dragging:
             # A dialog takes the mouse, and the release with it.
             self._end_drag()
-        # Escape takes back a drag, and F2 renames, before they are the window's.
+        # Escape takes back a drag, F2 renames and Del deletes curves, before they are the window's.
         if (
             isinstance(event, QKeyEvent)
             and event.type() == QEvent.Type.ShortcutOverride
             and (
                 self.is_dragging
                 if event.key() == Qt.Key.Key_Escape
-                else event.key() in _RENAME or event.matches(QKeySequence.StandardKey.SelectAll)
+                else event.key() in _RENAME or _deletes(event) or event.matches(_ALL)
             )
         ):
             event.accept()
@@ -326,7 +339,7 @@ class CurveListView(QListView):
         step = _STEPS.get(Qt.Key(event.key()))
         if event.key() == Qt.Key.Key_Escape and self.is_dragging:
             self._end_drag()
-        elif event.matches(QKeySequence.StandardKey.SelectAll):
+        elif event.matches(_ALL):
             self.chosen_rows.emit(frozenset(range(self.curves.rowCount())))
         elif step is not None and event.modifiers() & Qt.KeyboardModifier.ShiftModifier:
             self._choose_to(self._reached + step)
@@ -334,6 +347,8 @@ class CurveListView(QListView):
             self.activated_row.emit(max(0, min(self.active + step, self.curves.rowCount() - 1)))
         elif event.key() in _RENAME and self.state() != QAbstractItemView.State.EditingState:
             self.edit_name(self.active)
+        elif _deletes(event):
+            self.deletion_wanted.emit()
         else:
             # Everything else is for the window's shortcuts; the list's own search by letters would eat them.
             event.ignore()
@@ -357,3 +372,8 @@ class CurveListView(QListView):
             Spot.EYE: f"{'Hide' if row.visible else 'Show'} “{row.name}”",
         }
         return tips[self.spot_at(place)]
+
+
+def _deletes(event: QKeyEvent) -> bool:
+    """Whether a key deletes; held with Shift or Ctrl it is an action's."""
+    return event.key() in _DELETE and not event.modifiers() & ~Qt.KeyboardModifier.KeypadModifier

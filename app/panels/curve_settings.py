@@ -197,7 +197,7 @@ class CurveSettings(QWidget):
         """Say why, and leave the text to be mended."""
         self._refusal = reason
         edit.keep(typed)
-        self._session.say(reason)
+        self._session.refuse(reason)
 
     def _forget_refusal(self) -> None:
         self._refusal = ""

@@ -9,7 +9,7 @@ from __future__ import annotations
 import math
 
 from PySide6.QtCore import QEvent, QSize, Qt
-from PySide6.QtGui import QPainter, QPaintEvent
+from PySide6.QtGui import QColor, QPainter, QPaintEvent
 from PySide6.QtWidgets import QLabel, QSizePolicy
 
 _STEP = 16
@@ -20,10 +20,17 @@ _SPARE = 3 * _STEP
 
 
 class SteadyLabel(QLabel):
-    """A line of plain text that asks for more or less room only when it needs it."""
+    """A line of plain text that asks for more or less room only when it needs it.
+
+    Attributes
+    ----------
+    colour
+        What the text is drawn in; None for the usual colour. To be set before the text.
+    """
 
     def __init__(self) -> None:
         super().__init__()
+        self.colour: QColor | None = None
         self._text = ""
         self._room = 0
 
@@ -67,6 +74,8 @@ class SteadyLabel(QLabel):
 
     def paintEvent(self, event: QPaintEvent) -> None:
         painter = QPainter(self)
+        if self.colour is not None:
+            painter.setPen(self.colour)
         room = self.contentsRect()
         shown = self.fontMetrics().elidedText(self._text, Qt.TextElideMode.ElideRight, room.width())
         painter.drawText(room, int(self.alignment() | Qt.AlignmentFlag.AlignVCenter), shown)

@@ -49,6 +49,7 @@ class FileBar(QFrame):
         self._text.setWordWrap(True)
         self._text.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Preferred)
         self._close = QToolButton()
+        self._close.setAttribute(Qt.WidgetAttribute.WA_NoMousePropagation)
         self._close.setObjectName("closeFileBar")
         self._close.setAutoRaise(True)
         self._close.setToolTip("Put this message away")
@@ -110,6 +111,8 @@ class FileBar(QFrame):
 
     def _button(self, action: QAction) -> QToolButton:
         button = QToolButton(self)
+        # A pointer that moves on a button moves over nothing below it.
+        button.setAttribute(Qt.WidgetAttribute.WA_NoMousePropagation)
         button.setDefaultAction(action)
         button.setObjectName(f"{action.objectName()}Button")
         button.setAccessibleName(action.text())

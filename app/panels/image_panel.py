@@ -186,7 +186,7 @@ class ImagePanel(QWidget):
             edit.keep(typed)
         else:
             edit.revert()
-        self._session.say(reason)
+        self._session.refuse(reason)
         self._render_problem()
 
     def _forget_refusal(self) -> None:

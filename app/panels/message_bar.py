@@ -52,6 +52,9 @@ class MessageBar(QFrame):
         self._offer.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
         self._offer.setIconSize(QSize(14, 14))
         self._offer.hide()
+        for button in (self._close, self._offer):
+            # A pointer that moves on a button moves over nothing below it.
+            button.setAttribute(Qt.WidgetAttribute.WA_NoMousePropagation)
         layout = QHBoxLayout(self)
         layout.setContentsMargins(12, 6, 8, 6)
         layout.setSpacing(_GAP)

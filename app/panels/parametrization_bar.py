@@ -107,7 +107,7 @@ class ParametrizationBar(QWidget):
         session.interrupt()
         parameters = session.active_view.parameters.tolist()
         if kind is ParametrizationKind.MANUAL and not session.active_view.is_current:
-            session.say("There are no parameters to start from; mend the points first.")
+            session.refuse("There are no parameters to start from; mend the points first.")
             self.render_view(session.active_view)
             return
         document = edits.set_parametrization(session.document, session.active_index, kind, parameters)

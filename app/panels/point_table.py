@@ -224,13 +224,15 @@ class PointTable(QWidget):
         from html import escape  # noqa: PLC0415 — nobody waits for its tables at the start
 
         self._tell(f"⚠ {escape(reason)}")
-        self._session.say(reason)
+        self._session.refuse(reason)
 
     def _forget_message(self) -> None:
         self._tell("")
 
     def _report_given_up(self, label: str) -> None:
-        self._session.say(f"{label[0].upper()}{label[1:]} stays as it was: Enter or Tab sets what is typed.")
+        self._session.refuse(
+            f"{label[0].upper()}{label[1:]} stays as it was: Enter or Tab sets what is typed."
+        )
 
     def _watch_focus(self, old: QWidget | None, new: QWidget | None) -> None:
         # Without a new one another window has the focus: the spreadsheet, perhaps, to mend the numbers there.

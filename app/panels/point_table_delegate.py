@@ -41,11 +41,14 @@ from app.theme import LIGHT, Theme, mix
 _MARK = 6
 """Pixels along the sides of the mark that a number has a second one, after the corner."""
 
-PADDING, LEFT_PADDING = 3, 2
-"""Pixels left and right of a number."""
+PADDING, LEFT_PADDING = 3, 6
+"""Pixels right and left of a number: together the least gap between two columns."""
 
-COMPACT_DIGITS = (4, 3)
-"""Digits that a column has room for in a narrow panel, and in one that is too narrow for these."""
+COMPACT_DIGITS = ((4, 4), (4, 3), (3, 3))
+"""Digits that columns of places and those of derivatives hold in a narrow panel: the first that fit.
+
+Numbers that almost touch are read as one; before that a derivative is shown with a digit less.
+"""
 
 _DIGITS = (6, 5, 4, 3)
 _ENTER = (Qt.Key.Key_Return, Qt.Key.Key_Enter)

@@ -105,7 +105,7 @@ class PointTableView(QTableView):
     def _share_width(self) -> None:
         """Share the width among the columns; none gets less than a few digits need."""
         room = self.viewport().width()
-        candidates = [self._needed(digits) for digits in COMPACT_DIGITS]
+        candidates = [self._needed(*digits) for digits in COMPACT_DIGITS]
         needed = next((each for each in candidates if sum(each) + _EDGE // 2 <= room), candidates[-1])
         spare = max(room - sum(needed), 0)
         # Numbers at the very edge of the window are hard to read.
@@ -113,12 +113,16 @@ class PointTableView(QTableView):
         for column, width in enumerate(needed):
             self.horizontalHeader().resizeSection(column, width + spare + (1 if column < rest else 0))
 
-    def _needed(self, digits: int) -> list[int]:
+    def _needed(self, digits: int, of_derivatives: int) -> list[int]:
         """Return how wide the columns are at least that hold so many digits, a point and a sign."""
-        metrics = self.fontMetrics()
-        plain = metrics.horizontalAdvance("0" * digits + ".") + PADDING + LEFT_PADDING
-        minus = metrics.horizontalAdvance("−")
-        return [plain + minus * bool((each < 0).any()) for each in self.numbers.values.T]
+        metrics, minus = self.fontMetrics(), self.fontMetrics().horizontalAdvance("−")
+        return [
+            metrics.horizontalAdvance("0" * (of_derivatives if column.is_derivative else digits) + ".")
+            + minus * bool((values < 0).any())
+            + PADDING
+            + LEFT_PADDING
+            for column, values in zip(self.numbers.columns, self.numbers.values.T, strict=True)
+        ]
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         super().resizeEvent(event)

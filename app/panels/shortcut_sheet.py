@@ -157,6 +157,7 @@ _GESTURES = (
     _Gesture("Press another curve", "edit it; drag to bend it or move a point", adding=False),
     _Gesture("Shift+click another curve", "choose it too, or no longer", adding=False),
     _Gesture("Ctrl+click, Shift+click, Ctrl+A", "in the list of curves: choose several"),
+    _Gesture("F2, Del", "in the list of curves: rename, delete"),
     _Gesture("Right button, Menu key", "what can be done there"),
     _Gesture("Drop a file", "open a document, or trace a picture"),
     _Gesture("Wheel", "zoom at the pointer"),

@@ -7,6 +7,7 @@ from PySide6.QtWidgets import QSizePolicy, QStatusBar, QWidget
 
 from app.document.model import Vector
 from app.panels.elided_label import ElidedLabel, SteadyLabel
+from app.theme import theme_of
 from app.view_model.basis_view import BasisView
 
 _SAID_MS = 6000
@@ -43,7 +44,7 @@ class StatusLine(QStatusBar):
         self.addWidget(self._label, 1)
         for label in (self._place, self._t, self._lebesgue):
             self.addPermanentWidget(label)
-        self._progress = self._tip = self._said = self._hint = ""
+        self._progress = self._tip = self._said = self._hint = self._refusal = ""
         self._place_now: Vector | None = None
         self._t_here: float | None = None
         self._t_scrub: float | None = None
@@ -62,13 +63,19 @@ class StatusLine(QStatusBar):
         return self._progress or self._tip or self._said or self._hint
 
     @property
+    def is_refusal(self) -> bool:
+        """Whether that sentence tells that something was not done; a sign and a colour mark it."""
+        return bool(self._refusal) and self.text == self._refusal
+
+    @property
     def hint(self) -> str:
         """What a press at the pointer would do, whatever has been said since."""
         return self._hint
 
     def _render(self) -> None:
         self._soon.stop()
-        self._label.setText(self.text)
+        self._label.colour = theme_of(self.palette()).warning if self.is_refusal else None
+        self._label.setText(f"⚠ {self.text}" if self.is_refusal else self.text)
         self._place.setText(self._place_text())
         self._t.setText(self._t_text())
         self._lebesgue.setText(self._lebesgue_text())
@@ -85,7 +92,7 @@ class StatusLine(QStatusBar):
         if is_new and text:
             self._tip = ""
             if could_be_read:
-                self._said = ""
+                self._said = self._refusal = ""
         self._render()
 
     def show_progress(self, text: str) -> None:
@@ -108,6 +115,11 @@ class StatusLine(QStatusBar):
         self._timer.start()
         self._render()
 
+    def refuse(self, text: str) -> None:
+        """Show for some seconds that something was not done, and why."""
+        self._refusal = text
+        self.say(text)
+
     def begin_gesture(self) -> None:
         """Put away what was said before this press."""
         self._tip = ""
@@ -116,7 +128,7 @@ class StatusLine(QStatusBar):
 
     def forget_said(self) -> None:
         """Put away what was said: it has stood long enough."""
-        self._said = ""
+        self._said = self._refusal = ""
         self._timer.stop()
         self._render()
 

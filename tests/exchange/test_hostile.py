@@ -19,7 +19,7 @@ import pytest
 from app.document.expression import ExpressionError, parse_number
 from app.document.storage import StorageError
 from app.exchange import ExchangeError, import_file
-from app.exchange.table_text import TableTextError, read_block
+from app.exchange.table_text import TableTextError, read_titled_block
 
 ROOT = Path(__file__).parents[2]
 SCRIPT = ROOT / "tests" / "data" / "make_hostile.py"
@@ -194,7 +194,7 @@ def test_what_is_typed_is_a_number_or_refused(text):
 )
 def test_garbage_on_the_clipboard_is_refused(text):
     with pytest.raises(TableTextError):
-        read_block(text)
+        read_titled_block(text)
 
 
 def test_exchange_errors_name_the_file(tmp_path):

@@ -7,7 +7,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from app.exchange.table_text import TableTextError, read_block, write_block
+from app.exchange.table_text import TableTextError, read_titled_block, write_block
 
 
 @pytest.mark.parametrize(
@@ -30,30 +30,37 @@ from app.exchange.table_text import TableTextError, read_block, write_block
     ],
 )
 def test_blocks_of_numbers(text, mark, block):
-    assert read_block(text, mark) == block
+    assert read_titled_block(text, mark).rows == block
+
+
+@pytest.mark.parametrize("text", ["x [mm]\ty (mm)\n1\t2", "# x y\n1 2", "#;X;Y\n7;1;2", "X[mm], Y[mm]\n1, 2"])
+def test_titles_have_units_and_signs(text):
+    block = read_titled_block(text)
+    assert tuple(title for title in block.titles if title != "#") == ("x", "y")
+    assert block.rows[0][-2:] == [1, 2]
 
 
 def test_a_block_has_an_end():
     with pytest.raises(TableTextError, match="10000 can be pasted"):
-        read_block("1\n" * 10_001)
+        read_titled_block("1\n" * 10_001)
     with pytest.raises(TableTextError, match="16 can be pasted"):
-        read_block("1\t" * 1_000_000)
+        read_titled_block("1\t" * 1_000_000)
 
 
 def test_ten_thousand_rows_are_read_while_one_waits():
     start = time.perf_counter()
-    assert len(read_block("0.125\t-1.5e-3\n" * 10_000)) == 10_000
+    assert len(read_titled_block("0.125\t-1.5e-3\n" * 10_000).rows) == 10_000
     assert time.perf_counter() - start < 3  # measured: about 0.1 s
 
 
 @given(st.text("0123456789.,;\t\n -eax\r", max_size=40) | st.text(max_size=40), st.sampled_from(".,"))
 def test_any_text_is_a_rectangle_of_numbers_or_a_sentence(text, mark):
     with contextlib.suppress(TableTextError):
-        block = read_block(text, mark)
+        block = read_titled_block(text, mark).rows
         assert len({len(row) for row in block}) == 1
         assert all(type(value) is float for row in block for value in row)
 
 
 def test_what_is_written_is_read():
     assert write_block([["1", "2.5"], ["-3", ""]]) == "1\t2.5\n-3\t"
-    assert read_block(write_block([["1", "2.5"], ["-3", "4"]])) == [[1, 2.5], [-3, 4]]
+    assert read_titled_block(write_block([["1", "2.5"], ["-3", "4"]])).rows == [[1, 2.5], [-3, 4]]

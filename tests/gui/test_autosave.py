@@ -177,7 +177,7 @@ def test_a_folder_that_cannot_be_made_is_said_once_and_editing_goes_on(kept, qtb
     state_folder().parent.mkdir(parents=True, exist_ok=True)
     state_folder().write_text("in the way")
     sentences = []
-    kept.session.said.connect(sentences.append)
+    kept.session.refused.connect(sentences.append)
     for place in ((2, 3), (1, 3)):
         kept.drag_point(1, to=place)
         qtbot.wait(3 * SOON_MS)
@@ -209,7 +209,7 @@ def test_a_full_disk_keeps_the_old_snapshot_and_is_said(kept, qtbot):
     qtbot.waitUntil(is_kept, timeout=WAIT_MS)
     before = document_kept()
     sentences = []
-    kept.session.said.connect(sentences.append)
+    kept.session.refused.connect(sentences.append)
     limits = resource.getrlimit(resource.RLIMIT_FSIZE)
     resource.setrlimit(resource.RLIMIT_FSIZE, (100_000, limits[1]))
     try:

@@ -127,19 +127,31 @@ def test_shift_and_arrows_extend_and_shrink(five):
     view = five.window.curve_list.view
     view.setFocus()
     for key, expected in (
-        ("Down", "BC"),
-        ("Down", "BCD"),
         ("Up", "BC"),
-        ("Up", "B"),
-        ("Up", "BA"),
-        ("Up", "BA"),
+        ("Up", "BCD"),
+        ("Down", "BC"),
+        ("Down", "B"),
+        ("Down", "BA"),
+        ("Down", "BA"),
     ):
         QTest.keyClick(view, getattr(Qt.Key, f"Key_{key}"), SHIFT)
         five.settle()
         assert chosen(five) == expected
-    QTest.keyClick(view, Qt.Key.Key_Down)
+    QTest.keyClick(view, Qt.Key.Key_Up)
     five.settle()
     assert chosen(five) == "C"
+
+
+def test_delete_in_the_list_deletes_all_that_are_chosen(five):
+    choose(five, "BD")
+    steps = five.session.undo_stack.count()
+    QTest.keyClick(five.window.curve_list.view, Qt.Key.Key_Delete)
+    five.settle()
+    assert names(five) == "ACE"
+    assert (five.session.undo_stack.count(), five.session.undo_stack.undoText()) == (
+        steps + 1,
+        "Delete 2 curves",
+    )
 
 
 def test_control_a_in_the_list_chooses_all_and_on_the_canvas_the_points(five):
@@ -165,7 +177,7 @@ def test_the_actions_choose_all_and_one(five):
 def test_the_list_tells_a_screen_reader(five):
     choose(five, "BD")
     model = five.window.curve_list.model
-    told = [model.data(model.index(row), Qt.ItemDataRole.AccessibleTextRole) for row in (0, 1, 3)]
+    told = [model.data(model.index_of(row), Qt.ItemDataRole.AccessibleTextRole) for row in (0, 1, 3)]
     assert [text.partition("points")[2] for text in told] == ["", ", chosen, edited", ", chosen"]
 
 
@@ -227,7 +239,7 @@ def test_the_sheet_says_it(five):
 
 def test_the_choice_follows_its_curves_through_changes_of_the_list(five):
     choose(five, "BDE")
-    five.trigger("lowerCurve")
+    five.trigger("raiseCurve")
     assert (names(five), chosen(five)) == ("ACBDE", "BDE")
     five.trigger("undo")
     assert (names(five), chosen(five)) == ("ABCDE", "BDE")
@@ -247,7 +259,7 @@ def test_the_choice_ends_with_what_replaces_the_edited_curve(five):
     five.trigger("selectTool")
     choose(five, "BDE")
     five.trigger("nextCurve")
-    assert chosen(five) == "C"
+    assert chosen(five) == "A"
 
 
 def test_the_choice_ends_with_the_document(five):

@@ -179,7 +179,7 @@ def test_an_interval_that_was_not_touched_is_not_rounded(form):
 )
 def test_a_bad_interval_is_explained_and_can_be_mended(form, name, text, words):
     before = form.session.document
-    said = QSignalSpy(form.session.said)
+    said = QSignalSpy(form.session.refused)
     form.type(name, "1")
     form[name].selectAll()
     form.qtbot.keyClick(form[name], Qt.Key.Key_Backspace)

@@ -28,7 +28,7 @@ LEFT = Qt.MouseButton.LeftButton
 COMMANDS = [
     *("freezeParameters", "startUniform", "startChordLength", "resetVelocities", "familyLagrange"),
     *("insertPoint", "splitCurve", "joinCurve", "reverseCurve", "closeCurve", "duplicateCurve", "newCurve"),
-    *("deleteCurve", "raiseCurve", "curveVisible", "curveLocked", "nextCurve"),
+    *("deleteCurve", "lowerCurve", "curveVisible", "curveLocked", "nextCurve"),
     *("tangentCorner", "tangentSmooth", "tangentEstimated", "pullVelocity", "straightSegment"),
     *("deleteSelection", "cutPoints", "pastePoints", "pasteAsCurve", "pasteDerivatives", "alignLeft"),
 ]

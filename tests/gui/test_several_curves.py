@@ -70,19 +70,19 @@ def test_a_click_in_the_list_edits_another_curve(three):
 def test_arrows_walk_the_list(three):
     view = three.window.curve_list.view
     view.setFocus()
-    for key, expected in ((Qt.Key.Key_Down, "C"), (Qt.Key.Key_Down, "C"), (Qt.Key.Key_Up, "B")):
+    for key, expected in ((Qt.Key.Key_Up, "C"), (Qt.Key.Key_Up, "C"), (Qt.Key.Key_Down, "B")):
         QTest.keyClick(view, key)
         three.settle()
         assert three.curve.name == expected
 
 
 def test_keys_walk_the_curves_from_the_canvas(three):
-    for expected in "CAB":
+    for expected in "ACB":
         three.key(Qt.Key.Key_PageDown, CTRL)
         assert three.curve.name == expected
     three.key(Qt.Key.Key_PageUp, CTRL)
-    assert three.curve.name == "A"
-    assert three.status == "Editing “A”."
+    assert three.curve.name == "C"
+    assert three.status == "Editing “C”."
 
 
 def test_a_click_on_another_curve_edits_it(three):
@@ -246,7 +246,8 @@ def test_escape_leaves_the_name_as_it_was(three):
 
 
 def test_an_empty_name_is_refused(three):
-    assert not three.window.curve_list.model.setData(three.window.curve_list.model.index(0), "  ")
+    model = three.window.curve_list.model
+    assert not model.setData(model.index_of(0), "  ")
     assert three.status == "A curve needs a name."
     assert names(three) == "ABC"
 
@@ -254,7 +255,7 @@ def test_an_empty_name_is_refused(three):
 @pytest.mark.parametrize(("row", "after", "expected"), [(0, 2, "BCA"), (2, 0, "CAB"), (0, 1, "BAC")])
 def test_a_row_is_dragged_to_another_place(three, row, after, expected):
     rect = three.window.curve_list.view.row_rect(after)
-    drag_row(three, row, rect.bottom() if after > row else rect.top())
+    drag_row(three, row, rect.top() if after > row else rect.bottom())
     assert names(three) == expected
     assert three.curve.name == "ABC"[row]
     three.trigger("undo")
@@ -263,10 +264,10 @@ def test_a_row_is_dragged_to_another_place(three, row, after, expected):
 
 def test_escape_takes_back_the_drag_of_a_row(three):
     view = three.window.curve_list.view
-    drag_row(three, 0, view.row_rect(2).bottom(), release=False)
+    drag_row(three, 0, view.row_rect(2).top(), release=False)
     assert view.is_dragging
     QTest.keyClick(view, Qt.Key.Key_Escape)
-    QTest.mouseRelease(view.viewport(), LEFT, pos=view.row_rect(2).bottomLeft())
+    QTest.mouseRelease(view.viewport(), LEFT, pos=view.row_rect(2).topLeft())
     three.settle()
     assert names(three) == "ABC"
     assert not view.is_dragging
@@ -279,14 +280,61 @@ def test_a_row_dropped_where_it_was_changes_nothing(three):
 
 
 def test_keys_move_a_curve_in_the_order(three):
-    three.key(Qt.Key.Key_Down, ALT)
-    assert names(three) == "ACB"
-    three.key(Qt.Key.Key_Down, ALT)
+    three.key(Qt.Key.Key_Up, ALT)
     assert names(three) == "ACB"
     three.key(Qt.Key.Key_Up, ALT)
-    three.key(Qt.Key.Key_Up, ALT)
+    assert names(three) == "ACB"
+    three.key(Qt.Key.Key_Down, ALT)
+    three.key(Qt.Key.Key_Down, ALT)
     assert names(three) == "BAC"
     assert three.curve.name == "B"
+
+
+def test_the_curve_in_front_is_at_the_top_and_raise_goes_up(three):
+    view = three.window.curve_list.view
+    tops = [view.row_rect(place).top() for place in range(3)]
+    assert tops == sorted(tops, reverse=True)
+    assert three.window.curve_list.model.index(0).data() == "C"
+    three.trigger("raiseCurve")
+    assert [three.window.curve_list.model.index(row).data() for row in range(3)] == ["B", "C", "A"]
+    assert view.row_rect(three.session.active_index).top() == 0
+    assert not three.action("raiseCurve").isEnabled()
+
+
+def test_a_copy_and_a_new_curve_stand_right_above(three):
+    model = three.window.curve_list.model
+    three.trigger("duplicateCurve")
+    assert [model.index(row).data() for row in range(4)] == ["C", "B copy", "B", "A"]
+    three.trigger("undo")
+    three.trigger("newCurve")
+    assert [model.index(row).data() for row in range(4)] == ["C", "Curve 1", "B", "A"]
+
+
+@pytest.mark.parametrize("key", [Qt.Key.Key_Delete, Qt.Key.Key_Backspace])
+def test_delete_in_the_list_deletes_the_curve_and_not_its_points(three, key):
+    three.click_in_list(0)
+    three.select([1, 2])
+    QTest.keyClick(three.window.curve_list.view, key)
+    three.settle()
+    assert names(three) == "BC"
+    assert three.session.undo_stack.undoText() == "Delete A"
+    three.trigger("undo")
+    assert names(three) == "ABC"
+    assert len(three.session.document.curves[0].nodes) == 4
+
+
+def test_delete_while_a_name_is_typed_is_for_the_name(three):
+    view = three.window.curve_list.view
+    view.setFocus()
+    QTest.keyClick(view, Qt.Key.Key_F2)
+    editor = view.viewport().findChild(object, "curveNameEditor")
+    editor.selectAll()
+    QTest.keyClick(editor, Qt.Key.Key_Delete)
+    three.type_text(editor, "X")
+    QTest.keyClick(editor, Qt.Key.Key_Delete)
+    QTest.keyClick(editor, Qt.Key.Key_Return)
+    three.settle()
+    assert names(three) == "AXC"
 
 
 def test_every_part_of_a_row_says_what_a_click_does(three):
@@ -304,7 +352,7 @@ def test_every_part_of_a_row_says_what_a_click_does(three):
 def test_the_list_is_read_aloud(three):
     three.click_in_list(1, Spot.LOCK)
     model = three.window.curve_list.model
-    assert model.data(model.index(1), Qt.ItemDataRole.AccessibleTextRole) == "B, Hermite, 4 points, locked"
+    assert model.data(model.index_of(1), Qt.ItemDataRole.AccessibleTextRole) == "B, Hermite, 4 points, locked"
 
 
 def test_the_menu_of_a_row_is_for_that_curve(three):

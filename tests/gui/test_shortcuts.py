@@ -130,7 +130,7 @@ def test_no_keys_at_all(editor, keys):
     keys.choose("redo")
     keys.clear.click()
     assert editor.action("redo").shortcuts() == []
-    assert editor.action("redo").toolTip() == "Do the step again"
+    assert editor.action("redo").toolTip() == "Do the step again\nNeeds a step that was taken back"
 
 
 def test_they_are_remembered(qtbot, tmp_path):

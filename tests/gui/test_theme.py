@@ -8,12 +8,26 @@ import shiboken6
 from PySide6.QtCore import QEvent, QObject, QPoint, QSize, Qt
 from PySide6.QtGui import QColor, QIcon, QPalette
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QDialog, QMainWindow, QWidget
+from PySide6.QtWidgets import (
+    QAbstractButton,
+    QCheckBox,
+    QComboBox,
+    QDialog,
+    QDialogButtonBox,
+    QDockWidget,
+    QDoubleSpinBox,
+    QLineEdit,
+    QMainWindow,
+    QPushButton,
+    QSpinBox,
+    QVBoxLayout,
+    QWidget,
+)
 
 from app.colours import point_colours
 from app.icons import app_icon, icon
 from app.resources import resource
-from app.theme import DARK, LIGHT, ThemeMode, apply_theme, palette_of, style_sheet_of, theme_of
+from app.theme import DARK, LIGHT, ThemeMode, apply_theme, palette_of, rim, style_sheet_of, theme_of
 
 THEMES = [pytest.param(LIGHT, id="light"), pytest.param(DARK, id="dark")]
 ICONS = sorted(path.stem for path in resource("icons").glob("*.svg"))
@@ -176,6 +190,8 @@ def forget_the_system(app):
 def dressed(qapp):
     """The application, undressed again afterwards."""
     style, palette, sheet = qapp.style().name(), qapp.palette(), qapp.styleSheet()
+    # Another test may have put the palette back that all have, and with it taken away those of some classes.
+    qapp.setStyleSheet("")
     yield qapp
     forget_the_system(qapp)
     qapp.setStyleSheet(sheet)
@@ -243,6 +259,99 @@ def test_a_change_of_the_system_is_followed_only_when_asked_for(dressed):
     apply_theme(dressed, ThemeMode.DARK)
     dressed.styleHints().colorSchemeChanged.emit(Qt.ColorScheme.Light)
     assert theme_of(dressed.palette()) is DARK
+
+
+MODES = [
+    pytest.param(ThemeMode.LIGHT, LIGHT, id="light"),
+    pytest.param(ThemeMode.DARK, DARK, id="dark"),
+]
+
+
+def editable_box():
+    box = QComboBox()
+    box.setEditable(True)
+    return box
+
+
+def left_border(widget):
+    """Return the colours of the first pixels from the left edge, halfway down."""
+    image = widget.grab().toImage()
+    return [image.pixelColor(x, image.height() // 2) for x in range(3)]
+
+
+@pytest.mark.parametrize(("mode", "theme"), MODES)
+@pytest.mark.parametrize("make", [QLineEdit, QSpinBox, QDoubleSpinBox, QComboBox, editable_box])
+def test_fields_have_a_border_that_is_seen_and_tells_the_focus(dressed, qtbot, mode, theme, make):
+    apply_theme(dressed, mode)
+    panel, field = QWidget(), make()
+    layout = QVBoxLayout(panel)
+    layout.addWidget(QPushButton())
+    layout.addWidget(field)
+    qtbot.addWidget(panel)
+    with qtbot.waitExposed(panel):
+        panel.show()
+    panel.activateWindow()
+    field.clearFocus()
+    calm = max(left_border(field), key=lambda colour: contrast(colour, theme.surface))
+    assert contrast(calm, theme.surface) >= 3.0
+    assert contrast(calm, theme.paper) >= 3.0
+    field.setFocus(Qt.FocusReason.TabFocusReason)
+    qtbot.waitUntil(field.hasFocus)
+    ring = max(left_border(field), key=lambda colour: colour.hsvSaturation())
+    assert ring.hsvHue() == pytest.approx(theme.accent.hsvHue(), abs=8)
+    assert contrast(ring, theme.surface) >= 3.0
+
+
+@pytest.mark.parametrize(("mode", "theme"), MODES)
+def test_boxes_to_check_have_a_border_that_is_seen(dressed, qtbot, mode, theme):
+    apply_theme(dressed, mode)
+    box = QCheckBox("Grid")
+    qtbot.addWidget(box)
+    border = max(left_border(box), key=lambda colour: contrast(colour, theme.surface))
+    assert contrast(border, theme.surface) >= 3.0
+
+
+@pytest.mark.parametrize(("mode", "theme"), MODES)
+def test_buttons_are_flat(dressed, qtbot, mode, theme):
+    apply_theme(dressed, mode)
+    for button in (QPushButton("Close"), QComboBox()):
+        qtbot.addWidget(button)
+        button.resize(90, 26)
+        image = button.grab().toImage()
+        # Between border and words: a gradient would have other colours above than below.
+        assert len({image.pixelColor(5, y).name() for y in range(2, 24)}) == 1
+
+
+@pytest.mark.parametrize(("mode", "theme"), MODES)
+def test_the_buttons_of_docks_are_seen(dressed, qtbot, mode, theme):
+    apply_theme(dressed, mode)
+    window, dock = QMainWindow(), QDockWidget("Points")
+    dock.setWidget(QWidget())
+    window.addDockWidget(Qt.DockWidgetArea.RightDockWidgetArea, dock)
+    qtbot.addWidget(window)
+    with qtbot.waitExposed(window):
+        window.show()
+    for button in dock.findChildren(QAbstractButton):
+        seen = [colour for colour in pixels(button.grab()) if contrast(colour, theme.surface) >= 3.0]
+        assert min(button.width(), button.height()) >= 16
+        assert len(seen) >= 10
+
+
+def test_dialogs_have_words_on_their_buttons_and_no_pictures(dressed, qtbot):
+    apply_theme(dressed, ThemeMode.DARK)
+    buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Close)
+    qtbot.addWidget(buttons)
+    assert buttons.button(QDialogButtonBox.StandardButton.Close).icon().isNull()
+
+
+@pytest.mark.parametrize("theme", THEMES)
+def test_drawings_of_the_style_sheet_are_there_in_the_muted_colour(theme):
+    files = sorted(resource("icons", "styled").glob(f"*-{theme.name}.svg"))
+    assert [path.stem.partition("-")[0] for path in files] == ["arrow", "close", "float"]
+    for path in files:
+        assert path.as_posix() in style_sheet_of(theme)
+        assert f'stroke="{theme.muted.name()}"' in path.read_text(encoding="utf-8")
+    assert contrast(rim(theme), theme.surface) >= 3.0
 
 
 def pixels(image):

@@ -183,7 +183,7 @@ def test_closing_asks_about_changes(editor, button, closes):
 
     QTimer.singleShot(0, answer)
     assert editor.window.close() is closes
-    assert asked == ["Save the changes to Sketch?"]
+    assert asked == ["Save the changes to the sketch?"]
 
 
 def test_examples_open_as_copies_without_a_file(editor):
@@ -406,17 +406,19 @@ def test_the_side_panel_in_a_presentation_brings_no_bars_back(editor):
 # What things are called
 
 
-def test_names_come_from_the_document(editor):
-    assert editor.window.windowTitle() == "Sketch[*] – Curvebench"
+def test_names_come_from_the_document(editor, tmp_path):
+    assert editor.window.windowTitle() == "Untitled[*] – Curvebench"
     assert file_stem(editor.session) == "Sketch"
     editor.window.menus.examples.aboutToShow.emit()
     names = [action.text() for action in editor.window.menus.examples.actions()]
     assert {"NACA 2412", "Letter S", "Runge, Chebyshev"} <= set(names)
     editor.trigger("example_letter_s")
-    assert editor.window.windowTitle() == "Letter S[*] – Curvebench"
+    assert file_stem(editor.session) == "Letter S"
     editor.session.commit(rename_curve(editor.session.document, 0, "a/b: [*]?"), "Rename curve")
-    assert editor.window.windowTitle() == "a/b: [*][*]?[*] – Curvebench"
+    assert editor.window.windowTitle() == "Untitled[*] – Curvebench"
     assert file_stem(editor.session) == "a b  [ ]"
+    editor.session.save(tmp_path / "a [*].curve.json")
+    assert editor.window.windowTitle() == "a [*][*].curve.json[*] – Curvebench"
     editor.new()
     assert editor.window.windowTitle() == "Untitled[*] – Curvebench"
 

@@ -1,0 +1,213 @@
+"""What could not be done: it is said, marked as that, and not taken for a hint."""
+
+from __future__ import annotations
+
+import pytest
+from PySide6.QtCore import Qt
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QLabel, QLineEdit
+
+from app.document.model import Family
+from app.theme import DARK, LIGHT, ThemeMode
+
+CTRL, ALT = Qt.KeyboardModifier.ControlModifier, Qt.KeyboardModifier.AltModifier
+KEYPAD = Qt.KeyboardModifier.KeypadModifier
+
+
+@pytest.fixture
+def line(editor):
+    """Three points of a Lagrange curve."""
+    editor.new()
+    for place in ((0, 0), (1, 2), (3, 1)):
+        editor.add_point(*place)
+    editor.choose_family(Family.LAGRANGE)
+    editor.select([])
+    return editor
+
+
+def label(editor):
+    return editor.window.status_line.findChild(QLabel, "hint")
+
+
+def colours_of(widget):
+    """Return how many pixels of a widget there are of each colour."""
+    image = widget.grab().toImage()
+    found = {}
+    for y in range(image.height()):
+        for x in range(image.width()):
+            name = image.pixelColor(x, y).name()
+            found[name] = found.get(name, 0) + 1
+    return found
+
+
+# Keys of what is disabled
+
+
+@pytest.mark.parametrize(
+    ("key", "held", "expected"),
+    [
+        (Qt.Key.Key_J, CTRL, "“Join Curve End to Start” needs a second curve."),
+        (Qt.Key.Key_2, ALT, "“Corner Tangents” needs selected points of a Hermite curve."),
+        (Qt.Key.Key_4, ALT, "“Straight Segment” needs a Hermite curve."),
+        (Qt.Key.Key_4, ALT | KEYPAD, "“Straight Segment” needs a Hermite curve."),
+        (Qt.Key.Key_Delete, Qt.KeyboardModifier.NoModifier, "“Delete Points” needs selected points."),
+        (Qt.Key.Key_C, CTRL, "“Copy Points” needs selected points, or several chosen curves."),
+        (Qt.Key.Key_Up, ALT, "“Raise Curve” needs a curve in front of this one."),
+    ],
+)
+def test_the_keys_of_what_is_disabled_say_what_it_needs(line, key, held, expected):
+    line.session.say("An older answer.")
+    line.key(key, held)
+    assert line.status == expected
+    assert line.window.status_line.is_refusal
+
+
+def test_they_say_so_from_the_panels_too(line):
+    line.show_dock("curvesDock")
+    view = line.window.curve_list.view
+    view.setFocus()
+    QTest.keyClick(view, Qt.Key.Key_J, CTRL)
+    assert line.status == "“Join Curve End to Start” needs a second curve."
+
+
+def test_keys_that_a_person_chose_say_it(line):
+    keymap = line.window.actions_by_name.keymap
+    key = line.action("splitCurve").shortcut()
+    keymap.assign("joinCurve", [key])
+    line.key(Qt.Key.Key_K, CTRL)
+    assert line.status.startswith("“Join Curve End to Start” needs")
+
+
+def test_the_same_keys_work_where_they_can(line):
+    line.choose_family(Family.HERMITE)
+    line.select([0, 1])
+    line.key(Qt.Key.Key_4, ALT)
+    assert line.status.startswith("Straight segment 0–1")
+    assert not line.window.status_line.is_refusal
+
+
+@pytest.mark.parametrize("key", [Qt.Key.Key_F4, Qt.Key.Key_Shift, Qt.Key.Key_X])
+def test_keys_that_nobody_has_say_nothing(line, key):
+    line.session.say("An older answer.")
+    line.key(key)
+    assert line.status == "An older answer."
+
+
+def test_letters_typed_into_a_field_are_text(line):
+    line.show_dock("curveDock")
+    name = line.window.findChild(QLineEdit, "curveName")
+    name.setFocus()
+    QTest.keyClick(name, Qt.Key.Key_S)
+    assert "needs" not in line.status
+
+
+def test_every_action_that_is_disabled_says_what_it_needs_in_its_tip(line):
+    line.session.select([])
+    for name in ("joinCurve", "alignLeft", "distributeVertically", "undo"):
+        action = line.action(name)
+        assert ("\nNeeds " in action.toolTip()) is not action.isEnabled()
+    line.trigger("selectAll")
+    assert line.action("alignLeft").isEnabled()
+    assert "Needs" not in line.action("alignLeft").toolTip()
+
+
+def test_what_has_no_need_says_a_plain_sentence(line):
+    action = line.action("fitView")
+    action.setEnabled(False)
+    line.key(Qt.Key.Key_F)
+    assert line.status == "“Fit View” is not possible here."
+
+
+# Refusals
+
+
+@pytest.mark.parametrize(("mode", "theme"), [(ThemeMode.LIGHT, LIGHT), (ThemeMode.DARK, DARK)])
+def test_a_refusal_has_a_sign_and_the_colour_of_warnings(line, mode, theme):
+    line.window.set_theme_mode(mode)
+    line.session.say("Copied 3 points.")
+    line.settle()
+    assert label(line).text() == "Copied 3 points."
+    assert theme.warning.name() not in colours_of(label(line))
+    line.session.refuse("A sentence.")
+    line.settle()
+    assert label(line).text() == "⚠ A sentence."
+    assert line.status == "A sentence."
+    assert theme.warning.name() in colours_of(label(line))
+    line.session.say("Copied 3 points.")
+    assert label(line).text() == "Copied 3 points."
+
+
+def test_a_locked_curve_refuses_with_the_sign(line):
+    line.trigger("curveLocked")
+    before = line.session.document
+    line.drag_point(1, to=(1.5, 2.5))
+    assert "is locked" in line.status
+    assert line.window.status_line.is_refusal
+    line.trigger("reverseCurve")
+    assert "is locked" in line.status
+    assert line.window.status_line.is_refusal
+    assert line.session.document == before
+
+
+def test_a_drag_that_cannot_go_on_is_marked_while_it_is_held(line):
+    line.trigger("curveLocked")
+    line.press(line.point(1))
+    line.move((1.6, 2.6))
+    assert "is locked" in line.status
+    assert label(line).text().startswith("⚠")
+    line.escape()
+    line.release((1.6, 2.6))
+    assert not label(line).text().startswith("⚠")
+
+
+def test_a_faulty_paste_refuses_with_the_sign(line):
+    line.paste_text("1 2\nabc 3")
+    line.key(Qt.Key.Key_V, CTRL)
+    assert label(line).text() == "⚠ Row 2, column 1: “abc” is not a number."
+
+
+# A row of titles
+
+
+@pytest.mark.parametrize(
+    ("text", "points"),
+    [
+        ("x y\n4 0\n5 1", [(4, 0), (5, 1)]),
+        ("t;x;y\n2;4;0\n3;5;1", [(4, 0), (5, 1)]),
+        ("y\tx\n0\t4\n1\t5", [(4, 0), (5, 1)]),
+        ("#\tx [mm]\ty [mm]\n0\t4\t0\n1\t5\t1", [(4, 0), (5, 1)]),
+        ("# x y\n4 0\n5 1", [(4, 0), (5, 1)]),
+    ],
+)
+def test_a_row_of_titles_above_pasted_points_is_skipped(line, text, points):
+    line.paste_text(text)
+    line.key(Qt.Key.Key_V, CTRL)
+    assert line.status == "Pasted 2 points; the row of titles was skipped."
+    assert [node.position for node in line.curve.nodes[3:]] == points
+    line.key(Qt.Key.Key_V, CTRL | Qt.KeyboardModifier.ShiftModifier)
+    assert line.status.endswith("; the row of titles was skipped.")
+    assert [node.position for node in line.curve.nodes] == points
+
+
+@pytest.mark.parametrize("titles", ["x vx", "x x", "x y vx"])
+def test_titles_of_something_else_are_refused(line, titles):
+    before = line.session.document
+    line.paste_text(titles + "\n" + " ".join("1" for _ in titles.split()))
+    line.key(Qt.Key.Key_V, CTRL)
+    assert line.status == (
+        f"Points are x y, or t x y; the titles are {titles}. The point table takes them all."
+    )
+    assert line.session.document is before
+
+
+# The view follows a point that arrows move
+
+
+def test_the_view_follows_a_point_that_is_nudged_out_of_sight(line):
+    canvas = line.window.canvas
+    line.select([2])
+    for _ in range(40):
+        line.key(Qt.Key.Key_Right, Qt.KeyboardModifier.ShiftModifier)
+        place = canvas.to_pixel(*line.point(2))
+        assert canvas.viewport().rect().contains(place)
+    assert line.point(2)[0] > 3
