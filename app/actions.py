@@ -35,12 +35,17 @@ class Actions:
             action.enabledChanged.connect(lambda _on: action.setToolTip(tool_tip(action)))
         action.setStatusTip(spec.tip or spec.text)
         action.setCheckable(spec.checkable or bool(spec.group))
-        # Keys of actions that stand in menus alone are dead while the menu bar is hidden (presentation).
-        window.addAction(action)
         if spec.group:
             group = self._groups.setdefault(spec.group, QActionGroup(window))
             group.addAction(action)
         return action
+
+    def attach(self, window: QWidget) -> None:
+        """Let the window hear the keys: of actions in menus alone they are dead while the menu bar is hidden.
+
+        Late: from then on every change of an action is an event for the window.
+        """
+        window.addActions(list(self._actions.values()))
 
     def __getitem__(self, name: str) -> QAction:
         return self._actions[name]

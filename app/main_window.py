@@ -106,6 +106,7 @@ class MainWindow(QMainWindow):
             self._commands.messages.greet()
         if self.preferences.complaint:
             self.status_line.refuse(self.preferences.complaint)
+        self.actions_by_name.attach(self)
         self._fit()
         when_first_shown(self, self._fit)
 

@@ -19,8 +19,10 @@ _LEFT = Qt.MouseButton.LeftButton
 _SHORT_MS = 300
 
 
-def wait_for_rest(widget: QWidget, seconds: float = 10.0) -> None:
+def wait_for_rest(widget: QWidget, seconds: float = 10.0, *, up_to_ms: int = _SHORT_MS) -> None:
     """Wait until what follows the hand at a pace of its own has caught up: numbers, panels, the table, discs.
+
+    What has a slower pace than `up_to_ms` is not waited for.
 
     Raises
     ------
@@ -29,7 +31,7 @@ def wait_for_rest(widget: QWidget, seconds: float = 10.0) -> None:
     """
     timers = [timer for timer in widget.findChildren(QTimer) if timer.isSingleShot()]
     deadline = time.monotonic() + seconds
-    while any(timer.isActive() and timer.interval() <= _SHORT_MS for timer in timers):
+    while any(timer.isActive() and timer.interval() <= up_to_ms for timer in timers):
         if time.monotonic() > deadline:
             raise TimeoutError(f"The window does not come to rest within {seconds:g} s.")
         QTest.qWait(5)
@@ -188,7 +190,7 @@ class Hand:
         for _ in range(2):
             QGuiApplication.processEvents()
 
-    def wait_for_rest(self) -> None:
-        """Wait until numbers, panels and the table have followed the hand."""
-        wait_for_rest(self.window)
+    def wait_for_rest(self, *, up_to_ms: int = _SHORT_MS) -> None:
+        """Wait until numbers, panels and the table have followed the hand: those of this pace or quicker."""
+        wait_for_rest(self.window, up_to_ms=up_to_ms)
         self.settle()

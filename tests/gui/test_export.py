@@ -24,6 +24,12 @@ from app.testing import Editor
 SVG = "{http://www.w3.org/2000/svg}"
 
 
+@pytest.fixture(autouse=True)
+def _no_pause_to_type_on(monkeypatch):
+    """The preview waits until nothing is typed for a while; here nobody types on."""
+    monkeypatch.setattr("app.panels.export_dialog._SOON_MS", 10)
+
+
 @pytest.fixture
 def dialog(editor):
     editor.trigger("exportPicture")

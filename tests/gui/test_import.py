@@ -34,6 +34,12 @@ SVG = (
 )
 
 
+@pytest.fixture(autouse=True)
+def _no_pause_to_type_on(monkeypatch):
+    """The preview waits until nothing is typed for a while; here nobody types on."""
+    monkeypatch.setattr("app.panels.import_table_dialog._SOON_MS", 10)
+
+
 def write(path, text):
     path.write_text(text, encoding="utf-8")
     return path

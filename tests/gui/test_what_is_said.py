@@ -41,7 +41,7 @@ def enter(widget):
 
 
 def shown_t(editor):
-    editor.wait_for_rest()
+    editor.wait_for_rest(up_to_ms=50)
     return editor.window.status_line.findChild(QLabel, "pointerT").text()
 
 

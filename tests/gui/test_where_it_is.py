@@ -22,7 +22,7 @@ def arch(editor):
 
 def shown_place(editor):
     """The numbers at the right of the status line."""
-    editor.wait_for_rest()
+    editor.wait_for_rest(up_to_ms=50)
     return editor.window.statusBar().findChild(QLabel, "pointerPlace").text()
 
 
