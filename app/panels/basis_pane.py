@@ -113,7 +113,8 @@ class BasisPane(QWidget):
         """Write as much as there is room for: first the words beside the formulas go, then the note's own."""
         for brief in range(3):
             for kind, formula in enumerate(self._formulas):
-                self._kinds[kind].setText(formula if brief else f"{_NAMES[kind]}  {formula}")
+                # The leading space keeps the words off the line that is their sign.
+                self._kinds[kind].setText(" " + (formula if brief else f"{_NAMES[kind]}  {formula}"))
             self._extent.setText(_reach_text(self._reach, brief=brief > 1))
             self._header.invalidate()
             if self._header.sizeHint().width() <= self.width():

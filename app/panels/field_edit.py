@@ -33,6 +33,7 @@ class FieldEdit(QLineEdit):
         self.setObjectName(name)
         self.setAccessibleName(label)
         self.setToolTip(tip)
+        self.setTextMargins(3, 0, 3, 0)
         self._whole = self._short = ""
         self.returnPressed.connect(self._commit)
         self.textEdited.connect(self.left)
