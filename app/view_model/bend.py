@@ -34,8 +34,14 @@ from curvecore import CurveError, LagrangeCurve
 _LEAST_HOLD = 1e-4
 """b·b below which the data have no hold on the curve: they would change a hundred times as much as it."""
 
-_PRICE_OF_POINTS = 8.0
-"""What a way of a point on the curve costs, that of a handle being 1: it moves only where it is grabbed."""
+_PRICE_OF_POINTS = 5.0
+"""What a way of a point on the curve costs, that of a handle being 1, where it is grabbed far from the point.
+
+More would keep points better and swing the segments next door more: they share the velocity.
+"""
+
+_NEAR = 0.25
+"""The share of a segment within which a point is cheaper the nearer it is, so that handles do not swing there."""
 
 _MAX_STEPS = 8
 
@@ -121,9 +127,10 @@ def _hold_of_segment(view: CurveView, t: float, segment: int, *, ends_stay: bool
     assert view.skeleton is not None
     basis = view.skeleton.basis(np.array([t]))[0]
     h = float(np.diff(view.parameters)[segment])
+    share = (t - float(view.parameters[segment])) / h
     ends = [
-        _end(view, knot, basis[knot], h if ahead else -h, ends_stay=ends_stay)
-        for knot, ahead in ((segment, True), (segment + 1, False))
+        _end(view, knot, basis[knot], h if ahead else -h, None if ends_stay else _price(way))
+        for knot, ahead, way in ((segment, True, share), (segment + 1, False, 1.0 - share))
     ]
     strength = sum(end.strength for end in ends)
     data = (
@@ -143,20 +150,26 @@ class _End(msgspec.Struct, frozen=True):
     strength: float
 
 
-def _end(view: CurveView, knot: int, weights: Floats, h: float, *, ends_stay: bool) -> _End:
+def _price(share: float) -> float:
+    """Return the price of the point at the end of a segment that is grabbed at this share of it from there."""
+    return 1.0 + (_PRICE_OF_POINTS - 1.0) * min(share / _NEAR, 1.0)
+
+
+def _end(view: CurveView, knot: int, weights: Floats, h: float, price: float | None) -> _End:
     """Return what least change the data at `knot` answer with; h < 0 where the segment lies behind.
 
+    Without a price the point stays.
     The change is measured by the ways of the Bézier control points that depend on them, on both sides of a
     smooth node: a handle that is short here may be a long one there.
     """
     kinds, ahead = view.source.family.derivatives + 1, h > 0
     scales = h ** np.arange(kinds)
-    rows = [_PRICE_OF_POINTS * np.eye(kinds)[0], *_control_rows(kinds, 1.0)]
+    rows = [(price or 0.0) * np.eye(kinds)[0], *_control_rows(kinds, 1.0)]
     index = view.owner(knot)
     beyond = None if index in view.corners else view.spacing(index, ahead=not ahead)
     if beyond:
         rows += _control_rows(kinds, -beyond / abs(h))
-    first = int(ends_stay)
+    first = int(price is None)
     norm = np.array(rows)[:, first:]
     force = (weights / scales)[first:]
     # The data of unit h, so that nothing depends on the unit of time.
