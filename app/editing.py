@@ -9,7 +9,7 @@ import msgspec
 from PySide6.QtCore import QObject, Signal
 from PySide6.QtGui import QUndoStack
 
-from app.document.choice import followed_curves, followed_nodes
+from app.document.choice import followed_curves, followed_nodes, returned_curves, returned_nodes
 from app.document.curve_edits import refuse_locked
 from app.document.edits import EditError
 from app.document.format import FormatError, validate_changes
@@ -95,6 +95,8 @@ class Editing(QObject):
         self._committed = first_sketch()
         self._shown = self._committed
         self._home: _Home | None = None
+        # A step is being made, not undone or redone.
+        self._is_pushing = False
         self._views: list[CurveView] = []
         self._views_of: tuple[Curve, ...] = ()
 
@@ -257,7 +259,9 @@ class Editing(QObject):
         home, self._home = self._home, None
         before = State(self._committed, self.active_index if home is None else home.active)
         joins, steps = self._goes_on(run), self.undo_stack.index()
-        self.undo_stack.push(UndoStep(self._restore, before, State(document, after), text, joins=joins))
+        self._is_pushing = True
+        self.undo_stack.push(UndoStep(self._restore_step, before, State(document, after), text, joins=joins))
+        self._is_pushing = False
         # Where the change has taken its run back, the last step is another one.
         is_there = self.undo_stack.index() >= steps
         self._run = (run, self.clock()) if run is not None and is_there else None
@@ -278,6 +282,21 @@ class Editing(QObject):
         if home is not None:
             self.choose_curves(home.chosen)
             self.select(home.selection)
+
+    def _restore_step(self, state: State) -> None:
+        before = self._committed
+        self._restore(state)
+        if not self._is_pushing:
+            self._choose_returned(before)
+
+    def _choose_returned(self, before: Document) -> None:
+        """Select the points, or choose the curves, that undo or redo has brought back."""
+        curves = self._committed.curves
+        if len(chosen := returned_curves(before.curves, curves)) > 1:
+            self.choose_curves(chosen)
+        elif not self.selection and len(before.curves) == len(curves):
+            old = before.curves[self.active_index].nodes
+            self.select(returned_nodes(old, self.active_curve.nodes))
 
     def _restore(self, state: State) -> None:
         self._run = self._home = None

@@ -10,6 +10,7 @@ from app.commands.parts import Handlers, Parts
 from app.document import curve_edits, edits
 from app.document.edits import EditError
 from app.document.model import Curve, Document, Parametrization
+from app.document.several_curves import named, place_in, step_curves
 from app.view_model.closing import with_closed
 from app.view_model.curve_view import CurveView, view_of
 from app.view_model.measure import is_kept
@@ -46,8 +47,8 @@ class CurveCommands:
             "reverseCurve": self._reverse,
             "closeCurve": self._toggle_closed,
             "renameCurve": self._rename,
-            "raiseCurve": lambda: self._move(1),
-            "lowerCurve": lambda: self._move(-1),
+            "raiseCurve": lambda: self._step("Raise", 1),
+            "lowerCurve": lambda: self._step("Lower", -1),
             "nextCurve": lambda: self._walk(-1),
             "previousCurve": lambda: self._walk(1),
         }
@@ -62,8 +63,9 @@ class CurveCommands:
         actions["keepShape"].setEnabled(self._session.offered_at is not None)
         actions["joinCurve"].setEnabled(view.is_current and count > 1)
         actions["reverseCurve"].setEnabled(len(curve.nodes) > 1)
-        actions["raiseCurve"].setEnabled(index < count - 1)
-        actions["lowerCurve"].setEnabled(index > 0)
+        chosen = len(self._session.chosen_curves)
+        actions["raiseCurve"].setEnabled(1 < chosen < count or (chosen == 1 and index < count - 1))
+        actions["lowerCurve"].setEnabled(1 < chosen < count or (chosen == 1 and index > 0))
         for name in ("nextCurve", "previousCurve"):
             actions[name].setEnabled(count > 1)
 
@@ -78,15 +80,14 @@ class CurveCommands:
         ):
             self._actions["addTool"].trigger()
 
-    def _move(self, step: int) -> None:
-        session, index = self._session, self._session.active_index
-        to = index + step
-        if 0 <= to < len(session.document.curves):
-            self._parts.change(
-                f"Move {session.active_curve.name}",
-                lambda: curve_edits.move_curve(session.document, index, to),
-                active=to,
-            )
+    def _step(self, verb: str, step: int) -> None:
+        session, what = self._session, named(self._session.document, self._session.chosen_curves)
+        document = step_curves(session.document, session.chosen_curves, step)
+        if self._parts.change(
+            f"{verb} {what}", lambda: document, active=place_in(document, session.active_curve)
+        ):
+            where = "front" if step > 0 else "back"
+            session.say(f"{what}: one step to the {where}.")
 
     def _walk(self, step: int) -> None:
         # The next one is the one below in the list, hence behind.

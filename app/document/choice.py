@@ -1,4 +1,4 @@
-"""Chosen curves and selected nodes: where they are after a change."""
+"""Chosen curves and selected nodes: where they are after a change, and which came back with it."""
 
 from __future__ import annotations
 
@@ -51,3 +51,19 @@ def followed_nodes(chosen: Collection[int], before: Sequence[Node], after: Seque
         rank = sum(node.position == here for node in before[:index])
         found += places.get(here, [])[rank : rank + 1]
     return frozenset(found)
+
+
+def returned_nodes(before: Sequence[Node], after: Sequence[Node]) -> frozenset[int]:
+    """Return which nodes of `after` are at no place of `before`; none unless there are more of them."""
+    if len(after) <= len(before):
+        return frozenset()
+    places = {node.position for node in before}
+    return frozenset(index for index, node in enumerate(after) if node.position not in places)
+
+
+def returned_curves(before: Sequence[Curve], after: Sequence[Curve]) -> frozenset[int]:
+    """Return which curves of `after` are not among `before`; none unless there are more of them."""
+    if len(after) <= len(before):
+        return frozenset()
+    known = {id(curve) for curve in before}
+    return frozenset(place for place, curve in enumerate(after) if id(curve) not in known)

@@ -30,13 +30,6 @@ def remove_curve(document: Document, curve: int) -> Document:
     return replace(document, curves=rest or empty_document().curves)
 
 
-def move_curve(document: Document, curve: int, to: int) -> Document:
-    """Give a curve another place in the order; later curves are drawn over earlier ones."""
-    curves = list(document.curves)
-    curves.insert(to, curves.pop(curve))
-    return replace(document, curves=tuple(curves))
-
-
 def free_name(document: Document) -> str:
     """Return a name for a new curve that no other has."""
     taken = {curve.name for curve in document.curves}

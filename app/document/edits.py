@@ -181,8 +181,8 @@ def set_closed(document: Document, curve: int, closed: bool, *, squeeze: float =
     old = document.curves[curve]
     if closed and old.family is Family.LAGRANGE:
         raise EditError(
-            "A Lagrange curve is one polynomial, and a polynomial that is not constant cannot repeat itself "
-            "smoothly; choose Hermite or quintic Hermite to close the curve."
+            "Choose Hermite or quintic Hermite to close the curve: a Lagrange curve is one polynomial, and "
+            "one that is not constant cannot repeat itself smoothly."
         )
     if closed and len(old.nodes) < LEAST_TO_CLOSE:
         raise EditError("A closed curve needs at least three points.")

@@ -122,6 +122,38 @@ def remove_curves(document: Document, curves: Collection[int]) -> Document:
     return document
 
 
+def move_curves(document: Document, curves: Collection[int], curve: int, to: int) -> Document:
+    """Bring `curves` together, in their order, to where `curve`, one of them, has the place `to` alone.
+
+    Later curves are drawn over earlier ones.
+    """
+    order = [place for place in range(len(document.curves)) if place != curve]
+    before = [place for place in order[:to] if place not in curves]
+    behind = [place for place in order[to:] if place not in curves]
+    return in_order(document, [*before, *sorted(curves), *behind])
+
+
+def step_curves(document: Document, curves: Collection[int], step: int) -> Document:
+    """Move each of `curves` by one place to the front (step 1) or back (−1), as far as there is one."""
+    order = list(range(len(document.curves)))
+    ways = range(len(order) - 1, -1, -1) if step > 0 else range(len(order))
+    for place in ways:
+        to = place + step
+        if order[place] in curves and 0 <= to < len(order) and order[to] not in curves:
+            order[place], order[to] = order[to], order[place]
+    return in_order(document, order)
+
+
+def in_order(document: Document, order: Sequence[int]) -> Document:
+    """Return the document with its curves in this order, each given by its place now."""
+    return replace(document, curves=tuple(document.curves[place] for place in order))
+
+
+def place_in(document: Document, curve: Curve) -> int:
+    """Return the place of a curve, by identity: another one may be equal to it."""
+    return next(place for place, each in enumerate(document.curves) if each is curve)
+
+
 def active_after_removal(document: Document, curves: Collection[int], active: int) -> int:
     """Return which curve to edit when `curves` are gone: the one that takes the place of the active one."""
     before = sum(place not in curves for place in range(active))

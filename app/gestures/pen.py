@@ -42,10 +42,13 @@ class Pen:
         return self._host.active_index, self._host.active_view.source.name
 
     def finish(self) -> bool:
-        """Finish the curve that is edited; return whether there is one with an end."""
+        """Finish the curve that is edited, or say why not; return whether the key was for it."""
         host = self._host
-        if not hints.can_finish(host.active_view) or self._machine.is_pressed:
+        if self._machine.is_pressed or host.active_view.source.is_closed:
             return False
+        if not hints.can_finish(host.active_view):
+            host.refuse("A curve needs two points before it can be finished.")
+            return True
         self._finished.add(self._key)
         host.select([])
         host.say(f"“{host.active_view.source.name}” is finished; the next press begins another curve.")

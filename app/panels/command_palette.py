@@ -38,7 +38,7 @@ from PySide6.QtWidgets import (
 )
 from shiboken6 import isValid
 
-from app.keymap import name_alone, native
+from app.keymap import name_alone, native, why_not
 from app.panels.fuzzy import fitness
 from app.theme import mix, theme_of
 
@@ -149,7 +149,7 @@ class CommandPalette(QFrame):
         if command is None:
             return
         if not command.action.isEnabled():
-            self._note.setText(f"{command.name} cannot be used now.")
+            self._note.setText(why_not(command.action))
             self._note.show()
             self._place()
             return

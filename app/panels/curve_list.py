@@ -9,9 +9,8 @@ from PySide6.QtGui import QAction, QColor, QContextMenuEvent, QIcon, QPainter, Q
 from PySide6.QtWidgets import QHBoxLayout, QMenu, QToolButton, QVBoxLayout, QWidget
 
 from app.colours import CURVE_COLOURS, curve_colour
-from app.document import curve_edits
 from app.document.model import Document
-from app.document.several_curves import named, with_looks
+from app.document.several_curves import move_curves, named, place_in, with_looks
 from app.panels.curve_list_model import CurveListModel
 from app.panels.curve_list_view import CurveListView, Spot
 from app.session import Session
@@ -107,8 +106,10 @@ class CurveList(QWidget):
     def _move(self, row: int, to: int) -> None:
         session = self._session
         session.interrupt()
-        document = curve_edits.move_curve(session.document, row, to)
-        session.commit(document, f"Move {session.document.curves[row].name}", active=to)
+        curves = self._meant(row)
+        document = move_curves(session.document, curves, row, to)
+        text = f"Reorder {named(session.document, curves)}"
+        session.commit(document, text, active=place_in(document, session.active_curve))
 
     def choose_colour(self, row: int) -> QMenu:
         """Open the palette for a curve, or all that are chosen with it, beside its swatch if that is seen."""

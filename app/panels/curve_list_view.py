@@ -259,7 +259,11 @@ class CurveListView(QListView):
         else:
             self._press, self._pressed_row = event.position().toPoint(), row
             self._reached = row
-            self.activated_row.emit(row)
+            if not self._is_of_several(row):
+                self.activated_row.emit(row)
+
+    def _is_of_several(self, row: int) -> bool:
+        return row in self.chosen and len(self.chosen) > 1
 
     def _choose_to(self, row: int) -> None:
         """Choose from the active row to this one."""
@@ -280,6 +284,9 @@ class CurveListView(QListView):
     def mouseReleaseEvent(self, event: QMouseEvent) -> None:
         gap, place = self._gap, self._pressed_row
         self._end_drag()
+        if gap is None and place >= 0 and self._is_of_several(place):
+            # Not at the press: a drag takes all of them along.
+            self.activated_row.emit(place)
         row = self.curves.index_of(place).row()
         if gap is not None and gap not in (row, row + 1):
             below = gap if gap < row else gap - 1

@@ -41,7 +41,7 @@ More would keep points better and swing the segments next door more: they share 
 """
 
 _NEAR = 0.25
-"""The share of a segment within which a point is cheaper the nearer it is, so that handles do not swing there."""
+"""The share of a segment within which a point is the cheaper the nearer it is: handles do not swing there."""
 
 _MAX_STEPS = 8
 
@@ -151,7 +151,7 @@ class _End(msgspec.Struct, frozen=True):
 
 
 def _price(share: float) -> float:
-    """Return the price of the point at the end of a segment that is grabbed at this share of it from there."""
+    """Return the price of the point at the end of a segment, grabbed at this share of it from there."""
     return 1.0 + (_PRICE_OF_POINTS - 1.0) * min(share / _NEAR, 1.0)
 
 

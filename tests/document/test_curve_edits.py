@@ -9,6 +9,7 @@ from app.document import curve_edits, edits
 from app.document.edits import EditError
 from app.document.format import validate
 from app.document.model import Document, Family, Node, Parametrization, ParametrizationKind, make_curve
+from app.document.several_curves import move_curves
 from app.view_model.curve_view import view_of
 
 SQUARE = ((0.0, 0.0), (2.0, 0.0), (2.0, 2.0), (0.0, 2.0))
@@ -35,8 +36,8 @@ def test_curves_are_added_moved_and_removed(three):
     added = curve_edits.add_curve(three, 1, make_curve((), name="N"))
     assert names(added) == "ANBC"
     assert names(curve_edits.add_curve(three, 3, make_curve((), name="N"))) == "ABCN"
-    assert names(curve_edits.move_curve(three, 0, 2)) == "BCA"
-    assert names(curve_edits.move_curve(three, 2, 0)) == "CAB"
+    assert names(move_curves(three, {0}, 0, 2)) == "BCA"
+    assert names(move_curves(three, {2}, 2, 0)) == "CAB"
     assert names(curve_edits.remove_curve(three, 1)) == "AC"
 
 
@@ -84,7 +85,7 @@ def test_looks_order_and_the_other_curves_are_free_while_one_is_locked(three):
         curve_edits.set_colour(locked, 1, "#d55e00"),
         curve_edits.set_visible(locked, 1, False),
         curve_edits.set_locked(locked, 1, False),
-        curve_edits.move_curve(locked, 1, 0),
+        move_curves(locked, {1}, 1, 0),
         curve_edits.remove_curve(locked, 0),
         edits.move_nodes(locked, 0, [0], (1.0, 0.0)),
     ):

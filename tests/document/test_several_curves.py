@@ -7,7 +7,6 @@ from hypothesis import given
 from hypothesis import strategies as st
 from msgspec.structs import replace
 
-from app.document import curve_edits
 from app.document.choice import followed_curves
 from app.document.edits import EditError, append_node, set_family
 from app.document.model import Document, Family, Node, make_curve
@@ -16,10 +15,12 @@ from app.document.several_curves import (
     add_copies,
     add_curves,
     mapped,
+    move_curves,
     moved,
     named,
     nodes_of,
     remove_curves,
+    step_curves,
     whole_curves,
     with_looks,
 )
@@ -141,6 +142,22 @@ def test_a_choice_follows_its_curves(order, chosen, gone):
 def test_a_choice_stays_on_curves_that_are_changed_in_their_place(four):
     document = set_family(append_node(four, 1, Node(9.0, 9.0)), 3, Family.HERMITE)
     assert followed_curves({1, 3}, four.curves, document.curves) == {1, 3}
-    lowered = curve_edits.move_curve(four, 1, 2)
+    lowered = move_curves(four, {1}, 1, 2)
     assert followed_curves({1, 3}, four.curves, lowered.curves) == {2, 3}
     assert followed_curves({1, 3}, four.curves, four.curves) == {1, 3}
+
+
+@pytest.mark.parametrize(
+    ("chosen", "step", "order"),
+    [({1}, 1, "ACBD"), ({0, 1}, 1, "CABD"), ({2, 3}, 1, "ABCD"), ({1, 3}, 1, "ACBD"), ({0, 2}, -1, "ACBD")],
+)
+def test_chosen_curves_step_together(four, chosen, step, order):
+    assert names(step_curves(four, chosen, step)) == order
+
+
+@pytest.mark.parametrize(
+    ("chosen", "curve", "to", "order"),
+    [({0, 1}, 1, 3, "CDAB"), ({0, 3}, 3, 1, "ADBC"), ({1, 3}, 1, 0, "BDAC"), ({0, 2}, 0, 2, "BACD")],
+)
+def test_chosen_curves_are_dropped_together(four, chosen, curve, to, order):
+    assert names(move_curves(four, chosen, curve, to)) == order

@@ -705,3 +705,34 @@ def test_curves_that_are_imported_to_others_are_chosen(five, tmp_path):
     QTest.mouseClick(five.window.findChild(QPushButton, "importDrawing"), LEFT)
     five.settle()
     assert (five.session.active_index, five.session.chosen_curves) == (5, {5, 6})
+
+
+# The order
+
+
+@pytest.mark.parametrize(("name", "order"), [("raiseCurve", "ACBED"), ("lowerCurve", "BADCE")])
+def test_chosen_curves_are_raised_and_lowered_together(five, name, order):
+    five.session.choose_curves({1, 3})
+    five.trigger(name)
+    verb = "Raise" if name == "raiseCurve" else "Lower"
+    assert (names(five), chosen(five)) == (order, "BD")
+    assert step_name(five) == f"{verb} 2 curves"
+    assert five.status.startswith("2 curves: one step to the ")
+    assert five.curve.name == "B"
+    five.trigger("undo")
+    assert (names(five), chosen(five)) == ("ABCDE", "BD")
+
+
+def test_chosen_rows_are_dragged_together(five):
+    five.session.choose_curves({1, 2}, 1)
+    view = five.window.curve_list.view
+    start, end = view.row_rect(2).center(), view.row_rect(4).top()
+    QTest.mousePress(view.viewport(), LEFT, pos=start)
+    for y in (start.y() - 8, end - 1):
+        QTest.mouseMove(view.viewport(), QPoint(start.x(), y))
+    assert chosen(five) == "BC"
+    QTest.mouseRelease(view.viewport(), LEFT, pos=QPoint(start.x(), end - 1))
+    assert (names(five), chosen(five), step_name(five)) == ("ADEBC", "BC", "Reorder 2 curves")
+    # A click without a drag chooses the one alone, as before.
+    QTest.mouseClick(view.viewport(), LEFT, pos=view.row_rect(4).center())
+    assert chosen(five) == "C"

@@ -206,6 +206,24 @@ def test_undo_of_an_insertion_leaves_no_other_point_selected(two):
     assert len(two.curve.nodes) == 4
 
 
+def test_undo_of_a_deletion_selects_what_it_brings_back(two):
+    two.trigger("deleteSelection")
+    assert two.session.selection == frozenset()
+    two.trigger("undo")
+    assert two.session.selection == {1, 2}
+    two.trigger("selectAllCurves")
+    two.trigger("deleteCurve")
+    two.trigger("undo")
+    assert two.session.chosen_curves == {0, 1}
+
+
+def test_undo_of_a_move_leaves_the_selection_of_now(two):
+    two.drag_point(0, to=(5.5, 0.5))
+    two.select([3])
+    two.trigger("undo")
+    assert two.session.selection == {3}
+
+
 def test_what_is_refused_leaves_the_selection(two):
     two.trigger("curveLocked")
     for name in ("deleteSelection", "cutPoints", "reverseCurve"):

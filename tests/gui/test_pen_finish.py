@@ -240,3 +240,13 @@ def test_measuring_goes_in_steps_with_shift(pen, to, angle):
     pen.escape()
     assert pen.window.canvas.overlay.ruler is None
     pen.release(at(pen, *to))
+
+
+def test_enter_with_one_point_says_what_is_missing(editor):
+    editor.new()
+    editor.trigger("addTool")
+    editor.click((1.0, 1.0))
+    editor.key(Qt.Key.Key_Return)
+    assert editor.status == "A curve needs two points before it can be finished."
+    editor.click((2.0, 1.0))
+    assert len(editor.curve.nodes) == 2
