@@ -9,8 +9,7 @@ The layers, top to bottom; a module imports only from its own layer and those ab
 - ``worker``: work off the window's thread, with progress, that can be taken back.
 - ``resources``, ``examples``, ``lessons``: what comes with the program.
 - ``undo_step``: a step of the history.
-- ``editing``: the document with its history and previews, and what is selected in it.
-- ``session``: the one mutable owner: that, and the file behind it.
+- ``session``: the one mutable owner of the current document, its history and the selection.
 - ``analysis``, ``settle``: what is shown over the curve; what is computed beside the window.
 - ``autosave``: keeps a snapshot of what is not saved yet.
 - ``player``: a motion, and the clock that drives it.

@@ -1,44 +1,408 @@
-"""The one mutable owner: the document that is edited, and the file behind it."""
+"""The one mutable owner: the current document, its history, the selection and the file behind it."""
 
 from __future__ import annotations
 
+import time
+from collections.abc import Callable, Collection, Hashable
 from pathlib import Path
 
+import msgspec
 from PySide6.QtCore import QObject, Signal
+from PySide6.QtGui import QUndoStack
 
 from app.document import storage
+from app.document.choice import followed_curves, followed_nodes, returned_curves, returned_nodes
+from app.document.curve_edits import refuse_locked
 from app.document.edits import EditError
-from app.document.model import Document, empty_document
+from app.document.format import FormatError, validate_changes
+from app.document.model import Curve, Document, empty_document
 from app.document.open_file import OpenFile
-from app.editing import Editing
+from app.examples import first_sketch
 from app.undo_step import State, UndoStep
+from app.view_model.curve_view import CurveView, view_of
+
+_RUN_SECONDS = 1.0
+"""Changes of the same run that follow each other as quickly as this are one step."""
 
 
-class Session(Editing):
+class _Home(msgspec.Struct, frozen=True):
+    """What was edited, selected and chosen before a preview began another curve."""
+
+    active: int
+    selection: frozenset[int]
+    chosen: frozenset[int]
+
+
+class Session(QObject):
     """What is open, and everything that may change it.
 
     Signals
     -------
+    document_changed
+        The document shown is another one: a preview, a commit, undo, redo, open or new.
+    active_changed
+        Another curve is edited.
+    selection_changed
+        Another set of nodes is selected.
+    chosen_changed
+        Another set of curves is chosen, to be worked on together.
+    hovered_changed
+        The pointer is over another node (its index, or -1), on the canvas or in the basis panel.
+    scrub_changed
+        The scrub line was moved to another t, or put away (None).
     file_changed
         The path or the modified mark is another one.
     opened
         Another document was opened or begun.
     saved
         The document was written to its file.
+    history_changed
+        There is another step to undo or redo.
+    interrupted
+        The document or the curve that is edited is being replaced (a step, undo, open): a gesture in flight
+        is void, and what has been said about the old one is out of date.
+    said
+        A sentence for the status line.
+    refused
+        A sentence for the status line: something was not done, and why.
+    offered
+        A sentence that stays until the next step, and the name of an action that goes with it.
+
+    Attributes
+    ----------
+    chosen_curves
+        The curves that are worked on together, by their places; the one that is edited is one of them.
+    clock
+        Tells the seconds between the changes of a run; tests give their own.
     """
 
+    document_changed = Signal(object)
+    active_changed = Signal(int)
+    selection_changed = Signal(object)
+    chosen_changed = Signal(object)
+    hovered_changed = Signal(int)
+    scrub_changed = Signal(object)
     file_changed = Signal()
     opened = Signal()
     saved = Signal()
+    history_changed = Signal()
+    interrupted = Signal()
+    said = Signal(str)
+    refused = Signal(str)
+    offered = Signal(str, str)
 
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
+        self.undo_stack = QUndoStack(self)
+        self.undo_stack.cleanChanged.connect(self._report_clean)
         self.path: Path | None = None
         self.file: OpenFile | None = None
-        self.undo_stack.cleanChanged.connect(self._report_clean)
+        self.undo_stack.indexChanged.connect(self._report_index)
+        self.active_index = 0
+        self.selection: frozenset[int] = frozenset()
+        self.chosen_curves = frozenset({0})
+        self.hovered = -1
+        self.scrub: float | None = None
+        self.offered_at: float | None = None
+        self.clock: Callable[[], float] = time.monotonic
+        # The run that the last step belongs to, and when that was.
+        self._run: tuple[Hashable, float] | None = None
+        self._committed = first_sketch()
+        self._shown = self._committed
+        self._home: _Home | None = None
+        # A step is being made, not undone or redone.
+        self._is_pushing = False
+        self._views: list[CurveView] = []
+        self._views_of: tuple[Curve, ...] = ()
 
     def _report_clean(self, _clean: bool) -> None:
         self.file_changed.emit()
+
+    def _report_index(self, _index: int) -> None:
+        self.offered_at = None
+        self.history_changed.emit()
+
+    # What is shown
+
+    @property
+    def document(self) -> Document:
+        """The current document; during a gesture, its preview."""
+        return self._shown
+
+    @property
+    def active_curve(self) -> Curve:
+        """The curve that is edited."""
+        return self._shown.curves[self.active_index]
+
+    @property
+    def views(self) -> list[CurveView]:
+        """The view-models of all curves; made anew only for curves that are other values than before."""
+        curves = self._shown.curves
+        if self._views_of is not curves:
+            known = {id(view.source): view for view in self._views}
+            # A curve that was changed takes its last good shape from its place in the list.
+            same_places = len(curves) == len(self._views)
+            self._views = [
+                known.get(id(curve)) or view_of(curve, self._views[place] if same_places else None)
+                for place, curve in enumerate(curves)
+            ]
+            self._views_of = curves
+        return self._views
+
+    @property
+    def active_view(self) -> CurveView:
+        """The view-model of the active curve."""
+        return self.views[self.active_index]
+
+    def activate(self, index: int) -> None:
+        """Edit another curve, and choose it alone; nothing of it is selected yet."""
+        self.choose_curves((index,), index)
+
+    def choose_curves(self, indices: Collection[int], active: int | None = None) -> None:
+        """Choose curves to work on together.
+
+        The curve that is edited is one of them: `active`, or the one edited so far, or the chosen one nearest
+        to it. With several no points are selected, so that tools act on the curves.
+        """
+        if self.is_previewing:
+            # The gesture may edit a curve that goes with its preview.
+            self.interrupt()
+        wanted = self.active_index if active is None else active
+        if wanted not in indices:
+            wanted = min(indices, key=lambda index: abs(index - wanted), default=wanted)
+        before, self.chosen_curves = self.chosen_curves, frozenset({*indices, wanted})
+        if wanted != self.active_index:
+            self.interrupted.emit()
+            self.cancel()
+            self.offered_at = None
+            self._enter(wanted)
+            self._keep_scrub_inside()
+            self.active_changed.emit(wanted)
+        if len(self.chosen_curves) > 1:
+            self.select([])
+        if self.chosen_curves != before:
+            self.chosen_changed.emit(self.chosen_curves)
+
+    def _follow_choice(self, before: Document) -> bool:
+        """Keep the chosen curves valid after `before`; return whether they are other places now."""
+        old = self.chosen_curves
+        kept = followed_curves(old, before.curves, self._shown.curves) if len(old) > 1 else frozenset[int]()
+        self.chosen_curves = kept if self.active_index in kept else frozenset({self.active_index})
+        return self.chosen_curves != old
+
+    def _enter(self, index: int) -> None:
+        """Make curve `index` the active one; what belonged to the other is put away."""
+        self.select([])
+        self.set_hovered(-1)
+        self.active_index = index
+
+    def _keep_scrub_inside(self) -> None:
+        """Move the scrub line into the domain of the curve that is active now."""
+        view = self.active_view
+        if self.scrub is not None and view.curve is not None:
+            start, end = view.curve.domain
+            self.set_scrub(min(max(self.scrub, start), end))
+
+    @property
+    def selected(self) -> int | None:
+        """The selected node if exactly one is selected."""
+        return next(iter(self.selection)) if len(self.selection) == 1 else None
+
+    @property
+    def is_previewing(self) -> bool:
+        """Whether a gesture in flight shows something else than the history's last state."""
+        return self._shown is not self._committed
+
+    @property
+    def committed(self) -> Document:
+        """The history's last state, whatever a gesture in flight shows."""
+        return self._committed
+
+    @property
+    def is_modified(self) -> bool:
+        """Whether there are changes that are not in the file."""
+        return not self.undo_stack.isClean()
+
+    # Changes
+
+    def preview(self, document: Document, *, active: int | None = None) -> None:
+        """Show `document` during a gesture; `commit` or `cancel` ends it.
+
+        `active` is the curve to edit meanwhile, where the gesture begins another one.
+        """
+        if document is not self._shown and self._is_free(document):
+            if active is not None and self._home is None:
+                self._home = _Home(self.active_index, self.selection, self.chosen_curves)
+                self._enter(active)
+            self._show(document)
+
+    def interrupt(self) -> bool:
+        """Drop the gesture in flight, wherever it is, with its preview; return whether one was shown."""
+        was_previewing = self.is_previewing
+        self.interrupted.emit()
+        self.cancel()
+        return was_previewing
+
+    def _is_free(self, document: Document) -> bool:
+        """Whether `document` leaves the locked curves alone; says so if not."""
+        try:
+            refuse_locked(self._committed, document)
+        except EditError as reason:
+            self.refuse(str(reason))
+            return False
+        return True
+
+    def _can_be_kept(self, document: Document) -> bool:
+        """Whether a file may hold `document`; says why not. What no edit should make is stopped here."""
+        try:
+            validate_changes(self._committed, document)
+        except FormatError as reason:
+            self.refuse(f"This cannot be kept: {reason}.")
+            return False
+        return True
+
+    def commit(
+        self, document: Document, text: str, *, active: int | None = None, run: Hashable = None
+    ) -> bool:
+        """Make `document` the current one, as one step of the history called `text`; return whether it is.
+
+        `active` is the curve to edit from then on, where that changes. Changes of the same `run` that follow
+        each other within a second, with nothing between them, are one step: arrow keys. A document in which
+        a locked curve is another one, or that no file could hold, is refused with a sentence.
+        """
+        if document == self._committed or not self._is_free(document) or not self._can_be_kept(document):
+            self.cancel()
+            return False
+        after = self.active_index if active is None else active
+        home, self._home = self._home, None
+        before = State(self._committed, self.active_index if home is None else home.active)
+        joins, steps = self._goes_on(run), self.undo_stack.index()
+        self._is_pushing = True
+        self.undo_stack.push(UndoStep(self._restore_step, before, State(document, after), text, joins=joins))
+        self._is_pushing = False
+        # Where the change has taken its run back, the last step is another one.
+        is_there = self.undo_stack.index() >= steps
+        self._run = (run, self.clock()) if run is not None and is_there else None
+        return True
+
+    def _goes_on(self, run: Hashable) -> bool:
+        """Whether a change of this run follows the last one closely enough to be the same step."""
+        return self._run is not None and self._run[0] == run and self.clock() - self._run[1] <= _RUN_SECONDS
+
+    def cancel(self) -> None:
+        """Drop the preview; nothing is left of it."""
+        if self._shown is self._committed:
+            return
+        home, self._home = self._home, None
+        if home is not None:
+            self._enter(home.active)
+        self._show(self._committed)
+        if home is not None:
+            self.choose_curves(home.chosen)
+            self.select(home.selection)
+
+    def _restore_step(self, state: State) -> None:
+        before = self._committed
+        self._restore(state)
+        if not self._is_pushing:
+            self._choose_returned(before)
+
+    def _choose_returned(self, before: Document) -> None:
+        """Select the points, or choose the curves, that undo or redo has brought back."""
+        curves = self._committed.curves
+        if len(chosen := returned_curves(before.curves, curves)) > 1:
+            self.choose_curves(chosen)
+        elif not self.selection and len(before.curves) == len(curves):
+            old = before.curves[self.active_index].nodes
+            self.select(returned_nodes(old, self.active_curve.nodes))
+
+    def _restore(self, state: State) -> None:
+        self._run = self._home = None
+        self.interrupted.emit()
+        if state.active != self.active_index:
+            self._enter(state.active)
+        self._committed = state.document
+        self._show(state.document)
+        self._keep_scrub_inside()
+
+    def _show(self, document: Document) -> None:
+        before, self._shown = self._shown, document
+        self.active_index = min(self.active_index, len(document.curves) - 1)
+        has_moved = self._follow_choice(before)
+        selection = self._followed_selection(before)
+        self._drop_stale_indices()
+        self.document_changed.emit(document)
+        # Whoever draws it has had to hear of the nodes first.
+        self.select(selection)
+        if has_moved:
+            self.chosen_changed.emit(self.chosen_curves)
+
+    def _followed_selection(self, before: Document) -> frozenset[int]:
+        """Return where the nodes are now that were selected in `before`."""
+        if not self.selection or self.active_index >= len(before.curves):
+            return frozenset()
+        return followed_nodes(self.selection, before.curves[self.active_index].nodes, self.active_curve.nodes)
+
+    def _drop_stale_indices(self) -> None:
+        count = len(self.active_curve.nodes)
+        if self.hovered >= count:
+            self.set_hovered(-1)
+        if any(index >= count for index in self.selection):
+            self.select([index for index in self.selection if index < count])
+
+    # What is neither saved nor undone
+
+    def select(self, indices: Collection[int]) -> None:
+        """Select the nodes at `indices` of the active curve."""
+        chosen = frozenset(indices)
+        if chosen != self.selection:
+            self._run = None
+            self.selection = chosen
+            self.selection_changed.emit(chosen)
+
+    def set_hovered(self, index: int) -> None:
+        """Say which node the pointer is over; -1 for none."""
+        if index != self.hovered:
+            self.hovered = index
+            self.hovered_changed.emit(index)
+
+    def set_scrub(self, t: float | None) -> None:
+        """Move the scrub line to `t`, or put it away (None)."""
+        if t != self.scrub:
+            self.scrub = t
+            self.scrub_changed.emit(t)
+
+    def say(self, text: str) -> None:
+        """Show a sentence in the status line."""
+        self.said.emit(text)
+
+    def refuse(self, text: str) -> None:
+        """Say that something was not done, and why: marked, so that it is not taken for a hint."""
+        self.refused.emit(text)
+
+    def offer(self, text: str, action: str, at: float | None = None) -> None:
+        """Show a sentence above the canvas, and beside it a button for the action of this name.
+
+        `at` is the parameter that the action is about; the next step of the history makes it void, and so
+        does another curve to edit.
+        """
+        self.offered_at = at
+        self.offered.emit(text, action)
+
+    # Another document
+
+    def _begin_with(self, document: Document) -> None:
+        """Edit another document: without history, nothing selected, its first curve the active one."""
+        self.select([])
+        self.choose_curves((self.active_index,))
+        self.set_scrub(None)
+        # Another document's curves are nobody's last good shape.
+        self._views, self._views_of = [], ()
+        self._restore(State(document, 0))
+        self.undo_stack.clear()
+        self.undo_stack.setClean()
+
+    # Files
 
     def new(self) -> None:
         """Start an empty document."""
