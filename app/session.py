@@ -95,9 +95,9 @@ class Session(QObject):
         super().__init__(parent)
         self.undo_stack = QUndoStack(self)
         self.undo_stack.cleanChanged.connect(self._report_clean)
+        self.undo_stack.indexChanged.connect(self._report_index)
         self.path: Path | None = None
         self.file: OpenFile | None = None
-        self.undo_stack.indexChanged.connect(self._report_index)
         self.active_index = 0
         self.selection: frozenset[int] = frozenset()
         self.chosen_curves = frozenset({0})
@@ -389,19 +389,6 @@ class Session(QObject):
         self.offered_at = at
         self.offered.emit(text, action)
 
-    # Another document
-
-    def _begin_with(self, document: Document) -> None:
-        """Edit another document: without history, nothing selected, its first curve the active one."""
-        self.select([])
-        self.choose_curves((self.active_index,))
-        self.set_scrub(None)
-        # Another document's curves are nobody's last good shape.
-        self._views, self._views_of = [], ()
-        self._restore(State(document, 0))
-        self.undo_stack.clear()
-        self.undo_stack.setClean()
-
     # Files
 
     def new(self) -> None:
@@ -467,6 +454,13 @@ class Session(QObject):
     def _replace(self, document: Document, path: Path | None, file: OpenFile | None = None) -> None:
         self._take_file(OpenFile.adopt(path) if file is None and path is not None else file)
         self.path = path
-        self._begin_with(document)
+        self.select([])
+        self.choose_curves((self.active_index,))
+        self.set_scrub(None)
+        # Another document's curves are nobody's last good shape.
+        self._views, self._views_of = [], ()
+        self._restore(State(document, 0))
+        self.undo_stack.clear()
+        self.undo_stack.setClean()
         self.file_changed.emit()
         self.opened.emit()

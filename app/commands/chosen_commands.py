@@ -17,7 +17,7 @@ class ChosenCommands:
         self._parts = parts
         self._session = parts.session
         self._actions = parts.actions
-        parts.curve_list.view.deletion_wanted.connect(self._delete)
+        parts.curve_list.view.deletion_wanted.connect(parts.actions["deleteCurve"].trigger)
 
     def handlers(self) -> Handlers:
         """Return what each action does."""

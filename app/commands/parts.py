@@ -58,8 +58,10 @@ class Parts(msgspec.Struct, frozen=True):
     def change(self, text: str, edit: Callable[[], Document], *, active: int | None = None) -> bool:
         """Commit what `edit` makes as the step `text`, or say why not; return whether the document changed.
 
-        A gesture in flight was dropped before the command began: see `Commands`.
+        A gesture in flight is dropped first; commands were rid of it before they began (see `Commands`), what
+        else calls this must read the document in `edit`.
         """
+        self.cancel_gesture()
         try:
             return self.session.commit(edit(), text, active=active)
         except EditError as reason:

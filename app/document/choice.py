@@ -42,14 +42,13 @@ def followed_nodes(chosen: Collection[int], before: Sequence[Node], after: Seque
     places: dict[Vector, list[int]] = {}
     for index, node in enumerate(after):
         places.setdefault(node.position, []).append(index)
-    found = []
-    for index in chosen:
-        if index >= len(before):
-            found += [index] if index < len(after) else []
-            continue
-        here = before[index].position
-        rank = sum(node.position == here for node in before[:index])
-        found += places.get(here, [])[rank : rank + 1]
+    found = {index for index in chosen if len(before) <= index < len(after)}
+    # Every old node takes the first place left where it is, so that one walk over the points will do.
+    left = {position: iter(indices) for position, indices in places.items()}
+    for index, node in enumerate(before):
+        place = next(left[node.position], None) if node.position in left else None
+        if place is not None and index in chosen:
+            found.add(place)
     return frozenset(found)
 
 

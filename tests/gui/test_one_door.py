@@ -136,6 +136,20 @@ def test_a_panel_in_the_middle_of_a_gesture_changes_what_was_there(two):
     assert two.session.undo_stack.undoText() == "Use uniform parameters"
 
 
+def test_del_in_the_list_takes_no_preview_along(two):
+    two.show_dock("curvesDock")
+    two.session.activate(0)
+    before = two.session.committed
+    two.select([1, 2])
+    under_g(two)
+    view = two.window.curve_list.view
+    view.setFocus()
+    QTest.keyClick(view, Qt.Key.Key_Delete)
+    assert two.session.document.curves == (before.curves[1],)
+    two.trigger("undo")
+    assert two.session.document is before
+
+
 def press_alpha(editor):
     """Take hold of the handle of the α slider and drag it to its middle."""
     slider = editor.window.parametrization_bar._slider
