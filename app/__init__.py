@@ -6,6 +6,7 @@ The layers, top to bottom; a module imports only from its own layer and those ab
 - ``view_model``: a document's curve turned into arrays to draw. No Qt; calls ``curvecore``.
 - ``gestures``: press, move and release turned into edits. No Qt.
 - ``exchange``: files in and out. Qt only in ``image`` and ``motion_frames``.
+- ``overrides``: exceptions end in the method that Qt called.
 - ``worker``: work off the window's thread, with progress, that can be taken back.
 - ``resources``, ``examples``, ``lessons``: what comes with the program.
 - ``undo_step``: a step of the history.

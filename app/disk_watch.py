@@ -8,11 +8,13 @@ from pathlib import Path
 from PySide6.QtCore import QEvent, QFileSystemWatcher, QObject, QTimer, Signal
 from PySide6.QtWidgets import QWidget
 
+from app.overrides import Guarded
+
 _SETTLE_MS = 100
 """How long after the first sign: one writing of a file gives many."""
 
 
-class DiskWatch(QObject):
+class DiskWatch(Guarded, QObject):
     """Watches one file and its folder.
 
     The folder too, because a file that is replaced by another one of its name is watched no longer, and

@@ -10,6 +10,7 @@ from PySide6.QtCore import QByteArray, QPoint, QRect, QRectF, QSize, Qt
 from PySide6.QtGui import QColor, QIcon, QIconEngine, QImage, QPainter, QPixmap
 from PySide6.QtSvg import QSvgRenderer
 
+from app.overrides import Guarded
 from app.resources import resource
 from app.theme import Theme, mix
 
@@ -44,7 +45,7 @@ def icon(name: str, theme: Theme) -> QIcon:
     return QIcon(_IconEngine(resource("icons", f"{name}.svg"), theme))
 
 
-class _IconEngine(QIconEngine):
+class _IconEngine(Guarded, QIconEngine):
     """Draws an icon when a size of it is first asked for: at the start most never are."""
 
     def __init__(self, path: Path, theme: Theme) -> None:

@@ -38,6 +38,7 @@ from app.gestures.rail import RailTool
 from app.gestures.tools import CanvasTool
 from app.icons import app_icon
 from app.menus import Menus
+from app.overrides import Guarded
 from app.panels.basis_pane import BasisPane
 from app.panels.basis_panel import BasisPanel
 from app.panels.message_bar import MessageBar
@@ -55,7 +56,7 @@ _PANELS_MS = 100
 """How far the panels may lag behind a drag, in milliseconds; the canvas and the functions never do."""
 
 
-class MainWindow(QMainWindow):
+class MainWindow(Guarded, QMainWindow):
     """One document in one window.
 
     Attributes

@@ -7,6 +7,8 @@ from collections.abc import Callable
 
 from PySide6.QtCore import QObject, QRunnable, QThreadPool, QTimer, Signal
 
+from app.overrides import Guarded
+
 SETTLE_MS = 100
 """How long nothing must have changed before the work begins, in milliseconds."""
 
@@ -87,7 +89,7 @@ class Settler(QObject):
             self.busy_changed.emit(busy)
 
 
-class _Work(QRunnable):
+class _Work(Guarded, QRunnable):
     """One computation; its end is told through a signal, hence in the window's thread."""
 
     def __init__(self, compute: Callable[[IsStale], object], asked: int, owner: Settler) -> None:

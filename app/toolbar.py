@@ -7,6 +7,7 @@ from PySide6.QtGui import QResizeEvent, QShowEvent
 from PySide6.QtWidgets import QToolBar, QToolButton, QWidget
 
 from app.actions import Actions
+from app.overrides import Guarded
 from app.panels.parametrization_bar import ParametrizationBar
 
 _SEPARATOR, _PARAMETERS = "", "PARAMETERS"
@@ -26,7 +27,7 @@ _FAMILIES = {
 _SHORT = {**_FAMILIES, "familyQuinticHermite": "Quintic"}
 
 
-class Toolbar(QToolBar):
+class Toolbar(Guarded, QToolBar):
     """Shortens its words in a narrow window, so that nothing is cut off at 1024 pixels."""
 
     def __init__(self, actions: Actions, parameters: ParametrizationBar, parent: QWidget) -> None:

@@ -8,6 +8,7 @@ import msgspec
 from PySide6.QtGui import QUndoCommand
 
 from app.document.model import Document
+from app.overrides import Guarded
 
 
 class State(msgspec.Struct, frozen=True):
@@ -17,7 +18,7 @@ class State(msgspec.Struct, frozen=True):
     active: int
 
 
-class UndoStep(QUndoCommand):
+class UndoStep(Guarded, QUndoCommand):
     """A step from one state to the next; the values are computed before it is made.
 
     One that `joins` becomes a part of the step before it. `restore` brings a state back.

@@ -9,6 +9,7 @@ from PySide6.QtGui import QScreen
 from PySide6.QtWidgets import QDockWidget, QMainWindow, QSplitter
 
 from app.commands.dock_room import put_idle_docks_away
+from app.overrides import Guarded
 from app.preferences import Preferences
 
 _SIZE = QSize(1280, 860)
@@ -60,7 +61,7 @@ def when_first_shown(window: QMainWindow, act: Callable[[], None]) -> None:
     _FirstShow(window, act)
 
 
-class _FirstShow(QObject):
+class _FirstShow(Guarded, QObject):
     """Waits for a window to be shown."""
 
     def __init__(self, window: QMainWindow, act: Callable[[], None]) -> None:

@@ -9,6 +9,7 @@ from PySide6.QtGui import QFont
 from PySide6.QtWidgets import QFrame, QGridLayout, QLabel, QToolButton, QWidget
 
 from app.icons import icon
+from app.overrides import Guarded
 from app.plot.pens import sign_pixmap
 from app.theme import Theme, mix
 from app.view_model.analysis.legend import LegendRow
@@ -20,7 +21,7 @@ FIRST = "overlays"
 """The group of the curve itself, with what is drawn over it and its ghosts."""
 
 
-class Legend(QFrame):
+class Legend(Guarded, QFrame):
     """Lies in the lower right corner; what is pressed beside its buttons is meant for the drawing below.
 
     Signals

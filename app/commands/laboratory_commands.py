@@ -11,6 +11,7 @@ from PySide6.QtWidgets import QDockWidget, QWidget
 from app.canvas.trace_layer import Trace
 from app.commands.dock_room import make_room_once
 from app.commands.parts import Handlers, Parts
+from app.overrides import Guarded
 from app.settle import IsStale, Settler
 from app.view_model.analysis.laboratory_settings import METHOD_NAMES, LaboratorySettings
 from app.view_model.curve_view import CurveView
@@ -26,7 +27,7 @@ _HEIGHT = 480
 """What the laboratory needs of the side to show its controls and its table."""
 
 
-class LaboratoryCommands(QObject):
+class LaboratoryCommands(Guarded, QObject):
     """Keeps the laboratory in step with curve and settings, while it is on.
 
     It is on from the moment its dock is looked at until the dock is closed: with another tab in front the

@@ -8,6 +8,7 @@ from PySide6.QtWidgets import QApplication
 from app.commands.file_work import FileWork
 from app.commands.motion_export import MotionExport
 from app.commands.parts import Parts
+from app.overrides import Guarded
 from app.panels.motion_bar import MotionBar
 from app.player import Player
 from app.theme import theme_of
@@ -32,7 +33,7 @@ _CHECKED = {
 }
 
 
-class MotionStage(QObject):
+class MotionStage(Guarded, QObject):
     """Shows what the player plays."""
 
     def __init__(self, parts: Parts, work: FileWork) -> None:

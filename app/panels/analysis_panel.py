@@ -21,6 +21,7 @@ from PySide6.QtWidgets import (
 
 from app.analysis import Analysis
 from app.document.expression import ExpressionError, parse_number
+from app.overrides import Guarded
 from app.panels.field_edit import FieldEdit
 from app.panels.number_text import decimal_mark, exact_text, rounded_text
 from app.panels.setting_slider import SettingSlider, count_slider, scale_slider
@@ -42,7 +43,7 @@ _GHOSTS = {
 }
 
 
-class AnalysisPanel(QScrollArea):
+class AnalysisPanel(Guarded, QScrollArea):
     """A switch for each overlay, beside it how it is drawn, and below it what it says."""
 
     def __init__(

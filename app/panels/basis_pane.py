@@ -6,6 +6,7 @@ from PySide6.QtCore import Qt, QTimer
 from PySide6.QtGui import QIcon, QResizeEvent
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QToolButton, QVBoxLayout, QWidget
 
+from app.overrides import Guarded
 from app.panels.basis_panel import BasisPanel
 from app.panels.elided_label import ElidedLabel
 from app.panels.function_lines import note_on_drawing
@@ -21,7 +22,7 @@ _NAMES = ("position", "velocity", "acceleration")
 _SOON_MS = 33
 
 
-class BasisPane(QWidget):
+class BasisPane(Guarded, QWidget):
     """The lower third of the window."""
 
     def __init__(self, panel: BasisPanel, parent: QWidget | None = None) -> None:

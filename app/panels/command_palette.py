@@ -39,6 +39,7 @@ from PySide6.QtWidgets import (
 from shiboken6 import isValid
 
 from app.keymap import name_alone, native, why_not
+from app.overrides import Guarded
 from app.panels.fuzzy import fitness
 from app.theme import mix, theme_of
 
@@ -59,7 +60,7 @@ class Command(msgspec.Struct, frozen=True):
         return name_alone(self.action)
 
 
-class CommandPalette(QFrame):
+class CommandPalette(Guarded, QFrame):
     """A search field over a list of commands, on top of another widget.
 
     Parameters
@@ -201,7 +202,7 @@ def _ranked(commands: Sequence[Command], typed: str) -> list[Command]:
     return [command for _, command in sorted(rated, key=lambda pair: -pair[0])]
 
 
-class _CommandModel(QAbstractListModel):
+class _CommandModel(Guarded, QAbstractListModel):
     """The commands found; made anew at every letter, so it holds nothing but a list."""
 
     def __init__(self, parent: QObject) -> None:
@@ -226,7 +227,7 @@ class _CommandModel(QAbstractListModel):
         return command.action.statusTip() if role == Qt.ItemDataRole.ToolTipRole else None
 
 
-class _SearchField(QLineEdit):
+class _SearchField(Guarded, QLineEdit):
     """The field; the keys that walk a list are the list's."""
 
     def __init__(self, palette: CommandPalette) -> None:
@@ -278,7 +279,7 @@ def _command_list() -> QListView:
     return view
 
 
-class _CommandDelegate(QStyledItemDelegate):
+class _CommandDelegate(Guarded, QStyledItemDelegate):
     """Draws icon, name, menu path and keys of a command; muted where it is of no use now."""
 
     def sizeHint(self, option: QStyleOptionViewItem, index: QModelIndex | QPersistentModelIndex) -> QSize:

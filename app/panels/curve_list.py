@@ -11,13 +11,14 @@ from PySide6.QtWidgets import QHBoxLayout, QMenu, QToolButton, QVBoxLayout, QWid
 from app.colours import CURVE_COLOURS, curve_colour
 from app.document.model import Document
 from app.document.several_curves import move_curves, named, place_in, with_looks
+from app.overrides import Guarded
 from app.panels.curve_list_model import CurveListModel
 from app.panels.curve_list_view import CurveListView, Spot
 from app.session import Session
 from app.theme import Theme, theme_of
 
 
-class CurveList(QWidget):
+class CurveList(Guarded, QWidget):
     """The list, and buttons for what can be done with a curve.
 
     Signals

@@ -12,6 +12,7 @@ from PySide6.QtCore import QAbstractListModel, QModelIndex, QObject, QPersistent
 
 from app.document import edits
 from app.document.model import Curve, Document, Family
+from app.overrides import Guarded
 from app.panels.words import count_of
 from app.session import Session
 
@@ -35,7 +36,7 @@ class Row(NamedTuple):
     facts: str
 
 
-class CurveListModel(QAbstractListModel):
+class CurveListModel(Guarded, QAbstractListModel):
     """Rows are curves; the text is the name, and setting it renames."""
 
     def __init__(self, session: Session, parent: QObject | None = None) -> None:

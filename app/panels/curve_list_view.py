@@ -38,6 +38,7 @@ from PySide6.QtWidgets import (
 
 from app.colours import curve_colour
 from app.icons import icon
+from app.overrides import Guarded
 from app.panels.curve_list_model import CurveListModel, Row
 from app.theme import mix, theme_of
 
@@ -76,7 +77,7 @@ def spot_rect(row: QRect, spot: Spot) -> QRect:
     return QRect(left[spot], top, width, row.height())
 
 
-class _RowDelegate(QStyledItemDelegate):
+class _RowDelegate(Guarded, QStyledItemDelegate):
     """Paints a row, and edits its name in place."""
 
     def __init__(self, view: CurveListView) -> None:
@@ -155,7 +156,7 @@ class _RowDelegate(QStyledItemDelegate):
         editor.setGeometry(spot_rect(rect, Spot.NAME).adjusted(-4, 1, 0, -1))
 
 
-class CurveListView(QListView):
+class CurveListView(Guarded, QListView):
     """Reports what the person did; which row is the active one comes from the session.
 
     A row is named by the place of its curve in the document, wherever it stands in the list.

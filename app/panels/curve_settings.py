@@ -16,6 +16,7 @@ from app.document.edits import EditError
 from app.document.expression import ExpressionError, parse_number
 from app.document.model import Document, Family
 from app.icons import icon
+from app.overrides import Guarded
 from app.panels.field_edit import FieldEdit
 from app.panels.number_text import decimal_mark, exact_text, rounded_text
 from app.panels.words import ACCELERATION_RULES, VELOCITY_RULES, count_of
@@ -26,7 +27,7 @@ from app.view_model.curve_view import CurveView
 Rule = TypeVar("Rule", bound=StrEnum)
 
 
-class CurveSettings(QWidget):
+class CurveSettings(Guarded, QWidget):
     """A form; what is typed or chosen becomes an edit, what is shown comes from the view."""
 
     def __init__(self, session: Session, parent: QWidget | None = None) -> None:

@@ -12,6 +12,8 @@ from PySide6.QtCore import QEvent, QSize, Qt
 from PySide6.QtGui import QColor, QPainter, QPaintEvent
 from PySide6.QtWidgets import QLabel, QSizePolicy
 
+from app.overrides import Guarded
+
 _STEP = 16
 """Pixels by which the room of a label grows, so that a digit more or less moves nothing."""
 
@@ -19,7 +21,7 @@ _SPARE = 3 * _STEP
 """Pixels of unused room that a label keeps."""
 
 
-class SteadyLabel(QLabel):
+class SteadyLabel(Guarded, QLabel):
     """A line of plain text that asks for more or less room only when it needs it.
 
     Attributes

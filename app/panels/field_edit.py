@@ -6,11 +6,13 @@ from PySide6.QtCore import QEvent, Qt, Signal
 from PySide6.QtGui import QFocusEvent, QKeyEvent
 from PySide6.QtWidgets import QLineEdit, QWidget
 
+from app.overrides import Guarded
+
 # Whoever looks something up in another window, or opens the field's own menu, comes back to go on typing.
 _PASSING = (Qt.FocusReason.ActiveWindowFocusReason, Qt.FocusReason.PopupFocusReason)
 
 
-class FieldEdit(QLineEdit):
+class FieldEdit(Guarded, QLineEdit):
     """Shows a text of the document; what is typed is reported with Enter or Tab, and only if it differs.
 
     Who hears `committed` and cannot use the text calls `keep`: it stays to be mended, the cursor with it, and

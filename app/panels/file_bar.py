@@ -18,13 +18,14 @@ from PySide6.QtWidgets import (
 )
 
 from app.icons import icon
+from app.overrides import Guarded
 from app.theme import mix, theme_of
 
 _TOP, _SIDE, _WIDEST = 10, 56, 720
 _GAP = 8
 
 
-class FileBar(QFrame):
+class FileBar(Guarded, QFrame):
     """A sentence with buttons; hidden while there is nothing to say.
 
     It lies on top of its parent, below the bar `above` where that is shown.

@@ -12,11 +12,12 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from app.overrides import Guarded
 from app.session import Session
 from app.theme import mix, theme_of
 
 
-class _StepDelegate(QStyledItemDelegate):
+class _StepDelegate(Guarded, QStyledItemDelegate):
     """Draws what was taken back in muted italics: it is there to be done again."""
 
     def __init__(self, view: QUndoView) -> None:

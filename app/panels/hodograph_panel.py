@@ -9,6 +9,7 @@ from PySide6.QtWidgets import QButtonGroup, QHBoxLayout, QSizePolicy, QToolButto
 
 from app.gestures.pointer import Pointer
 from app.icons import icon
+from app.overrides import Guarded
 from app.panels.choice_style import choice_style
 from app.panels.elided_label import ElidedLabel
 from app.panels.number_text import decimal_mark, rounded_text
@@ -198,7 +199,7 @@ class HodographPlot(PlotWidget):
             painter.setBrush(Qt.BrushStyle.NoBrush)
 
 
-class HodographPanel(QWidget):
+class HodographPanel(Guarded, QWidget):
     """The hodograph with its header.
 
     Signals

@@ -22,6 +22,7 @@ from app.document.edits import EditError
 from app.document.expression import ExpressionError, parse_number
 from app.document.image_edits import place_image, set_image_locked, set_image_opacity
 from app.document.model import Document, ReferenceImage
+from app.overrides import Guarded
 from app.panels.field_edit import FieldEdit
 from app.panels.live_slider import LiveSlider
 from app.panels.number_text import decimal_mark, rounded_text
@@ -32,7 +33,7 @@ from app.theme import theme_of
 _STEPS = 100
 
 
-class ImagePanel(QWidget):
+class ImagePanel(Guarded, QWidget):
     """A form for the reference image; what is typed becomes an edit."""
 
     def __init__(self, session: Session, parent: QWidget | None = None) -> None:

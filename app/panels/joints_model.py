@@ -7,6 +7,7 @@ from typing import Any
 
 from PySide6.QtCore import QAbstractTableModel, QModelIndex, QObject, QPersistentModelIndex, Qt
 
+from app.overrides import Guarded
 from app.panels.number_text import NOTHING, decimal_mark, rounded_text
 from app.theme import LIGHT, Theme
 from app.view_model.analysis.joints import JointRow, Kind
@@ -37,7 +38,7 @@ _DIGITS = 3
 _Index = QModelIndex | QPersistentModelIndex
 
 
-class JointsModel(QAbstractTableModel):
+class JointsModel(Guarded, QAbstractTableModel):
     """Joints for a table view; read only."""
 
     def __init__(self, parent: QObject | None = None) -> None:

@@ -17,6 +17,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from app.overrides import Guarded
 from app.panels.joints_model import SIGNS, JointsModel
 from app.panels.number_text import decimal_mark, rounded_text
 from app.theme import theme_of
@@ -28,7 +29,7 @@ _DETAIL_LINES = 4
 _HOW = "Click a joint, or press Enter, to see it close up."
 
 
-class JointsView(QTableView):
+class JointsView(Guarded, QTableView):
     """The table of joints.
 
     Signals
@@ -93,7 +94,7 @@ class JointsView(QTableView):
             super().keyPressEvent(event)
 
 
-class JointsPanel(QWidget):
+class JointsPanel(Guarded, QWidget):
     """Summary, table, and the chosen joint in words.
 
     Signals

@@ -6,8 +6,10 @@ from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QKeyEvent, QMouseEvent
 from PySide6.QtWidgets import QSlider, QWidget
 
+from app.overrides import Guarded
 
-class LiveSlider(QSlider):
+
+class LiveSlider(Guarded, QSlider):
     """A slider whose drag can be cancelled with Escape.
 
     Signals

@@ -7,13 +7,14 @@ from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QFrame, QHBoxLayout, QLabel, QSizePolicy, QToolButton, QWidget
 
 from app.icons import icon
+from app.overrides import Guarded
 from app.theme import LIGHT, Theme, mix
 
 _TOP, _SIDE, _WIDEST = 10, 56, 720
 _GAP = 8
 
 
-class MessageBar(QFrame):
+class MessageBar(Guarded, QFrame):
     """A sentence with a sign; hidden while there is nothing to say.
 
     It lies on top of its parent and takes no room from it: a drawing that moved when a message appears would

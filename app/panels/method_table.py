@@ -8,6 +8,7 @@ from PySide6.QtCore import QEvent, Qt, Signal
 from PySide6.QtGui import QIcon, QPalette
 from PySide6.QtWidgets import QCheckBox, QGridLayout, QLabel, QWidget
 
+from app.overrides import Guarded
 from app.plot.pens import SIGN, sign_pixmap
 from app.theme import theme_of
 from app.view_model.analysis.laboratory import Trial
@@ -35,7 +36,7 @@ _HEADINGS = (
 _CELLS = ("lost", "error", "place", "condition")
 
 
-class MethodTable(QWidget):
+class MethodTable(Guarded, QWidget):
     """A row for each method: a check box with its look, and what came out.
 
     Signals

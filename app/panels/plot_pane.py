@@ -9,6 +9,7 @@ from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QHBoxLayout, QSizePolicy, QToolButton, QVBoxLayout, QWidget
 
 from app.icons import icon
+from app.overrides import Guarded
 from app.panels.choice_style import choice_style
 from app.panels.elided_label import ElidedLabel
 from app.panels.number_text import decimal_mark, rounded_text
@@ -19,7 +20,7 @@ _HEIGHT_A_PLOT = 64
 """Pixels that a plot should have at least where there is room."""
 
 
-class PlotPane(QWidget):
+class PlotPane(Guarded, QWidget):
     """Header and plots.
 
     Signals

@@ -9,6 +9,7 @@ from PySide6.QtCore import Signal
 from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import QVBoxLayout, QWidget
 
+from app.overrides import Guarded
 from app.view_model.analysis.plot_lines import PlotData, PlotLine, Scale, plot_of
 
 if TYPE_CHECKING:
@@ -17,7 +18,7 @@ if TYPE_CHECKING:
 USUAL_HEIGHT = 170
 
 
-class PlotPanel(QWidget):
+class PlotPanel(Guarded, QWidget):
     """Holds the pane once it is needed, and the plots that others add to those of the curve.
 
     Signals

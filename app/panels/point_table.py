@@ -13,6 +13,7 @@ from app.document import edits
 from app.document.edits import EditError
 from app.exchange.table_text import Block, TableTextError, read_titled_block, write_block
 from app.icons import icon
+from app.overrides import Guarded
 from app.panels.number_text import decimal_mark, exact_text
 from app.panels.point_table_edits import (
     Column,
@@ -36,7 +37,7 @@ INTERVAL_MS = 100
 """The table follows a drag at this pace; the canvas is what the eye is on."""
 
 
-class PointTable(QWidget):
+class PointTable(Guarded, QWidget):
     """The panel with the point table.
 
     Signals

@@ -26,6 +26,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from app.overrides import Guarded
 from app.panels.number_text import (
     NEGLIGIBLE,
     column_decimals,
@@ -85,7 +86,7 @@ class CellEditor(QLineEdit):
         self.opened_with = ""
 
 
-class PointTableDelegate(QStyledItemDelegate):
+class PointTableDelegate(Guarded, QStyledItemDelegate):
     """Draws numbers in columns and keeps an editor open until its text is a number or is given up.
 
     Only Enter and Tab set a number. An editor that is left by a click elsewhere gives up what was typed: a

@@ -21,6 +21,7 @@ from app.document import edits
 from app.document.edits import EditError
 from app.document.expression import ExpressionError, parse_number
 from app.document.model import Family
+from app.overrides import Guarded
 from app.panels.number_text import NEGLIGIBLE, decimal_mark, exact_text, greatest_of, rounded_text
 from app.panels.point_table_edits import Column, TableValues, columns_of, set_cell, table_values
 from app.panels.words import ACCELERATION_ESTIMATES, VELOCITY_ESTIMATES
@@ -35,7 +36,7 @@ _RIGHT = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
 _EMPTY = TableValues(np.empty((0, 3)), np.empty((0, 3), dtype=bool))
 
 
-class PointTableModel(QAbstractTableModel):
+class PointTableModel(Guarded, QAbstractTableModel):
     """Rows are points, columns what `columns_of` the family gives.
 
     ``EditRole`` is the exact number, ``DisplayRole`` a rounded text. `setData` takes a number or the text of

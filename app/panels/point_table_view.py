@@ -16,6 +16,7 @@ from PySide6.QtCore import (
 from PySide6.QtGui import QFont, QKeyEvent, QKeySequence, QResizeEvent
 from PySide6.QtWidgets import QAbstractButton, QAbstractItemView, QHeaderView, QTableView, QWidget
 
+from app.overrides import Guarded
 from app.panels.point_table_delegate import COMPACT_DIGITS, LEFT_PADDING, PADDING, PointTableDelegate
 from app.panels.point_table_model import PointTableModel
 
@@ -27,7 +28,7 @@ _EDGE = 8
 """Pixels to the right of the last column, if there is room."""
 
 
-class PointTableView(QTableView):
+class PointTableView(Guarded, QTableView):
     """A table that is typed into like a spreadsheet.
 
     Signals

@@ -20,6 +20,7 @@ from PySide6.QtWidgets import (
 from app.document.expression import ExpressionError, parse_number
 from app.gestures.snapping import SnapKind
 from app.keymap import Keymap
+from app.overrides import Guarded
 from app.panels.field_edit import FieldEdit
 from app.panels.number_text import decimal_mark, exact_text
 from app.panels.shortcut_editor import ShortcutEditor
@@ -37,7 +38,7 @@ SNAPS = {
 _ADAPTIVE = "adaptive"
 
 
-class PreferencesDialog(QDialog):
+class PreferencesDialog(Guarded, QDialog):
     """A window with what is remembered from one start to the next.
 
     Signals

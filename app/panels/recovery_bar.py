@@ -22,6 +22,7 @@ from PySide6.QtWidgets import (
 
 from app.document.model import Document
 from app.icons import icon
+from app.overrides import Guarded
 from app.panels.elided_label import ElidedLabel
 from app.panels.thumbnail import thumbnail
 from app.panels.words import count_of
@@ -55,7 +56,7 @@ class Offer:
     document: Document
 
 
-class RecoveryBar(QFrame):
+class RecoveryBar(Guarded, QFrame):
     """Lies over the lower part of its parent and takes no room from it; work goes on behind it.
 
     Signals

@@ -8,10 +8,12 @@ from PySide6.QtCore import QRect, QSize, Qt, Signal
 from PySide6.QtGui import QPainter
 from PySide6.QtWidgets import QComboBox, QHeaderView, QTableView
 
+from app.overrides import Guarded
+
 _GAP = 4
 
 
-class RoleHeader(QHeaderView):
+class RoleHeader(Guarded, QHeaderView):
     """A horizontal head with titles, and a box above each.
 
     Signals

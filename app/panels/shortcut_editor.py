@@ -19,6 +19,7 @@ from PySide6.QtWidgets import (
 )
 
 from app.keymap import Keymap, keys_text, native, refusal
+from app.overrides import Guarded
 from app.panels.fuzzy import fitness
 from app.theme import theme_of
 
@@ -26,7 +27,7 @@ _NAME = Qt.ItemDataRole.UserRole
 _HEADERS = ("Action", "Keys", "Menu")
 
 
-class ShortcutEditor(QWidget):
+class ShortcutEditor(Guarded, QWidget):
     """A table of actions and keys; what is recorded there is in force at once.
 
     Keys that another action has are not taken from it until the person says so.

@@ -21,6 +21,7 @@ from PySide6.QtWidgets import (
 )
 
 from app.icons import icon
+from app.overrides import Guarded
 from app.theme import mix, theme_of
 
 Rows = Sequence[tuple[str, str]]
@@ -165,7 +166,7 @@ _GESTURES = (
 )
 
 
-class ShortcutSheet(QFrame):
+class ShortcutSheet(Guarded, QFrame):
     """Lies over the drawing; Escape, F1 or a click beside it puts it away.
 
     It is a part of the window and no window of its own: it needs no place on the desktop, and Escape reaches

@@ -6,13 +6,14 @@ from PySide6.QtCore import QEvent, QPoint, Qt, Signal
 from PySide6.QtGui import QKeyEvent
 from PySide6.QtWidgets import QFrame, QHBoxLayout, QLabel, QPushButton, QToolButton, QVBoxLayout, QWidget
 
+from app.overrides import Guarded
 from app.theme import theme_of
 from app.view_model.analysis.teaching import Warned
 
 _WIDTH = 340
 
 
-class TeachingBadge(QToolButton):
+class TeachingBadge(Guarded, QToolButton):
     """A warning that teaches; hidden while there is none.
 
     Signals
@@ -74,7 +75,7 @@ class TeachingBadge(QToolButton):
             self.setStyleSheet(sheet)
 
 
-class _Popup(QFrame):
+class _Popup(Guarded, QFrame):
     """The sentence, two links and a way to put it away."""
 
     def __init__(self, badge: TeachingBadge) -> None:

@@ -8,13 +8,14 @@ from PySide6.QtWidgets import QFrame, QLabel, QLineEdit, QVBoxLayout, QWidget
 
 from app.document.edits import EditError
 from app.document.expression import ExpressionError, parse_number
+from app.overrides import Guarded
 from app.panels.number_text import decimal_mark, exact_text
 from app.theme import mix, theme_of
 
 _WIDTH, _WIDEST_REASON = 150, 320
 
 
-class TickEdit(QFrame):
+class TickEdit(Guarded, QFrame):
     """Takes a number or an expression; Enter sets it, Escape or a click elsewhere gives it up.
 
     What cannot be set is explained above the line, and stays there to be mended.
@@ -105,7 +106,7 @@ class TickEdit(QFrame):
             self.setStyleSheet(sheet)
 
 
-class _TickLine(QLineEdit):
+class _TickLine(Guarded, QLineEdit):
     def __init__(self, owner: TickEdit) -> None:
         super().__init__(owner)
         self._owner = owner

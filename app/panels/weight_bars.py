@@ -8,6 +8,7 @@ from PySide6.QtCore import QPointF, QRectF, QSize, Qt
 from PySide6.QtGui import QPainter, QPaintEvent, QPen
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
+from app.overrides import Guarded
 from app.plot.colours import colours_of
 from app.theme import theme_of
 from app.view_model.analysis.wiggle import MOST_PULLS, Pull
@@ -17,7 +18,7 @@ _ROW = 19
 _NAMES = ("", "velocity ", "acceler. ")
 
 
-class WeightBars(QWidget):
+class WeightBars(Guarded, QWidget):
     """A bar for each datum that pulls, the strongest at the top."""
 
     def __init__(self, parent: QWidget | None = None) -> None:

@@ -8,6 +8,7 @@ from PySide6.QtCore import QEvent, Qt, Signal
 from PySide6.QtGui import QEnterEvent, QFocusEvent, QKeyEvent, QPalette
 from PySide6.QtWidgets import QFrame, QGridLayout, QLabel, QPushButton, QScrollArea, QVBoxLayout, QWidget
 
+from app.overrides import Guarded
 from app.panels.weight_bars import WeightBars
 from app.view_model.analysis.cures import CURES, Cure, Cures
 from app.view_model.analysis.wiggle import Explanation
@@ -16,7 +17,7 @@ from app.view_model.analysis.wording import short
 _NOWHERE = "Click on the curve where it swings out."
 
 
-class CureButton(QPushButton):
+class CureButton(Guarded, QPushButton):
     """A cure: shows what it would do while the pointer or the focus is on it.
 
     Signals

@@ -6,12 +6,13 @@ from PySide6.QtCore import Qt
 from PySide6.QtGui import QCloseEvent, QKeyEvent
 from PySide6.QtWidgets import QDialog, QWidget
 
+from app.overrides import Guarded
 from app.panels.form_parts import enters_number, problem_label
 from app.theme import theme_of
 from app.worker import Jobs
 
 
-class WorkDialog(QDialog):
+class WorkDialog(Guarded, QDialog):
     """Goes away for good when it closes, and what is being computed with it.
 
     Attributes

@@ -6,7 +6,6 @@ of the plot area.
 
 from __future__ import annotations
 
-import sys
 from collections.abc import Callable
 from typing import Protocol, TypeVar, runtime_checkable
 
@@ -15,6 +14,7 @@ from PySide6.QtCore import QPoint, QPointF, QRectF, Signal
 from PySide6.QtGui import QColor, QFont, QPainter, QPaintEvent
 from PySide6.QtWidgets import QGraphicsItem, QGraphicsView, QStyleOptionGraphicsItem, QWidget
 
+from app.overrides import Guarded
 from app.plot.pixel_map import PixelMap
 from app.theme import LIGHT, Theme
 
@@ -45,7 +45,7 @@ class Scaled(Protocol):
 Dressed = TypeVar("Dressed", bound=Themed)
 
 
-class Layer(QGraphicsItem):
+class Layer(Guarded, QGraphicsItem):
     """One layer of the drawing: a function that paints in pixels of the plot area."""
 
     def __init__(self, plot: LayeredPlot, paint: Callable[[QPainter, PixelMap], None]) -> None:
@@ -68,12 +68,8 @@ class Layer(QGraphicsItem):
         widget: QWidget | None = None,
     ) -> None:
         """Paint; called by Qt."""
-        try:
-            painter.setClipRect(self._rect.adjusted(-1, -1, 1, 1))
-            self._paint(painter, self._plot.pixel_map)
-        except Exception:
-            # An exception that leaves a paint method crashes the process (PySide6 6.11): report it here.
-            sys.excepthook(*sys.exc_info())
+        painter.setClipRect(self._rect.adjusted(-1, -1, 1, 1))
+        self._paint(painter, self._plot.pixel_map)
 
 
 class _Axis(pg.AxisItem):  # type: ignore[misc]  # pyqtgraph has no types
@@ -83,7 +79,7 @@ class _Axis(pg.AxisItem):  # type: ignore[misc]  # pyqtgraph has no types
         return ""
 
 
-class LayeredPlot(pg.PlotWidget):  # type: ignore[misc]  # pyqtgraph has no types
+class LayeredPlot(Guarded, pg.PlotWidget):  # type: ignore[misc]  # pyqtgraph has no types
     """A plot with layers, exact pixel mapping, and ranges that zoom and pan.
 
     Signals

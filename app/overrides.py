@@ -1,0 +1,98 @@
+"""Guarded overrides: an exception in a method that Qt calls is reported there, and the program goes on.
+
+PySide6 hands an exception of an override on to whichever Python code called Qt last, if any did: that code
+stops halfway, though nothing of it failed. Until Python 3.12 it even ends the process with a segmentation
+fault where the exception was raised by C code (``1 / 0``, ``int("x")``, an index error of NumPy), because
+shiboken reads one that was never normalised (`PepException_GetArgs`; PySide6 6.8 to 6.12). Slots do well
+without: PySide6 prints their exceptions at once, through `sys.excepthook`.
+"""
+
+from __future__ import annotations
+
+import enum
+import functools
+import sys
+import traceback
+from collections.abc import Callable
+from contextlib import suppress
+from types import FunctionType, MethodDescriptorType
+from typing import Any
+
+from PySide6.QtCore import QEvent
+
+
+class Guarded:
+    """Mixin for classes derived from Qt's: every method that overrides one of Qt's is guarded.
+
+    It is named before Qt's class, ``class Canvas(Guarded, QWidget)``, and serves the subclasses too. Where
+    an override fails, the exception goes to `sys.excepthook` and Qt gets an empty value of the type that
+    the override declares to return. A window that failed to close stays open.
+    """
+
+    __slots__ = ()
+
+    def __init_subclass__(cls, **options: Any) -> None:  # noqa: ANN401 - Qt's classes take options of any type
+        super().__init_subclass__(**options)
+        for name in overrides_of(cls):
+            method = vars(cls)[name]
+            if not is_guarded(method):
+                setattr(cls, name, _guard(method))
+
+
+def overrides_of(cls: type) -> list[str]:
+    """Return the names of the methods in the body of `cls` that Qt's classes have too."""
+    of_qt = [vars(base) for base in cls.__mro__ if base.__module__.startswith("PySide6.")]
+    return [
+        name
+        for name, value in vars(cls).items()
+        if isinstance(value, FunctionType)
+        and not name.startswith("__")
+        and any(isinstance(each.get(name), MethodDescriptorType) for each in of_qt)
+    ]
+
+
+def is_guarded(method: Callable[..., object]) -> bool:
+    """Return whether an exception of this method ends in it."""
+    return hasattr(method, "_guards")
+
+
+def _guard(method: FunctionType) -> Callable[..., object]:
+    """Return `method` with a guard around it; ``__wrapped__`` is the bare one."""
+
+    @functools.wraps(method)
+    def guarded(*arguments: object) -> object:
+        try:
+            return method(*arguments)
+        except Exception as problem:
+            _report(problem)
+            _keep_open(arguments)
+            return empty_result(method)
+        except BaseException:
+            raise  # normalised by having been caught
+
+    vars(guarded)["_guards"] = True
+    return guarded
+
+
+def _report(problem: Exception) -> None:
+    with suppress(Exception):
+        sys.excepthook(type(problem), problem, problem.__traceback__)
+    # A painter that the method left open must end before Qt goes on with what it paints on.
+    traceback.clear_frames(problem.__traceback__)
+
+
+def _keep_open(arguments: tuple[object, ...]) -> None:
+    """Refuse a request to close among the arguments of an override: nobody has been asked yet."""
+    for each in arguments:
+        if isinstance(each, QEvent) and each.type() == QEvent.Type.Close:
+            each.ignore()
+
+
+def empty_result(method: FunctionType) -> Any:  # noqa: ANN401 - whatever the override declares
+    """Return what Qt gets from an override that failed: zero, false, an empty value, or no object."""
+    kind = eval(str(method.__annotations__.get("return")), method.__globals__)
+    if kind in (None, Any, object):
+        return None
+    # What Qt passes by value can be copied; of anything else it gets the null pointer.
+    is_pointer = getattr(kind, "__module__", "").startswith("PySide6.") and not hasattr(kind, "__copy__")
+    return None if is_pointer and not issubclass(kind, enum.Enum) else kind()
