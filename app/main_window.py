@@ -96,6 +96,7 @@ class MainWindow(Guarded, QMainWindow):
         self._files = FileCommands(session, self.preferences, self, self.message_bar.warn)
         self._commands = Commands(self._parts())
         self._connect()
+        self._connect_end()
         restore_layout(self, self.splitter, self.preferences)
         self.plot_panel.hide()
         self.plot_panel.kept_height = self.preferences.plot_height or self.plot_panel.kept_height
@@ -216,6 +217,10 @@ class MainWindow(Guarded, QMainWindow):
         self.menus.fill_with_files(self.preferences, self._files.open, self._files.open_example)
         session.history_changed.connect(self._render_file)
         self.table_panel.pasted.connect(self._show_points)
+
+    def _connect_end(self) -> None:
+        for end in (self._files.let_go, self._commands.close, self._remember_layout, self._close_dialogs):
+            self.closed.connect(end)
 
     # Rendering: from values to widgets, never back
 
@@ -413,10 +418,10 @@ class MainWindow(Guarded, QMainWindow):
         if self.asks_before_closing and not self._files.may_discard():
             event.ignore()
             return
-        self._files.let_go()
-        self._commands.close()
-        self._remember_layout()
+        event.accept()
+        # From here on nothing keeps the window open: where one of its parts fails to end, the others do.
+        self.closed.emit()
+
+    def _close_dialogs(self) -> None:
         for dialog in self.findChildren(QDialog):
             dialog.close()
-        event.accept()
-        self.closed.emit()

@@ -11,6 +11,7 @@ from __future__ import annotations
 
 import enum
 import functools
+import inspect
 import sys
 import traceback
 from collections.abc import Callable
@@ -88,11 +89,14 @@ def _keep_open(arguments: tuple[object, ...]) -> None:
             each.ignore()
 
 
-def empty_result(method: FunctionType) -> Any:  # noqa: ANN401 - whatever the override declares
+def empty_result(method: Callable[..., object]) -> Any:  # noqa: ANN401 - whatever the override declares
     """Return what Qt gets from an override that failed: zero, false, an empty value, or no object."""
-    kind = eval(str(method.__annotations__.get("return")), method.__globals__)
+    declared = method.__annotations__.get("return")
+    kind = eval(str(declared), inspect.unwrap(method).__globals__)
     if kind in (None, Any, object):
         return None
+    if isinstance(kind, enum.EnumType):
+        return kind(0)
     # What Qt passes by value can be copied; of anything else it gets the null pointer.
-    is_pointer = getattr(kind, "__module__", "").startswith("PySide6.") and not hasattr(kind, "__copy__")
-    return None if is_pointer and not issubclass(kind, enum.Enum) else kind()
+    is_pointer = kind.__module__.startswith("PySide6.") and not hasattr(kind, "__copy__")
+    return None if is_pointer else kind()

@@ -1,0 +1,219 @@
+"""An exception in a method that Qt calls ends there, is told, and leaves everything else alone."""
+
+from __future__ import annotations
+
+import functools
+import importlib
+import inspect
+import json
+import os
+import pkgutil
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+import shiboken6
+from PySide6.QtCore import QAbstractListModel, QEvent, QObject, QSize, Qt
+from PySide6.QtGui import QPainter
+from PySide6.QtWidgets import QLabel, QWidget
+
+import app
+from app.overrides import Guarded, empty_result, is_guarded
+
+ROOT = Path(__file__).resolve().parents[2]
+LEAST_PLACES = 30
+
+
+def derived(cls):
+    for each in cls.__subclasses__():
+        yield each
+        yield from derived(each)
+
+
+def qt_classes(package):
+    """Every class of a package that derives from one of Qt's."""
+    for found in pkgutil.walk_packages(package.__path__, f"{package.__name__}."):
+        if not found.name.endswith("__main__"):
+            importlib.import_module(found.name)
+    prefix = f"{package.__name__}."
+    return {each for each in derived(shiboken6.Shiboken.Object) if each.__module__.startswith(prefix)}
+
+
+def overrides(cls):
+    """Whatever can be called in the body of a class under a name that can be called in a class of Qt's."""
+    for name, value in vars(cls).items():
+        bases = [base for base in cls.__mro__[1:] if base.__module__.startswith("PySide6.")]
+        is_method = callable(value) and not inspect.isclass(value)
+        is_method = is_method or isinstance(value, staticmethod | classmethod | functools.partialmethod)
+        if is_method and not name.startswith("__") and any(callable(vars(base).get(name)) for base in bases):
+            yield name, value
+
+
+def unguarded(classes):
+    return [
+        f"{cls.__module__}.{cls.__name__}.{name}"
+        for cls in classes
+        for name, method in overrides(cls)
+        if not is_guarded(method)
+    ]
+
+
+def test_every_override_of_the_program_is_guarded():
+    classes = qt_classes(app)
+    assert sum(len(list(overrides(each))) for each in classes) > 150
+    assert unguarded(classes) == [], "name `Guarded` before Qt's class"
+
+
+def test_an_override_without_a_guard_is_found():
+    class Bare(QWidget):
+        def paintEvent(self, event):
+            pass
+
+    class Later(Guarded, QWidget):
+        pass
+
+    class Sub(Later):
+        def sizeHint(self) -> QSize:
+            return QSize()
+
+    assert [name.rpartition(".")[2] for name in unguarded([Bare, Later, Sub])] == ["paintEvent"]
+    Later.event = lambda self, event: False
+    Sub.resizeEvent = functools.partialmethod(QWidget.resizeEvent)
+    found = [name.rpartition(".")[2] for name in unguarded([Bare, Later, Sub])]
+    assert found == ["paintEvent", "event", "resizeEvent"]
+
+
+def test_no_class_is_made_where_the_walk_does_not_see_it():
+    files = {path.name: path.read_text(encoding="utf-8") for path in (ROOT / "app").rglob("*.py")}
+    assert [name for name, text in files.items() if re.search(r"^ +class \w+", text, re.MULTILINE)] == []
+
+
+def test_every_override_that_fails_gives_qt_what_it_declares(qapp):
+    for cls in qt_classes(app):
+        for name, method in overrides(cls):
+            declared = inspect.get_annotations(inspect.unwrap(method))["return"]
+            result = empty_result(method)
+            if result is None:
+                assert declared in ("None", "Any", "object", "QWidget", "QIconEngine"), (cls, name)
+            else:
+                assert type(result).__name__ == declared.partition("[")[0].rpartition(".")[2], (cls, name)
+
+
+def test_faults_in_many_places_are_told_and_the_process_lives_on(own_home):
+    here = Path(__file__).parent
+    done = subprocess.run(
+        [sys.executable, here / "plant_faults.py"],
+        cwd=ROOT,
+        env=os.environ | {"PYTHONPATH": str(ROOT)},
+        capture_output=True,
+        text=True,
+        timeout=60,
+        check=False,
+    )
+    lines = [json.loads(line) for line in done.stdout.splitlines()]
+    expected = {"called": True, "raised elsewhere": "", "told": 1, "kept": True, "open": True}
+    wrong = [line for line in lines if line != {"place": line["place"]} | expected]
+    assert wrong == []
+    last = lines[-1]["place"] if lines else "the start"
+    assert done.returncode == 0, f"it died after {last}: {done.stderr[-2000:]}"
+    assert len(lines) >= LEAST_PLACES
+
+
+# In this process
+
+
+@pytest.fixture
+def faults(monkeypatch):
+    """What is handed to `sys.excepthook`."""
+    found = []
+    monkeypatch.setattr(sys, "excepthook", lambda _kind, problem, _trace: found.append(problem))
+    return found
+
+
+class FailsToPaint(Guarded, QWidget):
+    def paintEvent(self, event) -> None:
+        painter = QPainter(self)
+        painter.drawPoint(0, int("x"))
+
+    def sizeHint(self) -> QSize:
+        return [QSize(1, 2)][int("x")]
+
+
+class FailsToClose(Guarded, QWidget):
+    def closeEvent(self, event) -> None:
+        int("x")
+
+
+class Child(Guarded, QLabel):
+    painted = 0
+
+    def paintEvent(self, event) -> None:
+        self.rect()
+        self.painted += 1
+
+
+def test_what_did_not_fail_is_not_stopped_halfway(qtbot, faults):
+    window = FailsToPaint()
+    qtbot.addWidget(window)
+    child = Child("child", window)
+    for _ in range(5):
+        # Handed on, the fault would be raised by the next call of Qt's: by the child's `rect`, or here.
+        window.grab()
+    assert child.painted == 5
+    assert {type(each) for each in faults} == {ValueError}
+    assert len(faults) >= 5
+
+
+def test_a_window_that_fails_to_close_stays_open(qtbot, faults):
+    window = FailsToClose()
+    qtbot.addWidget(window, before_close_func=QWidget.deleteLater)
+    window.show()
+    assert window.close() is False
+    assert window.isVisible()
+    assert {type(each) for each in faults} == {ValueError}
+    window.hide()
+
+
+def test_a_part_that_fails_to_end_keeps_neither_the_others_nor_the_window(editor, faults, monkeypatch):
+    ended = []
+    window = editor.window
+    window.closed.connect(lambda: ended.append("last"))
+    editor.session.undo_stack.setClean()
+    monkeypatch.setattr(window.splitter, "saveState", lambda: int("x"))
+    assert window.close()
+    assert ended == ["last"]
+    assert [type(each) for each in faults] == [ValueError]
+
+
+def test_a_failed_filter_lets_the_event_pass(qtbot, faults):
+    class Filter(Guarded, QObject):
+        def eventFilter(self, watched, event) -> bool:
+            return bool(1 / 0)
+
+    class Model(Guarded, QAbstractListModel):
+        def rowCount(self, parent=None) -> int:
+            return [1][int("x")]
+
+        def data(self, index, role=0) -> object:
+            return {}["there is none"]
+
+    watch, window = Filter(), QWidget()
+    qtbot.addWidget(window)
+    window.installEventFilter(watch)
+    event = QEvent(QEvent.Type.WindowTitleChange)
+    QWidget.event(window, event)
+    window.setWindowTitle("heard")
+    assert window.windowTitle() == "heard"
+    assert ZeroDivisionError in map(type, faults)
+    window.removeEventFilter(watch)
+    model = Model()
+    assert model.index(0, 0).data(Qt.ItemDataRole.DisplayRole) is None
+
+
+def test_the_original_stays_within_reach():
+    assert FailsToPaint.sizeHint.__wrapped__.__qualname__ == "FailsToPaint.sizeHint"
+    assert FailsToPaint.sizeHint.__name__ == "sizeHint"
+    with pytest.raises(ValueError, match="invalid literal"):
+        FailsToPaint.sizeHint.__wrapped__(None)
