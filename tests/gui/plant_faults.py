@@ -12,10 +12,10 @@ import json
 import sys
 import time
 from collections.abc import Callable
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
-from PySide6.QtCore import QEvent, QMimeData, QPoint, QSize, Qt, QTimer
+from PySide6.QtCore import QEvent, QMimeData, QModelIndex, QPoint, QSize, Qt, QTimer
 from PySide6.QtGui import QCloseEvent, QDragEnterEvent, QStatusTipEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QMessageBox, QPushButton, QVBoxLayout, QWidget
@@ -49,155 +49,178 @@ FAULTS: tuple[Callable[[], object], ...] = (
 )
 
 
-class Place(NamedTuple):
-    """An override, and what makes Qt call it."""
+class Place:
+    """An override, and what makes Qt call it.
 
-    owner: type
-    name: str
-    provoke: Callable[[], object]
+    It is taken over before any window is there, for Qt's bindings look an override up once.
+    """
+
+    def __init__(self, owner: type, name: str, provoke: Callable[[Editor], object]) -> None:
+        self.name = f"{owner.__name__}.{name}"
+        self.provoke = provoke
+        self.was_called = False
+        self._fault: Callable[[], object] | None = None
+        there = vars(owner)[name]
+        places = there.__code__.co_freevars
+        guarded = there.__closure__[places.index("method")] if "method" in places else None
+        bare = guarded.cell_contents if guarded is not None else there
+
+        @functools.wraps(bare)
+        def failing(*arguments: Any) -> Any:
+            fault, self._fault = self._fault, None
+            if fault is not None:
+                self.was_called = True
+                fault()
+            return bare(*arguments)
+
+        if guarded is not None:
+            guarded.cell_contents = failing  # behind the guard, which stays as it is
+        else:
+            setattr(owner, name, failing)
+
+    def fail_next(self, fault: Callable[[], object]) -> None:
+        """Let the next call fail."""
+        self._fault = fault
 
 
-def plant(owner: type, name: str, fault: Callable[[], object]) -> Callable[[], bool]:
-    """Let a method fail once, behind the guard that it has or has not; return whether it was called."""
-    there = vars(owner)[name]
-    bare = getattr(there, "__wrapped__", there)
-    calls: list[str] = []
-
-    @functools.wraps(bare)
-    def failing(*arguments: Any) -> Any:
-        calls.append(name)
-        if len(calls) == 1:
-            fault()
-        return bare(*arguments)
-
-    if bare is there:
-        setattr(owner, name, failing)
-    else:
-        there.__closure__[there.__code__.co_freevars.index("method")].cell_contents = failing
-    return lambda: bool(calls)
+# What provokes some of them
 
 
-class Trial:
-    """Tries places in a window that is open."""
+def press_arrow(editor: Editor) -> None:
+    QTest.keyClick(editor.window.canvas, Qt.Key.Key_Right)
 
-    def __init__(self, lifecycle: Lifecycle, editor: Editor) -> None:
-        self.lifecycle, self.editor = lifecycle, editor
-        self.window = editor.window
 
-    def places(self) -> list[Place]:
-        """Every place, with another Python-to-Qt call on the stack each time."""
-        window, editor = self.window, self.editor
-        canvas, table, curves = window.canvas, window.point_table, window.curve_list.view
-        palette = window.findChild(CommandPalette)
-        assert palette is not None
-        bars, label, holder = WeightBars(), ElidedLabel(), QWidget()
-        QVBoxLayout(holder).addWidget(label)
-        settler = Settler(window, settle_ms=0)
-        cell = table.model().index(0, 1)
-        return [
-            Place(Layer, "paint", canvas.grab),
-            Place(Layer, "paint", self.paint_behind_a_dialog),
-            Place(LayeredPlot, "paintEvent", canvas.viewport().repaint),
-            Place(Canvas, "event", lambda: QTest.keyClick(canvas, Qt.Key.Key_Right)),
-            Place(Canvas, "keyPressEvent", lambda: QTest.keyClick(canvas, Qt.Key.Key_Right)),
-            Place(PlotWidget, "mouseMoveEvent", lambda: editor.hover((0.5, 0.5))),
-            Place(PlotWidget, "mousePressEvent", lambda: editor.click((0.5, 0.5))),
-            Place(PlotWidget, "wheelEvent", lambda: editor.wheel((0.5, 0.5), 1)),
-            Place(MainWindow, "event", lambda: QApplication.sendEvent(window, QStatusTipEvent("tip"))),
-            Place(MainWindow, "event", lambda: QApplication.sendEvent(window, QCloseEvent())),
-            Place(MainWindow, "closeEvent", window.close),
-            Place(MainWindow, "closeEvent", QApplication.closeAllWindows),
-            Place(MainWindow, "changeEvent", lambda: QApplication.sendEvent(window, palette_change())),
-            Place(MainWindow, "dragEnterEvent", self.drag_a_file_in),
-            Place(Toolbar, "resizeEvent", lambda: window.resize(window.size() + QSize(40, 40))),
-            Place(PointTableModel, "data", cell.data),
-            Place(PointTableModel, "headerData", table.horizontalHeader().viewport().repaint),
-            Place(PointTableModel, "rowCount", table.model().layoutChanged.emit),
-            Place(PointTableModel, "flags", lambda: table.edit(cell)),
-            Place(PointTableDelegate, "paint", table.viewport().repaint),
-            Place(PointTableDelegate, "createEditor", lambda: table.edit(cell)),
-            Place(PointTableView, "resizeEvent", lambda: table.resize(table.width() + 1, table.height())),
-            Place(CurveListModel, "data", curves.model().index(0, 0).data),
-            Place(_RowDelegate, "paint", lambda: editor.show_dock("curvesDock")),
-            Place(_RowDelegate, "sizeHint", curves.doItemsLayout),
-            Place(_CommandDelegate, "paint", palette.grab),
-            Place(WeightBars, "paintEvent", bars.grab),
-            Place(ElidedLabel, "minimumSizeHint", holder.grab),
-            Place(SteadyLabel, "sizeHint", label.adjustSize),
-            Place(_IconEngine, "pixmap", lambda: icon("undo", editor.window._theme).pixmap(31, 31)),
-            Place(UndoStep, "undo", editor.session.undo_stack.undo),
-            Place(UndoStep, "redo", editor.session.undo_stack.redo),
-            Place(PreferencesDialog, "keyPressEvent", self.type_into_preferences),
-            Place(_Work, "run", lambda: settler.ask(lambda _is_stale: None)),
+def paint_behind_a_dialog(editor: Editor) -> None:
+    box = QMessageBox(editor.window)
+
+    def paint() -> None:
+        editor.window.canvas.viewport().repaint()
+        box.accept()
+
+    QTimer.singleShot(0, paint)
+    box.exec()
+
+
+def drag_a_file_in(editor: Editor) -> None:
+    data, actions = QMimeData(), Qt.DropAction.CopyAction
+    buttons, keys = Qt.MouseButton.LeftButton, Qt.KeyboardModifier.NoModifier
+    QApplication.sendEvent(editor.window, QDragEnterEvent(QPoint(10, 10), actions, data, buttons, keys))
+
+
+def type_into_preferences(editor: Editor) -> None:
+    editor.trigger("preferences")
+    dialog = editor.window.findChild(PreferencesDialog)
+    assert dialog is not None
+    QTest.keyClick(dialog, Qt.Key.Key_F8)
+    dialog.close()
+
+
+def lay_a_label_out(_editor: Editor) -> None:
+    holder = QWidget()
+    QVBoxLayout(holder).addWidget(ElidedLabel())
+    holder.grab()
+
+
+def cell(editor: Editor) -> QModelIndex:
+    return editor.window.point_table.model().index(0, 1)
+
+
+def repaint_table(editor: Editor) -> None:
+    editor.window.point_table.viewport().repaint()
+
+
+def repaint_header(editor: Editor) -> None:
+    editor.window.point_table.horizontalHeader().viewport().repaint()
+
+
+def resize_table(editor: Editor) -> None:
+    table = editor.window.point_table
+    table.resize(table.width() + 1, table.height())
+
+
+def compute_beside_the_window(editor: Editor) -> None:
+    Settler(editor.window, settle_ms=0).ask(lambda _is_stale: None)
+
+
+PLACES = (
+    Place(Layer, "paint", lambda editor: editor.window.canvas.grab()),
+    Place(Layer, "paint", paint_behind_a_dialog),
+    Place(LayeredPlot, "paintEvent", lambda editor: editor.window.canvas.viewport().repaint()),
+    Place(Canvas, "event", press_arrow),
+    Place(Canvas, "keyPressEvent", press_arrow),
+    Place(PlotWidget, "mouseMoveEvent", lambda editor: editor.hover((0.5, 0.5))),
+    Place(PlotWidget, "mousePressEvent", lambda editor: editor.click((0.5, 0.5))),
+    Place(PlotWidget, "wheelEvent", lambda editor: editor.wheel((0.5, 0.5), 1)),
+    Place(MainWindow, "event", lambda editor: QApplication.sendEvent(editor.window, QStatusTipEvent("tip"))),
+    Place(MainWindow, "event", lambda editor: QApplication.sendEvent(editor.window, QCloseEvent())),
+    Place(MainWindow, "closeEvent", lambda editor: editor.window.close()),
+    Place(MainWindow, "closeEvent", lambda _editor: QApplication.closeAllWindows()),
+    Place(MainWindow, "changeEvent", lambda editor: QApplication.sendEvent(editor.window, palette_change())),
+    Place(MainWindow, "dragEnterEvent", drag_a_file_in),
+    Place(Toolbar, "resizeEvent", lambda editor: editor.window.resize(editor.window.size() + QSize(40, 40))),
+    Place(PointTableModel, "data", lambda editor: cell(editor).data()),
+    Place(PointTableModel, "headerData", repaint_header),
+    Place(PointTableModel, "rowCount", lambda editor: editor.window.point_table.model().layoutChanged.emit()),
+    Place(PointTableModel, "flags", lambda editor: editor.window.point_table.edit(cell(editor))),
+    Place(PointTableDelegate, "paint", repaint_table),
+    Place(PointTableDelegate, "createEditor", lambda editor: editor.window.point_table.edit(cell(editor))),
+    Place(PointTableView, "resizeEvent", resize_table),
+    Place(CurveListModel, "data", lambda editor: editor.window.curve_list.view.model().index(0, 0).data()),
+    Place(_RowDelegate, "paint", lambda editor: editor.show_dock("curvesDock")),
+    Place(_RowDelegate, "sizeHint", lambda editor: editor.window.curve_list.view.doItemsLayout()),
+    Place(_CommandDelegate, "paint", lambda editor: editor.window.findChild(CommandPalette).grab()),
+    Place(WeightBars, "paintEvent", lambda _editor: WeightBars().grab()),
+    Place(ElidedLabel, "minimumSizeHint", lay_a_label_out),
+    Place(SteadyLabel, "sizeHint", lambda _editor: ElidedLabel().adjustSize()),
+    Place(_IconEngine, "pixmap", lambda editor: icon("undo", editor.window._theme).pixmap(31, 31)),
+    Place(UndoStep, "undo", lambda editor: editor.session.undo_stack.undo()),
+    Place(UndoStep, "redo", lambda editor: editor.session.undo_stack.redo()),
+    Place(PreferencesDialog, "keyPressEvent", type_into_preferences),
+    Place(_Work, "run", compute_beside_the_window),
+)
+
+
+def outcome(
+    lifecycle: Lifecycle, editor: Editor, place: Place, fault: Callable[[], object]
+) -> dict[str, object]:
+    """Plant a fault, provoke it, and tell what came of it."""
+    for path in snapshot_folder().glob("*"):
+        path.unlink()
+    lifecycle.crashes._seen.clear()
+    place.fail_next(fault)
+    raised = ""
+    try:
+        place.provoke(editor)
+    except Exception as problem:
+        raised = repr(problem)
+    told = dialogs_put_away()
+    return {
+        "place": place.name,
+        "called": place.was_called,
+        "raised elsewhere": raised,
+        "told": told,
+        "kept": any(snapshot_folder().glob("*.snapshot.json")),
+        "open": editor.window.isVisible(),
+    }
+
+
+def dialogs_put_away() -> int:
+    """Put the crash dialogs away as they come, and return how many did."""
+    shown = 0
+    deadline = time.monotonic() + 5
+    while time.monotonic() < deadline:
+        QApplication.processEvents()
+        dialogs = [
+            each
+            for each in QApplication.topLevelWidgets()
+            if each.objectName() == "crashDialog" and each.isVisible()
         ]
-
-    def try_all(self) -> None:
-        for number, place in enumerate(self.places()):
-            print(json.dumps(self.try_one(place, FAULTS[number % len(FAULTS)])), flush=True)
-
-    def try_one(self, place: Place, fault: Callable[[], object]) -> dict[str, object]:
-        """Plant a fault, provoke it, and tell what came of it."""
-        for path in snapshot_folder().glob("*"):
-            path.unlink()
-        self.lifecycle.crashes._seen.clear()
-        was_called = plant(place.owner, place.name, fault)
-        raised = ""
-        try:
-            place.provoke()
-        except Exception as problem:
-            raised = repr(problem)
-        told = self.told()
-        return {
-            "place": f"{place.owner.__name__}.{place.name}",
-            "called": was_called(),
-            "raised elsewhere": raised,
-            "told": told,
-            "kept": any(snapshot_folder().glob("*.snapshot.json")),
-            "open": self.window.isVisible(),
-        }
-
-    def told(self) -> int:
-        """Put the crash dialogs away as they come, and return how many did."""
-        shown = 0
-        deadline = time.monotonic() + 5
-        while time.monotonic() < deadline:
-            QApplication.processEvents()
-            dialogs = [
-                each
-                for each in QApplication.topLevelWidgets()
-                if each.objectName() == "crashDialog" and each.isVisible()
-            ]
-            for dialog in dialogs:
-                shown += 1
-                QTest.mouseClick(dialog.findChild(QPushButton, "goOn"), Qt.MouseButton.LeftButton)
-            if shown and not dialogs:
-                break
-        return shown
-
-    # What provokes some of them
-
-    def paint_behind_a_dialog(self) -> None:
-        box = QMessageBox(self.window)
-
-        def paint() -> None:
-            self.window.canvas.viewport().repaint()
-            box.accept()
-
-        QTimer.singleShot(0, paint)
-        box.exec()
-
-    def drag_a_file_in(self) -> None:
-        data, actions = QMimeData(), Qt.DropAction.CopyAction
-        buttons, keys = Qt.MouseButton.LeftButton, Qt.KeyboardModifier.NoModifier
-        event = QDragEnterEvent(QPoint(10, 10), actions, data, buttons, keys)
-        QApplication.sendEvent(self.window, event)
-
-    def type_into_preferences(self) -> None:
-        self.editor.trigger("preferences")
-        dialog = self.window.findChild(PreferencesDialog)
-        assert dialog is not None
-        QTest.keyClick(dialog, Qt.Key.Key_F8)
-        dialog.close()
+        for dialog in dialogs:
+            shown += 1
+            QTest.mouseClick(dialog.findChild(QPushButton, "goOn"), Qt.MouseButton.LeftButton)
+        if shown and not dialogs:
+            break
+    return shown
 
 
 def palette_change() -> QEvent:
@@ -217,7 +240,9 @@ def main() -> int:
         editor.find_command("fit")
         editor.escape()
         try:
-            Trial(lifecycle, editor).try_all()
+            for number, place in enumerate(PLACES):
+                fault = FAULTS[number % len(FAULTS)]
+                print(json.dumps(outcome(lifecycle, editor, place, fault)), flush=True)
         finally:
             editor.session.undo_stack.setClean()
             application.exit()
