@@ -54,7 +54,33 @@ def overrides_of(cls: type) -> list[str]:
 
 def is_guarded(method: Callable[..., object]) -> bool:
     """Return whether an exception of this method ends in it."""
-    return hasattr(method, "_guards")
+    return bool(getattr(method, "_guards", False))
+
+
+def guard_library(*classes: type) -> None:
+    """Guard the overrides of these classes of a library and of those that they derive from.
+
+    Events and painting are guarded as ours are. The others declare no type and may count on what an
+    exception of theirs stops: it is handed on, as before, but normalised.
+    """
+    for cls in {base for each in classes for base in each.__mro__}:
+        for name in overrides_of(cls):
+            method = vars(cls)[name]
+            if not hasattr(method, "_guards"):
+                gives_nothing = name == "paint" or name.endswith("Event")
+                setattr(cls, name, _guard(method) if gives_nothing else _normalise(method))
+
+
+def _normalise(method: FunctionType) -> Callable[..., object]:
+    @functools.wraps(method)
+    def normalised(*arguments: object, **named: object) -> object:
+        try:
+            return method(*arguments, **named)
+        except BaseException:
+            raise  # normalised by having been caught
+
+    vars(normalised)["_guards"] = False
+    return normalised
 
 
 def _guard(method: FunctionType) -> Callable[..., object]:

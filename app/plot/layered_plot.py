@@ -10,11 +10,12 @@ from collections.abc import Callable
 from typing import Protocol, TypeVar, runtime_checkable
 
 import pyqtgraph as pg
+from pyqtgraph.graphicsItems.ViewBox.ViewBox import ChildGroup
 from PySide6.QtCore import QPoint, QPointF, QRectF, Signal
 from PySide6.QtGui import QColor, QFont, QPainter, QPaintEvent
 from PySide6.QtWidgets import QGraphicsItem, QGraphicsView, QStyleOptionGraphicsItem, QWidget
 
-from app.overrides import Guarded
+from app.overrides import Guarded, guard_library
 from app.plot.pixel_map import PixelMap
 from app.theme import LIGHT, Theme
 
@@ -27,6 +28,19 @@ _LEAST_SPAN = 1e-9
 
 GREATEST_SPAN = 1e13
 """Longest range of an axis: pyqtgraph shrinks a longer one about its middle, wherever that lies."""
+
+
+# Whatever a plot is made of: Qt calls their overrides as it calls ours.
+guard_library(
+    pg.PlotWidget,
+    pg.GraphicsScene,
+    pg.PlotItem,
+    pg.ViewBox,
+    ChildGroup,
+    pg.AxisItem,
+    pg.ButtonItem,
+    pg.LabelItem,
+)
 
 
 class Themed(Protocol):

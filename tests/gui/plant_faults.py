@@ -15,6 +15,7 @@ from collections.abc import Callable
 from typing import Any
 
 import numpy as np
+import pyqtgraph as pg
 from PySide6.QtCore import QEvent, QMimeData, QModelIndex, QPoint, QSize, Qt, QTimer
 from PySide6.QtGui import QCloseEvent, QDragEnterEvent, QStatusTipEvent
 from PySide6.QtTest import QTest
@@ -146,6 +147,10 @@ PLACES = (
     Place(Layer, "paint", lambda editor: editor.window.canvas.grab()),
     Place(Layer, "paint", paint_behind_a_dialog),
     Place(LayeredPlot, "paintEvent", lambda editor: editor.window.canvas.viewport().repaint()),
+    Place(pg.AxisItem, "paint", lambda editor: editor.window.canvas.grab()),
+    Place(
+        pg.ViewBox, "resizeEvent", lambda editor: editor.window.resize(editor.window.size() + QSize(40, 40))
+    ),
     Place(Canvas, "event", press_arrow),
     Place(Canvas, "keyPressEvent", press_arrow),
     Place(PlotWidget, "mouseMoveEvent", lambda editor: editor.hover((0.5, 0.5))),

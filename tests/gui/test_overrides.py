@@ -41,13 +41,16 @@ def qt_classes(package):
     return {each for each in derived(shiboken6.Shiboken.Object) if each.__module__.startswith(prefix)}
 
 
-def overrides(cls):
-    """Whatever can be called in the body of a class under a name that can be called in a class of Qt's."""
-    for name, value in vars(cls).items():
-        bases = [base for base in cls.__mro__[1:] if base.__module__.startswith("PySide6.")]
+def overrides(cls, own=None):
+    """Whatever can be called in the body of a class under a name that can be called in a class of Qt's.
+
+    `own` is the body looked at, that of a base which does not derive from Qt's.
+    """
+    of_qt = [base for base in cls.__mro__[1:] if base.__module__.startswith("PySide6.")]
+    for name, value in vars(own or cls).items():
         is_method = callable(value) and not inspect.isclass(value)
         is_method = is_method or isinstance(value, staticmethod | classmethod | functools.partialmethod)
-        if is_method and not name.startswith("__") and any(callable(vars(base).get(name)) for base in bases):
+        if is_method and not name.startswith("__") and any(callable(vars(base).get(name)) for base in of_qt):
             yield name, value
 
 
@@ -55,7 +58,9 @@ def unguarded(classes):
     return [
         f"{cls.__module__}.{cls.__name__}.{name}"
         for cls in classes
-        for name, method in overrides(cls)
+        for own in cls.__mro__
+        if own.__module__.partition(".")[0] not in ("PySide6", "pyqtgraph", "Shiboken", "builtins")
+        for name, method in overrides(cls, own)
         if not is_guarded(method)
     ]
 
@@ -78,16 +83,33 @@ def test_an_override_without_a_guard_is_found():
         def sizeHint(self) -> QSize:
             return QSize()
 
+    class Beside:
+        def moveEvent(self, event):
+            pass
+
+    class Mixed(Beside, Later):
+        pass
+
+    assert [name.rpartition(".")[2] for name in unguarded([Mixed])] == ["moveEvent"]
     assert [name.rpartition(".")[2] for name in unguarded([Bare, Later, Sub])] == ["paintEvent"]
     Later.event = lambda self, event: False
     Sub.resizeEvent = functools.partialmethod(QWidget.resizeEvent)
-    found = [name.rpartition(".")[2] for name in unguarded([Bare, Later, Sub])]
-    assert found == ["paintEvent", "event", "resizeEvent"]
+    found = {name.rpartition(".")[2] for name in unguarded([Bare, Later, Sub])}
+    assert found == {"paintEvent", "event", "resizeEvent"}
 
 
 def test_no_class_is_made_where_the_walk_does_not_see_it():
     files = {path.name: path.read_text(encoding="utf-8") for path in (ROOT / "app").rglob("*.py")}
     assert [name for name, text in files.items() if re.search(r"^ +class \w+", text, re.MULTILINE)] == []
+
+
+def test_every_override_of_the_plots_own_library_is_safe(editor):
+    plots = (editor.window.canvas, editor.window.basis_panel)
+    parts = {*plots, *(each for plot in plots for each in (plot.scene(), *plot.items()))}
+    classes = {cls for part in parts for cls in type(part).__mro__ if cls.__module__.startswith("pyqtgraph.")}
+    assert len(classes) > 8
+    of_library = [(cls, name, method) for cls in classes for name, method in overrides(cls)]
+    assert [(cls, name) for cls, name, method in of_library if not hasattr(method, "__wrapped__")] == []
 
 
 def test_every_override_that_fails_gives_qt_what_it_declares(qapp):
