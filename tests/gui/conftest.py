@@ -1,8 +1,8 @@
 """The editor fixture, over a window that is used again as long as nothing about it differs from a new one.
 
-Building a window takes longer than most of the questions put to it. So the one that a test leaves is reset,
-and the next test gets it if all that can be told of it is what was told of it when it was new; otherwise it is
-thrown away. A test that makes windows of its own begins without it.
+Building a window takes longer than most of the questions put to it. So the one that a test leaves is
+reset, and the next test gets it if all that can be told of it is what was told of it when it was new;
+otherwise it is thrown away. A test that makes windows of its own begins without it.
 """
 
 from __future__ import annotations
