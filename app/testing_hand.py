@@ -29,9 +29,16 @@ def wait_for_rest(widget: QWidget, seconds: float = 10.0, *, up_to_ms: int = _SH
     TimeoutError
         If it does not within so many seconds.
     """
-    timers = [timer for timer in widget.findChildren(QTimer) if timer.isSingleShot()]
+
+    def is_busy() -> bool:
+        # Asked anew each time: a timer may go with the widget that it belongs to.
+        timers = widget.findChildren(QTimer)
+        return any(
+            timer.isSingleShot() and timer.isActive() and timer.interval() <= up_to_ms for timer in timers
+        )
+
     deadline = time.monotonic() + seconds
-    while any(timer.isActive() and timer.interval() <= up_to_ms for timer in timers):
+    while is_busy():
         if time.monotonic() > deadline:
             raise TimeoutError(f"The window does not come to rest within {seconds:g} s.")
         QTest.qWait(5)

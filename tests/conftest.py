@@ -48,7 +48,7 @@ def _no_window_left_over():
     left = [
         widget
         for widget in widgets.QApplication.topLevelWidgets()
-        if widget.isVisible() or isinstance(widget, widgets.QMainWindow)
+        if not widget.property("isKept") and (widget.isVisible() or isinstance(widget, widgets.QMainWindow))
     ]
     for widget in left:
         widget.hide()

@@ -72,8 +72,12 @@ def drag(
     moves: int = _MOVES,
     horizontal: bool = False,
     reach: int = 40,
+    pace: float = 0.0,
 ) -> Times:
-    """Press at `start`, move back to back, and time each move to the end of all awaited paints."""
+    """Press at `start`, move, and time each move to the end of all awaited paints.
+
+    The moves come back to back, or `pace` seconds apart, as from a mouse: what has rested is slower.
+    """
     send(widget, QEvent.Type.MouseMove, start, held=False)
     send(widget, QEvent.Type.MouseButtonPress, start, held=True)
     # Past the threshold below which a press is still a click.
@@ -94,6 +98,8 @@ def drag(
                 raise TimeoutError(f"no paint of {awaited} after a move")
         seconds.append(time.perf_counter() - began)
         preempted.append(_switches() > switches)
+        QApplication.processEvents()
+        time.sleep(max(0.0, began + pace - time.perf_counter()))
     send(widget, QEvent.Type.MouseButtonRelease, start, held=False)
     pump(0.05)
     milliseconds, calm = 1e3 * np.array(seconds[warm:]), ~np.array(preempted[warm:])
