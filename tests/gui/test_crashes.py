@@ -34,6 +34,7 @@ def guarded(editor, qapp):
     yield editor
     lifecycle.stop()
     assert (sys.excepthook, threading.excepthook, sys.unraisablehook) == before
+    editor.window.asks_before_closing = False
     editor.window.close()
 
 
