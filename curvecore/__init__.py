@@ -34,6 +34,8 @@ continuity          jumps at the joints, and the class that follows
 exact               polynomials through data, in integers
 bezier_conversion   exact control points of any stretch, degree elevation
 stability           Lebesgue function and constant
+cardinal            what points do where derivatives are estimated from
+                    them: `CardinalBasis`
 condition           condition numbers of monomial systems
 sensitivity         derivatives by the data, worst cases
 ensembles           curves with random errors
@@ -77,6 +79,7 @@ from curvecore.tangents import (
 
 if TYPE_CHECKING:
     from curvecore.bezier_conversion import LagrangeBezier, bezier_stretch, elevate_degree, lagrange_to_bezier
+    from curvecore.cardinal import CardinalBasis, cardinal_basis, estimation_matrix, follow_rules
     from curvecore.condition import monomial_condition, segment_conditions, vandermonde_condition
     from curvecore.continuity import Joint, joint_report
     from curvecore.ensembles import Ensemble, ensemble
@@ -120,6 +123,7 @@ if TYPE_CHECKING:
     from curvecore.stability import derivative_sums, lebesgue_constant, lebesgue_function
 
 _ANALYSIS = {
+    "cardinal": ["CardinalBasis", "cardinal_basis", "estimation_matrix", "follow_rules"],
     "lengths": ["ArcLength", "Length", "arc_length", "equal_arc_length_parameters", "parameter_at_length"],
     "bezier_conversion": ["LagrangeBezier", "bezier_stretch", "elevate_degree", "lagrange_to_bezier"],
     "condition": ["monomial_condition", "segment_conditions", "vandermonde_condition"],
@@ -164,6 +168,7 @@ __all__ = [
     "ArcLength",
     "Band",
     "Box",
+    "CardinalBasis",
     "Chain",
     "CubicPath",
     "CurvatureExtrema",
@@ -191,6 +196,7 @@ __all__ = [
     "bezier_segments",
     "bezier_stretch",
     "bounding_box",
+    "cardinal_basis",
     "catmull_rom_velocities",
     "centripetal",
     "chebyshev",
@@ -204,12 +210,14 @@ __all__ = [
     "elevate_degree",
     "ensemble",
     "equal_arc_length_parameters",
+    "estimation_matrix",
     "evaluate_rounded",
     "exact_values",
     "finite_difference_velocities",
     "flatten",
     "flatten_parameters",
     "flatten_pieces",
+    "follow_rules",
     "inflections",
     "joint_report",
     "lagrange_to_bezier",

@@ -5,6 +5,7 @@ What most errors do, beside the worst that `sensitivity` knows.
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import NamedTuple
 
 import numpy as np
@@ -19,7 +20,10 @@ from curvecore.hermite import HermiteCurve, QuinticHermiteCurve
 from curvecore.lagrange import LagrangeCurve
 from curvecore.sensitivity import UNKNOWN_FAMILY, error_sizes
 
-__all__ = ["Ensemble", "ensemble"]
+__all__ = ["Ensemble", "Remake", "ensemble"]
+
+Remake = Callable[[FloatArray, FloatArray], Curve]
+"""Points (n, dim) and parameters (n,) to a curve."""
 
 
 class Ensemble(NamedTuple):
@@ -55,6 +59,9 @@ def ensemble(
     parameter_error: ArrayLike = 0.0,
     count: int = 50,
     seed: int = 0,
+    *,
+    closed: bool = False,
+    remake: Remake | None = None,
 ) -> Ensemble:
     """Return curves with random errors of the data, the same ones for the same seed.
 
@@ -73,6 +80,11 @@ def ensemble(
         At least 1.
     seed : int, optional
         At least 0.
+    closed : bool, optional
+        Whether the last point is the first one again: both are displaced together.
+    remake : Remake, optional
+        Makes the curve of disturbed points and parameters where a rule estimates velocities or accelerations
+        from them; without it these stay as they are.
 
     Returns
     -------
@@ -93,10 +105,15 @@ def ensemble(
     radius = error_sizes(point_error, len(t), "point_error")
     row = curve.row_of_parameter if isinstance(curve, Chain) else np.arange(len(t))
     shifts = radius[:, None] * _in_ball(random, (number, len(t)), curve.points.shape[1])
+    if closed:
+        shifts[:, -1] = shifts[:, 0]
+    parameters = t + delta * random.uniform(-1.0, 1.0, (number, len(t)))
+    if remake is not None:
+        curves = tuple(remake(*each) for each in zip(curve.points + shifts, parameters, strict=True))
+        return Ensemble(curves, np.stack([each.jets for each in curves]), parameters)
     jets = np.broadcast_to(curve.jets, (number, *curve.jets.shape)).copy()
     with np.errstate(over="ignore", under="ignore"):
         jets[:, :, 0] += shifts[:, row]
-    parameters = t + delta * random.uniform(-1.0, 1.0, (number, len(t)))
     if not delta.any():
         curves = tuple(curve.with_jets(each) for each in jets)
     else:

@@ -1,7 +1,8 @@
 """What changes of points, velocities, accelerations and parameters do to a curve.
 
 A curve is linear in its jets, so their sensitivities are the basis functions
-themselves. Moving a parameter t_i at fixed data: e = dc/dt_i is a curve of
+themselves; where velocities are estimated from the points, those of the points
+are their cardinal functions. Moving a parameter t_i at fixed data: e = dc/dt_i is a curve of
 the same family that keeps all other conditions, e^(r)(t_j) = 0, and from
 differentiating c^(r)(t_i) = d_ir with respect to t_i, e^(r)(t_i) =
 -c^(r+1)(t_i). Hence
@@ -27,6 +28,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from curvecore.arrays import FloatArray, IntArray, parameter_values
+from curvecore.cardinal import CardinalBasis
 from curvecore.chain import Chain
 from curvecore.curve import Curve
 from curvecore.derivatives import derivatives_at
@@ -65,22 +67,23 @@ class Band(NamedTuple):
     across: FloatArray
 
 
-def point_sensitivity(curve: Curve, t: ArrayLike) -> FloatArray:
+def point_sensitivity(curve: Curve | CardinalBasis, t: ArrayLike) -> FloatArray:
     """Return dc(t)/dp_i, a factor: moving p_i by d moves c(t) by that times d.
 
     Parameters
     ----------
-    curve : Curve
-        Of any family.
+    curve : Curve or CardinalBasis
+        Of a curve, velocities and accelerations stay as they are; of its cardinal basis, those that are
+        estimated follow the points.
     t : float or array_like, shape (m,)
         A scalar counts as m = 1.
 
     Returns
     -------
     ndarray, shape (m, n)
-        B_i0(t). A `Chain` has a column for every row of its jets.
+        B_i0(t), or C_i(t). A `Chain` has a column for every row of its jets.
     """
-    return curve.basis(t)[:, :, 0]
+    return curve.basis(t) if isinstance(curve, CardinalBasis) else curve.basis(t)[:, :, 0]
 
 
 def velocity_sensitivity(curve: Curve, t: ArrayLike) -> FloatArray:
@@ -201,6 +204,9 @@ def worst_case_band(
     parameter_error: ArrayLike = 0.0,
     velocity_error: ArrayLike = 0.0,
     acceleration_error: ArrayLike = 0.0,
+    *,
+    cardinal: CardinalBasis | None = None,
+    sensitivity: ArrayLike | None = None,
 ) -> Band:
     """Return how far errors of the data may displace the curve.
 
@@ -216,6 +222,12 @@ def worst_case_band(
         Largest size of the error of every t_i, at least 0.
     velocity_error, acceleration_error : float or array_like, shape (n,), optional
         The same for velocities and accelerations, per unit of t.
+    cardinal : CardinalBasis, optional
+        The cardinal functions of the points, where velocities or accelerations are estimated from them; of
+        the whole curve, where `curve` is a piece of it. ``point_error`` counts its points then.
+    sensitivity : array_like, shape (m, n, dim), optional
+        dc/dt_i, where it is not that of `parameter_sensitivity`: where a rule estimates velocities from the
+        parameters, too. ``parameter_error`` counts its n then.
 
     Returns
     -------
@@ -237,16 +249,14 @@ def worst_case_band(
     distance is bounded by the sum of the lengths. `across` is exact always.
     """
     at = parameter_values(t).values
-    rows, width = curve.jets.shape[:2]
-    errors = (point_error, velocity_error, acceleration_error)
-    names = ("point_error", "velocity_error", "acceleration_error")
     with np.errstate(over="ignore", under="ignore", invalid="ignore"):
-        sizes = [error_sizes(error, rows, name) for error, name in zip(errors, names, strict=True)][:width]
-        ball = _ball(curve, at, np.stack(sizes, axis=1))
-        delta = error_sizes(parameter_error, len(curve.parameters), "parameter_error")
+        ball = _ball(curve, at, (point_error, velocity_error, acceleration_error), cardinal)
+        known = None if sensitivity is None else np.asarray(sensitivity, dtype=np.float64)
+        count = len(curve.parameters) if known is None else known.shape[1]
+        delta = error_sizes(parameter_error, count, "parameter_error")
         if not delta.any():
             return Band(ball, ball.copy())
-        moves = _moves(curve, at, delta)
+        moves = _moves(curve, at, delta) if known is None else known * delta[:, None]
         farthest = _farthest(moves)
         (velocity,) = derivatives_at(curve, at, (1,))
         size = lengths(velocity)
@@ -260,8 +270,22 @@ def worst_case_band(
         return Band(ball + farthest, ball + np.where(rests, farthest, normal))
 
 
-def _ball(curve: Curve, t: FloatArray, sizes: FloatArray) -> FloatArray:
-    """Return the sum of |B_ir| times the sizes of the errors."""
+def _ball(
+    curve: Curve, t: FloatArray, errors: tuple[ArrayLike, ...], cardinal: CardinalBasis | None
+) -> FloatArray:
+    """Return the sum of |B_ir| times the sizes of the errors, for points of |C_i| where these are given."""
+    rows, width = curve.jets.shape[:2]
+    names = ("point_error", "velocity_error", "acceleration_error")
+    of_points: ArrayLike = 0.0 if cardinal is not None else errors[0]
+    given = zip((of_points, *errors[1:]), names, strict=True)
+    sizes = np.stack([error_sizes(error, rows, name) for error, name in given][:width], axis=1)
+    ball = np.zeros(len(t)) if cardinal is not None and not sizes.any() else _sum_of_data(curve, t, sizes)
+    if cardinal is not None:
+        ball += cardinal.sums(t, error_sizes(errors[0], cardinal.count, names[0]))
+    return ball
+
+
+def _sum_of_data(curve: Curve, t: FloatArray, sizes: FloatArray) -> FloatArray:
     if isinstance(curve, (HermiteCurve, QuinticHermiteCurve)):
         local = curve.local_basis(t)
         both = np.stack((sizes[local.segment], sizes[local.segment + 1]), axis=1)

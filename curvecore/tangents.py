@@ -163,7 +163,9 @@ def _parabola_velocities(steps: _Steps) -> FloatArray:
 
 
 @_in_range
-def catmull_rom_velocities(points: ArrayLike, parameters: ArrayLike, alpha: float = 0.5) -> FloatArray:
+def catmull_rom_velocities(
+    points: ArrayLike, parameters: ArrayLike, alpha: float = 0.5, *, knots_of: ArrayLike | None = None
+) -> FloatArray:
     """Return Catmull-Rom velocities with knots spaced by distance ** alpha.
 
     The derivative at p_i of the Catmull-Rom curve on its own knots k_i, times
@@ -181,6 +183,9 @@ def catmull_rom_velocities(points: ArrayLike, parameters: ArrayLike, alpha: floa
         t_i, strictly increasing.
     alpha : float, optional
         At least 0; 0 uniform, 1/2 centripetal, 1 chordal knots.
+    knots_of : array_like, shape (n, any), optional
+        Points whose distances space the knots; those given, if left out. With it, the velocities are
+        linear in the points, as those of the other rules are.
 
     Returns
     -------
@@ -196,7 +201,8 @@ def catmull_rom_velocities(points: ArrayLike, parameters: ArrayLike, alpha: floa
     data = point_array(points)
     h = np.diff(parameter_array(parameters, len(data)))
     # Distances that underflow would divide by zero; the smallest normal number stands for them.
-    knots = np.maximum(relative_spacing(data, alpha, "Catmull-Rom"), np.finfo(np.float64).tiny)
+    places = data if knots_of is None else point_array(knots_of)
+    knots = np.maximum(relative_spacing(places, alpha, "Catmull-Rom"), np.finfo(np.float64).tiny)
     velocities = _parabola_velocities(_differences(data, knots))
     velocities[1:-1] *= ((knots[:-1] + knots[1:]) / (h[:-1] + h[1:]))[:, None]
     slope = _differences(data, h).slope
