@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import argparse
 import json
+import math
 import sys
 from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, Any
@@ -29,7 +30,7 @@ from app.exchange import (
 )
 
 if TYPE_CHECKING:
-    from app.exchange.facts import CurveFacts
+    from app.exchange.facts import CurveFacts, Growth
 
 FAMILY_NAMES = {
     Family.LAGRANGE: "Lagrange",
@@ -198,6 +199,7 @@ def _as_json(facts: CurveFacts) -> dict[str, Any]:
         "visible": facts.visible,
         "parametrization": {"kind": rule.kind, "alpha": rule.alpha, "start": rule.start, "end": rule.end},
         "domain": facts.domain,
+        "lebesgue_constant": _finite_only(facts.lebesgue_constant),
         "length": length,
         "box": box,
         "warnings": facts.warnings,
@@ -213,6 +215,8 @@ def _as_text(facts: CurveFacts) -> str:
         rows.append(("domain", f"{facts.domain[0]:g} to {facts.domain[1]:g}"))
     if facts.length is not None:
         rows.append(("length", f"about {facts.length.value:.9g} (error about {facts.length.error:.1g})"))
+    if facts.lebesgue_constant is not None:
+        rows.append(("Λ (Lebesgue)", _growth_text(facts.lebesgue_constant)))
     if facts.box is not None:
         left, bottom, right, top = facts.box
         rows.append(("box", f"about x {left:.6g} to {right:.6g}, y {bottom:.6g} to {top:.6g}"))
@@ -220,6 +224,19 @@ def _as_text(facts: CurveFacts) -> str:
         rows.append(("hidden", "not drawn in pictures"))
     rows += [("warning", warning) for warning in facts.warnings]
     return "\n".join([one_line(facts.name), *(f"  {key:<16} {value}" for key, value in rows)])
+
+
+def _finite_only(growth: Growth | None) -> dict[str, float | None] | None:
+    """Return the constants by name; null stands for one beyond all floats."""
+    if growth is None:
+        return None
+    return {name: value if math.isfinite(value) else None for name, value in growth._asdict().items()}
+
+
+def _growth_text(growth: Growth) -> str:
+    if growth.data == growth.points:
+        return f"{growth.points:.3g}"
+    return f"{growth.points:.3g} (were the estimated derivatives to stay: {growth.data:.3g})"
 
 
 def _points_text(facts: CurveFacts) -> str:

@@ -49,11 +49,16 @@ from app.preferences import Preferences
 from app.session import Session
 from app.theme import Theme, ThemeMode, apply_theme, theme_of
 from app.toolbar import Toolbar
+from app.view_model.curve_view import CurveView
+from app.view_model.growth import growth_of_points
 from app.window_layout import put_away_floating, restore_layout, when_first_shown
 from app.worker import Jobs
 
 _PANELS_MS = 100
 """How far the panels may lag behind a drag, in milliseconds; the canvas and the functions never do."""
+
+_MOST_LIVE = 200
+"""Points up to which the Lebesgue constant follows a drag."""
 
 
 class MainWindow(Guarded, QMainWindow):
@@ -245,8 +250,15 @@ class MainWindow(Guarded, QMainWindow):
             self.session.document, self.session.active_index, self.session.chosen_curves
         )
         self.parametrization_bar.render_view(view)
-        self.status_line.show_lebesgue(self.basis_panel.basis)
+        self._render_growth(view)
         self._commands.render(view)
+
+    def _render_growth(self, view: CurveView) -> None:
+        """Show Λ; of many points with estimates when a drag has ended, for then it takes many frames."""
+        if self.session.is_previewing and view.source.family.derivatives and len(view.points) > _MOST_LIVE:
+            self.status_line.wait_for_lebesgue()
+        else:
+            self.status_line.show_lebesgue(growth_of_points(view, self.basis_panel.basis))
 
     def _render_selection(self, selection: frozenset[int]) -> None:
         self.canvas.set_selection(selection)

@@ -61,6 +61,7 @@ def test_info_prints_the_facts(capsys):
     assert rows["domain"] == "0 to 1"
     assert rows["length"].startswith("about 23.0")
     assert rows["box"].startswith("about x 0.35 to 5.99")
+    assert rows["Λ (Lebesgue)"] == "1.68 (were the estimated derivatives to stay: 1)"
     assert "warning" not in rows
 
 
@@ -74,6 +75,8 @@ def test_info_as_json(capsys):
     assert curve["degree"] == 3
     assert curve["parametrization"] == {"kind": "chord_length", "alpha": 0.5, "start": 0.0, "end": 1.0}
     assert curve["domain"] == [0.0, 1.0]
+    # It was said nowhere, and 1 in the window; the velocities of the letter are estimated.
+    assert curve["lebesgue_constant"] == {"data": 1.0, "points": pytest.approx(1.68, abs=0.005)}
     assert curve["length"]["about"] == pytest.approx(23.0, abs=0.1)
     assert curve["box"]["left"] == pytest.approx(0.35)
     assert curve["warnings"] == []

@@ -15,6 +15,7 @@ from app.overrides import Guarded
 from app.settle import IsStale, Settler
 from app.view_model.analysis.laboratory_settings import METHOD_NAMES, LaboratorySettings
 from app.view_model.curve_view import CurveView
+from app.view_model.growth import growth_of_data
 from app.view_model.looks import METHOD_LOOKS
 
 if TYPE_CHECKING:
@@ -195,7 +196,7 @@ class LaboratoryCommands(Guarded, QObject):
         busy, trial = self._settler.is_busy, self._trial
         basis = self._parts.basis_panel.basis
         if self._panel is not None:
-            lebesgue = basis.lebesgue_constant if basis is not None else None
+            lebesgue = growth_of_data(self._session.active_view, basis) if basis is not None else None
             self._panel.render_trial(trial, lebesgue, busy=busy, problem=self._problem)
         traces: tuple[Trace, ...] = ()
         heading = ""

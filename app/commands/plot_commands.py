@@ -12,6 +12,7 @@ from app.commands.parts import Handlers, Parts
 from app.settle import Settler
 from app.view_model.analysis.settings import Plot
 from app.view_model.curve_view import CurveView
+from app.view_model.growth import growth_of_points
 
 if TYPE_CHECKING:
     from app.panels.plot_pane import PlotPane
@@ -73,7 +74,8 @@ class PlotCommands:
         if others or self._plotted is None or not view.is_current:
             return False
         same = view.source.family is self._plotted.source.family
-        return same and np.array_equal(view.parameters, self._plotted.parameters)
+        same = same and np.array_equal(view.parameters, self._plotted.parameters)
+        return same and (not view.source.family.derivatives or view.cardinal is self._plotted.cardinal)
 
     @property
     def _is_on(self) -> bool:
@@ -160,7 +162,7 @@ class PlotCommands:
             pane.canvas.say(view.problem)
             return
         basis = self._parts.basis_panel.basis
-        constant = basis.lebesgue_constant if basis is not None else 1.0
+        constant = growth_of_points(view, basis)
         compute = partial(plots_of, view, kinds, pane.canvas.t_range, pane.canvas.columns, constant)
         if orders_of(kinds) and is_slow(view):
             pane.canvas.set_waiting()

@@ -11,6 +11,7 @@ from app.commands.parts import Parts
 from app.panels.teaching_badge import TeachingBadge
 from app.view_model.analysis.teaching import Topic, Warned, warnings_of
 from app.view_model.curve_view import CurveView
+from app.view_model.growth import growth_of_points
 
 
 class TeachingCommands(QObject):
@@ -49,7 +50,10 @@ class TeachingCommands(QObject):
     def _warnings(self, view: CurveView) -> list[Warned]:
         if self._known is None or self._known[0] is not view:
             basis = self._parts.basis_panel.basis
-            self._known = (view, warnings_of(view, basis.lebesgue_constant) if basis is not None else [])
+            self._known = (
+                view,
+                warnings_of(view, growth_of_points(view, basis)) if basis is not None else [],
+            )
         return self._known[1]
 
     def _put_away(self) -> None:

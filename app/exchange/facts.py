@@ -11,7 +11,9 @@ from msgspec.structs import replace
 from app.document.model import Curve, Document, Family, Parametrization
 from app.exchange.drawing import ExchangeError, Floats, drawing_of, extent_of, too_much
 from app.view_model.curve_view import CoreCurve, view_of
+from app.view_model.growth import growth_of_data, growth_of_points
 from curvecore import LagrangeCurve
+from curvecore.scaling import LARGEST
 
 LENGTH_TOLERANCE = 1e-9
 """Relative error that the arc length aims at."""
@@ -30,6 +32,21 @@ class Length(NamedTuple):
 
     value: float
     error: float
+
+
+class Growth(NamedTuple):
+    """Lebesgue constants: how many times errors can come out enlarged on the curve.
+
+    Attributes
+    ----------
+    data
+        Errors of the points, where velocities and accelerations stay.
+    points
+        Errors of the points, where those that are estimated follow them.
+    """
+
+    data: float
+    points: float
 
 
 @dataclass(frozen=True)
@@ -53,6 +70,8 @@ class CurveFacts:
     length
         Arc length over the domain, numerically. None too where it is beyond all floats, and for
         Lagrange curves of so many points that it would take minutes.
+    lebesgue_constant
+        How errors grow; None too for Lagrange curves of so many points that it would take minutes.
     box
         Left, bottom, right and top edge of the curve; about, within `RELATIVE_TOLERANCE` of its size.
     warnings
@@ -66,6 +85,7 @@ class CurveFacts:
     degree: int | None = None
     domain: tuple[float, float] | None = None
     length: Length | None = None
+    lebesgue_constant: Growth | None = None
     box: tuple[float, float, float, float] | None = None
     warnings: tuple[str, ...] = ()
     closed: bool = False
@@ -86,6 +106,7 @@ def _curve_facts(curve: Curve) -> CurveFacts:
     if core is None:
         return _facts_without_curve(curve, view.problem)
     box, warnings = _box(curve)
+    growth = None if _is_slow(core) else Growth(growth_of_data(view), growth_of_points(view))
     return CurveFacts(
         name=curve.name,
         family=curve.family,
@@ -94,8 +115,9 @@ def _curve_facts(curve: Curve) -> CurveFacts:
         degree=core.degree,
         domain=core.domain,
         length=_length(core),
+        lebesgue_constant=growth,
         box=box,
-        warnings=(*warnings, *_amplification(core)),
+        warnings=(*warnings, *_amplification(growth)),
         closed=curve.is_closed,
         corners=len(view.corners),
         visible=curve.visible,
@@ -135,22 +157,12 @@ def _is_slow(core: CoreCurve) -> bool:
     return isinstance(core, LagrangeCurve) and len(core.points) > _MOST_POINTS_EXAMINED
 
 
-def _amplification(core: CoreCurve) -> tuple[str, ...]:
-    """Return a warning if small errors in the points grow along the curve.
-
-    The Lebesgue constant, sampled: the largest sum of |B_i0(t)|, which is what errors of size one in the
-    points can become. It is one for the Hermite families.
-    """
-    if not isinstance(core, LagrangeCurve) or _is_slow(core):
+def _amplification(growth: Growth | None) -> tuple[str, ...]:
+    """Return a warning if small errors in the points grow along the curve."""
+    if growth is None or growth.points < AMPLIFICATION_WORTH_A_WORD:
         return ()
-    t = core.parameters
-    between = t[:-1, None] + np.diff(t)[:, None] * np.linspace(0, 1, 9)[1:-1]
-    with np.errstate(over="ignore"):
-        largest = float(np.abs(core.basis(between.ravel())[:, :, 0]).sum(axis=1).max())
-    if largest < AMPLIFICATION_WORTH_A_WORD:
-        return ()
-    growth = f"up to {largest:.2g}-fold" if np.isfinite(largest) else "beyond all bounds"
-    return (f"Errors in the points grow {growth} along the curve (Lebesgue constant).",)
+    times = f"up to {growth.points:.2g}-fold" if growth.points < LARGEST else "beyond all bounds"
+    return (f"Errors in the points grow {times} along the curve (Lebesgue constant).",)
 
 
 def arc_length(core: CoreCurve, tolerance: float) -> Length:

@@ -2,17 +2,23 @@
 
 from __future__ import annotations
 
+import math
+
 from PySide6.QtCore import Qt, QTimer
 from PySide6.QtWidgets import QSizePolicy, QStatusBar, QWidget
 
 from app.document.model import Vector
 from app.panels.elided_label import ElidedLabel, SteadyLabel
 from app.theme import theme_of
-from app.view_model.basis_view import BasisView
 
 _SAID_MS = 6000
 _READ_MS = 1500
 """How long a sentence stays in any case, before a new hint may take its place."""
+
+_LEBESGUE_TIP = (
+    "Lebesgue constant: how much errors in the points can grow on the curve, "
+    "with the velocities and accelerations that are estimated from them"
+)
 
 _SOON_MS = 33
 
@@ -40,7 +46,7 @@ class StatusLine(QStatusBar):
         self._place.setObjectName("pointerPlace")
         self._t.setObjectName("pointerT")
         self._lebesgue.setObjectName("lebesgueConstant")
-        self._lebesgue.setToolTip("Lebesgue constant: how much errors in the points can grow on the curve")
+        self._lebesgue.setToolTip(_LEBESGUE_TIP)
         self.addWidget(self._label, 1)
         for label in (self._place, self._t, self._lebesgue):
             self.addPermanentWidget(label)
@@ -48,7 +54,7 @@ class StatusLine(QStatusBar):
         self._place_now: Vector | None = None
         self._t_here: float | None = None
         self._t_scrub: float | None = None
-        self._basis: BasisView | None = None
+        self._growth: float | None = math.nan
         self.unit = ""
         self._soon = QTimer(self, singleShot=True, interval=_SOON_MS)
         self._soon.timeout.connect(self._render)
@@ -164,10 +170,19 @@ class StatusLine(QStatusBar):
         t = self._t_scrub if self._t_here is None else self._t_here
         return "" if t is None else f"t {t:.4g}".replace("-", "−")
 
-    def show_lebesgue(self, basis: BasisView | None) -> None:
-        """Show the Lebesgue constant of the functions on screen."""
-        self._basis = basis
+    def show_lebesgue(self, constant: float) -> None:
+        """Show the Lebesgue constant of the points; NaN without a curve."""
+        self._growth = constant
+        self._render_soon()
+
+    def wait_for_lebesgue(self) -> None:
+        """Show that the Lebesgue constant changes."""
+        self._growth = None
         self._render_soon()
 
     def _lebesgue_text(self) -> str:
-        return "" if self._basis is None else f"Λ {self._basis.lebesgue_constant:.3g}"
+        if self._growth is None:
+            return "Λ …"
+        if math.isnan(self._growth):
+            return ""
+        return f"Λ {self._growth:.3g}".replace("inf", "∞")

@@ -3,6 +3,9 @@
 - ``curve_view``: a document's curve as a core curve, its polyline, its handles, or why it cannot be made.
 - ``basis_view``: the basis functions sampled for the basis panel, and the weights at one parameter.
 - ``jets``, ``handles``: what was set and what the rules estimate; where a person drags it.
+- ``cardinals``, ``growth``: what each point does, with its estimates; how errors of points grow.
+- ``parameter_slopes``: what a parameter does, with the estimates that follow it.
+- ``cardinal_view``: cardinal functions sampled for the basis panel.
 - ``bend``, ``bend_together``: the curve pulled somewhere.  ``nearest``: its point nearest to a place.
 - ``reshape``, ``split_join``, ``smoothness``: other points for the same curve, two of one, corners;
   ``measure``: how far it moved all the same.

@@ -87,11 +87,11 @@ class BasisView(msgspec.Struct, frozen=True, eq=False, dict=True):
 
     def function(self, index: int, kind: int) -> tuple[Floats, Floats]:
         """Return (t, scaled B) of knot `index` and derivative `kind`, where it is not zero."""
-        if self.first is None:
-            return self.t, self.values[:, index, kind]
         if self.is_coarse:
             t, values = self.fine_functions(index)
             return t, values[:, kind]
+        if self.first is None:
+            return self.t, self.values[:, index, kind]
         here = self.first[index]
         start = self.first[max(index - 1, 0)]
         end = self.first[min(index + 1, self.count - 1)]
@@ -135,8 +135,12 @@ class BasisView(msgspec.Struct, frozen=True, eq=False, dict=True):
 
     def extent(self, kinds: Collection[int]) -> tuple[float, float]:
         """Return the least and the greatest value of the functions of these kinds; (0, 0) for none."""
-        ends = [self._extents[kind] for kind in range(self.kinds) if kind in kinds]
+        ends = [self._extents[kind] for kind in self.shown_of(kinds)]
         return (min(low for low, _ in ends), max(high for _, high in ends)) if ends else (0.0, 0.0)
+
+    def shown_of(self, kinds: Collection[int]) -> list[int]:
+        """Return which of these kinds there are to show; where there is but one, it is shown always."""
+        return [kind for kind in range(self.kinds) if kind in kinds or self.kinds == 1]
 
     @cached_property
     def _extents(self) -> list[tuple[float, float]]:
@@ -145,10 +149,9 @@ class BasisView(msgspec.Struct, frozen=True, eq=False, dict=True):
 
     @cached_property
     def lebesgue_constant(self) -> float:
-        """The largest sum of |B_i0| over the samples: the Lebesgue constant as far as can be drawn."""
-        sizes = np.abs(self.values[:, :, 0])
-        sums = sizes.sum(axis=1) if self.first is None else sizes[:, 0] + sizes[:, 1]
-        return float(sums.max())
+        """The largest sum of |L_i| of a Lagrange curve over the samples: Λ as far as can be drawn."""
+        assert isinstance(self.curve, LagrangeCurve)
+        return float(np.abs(self.values[:, :, 0]).sum(axis=1).max())
 
     def value_at(self, t: float, kind: int) -> Floats:
         """Return the scaled functions of one kind at `t`, one for each knot."""
@@ -205,11 +208,13 @@ def _lagrange_samples(start: float, end: float) -> Floats:
     return t
 
 
-def _piecewise_view(
-    curve: HermiteCurve | QuinticHermiteCurve, owners: tuple[int, ...], scales: Floats
-) -> BasisView:
-    """Sample every segment, ends included, so that joints are drawn as sharp as they are."""
-    knots = curve.parameters
+def segment_samples(knots: Floats) -> tuple[Floats, Floats, Integers]:
+    """Sample every segment, ends included, so that joints are drawn as sharp as they are.
+
+    Returns
+    -------
+    The samples (m,), their shares of their segments, and the index of the first one of each and the end.
+    """
     spacing = np.diff(knots)
     counts = _sample_counts(spacing)
     first = np.concatenate([[0], np.cumsum(counts)])
@@ -219,12 +224,20 @@ def _piecewise_view(
     # The last sample of a segment lies a hair before the joint, so that it is counted to that segment.
     t[first[1:] - 1] = np.nextafter(knots[1:], knots[:-1])
     t[-1] = knots[-1]
-    if len(spacing) < _MOST_UNEVEN:
+    return t, s, first
+
+
+def _piecewise_view(
+    curve: HermiteCurve | QuinticHermiteCurve, owners: tuple[int, ...], scales: Floats
+) -> BasisView:
+    t, s, first = segment_samples(curve.parameters)
+    if len(first) <= _MOST_UNEVEN:
         values = curve.local_basis(t).values
+        segment = np.repeat(np.arange(len(first) - 1), np.diff(first))
         values[:, 0] *= scales[segment]
         values[:, 1] *= scales[segment + 1]
     else:
-        values = _alike(curve, s[: counts[0]], scales)
+        values = _alike(curve, s[: first[1]], scales)
     return BasisView(curve, owners, t, values, first, scales)
 
 
@@ -280,6 +293,9 @@ def basis_formulas(family: Family) -> tuple[str, ...]:
 
 
 def weights_at(view: CurveView, t: float) -> Floats:
-    """Return the weight of every node's position at `t`, (n,)."""
+    """Return what every node counts at `t`, with the derivatives that are estimated from it, (n,)."""
+    if view.cardinal is not None:
+        weights: Floats = view.cardinal.basis(t)[0]
+        return weights
     assert view.skeleton is not None
     return view.by_node(view.skeleton.basis(np.array([t]))[0, :, 0])

@@ -27,6 +27,7 @@ from app.document.edits import EditError
 from app.document.jet_edits import JetValue, with_jet_values
 from app.document.kept_handles import with_handles_kept
 from app.document.model import Curve, Family, ParametrizationKind, Vector
+from app.view_model.basis_view import weights_at
 from app.view_model.bend_together import Cost, divided, slope_at_rest
 from app.view_model.curve_view import CurveView, Floats, parameters_of, view_of
 from curvecore import CurveError, LagrangeCurve
@@ -109,9 +110,9 @@ def _required_hold(view: CurveView, t: float, using: BendWith) -> _Hold:
 
 
 def _hold_of_points(view: CurveView, t: float, knots: Sequence[int]) -> _Hold:
-    """Return the hold of points at `knots` whose derivatives stay."""
-    assert view.skeleton is not None
-    weights = view.skeleton.basis(np.array([t]))[0, :, 0]
+    """Return the hold of points at `knots`; derivatives that are estimated follow them."""
+    of_nodes = weights_at(view, t)
+    weights = [of_nodes[view.owner(knot)] for knot in range(len(view.parameters))]
     strength = float(sum(weights[knot] ** 2 for knot in knots))
     return _Hold(
         tuple(

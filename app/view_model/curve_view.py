@@ -13,10 +13,12 @@ import numpy.typing as npt
 from msgspec.structs import replace
 
 from app.document.model import Curve, Family, Node, Parametrization, ParametrizationKind, Vector
+from app.view_model.cardinals import Cardinals
 from app.view_model.flattener import Box, CoreCurve, Flattener, FlatteningKey, Polyline, SimpleCurve
 from app.view_model.jets import Sides, corner_knots, explicit_sides, sides_of
 from app.view_model.node_arrays import NodeArrays, arrays_of
 from curvecore import (
+    CardinalBasis,
     Chain,
     CurveError,
     HermiteCurve,
@@ -87,6 +89,7 @@ class CurveView(msgspec.Struct, frozen=True, eq=False, dict=True):
     problem: str = ""
     sides: Sides | None = None
     _flattener: Flattener = msgspec.field(default_factory=Flattener)
+    _cardinals: Cardinals = msgspec.field(default_factory=Cardinals)
     _flattened: dict[FlatteningKey, Polyline] = msgspec.field(default_factory=dict)
 
     @property
@@ -124,6 +127,34 @@ class CurveView(msgspec.Struct, frozen=True, eq=False, dict=True):
         if self.source.family is Family.HERMITE:
             return HermiteCurve(nothing, nothing, self.parameters)
         return QuinticHermiteCurve(nothing, nothing, nothing, self.parameters)
+
+    @cached_property
+    def cardinal(self) -> CardinalBasis | None:
+        """What each point does to `curve`, with the estimates that follow it; None where there is no curve.
+
+        None, too, where the derivatives that a point carries along are beyond all floats.
+        """
+        if self.skeleton is None or not self.is_current:
+            return None
+        return self._cardinals.of(self.source, self.at_knots, self.skeleton, self.arrays).functions
+
+    @property
+    def growth(self) -> float:
+        """The Lebesgue constant of the points of a current curve; infinite where `cardinal` is None."""
+        assert self.skeleton is not None
+        return self._cardinals.of(self.source, self.at_knots, self.skeleton, self.arrays).growth
+
+    def with_knots(self, points: Floats, parameters: Floats) -> CoreCurve:
+        """Return the core curve through other points (k, 2), at parameters (k,), under the same rules."""
+        if self.source.family is Family.LAGRANGE:
+            return LagrangeCurve(points, parameters)
+        sides = sides_of(self.source, points, parameters, self.arrays)
+        return _hermite(self.source, sides, parameters, self.arrays, None)
+
+    @property
+    def at_knots(self) -> Floats:
+        """The nodes' positions, of a closed curve the first one once more at the end, (k, 2)."""
+        return np.vstack([self.points, self.points[:1]]) if self.source.is_closed else self.points
 
     @cached_property
     def polyline(self) -> Floats:
@@ -207,12 +238,13 @@ def _good_view(curve: Curve, arrays: NodeArrays, previous: CurveView | None) -> 
     parameters = parameters_of(curve, at_knots, arrays.times)
     frozen = _same_parameters(curve, parameters, previous)
     flattener = previous._flattener if previous is not None else Flattener()
+    cardinals = previous._cardinals if previous is not None else Cardinals()
     if curve.family is Family.LAGRANGE:
         line = _lagrange(at_knots, parameters, frozen)
-        return CurveView(curve, points, arrays, line, _flattener=flattener)
+        return CurveView(curve, points, arrays, line, _flattener=flattener, _cardinals=cardinals)
     sides = sides_of(curve, at_knots, parameters, arrays)
     core = _hermite(curve, sides, parameters, arrays, frozen)
-    return CurveView(curve, points, arrays, core, sides=sides, _flattener=flattener)
+    return CurveView(curve, points, arrays, core, sides=sides, _flattener=flattener, _cardinals=cardinals)
 
 
 def _lagrange(points: Floats, parameters: Floats, frozen: SimpleCurve | None) -> CoreCurve:

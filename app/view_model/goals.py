@@ -14,7 +14,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from app.view_model.curve_view import CurveView, Floats
-from curvecore import CurveError, chord_length, joint_report, lebesgue_constant
+from app.view_model.growth import growth_of_points
+from curvecore import CurveError, chord_length, joint_report
 
 _GOAL = re.compile(r"(\w+)\s*(<=|>=|<|>|=)\s*(\S+)")
 _COMPARISONS: dict[str, tuple[Callable[[float, float], bool], str]] = {
@@ -101,8 +102,7 @@ def _number(goal: Goal) -> float:
 
 
 def _lebesgue(view: CurveView) -> float:
-    assert view.curve is not None
-    return lebesgue_constant(view.curve)
+    return growth_of_points(view)
 
 
 def _overshoot(view: CurveView) -> float:

@@ -26,6 +26,7 @@ from curvecore import (
 )
 
 Floats = npt.NDArray[np.float64]
+Integers = npt.NDArray[np.intp]
 Estimate = Callable[[Floats, Floats], Floats]
 
 _REACH = 64
@@ -50,6 +51,50 @@ def sides_of(curve: Curve, points: Floats, parameters: Floats, arrays: NodeArray
         _estimate(before[:, order], after[:, order], points, parameters, corners, estimate, curve.is_closed)
         _set_explicit(before[:, order], after[:, order], arrays, order)
     return Sides(before, after)
+
+
+def moved_with_points(
+    curve: Curve, points: Floats, parameters: Floats, arrays: NodeArrays
+) -> Callable[[Floats], tuple[Floats, Floats]]:
+    """Return what moves of the nodes, (n, m), do to the derivatives before and after each knot.
+
+    At fixed parameters, and for Catmull-Rom at fixed knots, the estimates are linear in the points. What the
+    person set stays.
+    """
+    corners = corner_knots(arrays, len(points))
+
+    def moved(moves: Floats) -> tuple[Floats, Floats]:
+        at_knots = np.vstack([moves, moves[:1]]) if curve.is_closed else moves
+        # Whatever cuts and unrolls the points does so with their moves, too.
+        both = np.hstack([points, at_knots])
+        before = np.zeros((len(points), curve.family.derivatives, moves.shape[1]))
+        after = before.copy()
+        for order, change in enumerate(_changes(curve)):
+            _estimate(before[:, order], after[:, order], both, parameters, corners, change, curve.is_closed)
+            for side, derivatives in enumerate((before, after)):
+                derivatives[_given_rows(arrays, side, order + 1, len(points)), order] = 0.0
+        return before, after
+
+    return moved
+
+
+def _changes(curve: Curve) -> list[Estimate]:
+    """Return for each estimate what it makes of moves of the points: of (k, 2 + m) the columns behind two.
+
+    Of a rule that is not linear this is its Jacobian at the points, times the moves.
+    """
+    if curve.velocity_rule is VelocityRule.CATMULL_ROM:
+        alpha = curve.parametrization.alpha
+
+        def catmull_rom(both: Floats, t: Floats) -> Floats:
+            return catmull_rom_velocities(both[:, 2:], t, alpha, knots_of=both[:, :2])
+
+        return [catmull_rom, *(_of_moves(estimate) for estimate in _estimates(curve)[1:])]
+    return [_of_moves(estimate) for estimate in _estimates(curve)]
+
+
+def _of_moves(estimate: Estimate) -> Estimate:
+    return lambda both, t: estimate(both[:, 2:], t)
 
 
 def corner_knots(arrays: NodeArrays, count: int) -> list[int]:
@@ -129,12 +174,14 @@ def _estimate_closed(
 
 def _set_explicit(before: Floats, after: Floats, arrays: NodeArrays, order: int) -> None:
     for side, derivatives in enumerate((before, after)):
-        given = arrays.given[:, side, order - 1]
-        rows = np.flatnonzero(~np.isnan(given[:, 0]))
-        derivatives[rows] = given[rows]
-        if len(rows) and rows[0] == 0 and len(derivatives) > len(given):
-            # A closed curve ends at its first node.
-            derivatives[-1] = given[0]
+        rows = _given_rows(arrays, side, order, len(derivatives))
+        derivatives[rows] = arrays.given[rows % len(arrays.given), side, order - 1]
+
+
+def _given_rows(arrays: NodeArrays, side: int, order: int, count: int) -> Integers:
+    """Return the knots, of `count`, whose derivative was set; a closed curve ends at its first node."""
+    rows = np.flatnonzero(~np.isnan(arrays.given[:, side, order - 1, 0]))
+    return np.append(rows, count - 1) if len(rows) and rows[0] == 0 and count > len(arrays.given) else rows
 
 
 def explicit_sides(node: Node, order: int) -> tuple[Vector | None, Vector | None]:

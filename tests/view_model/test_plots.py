@@ -6,6 +6,7 @@ import math
 
 import numpy as np
 import pytest
+from msgspec.structs import replace
 
 from app.document.model import Curve, Family, Node, Parametrization, ParametrizationKind, VelocityRule
 from app.view_model.analysis.hodograph import derivative_at, hodograph_of
@@ -14,7 +15,6 @@ from app.view_model.analysis.plot_samples import is_slow, samples_over
 from app.view_model.analysis.plots import SYMBOLS, TITLES, plots_of, values_at
 from app.view_model.analysis.settings import Plot
 from app.view_model.curve_view import view_of
-from curvecore import lebesgue_constant
 
 
 def wave(count, family, kind=ParametrizationKind.CHORD_LENGTH, **fields):
@@ -25,7 +25,7 @@ def wave(count, family, kind=ParametrizationKind.CHORD_LENGTH, **fields):
 
 def plots(view, *kinds, t_range=None, columns=800):
     t_range = t_range or (float(view.parameters[0]), float(view.parameters[-1]))
-    return plots_of(view, frozenset(kinds), t_range, columns, lebesgue_constant(view.skeleton))
+    return plots_of(view, frozenset(kinds), t_range, columns, view.growth)
 
 
 @pytest.mark.parametrize("family", list(Family))
@@ -98,8 +98,16 @@ def test_the_lebesgue_function_is_one_at_the_parameters_and_reaches_its_constant
     assert at_parameters == pytest.approx(np.ones(11), abs=1e-9)
 
 
-def test_of_a_hermite_curve_no_error_of_a_point_grows():
-    (plot,) = plots(wave(6, Family.QUINTIC_HERMITE), Plot.LEBESGUE)
+def test_no_error_of_a_point_grows_where_no_derivative_follows_it():
+    """It was said of curves with estimated velocities, too."""
+    view = wave(6, Family.QUINTIC_HERMITE)
+    (plot,) = plots(view, Plot.LEBESGUE)
+    known = plot.lines[0]
+    assert known.values == pytest.approx(np.maximum(view.cardinal.sums(known.t), 1.0))
+    assert plot.levels[0].name == f"Lebesgue constant Λ = {view.growth:.3g}"
+    assert view.growth > 1.2
+    still = [replace(node, velocity=(1.0, 0.0), acceleration=(0.0, 0.0)) for node in view.source.nodes]
+    (plot,) = plots(view_of(replace(view.source, nodes=tuple(still))), Plot.LEBESGUE)
     assert plot.lines[0].values == pytest.approx(1.0, abs=1e-12)
     assert "no error of a point grows" in plot.levels[0].name
 

@@ -1,7 +1,9 @@
 """The region to which errors of points and parameters can bring the curve, at worst.
 
 With errors ε of the points alone the region is exact: discs of radius ε·Λ(t) around c(t), all together.
-Errors δ of the parameters enter to first order, with their exact worst case across the curve.
+Velocities and accelerations that are estimated follow the points; the parameters stay.
+Errors δ of the parameters enter to first order, estimates that follow them included, with their exact worst
+case across the curve; the points stay.
 """
 
 from __future__ import annotations
@@ -14,6 +16,7 @@ from app.view_model.analysis.comb import unit_tangents
 from app.view_model.analysis.figures import Figure, Flags, Floats, Shape, Style, number
 from app.view_model.analysis.samples import Samples
 from app.view_model.analysis.scene import Scene
+from app.view_model.parameter_slopes import parameter_moves
 from curvecore import worst_case_band
 
 _MOST = 300
@@ -26,23 +29,36 @@ _CORNERS = 32
 """Corners of a disc."""
 
 
+_MOST_FOLLOWED = 40
+"""Knots up to which estimates follow the parameters: each is estimated anew for each."""
+
+
 def band(scene: Scene) -> tuple[list[Figure], str]:
     """Return the region, and its largest half-width in words."""
     epsilon, delta = scene.settings.point_error or 0.0, scene.settings.parameter_error
     curve = scene.view.curve
     if curve is None or epsilon == delta == 0.0:
         return [], "Both errors are 0: the curve stays where it is."
+    if scene.view.cardinal is None:
+        return [], "Not drawn: the smallest error of a point sends the curve beyond all numbers."
     most = _MOST if delta == 0.0 else _MOST // 2
     pieces = [_thinned(piece, most) for piece in scene.samples]
     polygons: list[Floats] = []
     best, best_t = 0.0, float(curve.domain[0])
-    for piece, core in zip(pieces, scene.view.pieces, strict=True):
-        radii = worst_case_band(core, piece.parameters, epsilon, delta).across
+    # Where no parameter errs, nothing follows one.
+    follows = bool(delta) and scene.view.source.family.derivatives > 0
+    is_held = follows and len(scene.view.parameters) > _MOST_FOLLOWED
+    for index, (piece, core) in enumerate(zip(pieces, scene.view.pieces, strict=True)):
+        moves = parameter_moves(scene.view, index, piece.parameters) if follows and not is_held else None
+        errors = (piece.parameters, epsilon, delta)
+        radii = worst_case_band(core, *errors, cardinal=scene.view.cardinal, sensitivity=moves).across
         polygons += _strip(piece, radii)
         largest, t = _largest(piece.parameters, radii)
         if largest > best:
             best, best_t = largest, t
     words = f"Largest half-width {number(best)} at t = {number(best_t)}"
+    if is_held:
+        words += ", the estimates as if they did not follow t"
     if delta == 0.0:
         words += f", {number(best / epsilon)} times ε"
     return [Figure(Style.BAND, Shape.AREA, np.vstack(polygons))], f"{words}."

@@ -13,7 +13,7 @@ from app.document import edits
 from app.document.model import Document, Family, ParametrizationKind, VelocityRule
 from app.view_model.analysis.wiggle import overshoot
 from app.view_model.curve_view import CurveView, view_of
-from curvecore import lebesgue_constant
+from app.view_model.growth import growth_of_points
 
 Floats = npt.NDArray[np.float64]
 IsStale = Callable[[], bool]
@@ -43,7 +43,7 @@ class Cure:
     overshoot
         How far the same segment swings out then; NaN without a curve.
     lebesgue
-        The Lebesgue constant then; NaN where it is not computed.
+        The Lebesgue constant of its points then; NaN where it is not computed.
     problem
         Why it cannot be, as a sentence; empty if it can.
     """
@@ -147,4 +147,4 @@ def _lebesgue(view: CurveView) -> float:
         view.source.family is Family.LAGRANGE and len(view.parameters) > _MOST_LAGRANGE
     ):
         return float("nan")
-    return lebesgue_constant(view.skeleton)
+    return growth_of_points(view)

@@ -20,7 +20,13 @@ def disturbed_curves(scene: Scene) -> tuple[list[Figure], str]:
     epsilon = settings.point_error or 0.0
     try:
         made = ensemble(
-            curve, epsilon, settings.parameter_error, settings.ensemble_count, settings.ensemble_seed
+            curve,
+            epsilon,
+            settings.parameter_error,
+            settings.ensemble_count,
+            settings.ensemble_seed,
+            closed=scene.view.source.is_closed,
+            remake=scene.view.with_knots if scene.view.source.family.derivatives else None,
         )
     except CurveError as reason:
         text = str(reason).replace("parameter_error", "δ")

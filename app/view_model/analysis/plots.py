@@ -10,7 +10,8 @@ from app.view_model.analysis.plot_lines import Floats, Level, PlotData, PlotLine
 from app.view_model.analysis.plot_samples import derivatives_of, samples_over
 from app.view_model.analysis.settings import Plot
 from app.view_model.curve_view import CurveView
-from curvecore import curvature_of, lebesgue_function
+from app.view_model.growth import growth_at
+from curvecore import curvature_of
 from curvecore.geometry import lengths
 
 TITLES = {
@@ -92,9 +93,7 @@ def _plot(kind: Plot, line: PlotLine, lebesgue_constant: float) -> PlotData:
 def _values(kind: Plot, view: CurveView, t: Floats, derivatives: dict[int, Floats]) -> Floats:
     assert view.curve is not None
     if kind is Plot.LEBESGUE:
-        # Corners do not change it.
-        assert view.skeleton is not None
-        return np.maximum(lebesgue_function(view.skeleton, t), 1.0)
+        return np.maximum(growth_at(view, t), 1.0)
     if kind is Plot.CURVATURE:
         return curvature_of(derivatives[1], derivatives[2])
     return lengths(derivatives[_ORDERS[kind][0]])

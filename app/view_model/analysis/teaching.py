@@ -9,7 +9,7 @@ import numpy as np
 
 from app.view_model.analysis.wording import short
 from app.view_model.curve_view import CurveView, Floats
-from curvecore.stability import lebesgue_constant
+from app.view_model.growth import growth_of_points
 
 LARGE_LEBESGUE = 100.0
 """The Lebesgue constant above which two digits of the points' accuracy are gone."""
@@ -67,15 +67,14 @@ def warnings_of(view: CurveView, lebesgue: float) -> list[Warned]:
             )
         )
     if lebesgue > _LOOK_CLOSER and len(view.parameters) <= _MOST_EXACT and view.skeleton is not None:
-        lebesgue = lebesgue_constant(view.skeleton)
+        lebesgue = growth_of_points(view)
     if lebesgue > LARGE_LEBESGUE:
         found.append(
             Warned(
                 Topic.LEBESGUE,
                 f"⚠ Λ {short(lebesgue)}",
                 f"An error in a point, even one of rounding, can come out {short(lebesgue)} times as large "
-                f"on the curve: {_digits(lebesgue)} of accuracy are gone. Spread the parameters "
-                "more evenly in Chebyshev's way, or use a Hermite curve.",
+                f"on the curve: {_digits(lebesgue)} of accuracy are gone. {_remedy(view)}",
             )
         )
     return found
@@ -92,6 +91,14 @@ def _narrowest(parameters: Floats) -> tuple[int, float, float] | None:
     return (knot, float(gaps[knot]), float(wider[knot])) if narrow else None
 
 
+def _remedy(view: CurveView) -> str:
+    if not view.source.family.derivatives:
+        return "Spread the parameters more evenly in Chebyshev's way, or use a Hermite curve."
+    return (
+        "The estimated velocities carry it along. Spread the parameters more evenly, "
+        "or set the velocities beside the narrow gaps by hand."
+    )
+
+
 def _digits(lebesgue: float) -> str:
-    count = int(np.log10(lebesgue))
-    return f"{count} digits"
+    return f"{int(np.log10(lebesgue))} digits" if np.isfinite(lebesgue) else "all digits"

@@ -8,8 +8,9 @@ import numpy as np
 import numpy.typing as npt
 
 from app.view_model.analysis.wording import short
+from app.view_model.basis_view import weights_at
 from app.view_model.curve_view import CurveView
-from curvecore import lebesgue_function
+from app.view_model.growth import growth_at
 
 Floats = npt.NDArray[np.float64]
 
@@ -36,7 +37,8 @@ class Pull:
     order
         0: its position; 1: its velocity; 2: its acceleration.
     weight
-        For a position its weight. For a derivative how far it displaces the curve, as a multiple of the
+        For a position its weight, with the derivatives that are estimated from it. For a derivative that
+        was set how far it displaces the curve, as a multiple of the
         distance of the two points of the segment.
     """
 
@@ -58,7 +60,7 @@ class Explanation:
     pulls
         The strongest data, the strongest first.
     lebesgue
-        The sum of the sizes of all weights of points.
+        Λ(t), the sum of the sizes of all weights of points.
     overshoot
         How far the curve swings out of the straight line between the two points, at its farthest.
     sentences
@@ -118,7 +120,7 @@ def explain(view: CurveView, t: float) -> Explanation | None:
     chord = float(np.hypot(*(view.points[segment[2]] - view.points[segment[1]])))
     pulls = _pulls(view, t, knot, chord)
     swing, _ = overshoot(view, knot)
-    lebesgue = float(lebesgue_function(view.skeleton, t))
+    lebesgue = float(growth_at(view, np.array([t]))[0])
     at_point = next((view.owner(each) for each in (knot, knot + 1) if knots[each] == t), None)
     pulling = (
         f"Right here it goes through point {at_point}, whatever the others do."
@@ -130,15 +132,16 @@ def explain(view: CurveView, t: float) -> Explanation | None:
 
 
 def _pulls(view: CurveView, t: float, knot: int, chord: float) -> tuple[Pull, ...]:
-    """Return all data that count, the strongest first."""
+    """Return all that counts, the strongest first: points with their estimates, and what was set."""
     assert view.skeleton is not None
-    basis = view.skeleton.basis(np.array([t]))[0]
-    positions = view.by_node(basis[:, 0])
-    found = [Pull(node, 0, float(weight)) for node, weight in enumerate(positions) if weight != 0]
+    found = [Pull(node, 0, float(weight)) for node, weight in enumerate(weights_at(view, t)) if weight != 0]
     if view.sides is not None:
+        basis = view.skeleton.basis(np.array([t]))[0]
         for order in range(1, basis.shape[1]):
             # Velocity and acceleration ahead of the first point, and before the second.
-            for at, jets in ((knot, view.sides.after), (knot + 1, view.sides.before)):
+            for at, jets, ahead in ((knot, view.sides.after, True), (knot + 1, view.sides.before, False)):
+                if not view.is_explicit(view.owner(at), order, ahead=ahead):
+                    continue
                 x, y = (basis[at, order] * jets[at, order]).tolist()
                 size = float(np.hypot(x, y)) / chord if chord > 0 else 0.0
                 found.append(Pull(view.owner(at), order, size))
@@ -155,24 +158,29 @@ def _swing_words(segment: tuple[int, int, int], swing: float, chord: float) -> s
 
 def _pull_words(view: CurveView, pulls: tuple[Pull, ...], segment: tuple[int, int, int]) -> str:
     """Say who of those far away pulls hardest, or that nobody does."""
-    if view.source.family.derivatives:
-        strongest = next((pull for pull in pulls if pull.order > 0), None)
-        name = ("", "velocity", "acceleration")[strongest.order] if strongest is not None else ""
-        local = f"Only points {segment[1]} and {segment[2]} and their derivatives count here"
-        if strongest is None or strongest.weight < _FAR_WEIGHT:
-            return f"{local}."
-        return (
-            f"{local}; the {name} of point {strongest.node} "
-            f"carries the curve {short(strongest.weight)} times their distance."
-        )
-    far = [pull for pull in pulls if pull.node not in segment[1:]]
+    far = [pull for pull in pulls if pull.order == 0 and pull.node not in segment[1:]]
+    given = _given_words(pulls)
     if not far or abs(far[0].weight) < _FAR_WEIGHT:
-        return f"Only points {segment[1]} and {segment[2]} have a say here."
+        near = f"points {segment[1]} and {segment[2]}"
+        if not view.source.family.derivatives:
+            return f"Only {near} have a say here."
+        return f"Only {near} and their derivatives count here{given}."
     pull = far[0]
     steps = segment[1] - pull.node if pull.node < segment[1] else pull.node - segment[2]
     verb = "pushes" if pull.weight < 0 else "pulls"
     away = "it is only the next point" if steps == 1 else f"it lies {steps} points away"
-    return f"Point {pull.node} {verb} with weight {short(pull.weight)} though {away}."
+    follows = ", for the estimates follow it" if view.source.family.derivatives else ""
+    return f"Point {pull.node} {verb} with weight {short(pull.weight)} though {away}{follows}{given}."
+
+
+def _given_words(pulls: tuple[Pull, ...]) -> str:
+    """Say which velocity or acceleration that was set carries the curve farthest, if it does."""
+    strongest = next((pull for pull in pulls if pull.order > 0), None)
+    if strongest is None or strongest.weight < _FAR_WEIGHT:
+        return ""
+    name = ("", "velocity", "acceleration")[strongest.order]
+    carries = f"carries the curve {short(strongest.weight)} times their distance"
+    return f"; the {name} set at point {strongest.node} {carries}"
 
 
 def _error_words(lebesgue: float) -> str:

@@ -1,0 +1,79 @@
+"""The cardinal functions of a curve's points, sampled for the basis panel."""
+
+from __future__ import annotations
+
+from itertools import pairwise
+
+import numpy as np
+
+from app.view_model.basis_view import BasisView, segment_samples
+from app.view_model.curve_view import CurveView, Floats, SimpleCurve
+from curvecore.cardinal import CardinalBasis
+
+_MOST_EACH = 64
+"""Points up to which every function is sampled; of more, the least and the greatest at each t."""
+
+_SEEN, _FINE = 12, 33
+"""How many segments to either side of its point a function can be told from 0, and samples of each."""
+
+
+class CardinalView(BasisView, frozen=True, eq=False, dict=True):
+    """Cardinal functions Cᵢ(t) as the panel draws them: one of each knot, and no others.
+
+    Attributes
+    ----------
+    cardinal
+        The functions.
+    values
+        (m, knots, 1); of many points the least and the greatest value at each sample, (m, 2, 1).
+    """
+
+    cardinal: CardinalBasis | None = None
+
+    @property
+    def is_coarse(self) -> bool:
+        """Whether the samples are those of the outline alone."""
+        return self.count > _MOST_EACH
+
+    def fine_functions(self, index: int) -> tuple[Floats, Floats]:
+        """Return (t, C) of the point at knot `index`, (m, 1), as far from it as it can be seen."""
+        knots = self.curve.parameters[max(index - _SEEN, 0) : index + _SEEN + 1]
+        t = np.concatenate([np.linspace(*ends, _FINE) for ends in pairwise(knots.tolist())])
+        return t, self._at(t)[:, [self.owners[index]]]
+
+    def value_at(self, t: float, kind: int) -> Floats:
+        """Return the functions at `t`, one for each knot."""
+        return self._at(np.array([t]))[0, list(self.owners)]
+
+    def _at(self, t: Floats) -> Floats:
+        assert self.cardinal is not None
+        values: Floats = self.cardinal.basis(t)
+        return values
+
+
+def cardinal_view(view: CurveView) -> CardinalView | None:
+    """Sample the cardinal functions of a piecewise curve over its domain; None where there are none."""
+    curve, cardinal = view.skeleton, view.cardinal
+    if curve is None or cardinal is None:
+        return None
+    t, _, _ = segment_samples(curve.parameters)
+    owners = tuple(view.owner(knot) for knot in range(len(curve.parameters)))
+    return CardinalView(
+        curve,
+        owners,
+        t,
+        _values(curve, cardinal, t, owners),
+        None,
+        np.ones((len(owners), 1)),
+        cardinal=cardinal,
+    )
+
+
+def _values(curve: SimpleCurve, cardinal: CardinalBasis, t: Floats, owners: tuple[int, ...]) -> Floats:
+    if len(owners) <= _MOST_EACH:
+        each: Floats = cardinal.basis(t)[:, list(owners), None]
+        return each
+    near = cardinal.local(t).values
+    # All the others are 0 there.
+    low, high = np.minimum(near.min(axis=1), 0.0), np.maximum(near.max(axis=1), 0.0)
+    return np.stack([low, high], axis=1)[:, :, None]

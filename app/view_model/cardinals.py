@@ -1,0 +1,92 @@
+"""The cardinal functions of a curve's points: what each of them does, with the estimates that follow it."""
+
+from __future__ import annotations
+
+import math
+from functools import cached_property
+
+import msgspec
+import numpy as np
+import numpy.typing as npt
+
+from app.document.model import Curve, VelocityRule
+from app.view_model.flattener import SimpleCurve
+from app.view_model.jets import moved_with_points
+from app.view_model.node_arrays import Flags, NodeArrays
+from curvecore import CurveError, lebesgue_constant
+from curvecore.cardinal import CardinalBasis
+
+Floats = npt.NDArray[np.float64]
+
+_MANY, _REACH = 200, 24
+"""Points from which on an estimate forgets a point after so many: 1e-14 of it is left, as a rule."""
+
+
+class Cardinal(msgspec.Struct, frozen=True, eq=False, dict=True):
+    """Cardinal functions, and what they were made of.
+
+    Attributes
+    ----------
+    rules, numbers
+        All that they depend on.
+    functions
+        None where an estimate is beyond all floats.
+    """
+
+    rules: tuple[object, ...]
+    numbers: tuple[Floats | Flags, ...]
+    functions: CardinalBasis | None
+
+    @cached_property
+    def growth(self) -> float:
+        """Their Lebesgue constant."""
+        return lebesgue_constant(self.functions) if self.functions is not None else math.inf
+
+
+class Cardinals:
+    """Remembers the cardinal functions of one curve, which change with few of its edits.
+
+    They depend on parameters, rules, corners and on which derivatives were set, not on the points.
+    """
+
+    def __init__(self) -> None:
+        self._known: Cardinal | None = None
+
+    def of(self, curve: Curve, points: Floats, skeleton: SimpleCurve, arrays: NodeArrays) -> Cardinal:
+        """Return the functions of a curve.
+
+        Parameters
+        ----------
+        curve
+            The document's value.
+        points
+            Its points at its knots, (k, 2).
+        skeleton
+            A core curve with its basis functions.
+        arrays
+            The numbers in its nodes.
+        """
+        rules: tuple[object, ...] = (
+            curve.family, curve.velocity_rule, curve.acceleration_rule, curve.is_closed,
+        )  # fmt: skip
+        is_set = ~np.isnan(arrays.given[:, :, : curve.family.derivatives, 0])
+        numbers: tuple[Floats | Flags, ...] = (skeleton.parameters, arrays.corners, is_set)
+        if curve.velocity_rule is VelocityRule.CATMULL_ROM and curve.family.derivatives:
+            rules, numbers = (*rules, curve.parametrization.alpha), (*numbers, points)
+        known = self._known
+        if known is None or known.rules != rules or not all(map(np.array_equal, known.numbers, numbers)):
+            known = Cardinal(rules, numbers, _made(curve, points, skeleton, arrays))
+            self._known = known
+        return known
+
+
+def _made(curve: Curve, points: Floats, skeleton: SimpleCurve, arrays: NodeArrays) -> CardinalBasis | None:
+    if not curve.family.derivatives:
+        return CardinalBasis(skeleton)
+    follow = moved_with_points(curve, points, skeleton.parameters, arrays)
+    try:
+        if len(curve.nodes) < _MANY:
+            return CardinalBasis(skeleton, follow, closed=curve.is_closed)
+        return CardinalBasis(skeleton, follow, closed=curve.is_closed, reach=_REACH)
+    except CurveError:
+        return None

@@ -1,0 +1,42 @@
+"""How much errors of the points grow on the curve: the Lebesgue function Λ(t) and the constant Λ.
+
+Where velocities or accelerations are estimated they follow the points, so it is the cardinal functions of the
+points that count, Λ(t) = Σ |Cᵢ(t)|. Errors of the data, where estimated derivatives count as given, are
+another question: they grow by Σ |Bᵢ₀(t)|, which is 1 for every Hermite curve.
+"""
+
+from __future__ import annotations
+
+import math
+
+from app.view_model.basis_view import BasisView
+from app.view_model.curve_view import CurveView, Floats
+from curvecore import lebesgue_constant
+from curvecore.scaling import LARGEST
+
+
+def growth_at(view: CurveView, t: Floats) -> Floats:
+    """Return Λ(t) of the points of a current curve at t (m,)."""
+    return view.cardinal.sums(t) if view.cardinal is not None else t * 0.0 + LARGEST
+
+
+def growth_of_points(view: CurveView, basis: BasisView | None = None) -> float:
+    """Return the Lebesgue constant Λ of the points of a curve; infinite where it is beyond all floats.
+
+    `basis` lends the functions of a Lagrange curve, of which many take long: the largest of their samples is
+    as much of the constant as can be drawn.
+    """
+    if not view.is_current or view.skeleton is None:
+        return math.nan
+    if basis is not None and not view.source.family.derivatives:
+        return basis.lebesgue_constant
+    return view.growth
+
+
+def growth_of_data(view: CurveView, basis: BasisView | None = None) -> float:
+    """Return the Lebesgue constant where velocities and accelerations stay as they are."""
+    if not view.is_current or view.skeleton is None:
+        return math.nan
+    if view.source.family.derivatives:
+        return 1.0
+    return basis.lebesgue_constant if basis is not None else lebesgue_constant(view.skeleton)

@@ -1,0 +1,43 @@
+"""What a change of one parameter does to a curve whose velocities are estimated from the parameters, too."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from app.view_model.curve_view import CurveView, Floats
+from app.view_model.jets import sides_of
+from curvecore import HermiteCurve, QuinticHermiteCurve, parameter_sensitivity
+
+_STEP = 1e-5
+"""Step of the differences as a share of the narrower gap: what is left out is its square."""
+
+
+def parameter_moves(view: CurveView, piece: int, t: Floats) -> Floats:
+    """Return dc/dt_i at t (m,) of one piece of a current curve, (m, k, 2): points and what was set stay.
+
+    The basis functions enter in closed form, the estimates by central differences.
+    """
+    core = view.pieces[piece]
+    moves = np.zeros((len(t), len(view.parameters), 2))
+    first = sum(len(each.parameters) - 1 for each in view.pieces[:piece])
+    moves[:, first : first + len(core.parameters)] = parameter_sensitivity(core, t)
+    if isinstance(core, (HermiteCurve, QuinticHermiteCurve)):
+        segment, values = core.local_basis(t)
+        for end, slopes in enumerate(_slopes(view)):
+            at = slopes[:, segment + first + end]
+            moves += np.einsum("mr,imrd->mid", values[:, end, 1:], at)
+    return moves
+
+
+def _slopes(view: CurveView) -> tuple[Floats, Floats]:
+    """Return what each parameter i does to the derivatives after and before every knot, (i, k, R - 1, 2)."""
+    t, gaps = view.parameters, np.diff(view.parameters)
+    steps = _STEP * np.minimum(np.append(gaps, np.inf), np.insert(gaps, 0, np.inf))
+    after, before = [], []
+    for index, step in enumerate(steps.tolist()):
+        shift = np.zeros(len(t))
+        shift[index] = step
+        far, near = (sides_of(view.source, view.at_knots, t + by, view.arrays) for by in (shift, -shift))
+        after.append((far.after - near.after)[:, 1:] / (2.0 * step))
+        before.append((far.before - near.before)[:, 1:] / (2.0 * step))
+    return np.array(after), np.array(before)

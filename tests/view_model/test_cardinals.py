@@ -1,0 +1,237 @@
+"""What each point really does: cardinal functions of a document's curve, and what is told of them."""
+
+from __future__ import annotations
+
+from itertools import product
+
+import numpy as np
+import pytest
+from msgspec.structs import replace
+
+from app.document.model import (
+    AccelerationRule,
+    Curve,
+    Document,
+    Family,
+    Node,
+    Parametrization,
+    ParametrizationKind,
+    VelocityRule,
+)
+from app.exchange.facts import facts_of
+from app.view_model.analysis.wiggle import explain
+from app.view_model.basis_view import basis_view, weights_at
+from app.view_model.bend import Bend, BendWith
+from app.view_model.cardinal_view import cardinal_view
+from app.view_model.curve_view import view_of
+from app.view_model.growth import growth_of_data, growth_of_points
+from app.view_model.parameter_slopes import parameter_moves
+from curvecore import ensemble, lebesgue_constant, worst_case_band
+
+UNEVEN = [(0.0, 0.0), (0.5, 0.1), (1.0, 0.0), (5.0, 2.2), (5.4, 2.2), (5.8, 2.0), (6.2, 2.1)]
+CHORD, MANUAL = ParametrizationKind.CHORD_LENGTH, ParametrizationKind.MANUAL
+LINEAR = [rule for rule in VelocityRule if rule is not VelocityRule.CATMULL_ROM]
+
+
+@pytest.fixture
+def rng():
+    return np.random.default_rng(1)
+
+
+def seven(kind=CHORD, family=Family.HERMITE, **other):
+    """The points of the lesson on chord length."""
+    nodes = tuple(Node(x, y) for x, y in UNEVEN)
+    return Curve("Uneven", family, Parametrization(kind), nodes, **other)
+
+
+def frozen(curve):
+    """The same curve, its parameters set by hand: moving a point moves none of them."""
+    t = view_of(curve).parameters[: len(curve.nodes)].tolist()
+    rule = replace(curve.parametrization, kind=MANUAL)
+    nodes = tuple(replace(node, t=each) for node, each in zip(curve.nodes, t, strict=True))
+    return replace(curve, nodes=nodes, parametrization=rule)
+
+
+def moved(curve, moves):
+    """The curve after its points were really moved."""
+    nodes = [
+        replace(n, x=n.x + dx, y=n.y + dy) for n, (dx, dy) in zip(curve.nodes, moves.tolist(), strict=True)
+    ]
+    return view_of(replace(curve, nodes=tuple(nodes)))
+
+
+def with_nodes(curve, **changes):
+    nodes = list(curve.nodes)
+    for name, change in changes.items():
+        nodes[int(name[1:])] = replace(nodes[int(name[1:])], **change)
+    return replace(curve, nodes=tuple(nodes))
+
+
+EXPLICIT = {"p1": {"velocity": (1.0, 2.0)}, "p4": {"acceleration": (30.0, -8.0)}}
+CORNERS = {"p2": {"corner": True, "velocity_after": (3.0, 1.0)}, "p4": {"corner": True}}
+FIRST = {"p0": {"corner": True, "velocity": (1.0, -9.0)}}
+
+
+@pytest.mark.parametrize("changes", [{}, EXPLICIT, CORNERS, FIRST], ids=["plain", "set", "corners", "first"])
+@pytest.mark.parametrize("closed", [False, True])
+@pytest.mark.parametrize("rule", LINEAR)
+def test_a_point_that_is_moved_does_what_its_function_says(rule, closed, changes, rng):
+    """The parameters stay, everything that is estimated is estimated again."""
+    for family, acceleration in product((Family.HERMITE, Family.QUINTIC_HERMITE), AccelerationRule):
+        curve = seven(family=family, closed=closed, velocity_rule=rule, acceleration_rule=acceleration)
+        curve = with_nodes(frozen(curve), **changes)
+        view = view_of(curve)
+        assert view.is_current
+        t = np.linspace(*view.curve.domain, 101)
+        moves = rng.uniform(-0.05, 0.05, (7, 2))
+        away = moved(curve, moves).curve.evaluate(t) - view.curve.evaluate(t)
+        assert view.cardinal.basis(t) @ moves == pytest.approx(away, abs=1e-12)
+        assert weights_at(view, 0.3) == pytest.approx(view.cardinal.basis(0.3)[0])
+
+
+@pytest.mark.parametrize("family", list(Family))
+@pytest.mark.parametrize("closed", [False, True])
+@pytest.mark.parametrize("changes", [EXPLICIT, CORNERS], ids=["set", "corners"])
+def test_a_parameter_that_is_moved_takes_the_estimates_along(family, closed, changes):
+    """They were held: differences of the curve estimated anew were off by up to half."""
+    if family is Family.LAGRANGE:
+        closed, changes = False, {}
+    curve = with_nodes(frozen(seven(family=family, closed=closed)), **changes)
+    view = view_of(curve)
+    for index, piece in enumerate(view.pieces):
+        t = np.linspace(*piece.domain, 23)[1:-1]
+        moves = parameter_moves(view, index, t)
+        for knot, at in enumerate(view.parameters[: len(curve.nodes)].tolist()):
+            if closed and knot == 0:
+                continue  # the interval would be another one
+            sides = [with_nodes(curve, **{f"p{knot}": {"t": at + by}}) for by in (1e-6, -1e-6)]
+            far, near = (view_of(each).pieces[index].evaluate(t) for each in sides)
+            # Differences leave 1e-12 times the third derivative, 1e5 or so here.
+            assert moves[:, knot] == pytest.approx((far - near) / 2e-6, abs=2e-5 * np.abs(moves).max())
+
+
+def test_random_errors_stay_in_the_band_and_nearly_fill_it():
+    """Velocities were as they are without errors, in the band and in the random curves."""
+    view = view_of(seven())
+    epsilon, delta = 1e-3, 1e-4
+    t = np.linspace(0.2, 0.75, 12)
+    random = ensemble(view.curve, epsilon, delta, 4000, 3, remake=view.with_knots)
+    away = random.evaluate(t) - view.curve.evaluate(t)
+    velocity = view.curve.evaluate(t, 1)
+    normal = np.column_stack([-velocity[:, 1], velocity[:, 0]]) / np.hypot(*velocity.T)[:, None]
+    across = np.abs(np.einsum("cmd,md->cm", away, normal))
+    moves = parameter_moves(view, 0, t)
+    band = worst_case_band(view.curve, t, epsilon, delta, cardinal=view.cardinal, sensitivity=moves)
+    assert (across <= band.across * 1.01).all()
+    assert (across.max(axis=0) > 0.5 * band.across).all()
+    held = worst_case_band(view.curve, t, epsilon, delta)
+    assert (across.max(axis=0) > held.across).any()
+
+
+def test_points_that_bend_a_curve_share_the_pull_by_what_they_really_do():
+    """They shared it by B, 0.87 and 0.13, but with their estimates they do 2.22 and 0.77."""
+    curve = frozen(seven())
+    view = view_of(curve)
+    t = 0.3
+    target = view.curve.evaluate(t) + np.array([0.1, 0.4])
+    bent = Bend(view, t, BendWith.POINTS).bent(tuple(target.tolist()), 1e-9)
+    assert view_of(bent).curve.evaluate(t) == pytest.approx(target, abs=1e-12)
+    ways = view_of(bent).points - view.points
+    weights = view.cardinal.basis(t)[0]
+    least = weights[[2, 3], None] * [0.1, 0.4] / (weights[[2, 3]] ** 2).sum()
+    assert ways[[2, 3]] == pytest.approx(least, abs=1e-12)
+    assert not ways[[0, 1, 4, 5, 6]].any()
+
+
+def test_catmull_rom_with_uniform_knots(rng):
+    curve = frozen(seven(velocity_rule=VelocityRule.CATMULL_ROM))
+    curve = replace(curve, parametrization=replace(curve.parametrization, alpha=0.0))
+    view, moves, t = view_of(curve), rng.uniform(-1, 1, (7, 2)), np.linspace(0, 1, 50)
+    away = moved(curve, moves).curve.evaluate(t) - view.curve.evaluate(t)
+    assert view.cardinal.basis(t) @ moves == pytest.approx(away, abs=1e-12)
+
+
+def test_catmull_rom_with_the_knots_of_its_parameters_is_the_bessel_rule():
+    """Both stay where they are: for power parameters of the same α they are the same."""
+    rule = Parametrization(ParametrizationKind.POWER, 0.7)
+    views = [
+        view_of(replace(seven(velocity_rule=each), parametrization=rule))
+        for each in (VelocityRule.CATMULL_ROM, VelocityRule.BESSEL)
+    ]
+    assert views[0].growth == pytest.approx(views[1].growth, rel=1e-9)
+
+
+def test_functions_are_made_anew_only_when_they_are_other_ones():
+    view = view_of(frozen(seven()))
+    known = view.cardinal
+    nudged = with_nodes(view.source, p3={"x": 4.0})
+    assert view_of(nudged, view).cardinal is known
+    for changes in ({"velocity": (1.0, 1.0)}, {"corner": True}, {"t": 0.5}):
+        other = view_of(with_nodes(view.source, p3=changes), view)
+        assert other.cardinal is not known
+        fresh = view_of(other.source)
+        assert (other.cardinal.basis(0.4) == fresh.cardinal.basis(0.4)).all()
+    rule = view_of(replace(view.source, velocity_rule=VelocityRule.BESSEL), view)
+    assert rule.growth == pytest.approx(5.66, abs=0.005)
+
+
+def test_the_constant_of_the_points_and_of_the_data():
+    """Λ = 1 was said of every one."""
+    view = view_of(seven())
+    assert growth_of_points(view) == pytest.approx(8.556, abs=1e-3)
+    assert growth_of_data(view) == 1.0
+    set_by_hand = with_nodes(seven(), **{f"p{i}": {"velocity": (1.0, 1.0)} for i in range(7)})
+    assert growth_of_points(view_of(set_by_hand)) == 1.0
+    lagrange = view_of(seven(family=Family.LAGRANGE))
+    assert growth_of_points(lagrange) == growth_of_data(lagrange) == lebesgue_constant(lagrange.curve)
+
+
+def test_the_facts_have_both_constants():
+    growth = facts_of(Document((seven(),)))[0].lebesgue_constant
+    assert growth.data == 1.0
+    assert growth.points == pytest.approx(8.56, abs=0.005)
+
+
+def test_parameters_almost_equal_send_errors_beyond_all_numbers_and_nothing_breaks():
+    """With equal points and t 1e-310 apart the velocities are 0, their derivatives by the points infinite."""
+    nodes = (Node(0.0, 0.0, t=0.0), Node(0.0, 0.0, t=1e-310), Node(1.0, 1.0, t=1.0))
+    view = view_of(Curve("Close", Family.HERMITE, Parametrization(MANUAL), nodes))
+    if view.is_current:
+        assert growth_of_points(view) > 1e300
+
+
+def test_the_wiggle_is_explained_by_points_far_away():
+    """It said "Only points 2 and 3 and their derivatives count here"."""
+    explanation = explain(view_of(seven()), 0.5)
+    assert explanation.lebesgue == pytest.approx(8.55, abs=0.02)
+    assert {pull.order for pull in explanation.pulls} == {0}
+    assert "the estimates follow it" in explanation.sentences[1]
+    assert "can grow 8.6 times here" in explanation.sentences[2]
+
+
+def test_samples_of_the_panel():
+    view = view_of(seven())
+    shown = cardinal_view(view)
+    assert (shown.kinds, shown.count, shown.node_count, shown.is_coarse) == (1, 7, 7, False)
+    t, values = shown.function(2, 0)
+    assert values == pytest.approx(view.cardinal.basis(t)[:, 2])
+    assert shown.extent([])[1] > 2.5
+    assert basis_view(view).extent([0]) == pytest.approx((0.0, 1.0))
+    closed = cardinal_view(view_of(seven(closed=True)))
+    assert closed.owners == (0, 1, 2, 3, 4, 5, 6, 0)
+    assert (closed.function(0, 0)[1] == closed.function(7, 0)[1]).all()
+
+
+def test_samples_of_many_points():
+    s = np.linspace(0, 1, 300)
+    points = np.column_stack([4 * s, np.sin(40 * s)])
+    nodes = tuple(Node(float(x), float(y)) for x, y in points)
+    view = view_of(Curve("Many", Family.HERMITE, Parametrization(CHORD), nodes))
+    shown = cardinal_view(view)
+    t, low, high = shown.envelope(0)
+    exact = view.cardinal.basis(t)
+    assert low == pytest.approx(exact.min(axis=1), abs=1e-15)
+    assert high == pytest.approx(exact.max(axis=1), abs=1e-15)
+    t, values = shown.function(150, 0)
+    assert values == pytest.approx(view.cardinal.basis(t)[:, 150], abs=1e-15)
+    assert np.abs(view.cardinal.basis(np.array([t[0], t[-1]]))[:, 150]).max() < 1e-6
