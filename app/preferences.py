@@ -67,6 +67,9 @@ class Preferences:
     transform_box = Switch("view/transform_box", default=True)
     """Whether two or more selected points get a box with grips."""
 
+    with_estimates = Switch("basis/with_estimates", default=False)
+    """Whether the basis panel shows what each point does with its estimates, not the family's functions."""
+
     shortcuts = Keys("shortcuts")
     """The keys that differ from the defaults, by the action's name."""
 

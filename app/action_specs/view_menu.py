@@ -56,6 +56,17 @@ VIEW_MENU = (
         checkable=True,
     ),
     ActionSpec(
+        "toggleEstimates",
+        "Functions with Estimates",
+        "View",
+        "Shift+F8",
+        "cardinal",
+        "Show what each point does with the velocities estimated from it, not the family's functions",
+        checkable=True,
+        alone="Basis Functions with Estimates",
+        needs="a Hermite curve",
+    ),
+    ActionSpec(
         "toggleSidePanel",
         "Side Panel",
         "View",

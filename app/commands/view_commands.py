@@ -33,6 +33,9 @@ class ViewCommands:
         self._before_folding = b""
         for name in ("selectTool", "toggleGrid", "toggleBasis", "toggleSidePanel"):
             self._actions[name].setChecked(True)
+        self._actions["toggleEstimates"].setChecked(parts.preferences.with_estimates)
+        parts.basis_pane.offer_estimates(self._actions["toggleEstimates"])
+        parts.basis_pane.set_with_estimates(parts.preferences.with_estimates)
 
     def handlers(self) -> Handlers:
         """Return what each action does."""
@@ -47,6 +50,7 @@ class ViewCommands:
             "toggleGrid": self._toggle_grid,
             "toggleScrub": self._toggle_scrub,
             "toggleBasis": self._toggle_basis,
+            "toggleEstimates": self._toggle_estimates,
             "toggleSidePanel": self._toggle_side_panel,
             "enlarge": lambda: self._change_scale(1),
             "shrink": lambda: self._change_scale(-1),
@@ -60,6 +64,7 @@ class ViewCommands:
     def render(self, view: CurveView) -> None:
         """Enable what needs a curve."""
         self._actions["toggleScrub"].setEnabled(view.curve is not None)
+        self._actions["toggleEstimates"].setEnabled(view.source.family.derivatives > 0)
 
     def escape(self) -> None:
         """Step back: gesture in flight, tool, motion, presentation, scrub line, selection, chosen curves."""
@@ -108,6 +113,12 @@ class ViewCommands:
 
     def _toggle_basis(self) -> None:
         self._parts.basis_pane.setVisible(self._actions["toggleBasis"].isChecked())
+
+    def _toggle_estimates(self) -> None:
+        shown = self._actions["toggleEstimates"].isChecked()
+        self._parts.preferences.with_estimates = shown
+        self._parts.basis_pane.set_with_estimates(shown)
+        self._parts.basis_pane.render_view(self._session.active_view)
 
     def _toggle_side_panel(self) -> None:
         window, shown = self._parts.window, self._actions["toggleSidePanel"].isChecked()

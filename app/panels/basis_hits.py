@@ -48,7 +48,7 @@ def _hit_function(pointer: Pointer, shown: PixelMap, basis: BasisView, kinds: fr
     if not start <= t <= end:
         return None
     best: tuple[float, Hit] | None = None
-    for kind in sorted(kinds & set(range(basis.kinds))):
+    for kind in basis.shown_of(kinds):
         values = basis.value_at(t, kind)
         distances = np.abs(shown.y(values) - pointer.pixel[1])
         # Functions that are zero here lie on top of each other; none of them is meant.

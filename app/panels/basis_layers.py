@@ -96,7 +96,7 @@ class FunctionLayer:
     def _paint_together(self, painter: QPainter, basis: BasisView) -> None:
         """Draw many functions in one go; those near the emphasised ones, and these, in their colours."""
         assert self._lines is not None
-        for kind in self._shown_kinds(basis):
+        for kind in basis.shown_of(self.kinds):
             outline = QColor(self.theme.ink)
             outline.setAlphaF(_OUTLINE)
             pen = QPen(outline, self.scale)
@@ -139,7 +139,7 @@ class FunctionLayer:
     ) -> None:
         assert self._lines is not None
         colours = colours_of(basis.node_count, self.theme)
-        kinds = self._shown_kinds(basis)
+        kinds = basis.shown_of(self.kinds)
         for knot in knots:
             owner = basis.owners[knot]
             if owner in without:
@@ -162,9 +162,6 @@ class FunctionLayer:
                 self._pens.clear()
             self._pens[key] = with_dashes(QPen(QColor.fromRgb(colour), width), KIND_DASHES[kind])
         return self._pens[key]
-
-    def _shown_kinds(self, basis: BasisView) -> list[int]:
-        return [kind for kind in range(basis.kinds) if kind in self.kinds]
 
 
 class RailLayer:

@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from PySide6.QtCore import Qt, QTimer
-from PySide6.QtGui import QIcon, QResizeEvent
+from PySide6.QtGui import QAction, QIcon, QResizeEvent
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QToolButton, QVBoxLayout, QWidget
 
 from app.overrides import Guarded
 from app.panels.basis_panel import BasisPanel
+from app.panels.choice_style import choice_style
 from app.panels.elided_label import ElidedLabel
 from app.panels.function_lines import note_on_drawing
 from app.plot.pens import SIGN, sign_pixmap
@@ -18,6 +19,11 @@ from app.view_model.looks import KIND_DASHES, Look
 
 _NOTHING = "none while the rule gives no parameters"
 _NAMES = ("position", "velocity", "acceleration")
+
+_TITLES = (("Basis functions", "Basis functions"), ("Cardinal functions  Cᵢ(t)", "Cᵢ(t)"))
+_CARDINAL_TIP = (
+    "What point i does to the curve, with the velocities and accelerations that are estimated from it"
+)
 
 _SOON_MS = 33
 
@@ -31,6 +37,8 @@ class BasisPane(Guarded, QWidget):
         self._panel = panel
         self._title = QLabel("Basis functions")
         self._title.setObjectName("basisTitle")
+        self._estimates = self._estimates_button()
+        self._with_estimates = self._shows_cardinals = False
         self._kinds = [self._kind_button(kind) for kind in range(3)]
         self._formulas: tuple[str, ...] = ()
         self._reach: tuple[float, float] | None = None
@@ -45,6 +53,26 @@ class BasisPane(Guarded, QWidget):
         self.set_theme(LIGHT)
         panel.extent_changed.connect(self._show_extent)
         self._write_reach()
+
+    def offer_estimates(self, action: QAction) -> None:
+        """Put the switch between the family's functions and cardinal ones into the header."""
+        self._estimates.setToolTip(action.toolTip())
+        self._estimates.setChecked(action.isChecked())
+        self._estimates.clicked.connect(action.trigger)
+        action.toggled.connect(self._estimates.setChecked)
+
+    def set_with_estimates(self, shown: bool) -> None:
+        """Show what each point does with the estimates that follow it, or the family's functions."""
+        self._with_estimates = shown
+        self._panel.set_with_estimates(shown)
+
+    def _estimates_button(self) -> QToolButton:
+        button = QToolButton()
+        button.setObjectName("withEstimates")
+        button.setCheckable(True)
+        button.setText("With estimates")
+        button.setAccessibleName("Show what each point does with its estimates")
+        return button
 
     def _kind_button(self, kind: int) -> QToolButton:
         button = QToolButton()
@@ -81,6 +109,7 @@ class BasisPane(Guarded, QWidget):
         header.addSpacing(8)
         for button in self._kinds:
             header.addWidget(button)
+        header.addWidget(self._estimates)
         header.addWidget(self._drawing)
         header.addStretch(1)
         header.addWidget(self._extent)
@@ -95,14 +124,17 @@ class BasisPane(Guarded, QWidget):
     def render_view(self, view: CurveView) -> None:
         """Show the functions of `view`, and the legend that goes with its family."""
         self._panel.render_view(view)
-        formulas = basis_formulas(view.source.family)
+        basis = self._panel.basis
+        has_estimates = view.source.family.derivatives > 0
+        self._estimates.setVisible(has_estimates)
+        shows_cardinals = self._with_estimates and has_estimates
+        formulas = ("Cᵢ(t)",) if shows_cardinals else basis_formulas(view.source.family)
         for kind, button in enumerate(self._kinds):
             button.setVisible(kind < len(formulas) and len(formulas) > 1)
-        basis = self._panel.basis
         drawing = note_on_drawing(basis) if basis is not None else _NOTHING if len(view.points) > 1 else ""
         # Laying the header out costs more than drawing the curve: only when it says something else.
         if (formulas, drawing) != (self._formulas, self._drawing.text()):
-            self._formulas = formulas
+            self._formulas, self._shows_cardinals = formulas, shows_cardinals
             self._drawing.setText(drawing)
             self._write_header()
 
@@ -112,7 +144,9 @@ class BasisPane(Guarded, QWidget):
 
     def _write_header(self) -> None:
         """Write as much as there is room for: first the words beside the formulas go, then the note's own."""
+        self._title.setToolTip(_CARDINAL_TIP if self._shows_cardinals else "")
         for brief in range(3):
+            self._title.setText(_TITLES[self._shows_cardinals][min(brief, 1)])
             for kind, formula in enumerate(self._formulas):
                 # The leading space keeps the words off the line that is their sign.
                 self._kinds[kind].setText(" " + (formula if brief else f"{_NAMES[kind]}  {formula}"))
@@ -131,6 +165,7 @@ class BasisPane(Guarded, QWidget):
         """Take the colours of `theme`."""
         for button, dashes in zip(self._kinds, KIND_DASHES, strict=True):
             button.setIcon(QIcon(sign_pixmap(Look("ink", width=1.5, dashes=dashes), theme, 2.0)))
+        self._estimates.setStyleSheet(choice_style(theme))
         self._drawing.setStyleSheet(f"color: {theme.muted.name()}")
         self._extent.setStyleSheet(f"color: {theme.warning.name()}")
 

@@ -11,10 +11,12 @@ from app.panels.plot_over_t import PlotOverT
 from app.plot.layered_plot import GREATEST_SPAN
 from app.theme import LIGHT
 from app.view_model.basis_view import BasisView, basis_view
+from app.view_model.cardinal_view import CardinalView, cardinal_view
 from app.view_model.curve_view import CurveView
 
 _CALM_RANGE = (-0.5, 1.2)
 _PADDING = 0.035
+_WHAT = "The basis functions"
 
 
 class BasisPlot(PlotOverT):
@@ -31,23 +33,24 @@ class BasisPlot(PlotOverT):
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setObjectName("basisPanel")
-        self.setAccessibleName("Basis functions")
-        self.setAccessibleDescription("The basis functions over t; drag a tick at the foot to change t.")
         self._view: CurveView | None = None
         self._basis: BasisView | None = None
         self._values: tuple[float, float] = _CALM_RANGE
         self._held_domain: tuple[float, float] | None = None
+        self._with_estimates = False
         self._functions = self.dress(FunctionLayer(self, LIGHT))
         self._rail = self.dress(RailLayer(self, LIGHT))
         self.getViewBox().sigResized.connect(self._show_values)
+        self.set_with_estimates(False)
 
     def render_view(self, view: CurveView) -> None:
-        """Show the functions of `view`; they are sampled again only if a parameter or the family changed."""
+        """Show the functions of `view`; they are sampled again only if they are other ones."""
         self._view = view
-        if _is_of(self._basis, view):
+        shows_cardinals = self._with_estimates and view.source.family.derivatives > 0
+        if _is_of(self._basis, view, shows_cardinals):
             return
         old = self._basis
-        self._basis = basis_view(view, self._basis)
+        self._basis = cardinal_view(view) if shows_cardinals else basis_view(view, old)
         self._functions.render(self._basis)
         self._rail.render(self._basis)
         moved = self._basis is not None and (old is None or old.curve.domain != self._basis.curve.domain)
@@ -55,6 +58,15 @@ class BasisPlot(PlotOverT):
         if (moved or not view.source.nodes) and not self.is_dragging and not was_held:
             self.fit_domain()
         self._report_extent()
+
+    def set_with_estimates(self, shown: bool) -> None:
+        """Show what each point does with the estimates that follow it, or the family's functions."""
+        self._with_estimates = shown
+        name, what = ("Cardinal functions", "What each point does") if shown else ("Basis functions", _WHAT)
+        self.setAccessibleName(name)
+        self.setAccessibleDescription(f"{what} over t; drag a tick at the foot to change t.")
+        if self._view is not None:
+            self.render_view(self._view)
 
     @property
     def emphasised(self) -> frozenset[int]:
@@ -173,10 +185,15 @@ class BasisPlot(PlotOverT):
         return self._area_origin() + area
 
 
-def _is_of(basis: BasisView | None, view: CurveView) -> bool:
-    """Tell whether these are the functions of `view`: they depend on the family and the parameters alone."""
+def _is_of(basis: BasisView | None, view: CurveView, cardinals: bool) -> bool:
+    """Tell whether these are the functions of `view`.
+
+    Those of a family depend on it and the parameters alone; cardinal ones on the rules, too.
+    """
     if basis is None or not view.is_current or len(view.source.nodes) <= basis.owners[-1]:
         return False
+    if cardinals or isinstance(basis, CardinalView):
+        return cardinals and isinstance(basis, CardinalView) and basis.cardinal is view.cardinal
     same_family = basis.curve.degree == view.pieces[0].degree and basis.kinds == view.pieces[0].jets.shape[1]
     closes = (basis.owners[-1] == 0) is view.source.is_closed
     return same_family and closes and np.array_equal(view.parameters, basis.curve.parameters)

@@ -103,7 +103,7 @@ class FunctionLines:
         return made
 
     def _make_fine(self, index: int, kind: int) -> QPolygonF:
-        if self._basis.first is None:
+        if self._basis.first is None and not self._basis.is_coarse:
             x, y = self._x, self._shown.y(self._basis.values[:, index, kind])
             return polygon(x, np.clip(y, -_LIMIT, _LIMIT))
         if index not in self._fine:

@@ -133,6 +133,16 @@ def test_a_point_dragged_under_chord_length(open_wave, family):
     assert noted(f"{NAMES[family]} n = 20, a point, chord length", times, 4, 6)
 
 
+@pytest.mark.parametrize(("n", "median", "p95"), [(20, 4, 6), (1000, 12, None)])
+@pytest.mark.parametrize("family", [Family.HERMITE, Family.QUINTIC_HERMITE])
+def test_a_point_dragged_under_its_cardinal_functions(open_wave, family, n, median, p95):
+    """Under chord length the estimates change with every move, and every function with them."""
+    editor = open_wave(n, family, ParametrizationKind.CHORD_LENGTH)
+    editor.trigger("toggleEstimates")
+    times = calmest(lambda: drag_point(editor, ["canvas", "basis"]))
+    assert noted(f"{NAMES[family]} n = {n}, a point, with the estimates", times, median, p95)
+
+
 @pytest.mark.parametrize("family", list(Family))
 def test_a_parameter_dragged(open_wave, family):
     editor = open_wave(20, family, frozen(family))

@@ -1,0 +1,123 @@
+"""The basis panel with the estimates: what each point really does, with real events."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from PySide6.QtCore import QEvent, QPointF, Qt
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QLabel, QToolButton
+
+from app.document.model import Curve, Document, Family, Node, Parametrization
+from app.preferences import Preferences
+from app.testing import Editor
+
+UNEVEN = [(0.0, 0.0), (0.5, 0.1), (1.0, 0.0), (5.0, 2.2), (5.4, 2.2), (5.8, 2.0), (6.2, 2.1)]
+
+
+@pytest.fixture
+def uneven(editor):
+    """Seven points under chord length, velocities of the C² spline."""
+    nodes = tuple(Node(x, y) for x, y in UNEVEN)
+    editor.session.commit(Document((Curve("Uneven", Family.HERMITE, Parametrization(), nodes),)), "Begin")
+    editor.fit()
+    return editor
+
+
+def label(editor, name):
+    return editor.window.findChild(QLabel, name).text()
+
+
+def switch(editor):
+    return editor.window.findChild(QToolButton, "withEstimates")
+
+
+def test_the_switch_shows_what_each_point_does_and_says_so(uneven):
+    panel, cardinal = uneven.window.basis_panel, uneven.session.active_view.cardinal
+    assert label(uneven, "basisTitle") == "Basis functions"
+    assert panel.basis.kinds == 2
+    QTest.mouseClick(switch(uneven), Qt.MouseButton.LeftButton)
+    assert uneven.action("toggleEstimates").isChecked()
+    assert label(uneven, "basisTitle").startswith("Cardinal functions")
+    assert panel.accessibleName() == "Cardinal functions"
+    assert not uneven.window.findChild(QToolButton, "velocityFunctions").isVisible()
+    for point in range(7):
+        t, values = panel.basis.function(point, 0)
+        assert values == pytest.approx(cardinal.basis(t)[:, point])
+    # Hovering a function lights its point: between points 2 and 3 the function of point 1 is at −1.8.
+    panel.fit_values()
+    uneven.settle()
+    value = panel.basis.value_at(0.4, 0)[1]
+    assert value == pytest.approx(-1.79, abs=0.01)
+    uneven.send(panel, QEvent.Type.MouseMove, panel.to_pixel(0.4, value), held=False)
+    assert uneven.session.hovered == 1
+    # By keyboard back, and for good with the space bar; a Lagrange curve has no estimates.
+    switch(uneven).setFocus()
+    QTest.keyClick(switch(uneven), Qt.Key.Key_Space)
+    assert panel.basis.kinds == 2
+    uneven.key(Qt.Key.Key_F8, Qt.KeyboardModifier.ShiftModifier)
+    assert panel.basis.kinds == 1
+    uneven.choose_family(Family.LAGRANGE)
+    assert label(uneven, "basisTitle") == "Basis functions"
+    assert not switch(uneven).isVisible()
+    assert not uneven.action("toggleEstimates").isEnabled()
+    assert "Basis Functions with Estimates" in uneven.find_command("with estimates")
+
+
+def test_the_functions_follow_a_drag_and_a_handle_and_stay_where_nothing_changes(uneven):
+    panel = uneven.window.basis_panel
+    uneven.trigger("toggleEstimates")
+    for move in (lambda: uneven.drag_point(3, (4.0, 2.0)), lambda: uneven.drag_parameter(2, to=0.2)):
+        before = panel.basis
+        move()
+        assert panel.basis is not before
+        assert panel.basis.cardinal is uneven.session.active_view.cardinal
+    # The parameters are set by hand now: a point changes nothing, a handle that is set does.
+    before = panel.basis
+    uneven.drag_point(3, (4.5, 2.0))
+    assert panel.basis is before
+    uneven.select_point(3)
+    uneven.drag_handle((4.8, 3.0))
+    assert panel.basis is not before
+    assert uneven.curve.nodes[3].velocity is not None
+    # Position functions that were put away are not missed here, where there are no others.
+    uneven.trigger("toggleEstimates")
+    QTest.mouseClick(uneven.window.findChild(QToolButton, "positionFunctions"), Qt.MouseButton.LeftButton)
+    uneven.trigger("toggleEstimates")
+    assert panel.basis.shown_of(panel.kinds) == [0]
+
+
+def test_the_constant_on_screen_is_that_of_the_points(uneven):
+    """It was 1, and "no error of a point grows" stood in the plot."""
+    uneven.trigger("plotLebesgue")
+    uneven.settle()
+    assert label(uneven, "lebesgueConstant") == "Λ 8.56"
+    (plot,) = uneven.window.plot_panel.pane.canvas.plots
+    assert plot.levels[0].name == "Lebesgue constant Λ = 8.56"
+    uneven.scrub(0.4)
+    weights = uneven.window.canvas.weights
+    assert weights == pytest.approx(uneven.session.active_view.cardinal.basis(uneven.session.scrub)[0])
+    assert np.abs(weights).sum() > 7
+    # A velocity that is set does not follow its point any more, though no parameter has changed.
+    uneven.select_point(2)
+    start = uneven.window.canvas.to_pixel(*uneven.handle().position)
+    canvas = uneven.window.canvas
+    uneven.send(canvas, QEvent.Type.MouseButtonPress, QPointF(start))
+    uneven.send(canvas, QEvent.Type.MouseMove, QPointF(start) + QPointF(12, 9))
+    uneven.send(canvas, QEvent.Type.MouseButtonRelease, QPointF(start) + QPointF(12, 9), held=False)
+    uneven.settle()
+    (plot,) = uneven.window.plot_panel.pane.canvas.plots
+    assert plot.levels[0].value == pytest.approx(uneven.session.active_view.growth)
+    assert plot.levels[0].value < 8
+    assert label(uneven, "lebesgueConstant") == f"Λ {uneven.session.active_view.growth:.3g}"
+
+
+def test_the_choice_is_remembered(qtbot, tmp_path):
+    preferences = Preferences(tmp_path / "settings.ini")
+    preferences.with_estimates = True
+    editor = Editor(qtbot, preferences=Preferences(tmp_path / "settings.ini"))
+    assert editor.action("toggleEstimates").isChecked()
+    assert switch(editor).isChecked()
+    editor.choose_family(Family.HERMITE)
+    editor.trigger("toggleEstimates")
+    assert not Preferences(tmp_path / "settings.ini").with_estimates
