@@ -19,6 +19,7 @@ from app.document.model import (
     VelocityRule,
 )
 from app.exchange.facts import facts_of
+from app.view_model.analysis.teaching import Topic, warnings_of
 from app.view_model.analysis.wiggle import explain
 from app.view_model.basis_view import basis_view, weights_at
 from app.view_model.bend import Bend, BendWith
@@ -235,3 +236,13 @@ def test_samples_of_many_points():
     t, values = shown.function(150, 0)
     assert values == pytest.approx(view.cardinal.basis(t)[:, 150], abs=1e-15)
     assert np.abs(view.cardinal.basis(np.array([t[0], t[-1]]))[:, 150]).max() < 1e-6
+
+
+def test_a_warning_of_a_hermite_curve_gives_advice_for_one():
+    """Nothing was said of it, Λ being 1."""
+    curve = with_nodes(frozen(seven()), p4={"t": view_of(seven()).parameters[3] + 1e-3})
+    view = view_of(curve)
+    (found,) = [each for each in warnings_of(view, growth_of_points(view)) if each.topic is Topic.LEBESGUE]
+    assert view.growth > 100
+    assert "estimated velocities carry it along" in found.sentence
+    assert "use a Hermite curve" not in found.sentence
