@@ -2,7 +2,7 @@
 
     python -m pytest tests/bench/bench_curves.py -s
 
-The bound is that of the project's targets: as one curve alone plus at most 2 ms.
+The bounds are ratios in one run: a hundred curves, one of them dragged, over that one alone.
 """
 
 from __future__ import annotations
@@ -16,9 +16,11 @@ from app.document.model import Document, Family, make_curve
 from app.session import Session
 from app.testing import Editor
 
-MOST = 2.0
-ALL_MOST = 60.0
-"""Milliseconds for all curves of a drawing: each is computed and drawn anew, about one for each."""
+MOST = 1.7
+"""Times what one curve takes that is alone, or the only one chosen."""
+
+ALL_MOST = 1.2
+"""The same for each of thirty curves that are moved together: every one is computed and drawn anew."""
 
 
 def document(count: int) -> Document:
@@ -58,16 +60,17 @@ def times(qtbot, count: int, shown: str, chosen: int = 1) -> Times:
 def test_a_hundred_curves_cost_little_more_than_one(qtbot, shown):
     one, hundred = times(qtbot, 1, shown), times(qtbot, 100, shown)
     print(f"\n1 curve: {one}   100 curves: {hundred}   {shown}")
-    assert hundred.median <= one.median + MOST
+    assert hundred.median <= MOST * one.median
 
 
 def test_curves_that_are_chosen_cost_nothing_while_a_point_is_dragged(qtbot):
     one, ten = times(qtbot, 100, "curvesDock"), times(qtbot, 100, "curvesDock", chosen=10)
     print(f"\n1 of 100 chosen: {one}   10 of 100 chosen: {ten}")
-    assert ten.median <= one.median + MOST
+    assert ten.median <= MOST * one.median
 
 
 def test_thirty_chosen_curves_follow_the_pointer(qtbot):
+    alone = times(qtbot, 1, "curvesDock")
     session = Session()
     editor = Editor(qtbot, session, size=(1200, 900))
     session.commit(document(30), "Open")
@@ -77,6 +80,6 @@ def test_thirty_chosen_curves_follow_the_pointer(qtbot):
     canvas.painted.connect(paints.counter("canvas"))
     x, y = session.views[29].curve.evaluate(0.513)
     found = drag(canvas.viewport(), QPointF(canvas.to_pixel(float(x), float(y))), paints, ["canvas"])
-    print(f"\n30 curves of 20 points moved together: {found}")
+    print(f"\n30 curves of 20 points moved together: {found}   1 curve: {alone}")
     editor.window.hide()
-    assert found.median <= ALL_MOST
+    assert found.median <= 30 * ALL_MOST * alone.median

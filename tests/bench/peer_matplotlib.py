@@ -93,7 +93,7 @@ class _Demo:
             self.draw_artists()
 
 
-def drag_in_matplotlib(qtbot, n: int, *, mode: str, moves: int = 80) -> Times:
+def drag_in_matplotlib(qtbot, n: int, *, mode: str, moves: int = 80, pace: float = 0.0) -> Times:
     """Drag the point in the middle of the demo; `mode` is "naive" or "blit"."""
     paints = Paints()
     demo = _Demo(n, mode, paints.counter("demo"))
@@ -104,4 +104,4 @@ def drag_in_matplotlib(qtbot, n: int, *, mode: str, moves: int = 80) -> Times:
     qtbot.wait(300)
     x, y = demo.left.transData.transform((demo.x[demo.middle], demo.y[demo.middle]))
     place = QPointF(round(x), round(demo.canvas.height() - y))
-    return drag(demo.canvas, place, paints, ["demo"], moves=moves)
+    return drag(demo.canvas, place, paints, ["demo"], moves=moves, pace=pace)

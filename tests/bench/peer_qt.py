@@ -166,4 +166,6 @@ def drag_in_bare_qt(qtbot, n: int, *, functions_change: bool, pace: float = 0.0)
         window.show()
     qtbot.wait(100)
     awaited = ["curve", "functions"] if functions_change else ["curve"]
-    return drag(curve, curve.place(), paints, awaited, pace=pace)
+    times = drag(curve, curve.place(), paints, awaited, moves=30 if n > 100 else 150, pace=pace)
+    window.hide()
+    return times
