@@ -107,6 +107,7 @@ def _edit(files: Sequence[str], lesson: str = "") -> int:
     from app.lifecycle import Lifecycle  # noqa: PLC0415
 
     lifecycle = Lifecycle(application, windows)
+    del windows  # a window that is closed goes
     lifecycle.start()
     code = int(application.exec())
     lifecycle.stop()

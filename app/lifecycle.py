@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import faulthandler
+import gc
 import signal
 import socket
 import sys
@@ -55,7 +56,7 @@ class Lifecycle(QObject):
         window.keep_with(autosave, self._open_beside)
         window.closed.connect(lambda: self._finish(window))
         # Who goes on working has called the end of the system off.
-        window.session.history_changed.connect(lambda: _ask_again(window))
+        window.session.history_changed.connect(window.ask_before_closing)
 
     def _open_beside(self, document: Document, path: Path | None) -> Autosave:
         """Go on with unsaved work in another window, and return what keeps it."""
@@ -118,6 +119,11 @@ class Lifecycle(QObject):
             autosave.finish()  # it was asked, so what is not saved is not wanted
         else:
             autosave.leave()
+        # Neither has a parent that goes with the window. What they are connected to lives as long as they do.
+        for each in (window, window.session, autosave):
+            each.deleteLater()
+        # What was there at the start was spared from the search for garbage, see `start.no_garbage_sought`.
+        gc.unfreeze()
 
     def _save_and_quit(self) -> None:
         """Save what has a file; what has none is offered by the next start."""
@@ -207,10 +213,6 @@ class FaultFile:
 def _give_way(number: int, _frame: FrameType | None) -> None:
     """Let the event loop deal with a signal; the next one ends the process, should the loop hang."""
     signal.signal(number, signal.SIG_DFL)
-
-
-def _ask_again(window: MainWindow) -> None:
-    window.asks_before_closing = True
 
 
 def _names_of(path: Path) -> tuple[str, ...]:

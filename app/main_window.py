@@ -334,6 +334,10 @@ class MainWindow(Guarded, QMainWindow):
         """Take in the curves of a file of another format, or say why not."""
         self._commands.exchange.import_file(path)
 
+    def ask_before_closing(self) -> None:
+        """Ask about unsaved changes when the window is closed, from now on."""
+        self.asks_before_closing = True
+
     @property
     def jobs(self) -> Jobs:
         """What is being read or written beside the window."""

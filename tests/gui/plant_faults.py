@@ -240,6 +240,7 @@ def main() -> int:
     editor = Editor.on(window)
 
     def drive() -> None:
+        editor.show_dock("pointsDock")
         editor.drag_point(1, to=(1, 3))
         editor.drag_point(1, to=(1, 2))
         editor.find_command("fit")

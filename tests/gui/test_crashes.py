@@ -11,6 +11,7 @@ import threading
 from pathlib import Path
 
 import pytest
+import shiboken6
 from PySide6.QtCore import Qt, QTimer
 from PySide6.QtGui import QGuiApplication
 from PySide6.QtTest import QTest
@@ -22,20 +23,30 @@ from app.crash_report import report_of, versions
 from app.document import storage
 from app.document.recovery import list_snapshots
 from app.lifecycle import FaultFile, Lifecycle
+from app.start import open_windows
+from app.testing import Editor
 
 
 @pytest.fixture
-def guarded(editor, qapp):
+def guarded(qapp):
     """An editor in a program that takes its exceptions itself, as `curvebench` does."""
     before = (sys.excepthook, threading.excepthook, sys.unraisablehook)
-    lifecycle = Lifecycle(qapp, [editor.window])
+    (window,) = open_windows(())
+    editor = Editor.on(window)
+    editor.fit()
+    lifecycle = Lifecycle(qapp, [window])
     lifecycle.start()
     editor.lifecycle = lifecycle
     yield editor
     lifecycle.stop()
     assert (sys.excepthook, threading.excepthook, sys.unraisablehook) == before
-    editor.window.asks_before_closing = False
-    editor.window.close()
+    if is_open(window):
+        window.asks_before_closing = False
+        window.close()
+
+
+def is_open(window):
+    return shiboken6.isValid(window) and window.isVisible()
 
 
 def dialogs():
@@ -191,7 +202,7 @@ def test_save_and_quit_saves_what_has_a_file(guarded, qapp, tmp_path):
     document = guarded.session.document
     assert run(qapp, fail, lambda: press("saveAndQuit")) == 0
     assert storage.load(path) == document
-    assert not guarded.window.isVisible()
+    assert not is_open(guarded.window)
     assert list(snapshot_folder().iterdir()) == []
 
 
@@ -199,7 +210,7 @@ def test_save_and_quit_keeps_what_has_no_file_for_the_next_start(guarded, qapp):
     guarded.drag_point(1, to=(2, 3))
     document = guarded.session.document
     assert run(qapp, fail, lambda: press("saveAndQuit")) == 0
-    assert not guarded.window.isVisible()
+    assert not is_open(guarded.window)
     (snapshot,) = list_snapshots(snapshot_folder()).snapshots
     assert snapshot.document == document
     snapshot.discard()
@@ -223,7 +234,7 @@ def test_ctrl_c_ends_the_program_and_keeps_the_work(guarded, qapp):
     document = guarded.session.document
     assert run(qapp, interrupt) == 130
     assert dialogs() == []
-    assert not guarded.window.isVisible()
+    assert not is_open(guarded.window)
     (snapshot,) = list_snapshots(snapshot_folder()).snapshots
     assert snapshot.document == document
     snapshot.discard()
@@ -234,7 +245,7 @@ def test_the_end_of_the_system_asks_nothing_and_keeps_the_work(guarded):
     document = guarded.session.document
     guarded.lifecycle.prepare_for_end()
     guarded.window.close()
-    assert not guarded.window.isVisible()
+    assert not is_open(guarded.window)
     (snapshot,) = list_snapshots(snapshot_folder()).snapshots
     assert snapshot.document == document
     snapshot.discard()
