@@ -7,11 +7,11 @@ The layers, top to bottom; a module imports only from its own layer and those ab
 - ``gestures``: press, move and release turned into edits. No Qt.
 - ``exchange``: files in and out. Qt only in ``image`` and ``motion_frames``.
 - ``overrides``: exceptions end in the method that Qt called.
-- ``worker``: work off the window's thread, with progress, that can be taken back.
+- ``worker``: all work beside the window's thread: progress, cancelling, debouncing, garbage collection.
 - ``resources``, ``examples``, ``lessons``: what comes with the program.
 - ``undo_step``: a step of the history.
 - ``session``: the one mutable owner of the current document, its history and the selection.
-- ``analysis``, ``settle``: what is shown over the curve; what is computed beside the window.
+- ``analysis``: what is shown over the curve.
 - ``autosave``: keeps a snapshot of what is not saved yet.
 - ``player``: a motion, and the clock that drives it.
 - ``theme``, ``colours``, ``icons``: how it looks.

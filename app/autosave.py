@@ -2,18 +2,15 @@
 
 from __future__ import annotations
 
-from functools import cached_property
+from collections.abc import Callable
 from pathlib import Path
-from typing import TYPE_CHECKING
 
-from PySide6.QtCore import QObject, QStandardPaths, QTimer, Signal
+from PySide6.QtCore import QObject, QStandardPaths, QTimer
 
 from app.document.model import Document
 from app.document.recovery import Origin, SnapshotFile
 from app.session import Session
-
-if TYPE_CHECKING:
-    from concurrent.futures import Future, ThreadPoolExecutor
+from app.worker import Task
 
 DELAY_MS = 1000
 """A second for the timer leaves one for the disk: nobody shall lose more than two."""
@@ -44,8 +41,6 @@ class Autosave(QObject):
         When to try again after the disk has refused, in milliseconds.
     """
 
-    _finished = Signal(str)
-
     def __init__(
         self,
         session: Session,
@@ -60,23 +55,15 @@ class Autosave(QObject):
         self._file = SnapshotFile(folder)
         self._kept: Document | None = None
         self._has_complained = self._has_written = False
-        self._writing: Future[str] | None = None
+        self._last: Task | None = None
+        self._is_closed = False
         self._soon = QTimer(self, singleShot=True, interval=delay)
         self._soon.timeout.connect(self._write_soon)
         self._again = QTimer(self, singleShot=True, interval=retry)
         self._again.timeout.connect(self._note_file)
-        self._finished.connect(self._report)
         session.document_changed.connect(self._note_change)
         session.file_changed.connect(self._note_file)
         self._note_file()
-
-    @cached_property
-    def _worker(self) -> ThreadPoolExecutor:
-        # Imported with the first change: the start has no need of it.
-        from concurrent.futures import ThreadPoolExecutor  # noqa: PLC0415
-
-        # One thread: what is asked for first happens first.
-        return ThreadPoolExecutor(1, "autosave")
 
     @property
     def is_needed(self) -> bool:
@@ -97,31 +84,29 @@ class Autosave(QObject):
     def _write_soon(self) -> None:
         if not self.is_needed:
             self._discard()
-        elif self._writing is not None and not self._writing.done():
+        elif self._last is not None and self._last.thread.is_alive():
             self._soon.start()  # a slow disk gets one task at a time
         elif self._session.document is not self._kept:
             self._write()
 
-    def _write(self) -> Future[str]:
+    def _write(self) -> Task:
         session = self._session
         self._soon.stop()
         self._kept, self._has_written = session.document, True
+        file, document, committed = self._file, session.document, session.committed
         origin = Origin(session.path, session.file.stamp if session.file is not None else None)
-        task = self._worker.submit(_written, self._file, session.document, origin, session.committed)
-        self._writing = task
-        task.add_done_callback(self._pass_on)
-        return task
+        return self._do(lambda: _written(file, document, origin, committed), self._report)
 
-    def _pass_on(self, task: Future[str]) -> None:
-        """Bring the outcome into the thread of the window."""
-        try:
-            self._finished.emit(task.result())
-        except RuntimeError:
-            # The window, and this object with it, may be gone before the disk has answered.
-            return
+    def _do(self, work: Callable[[], object], then: Callable[[Task], object] | None = None) -> Task:
+        """Do this beside the window, after all that was asked for before."""
+        self._last = Task(lambda _task: work(), then, after=self._last)
+        return self._last
 
-    def _report(self, problem: str) -> None:
+    def _report(self, task: Task) -> None:
         """Say once that there is no snapshot; try again with the next change, or after a while."""
+        if self._is_closed:
+            return
+        problem: str = task.result
         if problem:
             self._kept = None
             self._again.start()
@@ -133,35 +118,31 @@ class Autosave(QObject):
         self._soon.stop()
         if self._has_written:
             self._kept, self._has_written = None, False
-            self._worker.submit(self._file.discard)
+            self._do(self._file.discard)
 
     def write_now(self) -> bool:
         """Write the snapshot, if one is needed, and return whether all there is to lose is on the disk."""
         if not self.is_needed:
             return True
-        try:
-            return not self._write().result(_PATIENCE_S)
-        except TimeoutError:
-            return False
+        task = self._write()
+        return task.wait(_PATIENCE_S) and task.result == ""
 
     def finish(self) -> None:
         """End, and delete the snapshot: the work was saved, or given up knowingly."""
         self._close()
-        self._worker.submit(self._file.discard)
-        self._worker.shutdown()
+        self._do(self._file.discard).wait(_PATIENCE_S)
 
     def leave(self) -> bool:
         """End, and keep what is not saved for the next start; return whether that was possible."""
         self._close()
         is_safe = self.write_now()
-        self._worker.submit(self._file.leave if self.is_needed else self._file.discard)
-        self._worker.shutdown()
+        self._do(self._file.leave if self.is_needed else self._file.discard).wait(_PATIENCE_S)
         return is_safe
 
     def _close(self) -> None:
+        self._is_closed = True
         self._soon.stop()
         self._again.stop()
-        self._finished.disconnect(self._report)
         session = self._session
         session.document_changed.disconnect(self._note_change)
         session.file_changed.disconnect(self._note_file)

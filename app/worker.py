@@ -1,34 +1,251 @@
-"""Work off the window's thread: with progress, a way to take it back, and its result where widgets live.
+"""Background tasks: threads, progress, cancelling, debouncing; garbage is collected in the window's thread.
 
-What is to be done is a pure function of its data that takes a `Report`. It never touches a widget or the
-session. What parses files of others may hang, or keep the interpreter to itself for long, and goes on in a
-process of its own (``exchange.child``); the thread then only waits for it.
+The only module that starts threads. What is to be done sees immutable values and touches no widget; its end
+is told in the window's thread. What parses files of others may hang, or keep the interpreter to itself for
+long, and goes on in a process of its own (``exchange.child``); the thread then only waits for it.
 """
 
 from __future__ import annotations
 
 import gc
+import sys
 import threading
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from contextlib import suppress
 from typing import Any
 
 from PySide6.QtCore import QObject, Qt, QTimer, Signal
+from shiboken6 import isValid
 
 from app.exchange.progress import FINAL, Cancelled, Report
 
 SHOWN_AFTER_MS = 200
 """What is done sooner needs no bar."""
 
-_TELL_EVERY = 0.04
-_PATIENCE = 3.0
+SETTLE_MS = 100
+"""How long nothing must have changed before a `Settler` begins, in milliseconds."""
+
+PATIENCE_S = 3.0
+"""How long a window that closes waits until its work has noticed."""
+
+_GRACE_S = 1.0
+"""After this a stopped task that has not noticed is ended from outside."""
+
+_TELL_EVERY_S = 0.04
+_TICK_MS = 100
 
 Work = Callable[[Report], Any]
+IsStale = Callable[[], bool]
+"""Whether nobody waits for the result any more; long work asks now and then, and returns early."""
 
 
-class Jobs(QObject):
-    """Does one thing at a time for one window.
+class Task:
+    """One piece of work in a thread of its own; a daemon, so that the program's end never hangs on it.
+
+    Parameters
+    ----------
+    work
+        Called in the thread, with this task: for `report`, `is_stopped`.
+    then
+        Called in the window's thread when the thread has ended, however it did; by default what was raised
+        goes to `sys.excepthook`.
+    told
+        Called there with the share that is done and a word for what is being done.
+    after
+        Another task, which has to end before this one begins.
+
+    Attributes
+    ----------
+    result, problem
+        What `work` returned, or what it raised.
+    """
+
+    def __init__(
+        self,
+        work: Callable[[Task], Any],
+        then: Callable[[Task], object] | None = None,
+        told: Report | None = None,
+        after: Task | None = None,
+    ) -> None:
+        self.result: Any = None
+        self.problem: Exception | None = None
+        self.then, self.told, self.after = then or Task.raise_problem, told, after
+        self._work, self._keeper, self._lock = work, _keeper(), threading.Lock()
+        self._is_final, self._told_at = False, 0.0
+        self._stopped_at: float | None = None
+        self.thread = threading.Thread(target=self._run, name="work", daemon=True)
+        self._keeper.take(self)
+        self.thread.start()
+
+    def stop(self) -> bool:
+        """Let the next report raise `Cancelled`; return False where the last step has begun."""
+        with self._lock:
+            if not self._is_final and self._stopped_at is None:
+                self._stopped_at = time.monotonic()
+            return not self._is_final
+
+    @property
+    def is_stopped(self) -> bool:
+        """Whether nobody waits for the result any more."""
+        return self._stopped_at is not None
+
+    def wait(self, seconds: float) -> bool:
+        """Wait until the thread has ended, at most so long; return whether it has."""
+        until = time.monotonic() + seconds
+        while self.thread.is_alive() and (left := until - time.monotonic()) > 0:
+            self.thread.join(min(left, _GRACE_S))
+            self.end_overdue()
+        return not self.thread.is_alive()
+
+    def end_overdue(self) -> None:
+        """Raise `_Ended` in the thread if it was stopped a while ago and goes on as if it were not.
+
+        That bounds every loop of Python's; one in C is bounded by the size of its arrays.
+        """
+        now = time.monotonic()
+        if self._stopped_at is not None and now - self._stopped_at >= _GRACE_S and self.thread.is_alive():
+            import ctypes  # noqa: PLC0415 - well-behaved work never needs it
+
+            self._stopped_at = now  # what cleans up behind it gets as long
+            identity = ctypes.c_ulong(self.thread.ident or 0)
+            ctypes.pythonapi.PyThreadState_SetAsyncExc(identity, ctypes.py_object(_Ended))
+
+    def report(self, share: float, word: str) -> None:
+        """Tell how far the work is; raise `Cancelled` where it was stopped. Called in the thread."""
+        with self._lock:
+            if self._stopped_at is not None:
+                raise Cancelled
+            self._is_final = self._is_final or share == FINAL
+        now = time.monotonic()
+        if not self._is_final and now - self._told_at > _TELL_EVERY_S:
+            self._told_at = now
+            self._keeper.reported.emit(self, share, word)
+
+    def raise_problem(self) -> None:
+        """Give what was raised, if anything was, to `sys.excepthook`."""
+        if self.problem is not None:
+            sys.excepthook(type(self.problem), self.problem, self.problem.__traceback__)
+
+    def _run(self) -> None:
+        with suppress(Cancelled, _Ended, RuntimeError):  # RuntimeError: the program has ended meanwhile
+            try:
+                if self.after is not None:
+                    self.after.thread.join()
+                if not self.is_stopped:
+                    self.result = self._work(self)
+            except Cancelled:
+                self.stop()
+            except Exception as problem:
+                # Whatever it is, it is the window's thread that has to say it.
+                self.problem = problem
+            self._keeper.ended.emit(self)
+
+
+class _Ended(SystemExit):
+    """Raised from outside in a stopped thread; threads end on it without a word."""
+
+
+class _Keeper(QObject):
+    """Keeps the running tasks, and is where their signals arrive: in the window's thread.
+
+    Collected in another thread, a widget that is part of a cycle would be destroyed in it, and take the
+    program along. So while tasks run, Python's own collector is off; a timer collects here in its place,
+    by the same thresholds. A task is kept until its thread is gone: what it refers to must not go with that.
+    """
+
+    reported = Signal(object, float, str)
+    ended = Signal(object)
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.running: set[Task] = set()
+        self._collects = False
+        self._timer = QTimer(self, interval=_TICK_MS)
+        self._timer.timeout.connect(self._tick)
+        self.reported.connect(self._pass_on, Qt.ConnectionType.QueuedConnection)
+        self.ended.connect(self._end, Qt.ConnectionType.QueuedConnection)
+
+    def take(self, task: Task) -> None:
+        """Keep a task that is about to begin."""
+        if not self.running:
+            self._collects = gc.isenabled()
+            gc.disable()
+            self._timer.start()
+        self.running.add(task)
+
+    def _pass_on(self, task: Task, share: float, word: str) -> None:
+        if task.told is not None and not task.is_stopped:
+            task.told(share, word)
+
+    def _end(self, task: Task) -> None:
+        if task not in self.running:
+            return
+        task.thread.join()  # it has a few steps to go after its signal
+        task.after = None
+        self.running.discard(task)
+        if not self.running:
+            self._timer.stop()
+            if self._collects:
+                gc.enable()
+        task.then(task)
+
+    def _tick(self) -> None:
+        if self._collects:
+            _collect()
+        for task in tuple(self.running):
+            task.end_overdue()
+            if not task.thread.is_alive():  # one that was ended from outside sends no signal
+                self._end(task)
+
+
+def _collect() -> None:
+    """Collect the oldest generation that is due, as the interpreter would."""
+    counts, thresholds = gc.get_count(), gc.get_threshold()
+    for generation in (2, 1, 0):
+        if 0 < thresholds[generation] < counts[generation]:
+            gc.collect(generation)
+            return
+
+
+_keepers: list[_Keeper] = []
+
+
+def _keeper() -> _Keeper:
+    """Return the one keeper, made with the first task; with the application it goes, and is made anew."""
+    if not _keepers or not isValid(_keepers[0]):
+        _keepers[:] = [_Keeper()]
+    return _keepers[0]
+
+
+class Worker(QObject):
+    """Has one task at a time whose end matters; what it has taken back may take a while to notice."""
+
+    _task: Task | None = None
+
+    def give_up(self) -> None:
+        """Take back what is being done."""
+        if self._task is not None:
+            self._task.stop()
+
+    def close(self) -> None:
+        """Take back what is being done and wait until it has noticed, not longer than `PATIENCE_S`."""
+        close_all((self,))
+
+
+def close_all(workers: Sequence[Worker]) -> None:
+    """Take back what all of them do, and wait until it has noticed, not longer than `PATIENCE_S` in all."""
+    until = time.monotonic() + PATIENCE_S
+    tasks = [worker._task for worker in workers if worker._task is not None]
+    for worker in workers:
+        worker.give_up()
+    tasks += [task for keeper in _keepers for task in keeper.running if task.is_stopped]
+    for task in tasks:
+        task.wait(until - time.monotonic())
+
+
+class Jobs(Worker):
+    """Does one thing at a time, as the person asks for it.
 
     Signals
     -------
@@ -46,40 +263,38 @@ class Jobs(QObject):
 
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
-        self._job: _Job | None = None
-        self._title = ""
+        self.title = ""
         self._patience = QTimer(self, singleShot=True, interval=SHOWN_AFTER_MS)
         self._patience.timeout.connect(self._show)
 
     @property
     def is_busy(self) -> bool:
         """Whether something is being done."""
-        return self._job is not None
-
-    @property
-    def title(self) -> str:
-        """What is being done; empty when nothing is."""
-        return self._title
+        return self._task is not None
 
     def start(
-        self,
-        title: str,
-        work: Work,
-        done: Callable[[Any], object],
-        failed: Callable[[Exception], object],
+        self, title: str, work: Work, done: Callable[[Any], object], failed: Callable[[Exception], object]
     ) -> bool:
         """Do `work` and hand its result to `done`, or what it raised to `failed`, in this thread.
 
         Neither is called once the work was taken back. Returns False, and does nothing, while there is
-        other work.
+        other work; its name is the `title`.
         """
-        if self._job is not None:
+        if self._task is not None:
             return False
-        self._job, self._title = _Job(work, done, failed), title
-        self._job.reported.connect(self._pass_on, Qt.ConnectionType.QueuedConnection)
-        self._job.finished.connect(self._end, Qt.ConnectionType.QueuedConnection)
+
+        def end(task: Task) -> None:
+            if task is not self._task:
+                return  # it was taken back
+            self._finish()
+            if task.problem is not None:
+                failed(task.problem)
+            elif not task.is_stopped:
+                done(task.result)
+
+        self.title = title
         self._patience.start()
-        self._job.start()
+        self._task = Task(lambda task: work(task.report), end, self.progressed.emit)
         return True
 
     def cancel(self) -> bool:
@@ -87,115 +302,79 @@ class Jobs(QObject):
 
         Returns False where it is too late: its last step has begun, and it ends as it would have.
         """
-        if self._job is None:
-            return True
-        if not self._job.stop():
-            return False
-        self._finish()
+        if self._task is not None:
+            if not self._task.stop():
+                return False
+            self._finish()
         return True
 
-    def close(self) -> None:
-        """Take the work back and wait until it has noticed, as long as that does not take too long."""
-        job = self._job
-        if job is not None:
-            job.stop()
+    def give_up(self) -> None:
+        """Take back what is being done; where it is too late for that, its end is not told."""
+        super().give_up()
+        if self._task is not None:
             self._finish()
-            job.wait(_PATIENCE)
 
     def _show(self) -> None:
-        if self._job is not None:
-            self.shown.emit(self._title)
-
-    def _pass_on(self, share: float, word: str) -> None:
-        if self._job is not None and self._job is self.sender():
-            self.progressed.emit(share, word)
-
-    def _end(self) -> None:
-        job = self._job
-        if job is None or job is not self.sender():
-            return  # it was taken back
-        self._finish()
-        if job.problem is not None:
-            job.failed(job.problem)
-        else:
-            job.done(job.result)
+        self.shown.emit(self.title)
 
     def _finish(self) -> None:
-        self._job, self._title = None, ""
+        self._task, self.title = None, ""
         self._patience.stop()
         self.ended.emit()
 
 
-class _Job(QObject):
-    """One piece of work in a thread of its own.
+class Settler(Worker):
+    """Computes the last thing it was asked for, once things have settled; what came before is forgotten.
 
-    A daemon thread of Python, not a QThread: destroyed while it runs, that would take the program along.
+    Signals
+    -------
+    ready
+        The result of what was asked last.
+    busy_changed
+        Whether a result is being waited for.
     """
 
-    reported = Signal(float, str)
-    finished = Signal()
+    ready = Signal(object)
+    busy_changed = Signal(bool)
 
-    def __init__(
-        self, work: Work, done: Callable[[Any], object], failed: Callable[[Exception], object]
-    ) -> None:
-        super().__init__()
-        self.done, self.failed = done, failed
-        self.result: Any = None
-        self.problem: Exception | None = None
-        self._work = work
-        self._stopped = threading.Event()
-        self._told = 0.0
-        self._lock, self._is_final = threading.Lock(), False
-        self._thread = threading.Thread(target=self._run, name="work", daemon=True)
+    def __init__(self, parent: QObject | None = None, *, settle_ms: int = SETTLE_MS) -> None:
+        super().__init__(parent)
+        self._timer = QTimer(self, singleShot=True, interval=settle_ms)
+        self._timer.timeout.connect(self._begin)
+        self._compute: Callable[[IsStale], object] | None = None
+        self.is_busy = False
 
-    def start(self) -> None:
-        """Begin."""
-        _alive.add(self)
-        # Collected in this thread, a widget that is part of a cycle would be destroyed in it.
-        gc.disable()
-        # As the last thing of the thread's, so that `_alive` keeps this object until then.
-        self.finished.connect(self._let_go, Qt.ConnectionType.QueuedConnection)
-        self._thread.start()
+    def ask(self, compute: Callable[[IsStale], object]) -> None:
+        """Compute this as soon as nothing else is asked for a while."""
+        super().give_up()
+        self._compute = compute
+        self._set_busy(True)
+        self._timer.start()
 
-    def stop(self) -> bool:
-        """Let the next report raise `Cancelled`; return False where the last step has begun."""
-        with self._lock:
-            if not self._is_final:
-                self._stopped.set()
-            return not self._is_final
+    def give_up(self) -> None:
+        """Forget what was asked."""
+        super().give_up()
+        self._compute = None
+        self._timer.stop()
+        self._set_busy(False)
 
-    def wait(self, seconds: float) -> None:
-        """Wait until the thread has ended, at most so long."""
-        self._thread.join(seconds)
+    def _begin(self) -> None:
+        # One at a time: a second one would only take the first one's turn.
+        compute = self._compute
+        if compute is not None and self._task is None and not self._timer.isActive():
+            self._compute = None
+            self._task = Task(lambda task: compute(lambda: task.is_stopped), self._end)
 
-    def _run(self) -> None:
-        try:
-            self.result = self._work(self._report)
-        except Cancelled:
-            self._stopped.set()
-        except Exception as problem:
-            # Whatever it is, it is the window's thread that has to say it.
-            self.problem = problem
-        with suppress(RuntimeError):  # at the end of the program
-            self.finished.emit()
+    def _end(self, task: Task) -> None:
+        self._task = None
+        task.raise_problem()
+        if not task.is_stopped:
+            self._set_busy(False)
+            if task.problem is None:
+                self.ready.emit(task.result)
+        self._begin()
 
-    def _report(self, share: float, word: str) -> None:
-        with self._lock:
-            if self._stopped.is_set():
-                raise Cancelled
-            self._is_final = self._is_final or share == FINAL
-        if self._is_final:
-            return
-        now = time.monotonic()
-        if now - self._told > _TELL_EVERY:
-            self._told = now
-            self.reported.emit(share, word)
-
-    def _let_go(self) -> None:
-        _alive.discard(self)
-        if not _alive:
-            gc.enable()
-
-
-_alive: set[_Job] = set()
-"""Everything that runs, taken back or not."""
+    def _set_busy(self, busy: bool) -> None:
+        if busy != self.is_busy:
+            self.is_busy = busy
+            self.busy_changed.emit(busy)

@@ -234,3 +234,10 @@ def test_the_window_starts_without_what_is_rarely_used():
     code = f"import sys; import app.cli, app.main_window; print({late!r} & set(sys.modules))"
     done = subprocess.run([sys.executable, "-c", code], cwd=ROOT, capture_output=True, text=True, check=True)
     assert done.stdout.strip() == "set()"
+
+
+def test_one_module_starts_threads():
+    """Python's collector runs in whatever thread allocates; ``app.worker`` keeps it out of its own."""
+    starts = re.compile(r"\bThread\(|QThread|QRunnable|ThreadPool|concurrent\.futures|multiprocessing")
+    sources = {name: path.read_text(encoding="utf-8") for name, path in modules(ROOT).items()}
+    assert [name for name, text in sources.items() if starts.search(text)] == ["app.worker"]

@@ -37,8 +37,8 @@ from app.commands.teaching_commands import TeachingCommands
 from app.commands.tool_commands import ToolCommands
 from app.commands.view_commands import ViewCommands
 from app.commands.wiggle_commands import WiggleCommands
-from app.settle import Settler
 from app.view_model.curve_view import CurveView
+from app.worker import Worker, close_all
 
 _DURING_A_GESTURE = {
     "undo",  # takes the gesture back, and nothing else
@@ -158,10 +158,8 @@ class Commands:
 
     def close(self) -> None:
         """Let what runs beside the window end; called before the window goes."""
-        self.work.close()
         self.recovery.leave()
-        for settler in self._parts.window.findChildren(Settler):
-            settler.wait()
+        close_all(self._parts.window.findChildren(Worker))
 
     def follow(self, view: CurveView) -> None:
         """Show what follows a drag frame by frame."""

@@ -43,10 +43,6 @@ class FileWork:
     def render(self, view: CurveView) -> None:
         """Leave it: work goes on whatever the curve becomes."""
 
-    def close(self) -> None:
-        """Drop what is being done; the window closes."""
-        self.jobs.close()
-
     def start(self, title: str, work: Work, done: Callable[[Any], object], path: Path, what: str) -> None:
         """Do work for a file; what it raises is said as “file was not `what`”."""
 

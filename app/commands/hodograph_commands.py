@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING
 from PySide6.QtWidgets import QDockWidget, QWidget
 
 from app.commands.parts import Handlers, Parts
-from app.settle import Settler
 from app.view_model.curve_view import CurveView
+from app.worker import Settler
 
 if TYPE_CHECKING:
     from app.panels.hodograph_panel import HodographPanel
@@ -62,7 +62,7 @@ class HodographCommands:
         from app.view_model.analysis.plot_samples import is_slow  # noqa: PLC0415
 
         if not view.is_current:
-            self._settler.drop()
+            self._settler.give_up()
             panel.plot.say(view.problem)
             return
         compute = partial(hodograph_of, view, panel.order)
@@ -71,7 +71,7 @@ class HodographCommands:
             panel.plot.refresh()
             self._settler.ask(lambda _is_stale: compute())
             return
-        self._settler.drop()
+        self._settler.give_up()
         self._show(compute())
 
     def _show(self, hodograph: Hodograph) -> None:

@@ -12,11 +12,11 @@ from app.canvas.trace_layer import Trace
 from app.commands.dock_room import make_room_once
 from app.commands.parts import Handlers, Parts
 from app.overrides import Guarded
-from app.settle import IsStale, Settler
 from app.view_model.analysis.laboratory_settings import METHOD_NAMES, LaboratorySettings
 from app.view_model.curve_view import CurveView
 from app.view_model.growth import growth_of_data
 from app.view_model.looks import METHOD_LOOKS
+from app.worker import IsStale, Settler
 
 if TYPE_CHECKING:
     from app.panels.laboratory_panel import LaboratoryPanel
@@ -151,7 +151,7 @@ class LaboratoryCommands(Guarded, QObject):
         self._asked = self._trial = None
         self._problem = ""
         for settler in (self._settler, self._digits_settler, self._cost_settler):
-            settler.drop()
+            settler.give_up()
         self._parts.canvas.annotations.render_traces(_GROUP, ())
         self.tried.emit(None)
 

@@ -6,9 +6,9 @@ from functools import partial
 from typing import TYPE_CHECKING
 
 from app.commands.parts import Handlers, Parts
-from app.settle import IsStale, Settler
 from app.view_model.analysis.settings import AnalysisSettings, Ghost, Overlay
 from app.view_model.curve_view import CurveView
+from app.worker import IsStale, Settler
 
 if TYPE_CHECKING:
     from app.view_model.analysis.ghosts import GhostView
@@ -112,7 +112,7 @@ class OverlayCommands:
             return
         self._is_drawn = False
         self._ghosts, self._asked, self._settled = {}, None, None
-        self._settler.drop()
+        self._settler.give_up()
         self._parts.canvas.annotations.render_figures(())
         self._parts.canvas.annotations.render_legend(_GROUP, ())
         self._parts.analysis.note({})
@@ -121,7 +121,7 @@ class OverlayCommands:
         """Ask for what is too heavy for a frame, unless the answer is there or on its way."""
         if not waits:
             self._asked, self._settled = None, None
-            self._settler.drop()
+            self._settler.give_up()
             return
         from app.view_model.analysis.overlays import settled_picture, settling_key  # noqa: PLC0415
 

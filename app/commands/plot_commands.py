@@ -9,10 +9,10 @@ import numpy as np
 from PySide6.QtCore import QTimer
 
 from app.commands.parts import Handlers, Parts
-from app.settle import Settler
 from app.view_model.analysis.settings import Plot
 from app.view_model.curve_view import CurveView
 from app.view_model.growth import growth_of_points
+from app.worker import Settler
 
 if TYPE_CHECKING:
     from app.panels.plot_pane import PlotPane
@@ -96,7 +96,7 @@ class PlotCommands:
         """Show or hide the panel, and plot."""
         panel = self._parts.plot_panel
         if not self._is_on:
-            self._settler.drop()
+            self._settler.give_up()
             panel.hide()
             return
         pane = panel.fill(self._build)
@@ -158,7 +158,7 @@ class PlotCommands:
         assert pane is not None
         self._plotted, self._was_calm = view if view.is_current else None, calm
         if not view.is_current:
-            self._settler.drop()
+            self._settler.give_up()
             pane.canvas.say(view.problem)
             return
         basis = self._parts.basis_panel.basis
@@ -168,7 +168,7 @@ class PlotCommands:
             pane.canvas.set_waiting()
             self._settler.ask(lambda _is_stale: compute())
             return
-        self._settler.drop()
+        self._settler.give_up()
         self._show(compute(), calm=calm)
 
     def _show_settled(self, plots: list[PlotData]) -> None:

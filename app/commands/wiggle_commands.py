@@ -12,9 +12,9 @@ from app.commands.dock_room import make_room_once
 from app.commands.parts import Handlers, Parts
 from app.document.model import Document
 from app.gestures.tools import ToolKind
-from app.settle import IsStale, Settler
 from app.view_model.curve_view import CurveView
 from app.view_model.looks import CURE_LOOK
+from app.worker import IsStale, Settler
 
 if TYPE_CHECKING:
     from app.panels.wiggle_panel import WigglePanel
@@ -118,7 +118,7 @@ class WiggleCommands(QObject):
         panel.render_explanation(explanation, len(view.source.nodes), view.problem)
         if explanation is None:
             self._asked = self._cures = None
-            self._settler.drop()
+            self._settler.give_up()
             self._show_cures()
             return
         document, curve, knot = self._session.document, self._session.active_index, explanation.segment[0]

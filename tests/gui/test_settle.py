@@ -6,14 +6,14 @@ import threading
 
 import pytest
 
-from app.settle import Settler
+from app.worker import Settler
 
 
 @pytest.fixture
 def settler(qtbot):
     made = Settler(settle_ms=1)
     yield made
-    made.wait()
+    made.close()
 
 
 def test_only_the_last_question_is_answered(qtbot, settler):
@@ -47,7 +47,7 @@ def test_dropped_work_says_nothing(qtbot, settler):
     answers = []
     settler.ready.connect(answers.append)
     settler.ask(lambda _stale: 1)
-    settler.drop()
+    settler.give_up()
     qtbot.wait(20)
     assert answers == []
     assert not settler.is_busy

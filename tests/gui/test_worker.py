@@ -5,12 +5,17 @@ from __future__ import annotations
 import gc
 import threading
 import time
+import weakref
+from contextlib import suppress
 
 import pytest
+from PySide6.QtCore import QObject, QTimer
 from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QWidget
 
+from app import worker
 from app.exchange.progress import FINAL, part
-from app.worker import Jobs
+from app.worker import Jobs, Settler, Task, Worker, close_all
 
 
 @pytest.fixture
@@ -181,19 +186,161 @@ def test_the_last_step_cannot_be_taken_back(jobs):
     assert heard.results == ["written"]
 
 
-def test_nothing_is_collected_in_the_other_thread(jobs):
-    """A widget in a cycle that is collected there would be destroyed there, and take the program along."""
-    heard, states, release = Heard(), [], threading.Event()
+class Cyclic(QWidget):
+    """A widget that only the collector frees; with a timer, which no other thread can stop."""
 
-    def work(_report):
-        states.append(gc.isenabled())
-        release.wait(10)
+    def __init__(self):
+        super().__init__()
+        self.me = self
+        QTimer(self, interval=10_000).start()
 
-    jobs.start("Watching", work, heard.done, heard.failed)
-    until(lambda: states)
+
+def churn(ends):
+    """Make garbage, more than lets a collector begin, until `ends`."""
+    while not ends():
+        assert len([[] for _ in range(2000)]) == 2000
+
+
+@pytest.fixture
+def quick_keeper(qapp, monkeypatch):
+    """Look for garbage often, in generations that are soon due."""
+    monkeypatch.setattr(worker, "_TICK_MS", 5)
+    monkeypatch.setattr(worker, "_keepers", [])
+    before = gc.get_threshold()
+    gc.set_threshold(700, 1, 1)
+    yield
+    until(gc.isenabled)
+    gc.set_threshold(*before)
+
+
+@pytest.mark.parametrize("kind", ["jobs", "settler", "task"])
+def test_garbage_is_collected_in_the_windows_thread_while_work_runs(quick_keeper, jobs, kind):
+    """Three widgets in cycles were destroyed by the thread of a `Settler`, and of the autosave.
+
+    Young ones and those of the oldest generation: all go, and while the work goes on.
+    """
+    threads, release = [], threading.Event()
+    widgets = [Cyclic() for _ in range(3)]
+    gc.collect()
+    widgets += [Cyclic() for _ in range(3)]
+    for each in widgets:
+        weakref.finalize(each, lambda: threads.append(threading.current_thread()))
+    settler = Settler(settle_ms=0)
+    if kind == "jobs":
+        jobs.start("Churning", lambda _report: churn(release.is_set), print, print)
+    elif kind == "settler":
+        settler.ask(lambda _stale: churn(release.is_set))
+        until(lambda: not gc.isenabled())
+    else:
+        Task(lambda _task: churn(release.is_set))
+    del each, widgets
+    until(lambda: len(threads) == 6)
+    assert set(threads) == {threading.main_thread()}
     release.set()
     until(gc.isenabled)
-    assert states == [False]
+
+
+def test_what_a_task_refers_to_goes_in_the_windows_thread(qapp):
+    threads = []
+    widget = QWidget()
+    weakref.finalize(widget, lambda: threads.append(threading.current_thread()))
+    Task(lambda _task, widget=widget: None)
+    del widget
+    until(lambda: threads)
+    assert threads == [threading.main_thread()]
+
+
+def test_a_collector_that_was_off_stays_off(qapp):
+    gc.disable()
+    try:
+        Task(lambda _task: None)
+        until(lambda: not worker._keepers[0].running)
+        assert not gc.isenabled()
+    finally:
+        gc.enable()
+
+
+def work_threads():
+    return [each for each in threading.enumerate() if each.name == "work"]
+
+
+def test_stopped_work_that_never_asks_is_ended(jobs, monkeypatch):
+    """Stop said "stopped", and the thread went on until the memory was gone."""
+    monkeypatch.setattr(worker, "_GRACE_S", 0.02)
+    heard, begun, cleaned = Heard(), threading.Event(), threading.Event()
+
+    def work(_report):
+        try:
+            begun.set()
+            while True:
+                with suppress(Exception):
+                    sum(range(100))
+        finally:
+            cleaned.set()
+
+    jobs.start("Endless", work, heard.done, heard.failed)
+    assert begun.wait(10)
+    assert jobs.cancel()
+    until(lambda: not work_threads())
+    until(gc.isenabled)
+    assert cleaned.is_set()
+    assert heard.results == heard.problems == []
+
+
+def test_closing_ends_what_never_asks_within_its_patience(qapp, monkeypatch):
+    """Work that does not ask kept the window from closing: a `Settler` waited for it without end."""
+    monkeypatch.setattr(worker, "_GRACE_S", 0.02)
+    parent, begun = QObject(), threading.Semaphore(0)
+    settlers = [Settler(parent, settle_ms=0) for _ in range(2)]
+    stubborn = Jobs(parent)
+
+    def work(_asks):
+        begun.release()
+        while True:
+            sum(range(100))
+
+    for each in settlers:
+        each.ask(work)
+    stubborn.start("Endless", work, print, print)
+    until(lambda: len(work_threads()) == 3)
+    for _ in range(3):
+        assert begun.acquire(timeout=10)
+    close_all(parent.findChildren(Worker))
+    assert work_threads() == []
+
+
+def test_closing_does_not_wait_for_what_cannot_be_ended(jobs, monkeypatch):
+    """A disk of a network that answers no more, for one."""
+    monkeypatch.setattr(worker, "PATIENCE_S", 0.05)
+    monkeypatch.setattr(worker, "_GRACE_S", 0.01)
+    release = threading.Lock()
+    release.acquire()
+    jobs.start("Stuck", lambda _report: release.acquire(timeout=60) and release.release(), print, print)
+    jobs.close()
+    assert len(work_threads()) == 1
+    assert not jobs.is_busy
+    release.release()
+
+
+def test_one_after_the_other(qapp):
+    order, release = [], threading.Event()
+    first = Task(lambda _task: (release.wait(10), order.append(1)))
+    last = Task(lambda _task: order.append(2), after=first)
+    release.set()
+    assert last.wait(10)
+    assert order == [1, 2]
+    until(gc.isenabled)
+    assert last.after is None
+
+
+def test_what_a_task_raises_reaches_the_windows_hook(qtbot):
+    def fails(_task):
+        raise ValueError("eleven")
+
+    with qtbot.captureExceptions() as caught:
+        Task(fails)
+        until(lambda: caught)
+    assert str(caught[0][1]) == "eleven"
 
 
 def test_a_part_of_the_work_reports_its_share_of_the_whole():
