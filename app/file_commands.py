@@ -6,10 +6,12 @@ import re
 from collections.abc import Callable
 from pathlib import Path
 
+from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QFileDialog, QMessageBox, QWidget
 
 from app.document.format import FormatError
 from app.document.model import empty_document
+from app.document.open_file import Sight
 from app.document.storage import StorageError, load
 from app.preferences import Preferences
 from app.session import Session
@@ -124,6 +126,8 @@ class FileCommands:
     def may_discard(self) -> bool:
         """Ask what to do with unsaved changes; return whether the document may be replaced."""
         self._session.cancel()
+        # The watch may be waiting whether another program goes on writing.
+        self._session.look_at_file()
         if not self._session.is_modified:
             return True
         answer = self._ask_about_changes()
@@ -137,17 +141,33 @@ class FileCommands:
             self._session.file.close()
 
     def _ask_about_changes(self) -> int:
-        name = title_of(self._session) if self._session.path is not None else "the sketch"
+        asked, told = _question_about(self._session)
         question = QMessageBox(self._window)
         question.setObjectName("saveChanges")
         question.setWindowTitle("Curvebench")
         question.setIcon(QMessageBox.Icon.Question)
-        question.setText(f"Save the changes to {name}?")
-        question.setInformativeText("Without saving they are lost.")
+        question.setTextFormat(Qt.TextFormat.PlainText)
+        question.setText(asked)
+        question.setInformativeText(told)
         buttons = QMessageBox.StandardButton
         question.setStandardButtons(buttons.Save | buttons.Discard | buttons.Cancel)
         question.setDefaultButton(buttons.Save)
         return question.exec()
+
+
+def _question_about(session: Session) -> tuple[str, str]:
+    """Return what is asked before a document goes that is not in its file, and why."""
+    name = title_of(session) if session.path is not None else "the sketch"
+    sight = session.file.sight if session.file is not None and session.file.has_lost_document else Sight.SAME
+    why = {
+        Sight.SAME: "",
+        Sight.CHANGED: "Another program has changed the file. ",
+        Sight.UNREADABLE: "Another program has emptied or damaged the file. ",
+        Sight.GONE: "The file is gone from its folder. ",
+    }[sight]
+    if session.has_changes:
+        return f"Save the changes to {name}?", f"{why}Without saving they are lost."
+    return f"Save {name} as it is shown here?", f"{why}Without saving, what is shown here is lost."
 
 
 def title_of(session: Session) -> str:

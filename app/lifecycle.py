@@ -99,6 +99,7 @@ class Lifecycle(QObject):
         The system calls this before it ends, and closes the windows afterwards or does not even do that.
         """
         for window, autosave in self._autosaves.items():
+            window.session.look_at_file()
             window.asks_before_closing = not autosave.write_now()
 
     def end(self, number: int = 0) -> None:

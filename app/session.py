@@ -16,7 +16,7 @@ from app.document.curve_edits import refuse_locked
 from app.document.edits import EditError
 from app.document.format import FormatError, validate_changes
 from app.document.model import Curve, Document, empty_document
-from app.document.open_file import OpenFile
+from app.document.open_file import OpenFile, Sight
 from app.examples import first_sketch
 from app.undo_step import State, UndoStep
 from app.view_model.curve_view import CurveView, view_of
@@ -219,9 +219,14 @@ class Session(QObject):
         return self._committed
 
     @property
-    def is_modified(self) -> bool:
-        """Whether there are changes that are not in the file."""
+    def has_changes(self) -> bool:
+        """Whether something was changed here since the document was opened or saved."""
         return not self.undo_stack.isClean()
+
+    @property
+    def is_modified(self) -> bool:
+        """Whether what is here is not in the file: changed here, or changed, damaged or deleted there."""
+        return self.has_changes or (self.file is not None and self.file.has_lost_document)
 
     # Changes
 
@@ -418,6 +423,24 @@ class Session(QObject):
             self.undo_stack.push(UndoStep(self._restore, before, after, "Reload"))
         self.undo_stack.setClean()
         self.file_changed.emit()
+
+    def look_at_file(self) -> None:
+        """Take note of what the file holds at this moment; before the document goes, for one."""
+        if self.file is not None:
+            self.note_sight(self.file.look())
+
+    def give_up_changes(self) -> None:
+        """Let the document go as it is, unsaved: nobody is asked about it."""
+        self.undo_stack.setClean()
+        if self.file is not None:
+            self.file.accept()
+            self.file_changed.emit()
+
+    def note_sight(self, sight: Sight) -> None:
+        """Take note of what the file holds."""
+        if self.file is not None and sight is not self.file.sight:
+            self.file.sight = sight
+            self.file_changed.emit()
 
     @property
     def is_read_only(self) -> bool:

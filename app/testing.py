@@ -103,7 +103,8 @@ class Editor(Hand):
 
     def _discard_changes(self) -> None:
         # Else closing asks whether to save, and the test run waits for an answer.
-        self.session.undo_stack.setClean()
+        self.window.asks_before_closing = False
+        self.session.give_up_changes()
 
     # What is there
 
@@ -161,7 +162,7 @@ class Editor(Hand):
 
     def new(self) -> None:
         """Start an empty document with the view from (−0.5, −0.5) on, adding points."""
-        self.session.undo_stack.setClean()
+        self.session.give_up_changes()
         self.trigger("newDocument")
 
     def trigger(self, name: str) -> None:

@@ -92,6 +92,8 @@ class DiskCommands(QObject):
         if self._session.path != self._path:
             self._path = self._session.path
             self._watch.watch(self._path)
+        if file is not None and file.sight is not self._sight:
+            self._settle(file, file.sight)  # somebody has looked before the watch did
         self._show()
 
     def _say_what_matters(self) -> None:
@@ -139,9 +141,7 @@ class DiskCommands(QObject):
                 self._show_ghost()
         if sight in (Sight.GONE, Sight.SAME) and self._is_refused_for_other_content:
             self._refusal = None  # what it warns of is there no longer
-        if sight is Sight.GONE:
-            # What is here is nowhere else now.
-            self._session.undo_stack.resetClean()
+        self._session.note_sight(sight)
 
     def _look_at_lock(self, file: OpenFile) -> None:
         owner = file.look_at_lock()
@@ -197,7 +197,7 @@ class DiskCommands(QObject):
         if file is not None:
             name, owner = file.path.name, file.owner
             lock = about_lock(name, self._standing, owner)
-            content = about_content(name, self._sight, modified=self._session.is_modified, owner=owner)
+            content = about_content(name, self._sight, modified=self._session.has_changes, owner=owner)
             is_urgent = self._standing in (Standing.ASKED, Standing.FREED, Standing.TAKEN_AWAY)
             found += [lock, content] if is_urgent else [content, lock]
         return [each for each in found if each is not None]

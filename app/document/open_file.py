@@ -57,10 +57,13 @@ class OpenFile:
         Who else has it open, so that it is not saved from here; None where it is ours.
     lock_problem
         Why nobody can be told that it is open here; empty where they are.
+    sight
+        What it holds, as far as the window has taken note of it.
     """
 
     def __init__(self, path: Path, stamp: Stamp | None, attempt: Attempt, version: int = VERSION) -> None:
         self.path, self.stamp, self.version = path, stamp, version
+        self.sight = Sight.SAME
         self._lock: Lock | None = None
         self._seen: tuple[Stamp, Sight, Document | None] | None = None
         self._take(attempt)
@@ -130,9 +133,9 @@ class OpenFile:
         try:
             self.stamp = storage.save(self.path, document, seen=None if overwrite else self.stamp)
         except UnconfirmedError as problem:
-            self.stamp = problem.stamp
+            self.stamp, self.sight = problem.stamp, Sight.SAME
             raise
-        self.version = VERSION
+        self.version, self.sight = VERSION, Sight.SAME
         sweep(_target(self.path).parent)
 
     def _refuse_if_not_ours(self) -> None:
@@ -220,22 +223,30 @@ class OpenFile:
         return sight
 
     @property
+    def has_lost_document(self) -> bool:
+        """Whether the document that came from it is in it no longer, and nobody else is to care for that."""
+        is_for_owner = self.sight is Sight.CHANGED and self.owner is not None
+        return self.sight is not Sight.SAME and not is_for_owner
+
+    @property
     def other_document(self) -> Document | None:
         """The document that the last look found in the file, where it was changed."""
         return self._seen[2] if self._seen is not None else None
 
     def accept(self) -> None:
         """Take what the file holds now as seen: the next save replaces it."""
-        self.look()
-        if self._seen is not None:
+        sight = self.look()
+        if sight is Sight.GONE:
+            self.stamp = None
+        elif sight is not Sight.SAME and self._seen is not None:
             self.stamp = self._seen[0]
-            self._seen = None
+        self.sight, self._seen = Sight.SAME, None
 
     def read_again(self) -> Document:
         """Return the document that the file holds now, and take it as seen; see `storage.load`."""
         content = storage.read_content(self.path)
         document = storage.document_in(content.data, self.path)
-        self.stamp, self._seen = content.stamp, None
+        self.stamp, self._seen, self.sight = content.stamp, None, Sight.SAME
         self.version = _version(content.data)
         return document
 

@@ -146,6 +146,18 @@ def test_what_is_saved_given_up_or_undone_is_not_kept(kept, qtbot, tmp_path, mon
     assert files() == []
 
 
+def test_what_another_program_has_emptied_is_kept(kept, qtbot, tmp_path, monkeypatch):
+    """There was no snapshot: to the program nothing was unsaved."""
+    monkeypatch.setattr("app.commands.disk_commands._LOOKS", 1)
+    path = tmp_path / "mine.curve.json"
+    kept.session.save(path)
+    path.write_bytes(b"")
+    qtbot.waitUntil(is_kept, timeout=WAIT_MS)
+    assert document_kept() == kept.session.document
+    storage.save(path, kept.session.document)  # as good as before
+    qtbot.waitUntil(lambda: not files(), timeout=WAIT_MS)
+
+
 def test_the_snapshot_says_which_file_and_that_it_changed(kept, qtbot, tmp_path):
     path = tmp_path / "mine.curve.json"
     kept.session.save(path)

@@ -245,6 +245,71 @@ def test_closing_does_not_lose_what_could_not_be_saved(saved, path):
     assert load(path) == THEIRS
 
 
+LOST = {
+    "emptied": (lambda path: path.write_bytes(b""), "emptied or damaged the file."),
+    "damaged": (lambda path: path.write_bytes(path.read_bytes()[:-9]), "emptied or damaged the file."),
+    "replaced": (lambda path: save(path, THEIRS), "Another program has changed the file."),
+    "deleted": (lambda path: path.unlink(), "The file is gone from its folder."),
+}
+
+
+@pytest.mark.parametrize("how", LOST)
+def test_closing_asks_about_a_document_that_is_in_its_file_no_longer(saved, path, how):
+    """Nobody was asked, and 0 bytes were left; before the watch has seen it, too."""
+    lose, words = LOST[how]
+    asked = []
+
+    def answer(button):
+        box = saved.window.findChild(QMessageBox, "saveChanges")
+        asked.append((box.text(), box.informativeText()))
+        box.button(button).click()
+        box.deleteLater()
+
+    lose(path)
+    left = path.read_bytes() if path.exists() else None
+    QTimer.singleShot(0, lambda: answer(QMessageBox.StandardButton.Cancel))
+    assert not saved.window.close()
+    assert asked[0][0] == "Save drawing.curve.json as it is shown here?"
+    assert words in asked[0][1]
+    # The window knows it now, without waiting for the watch.
+    assert saved.file_message
+    assert saved.session.is_modified
+    assert saved.window.isWindowModified()
+    QTimer.singleShot(0, lambda: answer(QMessageBox.StandardButton.Save))
+    if how == "deleted":
+        assert saved.window.close()
+        assert load(path) == saved.session.document
+        return
+    # What another program wrote is replaced only by who says so.
+    assert not saved.window.close()
+    assert path.read_bytes() == left
+    assert "overwriteFile" in offered(saved)
+    saved.answer_file_message("overwriteFile")
+    assert load(path) == saved.session.document
+    assert saved.window.close()
+    assert len(asked) == 2
+
+
+def test_a_file_that_is_whole_again_is_nobodys_loss(saved, path, until, monkeypatch):
+    monkeypatch.setattr("app.commands.disk_commands._LOOKS", 1)
+    content = path.read_bytes()
+    path.write_bytes(b"")
+    until(lambda: saved.session.is_modified)
+    assert saved.file_message
+    path.write_bytes(content)
+    until(lambda: not saved.session.is_modified)
+    assert saved.file_message == ""
+
+
+def test_a_reader_is_not_asked_about_what_the_owner_saved(saved, path, qtbot, until):
+    second = second_window(qtbot, path)
+    edit(saved)
+    saved.trigger("saveDocument")
+    until(lambda: second.file_message.startswith("You saved changes"))
+    assert not second.session.is_modified
+    assert second.window.close()
+
+
 def test_half_a_file_is_waited_for(saved, path, until, qtbot):
     content = encode(THEIRS)
     path.write_bytes(content[: len(content) // 2])
@@ -643,7 +708,7 @@ def test_a_newer_version_on_the_disk_is_never_replaced(saved, path):
     assert saved.session.is_modified
     other = path.with_name("newer.curve.json")
     other.write_bytes(newer)
-    saved.session.undo_stack.setClean()
+    saved.session.give_up_changes()
     saved.window.open_file(other)
     assert "newer.curve.json was not opened: it was written by a newer version" in saved.message
     assert saved.session.document is document
