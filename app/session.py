@@ -475,7 +475,9 @@ class Session(QObject):
         self.undo_stack.resetClean()
 
     def _replace(self, document: Document, path: Path | None, file: OpenFile | None = None) -> None:
-        self._take_file(OpenFile.adopt(path) if file is None and path is not None else file)
+        if file is None and path is not None:
+            file = OpenFile.adopt(path, self.file)
+        self._take_file(file)
         self.path = path
         self.select([])
         self.choose_curves((self.active_index,))

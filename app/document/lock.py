@@ -3,6 +3,10 @@
 The lock of ``name.curve.json`` is ``.name.curve.json.lock``. It is made by the system in one step, so that of
 two who come at once one gets it; one whose owner has died is taken over. It is a courtesy between people, not
 what keeps files whole: where no lock can be made, work goes on without.
+
+Whether an owner still runs is told by its process. Where that cannot be asked (each start in a container of
+its own, as Flatpak does it), a lock of the system tells, which the owner holds on the lock file and the
+system lets go of with the process.
 """
 
 from __future__ import annotations
@@ -20,6 +24,11 @@ import msgspec
 from app.document.leftovers import temporary_name
 from app.document.processes import Process, is_alive, this_process
 from app.document.turns import taking_turns
+
+try:
+    import fcntl
+except ImportError:  # Windows, where a file that is held could not be taken over
+    fcntl = None  # type: ignore[assignment]
 
 OLD = 24 * 3600.0
 """Seconds after which an owner who cannot be asked may have forgotten the document."""
@@ -46,6 +55,8 @@ class Owner(msgspec.Struct, frozen=True):
         When it was opened, in seconds of Unix time.
     mark
         Tells this lock from every other; empty for a lock file that cannot be read.
+    is_held
+        Whether the owner also holds a lock of the system on the file.
     """
 
     user: str
@@ -55,6 +66,7 @@ class Owner(msgspec.Struct, frozen=True):
     started: str
     since: float
     mark: str
+    is_held: bool = False
 
     @property
     def process(self) -> Process:
@@ -80,10 +92,11 @@ class Owner(msgspec.Struct, frozen=True):
 class Lock:
     """A lock that is held; `release` gives it up, and so does the end of the process."""
 
-    def __init__(self, place: Path, owner: Owner) -> None:
+    def __init__(self, place: Path, owner: Owner, descriptor: int | None) -> None:
         self.place, self._owner = place, owner
         _held.add(owner.mark)
-        self._finalizer = weakref.finalize(self, _release, place, owner)
+        self._descriptors = [descriptor]
+        self._finalizer = weakref.finalize(self, _release, place, owner, self._descriptors)
 
     def lost_to(self) -> Owner | None:
         """Return who has taken it over meanwhile; None while it is ours.
@@ -93,7 +106,7 @@ class Lock:
         with suppress(OSError):
             found = _read(self.place)
             if found is None:
-                _create(self.place, self._owner)
+                self._descriptors.append(_create(self.place, self._owner))
             elif found.mark != self._owner.mark:
                 return found
         return None
@@ -132,11 +145,10 @@ def acquire(target: Path) -> Attempt:
     try:
         with taking_turns(place.parent):
             found = _read(place)
-            if found is not None and not (_is_stale(found) and _set_aside(place, found)):
+            if found is not None and not (_is_stale(found, place) and _set_aside(place, found)):
                 return Attempt(owner=_read(place) or found)
             mine = _new_owner()
-            _create(place, mine)
-            return Attempt(lock=Lock(place, mine))
+            return Attempt(lock=Lock(place, mine, _create(place, mine)))
     except FileExistsError:
         # Somebody was quicker, in a folder where turns cannot be taken.
         return Attempt(owner=owner_of(target), problem="it is being opened elsewhere")
@@ -151,34 +163,66 @@ def take_over(target: Path) -> Attempt:
     aside = place.with_name(temporary_name())
     try:
         with taking_turns(place.parent):
-            _create(aside, mine)
+            descriptor = _create(aside, mine)
             try:
                 aside.replace(place)
             except BaseException:
+                _let_go(descriptor)
                 aside.unlink(missing_ok=True)
                 raise
     except (OSError, ValueError) as problem:
         return Attempt(problem=getattr(problem, "strerror", None) or str(problem))
-    return Attempt(lock=Lock(place, mine))
+    return Attempt(lock=Lock(place, mine, descriptor))
 
 
 def owner_of(target: Path) -> Owner | None:
     """Return who has the file `target` open; None where nobody has, or nobody who still runs."""
+    place = lock_place(target)
     try:
-        found = _read(lock_place(target))
+        found = _read(place)
     except (OSError, ValueError):
         return None
-    return None if found is None or _is_stale(found) else found
+    return None if found is None or _is_stale(found, place) else found
 
 
-def _is_stale(owner: Owner) -> bool:
-    """Whether the lock's owner has certainly ended."""
+def _is_stale(owner: Owner, place: Path) -> bool:
+    """Whether the owner of the lock at `place` has certainly ended."""
     if not owner.mark:
         # A process that was killed between making and writing it; a fresh one is being written.
         return owner.pid == 0 and time.time() - owner.since > _BEING_WRITTEN
     if owner.is_this_process:
         return owner.mark not in _held
-    return is_alive(owner.process) is False
+    runs = is_alive(owner.process)
+    if runs is None and owner.is_held and owner.machine == this_process().machine:
+        return _is_free(place)
+    return runs is False
+
+
+def _is_free(place: Path) -> bool:
+    """Whether nobody holds the lock file at `place`, as far as this computer's system knows."""
+    with suppress(OSError):
+        descriptor = os.open(place, os.O_RDONLY)
+        try:
+            return _hold(descriptor)
+        finally:
+            os.close(descriptor)
+    return False
+
+
+def _hold(descriptor: int) -> bool:
+    """Hold the open file until it is closed; return whether that is possible."""
+    if fcntl is None:
+        return False
+    try:
+        fcntl.flock(descriptor, fcntl.LOCK_EX | fcntl.LOCK_NB)
+    except OSError:
+        return False
+    return True
+
+
+def _let_go(descriptor: int | None) -> None:
+    if descriptor is not None:
+        os.close(descriptor)
 
 
 def _set_aside(place: Path, stale: Owner) -> bool:
@@ -212,18 +256,24 @@ def _new_owner() -> Owner:
     )
 
 
-def _create(place: Path, owner: Owner) -> None:
-    """Make the lock file; raises FileExistsError where there is one."""
+def _create(place: Path, owner: Owner) -> int | None:
+    """Make the lock file and return what holds it, if it can be held.
+
+    Raises FileExistsError where there is one.
+    """
     flags = os.O_WRONLY | os.O_CREAT | os.O_EXCL | getattr(os, "O_BINARY", 0)
     descriptor = os.open(place, flags, 0o644)
     try:
-        try:
-            os.write(descriptor, msgspec.json.encode(owner))
-        finally:
-            os.close(descriptor)
+        held = msgspec.structs.replace(owner, is_held=_hold(descriptor))
+        os.write(descriptor, msgspec.json.encode(held))
     except BaseException:
+        os.close(descriptor)
         place.unlink(missing_ok=True)
         raise
+    if held.is_held:
+        return descriptor
+    os.close(descriptor)
+    return None
 
 
 def _read(place: Path) -> Owner | None:
@@ -263,9 +313,12 @@ def _user() -> str:
     return os.environ.get("USER", "")
 
 
-def _release(place: Path, owner: Owner) -> None:
+def _release(place: Path, owner: Owner, descriptors: list[int | None]) -> None:
     """Remove the lock file if it is still the one of `owner`, and this the process that made it."""
     _held.discard(owner.mark)
+    for descriptor in descriptors:
+        with suppress(OSError):
+            _let_go(descriptor)
     if owner.pid != os.getpid():
         return  # A fork that ends; the lock is its parent's.
     with suppress(OSError), taking_turns(place.parent):

@@ -87,16 +87,16 @@ class OpenFile:
         return Opened(document, cls(path, content.stamp, attempt, _version(content.data)))
 
     @classmethod
-    def adopt(cls, path: Path) -> OpenFile:
+    def adopt(cls, path: Path, previous: OpenFile | None = None) -> OpenFile:
         """Return the file at `path` for a document that did not come from it, such as one that was recovered.
 
-        What it holds now counts as seen.
+        What it holds now counts as seen. `previous` is as with `open`.
         """
         try:
             stamp = storage.read_content(path).stamp
         except StorageError:
             stamp = None
-        return cls(path, stamp, acquire(_target(path)))
+        return cls(path, stamp, _lock_for(path, previous))
 
     @classmethod
     def saved(

@@ -50,7 +50,7 @@ def test_the_lock_lies_beside_the_document_and_goes(target):
     place = target.parent / ".drawing.curve.json.lock"
     content = json.loads(place.read_bytes())
     assert content["pid"] == os.getpid()
-    assert set(content) == {"user", "host", "machine", "pid", "started", "since", "mark"}
+    assert set(content) == {"user", "host", "machine", "pid", "started", "since", "mark", "is_held"}
     attempt.lock.release()
     assert not place.exists()
     assert owner_of(target) is None
@@ -129,6 +129,39 @@ def test_where_there_is_no_proc_ps_tells(monkeypatch):
     assert is_alive(own)
     assert is_alive(Process(machine(), os.getpid(), "another time")) is False
     assert is_alive(Process(machine(), ended_process().pid, own.started)) is False
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="containers are Linux's")
+def test_the_system_tells_of_an_owner_that_cannot_be_asked(target):
+    """Each start of a Flatpak is a container of its own: after a kill, nobody could say that it had ended."""
+    code = """\
+        import sys
+        from pathlib import Path
+        from app.document import processes
+        processes._numbering = lambda: "another container"
+        from app.document.lock import acquire
+        attempt = acquire(Path(sys.argv[1]))
+        print(attempt.lock is not None, flush=True)
+        sys.stdin.read()
+    """
+    command = [sys.executable, "-c", textwrap.dedent(code), str(target)]
+    pipes = {"stdin": subprocess.PIPE, "stdout": subprocess.PIPE}
+    with subprocess.Popen(command, cwd=ROOT, text=True, **pipes) as process:
+        assert process.stdout.readline() == "True\n"
+        owner = owner_of(target)
+        assert is_alive(owner.process) is None
+        assert acquire(target).owner == owner
+        assert owner_of(target) == owner  # looking took nothing away
+        process.kill()
+    assert lock_place(target).exists()
+    assert owner_of(target) is None
+    lock = acquire(target).lock
+    assert lock is not None
+    taken = take_over(target).lock
+    lock.release()
+    assert owner_of(target).mark != owner.mark
+    taken.release()
+    assert not lock_place(target).exists()
 
 
 def test_where_nobody_tells_nobody_is_judged(target, monkeypatch):

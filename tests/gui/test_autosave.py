@@ -277,6 +277,21 @@ def test_what_was_left_is_offered_and_restored(kept, qtbot, tmp_path):
     assert storage.load(path) == SKETCH
 
 
+def test_restored_into_a_window_that_has_its_file_open_it_can_be_saved(kept, tmp_path):
+    """Killed, started with the same file, then Restore: it was read-only, owned by this very window."""
+    path = tmp_path / "mine.curve.json"
+    stamp = storage.save(path, Document((make_curve([(0, 0), (1, 1)]),)))
+    leave_behind(origin=Origin(path, stamp))
+    kept.window.open_file(path)
+    kept.window.offer_unsaved_work()
+    press(kept, "restoreWork0")
+    assert kept.session.document == SKETCH
+    assert not kept.session.is_read_only
+    assert kept.file_message == ""
+    kept.trigger("saveDocument")
+    assert storage.load(path) == SKETCH
+
+
 @pytest.mark.parametrize("fate", ["changed", "gone"])
 def test_work_on_a_file_that_is_another_one_now_becomes_a_new_document(kept, tmp_path, fate):
     path = tmp_path / "mine.curve.json"
