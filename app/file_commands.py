@@ -14,6 +14,7 @@ from app.document.model import empty_document
 from app.document.open_file import Sight
 from app.document.storage import StorageError, load
 from app.preferences import Preferences
+from app.resources import is_resource
 from app.session import Session
 
 SUFFIX = ".curve.json"
@@ -57,7 +58,7 @@ class FileCommands:
 
     def open(self, path: Path) -> None:
         """Open the document at `path`, after asking about unsaved changes."""
-        self._open(path, self._session.open, remember=True)
+        self._open(path, self._session.open, remember=not is_resource(path))
 
     def open_example(self, path: Path, *, asks: bool = True) -> bool:
         """Open a copy of an example; saving it asks for a name. Return whether it is open now."""
@@ -172,7 +173,7 @@ def _question_about(session: Session) -> tuple[str, str]:
 
 def title_of(session: Session) -> str:
     """Return what the document is called: its file; a curve's name would change with the order of curves."""
-    return "Untitled" if session.path is None else session.path.name
+    return session.path.name if session.path is not None else session.template or "Untitled"
 
 
 def file_stem(session: Session) -> str:

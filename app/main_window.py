@@ -108,7 +108,7 @@ class MainWindow(Guarded, QMainWindow):
         self._apply_theme_mode()
         self._render_document()
         self._render_file()
-        if self.session.path is None:
+        if self.session.path is None and not self.session.template:
             # Who opens a document came to work on it.
             self._commands.messages.greet()
         if self.preferences.complaint:

@@ -37,3 +37,12 @@ def resource(*parts: str) -> Path:
     wanted = "/".join(("resources", *parts))
     places = " and ".join(str(place) for place in _PLACES)
     raise FileNotFoundError(f"{wanted} is missing from this installation (looked in {places})")
+
+
+def is_resource(path: Path) -> bool:
+    """Whether `path` leads to a file that ships with the program; a link to one counts."""
+    try:
+        real = path.resolve()
+    except (OSError, RuntimeError, ValueError):  # a link that leads back to itself, a name that cannot be
+        return False
+    return any(real.is_relative_to(place) for place in _PLACES)

@@ -17,7 +17,8 @@ from app.document.edits import EditError
 from app.document.format import FormatError, validate_changes
 from app.document.model import Curve, Document, empty_document
 from app.document.open_file import OpenFile, Sight
-from app.examples import first_sketch
+from app.examples import first_sketch, template_title
+from app.resources import is_resource
 from app.undo_step import State, UndoStep
 from app.view_model.curve_view import CurveView, view_of
 
@@ -72,6 +73,10 @@ class Session(QObject):
     ----------
     chosen_curves
         The curves that are worked on together, by their places; the one that is edited is one of them.
+    path, file
+        Where the document is kept; None as long as it has no file.
+    template
+        What the document was begun from, in words; empty where it was opened as a file, or begun empty.
     clock
         Tells the seconds between the changes of a run; tests give their own.
     """
@@ -98,6 +103,7 @@ class Session(QObject):
         self.undo_stack.indexChanged.connect(self._report_index)
         self.path: Path | None = None
         self.file: OpenFile | None = None
+        self.template = ""
         self.active_index = 0
         self.selection: frozenset[int] = frozenset()
         self.chosen_curves = frozenset({0})
@@ -401,14 +407,22 @@ class Session(QObject):
         self._replace(empty_document(), None)
 
     def open(self, path: str | Path) -> None:
-        """Open the document at `path`; when it cannot be read, raise and leave the open one as it was."""
+        """Open the document at `path`; when it cannot be read, raise and leave the open one as it was.
+
+        What ships with the program opens as a copy: it is everybody's, and a lock has no place beside it.
+        """
         path = Path(path)
+        if is_resource(path):
+            self.open_copy(path)
+            return
         opened = OpenFile.open(path, self.file)
         self._replace(opened.document, path, opened.file)
 
     def open_copy(self, path: str | Path) -> None:
         """Open the document at `path` as a new one without a file of its own (examples)."""
-        self._replace(storage.load(Path(path)), None)
+        path = Path(path)
+        document = storage.load(path)
+        self._replace(document, None, template=template_title(path, document))
 
     def reload(self) -> None:
         """Take over what the file holds now, as a step of the history; raises as `open` does."""
@@ -474,11 +488,13 @@ class Session(QObject):
         self._replace(document, path)
         self.undo_stack.resetClean()
 
-    def _replace(self, document: Document, path: Path | None, file: OpenFile | None = None) -> None:
+    def _replace(
+        self, document: Document, path: Path | None, file: OpenFile | None = None, template: str = ""
+    ) -> None:
         if file is None and path is not None:
             file = OpenFile.adopt(path, self.file)
         self._take_file(file)
-        self.path = path
+        self.path, self.template = path, template
         self.select([])
         self.choose_curves((self.active_index,))
         self.set_scrub(None)

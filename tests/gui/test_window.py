@@ -7,12 +7,23 @@ import weakref
 
 import numpy as np
 import pytest
-from PySide6.QtCore import QCoreApplication, QEvent, QMimeData, QPoint, QPointF, Qt, QTimer, QUrl
+from PySide6.QtCore import (
+    QCoreApplication,
+    QEvent,
+    QFileSystemWatcher,
+    QMimeData,
+    QPoint,
+    QPointF,
+    Qt,
+    QTimer,
+    QUrl,
+)
 from PySide6.QtGui import QAction, QDragEnterEvent, QDropEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import (
     QAbstractButton,
     QApplication,
+    QFileDialog,
     QLabel,
     QMessageBox,
     QScrollArea,
@@ -28,7 +39,9 @@ from app.document.storage import load
 from app.file_commands import file_stem
 from app.main_window import MainWindow
 from app.preferences import Preferences
+from app.resources import resource
 from app.session import Session
+from app.start import open_windows
 from app.testing import Editor
 from app.theme import DARK, ThemeMode
 
@@ -194,6 +207,39 @@ def test_examples_open_as_copies_without_a_file(editor):
         assert editor.session.path is None
         assert editor.session.active_view.is_current
         assert editor.message == ""
+
+
+def test_whatever_way_an_example_is_opened_nothing_is_left_beside_it(editor, qtbot, tmp_path, monkeypatch):
+    """The README's first command left a lock in the checkout; the folder's test failed over it."""
+    before = sorted(resource().rglob("*"))
+    link = tmp_path / "link.curve.json"
+    link.symlink_to(resource("examples", "robot_move.curve.json"))
+    for path, title in (
+        (resource("examples", "letter_s.curve.json"), "Letter S (example)"),
+        (resource("lessons", "08_cost.curve.json"), "Lesson 8 (cost)"),
+        (link, "Robot move (example)"),
+    ):
+        editor.window.open_file(path)
+        assert editor.session.document == load(path)
+        assert editor.session.path is editor.session.file is None
+        assert editor.window.windowTitle() == f"{title}[*] – Curvebench"
+        assert not editor.window.findChild(QFileSystemWatcher)
+        assert not editor.session.is_modified
+    assert Preferences().recent_files == []
+    monkeypatch.chdir(resource().parent)
+    (window,) = open_windows(["resources/examples/letter_s.curve.json"])
+    qtbot.addWidget(window)
+    assert window.session.path is window.session.file is None
+    assert window.windowTitle() == "Letter S (example)[*] – Curvebench"
+    assert sorted(resource().rglob("*")) == before
+    asked = []
+    monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *words: asked.append(words[2]) or ("", ""))
+    editor.trigger("saveDocument")
+    assert asked == [str(Preferences().last_folder / "Robot move.curve.json")]
+    editor.session.save(tmp_path / "mine.curve.json")
+    assert editor.window.windowTitle() == "mine.curve.json[*] – Curvebench"
+    editor.new()
+    assert editor.window.windowTitle() == "Untitled[*] – Curvebench"
 
 
 def test_recent_files_are_listed(editor, tmp_path):
