@@ -11,6 +11,7 @@ from collections.abc import Sequence
 from app import __version__
 from app.cli_refusals import RefusalError, load_document, one_line
 from app.document.storage import StorageError
+from app.exchange import READER_PROCESS
 
 _INTERRUPTED = 130
 """What a shell expects of a program that Ctrl+C ended."""
@@ -64,6 +65,12 @@ def main(arguments: Sequence[str] | None = None) -> int:
 
 
 def _run(words: list[str]) -> int:
+    if words[:1] == [READER_PROCESS] and len(words) == 2:
+        # A bundle starts itself for this: it has no interpreter besides.
+        from app.exchange.child import main as read_drawing  # noqa: PLC0415
+
+        read_drawing(words[1])
+        return 0
     if words and words[0] in _COMMANDS:
         # Readers, writers and their options: the editor starts without.
         from app.cli_commands import run_command  # noqa: PLC0415

@@ -42,6 +42,9 @@ if TYPE_CHECKING:
     from app.exchange.svg import DARK, INK, LIGHT, Style, svg_of
     from app.exchange.writing import export, export_with
 
+READER_PROCESS = "--reader-process"
+"""First word of the command line of a bundle that shall read a drawing (see ``child``); not for people."""
+
 _MODULES = {
     "drawing": ["ExchangeError"],
     "formats": ["ENDINGS", "READABLE", "SAMPLES", "SUFFIXES", "TABLES", "Exported", "Options", "Spacing"],

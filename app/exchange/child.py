@@ -17,6 +17,7 @@ from collections.abc import Callable
 import msgspec
 
 from app.document.format import FormatError, validate
+from app.exchange import READER_PROCESS
 from app.exchange.cubics_in import Imported
 from app.exchange.drawing import ExchangeError
 from app.exchange.progress import Report, silent
@@ -34,6 +35,9 @@ _POLL = 0.05
 
 MEMORY = 400 * 2**20
 """Bytes that reading may need beyond what the program itself does, where the system can limit that."""
+
+_NO_MEMORY = 3
+"""Exit code of a process that had no memory left, not even to say so."""
 
 _START = "import sys; sys.path[:] = sys.argv[2:]; from app.exchange.child import main; main(sys.argv[1])"
 
@@ -83,14 +87,31 @@ def limited(
         What the reader raises, and where a limit is reached.
     """
     request = msgspec.msgpack.encode(_Request(reader, tolerance, data))
-    output = _output_of(request, memory, seconds_for(len(data)) if seconds is None else seconds, report)
+    seconds = seconds_for(len(data)) if seconds is None else seconds
+    output, code = _output_of(request, memory, seconds, report)
     try:
         answer = msgspec.msgpack.decode(output, type=_Answer)
     except msgspec.DecodeError:
-        raise ExchangeError("Reading needs more memory than is allowed; it was stopped.") from None
+        raise ExchangeError(_why_silent(code)) from None
     if answer.result is None:
         raise ExchangeError(answer.problem)
     return answer.result
+
+
+def _why_silent(code: int) -> str:
+    """Return what to say of a process that ended without an answer, by its exit code."""
+    # By a signal, or by what is one on Windows: C code that is refused memory breaks down.
+    if code == _NO_MEMORY or not 0 <= code < 2**8:
+        return "Reading needs more memory than is allowed; it was stopped."
+    return f"The process that reads drawings ended without an answer (code {code})."
+
+
+def _command(memory: int) -> list[str]:
+    """Return the command line of the process."""
+    if getattr(sys, "frozen", False):
+        # The executable of a bundle is the program itself, not an interpreter that could be told what to run.
+        return [sys.executable, READER_PROCESS, str(memory)]
+    return [sys.executable, "-c", _START, str(memory), *sys.path]
 
 
 def seconds_for(size: int) -> float:
@@ -98,11 +119,10 @@ def seconds_for(size: int) -> float:
     return SECONDS + SECONDS_PER_MB * max(size - SMALL, 0) / 2**20
 
 
-def _output_of(request: bytes, memory: int, seconds: float, report: Report) -> bytes:
-    """Return what the process answers."""
+def _output_of(request: bytes, memory: int, seconds: float, report: Report) -> tuple[bytes, int]:
+    """Return what the process answers, and its exit code."""
     # One thread: each would reserve memory of its own.
     environment = {**os.environ, "OPENBLAS_NUM_THREADS": "1"}
-    command = [sys.executable, "-c", _START, str(memory), *sys.path]
     began = time.monotonic()
     # Not by a pipe: Python before 3.12 stops feeding it after the first timeout.
     with tempfile.TemporaryFile() as question:
@@ -110,7 +130,7 @@ def _output_of(request: bytes, memory: int, seconds: float, report: Report) -> b
             question.write(request)
             question.seek(0)
             process = subprocess.Popen(
-                command,
+                _command(memory),
                 stdin=question,
                 stdout=subprocess.PIPE,
                 stderr=subprocess.DEVNULL,
@@ -120,7 +140,7 @@ def _output_of(request: bytes, memory: int, seconds: float, report: Report) -> b
             raise ExchangeError(f"No process could be started to read it ({problem.strerror}).") from None
         with process:
             try:
-                return _awaited(process, began, seconds, report)
+                return _awaited(process, began, seconds, report), process.returncode
             finally:
                 process.kill()
 
@@ -138,8 +158,13 @@ def _awaited(process: subprocess.Popen[bytes], began: float, seconds: float, rep
 
 def main(memory: str) -> None:
     """Read a request from standard input and write the answer to standard output."""
-    request = msgspec.msgpack.decode(sys.stdin.buffer.read(), type=_Request)
-    sys.stdout.buffer.write(msgspec.msgpack.encode(answer_to(request, int(memory))))
+    # Not sys.stdin and sys.stdout: a bundle without a console has none, but it has what was handed to it.
+    with open(0, "rb", closefd=False) as question, open(1, "wb", closefd=False) as answer:
+        try:
+            request = msgspec.msgpack.decode(question.read(), type=_Request)
+            answer.write(msgspec.msgpack.encode(answer_to(request, int(memory))))
+        except MemoryError:
+            sys.exit(_NO_MEMORY)
 
 
 def answer_to(request: _Request, memory: int) -> _Answer:

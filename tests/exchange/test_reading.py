@@ -84,6 +84,31 @@ def test_what_takes_too_much_memory_is_stopped():
         limited("svg", BUSY, None, memory=10 * 2**20, seconds=30)
 
 
+@pytest.mark.skipif(sys.platform == "win32", reason="the executable is a script")
+def test_a_bundle_reads_drawings_too(tmp_path, monkeypatch):
+    """“Reading needs more memory than is allowed”: a bundle's executable knows no option -c.
+
+    PyInstaller's, for one, is the program itself; this one stands for it.
+    """
+    bundle = tmp_path / "curvebench"
+    bundle.write_text(
+        f"#!{sys.executable}\nimport sys\nsys.path.insert(0, {str(ROOT)!r})\n"
+        "from app.cli import main\nsys.exit(main())\n"
+    )
+    bundle.chmod(0o755)
+    monkeypatch.setattr(sys, "frozen", True, raising=False)
+    monkeypatch.setattr(sys, "executable", str(bundle))
+    drawing = b'<svg xmlns="http://www.w3.org/2000/svg"><path d="M0 0C1 1 2 2 3 0"/></svg>'
+    assert len(limited("svg", drawing, None).document.curves) == 1
+
+
+def test_a_process_that_breaks_down_is_not_called_one_that_needs_memory(monkeypatch):
+    monkeypatch.setattr(sys, "frozen", True, raising=False)
+    # An interpreter, which does not know the option and ends with 2.
+    with pytest.raises(ExchangeError, match=r"ended without an answer \(code 2\)"):
+        limited("svg", b"<svg/>", None)
+
+
 def test_every_ending_has_a_writer():
     assert (*WRITERS, ".png", ".pdf") == ENDINGS
 
