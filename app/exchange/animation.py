@@ -8,13 +8,14 @@ from __future__ import annotations
 import contextlib
 import io
 import os
+import select
 import shutil
 import subprocess
 import tempfile
 from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import IO, TYPE_CHECKING, Any
 
 from msgspec.structs import replace
 
@@ -40,6 +41,9 @@ LARGEST_WIDTH = 1920
 MOST_FRAMES = 1200
 FASTEST = 50
 """Frames a second; players show a GIF with shorter frames slowly."""
+
+_LOOK_S = 0.1
+"""How often to ask, in seconds, whether anybody still waits for a program that does nothing."""
 
 _MOST_PIXELS = {".gif": 4e8, ".apng": 1.3e8, ".png": 1.3e8, ".mp4": 4e9}
 """Of all frames together: Pillow keeps them until the file is written, in one or in three bytes a pixel."""
@@ -160,8 +164,9 @@ def write_film(
 def _film_bytes(maker: FrameMaker, film: Film, ending: str, report: Report) -> bytes:
     if film.frames * maker.width * maker.height > _MOST_PIXELS[ending] or maker.height > 2 * LARGEST_WIDTH:
         raise ExchangeError("The film would be too large; make it smaller, shorter or with fewer frames.")
-    frames = _watched(maker, film.frames, report)
-    return _video(maker, frames, film) if ending == ".mp4" else _pictures(maker, frames, film, ending)
+    if ending == ".mp4":
+        return _video(maker, film, report)
+    return _pictures(maker, _watched(maker, film.frames, report), film, ending)
 
 
 def _refuse_size(film: Film) -> None:
@@ -213,7 +218,7 @@ def _in_one_palette(images: Iterator[Image.Image]) -> Iterator[Image.Image]:
         yield image.quantize(palette=palette, dither=Image.Dither.NONE)
 
 
-def _video(maker: FrameMaker, frames: Iterator[bytes], film: Film) -> bytes:
+def _video(maker: FrameMaker, film: Film, report: Report) -> bytes:
     program = shutil.which("ffmpeg")
     if program is None:
         raise ExchangeError("MP4 is written by ffmpeg, which is not on the PATH. Choose GIF or APNG.")
@@ -222,27 +227,36 @@ def _video(maker: FrameMaker, frames: Iterator[bytes], film: Film) -> bytes:
         size = f"{maker.width}x{maker.height}"
         raw = ["-f", "rawvideo", "-pix_fmt", "rgb0", "-s", size, "-r", str(film.fps), "-i", "-"]
         made = ["-an", "-pix_fmt", "yuv420p", "-movflags", "+faststart", str(target)]
-        _feed([program, "-loglevel", "error", "-y", *raw, *made], frames)
+        _feed(
+            [program, "-loglevel", "error", "-y", *raw, *made],
+            _watched(maker, film.frames, report),
+            film.frames,
+            report,
+        )
         try:
             return target.read_bytes()
         except FileNotFoundError:
             raise ExchangeError("ffmpeg left no film.") from None
 
 
-def _feed(command: list[str], frames: Iterator[bytes]) -> None:
-    """Run a program that reads frames; end it where anything goes wrong."""
+def _feed(command: list[str], frames: Iterator[bytes], count: int, report: Report) -> None:
+    """Run a program that reads frames; end it where anything goes wrong, or `report` raises."""
     with tempfile.TemporaryFile() as said:
         try:
-            process = subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.DEVNULL, stderr=said)
+            process = subprocess.Popen(
+                command, stdin=subprocess.PIPE, stdout=subprocess.DEVNULL, stderr=said, bufsize=0
+            )
         except OSError as reason:
             raise ExchangeError(f"ffmpeg cannot be started ({reason.strerror}).") from reason
         assert process.stdin is not None
         try:
             # A pipe that breaks: the program ended early, and its code says why.
             with contextlib.suppress(BrokenPipeError), process.stdin as pipe:
-                for frame in frames:
-                    pipe.write(frame)
-            code = process.wait()
+                if os.name == "posix":  # elsewhere a write waits as long as it has to
+                    os.set_blocking(pipe.fileno(), False)
+                for number, frame in enumerate(frames):
+                    _send(frame, pipe, number / count, report)
+            code = _code_of(process, report)
         except BaseException:
             process.kill()
             process.wait()
@@ -251,3 +265,26 @@ def _feed(command: list[str], frames: Iterator[bytes]) -> None:
             said.seek(0)
             words = said.read(2000).decode("utf-8", "replace").strip().splitlines()
             raise ExchangeError(f"ffmpeg ended with code {code}. {words[-1] if words else ''}".strip())
+
+
+def _send(frame: bytes, pipe: IO[bytes], share: float, report: Report) -> None:
+    """Write to a pipe that does not block; ask in between whether anybody still waits for it.
+
+    A program that stops reading would else hold the thread, where nothing could be raised in it.
+    """
+    left = memoryview(frame)
+    while left:
+        sent = pipe.write(left)
+        if sent is None:
+            if not select.select([], [pipe], [], _LOOK_S)[1]:
+                report(share, "Drawing")
+        else:
+            left = left[sent:]
+
+
+def _code_of(process: subprocess.Popen[bytes], report: Report) -> int:
+    """Wait for the end of a program as long as anybody waits for it, and return its exit code."""
+    while True:
+        with contextlib.suppress(subprocess.TimeoutExpired):
+            return process.wait(_LOOK_S)
+        report(1.0, "Drawing")

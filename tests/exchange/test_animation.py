@@ -161,6 +161,10 @@ size = words[words.index("-s") + 1]
 if {fails}:
     print("Unknown encoder", file=sys.stderr)
     sys.exit(3)
+if {hangs}:
+    import signal
+    pathlib.Path(sys.argv[0] + ".pid").write_text(str(__import__("os").getpid()))
+    signal.pause()
 data = sys.stdin.buffer.read()
 pathlib.Path(words[-1]).write_text(f"{{size}} {{len(data)}} {{words[words.index('-r') + 1]}}")
 """
@@ -170,11 +174,11 @@ pathlib.Path(words[-1]).write_text(f"{{size}} {{len(data)}} {{words[words.index(
 def ffmpeg(tmp_path, monkeypatch):
     """A program of this name that writes what it was told, or fails."""
 
-    def install(*, fails=False):
+    def install(*, fails=False, hangs=False):
         folder = tmp_path / "bin"
         folder.mkdir()
         program = folder / "ffmpeg"
-        program.write_text(FFMPEG.format(python=sys.executable, fails=fails))
+        program.write_text(FFMPEG.format(python=sys.executable, fails=fails, hangs=hangs))
         program.chmod(0o755)
         monkeypatch.setenv("PATH", str(folder))
 
@@ -201,6 +205,27 @@ def test_a_failing_or_cancelled_ffmpeg_leaves_no_file(tmp_path, ffmpeg):
     with pytest.raises((Cancelled, ExchangeError)):
         write_film(first_sketch(), tmp_path / "film.mp4", Film(**SMALL), report=stops_after(3))
     assert list(tmp_path.iterdir()) == [tmp_path / "bin"]
+
+
+@pytest.mark.skipif(os.name == "nt", reason="a script is no program there")
+@pytest.mark.parametrize("width", [1000, 64], ids=["while it is fed", "at the end"])
+def test_stopping_ends_an_ffmpeg_that_does_nothing(tmp_path, ffmpeg, width):
+    """Stop was heard between two frames only: the thread hung in the pipe, or waited for the end."""
+    ffmpeg(hangs=True)
+    note = tmp_path / "bin" / "ffmpeg.pid"
+    at_the_end = []
+
+    def hangs(share, _word):
+        at_the_end.extend([share] * (share == 1))
+        # The last frame says 1 too.
+        if note.exists() and (width > 64 or len(at_the_end) > 2):
+            raise Cancelled
+
+    film = Film(width=width, fps=1, seconds=2)
+    with pytest.raises(Cancelled):
+        write_film(first_sketch(), tmp_path / "film.mp4", film, report=hangs)
+    with pytest.raises(ProcessLookupError):
+        os.kill(int(note.read_text()), 0)
 
 
 def test_without_ffmpeg_it_is_said(tmp_path, monkeypatch):
