@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+import os
 import time
-from collections.abc import Callable
+from collections import Counter
+from collections.abc import Callable, Sequence
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -75,7 +78,7 @@ class RecoveryCommands:
             self._bar.discard_asked.connect(self._discard)
             self._bar.later_asked.connect(self._later)
             self._bar.closed.connect(self.leave)
-        self._bar.render([_offer(each) for each in self._found.snapshots], _note(self._found.damaged))
+        self._bar.render(_offers(self._found.snapshots), _note(self._found.damaged))
 
     def _take(self, index: int) -> Snapshot:
         snapshots = list(self._found.snapshots)
@@ -110,6 +113,38 @@ class RecoveryCommands:
     def _later(self, index: int) -> None:
         self._take(index).leave()
         self._parts.session.say("It is kept; the next start asks again.")
+
+
+def _offers(snapshots: Sequence[Snapshot]) -> list[Offer]:
+    """Return how the snapshots are shown; those of one name are told apart."""
+    offers = [_offer(each) for each in snapshots]
+    places = {name: {each.tip for each in offers if each.name == name} for name in {o.name for o in offers}}
+    # Files of one name in several folders …
+    offers = [
+        replace(each, name=os.path.join(*Path(each.tip).parts[-2:]))  # noqa: PTH118 - as it is written
+        if each.tip and len(places[each.name]) > 1
+        else each
+        for each in offers
+    ]
+    # … and several windows of one file.
+    total, seen = Counter((each.name, each.tip) for each in offers), Counter[tuple[str, str]]()
+    for index, (offer, snapshot) in enumerate(zip(offers, snapshots, strict=True)):
+        key = (offer.name, offer.tip)
+        seen[key] += 1
+        if total[key] > 1:
+            name = f"{offer.name} ({seen[key]} of {total[key]})"
+            offers[index] = replace(offer, name=name, told=f"{_contents(snapshot)} · {offer.told}")
+    return offers
+
+
+def _contents(snapshot: Snapshot) -> str:
+    """Return when it was kept, to the second, and how much it holds."""
+    from app.panels.words import count_of  # noqa: PLC0415
+
+    curves = snapshot.document.curves
+    points = count_of(sum(len(each.nodes) for each in curves), "point")
+    moment = time.strftime("%H:%M:%S", time.localtime(snapshot.written))
+    return f"{moment} · {count_of(len(curves), 'curve')}, {points}"
 
 
 def _offer(snapshot: Snapshot) -> Offer:

@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import os
+import re
 import sys
 import time
+from pathlib import Path
 
 import pytest
 from PySide6.QtCore import Qt
@@ -307,6 +309,36 @@ def test_work_on_a_file_that_is_another_one_now_becomes_a_new_document(kept, tmp
     assert kept.session.document == SKETCH
     assert kept.session.path is None
     assert fate in kept.status
+
+
+def test_two_windows_of_one_file_are_told_apart(editor, tmp_path):
+    """Both were called “mine.curve.json, a moment ago”."""
+    path = tmp_path / "mine.curve.json"
+    origin = Origin(path, storage.save(path, Document((make_curve([(0, 0), (1, 1)]),))))
+    line, arch = make_curve([(0, 0), (1, 1), (2, 2)]), make_curve([(0, 0), (1, 2), (2, 0), (3, 1)])
+    for document in (Document((line,)), Document((line, arch))):
+        leave_behind(document, origin)
+    leave_behind()
+    for folder in ("one", "two"):
+        (tmp_path / folder).mkdir()
+        other = tmp_path / folder / "other.curve.json"
+        leave_behind(SKETCH, Origin(other, storage.save(other, document)))
+    editor.window.offer_unsaved_work()
+    labels = [each.text() for each in bar(editor).findChildren(QLabel) if each.text()]
+    assert [each for each in labels if "curve.json" in each] == [
+        str(Path("two", "other.curve.json")),
+        str(Path("one", "other.curve.json")),
+        "mine.curve.json (1 of 2)",
+        "mine.curve.json (2 of 2)",
+    ]
+    told = [re.sub("^[0-9:]{8} ", "hh:mm:ss ", each) for each in labels if "moment" in each]
+    assert told[2:] == [
+        "a moment ago · never saved",
+        "hh:mm:ss · 2 curves, 7 points · a moment ago",
+        "hh:mm:ss · 1 curve, 3 points · a moment ago",
+    ]
+    names = [each.accessibleName() for each in bar(editor).findChildren(QPushButton)]
+    assert len(set(names)) == len(names) == 15
 
 
 def test_discard_deletes_and_later_keeps(editor):
