@@ -37,11 +37,11 @@ from app.panels.preferences_dialog import PreferencesDialog
 from app.panels.weight_bars import WeightBars
 from app.plot.layered_plot import Layer, LayeredPlot
 from app.plot.plot_widget import PlotWidget
-from app.settle import Settler, _Work
 from app.start import open_windows
 from app.testing import Editor
 from app.toolbar import Toolbar
 from app.undo_step import UndoStep
+from app.worker import Settler, Task
 
 FAULTS: tuple[Callable[[], object], ...] = (
     lambda: 1 / 0,
@@ -181,7 +181,7 @@ PLACES = (
     Place(UndoStep, "undo", lambda editor: editor.session.undo_stack.undo()),
     Place(UndoStep, "redo", lambda editor: editor.session.undo_stack.redo()),
     Place(PreferencesDialog, "keyPressEvent", type_into_preferences),
-    Place(_Work, "run", compute_beside_the_window),
+    Place(Task, "_run", compute_beside_the_window),
 )
 
 
