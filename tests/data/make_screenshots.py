@@ -41,7 +41,7 @@ def main() -> None:
             preferences = Preferences(Path(folder) / "settings.ini")
             editor = Editor(Bot(), preferences=preferences, size=(1280, 860))
             picture(app, editor)
-            editor.session.undo_stack.setClean()
+            editor.session.give_up_changes()
             editor.window.close()
 
 

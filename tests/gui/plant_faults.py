@@ -250,7 +250,7 @@ def main() -> int:
                 fault = FAULTS[number % len(FAULTS)]
                 print(json.dumps(outcome(lifecycle, editor, place, fault)), flush=True)
         finally:
-            editor.session.undo_stack.setClean()
+            editor.session.give_up_changes()
             application.exit()
 
     QTimer.singleShot(0, drive)

@@ -443,7 +443,7 @@ def test_another_document_gets_nothing_of_an_import(editor, tmp_path, name):
     editor.settle()
     assert sum(len(curve.nodes) for curve in editor.session.document.curves) >= 2
     assert editor.status.startswith(f"Imported {name}")
-    editor.session.undo_stack.setClean()
+    editor.session.give_up_changes()
 
 
 # What takes long
@@ -523,7 +523,7 @@ def test_an_export_that_is_stopped_leaves_the_old_file(editor, tmp_path):
 def test_closing_the_window_drops_the_work(editor, busy):
     editor.window.import_file(busy)
     shown_bar(editor)
-    editor.session.undo_stack.setClean()
+    editor.session.give_up_changes()
     began = time.monotonic()
     assert editor.window.close()
     assert time.monotonic() - began < 3

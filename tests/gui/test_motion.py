@@ -397,7 +397,7 @@ def test_a_failed_export_says_why(editor, motion, qtbot, tmp_path):
 
 def test_closing_the_window_ends_the_export(editor, motion, tmp_path):
     export(editor, motion, tmp_path / "film.gif", filmWidth=1000, filmSeconds=8)
-    editor.session.undo_stack.setClean()
+    editor.session.give_up_changes()
     editor.window.close()
     assert list(tmp_path.iterdir()) == []
     assert not editor.window.jobs.is_busy

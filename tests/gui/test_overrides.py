@@ -202,7 +202,7 @@ def test_a_part_that_fails_to_end_keeps_neither_the_others_nor_the_window(editor
     ended = []
     window = editor.window
     window.closed.connect(lambda: ended.append("last"))
-    editor.session.undo_stack.setClean()
+    editor.session.give_up_changes()
     monkeypatch.setattr(window.splitter, "saveState", lambda: int("x"))
     assert window.close()
     assert ended == ["last"]

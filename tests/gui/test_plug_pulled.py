@@ -83,7 +83,7 @@ def drive():
     windows = [each for each in QApplication.topLevelWidgets() if isinstance(each, MainWindow)]
     tell("windows", *(len(each.session.document.curves[0].nodes) for each in windows))
     for window in windows:
-        window.session.undo_stack.setClean()
+        window.session.give_up_changes()
         window.close()
 """
 
