@@ -461,7 +461,7 @@ def test_names_come_from_the_document(editor, tmp_path):
     editor.trigger("example_letter_s")
     assert file_stem(editor.session) == "Letter S"
     editor.session.commit(rename_curve(editor.session.document, 0, "a/b: [*]?"), "Rename curve")
-    assert editor.window.windowTitle() == "Untitled[*] – Curvebench"
+    assert editor.window.windowTitle() == "Letter S (example)[*] – Curvebench"
     assert file_stem(editor.session) == "a b  [ ]"
     editor.session.save(tmp_path / "a [*].curve.json")
     assert editor.window.windowTitle() == "a [*][*].curve.json[*] – Curvebench"
