@@ -29,6 +29,7 @@ from app.exchange.decor import decorated
 from app.exchange.drawing import Drawing, ExchangeError, drawing_of
 from app.exchange.formats import Options
 from app.exchange.svg import Style, accuracy_of, svg_text
+from app.view_model.palette import adjustment_of
 
 DEFAULT_WIDTH = 1600
 LARGEST_SIDE = 16384
@@ -64,10 +65,19 @@ def png_image(document: Document, options: Options) -> QImage:
 
 @dataclass(frozen=True)
 class Look:
-    """A small picture of a picture, and the size in pixels that it would have as a PNG."""
+    """A small picture of a picture.
+
+    Attributes
+    ----------
+    size
+        The size in pixels that it would have as a PNG.
+    moved
+        What became of colours that could not be seen on the paper, a sentence or nothing.
+    """
 
     image: QImage
     size: tuple[int, int]
+    moved: str = ""
 
 
 def look(document: Document, options: Options, style: Style, room: tuple[int, int]) -> Look:
@@ -82,7 +92,17 @@ def look(document: Document, options: Options, style: Style, room: tuple[int, in
     frame = drawing.frame
     scale = min(room[0] / frame.width, room[1] / frame.height)
     size = (max(round(frame.width * scale), 1), max(round(frame.height * scale), 1))
-    return Look(_painted(drawing, size, style, points=options.points), _size(drawing, options))
+    image = _painted(drawing, size, style, points=options.points)
+    return Look(image, _size(drawing, options), _moved_colours(drawing, style))
+
+
+def _moved_colours(drawing: Drawing, style: Style) -> str:
+    """Return the sentence that tells of curves whose colours cannot be seen on the paper as chosen."""
+    moved = [each for each in drawing.outlines if adjustment_of(style.paper, each.colour)]
+    if not moved:
+        return ""
+    more = f" (and {len(moved) - 1} more)" if len(moved) > 1 else ""
+    return f"“{moved[0].name}” is {adjustment_of(style.paper, moved[0].colour)}{more}."
 
 
 def _size(drawing: Drawing, options: Options) -> tuple[int, int]:

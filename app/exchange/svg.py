@@ -11,6 +11,7 @@ import msgspec
 from app import __version__
 from app.document.model import Document
 from app.exchange.drawing import Decor, Drawing, Frame, Outline, drawing_of
+from app.view_model import palette
 
 if TYPE_CHECKING:
     from app.exchange.decor import Extras
@@ -44,9 +45,9 @@ class Style(msgspec.Struct, frozen=True):
     theme: str = "light"
 
 
-INK = Style("#1f2328")
-LIGHT = Style("#1f2328", "#fafafa")
-DARK = Style("#e6e8ea", "#15181c", "dark")
+INK = Style(palette.INK["light"])
+LIGHT = Style(palette.INK["light"], palette.PAPER["light"])
+DARK = Style(palette.INK["dark"], palette.PAPER["dark"], "dark")
 
 
 def svg_of(
@@ -138,24 +139,29 @@ def _curves(drawing: Drawing, style: Style) -> list[str]:
         f'  <g id="curves" fill="none" stroke="{style.ink}" stroke-width="{stroke}" '
         'stroke-linecap="round" stroke-linejoin="round">'
     )
-    layers = [line for outline in drawing.outlines for line in _layer(outline)]
+    layers = [line for outline in drawing.outlines for line in _layer(outline, style)]
     return [group, *layers, "  </g>"]
 
 
-def _layer(outline: Outline) -> list[str]:
+def _layer(outline: Outline, style: Style) -> list[str]:
     """Return a curve in a group that Inkscape takes for a layer."""
     name = _text(outline.name)
     quoted = name.replace('"', "&quot;").replace("\n", " ")
     return [
         f'    <g inkscape:groupmode="layer" inkscape:label="{quoted}">',
-        f'    <path d="{path_data(outline)}"{_own("stroke", outline)}><title>{name}</title></path>',
+        f'    <path d="{path_data(outline)}"{_own("stroke", outline, style)}><title>{name}</title></path>',
         "    </g>",
     ]
 
 
-def _own(attribute: str, outline: Outline) -> str:
+def _own(attribute: str, outline: Outline, style: Style) -> str:
     """Return the curve's own colour as an attribute; nothing where the picture's ink is meant."""
-    return f' {attribute}="{outline.colour}"' if outline.colour else ""
+    return f' {attribute}="{_colour(outline.colour, style)}"' if outline.colour else ""
+
+
+def _colour(code: str, style: Style) -> str:
+    """Return a colour as it is drawn on the picture's paper, the same as on the screen's."""
+    return palette.colour_on(style.paper, code) if code else style.ink
 
 
 def path_data(outline: Outline) -> str:
@@ -171,7 +177,7 @@ def path_data(outline: Outline) -> str:
 def _points(drawing: Drawing, style: Style) -> list[str]:
     radius = _number(POINT_RADIUS * drawing.frame.side)
     discs = [
-        f'    <circle cx="{_number(x)}" cy="{_number(-y)}" r="{radius}"{_own("fill", outline)}/>'
+        f'    <circle cx="{_number(x)}" cy="{_number(-y)}" r="{radius}"{_own("fill", outline, style)}/>'
         for outline in drawing.outlines
         for x, y in outline.nodes.tolist()
     ]
@@ -186,7 +192,7 @@ def _decor(drawing: Drawing, style: Style, name: str) -> list[str]:
 
 def _strokes(decor: Decor, style: Style) -> str:
     data = " ".join(f"M {' L '.join(_pair(point) for point in line.tolist())}" for line in decor.lines)
-    colour = decor.colour or style.ink
+    colour = _colour(decor.colour, style)
     opacity = f' opacity="{decor.opacity:g}"' if decor.opacity < 1 else ""
     if decor.filled:
         return f'    <path d="{data}" fill="{colour}"{opacity}/>'

@@ -54,6 +54,10 @@ class ExportDialog(WorkDialog):
         self.picture.setAlignment(Qt.AlignmentFlag.AlignCenter)
         self.size_label = QLabel()
         self.size_label.setObjectName("exportSize")
+        self.told = QLabel()
+        self.told.setObjectName("exportColoursTold")
+        self.told.setTextFormat(Qt.TextFormat.PlainText)
+        self.told.setWordWrap(True)
         self._soon = QTimer(self, singleShot=True, interval=_SOON_MS)
         self._soon.timeout.connect(self._look)
         self._lay_out()
@@ -70,6 +74,7 @@ class ExportDialog(WorkDialog):
         seen.setContentsMargins(0, 0, 0, 0)
         seen.addWidget(self.picture)
         seen.addWidget(self.size_label, 0, Qt.AlignmentFlag.AlignHCenter)
+        seen.addWidget(self.told)
         seen.addStretch(1)
         columns = QHBoxLayout()
         columns.setSpacing(18)
@@ -128,6 +133,7 @@ class ExportDialog(WorkDialog):
         self.picture.setPixmap(_on_squares(seen.image, self.devicePixelRatioF(), squares))
         width, height = seen.size
         self.size_label.setText(f"{width} × {height} pixels" if self._is_png else "")
+        self.told.setText(seen.moved)
         self.complain("")
         self.ok.setEnabled(True)
 
@@ -136,6 +142,7 @@ class ExportDialog(WorkDialog):
             raise problem
         self.picture.clear()
         self.size_label.clear()
+        self.told.clear()
         self.complain(str(problem))
         self.ok.setEnabled(False)
 
