@@ -9,7 +9,7 @@ from app.commands.dock_room import put_idle_docks_away
 from app.commands.parts import Handlers, Parts
 from app.gestures.tools import ToolKind
 from app.panels.late_dock import LateDock
-from app.plot.plot_widget import ZOOM_STEP
+from app.plot.scrolling import ZOOM_STEP
 from app.theme import ThemeMode
 from app.view_model.curve_view import CurveView
 
