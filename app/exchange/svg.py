@@ -11,6 +11,7 @@ import msgspec
 from app import __version__
 from app.document.model import Document
 from app.exchange.drawing import Decor, Drawing, Frame, Outline, drawing_of
+from app.exchange.units import css_length, known_unit
 from app.view_model import palette
 
 if TYPE_CHECKING:
@@ -58,6 +59,7 @@ def svg_of(
     points: bool = False,
     width: float | None = None,
     extras: Extras | None = None,
+    unit: str = "",
 ) -> str:
     """Return a document as SVG.
 
@@ -80,6 +82,8 @@ def svg_of(
         Nominal width in CSS pixels; by default the longer side is `NOMINAL_SIDE`.
     extras
         What else to draw, in groups of their own.
+    unit
+        What a length of one is, a name that `known_unit` knows: without a `width` the picture has true size.
 
     Raises
     ------
@@ -92,20 +96,26 @@ def svg_of(
         from app.exchange.decor import decorated  # noqa: PLC0415
 
         drawing = decorated(drawing, document, extras, style.theme)
-    shown = NOMINAL_SIDE * drawing.frame.width / drawing.frame.side if width is None else width
-    return svg_text(drawing, style=style, points=points, width=shown)
+    return svg_text(drawing, style=style, points=points, width=width, unit=unit)
 
 
-def svg_text(drawing: Drawing, *, style: Style, points: bool, width: float) -> str:
-    """Return a drawing as SVG with the nominal `width` in CSS pixels."""
+def nominal_width(drawing: Drawing, width: float | None) -> float:
+    """Return the width in CSS pixels of a picture whose size is that asked for, or nobody's."""
+    return NOMINAL_SIDE * drawing.frame.width / drawing.frame.side if width is None else width
+
+
+def svg_text(
+    drawing: Drawing, *, style: Style, points: bool, width: float | None = None, unit: str = ""
+) -> str:
+    """Return a drawing as SVG with the nominal `width` in CSS pixels, or at true size in a unit."""
     frame = drawing.frame
-    height = width * frame.height / frame.width
+    wide, high = _size_attributes(drawing, width, unit)
     box = " ".join(_number(value) for value in (frame.left, -frame.top, frame.width, frame.height))
     parts = [
         '<?xml version="1.0" encoding="UTF-8"?>',
         f"<!-- Curvebench {__version__}. {accuracy_of(drawing)} -->",
         f'<svg xmlns="http://www.w3.org/2000/svg" xmlns:inkscape="{_INKSCAPE}" '
-        f'width="{width:.6g}" height="{height:.6g}" viewBox="{box}">',
+        f'width="{wide}" height="{high}" viewBox="{box}">',
         f"  <desc>{_text(' '.join([accuracy_of(drawing), *drawing.remarks]))}</desc>",
         *([_paper(frame, style.paper)] if style.paper else []),
         *_decor(drawing, style, "grid"),
@@ -116,6 +126,14 @@ def svg_text(drawing: Drawing, *, style: Style, points: bool, width: float) -> s
         "</svg>",
     ]
     return "\n".join(parts) + "\n"
+
+
+def _size_attributes(drawing: Drawing, width: float | None, unit: str) -> tuple[str, str]:
+    frame, known = drawing.frame, known_unit(unit)
+    if known and width is None:
+        return css_length(frame.width, known), css_length(frame.height, known)
+    wide = nominal_width(drawing, width)
+    return f"{wide:.6g}", f"{wide * frame.height / frame.width:.6g}"
 
 
 def accuracy_of(drawing: Drawing) -> str:
