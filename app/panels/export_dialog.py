@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import Qt, QTimer, Signal
+from PySide6.QtCore import QSize, Qt, QTimer, Signal
 from PySide6.QtGui import QColor, QImage, QPainter, QPixmap
 from PySide6.QtWidgets import (
     QHBoxLayout,
@@ -79,13 +79,10 @@ class ExportDialog(WorkDialog):
         columns.setSpacing(18)
         columns.addWidget(self.form, 1)
         columns.addWidget(self.look)
-        layout = QVBoxLayout(self)
-        layout.setContentsMargins(16, 14, 16, 14)
-        layout.setSpacing(10)
-        layout.addLayout(columns, 1)
-        layout.addWidget(self.problem)
-        layout.addWidget(foot)
-        self.resize(690, 400)
+        layout = QVBoxLayout(self.body)
+        layout.setContentsMargins(16, 14, 16, 0)
+        layout.addLayout(columns)
+        self.hold(self.problem, foot, wished=QSize(690, 400))
 
     def show_document(self, document: Document, active: int, unit: str = "") -> None:
         """Show what this document would look like.
