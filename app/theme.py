@@ -262,6 +262,9 @@ QToolBar QToolButton:focus { border-color: $accent }
 QToolBar QToolButton:disabled { color: $pale }
 QToolBar QToolButton[popupMode="1"] { padding-right: 16px }
 QToolBar QToolButton::menu-button { border: none; width: 14px }
+QToolBar QToolBarExtension {
+    qproperty-icon: url("$icons/more-$name.svg"); qproperty-iconSize: 12px 12px; padding: 0; border: none
+}
 QMainWindow::separator, QSplitter::handle { background: $line; width: 1px; height: 1px }
 QMainWindow::separator:hover, QSplitter::handle:hover { background: $accent }
 QDockWidget {
