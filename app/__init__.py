@@ -22,7 +22,7 @@ The layers, top to bottom; a module imports only from its own layer and those ab
 - ``plot``: what canvas and basis panel share: a pixel map, fast drawing, pan and zoom.
 - ``canvas``, ``panels``: draw a value and report what the person did. They never call each other.
 - ``action_specs``, ``actions``, ``file_commands``, ``commands``: what can be done, and what it does.
-- ``toolbar``, ``menus``, ``docks``, ``window_layout``, ``main_window``: build, dock, connect.
+- ``toolbar``, ``mnemonics``, ``menus``, ``docks``, ``window_layout``, ``main_window``: build, dock, connect.
 - ``start``: windows on the screen, soon.
 - ``crash_report``, ``crash_handler``, ``lifecycle``: what surrounds the windows from start to end.
 - ``cli``, ``cli_commands``, ``cli_options``, ``cli_refusals``: the command line.

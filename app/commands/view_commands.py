@@ -158,9 +158,10 @@ class ViewCommands:
             docks = [dock for dock in parts.docks if dock not in self._kept_for_a_lesson()]
             for part in (parts.toolbar, window.menuBar(), parts.status_line, *docks):
                 part.hide()
-            window.showFullScreen()
+            # Not showFullScreen, which forgets that a window was maximised.
+            window.setWindowState(window.windowState() | Qt.WindowState.WindowFullScreen)
             return
-        window.showNormal()
+        window.setWindowState(window.windowState() & ~Qt.WindowState.WindowFullScreen)
         window.menuBar().show()
         parts.status_line.show()
         window.restoreState(self._before_presentation)

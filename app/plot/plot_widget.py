@@ -26,6 +26,12 @@ from app.plot.scrolling import Scrolling
 _MODIFIERS = {Qt.Key.Key_Shift: "shift", Qt.Key.Key_Control: "ctrl", Qt.Key.Key_Alt: "alt"}
 """Keys that change what a gesture does, and which part of a pointer tells."""
 
+_BY_KEYS = (
+    Qt.FocusReason.TabFocusReason,
+    Qt.FocusReason.BacktabFocusReason,
+    Qt.FocusReason.ShortcutFocusReason,
+)
+
 _FLAGS = {
     "shift": Qt.KeyboardModifier.ShiftModifier,
     "ctrl": Qt.KeyboardModifier.ControlModifier,
@@ -205,6 +211,12 @@ class PlotWidget(LayeredPlot):
         self.left()
         event.accept()
 
+    def focusInEvent(self, event: QFocusEvent) -> None:
+        # Whoever came by mouse sees the pointer.
+        self.show_focus(event.reason() in _BY_KEYS)
+        super().focusInEvent(event)
+
     def focusOutEvent(self, event: QFocusEvent) -> None:
+        self.show_focus(False)
         self._panning.forget_key()
         super().focusOutEvent(event)

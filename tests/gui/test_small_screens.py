@@ -1,4 +1,4 @@
-"""Window and dialogs on 960 × 540 logical pixels (a usual screen at 200 %), in usual and in twice as large type."""
+"""Window and dialogs on 960 × 540 pixels (a usual screen at 200 %), also in type twice as large."""
 
 from __future__ import annotations
 
