@@ -50,7 +50,6 @@ def add_picture_options(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--unit",
         type=_unit,
-        default="",
         metavar="U",
         help=f"what a length of one is ({', '.join(MILLIMETRES)}): without --width an SVG or PDF then has "
         "true size; a DXF names it",
@@ -170,7 +169,7 @@ def picture_options(options: argparse.Namespace, document: Document) -> Options:
         style=STYLES[options.theme] if options.theme else None,
         points=options.points,
         scale=options.scale,
-        unit=options.unit,
+        unit=options.unit or "",
         transparent=options.transparent,
         extras=_extras(options, document),
     )
