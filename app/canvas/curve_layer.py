@@ -18,7 +18,7 @@ TOLERANCE = 0.1
 CASING = 1.0
 """Pixels of paper on either side of a line that lies on a picture: grey on grey would not be seen."""
 
-FAINT_WIDTH = 1.2
+FAINT_WIDTH = 1.5
 """Pixels of a curve that steps back: thinner rather than dimmer, for it must be seen."""
 
 _GHOST_MS, _WIDTH = 900, 2.0
