@@ -84,7 +84,7 @@ def dressed(request, qapp):
 
 
 def covered(colour, theme):
-    """Less than a pixel shows of a line of 1.5 pixels: that covers three quarters of one, wherever it lies."""
+    """Less than a pixel shows of a line of 1.5 pixels: three quarters of one, wherever it lies."""
     return mix(QColor(colour), theme.paper, 0.7)
 
 
