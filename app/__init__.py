@@ -17,13 +17,13 @@ The layers, top to bottom; a module imports only from its own layer and those ab
 - ``theme``, ``colours``, ``icons``: how it looks.
 - ``preferences``: what is remembered between starts.  ``settings``, ``settings_file``: the kinds of settings;
   their ini file.
-- ``keymap``: which keys do what.
+- ``keymap``: which keys do what.  ``mnemonics``: the letters of menus.
 - ``disk_watch``: notices when a file may have changed.
 - ``plot``: what canvas and basis panel share: a pixel map, fast drawing, pan and zoom.
 - ``canvas``, ``panels``: draw a value and report what the person did. They never call each other.
 - ``action_specs``, ``actions``, ``file_commands``, ``commands``: what can be done, and what it does.
 - ``toolbar``, ``menus``, ``docks``, ``window_layout``, ``main_window``: build, dock, connect.
-- ``start``: windows on the screen, soon.
+- ``start``: windows on the screen, soon.  ``display``: whether there is a screen for them.
 - ``crash_report``, ``crash_handler``, ``lifecycle``: what surrounds the windows from start to end.
 - ``cli``, ``cli_commands``, ``cli_options``, ``cli_refusals``: the command line.
 - ``testing``, ``testing_hand``: a driver for pytest-qt.

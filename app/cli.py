@@ -7,11 +7,17 @@ import io
 import os
 import sys
 from collections.abc import Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING
 
 from app import __version__
 from app.cli_refusals import RefusalError, load_document, one_line
+from app.display import has_display, missing_library, why_no_window
 from app.document.storage import StorageError
 from app.exchange import READER_PROCESS
+
+if TYPE_CHECKING:
+    from PySide6.QtWidgets import QApplication
 
 _INTERRUPTED = 130
 """What a shell expects of a program that Ctrl+C ended."""
@@ -28,6 +34,9 @@ Sketch parametric polynomial curves and see why they go where they go.
   curvebench lesson [NAME]         open the editor with a lesson, or list the lessons
 """
 _EPILOG = "A file that is called “render”, “convert”, “info” or “lesson” opens as ./render and so on."
+
+
+_WITHOUT = "“curvebench render” and “curvebench info” need none."
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
@@ -96,18 +105,12 @@ def _edit(files: Sequence[str], lesson: str = "") -> int:
     """Open a window for every file, or one with the first sketch; return when the last is closed."""
     for path in files:
         load_document(path)  # Says what is wrong before any window opens.
-    if not _has_display():
-        raise RefusalError(
-            "There is no display to open a window on. “curvebench render” and “curvebench info” need none."
-        )
+    if not has_display():
+        raise RefusalError(f"There is no display to open a window on. {_WITHOUT}")
     from app.start import no_garbage_sought, open_windows  # noqa: PLC0415
 
     with no_garbage_sought():
-        # Qt takes a while to import, and the other commands do without.
-        from PySide6.QtWidgets import QApplication  # noqa: PLC0415
-
-        application = QApplication.instance() or QApplication([sys.argv[0]])
-        assert isinstance(application, QApplication)
+        application = _application()
         windows = open_windows(files)
         if lesson:
             windows[0].open_lesson(lesson)
@@ -121,10 +124,23 @@ def _edit(files: Sequence[str], lesson: str = "") -> int:
     return code
 
 
-def _has_display() -> bool:
-    """Whether Qt will find a screen; without one it would abort the process."""
-    names = ("DISPLAY", "WAYLAND_DISPLAY", "QT_QPA_PLATFORM")
-    return sys.platform != "linux" or any(os.environ.get(name) for name in names)
+def _application() -> QApplication:
+    """Return Qt's application, or refuse where Qt could open no window and would end the process."""
+    try:
+        # Qt takes a while to import, and the other commands do without.
+        import PySide6  # noqa: PLC0415
+        from PySide6.QtWidgets import QApplication  # noqa: PLC0415
+    except ImportError as problem:
+        if sentence := missing_library(str(problem)):
+            raise RefusalError(sentence) from problem
+        raise
+    running = QApplication.instance()
+    if isinstance(running, QApplication):
+        return running
+    with why_no_window(Path(str(PySide6.__file__)).parent / "Qt" / "plugins" / "platforms") as sentence:
+        if sentence:
+            raise RefusalError(f"{sentence} {_WITHOUT}" if "display" in sentence else sentence)
+        return QApplication([sys.argv[0]])
 
 
 def _leave_closed_pipe() -> int:

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 from app.document.model import Document, Family
 from app.exchange import DARK, ENDINGS, LIGHT, READABLE, SAMPLES, ExchangeError, Options, Spacing
+from app.exchange.units import MILLIMETRES, known_unit
 
 if TYPE_CHECKING:
     from app.exchange.decor import Extras
@@ -34,10 +35,24 @@ def _positive(text: str, kind: type[int] | type[float]) -> float:
     return value
 
 
+def _unit(text: str) -> str:
+    """Return the unit of length that was typed."""
+    if not (unit := known_unit(text)):
+        raise argparse.ArgumentTypeError(f"“{text}” is none of {', '.join(MILLIMETRES)}")
+    return unit
+
+
 def add_picture_options(parser: argparse.ArgumentParser) -> None:
     """Let a command take the options of pictures."""
     parser.add_argument(
         "--width", type=whole_number, metavar="N", help="in pixels; in points of 1/72 inch for a PDF"
+    )
+    parser.add_argument(
+        "--unit",
+        type=_unit,
+        metavar="U",
+        help=f"what a length of one is ({', '.join(MILLIMETRES)}): without --width an SVG or PDF then has "
+        "true size; a DXF names it",
     )
     parser.add_argument(
         "--scale",
@@ -154,6 +169,7 @@ def picture_options(options: argparse.Namespace, document: Document) -> Options:
         style=STYLES[options.theme] if options.theme else None,
         points=options.points,
         scale=options.scale,
+        unit=options.unit or "",
         transparent=options.transparent,
         extras=_extras(options, document),
     )

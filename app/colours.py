@@ -7,7 +7,7 @@ from typing import Final
 from PySide6.QtGui import QColor
 
 from app.theme import Theme
-from app.view_model.palette import OKABE_ITO, point_palette
+from app.view_model.palette import OKABE_ITO, colour_on, point_palette
 
 CURVE_COLOURS: Final = {
     "Ink": "",
@@ -23,11 +23,14 @@ CURVE_COLOURS: Final = {
 
 
 def curve_colour(code: str, theme: Theme) -> QColor:
-    """Return the colour of a curve in this theme: the Okabe–Ito colours are darker on light paper."""
+    """Return the colour of a curve in this theme: as chosen, or moved until it can be seen on the paper."""
+    return QColor(colour_on(theme.paper.name(), code)) if code else QColor(theme.curve)
+
+
+def look_colour(code: str, theme: Theme) -> QColor:
+    """Return a colour of marks and lines that are told apart by it: Okabe–Ito, darker on light paper."""
     published = OKABE_ITO["dark"]
-    if code in published:
-        return QColor(OKABE_ITO[theme.name][published.index(code)])
-    return QColor(code) if code else QColor(theme.curve)
+    return QColor(OKABE_ITO[theme.name][published.index(code)]) if code in published else QColor(code)
 
 
 def point_colours(n: int, theme: Theme) -> list[QColor]:

@@ -11,9 +11,10 @@ from app.actions import Actions
 from app.commands.curve_commands import CURVE_LIST_BUTTONS
 from app.panels.curve_list import CurveList
 from app.panels.curve_settings import CurveSettings
+from app.panels.fitting import Scrolled
 from app.panels.history import HistoryPanel
 from app.panels.image_panel import ImagePanel
-from app.panels.late_dock import LateDock
+from app.panels.late_dock import IN_DOCK, LateDock
 from app.panels.point_table import PointTable
 from app.session import Session
 
@@ -76,7 +77,7 @@ class Docks:
 
     def _add(self, name: str, title: str, content: QWidget) -> QDockWidget:
         dock = QDockWidget(title, self._window)
-        dock.setWidget(content)
+        dock.setWidget(Scrolled(content, IN_DOCK))
         return self._place(dock, name, _RIGHT)
 
     def _add_late(self, name: str, title: str, area: Qt.DockWidgetArea = _RIGHT) -> QDockWidget:

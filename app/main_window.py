@@ -400,7 +400,8 @@ class MainWindow(Guarded, QMainWindow):
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         if event.key() == Qt.Key.Key_Escape:
-            self._commands.view.escape()
+            if not self._commands.leave_panel():
+                self._commands.view.escape()
             return
         # What has been used by nobody: the keys of an action that is disabled, for one.
         if why_not := self.actions_by_name.keymap.why_not(event.keyCombination()):

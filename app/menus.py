@@ -12,6 +12,7 @@ from app.action_specs import MENUS
 from app.actions import Actions
 from app.examples import example_name, example_paths
 from app.keymap import call_alone
+from app.mnemonics import give_mnemonics, with_mnemonics
 from app.preferences import Preferences
 
 
@@ -28,8 +29,9 @@ class Menus:
 
     def __init__(self, window: QMainWindow, actions: Actions) -> None:
         self._actions = actions
-        for title in MENUS:
-            menu = window.menuBar().addMenu(title)
+        self._window = window
+        for title, marked in zip(MENUS, with_mnemonics(MENUS), strict=True):
+            menu = window.menuBar().addMenu(marked)
             submenus = self._fill(menu, title)
             if title == "Curve":
                 self.parameters = submenus["Parameters"]
@@ -80,11 +82,17 @@ class Menus:
                 lambda _checked=False, path=path: open_example(path)
             )
         self.examples.aboutToShow.connect(self._name_examples)
+        # Last of all who hear that a menu opens: then its entries are what they are called.
+        for menu in self._window.menuBar().findChildren(QMenu):
+            # One without a title is Qt's own, for what a narrow bar has no room for.
+            if menu.title():
+                give_mnemonics(menu)
 
     def _fill_recent(self, preferences: Preferences, open_file: Callable[[Path], object]) -> None:
         self.recent.clear()
         for path in preferences.recent_files:
-            _add_file(self.recent, path, path.name, str(path)).triggered.connect(
+            title = path.name.replace("&", "&&")
+            _add_file(self.recent, path, title, str(path)).triggered.connect(
                 lambda _checked=False, path=path: open_file(path)
             )
         self.recent.setEnabled(True)

@@ -18,6 +18,7 @@ and a test reads as what a person does::
 
 from __future__ import annotations
 
+import os
 import time
 from collections.abc import Callable, Sequence
 from pathlib import Path
@@ -28,6 +29,7 @@ from PySide6.QtGui import QAction, QGuiApplication, QImage
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QDockWidget, QWidget
 
+from app.display import has_display
 from app.document.model import Curve, Family, ParametrizationKind, Vector
 from app.main_window import MainWindow
 from app.panels.command_palette import CommandPalette
@@ -45,6 +47,11 @@ _FAMILY_ACTIONS = {
 }
 _NO_KEYS = Qt.KeyboardModifier.NoModifier
 _LEFT = Qt.MouseButton.LeftButton
+
+
+if not has_display():
+    # Where there is no display Qt would end the test run; it reads this when the application is made.
+    os.environ["QT_QPA_PLATFORM"] = "offscreen"
 
 
 class QtBot(Protocol):

@@ -11,6 +11,7 @@ from PySide6.QtGui import QColor, QPalette
 from PySide6.QtWidgets import QApplication, QStyleFactory
 
 from app.resources import resource
+from app.view_model.palette import ACCENT, INK, PAPER
 
 
 class ThemeMode(enum.Enum):
@@ -71,8 +72,8 @@ def mix(over: QColor, under: QColor, share: float) -> QColor:
     )
 
 
-def _theme(name: str, *, paper: str, surface: str, ink: str, muted: str, accent: str, warning: str) -> Theme:
-    background, foreground = QColor(paper), QColor(ink)
+def _theme(name: str, *, surface: str, muted: str, warning: str) -> Theme:
+    background, foreground = QColor(PAPER[name]), QColor(INK[name])
     return Theme(
         name=name,
         paper=background,
@@ -84,27 +85,21 @@ def _theme(name: str, *, paper: str, surface: str, ink: str, muted: str, accent:
         curve=foreground,
         ghost=mix(foreground, background, 0.32),
         handle=mix(foreground, background, 0.62),
-        accent=QColor(accent),
+        accent=QColor(ACCENT[name]),
         warning=QColor(warning),
     )
 
 
 LIGHT: Final = _theme(
     "light",
-    paper="#fafafa",
     surface="#f0f1f3",
-    ink="#1f2328",
     muted="#5b636d",
-    accent="#2563d9",
     warning="#b25000",
 )
 DARK: Final = _theme(
     "dark",
-    paper="#15181c",
     surface="#22272d",
-    ink="#e6e8ea",
     muted="#9aa3ad",
-    accent="#6ea8fe",
     warning="#ffab52",
 )
 
@@ -267,6 +262,9 @@ QToolBar QToolButton:focus { border-color: $accent }
 QToolBar QToolButton:disabled { color: $pale }
 QToolBar QToolButton[popupMode="1"] { padding-right: 16px }
 QToolBar QToolButton::menu-button { border: none; width: 14px }
+QToolBar QToolBarExtension {
+    qproperty-icon: url("$icons/more-$name.svg"); qproperty-iconSize: 12px 12px; padding: 0; border: none
+}
 QMainWindow::separator, QSplitter::handle { background: $line; width: 1px; height: 1px }
 QMainWindow::separator:hover, QSplitter::handle:hover { background: $accent }
 QDockWidget {

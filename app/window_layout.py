@@ -10,14 +10,12 @@ from PySide6.QtWidgets import QDockWidget, QMainWindow, QSplitter
 
 from app.commands.dock_room import put_idle_docks_away
 from app.overrides import Guarded
+from app.panels.fitting import room_on
 from app.preferences import Preferences
 
 _SIZE = QSize(1280, 860)
 _LEAST = QSize(200, 150)
 """Smaller than any window that a person would have left."""
-
-_FRAME = QSize(16, 48)
-"""Room for title bar and borders, which nobody knows before the window is shown."""
 
 
 def restore_layout(window: QMainWindow, splitter: QSplitter, preferences: Preferences) -> None:
@@ -26,6 +24,10 @@ def restore_layout(window: QMainWindow, splitter: QSplitter, preferences: Prefer
     A place that is on no screen (any more) is not worth a word: the window opens at its usual size.
     """
     usual = first_size(window.screen())
+    layout = window.layout()
+    if layout is not None:
+        # Else what the parts needed while they were put together is the least size of the whole.
+        layout.activate()
     window.resize(usual)
     geometry, state = preferences.window_geometry, preferences.window_state
     if not geometry.isEmpty() and not (window.restoreGeometry(geometry) and _is_usable(window.size())):
@@ -42,7 +44,7 @@ def restore_layout(window: QMainWindow, splitter: QSplitter, preferences: Prefer
 
 def first_size(screen: QScreen) -> QSize:
     """Return how large the first window is: with its frame it fits the screen."""
-    return _SIZE.boundedTo(screen.availableSize() - _FRAME).expandedTo(_LEAST)
+    return _SIZE.boundedTo(room_on(screen)).expandedTo(_LEAST)
 
 
 def floating_docks(window: QMainWindow) -> list[QDockWidget]:

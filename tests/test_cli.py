@@ -390,7 +390,7 @@ def test_convert_puts_points_into_a_dxf(capsys, tmp_path):
 def test_the_start_takes_no_readers_writers_or_dialogs_along():
     code = "import sys, app.main_window, app.cli; print(*sys.modules)"
     names = set(run(code=code, env={"QT_QPA_PLATFORM": "offscreen"}).stdout.split())
-    light = {"drawing", "formats", "progress", "reading", "svg", "table_text", "writing"}
+    light = {"drawing", "formats", "progress", "reading", "svg", "table_text", "units", "writing"}
     found = {name.removeprefix("app.exchange.") for name in names if name.startswith("app.exchange.")}
     assert found == light
     heavy = {

@@ -75,6 +75,9 @@ VIEW_MENU = (
         "Show or hide the panels at the side",
         checkable=True,
     ),
+    ActionSpec("nextPanel", "Next Panel", "View", "F6", "", "Go on to the next panel with the keyboard"),
+    ActionSpec("previousPanel", "Previous Panel", "View", "Shift+F6", "", "Go back to the panel before"),
+    ActionSpec("openMenuBar", "Menu Bar", "View", "F10", "", "Open the first menu, to go on with the arrows"),
     ActionSpec(
         "enlarge",
         "Larger Drawing",

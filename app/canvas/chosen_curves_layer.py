@@ -8,9 +8,9 @@ import numpy as np
 from PySide6.QtCore import QPointF, Qt
 from PySide6.QtGui import QColor, QPainter, QPen
 
+from app.canvas.curve_layer import FAINT_WIDTH
 from app.canvas.other_curves_layer import OtherCurvesLayer, pixels_of
 from app.canvas.point_layer import opacity_of
-from app.colours import curve_colour
 from app.plot.drawing import Stroke
 from app.plot.pixel_map import PixelMap
 from app.theme import mix
@@ -45,12 +45,15 @@ class ChosenCurvesLayer(OtherCurvesLayer):
             if len(views) <= _HALOS_UP_TO:
                 painter.setPen(self._line(halo, _HALO))
                 stroke.draw(painter)
-            painter.setPen(self._line(self._colour(view), _WIDTH))
+            painter.setOpacity(1.0)
+            is_hidden = not view.source.visible
+            painter.setPen(self._line(self.theme.handle, FAINT_WIDTH) if is_hidden else self._bold(view))
             stroke.draw(painter)
+            painter.setOpacity(opacity_of(view))
             self._paint_rings(painter, shown, view)
 
-    def _colour(self, view: CurveView) -> QColor:
-        return curve_colour(view.source.colour, self.theme)
+    def _bold(self, view: CurveView) -> QPen:
+        return self._line(self._colour(view), _WIDTH)
 
     def _line(self, colour: QColor, width: float) -> QPen:
         pen = super()._line(colour, width)

@@ -18,6 +18,9 @@ TOLERANCE = 0.1
 CASING = 1.0
 """Pixels of paper on either side of a line that lies on a picture: grey on grey would not be seen."""
 
+FAINT_WIDTH = 1.5
+"""Pixels of a curve that steps back: thinner rather than dimmer, for it must be seen."""
+
 _GHOST_MS, _WIDTH = 900, 2.0
 
 
@@ -108,9 +111,10 @@ class CurveLayer:
         pen = self._line(self.theme.curve, _WIDTH)
         if self._view is not None:
             source = self._view.source
-            # Faint: the last good curve, of nodes or rules that are no more, and a hidden one that is edited.
-            is_faint = not (self._view.is_current and source.visible)
-            pen.setColor(self.theme.ghost if is_faint else curve_colour(source.colour, self.theme))
+            pen.setColor(curve_colour(source.colour, self.theme))
+            if not (self._view.is_current and source.visible):
+                # The last good curve, of nodes or rules that are no more, and a hidden one that is edited.
+                pen = self._line(self.theme.handle, FAINT_WIDTH)
         return pen
 
     def _line(self, colour: QColor, width: float) -> QPen:

@@ -10,7 +10,7 @@ import numpy as np
 from PySide6.QtCore import QRectF, Qt, QTimer
 from PySide6.QtGui import QColor, QPainter, QPen, QPixmap
 
-from app.canvas.curve_layer import CASING, TOLERANCE
+from app.canvas.curve_layer import CASING, FAINT_WIDTH, TOLERANCE
 from app.canvas.hit_test import CURVE_REACH, Segments
 from app.colours import curve_colour
 from app.document.model import Vector
@@ -18,11 +18,8 @@ from app.gestures.pointer import Hit, Part
 from app.plot.drawing import Stroke
 from app.plot.layered_plot import LayeredPlot
 from app.plot.pixel_map import Floats, PixelMap
-from app.theme import Theme, mix
+from app.theme import Theme
 from app.view_model.curve_view import CurveView
-
-_WIDTH = 1.5
-_OPACITY = 0.62
 
 _SLOW = 0.008
 """Seconds above which the picture is not made anew for every step of a pan or a zoom."""
@@ -122,16 +119,13 @@ class OtherCurvesLayer:
         for view in views:
             stroke.fill(pixels_of(view, shown), shown.width, shown.height)
             if self._is_cased:
-                painter.setPen(self._line(self.theme.paper, _WIDTH + 2 * CASING))
+                painter.setPen(self._line(self.theme.paper, FAINT_WIDTH + 2 * CASING))
                 stroke.draw(painter)
-            painter.setPen(self._line(self._colour(view), _WIDTH))
+            painter.setPen(self._line(self._colour(view), FAINT_WIDTH))
             stroke.draw(painter)
 
     def _colour(self, view: CurveView) -> QColor:
-        colour = curve_colour(view.source.colour, self.theme)
-        if not view.source.colour:
-            colour = QColor(self.theme.muted)
-        return colour if self._is_cased else mix(colour, self.theme.paper, _OPACITY)
+        return curve_colour(view.source.colour, self.theme)
 
     def _line(self, colour: QColor, width: float) -> QPen:
         pen = QPen(colour, width * self.scale)

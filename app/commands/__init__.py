@@ -17,6 +17,7 @@
 - ``lesson_commands``: lessons, their documents and goals.
 - ``snap_commands``: snapping, the grid's spacing and the unit.  ``image_commands``: the picture to trace.
 - ``view_commands``, ``dock_room``: tools, zoom, panels, presentation, theme; room for a dock.
+- ``focus_commands``: the keyboard's way from panel to panel.
 - ``rail_commands``: the menu of the t-rail.
 - ``tool_commands``, ``help_commands``: palette, preferences, shortcuts; keys and mouse, about.
 - ``messages``, ``fresh_hints``: the line on the canvas; the hint in the status line.

@@ -16,6 +16,7 @@ from app.commands.edit_commands import EditCommands
 from app.commands.error_plot import ErrorPlotCommands
 from app.commands.exchange_commands import ExchangeCommands
 from app.commands.file_work import FileWork
+from app.commands.focus_commands import FocusCommands
 from app.commands.fresh_hints import FreshHints
 from app.commands.help_commands import HelpCommands
 from app.commands.hodograph_commands import HodographCommands
@@ -55,6 +56,7 @@ class Commands:
     def __init__(self, parts: Parts) -> None:
         self._parts = parts
         self.view = ViewCommands(parts)
+        self.focus = FocusCommands(parts)
         self.messages = Messages(parts)
         self.hints = FreshHints(parts)
         self.snap = SnapCommands(parts)
@@ -102,6 +104,7 @@ class Commands:
             ClipboardCommands(parts),
             self.snap,
             self.view,
+            self.focus,
             HelpCommands(parts),
             self.lessons,
             RailCommands(parts),
@@ -123,6 +126,10 @@ class Commands:
         if name in self._interrupting:
             self._parts.cancel_gesture()
         handler()
+
+    def leave_panel(self) -> bool:
+        """Take a gesture back, or go to the canvas from a panel; return whether there was either."""
+        return self._parts.cancel_gesture() or self.focus.back_to_canvas()
 
     def _build_analysis(self) -> QWidget:
         from app.panels.analysis_panel import AnalysisPanel  # noqa: PLC0415 - late, as all of them

@@ -183,7 +183,8 @@ class ExchangeCommands:
 
     def _show_in_dialog(self) -> None:
         if self._dialog is not None:
-            self._dialog.show_document(self._session.document, self._session.active_index)
+            unit = self._preferences.unit_name
+            self._dialog.show_document(self._session.document, self._session.active_index, unit)
 
     def _ask_where_to(self, choice: ExportChoice) -> None:
         from app.exchange.choice import FORMATS, text_of  # noqa: PLC0415
@@ -201,14 +202,14 @@ class ExchangeCommands:
             there = StorageError("It is there already; choose it in the list to replace it.")
             self._work.refuse(path, "written", there)
             return
-        self.export(path, choice.options(self._session.active_index))
+        self.export(path, choice.options(self._session.active_index, self._preferences.unit_name))
 
     def export(self, path: Path, options: Options | None = None) -> None:
         """Write the document in the format that the ending names, and say how exactly."""
-        document = self._session.document
+        document, unit = self._session.document, self._preferences.unit_name
 
         def work(report: Report) -> Exported:
-            return export_with(document, path, (options or Options()).reporting(report))
+            return export_with(document, path, (options or Options(unit=unit)).reporting(report))
 
         self._work.start(
             f"Writing {path.name}", work, lambda written: self._say_written(path, written), path, "written"
@@ -227,7 +228,7 @@ class ExchangeCommands:
 
     def _copy_image(self) -> None:
         """Put the curves on the clipboard as a PNG without paper and as SVG."""
-        document = self._session.document
+        document, unit = self._session.document, self._preferences.unit_name
 
         def work(report: Report) -> tuple[bytes, bytes]:
             from app.exchange.image import png_bytes  # noqa: PLC0415
@@ -236,7 +237,7 @@ class ExchangeCommands:
             report(0.0, "Drawing")
             png = png_bytes(document, Options(width=_COPY_WIDTH, transparent=True))
             report(0.5, "Drawing")
-            return png, svg_of(document).encode()
+            return png, svg_of(document, unit=unit).encode()
 
         self._work.start("Drawing", work, self._put_image, Path("The image"), "copied")
 

@@ -9,6 +9,7 @@ from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QMenu
 
 from app.commands.parts import Handlers, Parts
+from app.mnemonics import plain
 from app.theme import ThemeMode
 from app.view_model.curve_view import CurveView
 
@@ -61,7 +62,7 @@ class ToolCommands:
         for entry in window.menuBar().actions():
             menu = _menu_of(entry)
             if menu is not None:
-                found.update(_entries(menu, menu.title()))
+                found.update(_entries(menu, plain(menu.title())))
         for action in window.findChildren(QAction):
             if action.objectName() and action.isVisible() and _menu_of(action) is None and _is_named(action):
                 found.setdefault(action, "")
@@ -102,10 +103,11 @@ def _entries(menu: QMenu, path: str) -> Iterator[tuple[QAction, str]]:
     """Yield the actions of a menu and of those within it, with the path that leads there."""
     # Some menus are filled when they are about to be shown.
     menu.aboutToShow.emit()
+    menu.aboutToHide.emit()
     for action in menu.actions():
         inner = _menu_of(action)
         if inner is not None:
-            yield from _entries(inner, f"{path} › {inner.title()}")
+            yield from _entries(inner, f"{path} › {plain(inner.title())}")
         elif _is_named(action) and action.isVisible():
             yield action, path
 

@@ -9,7 +9,7 @@ from app.commands.dock_room import put_idle_docks_away
 from app.commands.parts import Handlers, Parts
 from app.gestures.tools import ToolKind
 from app.panels.late_dock import LateDock
-from app.plot.plot_widget import ZOOM_STEP
+from app.plot.scrolling import ZOOM_STEP
 from app.theme import ThemeMode
 from app.view_model.curve_view import CurveView
 
@@ -158,9 +158,10 @@ class ViewCommands:
             docks = [dock for dock in parts.docks if dock not in self._kept_for_a_lesson()]
             for part in (parts.toolbar, window.menuBar(), parts.status_line, *docks):
                 part.hide()
-            window.showFullScreen()
+            # Not showFullScreen, which forgets that a window was maximised.
+            window.setWindowState(window.windowState() | Qt.WindowState.WindowFullScreen)
             return
-        window.showNormal()
+        window.setWindowState(window.windowState() & ~Qt.WindowState.WindowFullScreen)
         window.menuBar().show()
         parts.status_line.show()
         window.restoreState(self._before_presentation)

@@ -49,6 +49,9 @@ DESCRIPTIONS = {
 
 PICTURES = (".png", ".svg", ".pdf")
 SAMPLED = (".csv", ".tsv")
+TO_SCALE = (".svg", ".pdf")
+"""Those that can have true size."""
+
 WITH_TOLERANCE = (".svg", ".pdf", ".dxf", ".tikz", ".pgfplots.tex", ".desmos.txt", ".path.txt")
 
 
@@ -63,6 +66,8 @@ class ExportChoice(msgspec.Struct, frozen=True):
         Of a PNG: see `export`.
     dark, transparent
         The colours, and whether there is no paper.
+    true_size
+        Of SVG and PDF: whether a length of one is one of the unit, where there is one.
     points, handles, grid, basis
         What else to draw; the basis functions are those of the curve that is edited.
     tolerance
@@ -78,6 +83,7 @@ class ExportChoice(msgspec.Struct, frozen=True):
     scale: float = 1.0
     dark: bool = False
     transparent: bool = False
+    true_size: bool = True
     points: bool = False
     handles: bool = False
     grid: bool = False
@@ -88,8 +94,8 @@ class ExportChoice(msgspec.Struct, frozen=True):
     samples: int = SAMPLES
     columns: tuple[str, ...] = TITLES
 
-    def options(self, active: int) -> Options:
-        """Return the options of the format; `active` is the curve that is edited."""
+    def options(self, active: int, unit: str = "") -> Options:
+        """Return the options of the format; `active` is the curve that is edited, `unit` what one is."""
         is_picture = self.ending in PICTURES
         extras = Extras(self.handles, self.grid, active if self.basis else None)
         style = None
@@ -107,6 +113,7 @@ class ExportChoice(msgspec.Struct, frozen=True):
             extras=extras if is_picture else None,
             columns=self.columns,
             cubic=self.cubic,
+            unit=unit if self.true_size or self.ending not in TO_SCALE else "",
         )
 
 

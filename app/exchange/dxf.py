@@ -31,6 +31,7 @@ from app.exchange.parts import (
     one_line,
     sources_of,
 )
+from app.exchange.units import dxf_code
 from curvecore import LagrangeCurve, chebyshev, cubic_path
 
 if TYPE_CHECKING:
@@ -55,14 +56,19 @@ _END = re.compile(r"(^|\n)[ \t]*0[ \t]*\n[ \t]*EOF\s*\Z")
 
 
 def dxf_text(
-    document: Document, tolerance: float | None = None, *, points: bool = False, cubic: bool = False
+    document: Document,
+    tolerance: float | None = None,
+    *,
+    points: bool = False,
+    cubic: bool = False,
+    unit: str = "",
 ) -> Written:
     """Return the curves as DXF (R2010): one SPLINE each, on a layer of its own.
 
     Cubic and quintic Hermite curves, and Lagrange curves up to degree 10, are written exactly but for
     rounding, with their parameters as knots; others as cubics within the tolerance. With `cubic` all above
     degree 3 are: some programs, LibreCAD among them, show nothing of a spline of higher degree. With `points`
-    the layer of each curve holds its points as well, as POINTs.
+    the layer of each curve holds its points as well, as POINTs. The header names the `unit`.
 
     Raises
     ------
@@ -72,7 +78,7 @@ def dxf_text(
     ezdxf = _ezdxf()
     sources, remarks = sources_of(document)
     allowed = checked_tolerance(sources, tolerance)
-    drawing: Drawing = ezdxf.new("R2010", units=0)
+    drawing: Drawing = ezdxf.new("R2010", units=dxf_code(unit))
     deviation = 0.0
     for source in sources:
         layer = _layer(drawing, source)

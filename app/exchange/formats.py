@@ -92,6 +92,7 @@ class Options(msgspec.Struct, frozen=True, kw_only=True):
     extras: Extras | None = None
     columns: tuple[str, ...] | None = None
     cubic: bool = False
+    unit: str = ""
     report: Report = silent
 
     def reporting(self, report: Report) -> Options:

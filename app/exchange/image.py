@@ -6,10 +6,12 @@ never sees the coordinates of the document, however large, small or far away the
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
 
+from msgspec.structs import replace
 from PySide6.QtCore import QBuffer, QByteArray, QIODevice, QMarginsF, QRectF, QSizeF
 from PySide6.QtGui import (
     QColor,
@@ -26,9 +28,11 @@ from PySide6.QtSvg import QSvgRenderer, QtSvg
 from app import __version__
 from app.document.model import Document
 from app.exchange.decor import decorated
-from app.exchange.drawing import Drawing, ExchangeError, drawing_of
+from app.exchange.drawing import Drawing, ExchangeError, Frame, drawing_of
 from app.exchange.formats import Options
-from app.exchange.svg import Style, accuracy_of, svg_text
+from app.exchange.svg import Style, accuracy_of, nominal_width, svg_text
+from app.exchange.units import MILLIMETRES, POINTS_PER_MILLIMETRE, known_unit, size_in_words
+from app.view_model.palette import adjustment_of
 
 DEFAULT_WIDTH = 1600
 LARGEST_SIDE = 16384
@@ -37,7 +41,12 @@ LARGEST_SIDE = 16384
 PAGE_SIDE = 720.0
 """Longer side, in points of 1/72 inch, of a PDF page whose size nobody asked for."""
 
-_PDF_RESOLUTION = 1200
+LARGEST_PAGE, SMALLEST_PAGE = 14_400, 3
+"""Sides of a PDF page in points, as ISO 32000-1, annex C, has them."""
+
+_PDF_RESOLUTION = 1440
+"""Dots an inch: a whole number for each point, so that nothing is rounded."""
+
 _DOTS_PER_METRE = 96 / 0.0254
 
 
@@ -64,25 +73,47 @@ def png_image(document: Document, options: Options) -> QImage:
 
 @dataclass(frozen=True)
 class Look:
-    """A small picture of a picture, and the size in pixels that it would have as a PNG."""
+    """A small picture of a picture.
+
+    Attributes
+    ----------
+    size
+        What its file says of its size, in a line.
+    moved
+        What became of colours that could not be seen on the paper, a sentence or nothing.
+    """
 
     image: QImage
-    size: tuple[int, int]
+    size: str
+    moved: str = ""
 
 
-def look(document: Document, options: Options, style: Style, room: tuple[int, int]) -> Look:
-    """Return what a picture in these options and colours looks like, in so many pixels at most.
+def look(document: Document, options: Options, ending: str, room: tuple[int, int]) -> Look:
+    """Return what a picture in these options looks like in a file of this ending, in so many pixels at most.
 
     Raises
     ------
     ExchangeError
         As `png_image`.
     """
+    style = options.paper_style if ending == ".png" else options.vector_style
     drawing = _drawing(document, options, style)
+    if ending == ".pdf":
+        drawing, _ = _on_page(drawing, options)
     frame = drawing.frame
     scale = min(room[0] / frame.width, room[1] / frame.height)
     size = (max(round(frame.width * scale), 1), max(round(frame.height * scale), 1))
-    return Look(_painted(drawing, size, style, points=options.points), _size(drawing, options))
+    image = _painted(drawing, size, style, points=options.points)
+    return Look(image, size_text(drawing, options, ending), _moved_colours(drawing, style))
+
+
+def _moved_colours(drawing: Drawing, style: Style) -> str:
+    """Return the sentence that tells of curves whose colours cannot be seen on the paper as chosen."""
+    moved = [each for each in drawing.outlines if adjustment_of(style.paper, each.colour)]
+    if not moved:
+        return ""
+    more = f" (and {len(moved) - 1} more)" if len(moved) > 1 else ""
+    return f"“{moved[0].name}” is {adjustment_of(style.paper, moved[0].colour)}{more}."
 
 
 def _size(drawing: Drawing, options: Options) -> tuple[int, int]:
@@ -124,10 +155,12 @@ def _encoded(image: QImage) -> bytes:
 def pdf_bytes(document: Document, options: Options) -> bytes:
     """Return a document as a PDF of one page, as outlines; `options.width` in points of 1/72 inch.
 
+    Without a width, and with a unit, the page has true size.
+
     Raises
     ------
     ExchangeError
-        If nothing can be drawn.
+        If nothing can be drawn, or no page is as large or as small.
     """
     style = options.vector_style
     drawing = _drawing(document, options, style)
@@ -137,9 +170,7 @@ def pdf_bytes(document: Document, options: Options) -> bytes:
 
 def _page(drawing: Drawing, options: Options, style: Style) -> bytes:
     # On its own, because nothing that paints may outlive the application.
-    frame = drawing.frame
-    across = PAGE_SIDE * frame.width / frame.side if options.width is None else options.width
-    page = QSizeF(across, across * frame.height / frame.width)
+    drawing, page = _on_page(drawing, options)
     buffer = QBuffer()
     buffer.open(QIODevice.OpenModeFlag.WriteOnly)
     writer = QPdfWriter(buffer)
@@ -153,6 +184,46 @@ def _page(drawing: Drawing, options: Options, style: Style) -> bytes:
     paint_drawing(drawing.fitted(device.width(), device.height()), painter, style, points=options.points)
     painter.end()
     return bytes(buffer.data().data())
+
+
+def _on_page(drawing: Drawing, options: Options) -> tuple[Drawing, QSizeF]:
+    """Return a drawing and the size in points of the page that it fills.
+
+    Qt writes whole points. At true size it is the margin that gives, by less than a point, not the scale.
+    """
+    frame, unit = drawing.frame, known_unit(options.unit)
+    if not unit or options.width is not None:
+        across = PAGE_SIDE * frame.width / frame.side if options.width is None else options.width
+        return drawing, QSizeF(across, across * frame.height / frame.width)
+    scale = MILLIMETRES[unit] * POINTS_PER_MILLIMETRE
+    if not SMALLEST_PAGE <= min(frame.width, frame.height) * scale <= frame.side * scale <= LARGEST_PAGE:
+        longest = LARGEST_PAGE / POINTS_PER_MILLIMETRE
+        raise ExchangeError(
+            f"At true size the page would be {size_in_words(frame.width, frame.height, unit)}; "
+            f"a PDF has pages of 1 to {longest:.0f} mm."
+        )
+    # Two digits of slack: what is a whole number of points but for rounding shall not become one more.
+    wide, high = (math.ceil(side * scale - 1e-6) for side in (frame.width, frame.height))
+    width, height = wide / scale, high / scale
+    left, bottom = frame.left - (width - frame.width) / 2, frame.bottom - (height - frame.height) / 2
+    return replace(drawing, frame=Frame(left, bottom, width, height)), QSizeF(wide, high)
+
+
+def size_text(drawing: Drawing, options: Options, ending: str) -> str:
+    """Return what a file of this ending says of its size, its scale and its page, in a line."""
+    if ending == ".png":
+        width, height = _size(drawing, options)
+        return f"{width} × {height} pixels"
+    frame, unit = drawing.frame, known_unit(options.unit)
+    if unit and options.width is None:
+        page = "Page of " if ending == ".pdf" else ""
+        return f"{page}{size_in_words(frame.width, frame.height, unit)}, 1 : 1 (1 is 1 {unit})"
+    if ending == ".pdf":
+        _, points = _on_page(drawing, options)
+        wide, high = (side / POINTS_PER_MILLIMETRE for side in (points.width(), points.height()))
+        return f"Page of {size_in_words(wide, high, 'mm')}, not to scale"
+    across = nominal_width(drawing, options.width)
+    return f"{size_in_words(across, across * frame.height / frame.width, 'px')}, not to scale"
 
 
 def _drawing(document: Document, options: Options, style: Style) -> Drawing:

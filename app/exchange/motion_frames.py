@@ -17,6 +17,7 @@ from app.view_model.arrow import arrow_segments
 from app.view_model.curve_view import Floats
 from app.view_model.motion import Repeat, round_of
 from app.view_model.motion_picture import COLOURS, RADII, TRAIL, Dot, Role, colour_of, dots_at, scales_of
+from app.view_model.palette import ACCENT, PAPER, colour_on
 
 _NOMINAL = 640.0
 """Longer side of a picture in which dots and lines have their nominal sizes."""
@@ -26,8 +27,6 @@ _REACH = 0.5
 
 _LOOKED_AT = 100
 """Frames in which the arrows are looked at to find the room they need."""
-
-_ACCENT = "#3584e4"
 
 
 class FrameMaker:
@@ -65,7 +64,7 @@ class FrameMaker:
 
     def _paint_background(self, drawing: Drawing) -> QImage:
         image = QImage(self.width, self.height, QImage.Format.Format_RGBX8888)
-        image.fill(QColor(self._film.style.paper or "#ffffff"))
+        image.fill(QColor(self._paper))
         painter = QPainter(image)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         fitted = drawing.fitted(self.width, self.height)
@@ -89,6 +88,16 @@ class FrameMaker:
     def _scale(self) -> float:
         return max(self.width, self.height) / _NOMINAL
 
+    @property
+    def _paper(self) -> str:
+        style = self._film.style
+        return style.paper or PAPER[style.theme]
+
+    def _colour(self, role: Role) -> QColor:
+        """Return the colour of a dot and its trail, the same as on a screen with this paper."""
+        accent = ACCENT[self._film.style.theme]
+        return QColor(colour_on(self._paper, COLOURS[role]) if role in COLOURS else accent)
+
     def _pixels(self, points: Floats) -> Floats:
         frame = self._frame
         with np.errstate(all="ignore"):
@@ -96,7 +105,7 @@ class FrameMaker:
             return np.clip(shares * (self.width, -self.height) + (0, self.height), -1e5, 1e5)
 
     def _paint_trail(self, painter: QPainter, dot: Dot) -> None:
-        colour = QColor(COLOURS.get(dot.role, _ACCENT))
+        colour = self._colour(dot.role)
         painter.setPen(Qt.PenStyle.NoPen)
         radius = 3.2 * self._scale
         for age, (x, y) in enumerate(self._pixels(dot.trail).tolist()):
@@ -108,13 +117,13 @@ class FrameMaker:
         (place,) = self._pixels(np.array([dot.place])).tolist()
         for arrow in dot.arrows:
             (tip,) = self._pixels(np.array([arrow.tip])).tolist()
-            painter.setPen(QPen(QColor(colour_of(dot, arrow)), 2.0 * self._scale))
+            painter.setPen(QPen(QColor(colour_on(self._paper, colour_of(dot, arrow))), 2.0 * self._scale))
             for segment in arrow_segments(tuple(place), tuple(tip), 9.0 * self._scale).tolist():
                 painter.drawLine(QLineF(*segment))
         if len(self._courses) > 1 and dot.role is Role.OWN:
             return
-        painter.setPen(QPen(QColor(self._film.style.paper or "#ffffff"), 1.5 * self._scale))
-        painter.setBrush(QColor(COLOURS.get(dot.role, _ACCENT)))
+        painter.setPen(QPen(QColor(self._paper), 1.5 * self._scale))
+        painter.setBrush(self._colour(dot.role))
         radius = RADII[dot.role] * self._scale
         painter.drawEllipse(QPointF(*place), radius, radius)
 

@@ -11,6 +11,8 @@ import msgspec
 from app import __version__
 from app.document.model import Document
 from app.exchange.drawing import Decor, Drawing, Frame, Outline, drawing_of
+from app.exchange.units import css_length, known_unit
+from app.view_model import palette
 
 if TYPE_CHECKING:
     from app.exchange.decor import Extras
@@ -44,9 +46,9 @@ class Style(msgspec.Struct, frozen=True):
     theme: str = "light"
 
 
-INK = Style("#1f2328")
-LIGHT = Style("#1f2328", "#fafafa")
-DARK = Style("#e6e8ea", "#15181c", "dark")
+INK = Style(palette.INK["light"])
+LIGHT = Style(palette.INK["light"], palette.PAPER["light"])
+DARK = Style(palette.INK["dark"], palette.PAPER["dark"], "dark")
 
 
 def svg_of(
@@ -57,6 +59,7 @@ def svg_of(
     points: bool = False,
     width: float | None = None,
     extras: Extras | None = None,
+    unit: str = "",
 ) -> str:
     """Return a document as SVG.
 
@@ -79,6 +82,8 @@ def svg_of(
         Nominal width in CSS pixels; by default the longer side is `NOMINAL_SIDE`.
     extras
         What else to draw, in groups of their own.
+    unit
+        What a length of one is, a name that `known_unit` knows: without a `width` the picture has true size.
 
     Raises
     ------
@@ -91,20 +96,26 @@ def svg_of(
         from app.exchange.decor import decorated  # noqa: PLC0415
 
         drawing = decorated(drawing, document, extras, style.theme)
-    shown = NOMINAL_SIDE * drawing.frame.width / drawing.frame.side if width is None else width
-    return svg_text(drawing, style=style, points=points, width=shown)
+    return svg_text(drawing, style=style, points=points, width=width, unit=unit)
 
 
-def svg_text(drawing: Drawing, *, style: Style, points: bool, width: float) -> str:
-    """Return a drawing as SVG with the nominal `width` in CSS pixels."""
+def nominal_width(drawing: Drawing, width: float | None) -> float:
+    """Return the width in CSS pixels of a picture whose size is that asked for, or nobody's."""
+    return NOMINAL_SIDE * drawing.frame.width / drawing.frame.side if width is None else width
+
+
+def svg_text(
+    drawing: Drawing, *, style: Style, points: bool, width: float | None = None, unit: str = ""
+) -> str:
+    """Return a drawing as SVG with the nominal `width` in CSS pixels, or at true size in a unit."""
     frame = drawing.frame
-    height = width * frame.height / frame.width
+    wide, high = _size_attributes(drawing, width, unit)
     box = " ".join(_number(value) for value in (frame.left, -frame.top, frame.width, frame.height))
     parts = [
         '<?xml version="1.0" encoding="UTF-8"?>',
         f"<!-- Curvebench {__version__}. {accuracy_of(drawing)} -->",
         f'<svg xmlns="http://www.w3.org/2000/svg" xmlns:inkscape="{_INKSCAPE}" '
-        f'width="{width:.6g}" height="{height:.6g}" viewBox="{box}">',
+        f'width="{wide}" height="{high}" viewBox="{box}">',
         f"  <desc>{_text(' '.join([accuracy_of(drawing), *drawing.remarks]))}</desc>",
         *([_paper(frame, style.paper)] if style.paper else []),
         *_decor(drawing, style, "grid"),
@@ -115,6 +126,14 @@ def svg_text(drawing: Drawing, *, style: Style, points: bool, width: float) -> s
         "</svg>",
     ]
     return "\n".join(parts) + "\n"
+
+
+def _size_attributes(drawing: Drawing, width: float | None, unit: str) -> tuple[str, str]:
+    frame, known = drawing.frame, known_unit(unit)
+    if known and width is None:
+        return css_length(frame.width, known), css_length(frame.height, known)
+    wide = nominal_width(drawing, width)
+    return f"{wide:.6g}", f"{wide * frame.height / frame.width:.6g}"
 
 
 def accuracy_of(drawing: Drawing) -> str:
@@ -138,24 +157,29 @@ def _curves(drawing: Drawing, style: Style) -> list[str]:
         f'  <g id="curves" fill="none" stroke="{style.ink}" stroke-width="{stroke}" '
         'stroke-linecap="round" stroke-linejoin="round">'
     )
-    layers = [line for outline in drawing.outlines for line in _layer(outline)]
+    layers = [line for outline in drawing.outlines for line in _layer(outline, style)]
     return [group, *layers, "  </g>"]
 
 
-def _layer(outline: Outline) -> list[str]:
+def _layer(outline: Outline, style: Style) -> list[str]:
     """Return a curve in a group that Inkscape takes for a layer."""
     name = _text(outline.name)
     quoted = name.replace('"', "&quot;").replace("\n", " ")
     return [
         f'    <g inkscape:groupmode="layer" inkscape:label="{quoted}">',
-        f'    <path d="{path_data(outline)}"{_own("stroke", outline)}><title>{name}</title></path>',
+        f'    <path d="{path_data(outline)}"{_own("stroke", outline, style)}><title>{name}</title></path>',
         "    </g>",
     ]
 
 
-def _own(attribute: str, outline: Outline) -> str:
+def _own(attribute: str, outline: Outline, style: Style) -> str:
     """Return the curve's own colour as an attribute; nothing where the picture's ink is meant."""
-    return f' {attribute}="{outline.colour}"' if outline.colour else ""
+    return f' {attribute}="{_colour(outline.colour, style)}"' if outline.colour else ""
+
+
+def _colour(code: str, style: Style) -> str:
+    """Return a colour as it is drawn on the picture's paper, the same as on the screen's."""
+    return palette.colour_on(style.paper, code) if code else style.ink
 
 
 def path_data(outline: Outline) -> str:
@@ -171,7 +195,7 @@ def path_data(outline: Outline) -> str:
 def _points(drawing: Drawing, style: Style) -> list[str]:
     radius = _number(POINT_RADIUS * drawing.frame.side)
     discs = [
-        f'    <circle cx="{_number(x)}" cy="{_number(-y)}" r="{radius}"{_own("fill", outline)}/>'
+        f'    <circle cx="{_number(x)}" cy="{_number(-y)}" r="{radius}"{_own("fill", outline, style)}/>'
         for outline in drawing.outlines
         for x, y in outline.nodes.tolist()
     ]
@@ -186,7 +210,7 @@ def _decor(drawing: Drawing, style: Style, name: str) -> list[str]:
 
 def _strokes(decor: Decor, style: Style) -> str:
     data = " ".join(f"M {' L '.join(_pair(point) for point in line.tolist())}" for line in decor.lines)
-    colour = decor.colour or style.ink
+    colour = _colour(decor.colour, style)
     opacity = f' opacity="{decor.opacity:g}"' if decor.opacity < 1 else ""
     if decor.filled:
         return f'    <path d="{data}" fill="{colour}"{opacity}/>'

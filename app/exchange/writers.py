@@ -34,6 +34,7 @@ def _svg(document: Document, options: Options) -> Written:
         points=options.points,
         width=options.width,
         extras=options.extras,
+        unit=options.unit,
     )
     drawing = drawing_of(document, options.tolerance)
     return Written(text, drawing.deviation, drawing.remarks)
@@ -42,7 +43,9 @@ def _svg(document: Document, options: Options) -> Written:
 def _dxf(document: Document, options: Options) -> Written:
     from app.exchange.dxf import dxf_text  # noqa: PLC0415
 
-    return dxf_text(document, options.tolerance, points=options.points, cubic=options.cubic)
+    return dxf_text(
+        document, options.tolerance, points=options.points, cubic=options.cubic, unit=options.unit
+    )
 
 
 def _table(separator: str) -> Writer:

@@ -33,6 +33,7 @@ def export(
     extras: Extras | None = None,
     columns: tuple[str, ...] | None = None,
     cubic: bool = False,
+    unit: str = "",
     report: Report = silent,
 ) -> Exported:
     """Write a document in the format that the ending of `path` names.
@@ -64,6 +65,9 @@ def export(
         Of tables of samples: the columns to write; by default all.
     cubic
         Of DXF: whether to write no spline above degree 3.
+    unit
+        Of SVG, PDF and DXF: what a length of one is, such as "mm". Without a `width` an SVG or PDF then has
+        true size.
     report
         Hears how far it has come; until the file is put in place it may raise `Cancelled`.
 
@@ -91,6 +95,7 @@ def export(
         extras=extras,
         columns=columns,
         cubic=cubic,
+        unit=unit,
         report=report,
     )
     return export_with(document, path, options)

@@ -2,14 +2,15 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import Qt, QTimer
+from PySide6.QtCore import QSize, Qt, QTimer
 from PySide6.QtGui import QAction, QIcon, QResizeEvent
-from PySide6.QtWidgets import QHBoxLayout, QLabel, QToolButton, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QHBoxLayout, QLabel, QSizePolicy, QToolButton, QVBoxLayout, QWidget
 
 from app.overrides import Guarded
 from app.panels.basis_panel import BasisPanel
 from app.panels.choice_style import choice_style
 from app.panels.elided_label import ElidedLabel
+from app.panels.fitting import Scrolled
 from app.panels.function_lines import note_on_drawing
 from app.plot.pens import SIGN, sign_pixmap
 from app.theme import LIGHT, Theme
@@ -26,6 +27,10 @@ _CARDINAL_TIP = (
 )
 
 _SOON_MS = 33
+
+
+_LEAST_HEADER = QSize(260, 100)
+"""What the header may ask for."""
 
 
 class BasisPane(Guarded, QWidget):
@@ -102,7 +107,9 @@ class BasisPane(Guarded, QWidget):
         return button
 
     def _lay_out(self) -> None:
-        header = QHBoxLayout()
+        holder = QWidget()
+        holder.setObjectName("basisHeader")
+        header = QHBoxLayout(holder)
         header.setContentsMargins(10, 4, 8, 2)
         header.setSpacing(6)
         header.addWidget(self._title)
@@ -115,10 +122,13 @@ class BasisPane(Guarded, QWidget):
         header.addWidget(self._extent)
         self._header = header
         header.addWidget(self._fit)
+        for button in (*self._kinds, self._estimates):
+            # Until there is a curve: else the window is built with room for all of them.
+            button.hide()
         layout = QVBoxLayout(self)
         layout.setContentsMargins(0, 0, 0, 0)
         layout.setSpacing(0)
-        layout.addLayout(header)
+        layout.addWidget(_row_that_scrolls(holder))
         layout.addWidget(self._panel, 1)
 
     def render_view(self, view: CurveView) -> None:
@@ -204,3 +214,12 @@ def _reach_text(reach: tuple[float, float] | None, *, brief: bool = False) -> st
         return ""
     span = f"{reach[0]:.3g} to {reach[1]:.3g}".replace("-", "−")
     return f"⚠ {span}" if brief else f"⚠ The functions reach from {span}"
+
+
+def _row_that_scrolls(row: QWidget) -> QWidget:
+    """Return a row that scrolls by wheel and Tab where it is too long, without a bar: that would cover it."""
+    area = Scrolled(row, _LEAST_HEADER)
+    area.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+    area.setVerticalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+    area.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Fixed)
+    return area

@@ -40,7 +40,7 @@ from shiboken6 import isValid
 
 from app.keymap import name_alone, native, why_not
 from app.overrides import Guarded
-from app.panels.fuzzy import fitness
+from app.panels.fuzzy import Named, ranked
 from app.theme import mix, theme_of
 
 _WIDEST, _ROWS, _ROW_HEIGHT, _TOP = 560, 10, 30, 12
@@ -194,12 +194,9 @@ def _ranked(commands: Sequence[Command], typed: str) -> list[Command]:
     """Return the commands that fit, the best first, those of no use now behind the others."""
     if not typed.strip():
         return sorted(commands, key=lambda command: not command.action.isEnabled())
-    rated = [
-        (fit - (0 if command.action.isEnabled() else 50), command)
-        for command in commands
-        if (fit := fitness(typed, command.name, command.path, command.action.statusTip())) is not None
-    ]
-    return [command for _, command in sorted(rated, key=lambda pair: -pair[0])]
+    things = [Named(command.name, command.path, command.action.statusTip()) for command in commands]
+    found = [commands[place] for place in ranked(typed, things)]
+    return sorted(found, key=lambda command: not command.action.isEnabled())
 
 
 class _CommandModel(Guarded, QAbstractListModel):

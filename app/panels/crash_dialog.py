@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import Qt, Signal
+from PySide6.QtCore import QSize, Qt, Signal
 from PySide6.QtGui import QFontDatabase, QGuiApplication
 from PySide6.QtWidgets import (
     QApplication,
-    QDialog,
     QDialogButtonBox,
     QLabel,
     QPlainTextEdit,
@@ -15,13 +14,14 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from app.panels.fitting import FittedDialog
 from app.theme import theme_of
 
 _SAFE = "Your work is safe: a backup has just been written."
 _NOT_SAFE = "A backup could not be written. Save your work under another name now."
 
 
-class CrashDialog(QDialog):
+class CrashDialog(FittedDialog):
     """Says that something went wrong and that the work is safe; shows and copies a report.
 
     Closed in any way, the program goes on.
@@ -40,7 +40,6 @@ class CrashDialog(QDialog):
         self.setWindowTitle("Curvebench")
         # Also above a dialog that waits for an answer already.
         self.setWindowModality(Qt.WindowModality.ApplicationModal)
-        self.setMinimumWidth(560)
         self._report = QPlainTextEdit(report)
         self._report.setObjectName("crashReport")
         self._report.setAccessibleName("Report")
@@ -50,8 +49,8 @@ class CrashDialog(QDialog):
         self._report.setLineWrapMode(QPlainTextEdit.LineWrapMode.NoWrap)
         self._report.setFont(QFontDatabase.systemFont(QFontDatabase.SystemFont.FixedFont))
         self._report.setMinimumHeight(150)
-        layout = QVBoxLayout(self)
-        layout.setContentsMargins(20, 18, 20, 16)
+        layout = QVBoxLayout(self.body)
+        layout.setContentsMargins(20, 18, 20, 0)
         layout.setSpacing(10)
         layout.addWidget(self._title())
         layout.addWidget(_wrapped(f"{_SAFE if is_safe else _NOT_SAFE} You can go on."))
@@ -59,7 +58,7 @@ class CrashDialog(QDialog):
         hint.setStyleSheet(f"color: {theme_of(QApplication.palette()).muted.name()}")
         layout.addWidget(hint)
         layout.addWidget(self._report, 1)
-        layout.addWidget(self._buttons())
+        self.hold(self._buttons(), wished=QSize(560, 0))
 
     def _title(self) -> QLabel:
         title = QLabel("Something went wrong inside Curvebench.")

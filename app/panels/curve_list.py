@@ -16,6 +16,7 @@ from app.panels.curve_list_model import CurveListModel
 from app.panels.curve_list_view import CurveListView, Spot
 from app.session import Session
 from app.theme import Theme, theme_of
+from app.view_model.palette import adjustment_of
 
 
 class CurveList(Guarded, QWidget):
@@ -117,10 +118,12 @@ class CurveList(Guarded, QWidget):
         menu = QMenu(self)
         menu.setObjectName("colourMenu")
         menu.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+        menu.setToolTipsVisible(True)
         theme = theme_of(self.palette())
         for name, code in CURVE_COLOURS.items():
             action = menu.addAction(_swatch(curve_colour(code, theme)), name)
             action.setObjectName(f"colour_{name.replace(' ', '_')}")
+            action.setToolTip(f"{name} {adjustment_of(theme.paper.name(), code)}".strip())
             action.setCheckable(True)
             action.setChecked(code == self._session.document.curves[row].colour)
             action.triggered.connect(lambda _checked=False, code=code, row=row: self._paint(row, code))

@@ -41,6 +41,7 @@ from app.icons import icon
 from app.overrides import Guarded
 from app.panels.curve_list_model import CurveListModel, Row
 from app.theme import mix, theme_of
+from app.view_model.palette import adjustment_of
 
 Index = QModelIndex | QPersistentModelIndex
 
@@ -373,8 +374,9 @@ class CurveListView(Guarded, QListView):
         if number < 0:
             return self.toolTip()
         row: Row = self.curves.row(number)
+        moved = adjustment_of(theme_of(self.palette()).paper.name(), row.colour)
         tips = {
-            Spot.SWATCH: f"Choose the colour of “{row.name}”",
+            Spot.SWATCH: f"Choose the colour of “{row.name}”" + (f"; it is {moved}" if moved else ""),
             Spot.NAME: f"“{row.name}”: {row.facts}. Double-click to rename, drag to reorder.",
             Spot.LOCK: f"{'Unlock' if row.locked else 'Lock'} “{row.name}”",
             Spot.EYE: f"{'Hide' if row.visible else 'Show'} “{row.name}”",

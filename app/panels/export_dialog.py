@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import Qt, QTimer, Signal
+from PySide6.QtCore import QSize, Qt, QTimer, Signal
 from PySide6.QtGui import QColor, QImage, QPainter, QPixmap
 from PySide6.QtWidgets import (
     QHBoxLayout,
@@ -15,10 +15,8 @@ from app.document.expression import ExpressionError
 from app.document.model import Document
 from app.exchange import ExchangeError
 from app.exchange.choice import FORMATS, PICTURES, ExportChoice
-from app.exchange.formats import Options
 from app.exchange.image import Look, look
 from app.exchange.progress import Report
-from app.exchange.svg import Style
 from app.panels.export_form import ExportForm
 from app.panels.form_parts import buttons
 from app.panels.work_dialog import WorkDialog
@@ -43,8 +41,7 @@ class ExportDialog(WorkDialog):
     def __init__(self, choice: ExportChoice, parent: QWidget | None = None) -> None:
         super().__init__("exportDialog", "Export", "exportProblem", parent)
         self._document: Document | None = None
-        self._active = 0
-        self._is_png = True
+        self._active, self._unit = 0, ""
         self.form = ExportForm()
         self.picture = QLabel()
         self.picture.setObjectName("exportPreview")
@@ -54,6 +51,12 @@ class ExportDialog(WorkDialog):
         self.picture.setAlignment(Qt.AlignmentFlag.AlignCenter)
         self.size_label = QLabel()
         self.size_label.setObjectName("exportSize")
+        self.size_label.setWordWrap(True)
+        self.size_label.setAlignment(Qt.AlignmentFlag.AlignHCenter)
+        self.told = QLabel()
+        self.told.setObjectName("exportColoursTold")
+        self.told.setTextFormat(Qt.TextFormat.PlainText)
+        self.told.setWordWrap(True)
         self._soon = QTimer(self, singleShot=True, interval=_SOON_MS)
         self._soon.timeout.connect(self._look)
         self._lay_out()
@@ -69,23 +72,25 @@ class ExportDialog(WorkDialog):
         seen = QVBoxLayout(self.look)
         seen.setContentsMargins(0, 0, 0, 0)
         seen.addWidget(self.picture)
-        seen.addWidget(self.size_label, 0, Qt.AlignmentFlag.AlignHCenter)
+        seen.addWidget(self.size_label)
+        seen.addWidget(self.told)
         seen.addStretch(1)
         columns = QHBoxLayout()
         columns.setSpacing(18)
         columns.addWidget(self.form, 1)
         columns.addWidget(self.look)
-        layout = QVBoxLayout(self)
-        layout.setContentsMargins(16, 14, 16, 14)
-        layout.setSpacing(10)
-        layout.addLayout(columns, 1)
-        layout.addWidget(self.problem)
-        layout.addWidget(foot)
-        self.resize(690, 400)
+        layout = QVBoxLayout(self.body)
+        layout.setContentsMargins(16, 14, 16, 0)
+        layout.addLayout(columns)
+        self.hold(self.problem, foot, wished=QSize(690, 400))
 
-    def show_document(self, document: Document, active: int) -> None:
-        """Show what this document would look like; `active` is the curve that is edited."""
-        self._document, self._active = document, active
+    def show_document(self, document: Document, active: int, unit: str = "") -> None:
+        """Show what this document would look like.
+
+        `active` is the curve that is edited, `unit` the name of what a length of one is.
+        """
+        self._document, self._active, self._unit = document, active, unit
+        self.form.show_unit(unit)
         self._soon.start()
 
     def _render(self) -> None:
@@ -111,13 +116,11 @@ class ExportDialog(WorkDialog):
             choice = self.form.choice()
         except ExpressionError:
             return  # that has been said
-        options = choice.options(active)
-        style = _shown_style(choice, options)
+        options = choice.options(active, self._unit)
         room = (round(_WIDTH * self.devicePixelRatioF()), round(_HEIGHT * self.devicePixelRatioF()))
-        self._is_png = choice.ending == ".png"
 
         def draw(_report: Report) -> Look:
-            return look(document, options, style, room)
+            return look(document, options, choice.ending, room)
 
         self.jobs.start("Drawing", draw, self._show_look, self._refuse)
 
@@ -126,8 +129,8 @@ class ExportDialog(WorkDialog):
         theme = DARK if self.form.choice().dark else LIGHT
         squares = (theme.paper, mix(theme.ink, theme.paper, 0.1))
         self.picture.setPixmap(_on_squares(seen.image, self.devicePixelRatioF(), squares))
-        width, height = seen.size
-        self.size_label.setText(f"{width} × {height} pixels" if self._is_png else "")
+        self.size_label.setText(seen.size)
+        self.told.setText(seen.moved)
         self.complain("")
         self.ok.setEnabled(True)
 
@@ -136,16 +139,13 @@ class ExportDialog(WorkDialog):
             raise problem
         self.picture.clear()
         self.size_label.clear()
+        self.told.clear()
         self.complain(str(problem))
         self.ok.setEnabled(False)
 
     def _export(self) -> None:
         self.chosen.emit(self.form.choice())
         self.accept()
-
-
-def _shown_style(choice: ExportChoice, options: Options) -> Style:
-    return options.paper_style if choice.ending == ".png" else options.vector_style
 
 
 def _on_squares(image: QImage, ratio: float, colours: tuple[QColor, QColor]) -> QPixmap:

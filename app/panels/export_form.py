@@ -9,9 +9,18 @@ from PySide6.QtCore import QLocale, Signal
 from PySide6.QtWidgets import QCheckBox, QFormLayout, QGridLayout, QLabel, QSpinBox, QWidget
 
 from app.document.expression import ExpressionError, parse_number
-from app.exchange.choice import DESCRIPTIONS, FORMATS, PICTURES, SAMPLED, WITH_TOLERANCE, ExportChoice
+from app.exchange.choice import (
+    DESCRIPTIONS,
+    FORMATS,
+    PICTURES,
+    SAMPLED,
+    TO_SCALE,
+    WITH_TOLERANCE,
+    ExportChoice,
+)
 from app.exchange.formats import Spacing
 from app.exchange.sampled import MOST_SAMPLES, TITLES
+from app.exchange.units import known_unit
 from app.panels.field_edit import FieldEdit
 from app.panels.form_parts import choice_box
 from app.panels.number_text import decimal_mark, exact_text
@@ -59,6 +68,7 @@ class ExportForm(QWidget):
         self.scale_box = choice_box(
             "exportScale", "Scale", "How sharp: pixels for each", list(_SCALES.values())
         )
+        self.true_size = _check("exportTrueSize", "True size", "")
         self.colour_box = choice_box("exportColours", "Colours", "Light or dark paper", _COLOURS)
         self.transparent = _check("exportTransparent", "Transparent", "Leave the paper out")
         self.shown = {name: _check(f"export_{name}", *words) for name, words in _SHOWN.items()}
@@ -90,6 +100,7 @@ class ExportForm(QWidget):
         form.addRow("", self._description)
         form.addRow("Width", self.width_box)
         form.addRow("Scale", self.scale_box)
+        form.addRow("Size", self.true_size)
         form.addRow("Colours", self.colour_box)
         form.addRow("", self.transparent)
         self._show_grid = _in_columns(list(self.shown.values()), 2)
@@ -107,7 +118,13 @@ class ExportForm(QWidget):
         for spin in (self.width_box, self.samples_box):
             # Numbers have no signal of the person's alone; what the program sets is the same as before.
             spin.valueChanged.connect(self._change)
-        for check in (self.transparent, self.cubic, *self.shown.values(), *self.columns.values()):
+        for check in (
+            self.transparent,
+            self.true_size,
+            self.cubic,
+            *self.shown.values(),
+            *self.columns.values(),
+        ):
             check.clicked.connect(self._change)
         self.tolerance_edit.committed.connect(self._type_tolerance)
 
@@ -119,6 +136,7 @@ class ExportForm(QWidget):
         self.scale_box.setCurrentIndex(_nearest(choice.scale))
         self.colour_box.setCurrentIndex(int(choice.dark))
         self.transparent.setChecked(choice.transparent)
+        self.true_size.setChecked(choice.true_size)
         for name, check in self.shown.items():
             check.setChecked(getattr(choice, name))
         self.tolerance_edit.show_text(_tolerance_text(choice.tolerance))
@@ -129,12 +147,24 @@ class ExportForm(QWidget):
             check.setChecked(title in choice.columns)
         self._show_rows(choice)
 
+    def show_unit(self, name: str) -> None:
+        """Offer true size in this unit, if it is one of length."""
+        unit = known_unit(name)
+        self.true_size.setEnabled(bool(unit))
+        self.true_size.setText(f"True size, 1 is 1 {unit}" if unit else "True size")
+        why = f"“{name}” is no unit of length" if name else "No unit is set"
+        tip = (
+            f"A length of one in the document is 1 {unit} in the file" if unit else f"{why}; see Preferences"
+        )
+        self.true_size.setToolTip(tip)
+
     def _show_rows(self, choice: ExportChoice) -> None:
         is_picture, is_table = choice.ending in PICTURES, choice.ending in SAMPLED
         by_tolerance = is_table and choice.spacing is Spacing.TOLERANCE
         rows: dict[QWidget, bool] = {
             self.width_box: choice.ending == ".png",
             self.scale_box: choice.ending == ".png",
+            self.true_size: choice.ending in TO_SCALE,
             self.colour_box: is_picture,
             self.transparent: is_picture,
             self._show_grid: is_picture or choice.ending == ".dxf",
@@ -168,6 +198,7 @@ class ExportForm(QWidget):
             scale=list(_SCALES)[self.scale_box.currentIndex()],
             dark=self.colour_box.currentIndex() == 1,
             transparent=self.transparent.isChecked(),
+            true_size=self.true_size.isChecked(),
             tolerance=self._shown.tolerance,
             cubic=self.cubic.isChecked(),
             spacing=list(_SPACINGS)[self.spacing_box.currentIndex()],

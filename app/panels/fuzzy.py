@@ -2,29 +2,73 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+from typing import Final, NamedTuple
+
 _BEGINS, _BEGINS_WORD, _WITHIN, _SCATTERED = 100.0, 85.0, 60.0, 40.0
-_IN_PATH, _IN_TIP = 0.6, 0.3
+_IN_PATH, _IN_TIP, _BY_ANOTHER_NAME = 0.6, 0.3, 0.8
 _LEAST_SCATTERED = 8.0
+
+_ALSO_CALLED: Final = {
+    "fill": ("colour",), "stroke": ("colour",), "color": ("colour",), "paint": ("colour",),
+    "mirror": ("flip", "reverse", "scale"), "flip": ("mirror", "reverse", "scale"), "invert": ("reverse",),
+    "remove": ("delete",), "erase": ("delete",), "clone": ("duplicate",), "resize": ("scale",),
+    "turn": ("rotate",), "settings": ("preferences",), "options": ("preferences",), "hotkeys": ("shortcuts",),
+    "print": ("export",), "night": ("dark",), "fullscreen": ("presentation",), "animate": ("play",),
+}  # fmt: skip
+"""What people type, and the words of this program for it."""
+
+
+class Named(NamedTuple):
+    """What can be found: its name, the menus that lead to it, and what it does."""
+
+    name: str
+    path: str = ""
+    tip: str = ""
+
+
+def ranked(typed: str, things: Sequence[Named]) -> list[int]:
+    """Return the places of the things that fit, the best first.
+
+    Letters that are only scattered over a name count where no name has them in one piece.
+    """
+    rated = [(fit, place) for place, each in enumerate(things) if (fit := fitness(typed, *each)) is not None]
+    if any(_is_whole(typed, things[place]._replace(tip="")) for _, place in rated):
+        rated = [(fit, place) for fit, place in rated if _is_whole(typed, things[place])]
+    return [place for _, place in sorted(rated, key=lambda pair: -pair[0])]
 
 
 def fitness(typed: str, name: str, path: str = "", tip: str = "") -> float | None:
     """Return how well `typed` fits; None where it does not.
 
-    Every word typed must be found: in the name, the path to it, or (as it stands) in the tip.
+    Every word typed must be found: in the name, or where a word of the path or of the tip begins.
     """
     total = 0.0
     for word in typed.casefold().split():
-        found = [
-            _word_fitness(word, name.casefold()),
-            _word_fitness(word, path.casefold()) * _IN_PATH,
-            _BEGINS_WORD * _IN_TIP if _begins_word(word, tip.casefold()) else 0.0,
-        ]
-        best = max(found)
+        best = max(_fitness_of(word, name, path, tip), _scattered_in(word, name.casefold()))
         if best <= 0:
             return None
         total += best
+    if typed.strip() and name.casefold().startswith(" ".join(typed.casefold().split())):
+        total += _BEGINS  # the words as they were typed are how it is called
     # Of two that fit alike the shorter is meant.
     return total - 0.05 * len(name)
+
+
+def _is_whole(typed: str, thing: Named) -> bool:
+    """Whether every word that was typed is found in one piece."""
+    return all(_fitness_of(word, *thing) > 0 for word in typed.casefold().split())
+
+
+def _fitness_of(word: str, name: str, path: str, tip: str) -> float:
+    """Return how well a word fits in one piece, by one of its names; 0 where it does not."""
+    others = [_word_fitness(other, name.casefold()) for other in _ALSO_CALLED.get(word, ())]
+    return max(
+        _word_fitness(word, name.casefold()),
+        _BY_ANOTHER_NAME * max(others, default=0.0),
+        _BEGINS_WORD * _IN_PATH if _begins_word(word, path.casefold()) else 0.0,
+        _BEGINS_WORD * _IN_TIP if _begins_word(word, tip.casefold()) else 0.0,
+    )
 
 
 def _word_fitness(word: str, text: str) -> float:
@@ -32,13 +76,15 @@ def _word_fitness(word: str, text: str) -> float:
         return _BEGINS
     if _begins_word(word, text):
         return _BEGINS_WORD
-    if word in text:
-        return _WITHIN
-    return max((_scattered(word, text, i) for i, letter in enumerate(text) if letter == word[0]), default=0.0)
+    return _WITHIN if word in text else 0.0
 
 
 def _begins_word(word: str, text: str) -> bool:
     return any(part.startswith(word) for part in text.split())
+
+
+def _scattered_in(word: str, text: str) -> float:
+    return max((_scattered(word, text, i) for i, letter in enumerate(text) if letter == word[0]), default=0.0)
 
 
 def _scattered(word: str, text: str, start: int) -> float:

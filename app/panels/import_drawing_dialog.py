@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import Qt, Signal
+from PySide6.QtCore import QSize, Qt, Signal
 from PySide6.QtWidgets import (
-    QDialog,
     QHBoxLayout,
     QLabel,
     QVBoxLayout,
@@ -12,13 +11,14 @@ from PySide6.QtWidgets import (
 )
 
 from app.exchange.cubics_in import Imported
+from app.panels.fitting import FittedDialog
 from app.panels.form_parts import buttons, into_box
 from app.panels.words import count_of
 
 _MOST_REMARKS = 8
 
 
-class ImportDrawingDialog(QDialog):
+class ImportDrawingDialog(FittedDialog):
     """Says what was found and asks where it goes.
 
     Signals
@@ -30,7 +30,7 @@ class ImportDrawingDialog(QDialog):
     chosen = Signal(bool)
 
     def __init__(self, title: str, found: Imported, parent: QWidget | None = None) -> None:
-        super().__init__(parent, Qt.WindowType.Dialog)
+        super().__init__(parent)
         self.setObjectName("importDrawingDialog")
         self.setWindowTitle(f"Import {title}")
         self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
@@ -48,15 +48,14 @@ class ImportDrawingDialog(QDialog):
         foot, self.ok = buttons("Import", "importDrawing", "Take the curves in", "cancelImport")
         foot.accepted.connect(self._import)
         foot.rejected.connect(self.reject)
-        layout = QVBoxLayout(self)
-        layout.setContentsMargins(16, 14, 16, 14)
+        layout = QVBoxLayout(self.body)
+        layout.setContentsMargins(16, 14, 16, 0)
         layout.setSpacing(10)
         layout.addWidget(self.summary)
         layout.addWidget(self.remarks)
         layout.addLayout(into)
         layout.addStretch(1)
-        layout.addWidget(foot)
-        self.setMinimumWidth(380)
+        self.hold(foot, wished=QSize(380, 0))
 
     def _import(self) -> None:
         # First, for a new document closes the dialogs of the one before.

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from itertools import pairwise
 
-from PySide6.QtCore import Qt, QTimer, Signal
+from PySide6.QtCore import QSize, Qt, QTimer, Signal
 from PySide6.QtWidgets import (
     QCheckBox,
     QHBoxLayout,
@@ -73,7 +73,6 @@ class ImportTableDialog(WorkDialog):
         if source.lines > MANY_ROWS:
             self.thinning_box.setCurrentIndex(list(_THINNINGS).index(Thinning.CURVE))
         self._show_preview(preview)
-        self.resize(760, 560)
         self._prepare()
 
     # Building
@@ -112,8 +111,8 @@ class ImportTableDialog(WorkDialog):
         self._lay_out()
 
     def _lay_out(self) -> None:
-        layout = QVBoxLayout(self)
-        layout.setContentsMargins(16, 14, 16, 14)
+        layout = QVBoxLayout(self.body)
+        layout.setContentsMargins(16, 14, 16, 0)
         layout.setSpacing(10)
         layout.addLayout(_row("Separator", self.separator_box, self.comma_check, self.header_check))
         layout.addWidget(self.preview, 1)
@@ -121,9 +120,12 @@ class ImportTableDialog(WorkDialog):
             _row("Rows", self.thinning_box, self.tolerance_edit, "Family", self.family_box, "Into", self.into)
         )
         layout.addWidget(self.problem)
+        foot = QWidget()
         bottom = _row(self.summary, self.bar)
         bottom.addWidget(self.buttons)
-        layout.addLayout(bottom)
+        bottom.setContentsMargins(0, 0, 0, 0)
+        foot.setLayout(bottom)
+        self.hold(foot, wished=QSize(760, 560))
 
     def _connect(self) -> None:
         self.separator_box.activated.connect(self._choose_layout)

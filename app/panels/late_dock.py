@@ -4,7 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
+from PySide6.QtCore import QSize
 from PySide6.QtWidgets import QApplication, QDockWidget, QMainWindow, QWidget
+
+from app.panels.fitting import Scrolled
+
+IN_DOCK = QSize(380, 96)
+"""What the content of a dock may ask for: two of them, one on the other, fit a small screen with the bars."""
 
 
 class LateDock(QDockWidget):
@@ -19,7 +25,7 @@ class LateDock(QDockWidget):
     def _show_content(self, visible: bool) -> None:
         # Hidden behind another tab, a dock is not visible in this sense.
         if visible and self.widget() is None:
-            self.setWidget(self._build())
+            self.setWidget(Scrolled(self._build(), IN_DOCK))
             self._apply_scale()
 
     def set_scale(self, scale: float) -> None:

@@ -118,6 +118,9 @@ class LogPlot(PlotWidget):
     def pan(self, dx: float, dy: float) -> None:
         """Stay: everything is in sight."""
 
+    def zoom(self, factor: float, pixel: QPointF) -> None:
+        """Stay: everything is in sight."""
+
     def changeEvent(self, event: QEvent) -> None:
         super().changeEvent(event)
         if event.type() == QEvent.Type.PaletteChange and hasattr(self, "_layer"):

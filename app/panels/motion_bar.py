@@ -152,6 +152,8 @@ def _numbers(dot: Dot) -> str:
 
 def _box(name: str, label: str, tip: str) -> QComboBox:
     box = QComboBox()
+    # As short as that where there is no room; then the words end in dots.
+    box.setMinimumContentsLength(4)
     box.setObjectName(name)
     box.setAccessibleName(label)
     box.setToolTip(tip)

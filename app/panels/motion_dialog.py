@@ -2,27 +2,26 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import Qt, Signal
+from PySide6.QtCore import QSize, Qt, Signal
 from PySide6.QtWidgets import (
     QCheckBox,
     QComboBox,
-    QDialog,
     QDoubleSpinBox,
     QFormLayout,
     QHBoxLayout,
     QLabel,
     QPushButton,
     QSpinBox,
-    QVBoxLayout,
     QWidget,
 )
 
 from app.exchange.animation import FASTEST, LARGEST_WIDTH, MOST_FRAMES, has_video
+from app.panels.fitting import FittedDialog
 
 FORMATS = {".gif": "GIF", ".apng": "APNG", ".mp4": "MP4"}
 
 
-class MotionDialog(QDialog):
+class MotionDialog(FittedDialog):
     """Asks how large and how long; not modal.
 
     Signals
@@ -34,8 +33,7 @@ class MotionDialog(QDialog):
     accepted_as = Signal(str)
 
     def __init__(self, parent: QWidget | None = None) -> None:
-        # A tool window would let the keys of the window behind it through.
-        super().__init__(parent, Qt.WindowType.Dialog)
+        super().__init__(parent)
         self.setObjectName("motionDialog")
         self.setWindowTitle("Export Motion")
         self.format_box = QComboBox()
@@ -73,7 +71,8 @@ class MotionDialog(QDialog):
             widget.setToolTip(tip)
 
     def _lay_out(self) -> None:
-        form = QFormLayout()
+        form = QFormLayout(self.body)
+        form.setContentsMargins(16, 16, 16, 4)
         form.setVerticalSpacing(10)
         form.setHorizontalSpacing(16)
         form.addRow("Format", self.format_box)
@@ -81,14 +80,12 @@ class MotionDialog(QDialog):
         form.addRow("Frames a second", self.fps_box)
         form.addRow("Length", self.seconds_box)
         form.addRow("Draw", self.points_check)
-        row = QHBoxLayout()
+        foot = QWidget()
+        row = QHBoxLayout(foot)
+        row.setContentsMargins(0, 0, 0, 0)
         row.addWidget(self._frames, 1)
         row.addWidget(self._export)
-        layout = QVBoxLayout(self)
-        layout.setContentsMargins(16, 16, 16, 16)
-        layout.setSpacing(14)
-        layout.addLayout(form)
-        layout.addLayout(row)
+        self.hold(foot, wished=QSize(240, 160))
 
     def open_for(self, seconds: float) -> None:
         """Show the dialog, with the length that the motion has at its speed."""

@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import Qt, Signal
+from PySide6.QtCore import QSize, Qt, Signal
 from PySide6.QtGui import QKeyEvent
 from PySide6.QtWidgets import (
     QCheckBox,
     QComboBox,
-    QDialog,
     QDialogButtonBox,
     QFormLayout,
     QLabel,
@@ -20,8 +19,8 @@ from PySide6.QtWidgets import (
 from app.document.expression import ExpressionError, parse_number
 from app.gestures.snapping import SnapKind
 from app.keymap import Keymap
-from app.overrides import Guarded
 from app.panels.field_edit import FieldEdit
+from app.panels.fitting import FittedDialog
 from app.panels.number_text import decimal_mark, exact_text
 from app.panels.shortcut_editor import ShortcutEditor
 from app.preferences import LONGEST_UNIT, Preferences
@@ -38,7 +37,7 @@ SNAPS = {
 _ADAPTIVE = "adaptive"
 
 
-class PreferencesDialog(Guarded, QDialog):
+class PreferencesDialog(FittedDialog):
     """A window with what is remembered from one start to the next.
 
     Signals
@@ -53,8 +52,7 @@ class PreferencesDialog(Guarded, QDialog):
     changed = Signal()
 
     def __init__(self, preferences: Preferences, keymap: Keymap, parent: QWidget | None = None) -> None:
-        # A tool window would let the keys of the window behind it through.
-        super().__init__(parent, Qt.WindowType.Dialog)
+        super().__init__(parent)
         self.setObjectName("preferencesDialog")
         self.setWindowTitle("Preferences")
         self._preferences = preferences
@@ -76,17 +74,15 @@ class PreferencesDialog(Guarded, QDialog):
         self.tabs.setObjectName("preferencesTabs")
         self.tabs.addTab(self._general(), "General")
         self.tabs.addTab(self.shortcuts, "Shortcuts")
-        layout = QVBoxLayout(self)
+        layout = QVBoxLayout(self.body)
         layout.setContentsMargins(0, 4, 0, 0)
         layout.addWidget(self.tabs)
-        layout.addWidget(self._buttons())
-        self.resize(540, 560)
+        self.hold(self._buttons(), wished=QSize(540, 560))
         self._connect()
         self.show_values()
 
     def _buttons(self) -> QDialogButtonBox:
         buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Close)
-        buttons.setContentsMargins(12, 4, 12, 12)
         close = buttons.button(QDialogButtonBox.StandardButton.Close)
         close.setObjectName("closePreferences")
         close.setAccessibleName("Close the preferences")

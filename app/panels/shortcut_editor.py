@@ -20,7 +20,7 @@ from PySide6.QtWidgets import (
 
 from app.keymap import Keymap, keys_text, native, refusal
 from app.overrides import Guarded
-from app.panels.fuzzy import fitness
+from app.panels.fuzzy import Named, ranked
 from app.theme import theme_of
 
 _NAME = Qt.ItemDataRole.UserRole
@@ -116,18 +116,27 @@ class ShortcutEditor(Guarded, QWidget):
         return str(self._item(row, 0).data(_NAME))
 
     def _filter(self) -> None:
-        typed = self.search.text()
-        for row in range(self.table.rowCount()):
-            texts = [self._item(row, column).text() for column in (0, 1, 2)]
-            fits = typed.casefold() in texts[1].casefold() or fitness(typed, texts[0], texts[2]) is not None
-            self.table.setRowHidden(row, not fits)
-        if self.table.isRowHidden(self.table.currentRow()):
+        typed, rows = self.search.text(), range(self.table.rowCount())
+        things = [Named(self._item(row, 0).text(), self._item(row, 2).text()) for row in rows]
+        keys = [row for row in rows if typed.casefold() in self._item(row, 1).text().casefold()]
+        found = list(dict.fromkeys([*ranked(typed, things), *keys])) if typed.strip() else list(rows)
+        header = self.table.verticalHeader()
+        for place, row in enumerate([*found, *sorted(set(rows) - set(found))]):
+            header.moveSection(header.visualIndex(row), place)
+            self.table.setRowHidden(row, place >= len(found))
+        if typed.strip() or self.table.isRowHidden(self.table.currentRow()):
             self._select_first()
 
     def _select_first(self) -> None:
-        rows = [row for row in range(self.table.rowCount()) if not self.table.isRowHidden(row)]
+        rows = [row for row in self.shown if not self.table.isRowHidden(row)]
         if rows:
             self.table.setCurrentCell(rows[0], 1)
+
+    @property
+    def shown(self) -> list[int]:
+        """The rows of the table in the order in which they stand, the hidden ones last."""
+        header = self.table.verticalHeader()
+        return [header.logicalIndex(place) for place in range(self.table.rowCount())]
 
     @property
     def current(self) -> str:

@@ -161,8 +161,8 @@ _GESTURES = (
     _Gesture("F2, Del", "in the list of curves: rename, delete"),
     _Gesture("Right button, Menu key", "what can be done there"),
     _Gesture("Drop a file", "open a document, or trace a picture"),
-    _Gesture("Wheel", "zoom at the pointer"),
-    _Gesture("Middle button, Space+drag", "pan"),
+    _Gesture("Wheel, pinch, Ctrl+two fingers", "zoom at the pointer"),
+    _Gesture("Middle button, Space+drag, two fingers", "pan; Shift+wheel: sideways"),
 )
 
 

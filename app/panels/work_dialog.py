@@ -4,15 +4,15 @@ from __future__ import annotations
 
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QCloseEvent, QKeyEvent
-from PySide6.QtWidgets import QDialog, QWidget
+from PySide6.QtWidgets import QWidget
 
-from app.overrides import Guarded
+from app.panels.fitting import FittedDialog
 from app.panels.form_parts import enters_number, problem_label
 from app.theme import theme_of
 from app.worker import Jobs
 
 
-class WorkDialog(Guarded, QDialog):
+class WorkDialog(FittedDialog):
     """Goes away for good when it closes, and what is being computed with it.
 
     Attributes
@@ -24,7 +24,7 @@ class WorkDialog(Guarded, QDialog):
     """
 
     def __init__(self, name: str, title: str, problem: str, parent: QWidget | None = None) -> None:
-        super().__init__(parent, Qt.WindowType.Dialog)
+        super().__init__(parent)
         self.setObjectName(name)
         self.setWindowTitle(title)
         self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)

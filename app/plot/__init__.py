@@ -4,7 +4,7 @@
 - ``drawing``: polylines, discs and text drawn fast; nothing unsafe reaches Qt.
 - ``pens``, ``dashes``, ``area``: looks on the screen, dashes that run on, translucent areas.
 - ``layered_plot``: a pyqtgraph plot with our own painting: layers, ranges.  ``plot_widget``: mouse and keys
-  on it.  ``panning``: the drawing follows the mouse.
+  on it.  ``panning``: the drawing follows the mouse.  ``scrolling``: the wheel and the trackpad.
 - ``plates``: words on little plates of paper.  ``halo``: words with paper around their letters only.
 - ``stamps``, ``colours``: many marks in one call, in the colours of the points.
 """

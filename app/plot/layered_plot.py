@@ -12,14 +12,15 @@ from typing import Protocol, TypeVar, runtime_checkable
 import pyqtgraph as pg
 from pyqtgraph.graphicsItems.ViewBox.ViewBox import ChildGroup
 from PySide6.QtCore import QPoint, QPointF, QRectF, Signal
-from PySide6.QtGui import QColor, QFont, QPainter, QPaintEvent
+from PySide6.QtGui import QColor, QFont, QPainter, QPaintEvent, QPen
 from PySide6.QtWidgets import QGraphicsItem, QGraphicsView, QStyleOptionGraphicsItem, QWidget
 
 from app.overrides import Guarded, guard_library
 from app.plot.pixel_map import PixelMap
-from app.theme import LIGHT, Theme
+from app.theme import LIGHT, Theme, theme_of
 
 _AXIS_WIDTH = 46
+_FOCUS_WIDTH = 2
 
 _INSET = 3
 """Pixels by which layers stay inside the plot area: nearer to its edge, Qt repaints the axes every frame."""
@@ -116,6 +117,7 @@ class LayeredPlot(Guarded, pg.PlotWidget):  # type: ignore[misc]  # pyqtgraph ha
         self._theme = LIGHT
         self._scale = 1.0
         self._map: PixelMap | None = None
+        self._shows_focus = False
         self._set_up_plot()
         # With it Qt repaints one pixel around each layer, without it two; see _INSET.
         self.setOptimizationFlag(QGraphicsView.OptimizationFlag.DontAdjustForAntialiasing, True)
@@ -258,4 +260,19 @@ class LayeredPlot(Guarded, pg.PlotWidget):  # type: ignore[misc]  # pyqtgraph ha
 
     def paintEvent(self, event: QPaintEvent) -> None:
         super().paintEvent(event)
+        if self._shows_focus:
+            self._paint_focus()
         self.painted.emit()
+
+    def show_focus(self, shown: bool) -> None:
+        """Frame the plot while it has the keyboard's focus, or not."""
+        if shown != self._shows_focus:
+            self._shows_focus = shown
+            self.viewport().update()
+
+    def _paint_focus(self) -> None:
+        painter = QPainter(self.viewport())
+        painter.setPen(QPen(theme_of(self.palette()).accent, _FOCUS_WIDTH))
+        inset = _FOCUS_WIDTH / 2
+        painter.drawRect(QRectF(self.viewport().rect()).adjusted(inset, inset, -inset, -inset))
+        painter.end()

@@ -5,7 +5,7 @@ from __future__ import annotations
 from PySide6.QtCore import QPointF, QRectF, QSize, Qt
 from PySide6.QtGui import QColor, QPainter, QPen, QPixmap, QPolygonF
 
-from app.colours import curve_colour
+from app.colours import look_colour
 from app.plot.dashes import dashed
 from app.plot.drawing import Floats, Segments, Stroke, visible_segments
 from app.plot.pixel_map import PixelMap
@@ -25,7 +25,7 @@ _MARKS = (Style.INFLECTION, Style.SHARPEST, Style.FLATTEST, Style.CROSSING)
 def colour_of(look: Look, theme: Theme, strength: float = 1.0) -> QColor:
     """Return the colour of a look under a theme; below a strength of 1 mixed with the paper."""
     named = look.colour.startswith("#")
-    colour = curve_colour(look.colour, theme) if named else QColor(getattr(theme, look.colour))
+    colour = look_colour(look.colour, theme) if named else QColor(getattr(theme, look.colour))
     if strength < 1.0:
         colour = mix(colour, theme.paper, strength)
     colour.setAlphaF(look.opacity)

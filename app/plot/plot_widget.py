@@ -7,18 +7,30 @@ from __future__ import annotations
 
 from msgspec.structs import replace
 from PySide6.QtCore import QEvent, QPointF, Qt
-from PySide6.QtGui import QContextMenuEvent, QEnterEvent, QFocusEvent, QKeyEvent, QMouseEvent, QWheelEvent
+from PySide6.QtGui import (
+    QContextMenuEvent,
+    QEnterEvent,
+    QFocusEvent,
+    QKeyEvent,
+    QMouseEvent,
+    QNativeGestureEvent,
+    QWheelEvent,
+)
 from PySide6.QtWidgets import QWidget
 
 from app.gestures.pointer import Pointer
 from app.plot.layered_plot import LayeredPlot
 from app.plot.panning import Panning
-
-ZOOM_STEP = 1.2
-"""Zoom factor of one notch of the wheel."""
+from app.plot.scrolling import Scrolling
 
 _MODIFIERS = {Qt.Key.Key_Shift: "shift", Qt.Key.Key_Control: "ctrl", Qt.Key.Key_Alt: "alt"}
 """Keys that change what a gesture does, and which part of a pointer tells."""
+
+_BY_KEYS = (
+    Qt.FocusReason.TabFocusReason,
+    Qt.FocusReason.BacktabFocusReason,
+    Qt.FocusReason.ShortcutFocusReason,
+)
 
 _FLAGS = {
     "shift": Qt.KeyboardModifier.ShiftModifier,
@@ -28,11 +40,11 @@ _FLAGS = {
 
 
 class PlotWidget(LayeredPlot):
-    """A plot with wheel zoom and panning, on which a subclass builds its gestures."""
+    """A plot that pans and zooms by mouse, wheel and trackpad, on which a subclass builds its gestures."""
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self._panning = Panning(self)
+        self._panning, self._scrolling = Panning(self), Scrolling(self)
         self._menu_refused = False
         # Where the mouse was heard of last, None once it has left; and whether its left button was down.
         self._hand: Pointer | None = None
@@ -143,6 +155,9 @@ class PlotWidget(LayeredPlot):
             # Else Alt alone, let go, would go to the menu bar and take the keys along.
             event.accept()
             return True
+        if isinstance(event, QNativeGestureEvent) and self._scrolling.pinch(event):
+            event.accept()
+            return True
         return bool(super().event(event))
 
     def _let_go(self) -> None:
@@ -174,9 +189,7 @@ class PlotWidget(LayeredPlot):
             self.hovered_at(self._hand)
 
     def wheelEvent(self, event: QWheelEvent) -> None:
-        notches = event.angleDelta().y() / 120
-        if notches:
-            self.zoom(ZOOM_STEP**notches, event.position())
+        self._scrolling.wheel(event)
         event.accept()
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
@@ -198,6 +211,12 @@ class PlotWidget(LayeredPlot):
         self.left()
         event.accept()
 
+    def focusInEvent(self, event: QFocusEvent) -> None:
+        # Whoever came by mouse sees the pointer.
+        self.show_focus(event.reason() in _BY_KEYS)
+        super().focusInEvent(event)
+
     def focusOutEvent(self, event: QFocusEvent) -> None:
+        self.show_focus(False)
         self._panning.forget_key()
         super().focusOutEvent(event)

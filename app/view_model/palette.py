@@ -1,11 +1,20 @@
-"""The colours of points by index, without Qt: for the screen and for pictures."""
+"""The colours of papers, of curves on them and of points by index, without Qt: for screen and pictures."""
 
 from __future__ import annotations
 
+from functools import lru_cache
 from typing import Final
 
 import numpy as np
 from numpy.typing import NDArray
+
+PAPER: Final = {"light": "#fafafa", "dark": "#15181c"}
+INK: Final = {"light": "#1f2328", "dark": "#e6e8ea"}
+ACCENT: Final = {"light": "#2563d9", "dark": "#6ea8fe"}
+"""Paper, ink and accent of each theme."""
+
+LEAST_CONTRAST: Final = 3.0
+"""Of every curve against its paper: WCAG 2.1, success criterion 1.4.11, for graphics."""
 
 OKABE_ITO: Final = {
     # On light paper five of the seven are too pale. Lightness alone is moved, by hand and search,
@@ -35,6 +44,90 @@ _LMS_TO_RGB: Final = np.array(
     ]
 )
 
+_RGB_TO_LMS: Final = np.linalg.inv(_LMS_TO_RGB)
+_LMS_TO_LAB: Final = np.linalg.inv(_LAB_TO_LMS)
+_HALVINGS: Final = 10
+"""Of the lightness that is looked for: then it is known to a quarter of a step of eight bits."""
+
+_CHROMA: Final = np.linspace(1.0, 0.0, 129)[:, None]
+"""Shares of a colour's chroma that are tried, the largest first."""
+
+
+def contrast(one: str, other: str) -> float:
+    """Return the contrast ratio of two colours "#rrggbb", 1 to 21, as WCAG 2.1 defines it."""
+    dark, light = sorted((_luminance(one), _luminance(other)))
+    return (light + 0.05) / (dark + 0.05)
+
+
+def colour_on(paper: str | None, code: str) -> str:
+    """Return the colour that something of a chosen colour has on a paper, all "#rrggbb".
+
+    Parameters
+    ----------
+    paper : str or None
+        None where nobody knows what will lie below, as in a picture without paper.
+    code : str
+        The colour that was chosen.
+
+    Returns
+    -------
+    str
+        `code` itself where it has a contrast of `LEAST_CONTRAST`, or on no paper; else the nearest colour of
+        the same hue, darker on light paper and lighter on dark paper, that has it.
+    """
+    if paper is None or contrast(code, paper) >= LEAST_CONTRAST:
+        return code
+    return _moved_off(paper, code)
+
+
+def adjustment_of(paper: str | None, code: str) -> str:
+    """Return how a colour on a paper differs from the one that was chosen; empty if it does not."""
+    if not code or paper is None or (drawn := colour_on(paper, code)) == code:
+        return ""
+    how = "darker" if _luminance(drawn) < _luminance(code) else "lighter"
+    return f"drawn {how} than its {code}, to be seen on this paper"
+
+
+@lru_cache(maxsize=4096)
+def _moved_off(paper: str, code: str) -> str:
+    """Move the lightness of a colour away from that of a paper, just as far as the contrast takes.
+
+    The hue stays; chroma shrinks where sRGB has no colour so light or dark.
+    """
+    lightness, a, b = (np.cbrt(_linear(code) @ _RGB_TO_LMS.T) @ _LMS_TO_LAB.T).tolist()
+    far = 0.0 if contrast("#000000", paper) >= contrast("#ffffff", paper) else 1.0
+    near, found = lightness, "#000000" if far == 0.0 else "#ffffff"
+    for _ in range(_HALVINGS):
+        middle = (near + far) / 2
+        moved = _within_srgb(middle, a, b)
+        if contrast(moved, paper) >= LEAST_CONTRAST:
+            far, found = middle, moved
+        else:
+            near = middle
+    return found
+
+
+def _within_srgb(lightness: float, a: float, b: float) -> str:
+    """Return the colour of a lightness and hue in OKLab with as much of its chroma as sRGB has."""
+    lab = np.hstack([np.full_like(_CHROMA, lightness), _CHROMA * (a, b)])
+    rgb = (lab @ _LAB_TO_LMS.T) ** 3 @ _LMS_TO_RGB.T
+    slack = 1e-4  # of the matrices, which are rounded: far below a step of eight bits
+    fits = np.all((rgb >= -slack) & (rgb <= 1.0 + slack), axis=1)
+    (code,) = _packed(rgb[[int(np.argmax(fits)) if fits.any() else -1]])
+    return f"#{code & 0xFFFFFF:06x}"
+
+
+def _linear(code: str) -> NDArray[np.float64]:
+    """Return red, green and blue of "#rrggbb" in linear light, (3,), each in [0, 1]."""
+    srgb = np.array([channel / 255.0 for channel in bytes.fromhex(code[1:])])
+    return np.where(srgb <= 0.04045, srgb / 12.92, ((srgb + 0.055) / 1.055) ** 2.4)
+
+
+@lru_cache(maxsize=4096)
+def _luminance(code: str) -> float:
+    """Return the relative luminance of "#rrggbb", 0 to 1."""
+    return float(_linear(code) @ (0.2126, 0.7152, 0.0722))
+
 
 def point_palette(n: int, theme: str, ink: str) -> list[str]:
     """Return one colour, "#rrggbb", for each of `n` points on the paper of a theme, "light" or "dark".
@@ -53,7 +146,12 @@ def _ramp(n: int, theme: str) -> NDArray[np.int64]:
     hue = np.radians(np.linspace(265.0, -20.0, n))
     lightness = middle + np.where(np.arange(n) % 2 == 0, -0.03, 0.03)
     lab = np.stack([lightness, chroma * np.cos(hue), chroma * np.sin(hue)], axis=-1)
-    rgb = np.clip((lab @ _LAB_TO_LMS.T) ** 3 @ _LMS_TO_RGB.T, 0.0, 1.0)
+    return _packed((lab @ _LAB_TO_LMS.T) ** 3 @ _LMS_TO_RGB.T)
+
+
+def _packed(linear: NDArray[np.float64]) -> NDArray[np.int64]:
+    """Return colours (k, 3) in linear light as packed sRGB, 0xffRRGGBB; what lies outside is cut off."""
+    rgb = np.clip(linear, 0.0, 1.0)
     srgb = np.where(rgb <= 0.0031308, 12.92 * rgb, 1.055 * rgb ** (1.0 / 2.4) - 0.055)
     red, green, blue = np.rint(255.0 * srgb).astype(np.int64).T
     code: NDArray[np.int64] = (0xFF << 24) | (red << 16) | (green << 8) | blue

@@ -49,7 +49,7 @@ OURS = (
     _BEGIN
     + """
 import app.cli, app.start
-app.cli._has_display = lambda: True
+app.cli.has_display = lambda: True
 open_windows = app.start.open_windows
 def open_and_watch(files):
     from PySide6.QtCore import QTimer

@@ -18,11 +18,16 @@ from app.exchange.animation import Film, has_video, write_film
 from app.exchange.progress import FINAL, Cancelled
 from app.exchange.svg import DARK
 from app.view_model.motion import Pace, Repeat
+from app.view_model.palette import ACCENT, PAPER, colour_on
 
 # Frames are painted with the application of the window where there is one; without, see tests/test_cli.py.
 pytestmark = pytest.mark.usefixtures("qapp")
 
 SMALL = {"width": 80, "fps": 10, "seconds": 1.2}
+
+
+def bytes_of(colour):
+    return tuple(bytes.fromhex(colour[1:]))
 
 
 def frames_of(path):
@@ -66,7 +71,7 @@ def test_the_dot_goes_where_the_curve_goes(tmp_path):
     film = Film(width=200, fps=10, seconds=1, repeat=Repeat.ONCE, style=DARK, points=False)
     write_film(line, tmp_path / "film.apng", film)
     frames = [pixels for pixels, _ in frames_of(tmp_path / "film.apng")]
-    blue = [np.argwhere(np.abs(pixels - (0x35, 0x84, 0xE4)).sum(axis=2) < 30) for pixels in frames]
+    blue = [np.argwhere(np.abs(pixels - bytes_of(ACCENT["dark"])).sum(axis=2) < 30) for pixels in frames]
     places = np.array([each[:, 1].mean() for each in blue])
     # Equal steps to the right, and the paper of the dark style in the corner.
     assert np.diff(places) == pytest.approx(np.diff(places).mean(), abs=3)
@@ -86,8 +91,8 @@ def test_cubic_and_quintic_run_side_by_side(tmp_path):
     film = Film(width=320, fps=4, seconds=1, compares=True, pace=Pace.LENGTH)
     write_film(first_sketch(), tmp_path / "film.apng", film)
     pixels = frames_of(tmp_path / "film.apng")[1][0]
-    for colour in ((0xE6, 0x9F, 0x00), (0x00, 0x9E, 0x73)):
-        assert (np.abs(pixels - colour).sum(axis=2) < 30).any()
+    for colour in (colour_on(PAPER["light"], code) for code in ("#e69f00", "#009e73")):
+        assert (np.abs(pixels - bytes_of(colour)).sum(axis=2) < 30).any()
 
 
 def stops_after(times):

@@ -259,8 +259,10 @@ def test_the_header_fits_whatever_it_has_to_say(qtbot, width, family):
     editor.drag_parameter(3, to=editor.parameters[4] - 0.02)
     pane = editor.window.basis_pane
     editor.settle()
-    shown = [w for w in pane.findChildren(QWidget) if w.isVisible() and w.parent() is pane]
-    header = sorted((w for w in shown if w is not editor.window.basis_panel), key=lambda w: w.x())
+    holder = pane.findChild(QWidget, "basisHeader")
+    assert holder.width() <= pane.width()
+    shown = [w for w in holder.findChildren(QWidget) if w.isVisible() and w.parent() is holder]
+    header = sorted(shown, key=lambda w: w.x())
     assert len(header) >= 2
     for widget in header:
         assert widget.width() >= widget.sizeHint().width(), widget.objectName()

@@ -340,3 +340,21 @@ def test_a_name_that_was_not_asked_about_is_not_replaced(editor, dialog, tmp_pat
     export(editor, dialog, tmp_path / "p.csv", monkeypatch)
     assert (tmp_path / "p.points.csv").read_text(encoding="utf-8") == "mine"
     assert "p.points.csv was not written. It is there already" in editor.message
+
+
+def test_the_unit_of_the_preferences_gives_true_size_and_is_said(qtbot, tmp_path, monkeypatch):
+    preferences = Preferences(tmp_path / "settings.ini")
+    preferences.unit_name = "cm"
+    editor = Editor(qtbot, preferences=preferences)
+    editor.trigger("exportPicture")
+    dialog = settled(editor, editor.window.findChild(QDialog, "exportDialog"))
+    choose_format(dialog, ".svg")
+    settled(editor, dialog)
+    assert dialog.size_label.text().endswith("cm, 1 : 1 (1 is 1 cm)")
+    click(dialog.form.true_size)
+    settled(editor, dialog)
+    assert dialog.size_label.text().endswith("px, not to scale")
+    click(dialog.form.true_size)
+    path = export(editor, dialog, tmp_path / "a.svg", monkeypatch)
+    root = ElementTree.fromstring(path.read_text())
+    assert root.get("width") == f"{root.get('viewBox').split()[2]}cm"

@@ -8,6 +8,7 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QAbstractButton, QApplication, QDockWidget, QMenu
 
 from app.main_window import MainWindow
+from app.mnemonics import plain
 from app.preferences import Preferences
 from app.session import Session
 from app.window_layout import first_size
@@ -31,7 +32,7 @@ def panels_menu(editor) -> QMenu:
 def choose(menu: QMenu, text: str) -> None:
     """Open a menu and click on an entry of it."""
     menu.popup(QPoint(0, 0))
-    (entry,) = [action for action in menu.actions() if action.text() == text]
+    (entry,) = [action for action in menu.actions() if plain(action.text()) == text]
     QTest.mouseClick(menu, Qt.MouseButton.LeftButton, pos=menu.actionGeometry(entry).center())
 
 
@@ -43,7 +44,7 @@ def test_every_menu_fits_below_the_menu_bar_of_a_small_window(editor):
 
 
 def test_the_curve_menu_is_short(editor):
-    (curve,) = [entry.menu() for entry in editor.window.menuBar().actions() if entry.text() == "Curve"]
+    (curve,) = [entry.menu() for entry in editor.window.menuBar().actions() if plain(entry.text()) == "Curve"]
     entries = [action for action in curve.actions() if not action.isSeparator()]
     assert len(entries) <= 15
     submenus = [action.text() for action in entries if action.menu() is not None]
@@ -77,7 +78,7 @@ def test_a_closed_panel_comes_back_from_the_menu_view(editor):
     QTest.mouseClick(button, Qt.MouseButton.LeftButton)
     assert dock.isHidden()
     menu = panels_menu(editor)
-    assert [action.text() for action in menu.actions() if not action.isChecked()] == [
+    assert [plain(action.text()) for action in menu.actions() if not action.isChecked()] == [
         "Curves", "Lab", "Wiggle", "Hodograph", "Image", "Lessons",
     ]  # fmt: skip
     choose(menu, "Curves")

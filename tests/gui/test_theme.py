@@ -20,6 +20,8 @@ from PySide6.QtWidgets import (
     QMainWindow,
     QPushButton,
     QSpinBox,
+    QToolBar,
+    QToolButton,
     QVBoxLayout,
     QWidget,
 )
@@ -347,7 +349,7 @@ def test_dialogs_have_words_on_their_buttons_and_no_pictures(dressed, qtbot):
 @pytest.mark.parametrize("theme", THEMES)
 def test_drawings_of_the_style_sheet_are_there_in_the_muted_colour(theme):
     files = sorted(resource("icons", "styled").glob(f"*-{theme.name}.svg"))
-    assert [path.stem.partition("-")[0] for path in files] == ["arrow", "close", "float"]
+    assert [path.stem.partition("-")[0] for path in files] == ["arrow", "close", "float", "more"]
     for path in files:
         assert path.as_posix() in style_sheet_of(theme)
         assert f'stroke="{theme.muted.name()}"' in path.read_text(encoding="utf-8")
@@ -435,3 +437,19 @@ def test_check_boxes_have_a_border_that_is_seen_in_the_dark(editor):
     assert min(rim for (name, _), rim in rims.items() if name == "themeDark") > 3
     assert min(rim for (name, _), rim in rims.items() if name == "themeLight") > 1.3
     dialog.close()
+
+
+@pytest.mark.parametrize(("mode", "theme"), [(ThemeMode.LIGHT, LIGHT), (ThemeMode.DARK, DARK)])
+def test_the_arrow_to_the_rest_of_the_toolbar_is_seen(dressed, qtbot, mode, theme):
+    apply_theme(dressed, mode)
+    bar = QToolBar()
+    qtbot.addWidget(bar)
+    for number in range(9):
+        bar.addAction(f"Action {number}")
+    bar.resize(200, 40)
+    with qtbot.waitExposed(bar):
+        bar.show()
+    arrow = bar.findChild(QToolButton, "qt_toolbar_ext_button")
+    assert arrow.isVisible()
+    seen = [colour for colour in pixels(arrow.grab()) if contrast(colour, theme.surface) >= 3.0]
+    assert len(seen) >= 12  # it was a dot: 0 in the dark, 1 in the light

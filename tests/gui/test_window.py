@@ -38,6 +38,7 @@ from app.document.model import Family, ParametrizationKind
 from app.document.storage import load
 from app.file_commands import file_stem
 from app.main_window import MainWindow
+from app.mnemonics import plain
 from app.preferences import Preferences
 from app.resources import resource
 from app.session import Session
@@ -243,11 +244,11 @@ def test_whatever_way_an_example_is_opened_nothing_is_left_beside_it(editor, qtb
 
 
 def test_recent_files_are_listed(editor, tmp_path):
-    path = tmp_path / "mine.curve.json"
+    path = tmp_path / "mine & yours.curve.json"
     editor.session.save(path)
     editor.window.open_file(path)
     editor.window.menus.recent.aboutToShow.emit()
-    assert editor.window.menus.recent.actions()[0].text() == "mine.curve.json"
+    assert editor.window.menus.recent.actions()[0].text() == "&mine && yours.curve.json"
 
 
 @pytest.mark.parametrize("suffix", [".png", ".svg", ".pdf", ".dxf", ".py", ".tex", ".tikz", ".csv"])
@@ -456,7 +457,7 @@ def test_names_come_from_the_document(editor, tmp_path):
     assert editor.window.windowTitle() == "Untitled[*] – Curvebench"
     assert file_stem(editor.session) == "Sketch"
     editor.window.menus.examples.aboutToShow.emit()
-    names = [action.text() for action in editor.window.menus.examples.actions()]
+    names = [plain(action.text()) for action in editor.window.menus.examples.actions()]
     assert {"NACA 2412", "Letter S", "Runge, Chebyshev"} <= set(names)
     editor.trigger("example_letter_s")
     assert file_stem(editor.session) == "Letter S"
@@ -545,7 +546,7 @@ def test_save_writes_what_is_committed_not_a_preview(editor, tmp_path):
 def test_the_entry_under_the_pointer_stands_out_in_menus(editor, mode):
     """The text used to vanish: white on white without a highlight."""
     editor.window.set_theme_mode(mode)
-    menu = next(entry.menu() for entry in editor.window.menuBar().actions() if entry.text() == "Edit")
+    menu = next(entry.menu() for entry in editor.window.menuBar().actions() if plain(entry.text()) == "Edit")
     menu.popup(QPoint(20, 20))
     entry = menu.actions()[3]
     menu.setActiveAction(entry)

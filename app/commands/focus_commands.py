@@ -1,0 +1,99 @@
+"""The keyboard's way from panel to panel: F6, Shift+F6, Escape and F10."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from PySide6.QtCore import Qt
+from PySide6.QtWidgets import QApplication, QDockWidget, QWidget
+
+from app.commands.parts import Handlers, Parts
+from app.view_model.curve_view import CurveView
+
+
+class FocusCommands:
+    """Moves the focus between canvas, functions, plots, panels and toolbar."""
+
+    def __init__(self, parts: Parts) -> None:
+        self._parts = parts
+
+    def handlers(self) -> Handlers:
+        """Return what each action does."""
+        return {
+            "nextPanel": lambda: self._walk(1),
+            "previousPanel": lambda: self._walk(-1),
+            "openMenuBar": self._open_menu_bar,
+        }
+
+    def render(self, view: CurveView) -> None:
+        """Nothing to enable: there is always a panel to go to."""
+
+    def back_to_canvas(self) -> bool:
+        """Leave the panel that has the focus for the canvas; return whether one had it."""
+        parts, here = self._parts, QApplication.focusWidget()
+        panels = (*parts.docks, parts.lessons_dock, parts.toolbar)
+        if here is None or not any(panel.isAncestorOf(here) for panel in panels):
+            return False
+        parts.canvas.setFocus(Qt.FocusReason.ShortcutFocusReason)
+        return True
+
+    def _walk(self, step: int) -> None:
+        stops = list(self._stops())
+        here = QApplication.focusWidget()
+        places = [place for place, (panel, _) in enumerate(stops) if _holds(panel, here)]
+        start = places[0] if places else -1 if step > 0 else 0
+        panel, target = stops[(start + step) % len(stops)]
+        target.setFocus(Qt.FocusReason.TabFocusReason if step > 0 else Qt.FocusReason.BacktabFocusReason)
+        self._parts.session.say(f"{_title_of(panel)}.")
+
+    def _stops(self) -> Iterator[tuple[QWidget, QWidget]]:
+        """Yield every panel in sight and what in it takes the focus."""
+        parts = self._parts
+        docks = sorted((*parts.docks, parts.lessons_dock), key=lambda dock: (dock.x(), dock.y()))
+        panels: list[QWidget] = [parts.canvas, parts.basis_panel, parts.plot_panel, *docks, parts.toolbar]
+        for panel in panels:
+            target = _first_in(panel) if _is_in_sight(panel) else None
+            if target is not None:
+                yield panel, target
+
+    def _open_menu_bar(self) -> None:
+        bar = self._parts.window.menuBar()
+        if bar.isVisible():
+            bar.setActiveAction(bar.actions()[0])
+
+
+def _holds(panel: QWidget, widget: QWidget | None) -> bool:
+    return widget is not None and (panel is widget or panel.isAncestorOf(widget))
+
+
+def _is_in_sight(panel: QWidget) -> bool:
+    """Whether a panel is shown, and not behind another tab."""
+    if isinstance(panel, QDockWidget) and panel.visibleRegion().isEmpty():
+        return False
+    return panel.isVisible()
+
+
+def _first_in(panel: QWidget) -> QWidget | None:
+    """Return what had the focus in a panel last, else the first that takes it by Tab."""
+    before = panel.focusWidget()
+    if before is not None and _takes_focus(before):
+        return before
+    if _takes_focus(panel):
+        return panel
+    each = panel.nextInFocusChain()
+    while each is not None and each is not panel:
+        if panel.isAncestorOf(each) and _takes_focus(each):
+            return each
+        each = each.nextInFocusChain()
+    return None
+
+
+def _takes_focus(widget: QWidget) -> bool:
+    by_tab = bool(widget.focusPolicy() & Qt.FocusPolicy.TabFocus)
+    return by_tab and widget.isEnabled() and widget.isVisible()
+
+
+def _title_of(panel: QWidget) -> str:
+    if isinstance(panel, QDockWidget):
+        return panel.windowTitle()
+    return panel.accessibleName() or panel.windowTitle()

@@ -1,0 +1,92 @@
+"""Room on small screens: what does not fit scrolls, and no dialog is larger than the screen."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import QSize, Qt
+from PySide6.QtGui import QScreen, QShowEvent
+from PySide6.QtWidgets import QDialog, QFrame, QLayout, QScrollArea, QVBoxLayout, QWidget
+
+from app.overrides import Guarded
+
+FRAME = QSize(16, 48)
+"""Room for title bar and borders, which nobody knows before a window is shown."""
+
+_IN_DIALOG = QSize(900, 360)
+"""What a dialog may ask for, beside its buttons: it then fits 960 × 540, which is a usual screen at 200 %."""
+
+
+def room_on(screen: QScreen) -> QSize:
+    """Return how large a window can be, so that it fits the screen with its frame."""
+    return screen.availableSize() - FRAME
+
+
+class Scrolled(Guarded, QScrollArea):
+    """Content that has the size it likes where there is room, and scrolls where there is not.
+
+    Parameters
+    ----------
+    most
+        What the content may ask for at least, whatever it needs.
+    """
+
+    def __init__(self, content: QWidget, most: QSize) -> None:
+        super().__init__()
+        self._content, self._most = content, most
+        self.setObjectName("scrolled")
+        self.setFrameShape(QFrame.Shape.NoFrame)
+        self.setWidgetResizable(True)
+        # Tab goes to what is inside, and that comes into sight by itself.
+        self.setFocusPolicy(Qt.FocusPolicy.NoFocus)
+        self.setWidget(content)
+
+    def sizeHint(self) -> QSize:
+        return self._content.sizeHint()
+
+    def minimumSizeHint(self) -> QSize:
+        return self._content.minimumSizeHint().boundedTo(self._most)
+
+
+class FittedDialog(Guarded, QDialog):
+    """A dialog that is never larger than the screen; its buttons stay in sight.
+
+    Attributes
+    ----------
+    body
+        What scrolls where there is not room for it.
+    """
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        # A tool window would let the keys of the window behind it through.
+        super().__init__(parent, Qt.WindowType.Dialog)
+        self.body = QWidget()
+        self._area = Scrolled(self.body, _IN_DIALOG)
+        self._wished = QSize()
+
+    def hold(self, *feet: QWidget, wished: QSize | None = None) -> None:
+        """Show the body and below it what always stays in sight; `wished` is the least size where it fits."""
+        self._wished = wished or QSize()
+        layout = QVBoxLayout(self)
+        layout.setContentsMargins(0, 0, 0, 0)
+        layout.setSpacing(0)
+        layout.addWidget(self._area, 1)
+        if feet:
+            below = QVBoxLayout()
+            below.setContentsMargins(16, 10, 16, 14)
+            for foot in feet:
+                below.addWidget(foot)
+            layout.addLayout(below)
+
+    def showEvent(self, event: QShowEvent) -> None:
+        super().showEvent(event)
+        if not event.spontaneous() and not self._wished.isNull():
+            self._wished, wished = QSize(), self._wished
+            # What the layouts know dates from when the parts were put together, without their style.
+            for layout in self.findChildren(QLayout):
+                layout.invalidate()
+            self._area.updateGeometry()
+            size = self.sizeHint().expandedTo(wished)
+            if self.body.hasHeightForWidth():
+                # The hint thinks of other lines than there will be.
+                above = size.height() - self.body.sizeHint().height()
+                size.setHeight(max(wished.height(), above + self.body.heightForWidth(size.width())))
+            self.resize(size.boundedTo(room_on(self.screen())))

@@ -1,0 +1,143 @@
+"""True size: a unit that is set is the file's, in SVG, PDF and DXF, from the window and the command line."""
+
+from __future__ import annotations
+
+import re
+import zlib
+from xml.etree import ElementTree
+
+import pytest
+
+from app.cli import main
+from app.document.model import Document, Family, make_curve
+from app.document.storage import save
+from app.exchange import ExchangeError, Options, export, import_file
+from app.exchange.choice import ExportChoice
+from app.exchange.drawing import drawing_of
+from app.exchange.image import look
+from app.exchange.svg import svg_of
+from app.exchange.units import MILLIMETRES, known_unit
+
+pytestmark = pytest.mark.usefixtures("qapp")
+
+SEVENTY = Document((make_curve(((10.0, 5.0), (80.0, 5.0), (80.0, 45.0)), family=Family.HERMITE),))
+BAR = Document((make_curve(((0.0, 0.0), (70.0, 0.0))),))
+CSS = {"mm": 1.0, "cm": 10.0, "in": 25.4, "pt": 25.4 / 72, "pc": 25.4 / 6, "px": 25.4 / 96, "": 25.4 / 96}
+
+
+def millimetres_of_one(text):
+    """How long a length of one is in an SVG, both ways."""
+    root = ElementTree.fromstring(text.encode())
+    *_, width, height = map(float, root.get("viewBox").split())
+    lengths = [re.fullmatch(r"([-+.e0-9]+)([a-z]*)", root.get(name)) for name in ("width", "height")]
+    return [float(m[1]) * CSS[m[2]] / side for m, side in zip(lengths, (width, height), strict=True)]
+
+
+@pytest.mark.parametrize("unit", MILLIMETRES)
+def test_an_svg_has_true_size(unit):
+    # Rounding of a quotient; 70 mm were 77.9 mm.
+    assert millimetres_of_one(svg_of(SEVENTY, unit=unit)) == pytest.approx([MILLIMETRES[unit]] * 2, rel=1e-12)
+
+
+def test_millimetres_are_called_so():
+    frame = drawing_of(SEVENTY).frame
+    assert f' width="{frame.width!r}mm" ' in svg_of(SEVENTY, unit="mm")
+
+
+def test_a_width_that_is_asked_for_counts_and_seconds_are_no_length():
+    for options in ({"unit": "mm", "width": 500}, {"unit": "s"}, {}):
+        root = ElementTree.fromstring(svg_of(SEVENTY, **options).encode())
+        assert root.get("width").isdigit()
+
+
+@pytest.mark.parametrize(
+    ("name", "unit"), [("MM", "mm"), (" inch ", "in"), ('"', "in"), ("um", "µm"), ("s", "")]
+)
+def test_units_by_other_names(name, unit):
+    assert known_unit(name) == unit
+
+
+def page_of(data):
+    """Width and height in points."""
+    (box,) = re.findall(rb"/MediaBox \[(.*?)\]", data)
+    left, bottom, right, top = map(float, box.split())
+    return right - left, top - bottom
+
+
+def length_of_the_stroke(data):
+    """How far the one stroke of a page reaches to the right, in points: its matrix times its coordinates."""
+    streams = re.findall(rb"stream\r?\n(.*?)\r?\nendstream", data, re.DOTALL)
+    texts = [zlib.decompress(each) for each in streams if each[:1] == b"x"]
+    (page,) = (
+        text.decode("latin-1") for text in texts if (b" cm" in text and b" l\n" in text) or b" c\n" in text
+    )
+    scale = 1.0
+    for factor in re.findall(r"^([-.0-9e]+) 0 0 [-.0-9e]+ [-.0-9e]+ [-.0-9e]+ cm", page, re.MULTILINE):
+        scale *= float(factor)
+    (start,) = re.findall(r"([-.0-9e]+) [-.0-9e]+ m\n", page)[-1:]
+    (end,) = re.findall(r"([-.0-9e]+) [-.0-9e]+ (?:l|c)\n", page)[-1:]
+    return abs(scale) * (float(end) - float(start))
+
+
+@pytest.mark.parametrize("unit", ["mm", "cm", "in"])
+def test_a_pdf_has_true_size(unit, tmp_path):
+    document = BAR if unit == "mm" else Document((make_curve(((0.0, 0.0), (9.0, 0.0))),))
+    export(document, tmp_path / "a.pdf", unit=unit)
+    data = (tmp_path / "a.pdf").read_bytes()
+    frame, scale = drawing_of(document).frame, MILLIMETRES[unit] * 72 / 25.4
+    wide, high = page_of(data)
+    # Whole points that have room for all: it was 720 wide.
+    assert 0 <= wide - frame.width * scale < 1
+    assert 0 <= high - frame.height * scale < 1
+    length = document.curves[0].nodes[-1].x * scale
+    # Qt writes coordinates with some six digits.
+    assert length_of_the_stroke(data) == pytest.approx(length, rel=1e-4)
+
+
+def test_pages_that_no_pdf_has_are_refused(tmp_path):
+    for unit in ("m", "µm"):
+        with pytest.raises(ExchangeError, match="At true size the page would be"):
+            export(BAR, tmp_path / "a.pdf", unit=unit)
+        export(BAR, tmp_path / "a.pdf", unit=unit, width=300)
+
+
+def test_a_dxf_names_the_unit(tmp_path):
+    ezdxf = pytest.importorskip("ezdxf")
+    for unit, code in (("mm", 4), ("inch", 1), ("", 0), ("s", 0)):
+        export(BAR, tmp_path / "a.dxf", unit=unit)
+        assert ezdxf.readfile(tmp_path / "a.dxf").units == code
+
+
+def test_true_size_comes_back_with_the_same_coordinates(tmp_path):
+    export(SEVENTY, tmp_path / "a.svg", unit="mm")
+    (back,) = import_file(tmp_path / "a.svg").document.curves
+    assert [node.x for node in back.nodes] == pytest.approx([10.0, 80.0, 80.0])
+
+
+@pytest.mark.parametrize(
+    ("ending", "unit", "said"),
+    [
+        (".svg", "mm", "78.4 × 48.4 mm, 1 : 1 (1 is 1 mm)"),
+        (".pdf", "mm", "Page of 78.67 × 48.68 mm, 1 : 1 (1 is 1 mm)"),
+        (".pdf", "", "Page of 254 × 156.8 mm, not to scale"),
+        (".svg", "s", "800 × 493.9 px, not to scale"),
+    ],
+)
+def test_size_scale_and_page_are_said_before(ending, unit, said):
+    bent = Document((make_curve(((10.0, 5.0), (80.0, 45.0))),))
+    choice = ExportChoice(ending=ending)
+    assert look(bent, choice.options(0, unit), ending, (100, 100)).size == said
+    whole = ExportChoice(ending=ending, true_size=False).options(0, unit)
+    assert whole.unit == ""
+    assert "not to scale" in look(bent, whole, ending, (100, 100)).size
+
+
+def test_the_command_line_is_told_the_unit(tmp_path, capsys):
+    path = tmp_path / "a.curve.json"
+    save(path, SEVENTY)
+    assert main(["render", str(path), "-o", str(tmp_path / "a.svg"), "--unit", "mm"]) == 0
+    assert millimetres_of_one((tmp_path / "a.svg").read_text()) == pytest.approx([1.0, 1.0])
+    with pytest.raises(SystemExit):
+        main(["render", str(path), "-o", str(tmp_path / "a.svg"), "--unit", "yard"])
+    assert "“yard” is none of" in capsys.readouterr().err
+    assert Options().unit == ""

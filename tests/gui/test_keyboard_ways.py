@@ -1,0 +1,131 @@
+"""The keyboard's ways: letters of the menus, F6 from panel to panel, Escape back to the canvas, F11."""
+
+from __future__ import annotations
+
+import pytest
+from PySide6.QtCore import Qt
+from PySide6.QtGui import QColor, QKeySequence
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QApplication, QMenu
+
+from app.mnemonics import plain, with_mnemonics
+from app.theme import theme_of
+
+
+def letter_of(text):
+    """What is typed for an entry, as Qt reads it."""
+    return QKeySequence.mnemonic(text).toString().removeprefix("Alt+")
+
+
+def has_focus(widget):
+    here = QApplication.focusWidget()
+    return here is not None and (here is widget or widget.isAncestorOf(here))
+
+
+def test_every_menu_and_entry_has_a_letter_of_its_own(editor):
+    bar = editor.window.menuBar()
+    assert [letter_of(action.text()) for action in bar.actions()] == ["F", "E", "C", "A", "V", "H"]
+    menus = [menu for menu in bar.findChildren(QMenu) if menu.title()]
+    assert len(menus) > 15
+    for menu in menus:
+        menu.aboutToShow.emit()
+        entries = [action for action in menu.actions() if action.text()]
+        letters = [letter_of(action.text()) for action in entries]
+        assert all(letters), [action.text() for action in entries]  # there was none
+        assert len(set(letters)) == len(letters)
+        menu.aboutToHide.emit()
+        assert [action.text() for action in entries] == [plain(action.text()) for action in entries]
+
+
+def test_alt_and_letters_choose_an_entry(editor):
+    window = editor.window
+    window.activateWindow()
+    QTest.keyClick(window, Qt.Key.Key_V, Qt.KeyboardModifier.AltModifier)
+    menu = QApplication.activePopupWidget()
+    assert isinstance(menu, QMenu)
+    grid = editor.action("toggleGrid")
+    assert grid.isChecked()
+    QTest.keyClick(menu, getattr(Qt.Key, f"Key_{letter_of(grid.text())}"))
+    editor.settle()
+    assert not grid.isChecked()
+    assert grid.text() == "Grid"
+
+
+def test_f10_opens_the_first_menu(editor):
+    editor.window.activateWindow()
+    QTest.keyClick(editor.window.canvas, Qt.Key.Key_F10)
+    opened = QApplication.activePopupWidget()
+    assert opened is not None
+    assert plain(opened.title()) == "File"
+    opened.close()
+
+
+@pytest.mark.parametrize(
+    ("texts", "wanted"),
+    [
+        (["Save", "Save As…", "Select"], ["&Save", "Save &As…", "S&elect"]),
+        # The last has one letter: whoever has it gives way.
+        (["ab", "a"], ["a&b", "&a"]),
+        (["R && D", "Open &Recent"], ["&R && D", "&Open Recent"]),
+        (["…", "x", "x"], ["…", "&x", "x"]),
+    ],
+)
+def test_letters_are_given_out(texts, wanted):
+    assert with_mnemonics(texts) == wanted
+
+
+def test_f6_walks_every_panel_in_sight_and_back(editor):
+    window = editor.window
+    window.activateWindow()
+    window.canvas.setFocus()
+    seen = [dock for dock in window.docks if not dock.visibleRegion().isEmpty()]
+    assert len(seen) == 2
+    round_trip = [window.basis_panel, *seen, window.toolbar, window.canvas]
+    for panel in round_trip:
+        QTest.keyClick(QApplication.focusWidget(), Qt.Key.Key_F6)
+        editor.settle()
+        assert has_focus(panel), QApplication.focusWidget()
+    for panel in [*round_trip[-2::-1], window.canvas]:
+        QTest.keyClick(QApplication.focusWidget(), Qt.Key.Key_F6, Qt.KeyboardModifier.ShiftModifier)
+        assert has_focus(panel), QApplication.focusWidget()
+    # Seen: a frame in the colour of the focus, for who came by keys.
+    accent = theme_of(window.palette()).accent
+    corner = window.canvas.viewport().grab().toImage().pixelColor(1, 40)
+    assert corner == accent
+    editor.click(editor.point(0))
+    QTest.keyClick(window.canvas, Qt.Key.Key_F6)
+    assert QColor(window.canvas.viewport().grab().toImage().pixel(1, 40)) != accent
+
+
+def test_escape_leaves_a_panel_for_the_canvas_and_then_steps_back(editor):
+    window, table = editor.window, editor.window.point_table
+    window.activateWindow()
+    editor.select([1])
+    table.setFocus()
+    table.setCurrentIndex(table.numbers.index(1, 1))
+    QTest.keyClick(table, Qt.Key.Key_Return)
+    field = QApplication.focusWidget()
+    assert field is not table
+    QTest.keyClick(field, Qt.Key.Key_Escape)
+    editor.settle()
+    assert has_focus(table)
+    QTest.keyClick(table, Qt.Key.Key_Escape)
+    assert window.canvas.hasFocus()  # it stayed in the table
+    assert editor.session.selection == {1}
+    QTest.keyClick(window.canvas, Qt.Key.Key_Escape)
+    assert not editor.session.selection
+    editor.show_dock("curvesDock")
+    window.curve_list.view.setFocus()
+    QTest.keyClick(window.curve_list.view, Qt.Key.Key_Escape)
+    assert window.canvas.hasFocus()
+
+
+def test_f11_twice_leaves_a_maximised_window_maximised(editor):
+    window = editor.window
+    window.showMaximized()
+    editor.settle()
+    for is_presented in (True, False):
+        QTest.keyClick(window.canvas, Qt.Key.Key_F11)
+        editor.settle()
+        assert window.isFullScreen() is is_presented
+    assert window.isMaximized()  # it had become small

@@ -1,0 +1,64 @@
+"""What is found first in the palette and among the shortcuts: one ranking for both."""
+
+from __future__ import annotations
+
+import pytest
+
+from app.panels.fuzzy import Named, ranked
+from app.panels.shortcut_editor import ShortcutEditor
+
+NAMES = ["Recover Unsaved Work", "Reverse Curve", "Next Curve", "Curve Colour…", "Rename Curve…"]
+
+
+def order(typed, names=NAMES):
+    return [names[place] for place in ranked(typed, [Named(name) for name in names])]
+
+
+def test_names_that_begin_with_the_words_come_first_and_scattered_letters_only_where_nothing_else_fits():
+    assert order("reverse") == ["Reverse Curve"]
+    assert order("re") == ["Reverse Curve", "Rename Curve…", "Recover Unsaved Work"]
+    assert order("curve") == ["Curve Colour…", "Next Curve", "Reverse Curve", "Rename Curve…"]
+    assert order("curve co") == ["Curve Colour…"]
+
+
+@pytest.mark.parametrize(
+    ("typed", "first"),
+    [
+        ("fill", "Curve Colour…"),  # it was an example, by letters scattered over its path
+        ("colour", "Curve Colour…"),
+        ("color", "Curve Colour…"),
+        ("mirror", "Scale Points"),
+        ("flip", "Scale Points"),
+        ("reverse", "Reverse Curve"),
+        ("settings", "Preferences…"),
+        ("night", "Theme: Dark"),
+    ],
+)
+def test_the_palette_knows_other_words(commands, typed, first):
+    assert commands.find_command(typed)[0] == first
+    assert not {"Letter S", "NACA 2412"} & set(commands.find_command(typed))
+
+
+@pytest.fixture
+def commands(editor):
+    return editor
+
+
+def test_the_shortcut_search_ranks_alike(editor, qtbot):
+    keys = ShortcutEditor(editor.window.actions_by_name.keymap)
+    qtbot.addWidget(keys)
+    keys.show()
+
+    def search(text):
+        keys.search.clear()
+        qtbot.keyClicks(keys.search, text)
+        return [keys.table.item(row, 0).text() for row in keys.shown if not keys.table.isRowHidden(row)]
+
+    everything = search("")
+    assert search("Reverse") == ["Reverse Curve"]  # "Recover Unsaved Work" stood before it
+    assert keys.current == "reverseCurve"
+    assert search("undo")[0] == "Undo"
+    assert "Undo" in search("Ctrl+Z")
+    keys.search.clear()
+    qtbot.keyClicks(keys.search, " ")
+    assert [keys.table.item(row, 0).text() for row in keys.shown] == everything

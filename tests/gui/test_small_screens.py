@@ -1,0 +1,107 @@
+"""Window and dialogs on 960 × 540 pixels (a usual screen at 200 %), also in type twice as large."""
+
+from __future__ import annotations
+
+import importlib
+import pkgutil
+
+import pytest
+from PySide6.QtCore import QSize
+from PySide6.QtWidgets import QDialog, QPushButton
+
+import app.panels
+from app.document.model import Document, make_curve
+from app.exchange.choice import FORMATS, ExportChoice
+from app.exchange.cubics_in import Imported
+from app.exchange.table_file import preview_table
+from app.exchange.table_import import TableSource
+from app.panels.crash_dialog import CrashDialog
+from app.panels.export_dialog import ExportDialog
+from app.panels.fitting import FRAME, FittedDialog
+from app.panels.import_drawing_dialog import ImportDrawingDialog
+from app.panels.import_table_dialog import ImportTableDialog
+from app.panels.motion_dialog import MotionDialog
+from app.panels.preferences_dialog import PreferencesDialog
+from app.testing import Editor
+
+ROOM = QSize(960, 540) - FRAME
+LINE = Document((make_curve(((0.0, 0.0), (4.0, 1.0))),))
+
+
+@pytest.fixture(params=[1.0, 2.0], ids=["usual type", "type at 200 %"])
+def type_size(request, qapp):
+    usual = qapp.font()
+    large = qapp.font()
+    large.setPointSizeF(usual.pointSizeF() * request.param)
+    qapp.setFont(large)
+    yield request.param
+    qapp.setFont(usual)
+
+
+def fits(size):
+    return size.width() <= ROOM.width() and size.height() <= ROOM.height()
+
+
+def test_the_window_fits_with_every_panel_and_bar(qtbot, type_size):
+    editor = Editor(qtbot, size=(ROOM.width(), ROOM.height()))
+    window = editor.window
+    # It was 632 high, with type at 200 % 883.
+    assert window.size() == ROOM
+    # The basis functions' header has the most to say of it.
+    editor.choose_family("quintic_hermite")
+    for dock in (*window.docks, window.lessons_dock):
+        editor.show_dock(dock.objectName())
+        window.layout().activate()
+        assert fits(window.minimumSizeHint()), dock.objectName()
+    window.lessons_dock.hide()
+    editor.trigger("playMotion")
+    window.layout().activate()
+    assert fits(window.minimumSizeHint())
+    assert window.size() == ROOM
+
+
+def dialogs(window):
+    """One of each dialog of the program, with as much in it as there can be."""
+    for ending in FORMATS:
+        export = ExportDialog(ExportChoice(ending=ending), window)
+        export.show_document(LINE, 0, "mm")
+        yield export
+    yield MotionDialog(window)
+    yield CrashDialog(window, "Traceback\n" * 40, is_safe=False)
+    many = tuple(f"Element {number} holds text, which has no curves to take." for number in range(30))
+    yield ImportDrawingDialog("drawing.svg", Imported(LINE, 0.0, many), window)
+    data = b"t,x,y,vx,vy,ax,ay\n" + b"0,1,2,3,4,5,6\n1,2,4,5,6,7,8\n" * 20
+    yield ImportTableDialog("a.csv", "a", TableSource(data), preview_table(data), window)
+    yield PreferencesDialog(window.preferences, window.actions_by_name.keymap, window)
+
+
+def test_every_dialog_fits_and_its_buttons_stay_in_sight(qtbot, type_size, monkeypatch):
+    editor = Editor(qtbot)
+    monkeypatch.setattr("app.panels.fitting.room_on", lambda _screen: ROOM)
+    shown = set()
+    for dialog in dialogs(editor.window):
+        dialog.show()
+        editor.settle()
+        shown.add(type(dialog))
+        assert fits(dialog.size()), dialog
+        assert fits(dialog.minimumSizeHint()), dialog
+        buttons = [each for each in dialog.findChildren(QPushButton) if not dialog.body.isAncestorOf(each)]
+        assert buttons
+        for button in buttons:
+            if button.isVisible():
+                corner = button.mapTo(dialog, button.rect().bottomRight())
+                assert dialog.rect().contains(corner), button.text()
+        dialog.close()
+    assert shown == every_dialog()
+
+
+def every_dialog():
+    for module in pkgutil.iter_modules(app.panels.__path__):
+        importlib.import_module(f"app.panels.{module.name}")
+
+    def heirs(kind):
+        return {kind, *(each for heir in kind.__subclasses__() for each in heirs(heir))}
+
+    ours = {kind for kind in heirs(QDialog) if kind.__module__.startswith("app.")}
+    assert ours == heirs(FittedDialog)
+    return {kind for kind in ours if not kind.__subclasses__()}
