@@ -7,6 +7,7 @@ import json
 import math
 import sys
 from collections.abc import Callable, Sequence
+from decimal import ROUND_UP, Context
 from typing import TYPE_CHECKING, Any
 
 from msgspec.structs import replace
@@ -31,12 +32,16 @@ from app.exchange import (
 
 if TYPE_CHECKING:
     from app.exchange.facts import CurveFacts, Growth
+    from curvecore import Length
 
 FAMILY_NAMES = {
     Family.LAGRANGE: "Lagrange",
     Family.HERMITE: "cubic Hermite",
     Family.QUINTIC_HERMITE: "quintic Hermite",
 }
+
+# A bound that was rounded to the nearest would not be one.
+_ONE_DIGIT_UP = Context(prec=1, rounding=ROUND_UP)
 
 _CONVERT = "Read a file of one format and write another; prints the largest deviation from the true curves."
 
@@ -214,7 +219,7 @@ def _as_text(facts: CurveFacts) -> str:
     if facts.domain is not None:
         rows.append(("domain", f"{facts.domain[0]:g} to {facts.domain[1]:g}"))
     if facts.length is not None:
-        rows.append(("length", f"about {facts.length.value:.9g} (error about {facts.length.error:.1g})"))
+        rows.append(("length", _length_text(facts.length)))
     if facts.lebesgue_constant is not None:
         rows.append(("Λ (Lebesgue)", _growth_text(facts.lebesgue_constant)))
     if facts.box is not None:
@@ -237,6 +242,16 @@ def _growth_text(growth: Growth) -> str:
     if growth.data == growth.points:
         return f"{growth.points:.3g}"
     return f"{growth.points:.3g} (were the estimated derivatives to stay: {growth.data:.3g})"
+
+
+def _length_text(length: Length) -> str:
+    """Return a length with as many digits as its bound is worth, and a bound that covers their rounding."""
+    texts = (f"{length.value:.{digits}g}" for digits in range(9, 18))
+    text = next(
+        (each for each in texts if abs(float(each) - length.value) <= length.error), repr(length.value)
+    )
+    error = length.error + abs(float(text) - length.value)
+    return f"about {text} (error at most {_ONE_DIGIT_UP.create_decimal_from_float(error):g})"
 
 
 def _points_text(facts: CurveFacts) -> str:

@@ -50,6 +50,7 @@ _NODES = 16
 _UNIT = 2.0**-53
 _ROUNDS = 60
 _MOST = 1 << 14  # arcs; a curve that needs more gets a larger error bound
+_AT_ONCE = 1 << 12  # quadratures, of 16 sets of weights each: a few megabytes
 _RHO = np.array([1.25, 1.5, 1.75, 2.0, 2.5, 3.0, 3.5, 4.0, 5.0, 6.0, 8.0, 12.0, 24.0, 64.0, 1024.0])
 
 
@@ -337,6 +338,11 @@ def _bounds(slopes: FloatArray) -> tuple[FloatArray, FloatArray]:
 
 def _integrals(slopes: FloatArray, start: FloatArray, end: FloatArray) -> FloatArray:
     """Return the lengths between places of arcs, shape (k,)."""
+    some = [slice(first, first + _AT_ONCE) for first in range(0, max(len(slopes), 1), _AT_ONCE)]
+    return np.concatenate([_some_integrals(slopes[each], start[each], end[each]) for each in some])
+
+
+def _some_integrals(slopes: FloatArray, start: FloatArray, end: FloatArray) -> FloatArray:
     nodes, gauss = _gauss()
     length = end - start
     s = start[:, None] + length[:, None] * nodes
