@@ -32,7 +32,6 @@ from app.exchange import (
 
 if TYPE_CHECKING:
     from app.exchange.facts import CurveFacts, Growth
-    from curvecore import Length
 
 FAMILY_NAMES = {
     Family.LAGRANGE: "Lagrange",
@@ -219,7 +218,7 @@ def _as_text(facts: CurveFacts) -> str:
     if facts.domain is not None:
         rows.append(("domain", f"{facts.domain[0]:g} to {facts.domain[1]:g}"))
     if facts.length is not None:
-        rows.append(("length", _length_text(facts.length)))
+        rows.append(("length", _length_text(*facts.length)))
     if facts.lebesgue_constant is not None:
         rows.append(("Λ (Lebesgue)", _growth_text(facts.lebesgue_constant)))
     if facts.box is not None:
@@ -244,13 +243,11 @@ def _growth_text(growth: Growth) -> str:
     return f"{growth.points:.3g} (were the estimated derivatives to stay: {growth.data:.3g})"
 
 
-def _length_text(length: Length) -> str:
+def _length_text(value: float, bound: float) -> str:
     """Return a length with as many digits as its bound is worth, and a bound that covers their rounding."""
-    texts = (f"{length.value:.{digits}g}" for digits in range(9, 18))
-    text = next(
-        (each for each in texts if abs(float(each) - length.value) <= length.error), repr(length.value)
-    )
-    error = length.error + abs(float(text) - length.value)
+    texts = (f"{value:.{digits}g}" for digits in range(9, 18))
+    text = next((each for each in texts if abs(float(each) - value) <= bound), repr(value))
+    error = bound + abs(float(text) - value)
     return f"about {text} (error at most {_ONE_DIGIT_UP.create_decimal_from_float(error):g})"
 
 
