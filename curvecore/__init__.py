@@ -29,6 +29,7 @@ pieces              any curve as Bezier pieces of low degree
 geometry            curvature, box, inflections, extrema of curvature
 lengths             lengths within a bound, and the way back
 nearest_point       the nearest point of a curve, of all or within a reach
+arc_pairs           arcs of a curve that may meet
 intersections       where a curve crosses itself
 continuity          jumps at the joints, and the class that follows
 exact               polynomials through data, in integers
