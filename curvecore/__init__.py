@@ -64,7 +64,14 @@ from curvecore.bezier import CubicPath, bezier_segments, cubic_path
 from curvecore.chain import Chain
 from curvecore.curve import Curve
 from curvecore.errors import CurveError
-from curvecore.flatten import MAX_VERTICES, Pieces, flatten, flatten_parameters, flatten_pieces
+from curvecore.flatten import (
+    MAX_VERTICES,
+    Pieces,
+    ToleranceWarning,
+    flatten,
+    flatten_parameters,
+    flatten_pieces,
+)
 from curvecore.frozen import FrozenFlattening
 from curvecore.hermite import HermiteCurve, LocalBasis, QuinticHermiteCurve
 from curvecore.lagrange import LagrangeCurve
@@ -190,6 +197,7 @@ __all__ = [
     "Pieces",
     "QuinticHermiteCurve",
     "SelfIntersections",
+    "ToleranceWarning",
     "acceleration_sensitivity",
     "arc_length",
     "available_methods",

@@ -14,7 +14,7 @@ from app.exchange.parts import Written, cell_of_name, checked_tolerance, distinc
 from app.exchange.progress import Report, part, silent
 from app.view_model.arc_lengths import arc_lengths_of
 from app.view_model.curve_view import CoreCurve
-from curvecore import ArcLength, flatten_parameters
+from curvecore import ArcLength, flatten_pieces
 
 MOST_SAMPLES = 1_000_000
 
@@ -78,23 +78,25 @@ def sampled_table(
         core = source.core
         needed = spacing is Spacing.LENGTH or _LENGTH in chosen
         lengths = arc_lengths_of(core, _LENGTH_ACCURACY) if needed else None
-        t = _parameters_of(core, samples, spacing, allowed, lengths, part(away, 0.0, 0.5))
+        t, bound = _parameters_of(core, samples, spacing, allowed, lengths, part(away, 0.0, 0.5))
+        deviation = max(deviation, bound or 0.0)
         lead = cell_of_name(name, separator) + separator if named else ""
-        for rows, missed in _in_parts(core, t, lengths, part(away, 0.5, 1.0)):
+        for rows, missed in _in_parts(core, t, lengths, bound is None, part(away, 0.5, 1.0)):
             deviation = max(deviation, missed)
             lines += [lead + separator.join(map(_cell, row)) for row in rows[:, chosen].tolist()]
     return Written("\n".join(lines) + "\n", deviation, remarks)
 
 
 def _in_parts(
-    core: CoreCurve, t: Floats, lengths: ArcLength | None, report: Report
+    core: CoreCurve, t: Floats, lengths: ArcLength | None, is_measured: bool, report: Report
 ) -> Iterator[tuple[Floats, float]]:
-    """Yield the rows of a curve, some at a time, with the deviation of the polyline through them."""
+    """Yield the rows of a curve, some at a time, with the deviation of their polyline if it `is_measured`."""
     for first in range(0, len(t) - 1, _ROWS_AT_ONCE):
         report(first / len(t), "Computing samples")
         # The last sample of a part is the first of the next.
         some = t[first : first + _ROWS_AT_ONCE + 1]
-        yield _rows_of(core, some, lengths)[1 if first else 0 :], polyline_deviation(core, some)
+        missed = polyline_deviation(core, some) if is_measured else 0.0
+        yield _rows_of(core, some, lengths)[1 if first else 0 :], missed
 
 
 def _columns(titles: tuple[str, ...] | None) -> list[int]:
@@ -112,14 +114,20 @@ def _parameters_of(
     tolerance: float,
     lengths: ArcLength | None,
     report: Report,
-) -> Floats:
-    """Return the parameters to sample a curve at, both ends of its domain among them."""
+) -> tuple[Floats, float | None]:
+    """Return the parameters to sample a curve at, both ends of its domain among them.
+
+    The second value is a bound of the deviation of the polyline through the samples, None where that is
+    to be measured. A tolerance that takes more vertices than a polyline can have is missed, and the bound
+    says so.
+    """
     if spacing is Spacing.TOLERANCE:
-        return flatten_parameters(core, tolerance)
+        pieces = flatten_pieces(core, tolerance)
+        return pieces.parameters, pieces.reached
     if lengths is not None and spacing is Spacing.LENGTH:
-        return _by_length(core, lengths, samples, report)
+        return _by_length(core, lengths, samples, report), None
     start, end = core.domain
-    return np.append(start + (end - start) * (np.arange(samples - 1) / (samples - 1)), end)
+    return np.append(start + (end - start) * (np.arange(samples - 1) / (samples - 1)), end), None
 
 
 def _rows_of(core: CoreCurve, t: Floats, lengths: ArcLength | None) -> Floats:
@@ -137,21 +145,26 @@ def _rows_of(core: CoreCurve, t: Floats, lengths: ArcLength | None) -> Floats:
 
 
 def polyline_deviation(core: CoreCurve, t: Floats) -> float:
-    """Return the largest distance of a curve from its chords between the parameters t (m,).
+    """Return about the largest distance of a curve from its chords between the parameters t (m,).
 
-    Measured at seven parameters a chord and the joints between.
+    Measured at seven parameters a chord and the joints between; an eighth of the second differences is
+    added for what lies between the seven, as for a parabola.
     """
-    between = t[:-1, None] + np.diff(t)[:, None] * (np.arange(1, 8) / 8)
+    inside = t[:-1, None] + np.diff(t)[:, None] * (np.arange(8) / 8)
     inner = core.parameters[(core.parameters > t[0]) & (core.parameters < t[-1])]
-    at = np.concatenate([between.ravel(), inner])
+    at = np.concatenate([inside.ravel(), inner])
     chord = np.clip(np.searchsorted(t, at, side="right") - 1, 0, len(t) - 2)
-    ends = core.evaluate(t)
+    points, ends = core.evaluate(at), core.evaluate(t)
     start, along = ends[chord], ends[chord + 1] - ends[chord]
-    offset = core.evaluate(at) - start
+    offset = points - start
     square = np.einsum("md,md->m", along, along)
     with np.errstate(all="ignore"):
         share = np.clip(np.nan_to_num(np.einsum("md,md->m", offset, along) / square), 0, 1)
-    return float(np.hypot(*(offset - share[:, None] * along).T).max())
+        distance = np.hypot(*(offset - share[:, None] * along).T)
+        nine = np.concatenate([points[: inside.size].reshape(len(t) - 1, 8, 2), ends[1:, None]], axis=1)
+        bend = np.hypot(*np.diff(nine, n=2, axis=1).T).max(axis=0) / 8
+    distance[: inside.size] += np.repeat(bend, 8)
+    return float(distance.max())
 
 
 def _by_length(core: CoreCurve, lengths: ArcLength, samples: int, report: Report) -> Floats:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+
 import numpy as np
 import pytest
 from msgspec.structs import replace
@@ -133,3 +135,16 @@ def test_the_nearest_segment_of_several_polylines():
     assert segments.nearest((-1.0, -2.0)) == (3, 0.25, 1.0)
     assert segments.nearest((-3.0, 0.0)).segment == 3
     assert Segments([np.zeros((1, 2))]).nearest((0.0, 0.0)) is None
+
+
+def test_a_line_that_has_too_few_vertices_says_how_far_it_is_off(opened):
+    """A thousand points, 4 vertices for each: the line was off by 7 pixels and looked like the curve."""
+    points = 2.0 * np.random.default_rng(0).normal(size=(1000, 2))
+    rule = Parametrization(ParametrizationKind.CHEBYSHEV)
+    editor = opened(replace(make_curve(points.tolist()), parametrization=rule))
+    canvas = editor.window.canvas
+    canvas.grab()
+    assert re.fullmatch(r"Drawn within [1-9][0-9.]* pixels", canvas.drawing_note)
+    opened(make_curve(points[:5].tolist()))
+    canvas.grab()
+    assert canvas.drawing_note == ""
