@@ -4,6 +4,7 @@ A tour of the package, one concept a file:
 
 ==================  ======================================================
 errors              `CurveError`, the only exception for unusable input
+immutable           what copies and pickles of curves are
 arrays              validation of every argument, shared array types
 parametrization     rules for the t_i: `uniform`, `chebyshev`,
                     `chord_length`, `centripetal`, `power`
