@@ -12,6 +12,7 @@ from msgspec.structs import replace
 
 from app.document.model import Curve, Document, Family
 from app.view_model.curve_view import CoreCurve, CurveView, view_of
+from app.view_model.refusals import in_words
 from curvecore import CurveError
 from curvecore.bezier import cubic_path
 
@@ -254,7 +255,7 @@ def _outline(curve: Curve, core: CoreCurve, tolerance: float) -> Outline:
     try:
         path = cubic_path(core, tolerance)
     except CurveError as problem:
-        raise ExchangeError(f"“{curve.name}” cannot be drawn: {problem}.") from problem
+        raise ExchangeError(f"“{curve.name}” cannot be drawn: {in_words(str(problem))}.") from problem
     nodes = core.points[: len(curve.nodes)]
     return Outline(
         curve.name, path.control_points, nodes, float(path.deviation), curve.colour, curve.is_closed

@@ -17,6 +17,7 @@ from app.view_model.cardinals import Cardinals
 from app.view_model.flattener import Box, CoreCurve, Flattener, FlatteningKey, Polyline, SimpleCurve
 from app.view_model.jets import Sides, corner_knots, explicit_sides, sides_of
 from app.view_model.node_arrays import NodeArrays, arrays_of
+from app.view_model.refusals import refusal_of
 from curvecore import (
     CardinalBasis,
     Chain,
@@ -229,13 +230,16 @@ def view_of(curve: Curve, previous: CurveView | None = None) -> CurveView:
         return _good_view(curve, arrays, previous)
     except CurveError as problem:
         last_good = previous.curve if previous is not None else None
-        return CurveView(curve, arrays.points, arrays, last_good, _sentence(str(problem)))
+        return CurveView(curve, arrays.points, arrays, last_good, refusal_of(problem, curve))
 
 
 def _good_view(curve: Curve, arrays: NodeArrays, previous: CurveView | None) -> CurveView:
     points = arrays.points
     at_knots = np.vstack([points, points[:1]]) if curve.is_closed else points
     parameters = parameters_of(curve, at_knots, arrays.times)
+    if not (np.diff(parameters) > 0.0).all():
+        # Refused as a whole: a piece between two corners would count from its own beginning.
+        LagrangeCurve(at_knots, parameters)
     frozen = _same_parameters(curve, parameters, previous)
     flattener = previous._flattener if previous is not None else Flattener()
     cardinals = previous._cardinals if previous is not None else Cardinals()
@@ -306,11 +310,6 @@ def _onto_interval(parameters: Floats, rule: Parametrization) -> Floats:
     mapped = rule.start + parameters * (rule.end - rule.start)
     mapped[-1] = rule.end
     return mapped
-
-
-def _sentence(text: str) -> str:
-    text = text[:1].upper() + text[1:]
-    return text if text.endswith(".") else text + "."
 
 
 def appended_squeeze(before: CurveView, nodes: Sequence[Node]) -> float:
