@@ -8,6 +8,7 @@ import math
 import sys
 from collections.abc import Callable, Sequence
 from decimal import ROUND_UP, Context
+from time import perf_counter
 from typing import TYPE_CHECKING, Any
 
 from msgspec.structs import replace
@@ -43,6 +44,9 @@ FAMILY_NAMES = {
 _ONE_DIGIT_UP = Context(prec=1, rounding=ROUND_UP)
 
 _CONVERT = "Read a file of one format and write another; prints the largest deviation from the true curves."
+
+_PATIENCE = 0.2
+"""Seconds of work without a word, and between two words."""
 
 FILMS = (".gif", ".apng", ".mp4")
 """Endings that mean a motion; the module that writes it is imported when there is one to write."""
@@ -163,13 +167,29 @@ def _info(options: argparse.Namespace) -> int:
     # Takes modules along that the editor does without.
     from app.exchange.facts import facts_of  # noqa: PLC0415
 
-    facts = facts_of(load_document(options.file))
+    facts = facts_of(load_document(options.file), _told_on_terminals())
     if options.json:
         content = {"file": options.file, "curves": [_as_json(each) for each in facts]}
         print(json.dumps(content, indent=2, ensure_ascii=False, allow_nan=False))
     else:
         print("\n\n".join(_as_text(each) for each in facts))
     return 0
+
+
+def _told_on_terminals() -> Callable[[float, str], None]:
+    """Return a report that writes how far work has come to a terminal, from 0.2 s on."""
+    began = last = perf_counter()
+
+    def report(share: float, word: str) -> None:
+        nonlocal last
+        now = perf_counter()
+        if sys.stderr.isatty() and now - began > _PATIENCE and now - last > _PATIENCE:
+            last = now
+            print(f"\r{word}: {share:.0%} ", end="", file=sys.stderr, flush=True)
+        if share >= 1.0 and last > began:
+            print("\r\033[K", end="", file=sys.stderr, flush=True)
+
+    return report
 
 
 def _lesson(options: argparse.Namespace, edit: Callable[[Sequence[str], str], int]) -> int:

@@ -194,11 +194,11 @@ def bounding_box(curve: Curve) -> Box:
     """
     pieces = bezier_pieces(curve, _FINE)
     points = [curve.points, *_ends(curve)]
-    for axis in range(curve.points.shape[1]):
-        slopes = pieces.slopes[:, :, axis]
-        roots = sign_changes(slopes, np.zeros(len(slopes)))
-        if roots.place.size:
-            points.append(curve.evaluate(parameters_at(pieces, roots.piece, roots.place)))
+    # All coordinates at once.
+    slopes = pieces.slopes.transpose(2, 0, 1).reshape(-1, pieces.slopes.shape[1])
+    roots = sign_changes(slopes, np.zeros(len(slopes)))
+    if roots.place.size:
+        points.append(curve.evaluate(parameters_at(pieces, roots.piece % len(pieces.starts), roots.place)))
     reached = np.concatenate(points)
     error = float(scale_by_power(np.array([pieces.error.max()]), pieces.exponent)[0])
     return Box(reached.min(axis=0), reached.max(axis=0), error)

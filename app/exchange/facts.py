@@ -6,14 +6,14 @@ from dataclasses import dataclass
 from typing import NamedTuple
 
 import numpy as np
-from msgspec.structs import replace
 
 from app.document.model import Curve, Document, Family, Parametrization
-from app.exchange.drawing import ExchangeError, drawing_of, extent_of, too_much
+from app.exchange.drawing import ExchangeError, frame_around, refuse_wild, too_much
+from app.exchange.progress import Report, silent
 from app.view_model.arc_lengths import arc_lengths_of
 from app.view_model.curve_view import CoreCurve, view_of
 from app.view_model.growth import growth_of_data, growth_of_points
-from curvecore import LagrangeCurve, Length
+from curvecore import LagrangeCurve, Length, bounding_box
 from curvecore.scaling import LARGEST
 
 LENGTH_TOLERANCE = 1e-9
@@ -64,7 +64,7 @@ class CurveFacts:
     lebesgue_constant
         How errors grow; None too for Lagrange curves of so many points that it would take minutes.
     box
-        Left, bottom, right and top edge of the curve; about, within `RELATIVE_TOLERANCE` of its size.
+        Left, bottom, right and top edge of the curve.
     warnings
         Sentences.
     """
@@ -84,9 +84,14 @@ class CurveFacts:
     visible: bool = True
 
 
-def facts_of(document: Document) -> tuple[CurveFacts, ...]:
-    """Return the facts about every curve of a document."""
-    return tuple(_curve_facts(curve) for curve in document.curves)
+def facts_of(document: Document, report: Report = silent) -> tuple[CurveFacts, ...]:
+    """Return the facts about every curve of a document; `report` hears how far it has come."""
+    facts = []
+    for index, curve in enumerate(document.curves):
+        report(index / len(document.curves), "Examining curves")
+        facts.append(_curve_facts(curve))
+    report(1.0, "Examining curves")
+    return tuple(facts)
 
 
 def _curve_facts(curve: Curve) -> CurveFacts:
@@ -96,7 +101,7 @@ def _curve_facts(curve: Curve) -> CurveFacts:
     core = view.curve
     if core is None:
         return _facts_without_curve(curve, view.problem)
-    box, warnings = _box(curve)
+    box, warnings = _box(curve, core)
     growth = None if _is_slow(core) else Growth(growth_of_data(view), growth_of_points(view))
     return CurveFacts(
         name=curve.name,
@@ -126,13 +131,16 @@ def _facts_without_curve(curve: Curve, reason: str) -> CurveFacts:
     )
 
 
-def _box(curve: Curve) -> tuple[tuple[float, float, float, float] | None, tuple[str, ...]]:
+def _box(curve: Curve, core: CoreCurve) -> tuple[tuple[float, float, float, float] | None, tuple[str, ...]]:
     """Return the edges of the curve and nothing to say, or no edges and the reason."""
+    box = bounding_box(core)
+    corners = np.array([box.minimum, box.maximum])
     try:
-        (outline,) = drawing_of(Document((replace(curve, visible=True),))).outlines
+        refuse_wild(curve, corners)
+        frame_around([corners])
     except ExchangeError as problem:
         return None, (str(problem),)
-    (left, bottom), (right, top) = extent_of(outline.control_points).tolist()
+    left, bottom, right, top = corners.ravel().tolist()
     return (left, bottom, right, top), ()
 
 

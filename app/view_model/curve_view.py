@@ -160,13 +160,26 @@ class CurveView(msgspec.Struct, frozen=True, eq=False, dict=True):
     @cached_property
     def polyline(self) -> Floats:
         """The curve as a polyline (k, 2), within a thousandth of its size."""
+        return self._whole[0].points
+
+    @cached_property
+    def _whole(self) -> tuple[Polyline, float]:
+        """The polyline, and the tolerance that it keeps everywhere; none where it misses its own."""
         if self.curve is None:
-            return np.empty((0, 2))
+            return Polyline(np.empty(0), np.empty((0, 2))), 0.0
         size = float(np.ptp(self.points, axis=0).max()) if len(self.points) else 1.0
-        return self.flattened(max(size, 1e-300) * 1e-3).points
+        tolerance = max(size, 1e-300) * 1e-3
+        polyline = self.flattened(tolerance)
+        return polyline, tolerance if polyline.deviation <= tolerance else 0.0
 
     def flattened(self, tolerance: float, box: Box | None = None) -> Polyline:
-        """Return the curve as a polyline within `tolerance` of it inside `box`."""
+        """Return the curve as a polyline within `tolerance` of it inside `box`.
+
+        Where `polyline` is known already and close enough, it serves: of thousands of curves that are small
+        on the screen each is flattened once, for their boxes, and not again to be drawn.
+        """
+        if "_whole" in self.__dict__ and 0.0 < self._whole[1] <= tolerance:
+            return self._whole[0]
         key = (tolerance, box)
         if key not in self._flattened:
             self._flattened.clear()

@@ -145,7 +145,8 @@ def test_a_curve_that_is_nearly_still_is_sampled_in_few_evaluations(family, poin
     for each in (LagrangeCurve, HermiteCurve, QuinticHermiteCurve):
         monkeypatch.setattr(each, "evaluate", counted(each.evaluate, evaluations))
     size = np.ptp(np.array(points), axis=0).max()
-    if spacing is Spacing.LENGTH and size < 1e-12:
+    # A rounding is a length for the Hermite families, whose lengths do not depend on where the origin is.
+    if spacing is Spacing.LENGTH and (size == 0.0 or (size < 1e-12 and family is Family.LAGRANGE)):
         with pytest.raises(ExchangeError, match="has no length to divide"):
             table(document, samples=9, spacing=spacing)
     else:
