@@ -7,6 +7,8 @@ import json
 import math
 import sys
 from collections.abc import Callable, Sequence
+from decimal import ROUND_UP, Context
+from time import perf_counter
 from typing import TYPE_CHECKING, Any
 
 from msgspec.structs import replace
@@ -38,7 +40,13 @@ FAMILY_NAMES = {
     Family.QUINTIC_HERMITE: "quintic Hermite",
 }
 
+# A bound that was rounded to the nearest would not be one.
+_ONE_DIGIT_UP = Context(prec=1, rounding=ROUND_UP)
+
 _CONVERT = "Read a file of one format and write another; prints the largest deviation from the true curves."
+
+_PATIENCE = 0.2
+"""Seconds of work without a word, and between two words."""
 
 FILMS = (".gif", ".apng", ".mp4")
 """Endings that mean a motion; the module that writes it is imported when there is one to write."""
@@ -159,13 +167,29 @@ def _info(options: argparse.Namespace) -> int:
     # Takes modules along that the editor does without.
     from app.exchange.facts import facts_of  # noqa: PLC0415
 
-    facts = facts_of(load_document(options.file))
+    facts = facts_of(load_document(options.file), _told_on_terminals())
     if options.json:
         content = {"file": options.file, "curves": [_as_json(each) for each in facts]}
         print(json.dumps(content, indent=2, ensure_ascii=False, allow_nan=False))
     else:
         print("\n\n".join(_as_text(each) for each in facts))
     return 0
+
+
+def _told_on_terminals() -> Callable[[float, str], None]:
+    """Return a report that writes how far work has come to a terminal, from 0.2 s on."""
+    began = last = perf_counter()
+
+    def report(share: float, word: str) -> None:
+        nonlocal last
+        now = perf_counter()
+        if sys.stderr.isatty() and now - began > _PATIENCE and now - last > _PATIENCE:
+            last = now
+            print(f"\r{word}: {share:.0%} ", end="", file=sys.stderr, flush=True)
+        if share >= 1.0 and last > began:
+            print("\r\033[K", end="", file=sys.stderr, flush=True)
+
+    return report
 
 
 def _lesson(options: argparse.Namespace, edit: Callable[[Sequence[str], str], int]) -> int:
@@ -214,7 +238,7 @@ def _as_text(facts: CurveFacts) -> str:
     if facts.domain is not None:
         rows.append(("domain", f"{facts.domain[0]:g} to {facts.domain[1]:g}"))
     if facts.length is not None:
-        rows.append(("length", f"about {facts.length.value:.9g} (error about {facts.length.error:.1g})"))
+        rows.append(("length", _length_text(*facts.length)))
     if facts.lebesgue_constant is not None:
         rows.append(("Λ (Lebesgue)", _growth_text(facts.lebesgue_constant)))
     if facts.box is not None:
@@ -237,6 +261,14 @@ def _growth_text(growth: Growth) -> str:
     if growth.data == growth.points:
         return f"{growth.points:.3g}"
     return f"{growth.points:.3g} (were the estimated derivatives to stay: {growth.data:.3g})"
+
+
+def _length_text(value: float, bound: float) -> str:
+    """Return a length with as many digits as its bound is worth, and a bound that covers their rounding."""
+    texts = (f"{value:.{digits}g}" for digits in range(9, 18))
+    text = next((each for each in texts if abs(float(each) - value) <= bound), repr(value))
+    error = bound + abs(float(text) - value)
+    return f"about {text} (error at most {_ONE_DIGIT_UP.create_decimal_from_float(error):g})"
 
 
 def _points_text(facts: CurveFacts) -> str:

@@ -4,6 +4,7 @@ A tour of the package, one concept a file:
 
 ==================  ======================================================
 errors              `CurveError`, the only exception for unusable input
+immutable           what copies and pickles of curves are
 arrays              validation of every argument, shared array types
 parametrization     rules for the t_i: `uniform`, `chebyshev`,
                     `chord_length`, `centripetal`, `power`
@@ -29,6 +30,7 @@ pieces              any curve as Bezier pieces of low degree
 geometry            curvature, box, inflections, extrema of curvature
 lengths             lengths within a bound, and the way back
 nearest_point       the nearest point of a curve, of all or within a reach
+arc_pairs           arcs of a curve that may meet
 intersections       where a curve crosses itself
 continuity          jumps at the joints, and the class that follows
 exact               polynomials through data, in integers
@@ -63,7 +65,14 @@ from curvecore.bezier import CubicPath, bezier_segments, cubic_path
 from curvecore.chain import Chain
 from curvecore.curve import Curve
 from curvecore.errors import CurveError
-from curvecore.flatten import MAX_VERTICES, Pieces, flatten, flatten_parameters, flatten_pieces
+from curvecore.flatten import (
+    MAX_VERTICES,
+    Pieces,
+    ToleranceWarning,
+    flatten,
+    flatten_parameters,
+    flatten_pieces,
+)
 from curvecore.frozen import FrozenFlattening
 from curvecore.hermite import HermiteCurve, LocalBasis, QuinticHermiteCurve
 from curvecore.lagrange import LagrangeCurve
@@ -189,6 +198,7 @@ __all__ = [
     "Pieces",
     "QuinticHermiteCurve",
     "SelfIntersections",
+    "ToleranceWarning",
     "acceleration_sensitivity",
     "arc_length",
     "available_methods",

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import math
 import operator
+import sys
 from typing import Any, NamedTuple, TypeAlias
 
 import numpy as np
@@ -26,6 +27,7 @@ __all__ = [
     "finite_number",
     "integer",
     "jet_array",
+    "number_array",
     "parameter_array",
     "parameter_values",
     "point_array",
@@ -64,6 +66,7 @@ def read_only(array: FloatArray) -> FloatArray:
 
 def _as_floats(values: ArrayLike, name: str) -> FloatArray:
     """Copy `values` into a new C-ordered float64 array."""
+    _check_masks(values, name)
     try:
         array: NDArray[Any] = np.asarray(values)
         # Text would be parsed and complex numbers cut down; objects may be Fractions or Decimals.
@@ -74,15 +77,42 @@ def _as_floats(values: ArrayLike, name: str) -> FloatArray:
         raise CurveError(f"{name} must be a regular array of real numbers") from None
 
 
+def _check_masks(values: ArrayLike, name: str) -> None:
+    """Raise for the first masked entry: what a masked array hides would count like any other value."""
+    # Without the module, which takes long to import, there is no masked array.
+    masked_arrays = sys.modules.get("numpy.ma")
+    if masked_arrays is None:
+        return
+    rows = values if isinstance(values, (list, tuple)) else ()
+    if not isinstance(values, masked_arrays.MaskedArray) and not any(
+        isinstance(each, masked_arrays.MaskedArray) for each in rows
+    ):
+        return
+    try:
+        mask = masked_arrays.getmaskarray(masked_arrays.array(values))
+    except (TypeError, ValueError):
+        return  # Of no regular shape, which is said elsewhere.
+    if mask.any():
+        where = tuple(int(k) for k in np.argwhere(mask)[0])
+        raise CurveError(f"{_entry(name, where)} is masked; every value must be given", where[:1])
+
+
+def _entry(name: str, where: tuple[int, ...]) -> str:
+    return f"{name}[{', '.join(map(str, where))}]" if where else name
+
+
 def _check_finite(array: FloatArray, name: str) -> None:
     """Raise for the first entry that is NaN or infinite."""
     finite = np.isfinite(array)
     if finite.all():
         return
     where = tuple(int(k) for k in np.argwhere(~finite)[0])
-    place = ", ".join(str(k) for k in where)
-    label = f"{name}[{place}]" if where else name
-    raise CurveError(f"{label} is {array[where]}; every value must be finite", where[:1])
+    raise CurveError(f"{_entry(name, where)} is {array[where]}; every value must be finite", where[:1])
+
+
+def number_array(values: ArrayLike, name: str) -> FloatArray:
+    """Check an array of any shape, whose entries may be NaN or infinite; return an independent copy."""
+    return _as_floats(values, name)
 
 
 def data_array(values: ArrayLike, name: str, shape: tuple[int, int] | None = None) -> FloatArray:

@@ -7,14 +7,15 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import ArrayLike
 
-from curvecore.arrays import FloatArray, IntArray, parameter_values, read_only
+from curvecore.arrays import FloatArray, IntArray, jet_array, parameter_values, read_only
 from curvecore.curve import Curve
 from curvecore.errors import CurveError
+from curvecore.immutable import Immutable
 
 __all__ = ["Chain"]
 
 
-class Chain:
+class Chain(Immutable):
     """Curves joined end to end.
 
     Each piece begins at the parameter where the one before it ends. A chain is linear in the data of
@@ -47,6 +48,7 @@ class Chain:
         first, *others = (piece.parameters for piece in self.pieces)
         self._parameters = read_only(np.concatenate([first, *(each[1:] for each in others)]))
         self.row_of_parameter: IntArray = _rows([len(piece.parameters) for piece in self.pieces])
+        self.row_of_parameter.setflags(write=False)
 
     @property
     def parameters(self) -> FloatArray:
@@ -100,7 +102,7 @@ class Chain:
 
     def basis(self, t: ArrayLike, order: int = 0) -> FloatArray:
         """Return the order-th derivatives of the basis functions of all rows, shape (m, rows, R)."""
-        values = np.atleast_1d(np.asarray(t, dtype=float))
+        values = parameter_values(t).values
         piece_of = self._piece_of(values)
         result = np.zeros((len(values), len(self.row_of_parameter), self.pieces[0].jets.shape[1]))
         start = 0
@@ -113,7 +115,7 @@ class Chain:
 
     def with_jets(self, jets: ArrayLike) -> Chain:
         """Return a chain with the same parameters and other data, shape (rows, R, dim)."""
-        rows = np.asarray(jets, dtype=float)
+        rows = jet_array(jets, (len(self.row_of_parameter), self.pieces[0].jets.shape[1]))
         cuts = np.cumsum([len(piece.parameters) for piece in self.pieces])[:-1]
         parts = np.split(rows, cuts)
         return Chain([piece.with_jets(part) for piece, part in zip(self.pieces, parts, strict=True)])

@@ -11,7 +11,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
-from curvecore.arrays import FloatArray, integer
+from curvecore.arrays import FloatArray, integer, parameter_values
 from curvecore.chain import Chain
 from curvecore.curve import Curve
 from curvecore.errors import CurveError
@@ -50,7 +50,7 @@ class Ensemble(NamedTuple):
             flat = basis.reshape(len(basis), -1)
             with np.errstate(over="ignore", under="ignore"):
                 return flat @ self.jets.reshape(len(self.jets), flat.shape[1], -1)
-        return np.stack([curve.evaluate(np.atleast_1d(np.asarray(t))) for curve in self.curves])
+        return np.stack([curve.evaluate(parameter_values(t).values) for curve in self.curves])
 
 
 def ensemble(

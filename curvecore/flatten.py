@@ -15,6 +15,7 @@ References
 
 from __future__ import annotations
 
+import warnings
 from functools import cache
 from typing import NamedTuple
 
@@ -31,6 +32,7 @@ from curvecore.hermite import HermiteCurve, QuinticHermiteCurve
 __all__ = [
     "MAX_VERTICES",
     "Pieces",
+    "ToleranceWarning",
     "flatten",
     "flatten_parameters",
     "flatten_pieces",
@@ -48,8 +50,13 @@ _FINE = 64  # a segment with more pieces is split, so that what is outside the b
 _SPLIT = 8
 _ROUNDS = 20
 _LIMIT = 1e300
+_UNIT = 2.0**-53
 _SAMPLES = np.array([0.25, 0.5, 0.75])
 _MARGIN = 1.25  # on a measured distance, for what lies between the samples
+
+
+class ToleranceWarning(UserWarning):
+    """A polyline misses its tolerance, because it would need more vertices than it may have."""
 
 
 class Pieces(NamedTuple):
@@ -69,6 +76,15 @@ class Pieces(NamedTuple):
     parameters: FloatArray
     points: FloatArray
     deviation: FloatArray
+
+    @property
+    def reached(self) -> float:
+        """The bound of the distance between curve and polyline, as far as they enter the box.
+
+        Greater than the tolerance where `MAX_VERTICES` or roundings do not allow better.
+        """
+        inside = self.deviation[self.deviation < np.inf]
+        return float(inside.max(initial=0.0))
 
 
 def flatten(curve: Curve, tolerance: float, box: ArrayLike | None = None) -> FloatArray:
@@ -92,8 +108,13 @@ def flatten(curve: Curve, tolerance: float, box: ArrayLike | None = None) -> Flo
     ------
     CurveError
         If the curve is not plane, or tolerance or box are unusable.
+
+    Warns
+    -----
+    ToleranceWarning
+        As `flatten_parameters`.
     """
-    return curve.evaluate(flatten_parameters(curve, tolerance, box))
+    return curve.evaluate(_parameters(curve, tolerance, box))
 
 
 def flatten_parameters(curve: Curve, tolerance: float, box: ArrayLike | None = None) -> FloatArray:
@@ -121,15 +142,38 @@ def flatten_parameters(curve: Curve, tolerance: float, box: ArrayLike | None = N
     CurveError
         If the curve is not plane, or tolerance or box are unusable.
 
+    Warns
+    -----
+    ToleranceWarning
+        Where the polyline misses the tolerance by more than roundings.
+
     Notes
     -----
     At most `MAX_VERTICES` vertices, or 4 per joint; for a polynomial through
     n > 256 points 2**22 / n of them, or 4 per point. A curve that needs more
     (values of 1e12 and no box) gets pieces in proportion to what it needs,
-    and then misses the tolerance. Proved for the Hermite families, measured
-    with a margin of a quarter for others.
+    and then misses the tolerance; `flatten_pieces` says by how much. Proved
+    for the Hermite families, measured with a margin of a quarter for others.
     """
-    return flatten_pieces(curve, tolerance, box).parameters
+    return _parameters(curve, tolerance, box)
+
+
+def _parameters(curve: Curve, tolerance: float, box: ArrayLike | None) -> FloatArray:
+    """Flatten for those who get no bounds, and warn where the tolerance is missed."""
+    pieces = flatten_pieces(curve, tolerance, box)
+    if pieces.reached > tolerance and not _is_rounding(pieces):
+        warnings.warn(
+            f"the polyline leaves the curve by up to {pieces.reached:.3g}, not {tolerance:.3g}: "
+            f"it may not have more than {len(pieces.parameters)} vertices",
+            ToleranceWarning,
+            stacklevel=3,
+        )
+    return pieces.parameters
+
+
+def _is_rounding(pieces: Pieces) -> bool:
+    """Whether what is missed is what no polyline of floating-point numbers can avoid."""
+    return pieces.reached <= 64.0 * _UNIT * float(np.abs(pieces.points).max())
 
 
 def flatten_pieces(curve: Curve, tolerance: float, box: ArrayLike | None = None) -> Pieces:
@@ -144,7 +188,8 @@ def flatten_pieces(curve: Curve, tolerance: float, box: ArrayLike | None = None)
     -------
     Pieces
         With what `flatten_parameters` and `flatten` return, but for the last
-        digits of the points, and limited to +-1e300.
+        digits of the points, and limited to +-1e300. `Pieces.reached` says
+        whether the tolerance was met; no warning does.
 
     Raises
     ------
@@ -314,6 +359,8 @@ def sampled_pieces(curve: Curve, tolerance: float, box: FloatArray | None) -> Pi
             break
         t, points, deviation, todo = _refine(curve, t, points, deviation, count)
         if wanted > room:
+            # What was reached with what there is.
+            deviation[todo], _ = _measure(curve, t, points, todo, tolerance, box)
             break
     return Pieces(t, points, deviation)
 

@@ -194,11 +194,11 @@ def bounding_box(curve: Curve) -> Box:
     """
     pieces = bezier_pieces(curve, _FINE)
     points = [curve.points, *_ends(curve)]
-    for axis in range(curve.points.shape[1]):
-        slopes = derivative(pieces.controls[:, :, axis])
-        roots = sign_changes(slopes, np.zeros(len(slopes)))
-        if roots.place.size:
-            points.append(curve.evaluate(parameters_at(pieces, roots.piece, roots.place)))
+    # All coordinates at once.
+    slopes = pieces.slopes.transpose(2, 0, 1).reshape(-1, pieces.slopes.shape[1])
+    roots = sign_changes(slopes, np.zeros(len(slopes)))
+    if roots.place.size:
+        points.append(curve.evaluate(parameters_at(pieces, roots.piece % len(pieces.starts), roots.place)))
     reached = np.concatenate(points)
     error = float(scale_by_power(np.array([pieces.error.max()]), pieces.exponent)[0])
     return Box(reached.min(axis=0), reached.max(axis=0), error)
@@ -209,6 +209,7 @@ def _ends(curve: Curve) -> list[FloatArray]:
     return [piece.points for piece in getattr(curve, "pieces", ())]
 
 
+@np.errstate(under="ignore")
 def inflections(curve: Curve) -> FloatArray:
     """Return the parameters where the curvature changes its sign.
 
@@ -239,6 +240,7 @@ def inflections(curve: Curve) -> FloatArray:
     return _crossings(pieces, *_turn(pieces)).parameters
 
 
+@np.errstate(under="ignore")
 def curvature_extrema(curve: Curve) -> CurvatureExtrema:
     """Return where the signed curvature has a local maximum or minimum.
 
@@ -267,7 +269,7 @@ def curvature_extrema(curve: Curve) -> CurvatureExtrema:
     _require_plane(curve, "have extrema of curvature")
     pieces = bezier_pieces(curve, _FINE)
     turn, turn_noise = _turn(pieces)
-    square = _square(derivative(pieces.controls))
+    square = _square(pieces.slopes)
     rising, falling = product(derivative(turn), square), product(turn, derivative(square))
     degree = pieces.controls.shape[1]
     scale = np.abs(rising).max(axis=1) + np.abs(falling).max(axis=1)
@@ -290,7 +292,7 @@ def _require_plane(curve: Curve, what: str) -> None:
 
 def _turn(pieces: BezierPieces) -> tuple[FloatArray, FloatArray]:
     """Return c' x c'' for every piece, and the size below which it says nothing."""
-    velocity = derivative(pieces.controls)
+    velocity = pieces.slopes
     acceleration = derivative(velocity)
     turn = _product_of(velocity, 0, acceleration, 1) - _product_of(velocity, 1, acceleration, 0)
     degree = velocity.shape[1]
@@ -310,7 +312,7 @@ def _product_of(first: FloatArray, i: int, second: FloatArray, j: int) -> FloatA
 
 def _end_curvatures(pieces: BezierPieces, side: int) -> FloatArray:
     """Return the curvature at the beginnings (side 0) or ends (side -1) of the pieces."""
-    velocity = derivative(pieces.controls)
+    velocity = pieces.slopes
     return curvature_of(velocity[:, side], derivative(velocity)[:, side])
 
 

@@ -21,6 +21,7 @@ from curvecore.arrays import (
 )
 from curvecore.bernstein import bernstein_weights, control_points, evaluate_inside, weighted_columns
 from curvecore.hermite_basis import CUBIC, QUINTIC, LeftFunctions, local_coordinates
+from curvecore.immutable import Immutable
 from curvecore.scaling import LARGEST
 
 __all__ = ["HermiteCurve", "LocalBasis", "QuinticHermiteCurve"]
@@ -44,7 +45,7 @@ class LocalBasis(NamedTuple):
     values: FloatArray
 
 
-class _PiecewiseHermite:
+class _PiecewiseHermite(Immutable):
     """What the Hermite families share; R and the functions differ.
 
     On a segment of length h, with r + s = 1 the relative distances to its
@@ -52,6 +53,7 @@ class _PiecewiseHermite:
     """
 
     __slots__ = ("_columns", "_jets", "_parameters")
+    _caches = ("_columns",)
 
     _functions: ClassVar[tuple[LeftFunctions, ...]]
 

@@ -1,17 +1,14 @@
 """Where a plane curve crosses itself.
 
-Pairs of pieces whose boxes do not meet are dropped, the rest are halved. A
-piece whose directions lie in an open half plane does not meet itself, and two
-such neighbours, taken together, meet at their common end only; these are
-dropped as well [1]_. What stays shrinks to the crossings, which Newton's
-method then finishes.
+`arc_pairs` finds pairs of straight arcs that may meet. Newton's method on
+(c(b) - c(a)) / (b - a), which is not zero where the curve merely passes once,
+finishes them [1]_; what belongs to one meeting is then one result.
 
 References
 ----------
-.. [1] T. W. Sederberg and R. J. Meyers, "Loop detection in surface patch
-   intersections", Computer Aided Geometric Design 5 (1988) 161-171; for a
-   curve with itself: D. Lasser, "Calculating the self-intersections of
-   Bezier curves", Computers in Industry 12 (1989) 259-268.
+.. [1] K. M. Brown and W. B. Gearhart, "Deflation techniques for the
+   calculation of further solutions of a nonlinear system", Numerische
+   Mathematik 16 (1971) 334-342.
 """
 
 from __future__ import annotations
@@ -20,8 +17,8 @@ from typing import NamedTuple
 
 import numpy as np
 
+from curvecore.arc_pairs import Arcs, Pairs, close_pairs, simple_arcs
 from curvecore.arrays import BoolArray, FloatArray, IntArray, tolerance_value
-from curvecore.bernstein_algebra import derivative, subdivided
 from curvecore.curve import Curve
 from curvecore.errors import CurveError
 from curvecore.geometry import lengths
@@ -29,12 +26,11 @@ from curvecore.pieces import bezier_pieces, size_of
 
 __all__ = ["SelfIntersections", "self_intersections"]
 
-_ROUNDS = 48
-_ARCS = 1 << 11
-_PAIRS = 1 << 12  # at a time; where a curve runs along itself, no number is enough
-_WORK = 1 << 15  # pairs in all
-_CANDIDATES = 1 << 9
-_NEWTON = 12
+_FINEST = 2.0**-44  # of the size: what roundings leave of a tolerance
+_CUSP = 2.0**-33  # of the size: a cusp whose arms are a rounding apart is as long
+_CANDIDATES = 1 << 12
+_NEWTON = 20
+_ALONG = (np.arange(15) + 0.5) / 15
 
 
 class SelfIntersections(NamedTuple):
@@ -43,23 +39,19 @@ class SelfIntersections(NamedTuple):
     Attributes
     ----------
     parameters : ndarray, shape (k, 2)
-        Pairs with c(a) = c(b), a < b, ascending in a.
+        Pairs with c(a) = c(b), a < b, ascending in a. Where m branches go
+        through one point, all m (m - 1) / 2 pairs.
     points : ndarray, shape (k, 2)
         c there.
     is_complete : bool
-        Whether the search ended by itself. It does not where the curve runs
-        along itself, which is a stretch of crossings and not one.
+        Whether these are all: the search ended by itself, and nowhere does
+        the curve run along itself, which is a stretch of crossings and not
+        one.
     """
 
     parameters: FloatArray
     points: FloatArray
     is_complete: bool
-
-
-class _Arcs(NamedTuple):
-    controls: FloatArray
-    start: FloatArray
-    end: FloatArray
 
 
 def self_intersections(curve: Curve, tolerance: float) -> SelfIntersections:
@@ -70,8 +62,10 @@ def self_intersections(curve: Curve, tolerance: float) -> SelfIntersections:
     curve : Curve
         Plane (dim 2).
     tolerance : float
-        Largest distance of c(a) and c(b), above 0, in units of the points.
-        Loops smaller than this may be missed, near misses may be reported.
+        Largest distance of c(a) and c(b), above 0, in units of the points;
+        2**-44 of the largest coordinate, if that is more. Loops smaller than
+        a few times this, or than 2**-33 of the largest coordinate, may be
+        missed, near misses may be reported.
 
     Returns
     -------
@@ -85,212 +79,208 @@ def self_intersections(curve: Curve, tolerance: float) -> SelfIntersections:
 
     Notes
     -----
-    The work is bounded: at most 32768 pairs of pieces are looked at, and 512
-    candidates finished.
+    The work is bounded: at most 2**14 pairs of arcs at a time, 2**17 in all
+    (or 4 and 64 per arc) are looked at, and 2**12 candidates finished.
     """
     limit = tolerance_value(tolerance)
     if curve.points.shape[1] != 2:
         raise CurveError(f"curve must be plane (dim 2) to cross itself, not of dim {curve.points.shape[1]}")
     with np.errstate(over="ignore", under="ignore", invalid="ignore", divide="ignore"):
         size = max(size_of(curve.points), float(np.finfo(float).tiny))
-        pieces = bezier_pieces(curve, min(1e-3, 0.1 * limit / size))
-        small = max(float(np.ldexp(limit, -pieces.exponent)), 2.0**-44)
-        arcs, simple = _simple_arcs(_Arcs(pieces.controls, pieces.starts, pieces.ends), small)
-        margin = min(4.0 * float(pieces.error.max()), small / 8.0)
-        first, second, is_complete = _pairs(arcs, margin)
-        pairs, ended = _shrunk(arcs, first, second, small, margin)
-        ended &= len(pairs.first.start) <= _CANDIDATES
-        found = _finished(curve, pairs, limit)
+        pieces = bezier_pieces(curve, min(1e-3, 0.02 * limit / size))
+        small = max(float(np.ldexp(limit, -pieces.exponent)), _FINEST)
+        margin = float(pieces.error.max())
+        arcs, is_simple = simple_arcs(Arcs(pieces.controls, pieces.starts, pieces.ends), small)
+        pairs, ended = close_pairs(arcs, small, margin)
+        unit = float(np.ldexp(1.0, min(pieces.exponent, 1023)))
+        scale = _Scale(small * unit, max(2.0 * small, _CUSP) * unit)
+        # Arcs that a search left unfinished say little, and are many.
+        most = _CANDIDATES if ended else _CANDIDATES // 8
+        ended &= len(pairs) <= most
+        if len(pairs) > most:
+            pairs = pairs.taken(np.linspace(0, len(pairs) - 1, most).astype(np.intp))
+        found, are_isolated = _meetings(curve, pairs, scale, arcs.start)
     points = curve.evaluate(found[:, 0]) if len(found) else np.zeros((0, 2))
-    return SelfIntersections(found, points, simple and is_complete and ended)
+    is_complete = is_simple and ended and are_isolated and 4.0 * margin <= max(small, 4.0 * _FINEST)
+    return SelfIntersections(found, points, is_complete)
 
 
-def _halved(arcs: _Arcs) -> _Arcs:
-    middle = 0.5 * arcs.start + 0.5 * arcs.end
-    return _Arcs(
-        subdivided(arcs.controls),
-        np.stack((arcs.start, middle), axis=1).ravel(),
-        np.stack((middle, arcs.end), axis=1).ravel(),
-    )
+class _Scale(NamedTuple):
+    """Distances in units of the points: what counts as meeting, and the reach of the smallest loop."""
 
-
-def _take(arcs: _Arcs, chosen: BoolArray | IntArray) -> _Arcs:
-    return _Arcs(arcs.controls[chosen], arcs.start[chosen], arcs.end[chosen])
-
-
-def _extent(controls: FloatArray) -> FloatArray:
-    extent: FloatArray = np.ptp(controls, axis=1).max(axis=1)
-    return extent
-
-
-def _within_half_plane(slopes: FloatArray) -> BoolArray:
-    size = lengths(slopes)
-    mean = (slopes / np.maximum(size, np.finfo(float).tiny)[..., None]).sum(axis=1, keepdims=True)
-    # A slope of 0, at a point at rest, turns nowhere.
-    ahead = ((slopes * mean).sum(axis=2) > 0.0) | (size == 0.0)
-    within: BoolArray = ahead.all(axis=1) & (size > 0.0).any(axis=1)
-    return within
-
-
-def _simple_arcs(arcs: _Arcs, small: float) -> tuple[_Arcs, bool]:
-    """Halve arcs until each keeps its direction within a half plane, or is small."""
-    done: list[_Arcs] = []
-    count = 0
-    is_complete = True
-    for step in range(_ROUNDS):
-        fine = _within_half_plane(derivative(arcs.controls)) | (_extent(arcs.controls) <= small)
-        count += int(fine.sum())
-        if step == _ROUNDS - 1 or count + 2 * int((~fine).sum()) > max(_ARCS, 2 * len(arcs.start)):
-            is_complete = bool(fine.all())
-            fine[:] = True
-        done.append(_take(arcs, fine))
-        if fine.all():
-            break
-        arcs = _halved(_take(arcs, ~fine))
-    order = np.argsort(np.concatenate([each.start for each in done]), kind="stable")
-    together = _Arcs(*(np.concatenate(column) for column in zip(*done, strict=True)))
-    return _take(together, order), is_complete
-
-
-def _pairs(arcs: _Arcs, margin: float) -> tuple[IntArray, IntArray, bool]:
-    """Return the pairs of arcs whose boxes meet or almost do, first < second."""
-    low, high = arcs.controls.min(axis=1) - margin, arcs.controls.max(axis=1)
-    firsts, seconds = [], []
-    total = 0
-    for i in range(len(low) - 1):
-        meet = ((low[i] <= high[i + 1 :]) & (low[i + 1 :] <= high[i])).all(axis=1)
-        others = np.flatnonzero(meet) + (i + 1)
-        firsts.append(np.full(len(others), i))
-        seconds.append(others)
-        total += len(others)
-        if total > _PAIRS:
-            break
-    if not firsts:
-        return np.zeros(0, dtype=np.intp), np.zeros(0, dtype=np.intp), True
-    return np.concatenate(firsts), np.concatenate(seconds), total <= _PAIRS
-
-
-class _Pairs(NamedTuple):
-    first: _Arcs
-    second: _Arcs
-
-
-def _shrunk(
-    arcs: _Arcs, first: IntArray, second: IntArray, small: float, margin: float
-) -> tuple[_Pairs, bool]:
-    """Halve pairs until both arcs are small."""
-    pairs = _Pairs(_take(arcs, first), _take(arcs, second))
-    done: list[_Pairs] = []
-    work = 0
-    for _ in range(_ROUNDS):
-        pairs = _chosen(pairs, _may_meet(pairs, margin))
-        extent = np.maximum(_extent(pairs.first.controls), _extent(pairs.second.controls))
-        fine = extent <= small
-        done.append(_chosen(pairs, fine & ~_adjoining(pairs)))
-        pairs = _chosen(pairs, ~fine)
-        if not len(pairs.first.start):
-            return _together(done), True
-        work += len(pairs.first.start)
-        if len(pairs.first.start) > _PAIRS or work > _WORK:
-            break
-        left, right = _halved(pairs.first), _halved(pairs.second)
-        first_half = 2 * np.repeat(np.arange(len(pairs.first.start)), 4)
-        a = first_half + np.tile([0, 0, 1, 1], len(pairs.first.start))
-        b = first_half + np.tile([0, 1, 0, 1], len(pairs.first.start))
-        pairs = _Pairs(_take(left, a), _take(right, b))
-    return _together([*done, _chosen(pairs, ~_adjoining(pairs))]), False
-
-
-def _chosen(pairs: _Pairs, which: BoolArray) -> _Pairs:
-    return _Pairs(_take(pairs.first, which), _take(pairs.second, which))
-
-
-def _together(parts: list[_Pairs]) -> _Pairs:
-    def joined(arcs: list[_Arcs]) -> _Arcs:
-        return _Arcs(*(np.concatenate(column) for column in zip(*arcs, strict=True)))
-
-    return _Pairs(joined([part.first for part in parts]), joined([part.second for part in parts]))
-
-
-def _adjoining(pairs: _Pairs) -> BoolArray:
-    touching: BoolArray = (pairs.first.end == pairs.second.start) & (
-        pairs.first.controls[:, -1] == pairs.second.controls[:, 0]
-    ).all(axis=1)
-    return touching
-
-
-def _may_meet(pairs: _Pairs, margin: float) -> BoolArray:
-    a, b = pairs.first.controls, pairs.second.controls
-    boxes = (a.min(axis=1) - margin <= b.max(axis=1)) & (b.min(axis=1) - margin <= a.max(axis=1))
-    slopes = np.concatenate([derivative(a), derivative(b)], axis=1)
-    meet: BoolArray = boxes.all(axis=1) & ~(_adjoining(pairs) & _within_half_plane(slopes))
-    return meet
-
-
-def _finished(curve: Curve, pairs: _Pairs, tolerance: float) -> FloatArray:
-    """Polish candidates, keep those that meet, drop repetitions."""
-    count = len(pairs.first.start)
-    if count > _CANDIDATES:
-        chosen = np.zeros(count, dtype=bool)
-        chosen[np.linspace(0, count - 1, _CANDIDATES).astype(np.intp)] = True
-        pairs = _chosen(pairs, chosen)
-    a = 0.5 * pairs.first.start + 0.5 * pairs.first.end
-    b = 0.5 * pairs.second.start + 0.5 * pairs.second.end
-    if not len(a):
-        return np.zeros((0, 2))
-    domain = curve.domain
-    best_a, best_b = a, b
-    best = lengths(curve.evaluate(a) - curve.evaluate(b))
-    for _ in range(_NEWTON):
-        gap = curve.evaluate(b) - curve.evaluate(a)
-        forward, backward = curve.evaluate(a, 1), curve.evaluate(b, 1)
-        cross = forward[:, 0] * backward[:, 1] - forward[:, 1] * backward[:, 0]
-        step_a = (gap[:, 0] * backward[:, 1] - gap[:, 1] * backward[:, 0]) / cross
-        step_b = (gap[:, 0] * forward[:, 1] - gap[:, 1] * forward[:, 0]) / cross
-        usable = np.isfinite(step_a) & np.isfinite(step_b)
-        a = np.clip(np.where(usable, a + step_a, a), *domain)
-        b = np.clip(np.where(usable, b + step_b, b), *domain)
-        distance = lengths(curve.evaluate(a) - curve.evaluate(b))
-        better = distance < best
-        # A step that leaves the neighbourhood belongs to another crossing, which has a pair of its own.
-        width = 64.0 * (pairs.first.end - pairs.first.start + pairs.second.end - pairs.second.start)
-        better &= np.abs(a - best_a) + np.abs(b - best_b) <= width
-        best_a, best_b = np.where(better, a, best_a), np.where(better, b, best_b)
-        best = np.where(better, distance, best)
-        if not better.any():
-            break
-    ordered = np.sort(np.stack((best_a, best_b), axis=1), axis=1)
-    found = _Found(ordered, best, pairs.first.end - pairs.first.start)
-    return _distinct(curve, found, tolerance)
+    tolerance: float
+    loop: float
 
 
 class _Found(NamedTuple):
-    """Candidates: parameters (k, 2), distances (k,) and how long their arcs were (k,)."""
+    """Parameters (k, 2) before and after Newton's method, distances (k,), widths of arcs in t (k, 2)."""
 
+    before: FloatArray
     parameters: FloatArray
     gap: FloatArray
     width: FloatArray
 
+    def taken(self, chosen: BoolArray | IntArray) -> _Found:
+        return _Found(*(each[chosen] for each in self))
 
-def _distinct(curve: Curve, found: _Found, tolerance: float) -> FloatArray:
-    """Keep the best of each cluster of candidates, and no ends of closed curves."""
+
+def _meetings(curve: Curve, pairs: Pairs, scale: _Scale, joints: FloatArray) -> tuple[FloatArray, bool]:
+    """Return one pair of parameters for each meeting, in order, and whether these are single places."""
+    if not len(pairs):
+        return np.zeros((0, 2)), True
+    found = _polished(curve, *_starting_places(pairs))
+    found = found.taken(
+        (found.gap <= scale.tolerance) & _is_loop(curve, found.parameters, scale.loop, joints)
+    )
+    cluster = _clusters(curve, found, scale.tolerance)
+    best, are_isolated = [], True
+    for label in np.unique(cluster):
+        members = np.flatnonzero(cluster == label)
+        if _is_closing(curve, found.taken(members), scale.loop):
+            continue
+        are_isolated &= _is_one_place(curve, found.taken(members), scale)
+        best.append(members[np.argmin(found.gap[members])])
+    result = found.parameters[np.array(best, dtype=np.intp)]
+    return result[np.lexsort((result[:, 1], result[:, 0]))], are_isolated
+
+
+def _starting_places(pairs: Pairs) -> tuple[FloatArray, FloatArray]:
+    """Return parameters (k, 2) where straight arcs cross or are near, and the widths of the arcs (k, 2).
+
+    Arcs side by side are near in many places: each end gives one.
+    """
+    p, q = pairs.first.controls[:, 0], pairs.second.controls[:, 0]
+    u, v = pairs.first.controls[:, -1] - p, pairs.second.controls[:, -1] - q
+    cross = u[:, 0] * v[:, 1] - u[:, 1] * v[:, 0]
+    w = q - p
+    size = lengths(u) * lengths(v)
+    s = np.nan_to_num((w[:, 0] * v[:, 1] - w[:, 1] * v[:, 0]) / cross, posinf=0.5, neginf=0.5)
+    r = np.nan_to_num((w[:, 0] * u[:, 1] - w[:, 1] * u[:, 0]) / cross, posinf=0.5, neginf=0.5)
+    flat = np.abs(cross) <= 1e-2 * size
+    k = np.flatnonzero(flat)
+    zero, one = np.zeros(len(k)), np.ones(len(k))
+    pair = np.concatenate([np.arange(len(s)), k, k, k, k])
+    s = np.concatenate([s, zero, one, _foot(w[k], u[k]), _foot(w[k] + v[k], u[k])])
+    r = np.concatenate([r, _foot(-w[k], v[k]), _foot(u[k] - w[k], v[k]), zero, one])
+    place = np.clip(np.stack((s, r), axis=1), 0.0, 1.0)
+    start = np.stack((pairs.first.start, pairs.second.start), axis=1)[pair]
+    width = np.stack((pairs.first.end, pairs.second.end), axis=1)[pair] - start
+    return start + place * width, width
+
+
+def _foot(offset: FloatArray, along: FloatArray) -> FloatArray:
+    foot: FloatArray = np.nan_to_num((offset * along).sum(axis=1) / np.square(along).sum(axis=1))
+    return foot
+
+
+def _polished(curve: Curve, places: FloatArray, width: FloatArray) -> _Found:
+    """Let Newton's method bring candidates together; each goes on while it gets better."""
+    # A step that leaves the neighbourhood belongs to another crossing, which has a pair of its own.
+    room = 64.0 * width.sum(axis=1)
+    best = places.copy()
+    least = lengths(curve.evaluate(places[:, 1]) - curve.evaluate(places[:, 0]))
+    still, at, idle = np.arange(len(places)), places, np.zeros(len(places))
+    for _ in range(_NEWTON):
+        at = _newton_step(curve, at)
+        distance = lengths(curve.evaluate(at[:, 1]) - curve.evaluate(at[:, 0]))
+        better = (distance < least[still]) & (np.abs(at - places[still]).sum(axis=1) <= room[still])
+        best[still[better]], least[still[better]] = at[better], distance[better]
+        idle = np.where(better, 0, idle + 1)
+        going = idle < 2
+        still, at, idle = still[going], at[going], idle[going]
+        if not len(still):
+            break
+    return _Found(places, np.sort(best, axis=1), least, width)
+
+
+def _newton_step(curve: Curve, at: FloatArray) -> FloatArray:
+    a, b = at.T
+    gap = curve.evaluate(b) - curve.evaluate(a)
+    slope = gap / (b - a)[:, None]
+    forward, backward = curve.evaluate(a, 1) - slope, curve.evaluate(b, 1) - slope
+    cross = forward[:, 0] * backward[:, 1] - forward[:, 1] * backward[:, 0]
+    step_a = (gap[:, 0] * backward[:, 1] - gap[:, 1] * backward[:, 0]) / cross
+    step_b = (gap[:, 0] * forward[:, 1] - gap[:, 1] * forward[:, 0]) / cross
+    step = np.stack((step_a, step_b), axis=1)
+    return np.clip(np.where(np.isfinite(step).all(axis=1, keepdims=True), at + step, at), *curve.domain)
+
+
+def _is_loop(curve: Curve, pairs: FloatArray, reach: float, joints: FloatArray) -> BoolArray:
+    """Tell whether the curve leaves c(a) between a and b: if not, they are one place and no meeting.
+
+    Looked at on samples, and at the first and the last joint of the arcs between: what turns back has one.
+    """
+    if not len(pairs):
+        return np.zeros(0, dtype=bool)
+    a, b = pairs.T
+    inner = a[:, None] + (b - a)[:, None] * _ALONG
+    after = joints[np.minimum(np.searchsorted(joints, a, side="right"), len(joints) - 1)]
+    before = joints[np.maximum(np.searchsorted(joints, b, side="left") - 1, 0)]
+    inner = np.column_stack([inner, np.clip(after, a, b), np.clip(before, a, b)])
+    away = curve.evaluate(inner.ravel()).reshape(*inner.shape, 2) - curve.evaluate(a)[:, None]
+    leaves: BoolArray = lengths(away).max(axis=1) > reach
+    return leaves
+
+
+def _clusters(curve: Curve, found: _Found, tolerance: float) -> IntArray:
+    """Return a label for each candidate, (k,): the same for those of one meeting.
+
+    Two belong together if they are a few arcs apart on either branch, and the branches stay within the
+    tolerance of each other between them.
+    """
+    count = len(found.gap)
+    order = np.argsort(found.parameters[:, 0], kind="stable")
+    places = found.parameters[order]
+    reach = 4.0 * np.maximum(found.width, np.spacing(np.abs(found.parameters)))[order]
+    ends = np.searchsorted(places[:, 0], places[:, 0] + reach[:, 0].max(initial=0.0), side="right")
+    following = np.maximum(ends - np.arange(count) - 1, 0)
+    one = np.repeat(np.arange(count), following)
+    other = one + 1 + np.arange(len(one)) - np.repeat(np.cumsum(following) - following, following)
+    way = places[other] - places[one]
+    near = (np.abs(way) <= np.maximum(reach[one], reach[other])).all(axis=1)
+    one, other, way = one[near], other[near], way[near]
+    between = places[one] + way * np.array([0.25, 0.5, 0.75])[:, None, None]
+    gap = curve.evaluate(between[:, :, 1].ravel()) - curve.evaluate(between[:, :, 0].ravel())
+    joined = (lengths(gap).reshape(3, -1) <= tolerance).all(axis=0)
+    label = np.empty(count, dtype=np.intp)
+    label[order] = _connected(count, one[joined], other[joined])
+    return label
+
+
+def _connected(count: int, one: IntArray, other: IntArray) -> IntArray:
+    """Return a label for each of so many things, the same for those that pairs connect."""
+    leader = list(range(count))
+
+    def leader_of(thing: int) -> int:
+        while leader[thing] != thing:
+            leader[thing] = thing = leader[leader[thing]]
+        return thing
+
+    for i, j in zip(one.tolist(), other.tolist(), strict=True):
+        first, second = sorted((leader_of(i), leader_of(j)))
+        leader[second] = first
+    return np.array([leader_of(thing) for thing in range(count)], dtype=np.intp)
+
+
+def _is_closing(curve: Curve, found: _Found, reach: float) -> bool:
+    """Tell whether a meeting is that of the two ends of a closed curve."""
     first, last = curve.domain
-    span = last - first
-    a, b = found.parameters.T
-    middle = curve.evaluate(0.5 * a + 0.5 * b)
-    # Two parameters with no loop between them are one place, and so are the ends of a closed curve.
-    usable = (found.gap <= tolerance) & (lengths(middle - curve.evaluate(a)) > 2.0 * tolerance)
-    usable &= (a - first > 1e-6 * span) | (last - b > 1e-6 * span)
-    order = np.flatnonzero(usable)[np.argsort(a[usable], kind="stable")]
-    clusters: list[list[int]] = []
-    for i in order:
-        reach = 4.0 * found.width[i] + 1e-9 * span
-        for cluster in reversed(clusters[-16:]):
-            if a[i] - a[cluster[-1]] <= reach and np.abs(b[cluster[-64:]] - b[i]).min() <= reach:
-                cluster.append(int(i))
-                break
-        else:
-            clusters.append([int(i)])
-    best = [min(cluster, key=lambda i: float(found.gap[i])) for cluster in clusters]
-    result: FloatArray = found.parameters[best].reshape(-1, 2)
-    return result[np.lexsort((result[:, 1], result[:, 0]))]
+    ends = curve.evaluate(np.array([first, last]))
+    if lengths(ends[1] - ends[0]) > reach:
+        return False
+    # The way from the beginning to any a, and from any b to the end, must not leave that place.
+    a, b = found.parameters[:, 0].max(), found.parameters[:, 1].min()
+    if a - first > found.width[:, 0].max() * 64.0 or last - b > found.width[:, 1].max() * 64.0:
+        return False
+    way = np.concatenate([first + (a - first) * _ALONG, b + (last - b) * _ALONG, [a, b]])
+    return bool(lengths(curve.evaluate(way) - ends[0]).max() <= reach)
+
+
+def _is_one_place(curve: Curve, found: _Found, scale: _Scale) -> bool:
+    """Tell whether Newton's method drew all candidates of a meeting together.
+
+    Where the curve runs along itself they stay where they are.
+    """
+    after = np.ptp(curve.evaluate(found.parameters[:, 0]), axis=0).max()
+    before = np.ptp(curve.evaluate(found.before[:, 0]), axis=0).max()
+    return bool(after <= max(8.0 * scale.tolerance, before / 8.0))

@@ -14,13 +14,14 @@ from curvecore.arrays import (
     point_array,
     read_only,
 )
+from curvecore.immutable import Immutable
 from curvecore.product_form import Nodes
 from curvecore.scaling import Scaled, normalise, scale_by_power
 
 __all__ = ["LagrangeCurve"]
 
 
-class LagrangeCurve:
+class LagrangeCurve(Immutable):
     """The polynomial of degree n - 1 through n points at n parameters.
 
     c(t) = sum over i of L_i(t) p_i with L_i(t_j) = 1 for i = j, else 0.
@@ -54,7 +55,11 @@ class LagrangeCurve:
     -----
     With u = 2**-53, values and derivatives differ from the exact ones by at
     most c u sum |L_i^(order)(t)| |p_i|, c at most about 25 for n <= 60 and of
-    the size of 2 sqrt(n) above, for any distinct parameters. That
+    the size of 2 sqrt(n) above: values for any distinct parameters,
+    derivatives where the longest distance between parameters is at most 1e50
+    times the shortest. (Beyond, the terms of a derivative differ by more than
+    the range of exponents that they share; from 1e60 on digits are lost, from
+    1e90 on all of them.) That
     says nothing about the sum itself: on many uniform parameters it is huge,
     and no method can do better with points given to 53 bits.
 
@@ -64,6 +69,7 @@ class LagrangeCurve:
     """
 
     __slots__ = ("_jets", "_parameters", "_prepared")
+    _caches = ("_prepared",)
 
     def __init__(self, points: ArrayLike, parameters: ArrayLike) -> None:
         data = point_array(points)

@@ -38,10 +38,11 @@ from curvecore.arrays import (
     read_only,
     tolerance_value,
 )
-from curvecore.bernstein_algebra import derivative, halves, weights
+from curvecore.bernstein_algebra import halves, weights
 from curvecore.curve import Curve
 from curvecore.errors import CurveError
-from curvecore.pieces import bezier_pieces, size_of
+from curvecore.immutable import Immutable
+from curvecore.pieces import BezierPieces, bezier_pieces, size_of
 from curvecore.scaling import LARGEST
 
 __all__ = ["ArcLength", "Length", "arc_length", "equal_arc_length_parameters", "parameter_at_length"]
@@ -49,7 +50,8 @@ __all__ = ["ArcLength", "Length", "arc_length", "equal_arc_length_parameters", "
 _NODES = 16
 _UNIT = 2.0**-53
 _ROUNDS = 60
-_MOST = 1 << 14  # arcs; a curve that needs more gets a larger error bound
+_MOST = 1 << 14  # arcs, or 8 a piece; a curve that needs more gets a larger error bound
+_AT_ONCE = 1 << 12  # quadratures, of 16 sets of weights each: a few megabytes
 _RHO = np.array([1.25, 1.5, 1.75, 2.0, 2.5, 3.0, 3.5, 4.0, 5.0, 6.0, 8.0, 12.0, 24.0, 64.0, 1024.0])
 
 
@@ -92,7 +94,7 @@ class _Arcs(NamedTuple):
         return _Arcs(self.slopes[chosen], self.start[chosen], self.end[chosen], self.slack[chosen])
 
 
-class ArcLength:
+class ArcLength(Immutable):
     """The arc length of a curve as a function of t, and back.
 
     A table made once, for motion at constant speed and the like; lengths and
@@ -125,9 +127,9 @@ class ArcLength:
         pieces = bezier_pieces(curve, min(1e-3, 1e-5 * limit / size))
         shift = min(pieces.exponent, 1000)
         self._scale = float(np.ldexp(1.0, shift))
-        slopes = np.ldexp(derivative(pieces.controls), pieces.exponent - shift)
-        slack = np.ldexp(pieces.slope_error, pieces.exponent - shift)
+        slopes = np.ldexp(pieces.slopes, pieces.exponent - shift)
         with np.errstate(all="ignore"):
+            slack = np.ldexp(_slack(pieces), pieces.exponent - shift)
             arcs = _Arcs(slopes, pieces.starts, pieces.ends, slack)
             self._arcs, error = _accurate(arcs, limit / self._scale)
             lengths = _integrals(self._arcs.slopes, np.zeros(len(error)), np.ones(len(error)))
@@ -278,6 +280,25 @@ def equal_arc_length_parameters(curve: Curve, count: int, tolerance: float) -> F
     return np.maximum.accumulate(result)
 
 
+def _slack(pieces: BezierPieces) -> FloatArray:
+    """Bound what errors of the pieces make of their lengths, (k,), in the units of their control points.
+
+    An error e of c makes |c' + e'| - |c'| of the speed: at most |e'|, and between T . e' and that plus
+    |e'|**2 / (2 |c'|), with the tangent T. The integral of T . e' is, by parts, at most |e| times the angle
+    by which the piece turns; what is left at its ends goes with its neighbours', where the curve has no
+    corner, and is 0 at the ends of the curve and of exact pieces. The control polygon turns as far, at least.
+    """
+    slopes = pieces.slopes
+    fast = slopes / np.maximum(np.linalg.norm(slopes, axis=2, keepdims=True), np.finfo(float).tiny)
+    ahead = fast.sum(axis=1)
+    ahead /= np.linalg.norm(ahead, axis=1, keepdims=True)
+    slowest = np.einsum("kbd,kd->kb", slopes, ahead).min(axis=1)
+    # Chords of the unit circle, pi / 2 times at most as long in angles.
+    turn = 0.5 * np.pi * np.linalg.norm(np.diff(fast, axis=1), axis=2).sum(axis=1)
+    smooth = pieces.error * (turn + 4.0 * _UNIT) + 0.5 * pieces.slope_error**2 / slowest
+    return np.where(slowest > pieces.slope_error, np.minimum(smooth, pieces.slope_error), pieces.slope_error)
+
+
 def _accurate(arcs: _Arcs, tolerance: float) -> tuple[_Arcs, FloatArray]:
     """Halve arcs until their lengths are accurate; return them in order with their error bounds."""
     done: list[_Arcs] = []
@@ -285,13 +306,14 @@ def _accurate(arcs: _Arcs, tolerance: float) -> tuple[_Arcs, FloatArray]:
     span = float(arcs.end[-1]) - float(arcs.start[0])
     count = 0
     share = 0.5 * tolerance / len(arcs.start)
+    most = max(_MOST, 8 * len(arcs.start))
     for step in range(_ROUNDS):
         bound, polygon = _bounds(arcs.slopes)
         # Both halves of an arc together get what it had: the shares of all add up to the tolerance.
         fine = (bound <= share) | (bound <= 2.0 * _UNIT * polygon)
         fine |= arcs.end - arcs.start <= 4.0 * _UNIT * span
         count += int(fine.sum())
-        if step == _ROUNDS - 1 or count + 2 * int((~fine).sum()) > _MOST:
+        if step == _ROUNDS - 1 or count + 2 * int((~fine).sum()) > most:
             fine[:] = True
         done.append(arcs.taken(fine))
         errors.append(bound[fine])
@@ -337,6 +359,11 @@ def _bounds(slopes: FloatArray) -> tuple[FloatArray, FloatArray]:
 
 def _integrals(slopes: FloatArray, start: FloatArray, end: FloatArray) -> FloatArray:
     """Return the lengths between places of arcs, shape (k,)."""
+    some = [slice(first, first + _AT_ONCE) for first in range(0, max(len(slopes), 1), _AT_ONCE)]
+    return np.concatenate([_some_integrals(slopes[each], start[each], end[each]) for each in some])
+
+
+def _some_integrals(slopes: FloatArray, start: FloatArray, end: FloatArray) -> FloatArray:
     nodes, gauss = _gauss()
     length = end - start
     s = start[:, None] + length[:, None] * nodes

@@ -22,7 +22,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
-from curvecore.arrays import FloatArray, jet_array, tolerance_value
+from curvecore.arrays import FloatArray, jet_array, number_array, tolerance_value
 from curvecore.bernstein_algebra import derivative, elevated, product, subdivided, weights
 from curvecore.curve import Curve
 from curvecore.errors import CurveError
@@ -108,7 +108,7 @@ def nearest(curve: Curve, point: ArrayLike, tolerance: float) -> Nearest:
 
 def _point_of(curve: Curve, point: ArrayLike) -> FloatArray:
     dim = curve.points.shape[1]
-    target = np.asarray(point)
+    target = number_array(point, "point")
     if target.shape != (dim,):
         raise CurveError(f"point must have the shape ({dim},), like the points of the curve")
     checked: FloatArray = jet_array(target[None, None], (1, 1))[0, 0]

@@ -21,7 +21,7 @@ import numpy as np
 
 from curvecore.arrays import FloatArray, read_only
 from curvecore.bernstein import control_points
-from curvecore.bernstein_algebra import elevated, weights
+from curvecore.bernstein_algebra import derivative, elevated, weights
 from curvecore.bezier import spread
 from curvecore.chain import Chain
 from curvecore.curve import Curve
@@ -45,6 +45,10 @@ class BezierPieces(NamedTuple):
     ----------
     controls : ndarray, shape (k, degree + 1, dim)
         Control points times 2**-exponent: at most about 1 in size.
+    slopes : ndarray, shape (k, degree, dim)
+        Control points of the derivative with respect to the local s in
+        [0, 1], in the same units; for the Hermite families from the data, so
+        that their errors do not depend on how far away the origin is.
     starts, ends : ndarray, shape (k,)
         Where each piece begins and ends in t. Each piece begins where the one
         before ends.
@@ -52,12 +56,13 @@ class BezierPieces(NamedTuple):
         What each may deviate, in the units of `controls`: rounding for the
         Hermite families, measured for `LagrangeCurve`.
     slope_error : ndarray, shape (k,)
-        The same for the derivative with respect to the local s in [0, 1].
+        What `slopes` may be off.
     exponent : int
         See `controls`.
     """
 
     controls: FloatArray
+    slopes: FloatArray
     starts: FloatArray
     ends: FloatArray
     error: FloatArray
@@ -82,7 +87,8 @@ def bezier_pieces(curve: Curve, tolerance: float) -> BezierPieces:
         if isinstance(curve, (HermiteCurve, QuinticHermiteCurve)):
             controls = np.nan_to_num(control_points(curve.jets, curve.parameters))
             exact = np.zeros(len(controls))
-            return _scaled(controls, curve.parameters, exact, exact, 0)
+            pieces = _scaled(controls, curve.parameters, exact, exact, 0)
+            return _with_exact_slopes(pieces, curve)
         return _sampled(curve, tolerance)
 
 
@@ -111,12 +117,35 @@ def _scaled(
     degree = controls.shape[1] - 1
     return BezierPieces(
         scaled,
+        derivative(scaled),
         parameters[:-1],
         parameters[1:],
         np.ldexp(error, -exponent) + noise,
         np.ldexp(slope_error, -exponent) + 2.0 * degree * noise,
         int(exponent) + base,
     )
+
+
+def _with_exact_slopes(pieces: BezierPieces, curve: HermiteCurve | QuinticHermiteCurve) -> BezierPieces:
+    """Return the pieces with slopes from the data, where those are in range."""
+    h = np.diff(curve.parameters)[:, None]
+    terms = np.ldexp(curve.jets, -pieces.exponent)
+    step, before, after = np.diff(terms[:, 0], axis=0), h * terms[:-1, 1], h * terms[1:, 1]
+    if terms.shape[1] == 2:
+        rows = [before, 3.0 * step - before - after, after]
+    else:
+        # Half of the second derivatives twice: squares of h may be out of range where the products are not.
+        bends = [0.25 * h * (h * each) for each in (terms[:-1, 2], terms[1:, 2])]
+        inner = 5.0 * step - 2.0 * (before + after) + (bends[1] - bends[0])
+        rows = [before, before + bends[0], inner, after - bends[1], after]
+    slopes = np.stack(rows, axis=1)
+    size = sum((np.abs(each) for each in (5.0 * step, 2.0 * before, 2.0 * after)), np.zeros_like(step))
+    if terms.shape[1] > 2:
+        size += np.abs(bends[0]) + np.abs(bends[1])
+    error = 8.0 * _UNIT * np.linalg.norm(size, axis=1)
+    if not np.isfinite(slopes).all():
+        return pieces
+    return pieces._replace(slopes=slopes, slope_error=error)
 
 
 def _joined(parts: list[BezierPieces]) -> BezierPieces:
@@ -127,8 +156,13 @@ def _joined(parts: list[BezierPieces]) -> BezierPieces:
     controls = [
         np.ldexp(elevated(part.controls, degree - part.controls.shape[1]), shift) for part, shift in together
     ]
+    slopes = [
+        np.ldexp(elevated(part.slopes, degree - part.controls.shape[1]), shift)
+        for part, shift in zip(parts, shifts, strict=True)
+    ]
     return BezierPieces(
         np.concatenate(controls),
+        np.concatenate(slopes),
         np.concatenate([part.starts for part in parts]),
         np.concatenate([part.ends for part in parts]),
         np.concatenate([np.ldexp(part.error, shift) for part, shift in zip(parts, shifts, strict=True)]),

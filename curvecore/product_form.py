@@ -1,4 +1,4 @@
-"""Lagrange basis functions as products, accurate for any distinct nodes.
+"""Lagrange basis functions as products, with values accurate for any distinct nodes.
 
 With l(t) = prod (t - t_j) and w_i = 1 / prod_(j != i) (t_i - t_j), the basis
 function is L_i(t) = l(t) w_i / (t - t_i). Every factor is one subtraction of
@@ -12,7 +12,8 @@ is 1, so that n factors have a product near 1 for well spread nodes. Products
 run over blocks of rows that provably cannot leave the range. Between blocks,
 mantissas and exponents are kept apart.
 
-Derivatives are the business of `product_series`.
+Derivatives are the business of `product_series`, and are as accurate while
+the distances of nodes differ by at most 1e50.
 
 References
 ----------

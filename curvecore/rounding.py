@@ -49,6 +49,7 @@ from curvecore.arrays import (
     IntArray,
     data_array,
     integer,
+    number_array,
     parameter_array,
     parameter_values,
     point_array,
@@ -179,7 +180,7 @@ def round_data(values: ArrayLike, decimals: int) -> FloatArray:
         (`numpy.round` multiplies by a power of ten and may round twice.)
     """
     places = integer(decimals, "decimals", 0)
-    array = np.array(values, dtype=np.float64)
+    array = number_array(values, "values")
     flat = parameter_values(array.ravel()).values
     unit = Decimal(1).scaleb(-places)
     context = Context(prec=400 + places, rounding=ROUND_HALF_EVEN)
@@ -245,7 +246,7 @@ def digits_lost(computed: ArrayLike, exact: ArrayLike, digits: int, scale: float
         (nothing is right, or not a number).
     """
     k = _digits(digits)
-    found, truth = np.array(computed, dtype=np.float64), _finite_rows(exact)
+    found, truth = number_array(computed, "computed"), _finite_rows(exact)
     if found.shape != truth.shape:
         raise CurveError(f"computed and exact must have the same shape, not {found.shape} and {truth.shape}")
     size = float(np.abs(truth).max(initial=0.0)) if scale is None else float(scale)
@@ -258,7 +259,7 @@ def digits_lost(computed: ArrayLike, exact: ArrayLike, digits: int, scale: float
 
 def _finite_rows(values: ArrayLike) -> FloatArray:
     """Check an array of shape (m, dim) of finite numbers, m from 0 on."""
-    array = np.array(values, dtype=np.float64)
+    array = number_array(values, "exact")
     if array.ndim != 2 or not np.isfinite(array).all():
         raise CurveError("exact must have the shape (m, dim) and finite values")
     return array

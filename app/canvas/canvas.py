@@ -242,6 +242,11 @@ class Canvas(CanvasView):
             )
         return replace(pointer, hit=hit)
 
+    @property
+    def drawing_note(self) -> str:
+        """What the canvas says of a line that is off by more than a pixel; empty where it is not."""
+        return self._curve_layer.said
+
     def _show_hint(self, hint: Hint) -> None:
         self._set_cursor(hint)
         self.hint_changed.emit(hint.text)

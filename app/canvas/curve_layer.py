@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import QAbstractAnimation, Qt, QVariantAnimation
-from PySide6.QtGui import QColor, QPainter, QPen
+from PySide6.QtCore import QAbstractAnimation, QSizeF, Qt, QVariantAnimation
+from PySide6.QtGui import QColor, QFont, QFontMetricsF, QPainter, QPen
 
 from app.colours import curve_colour
 from app.plot.drawing import Stroke
 from app.plot.layered_plot import Layer, LayeredPlot
 from app.plot.pixel_map import Floats, PixelMap
+from app.plot.plates import inside, write_on_plate
 from app.theme import Theme
 from app.view_model.curve_view import CurveView, Polyline
 
@@ -21,16 +22,27 @@ CASING = 1.0
 FAINT_WIDTH = 1.5
 """Pixels of a curve that steps back: thinner rather than dimmer, for it must be seen."""
 
+WORTH_A_WORD = 1.0
+"""Pixels by which a line may be off before the canvas says so."""
+
 _GHOST_MS, _WIDTH = 900, 2.0
 
 
 class CurveLayer:
-    """Draws the active curve within a tenth of a pixel."""
+    """Draws the active curve within a tenth of a pixel, or says by how much it is off.
+
+    Attributes
+    ----------
+    error
+        Bound of the distance between the curve and the line last drawn, in pixels.
+    """
 
     def __init__(self, plot: LayeredPlot, theme: Theme) -> None:
         self.theme = theme
         self.scale = 1.0
+        self.error = 0.0
         self._view: CurveView | None = None
+        self._font = QFont(plot.font())
         self._stroke, self._ghost_stroke = Stroke(), Stroke()
         self._drawn: tuple[CurveView | None, PixelMap | None] = (None, None)
         self._ghost_drawn: tuple[Floats | None, PixelMap | None] = (None, None)
@@ -93,6 +105,19 @@ class CurveLayer:
             self._stroke.draw(painter)
         painter.setPen(self._pen())
         self._stroke.draw(painter)
+        if self.said:
+            self._paint_word(painter, shown)
+
+    @property
+    def said(self) -> str:
+        """What the canvas says of a line that is off; empty otherwise."""
+        return f"Drawn within {self.error:.2g} pixels" if self.error > WORTH_A_WORD else ""
+
+    def _paint_word(self, painter: QPainter, shown: PixelMap) -> None:
+        painter.setFont(self._font)
+        size = QFontMetricsF(self._font).size(0, self.said) + QSizeF(12.0, 6.0)
+        plate = inside(0.0, shown.height, size, shown)
+        write_on_plate(painter, plate, self.said, self.theme.paper, self.theme.ink)
 
     def set_cased(self, cased: bool) -> None:
         """Keep the line apart from what lies below it, a picture to trace, or not."""
@@ -102,8 +127,9 @@ class CurveLayer:
     def _fill(self, shown: PixelMap) -> None:
         polyline = self.polyline(shown)
         if polyline is None:
-            self._stroke = Stroke()
+            self._stroke, self.error = Stroke(), 0.0
         else:
+            self.error = polyline.deviation * max(shown.sx, shown.sy)
             self._stroke.fill(shown.points(polyline.points), shown.width, shown.height)
         self._drawn = (self._view, shown)
 

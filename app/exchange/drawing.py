@@ -12,6 +12,7 @@ from msgspec.structs import replace
 
 from app.document.model import Curve, Document, Family
 from app.view_model.curve_view import CoreCurve, CurveView, view_of
+from app.view_model.refusals import in_words
 from curvecore import CurveError
 from curvecore.bezier import cubic_path
 
@@ -199,7 +200,7 @@ def drawing_of(document: Document, tolerance: float | None = None) -> Drawing:
     if not drawable:
         raise ExchangeError(f"There is nothing to draw. {' '.join(remarks)}")
     samples = [_samples(curve, core) for curve, core in drawable]
-    allowed = tolerance if tolerance is not None else RELATIVE_TOLERANCE * _frame_around(samples).side
+    allowed = tolerance if tolerance is not None else RELATIVE_TOLERANCE * frame_around(samples).side
     outlines = tuple(_outline(curve, core, allowed) for curve, core in drawable)
     return Drawing(outlines, frame_with(outlines), allowed, tuple(remarks))
 
@@ -213,7 +214,7 @@ def frame_with(outlines: Iterable[Outline], points: Floats | None = None) -> Fra
         If no picture can hold the coordinates.
     """
     parts = [np.vstack([extent_of(each.control_points), each.nodes]) for each in outlines]
-    return _frame_around(parts if points is None else [*parts, points])
+    return frame_around(parts if points is None else [*parts, points])
 
 
 def too_much(curve: Curve) -> str:
@@ -242,19 +243,24 @@ def _samples(curve: Curve, core: CoreCurve) -> Floats:
     """Return points all along the curve, enough to know its size."""
     parameters = np.union1d(np.linspace(*core.domain, _SAMPLES), core.parameters)
     samples = core.evaluate(parameters)
+    refuse_wild(curve, samples)
+    return samples
+
+
+def refuse_wild(curve: Curve, samples: Floats) -> None:
+    """Raise ExchangeError for samples of a curve, (m, 2), that no picture can hold."""
     if not np.isfinite(samples).all() or np.abs(samples).max() > LARGEST:
         raise ExchangeError(
             f"“{curve.name}” swings beyond {LARGEST:g} between its points; no picture can hold that. "
             "Chebyshev parameters or Hermite curves stay calm."
         )
-    return samples
 
 
 def _outline(curve: Curve, core: CoreCurve, tolerance: float) -> Outline:
     try:
         path = cubic_path(core, tolerance)
     except CurveError as problem:
-        raise ExchangeError(f"“{curve.name}” cannot be drawn: {problem}.") from problem
+        raise ExchangeError(f"“{curve.name}” cannot be drawn: {in_words(str(problem))}.") from problem
     nodes = core.points[: len(curve.nodes)]
     return Outline(
         curve.name, path.control_points, nodes, float(path.deviation), curve.colour, curve.is_closed
@@ -297,8 +303,14 @@ def _cubic_values(pieces: Floats, s: Floats) -> Floats:
     return level[0]
 
 
-def _frame_around(parts: list[Floats]) -> Frame:
-    """Return the frame that shows all points, with a margin and not too slim."""
+def frame_around(parts: list[Floats]) -> Frame:
+    """Return the frame that shows all points, with a margin and not too slim.
+
+    Raises
+    ------
+    ExchangeError
+        If no picture can hold the coordinates.
+    """
     points = np.vstack(parts)
     low, high = points.min(axis=0), points.max(axis=0)
     size = float((high - low).max())

@@ -6,32 +6,23 @@ from dataclasses import dataclass
 from typing import NamedTuple
 
 import numpy as np
-from msgspec.structs import replace
 
 from app.document.model import Curve, Document, Family, Parametrization
-from app.exchange.drawing import ExchangeError, Floats, drawing_of, extent_of, too_much
+from app.exchange.drawing import ExchangeError, frame_around, refuse_wild, too_much
+from app.exchange.progress import Report, silent
+from app.view_model.arc_lengths import arc_lengths_of
 from app.view_model.curve_view import CoreCurve, view_of
 from app.view_model.growth import growth_of_data, growth_of_points
-from curvecore import LagrangeCurve
+from curvecore import LagrangeCurve, Length, bounding_box
 from curvecore.scaling import LARGEST
 
 LENGTH_TOLERANCE = 1e-9
-"""Relative error that the arc length aims at."""
+"""Error that arc lengths aim at, against the whole length."""
 
 AMPLIFICATION_WORTH_A_WORD = 100.0
 """Lebesgue constant from which the growth of errors is mentioned."""
 
-_NODES, _WEIGHTS = np.polynomial.legendre.leggauss(16)
 _MOST_POINTS_EXAMINED = 500
-_MOST_INTERVALS = 1 << 16
-_DEEPEST = 30
-
-
-class Length(NamedTuple):
-    """An arc length, and about how wrong it may be."""
-
-    value: float
-    error: float
 
 
 class Growth(NamedTuple):
@@ -68,12 +59,12 @@ class CurveFacts:
     domain
         First and last parameter.
     length
-        Arc length over the domain, numerically. None too where it is beyond all floats, and for
-        Lagrange curves of so many points that it would take minutes.
+        Arc length over the domain, with a bound of its error. None too where it is beyond all floats, and
+        for Lagrange curves of so many points that it would take long.
     lebesgue_constant
         How errors grow; None too for Lagrange curves of so many points that it would take minutes.
     box
-        Left, bottom, right and top edge of the curve; about, within `RELATIVE_TOLERANCE` of its size.
+        Left, bottom, right and top edge of the curve.
     warnings
         Sentences.
     """
@@ -93,9 +84,14 @@ class CurveFacts:
     visible: bool = True
 
 
-def facts_of(document: Document) -> tuple[CurveFacts, ...]:
-    """Return the facts about every curve of a document."""
-    return tuple(_curve_facts(curve) for curve in document.curves)
+def facts_of(document: Document, report: Report = silent) -> tuple[CurveFacts, ...]:
+    """Return the facts about every curve of a document; `report` hears how far it has come."""
+    facts = []
+    for index, curve in enumerate(document.curves):
+        report(index / len(document.curves), "Examining curves")
+        facts.append(_curve_facts(curve))
+    report(1.0, "Examining curves")
+    return tuple(facts)
 
 
 def _curve_facts(curve: Curve) -> CurveFacts:
@@ -105,7 +101,7 @@ def _curve_facts(curve: Curve) -> CurveFacts:
     core = view.curve
     if core is None:
         return _facts_without_curve(curve, view.problem)
-    box, warnings = _box(curve)
+    box, warnings = _box(curve, core)
     growth = None if _is_slow(core) else Growth(growth_of_data(view), growth_of_points(view))
     return CurveFacts(
         name=curve.name,
@@ -135,21 +131,24 @@ def _facts_without_curve(curve: Curve, reason: str) -> CurveFacts:
     )
 
 
-def _box(curve: Curve) -> tuple[tuple[float, float, float, float] | None, tuple[str, ...]]:
+def _box(curve: Curve, core: CoreCurve) -> tuple[tuple[float, float, float, float] | None, tuple[str, ...]]:
     """Return the edges of the curve and nothing to say, or no edges and the reason."""
+    box = bounding_box(core)
+    corners = np.array([box.minimum, box.maximum])
     try:
-        (outline,) = drawing_of(Document((replace(curve, visible=True),))).outlines
+        refuse_wild(curve, corners)
+        frame_around([corners])
     except ExchangeError as problem:
         return None, (str(problem),)
-    (left, bottom), (right, top) = extent_of(outline.control_points).tolist()
+    left, bottom, right, top = corners.ravel().tolist()
     return (left, bottom, right, top), ()
 
 
 def _length(core: CoreCurve) -> Length | None:
     if _is_slow(core):
         return None
-    length = arc_length(core, LENGTH_TOLERANCE)
-    return length if np.isfinite(length.value) else None
+    length = arc_lengths_of(core, LENGTH_TOLERANCE).total
+    return length if length.value < np.finfo(float).max else None
 
 
 def _is_slow(core: CoreCurve) -> bool:
@@ -163,81 +162,3 @@ def _amplification(growth: Growth | None) -> tuple[str, ...]:
         return ()
     times = f"up to {growth.points:.2g}-fold" if growth.points < LARGEST else "beyond all bounds"
     return (f"Errors in the points grow {times} along the curve (Lebesgue constant).",)
-
-
-def arc_length(core: CoreCurve, tolerance: float) -> Length:
-    """Return the arc length of a curve over its domain.
-
-    Gauss-Legendre quadrature with 16 nodes on every segment, halved where the halves disagree with the
-    whole. At a cusp the speed has a kink, and the bounded number of halvings is what limits the accuracy;
-    the error says so.
-
-    Parameters
-    ----------
-    core
-        A curve in the plane.
-    tolerance
-        Relative error aimed at.
-    """
-    low, high = core.parameters[:-1], core.parameters[1:]
-    most = max(_MOST_INTERVALS, 4 * len(low))
-    whole = _quadrature(core, low, high)
-    total = error = 0.0
-    for halvings_left in reversed(range(_DEEPEST)):
-        middle = low + (high - low) / 2
-        halves = np.stack([_quadrature(core, low, middle), _quadrature(core, middle, high)])
-        better = halves.sum(axis=0)
-        with np.errstate(invalid="ignore"):
-            difference = np.abs(better - whole)
-        rough = difference > tolerance * (total + better.sum()) / max(len(better), 64)
-        if halvings_left == 0 or 2 * np.count_nonzero(rough) > most:
-            rough[:] = False
-        total += float(better[~rough].sum())
-        error += float(difference[~rough].sum())
-        if not rough.any():
-            break
-        low, high = np.concatenate([low[rough], middle[rough]]), np.concatenate([middle[rough], high[rough]])
-        whole = halves[:, rough].ravel()
-    return Length(total, error)
-
-
-def lengths_between(core: CoreCurve, start: Floats, end: Floats | None = None) -> Floats:
-    """Return the arc lengths from start (k,) to end (k,), by default between consecutive parameters.
-
-    Sixteen Gauss-Legendre nodes on each stretch between joints, where the curve is one polynomial, and on
-    its halves, and theirs, where they disagree: near a cusp the speed has a kink.
-    """
-    if end is None:
-        start, end = start[:-1], start[1:]
-    joints = core.parameters
-    first = np.searchsorted(joints, start, side="right")
-    count = np.maximum(np.searchsorted(joints, end, side="left") - first, 0) + 1
-    interval = np.repeat(np.arange(len(start)), count)
-    step = np.arange(len(interval)) - (np.cumsum(count) - count)[interval]
-    place = first[interval] + step
-    low = np.where(step == 0, start[interval], joints[np.minimum(place - 1, len(joints) - 1)])
-    high = np.where(step == count[interval] - 1, end[interval], joints[np.minimum(place, len(joints) - 1)])
-    total = np.zeros(len(start))
-    whole = _quadrature(core, low, high)
-    enough = LENGTH_TOLERANCE * whole.sum() / max(len(whole), 64)
-    for _ in range(_DEEPEST):
-        middle = low + (high - low) / 2
-        halves = np.stack([_quadrature(core, low, middle), _quadrature(core, middle, high)])
-        better = halves.sum(axis=0)
-        rough = np.abs(better - whole) > enough
-        total += np.bincount(interval[~rough], weights=better[~rough], minlength=len(start))
-        if not rough.any():
-            return total
-        low, high = np.concatenate([low[rough], middle[rough]]), np.concatenate([middle[rough], high[rough]])
-        whole, interval = halves[:, rough].ravel(), np.tile(interval[rough], 2)
-    return total + np.bincount(interval, weights=whole, minlength=len(start))
-
-
-def _quadrature(core: CoreCurve, low: Floats, high: Floats) -> Floats:
-    """Return the integral of the speed over every interval (k,)."""
-    half = (high - low) / 2
-    t = (low + half)[:, None] + half[:, None] * _NODES
-    velocity = core.evaluate(t.ravel(), 1)
-    with np.errstate(over="ignore", under="ignore"):
-        speed = np.hypot(velocity[:, 0], velocity[:, 1]).reshape(t.shape)
-        return np.asarray(half * (speed @ _WEIGHTS))

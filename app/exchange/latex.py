@@ -20,6 +20,7 @@ from app.exchange.parts import (
     sources_of,
 )
 from app.view_model.curve_view import SimpleCurve
+from app.view_model.refusals import in_words
 from curvecore import CurveError, LagrangeCurve
 
 DIGITS = 6
@@ -194,7 +195,7 @@ def _rounded_deviation(piece: SimpleCurve, digits: int) -> float:
         try:
             rounded = LagrangeCurve(_rounded(piece.points, digits), t)
         except CurveError as problem:
-            raise ExchangeError(f"The formula cannot be written: {problem}.") from problem
+            raise ExchangeError(f"The formula cannot be written: {in_words(str(problem))}.") from problem
         return measured(piece, rounded.evaluate)
     controls = _rounded(beziers_of(piece, 1.0).control_points, digits)
     return measured(piece, lambda at: bezier_values(controls, t, at))

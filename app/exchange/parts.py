@@ -14,6 +14,7 @@ from app import __version__
 from app.document.model import Curve, Document
 from app.exchange.drawing import RELATIVE_TOLERANCE, ExchangeError, Floats, sort_out
 from app.view_model.curve_view import CoreCurve, SimpleCurve
+from app.view_model.refusals import in_words
 from curvecore import CurveError, LagrangeCurve, bezier_segments, cubic_path
 
 HIGHEST_DEGREE = 10
@@ -211,7 +212,7 @@ def cubics_of(piece: CoreCurve, tolerance: float) -> Beziers:
     try:
         path = cubic_path(piece, tolerance)
     except CurveError as problem:
-        raise ExchangeError(f"The curve cannot be written: {problem}.") from problem
+        raise ExchangeError(f"The curve cannot be written: {in_words(str(problem))}.") from problem
     return Beziers(path.control_points, path.parameters, float(path.deviation))
 
 

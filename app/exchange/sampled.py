@@ -9,20 +9,20 @@ import numpy as np
 
 from app.document.model import Document
 from app.exchange.drawing import ExchangeError, Floats
-from app.exchange.facts import lengths_between
 from app.exchange.formats import SAMPLES, Spacing
 from app.exchange.parts import Written, cell_of_name, checked_tolerance, distinct_names, sources_of
 from app.exchange.progress import Report, part, silent
+from app.view_model.arc_lengths import arc_lengths_of
 from app.view_model.curve_view import CoreCurve
-from curvecore import flatten_parameters
+from curvecore import ArcLength, flatten_pieces
 
 MOST_SAMPLES = 1_000_000
 
 TITLES = ("t", "x", "y", "vx", "vy", "ax", "ay", "curvature", "length")
 
 _ROWS_AT_ONCE = 2_000
-_TABLE_STEPS = 16
-_NEWTON_STEPS = 8
+_LENGTH = TITLES.index("length")
+_LENGTH_ACCURACY = 1e-9
 
 
 def sampled_table(
@@ -75,25 +75,28 @@ def sampled_table(
     for place, (source, name) in enumerate(zip(sources, distinct_names(sources), strict=True)):
         away = part(report, place / len(sources), (place + 1) / len(sources))
         away(0.0, "Computing samples")
-        t = parameters_of(source.core, samples, spacing, allowed)
+        core = source.core
+        needed = spacing is Spacing.LENGTH or _LENGTH in chosen
+        lengths = arc_lengths_of(core, _LENGTH_ACCURACY) if needed else None
+        t, bound = _parameters_of(core, samples, spacing, allowed, lengths, part(away, 0.0, 0.5))
+        deviation = max(deviation, bound or 0.0)
         lead = cell_of_name(name, separator) + separator if named else ""
-        for rows, missed in _in_parts(source.core, t, away):
+        for rows, missed in _in_parts(core, t, lengths, bound is None, part(away, 0.5, 1.0)):
             deviation = max(deviation, missed)
             lines += [lead + separator.join(map(_cell, row)) for row in rows[:, chosen].tolist()]
     return Written("\n".join(lines) + "\n", deviation, remarks)
 
 
-def _in_parts(core: CoreCurve, t: Floats, report: Report) -> Iterator[tuple[Floats, float]]:
-    """Yield the rows of a curve, some at a time, with the deviation of the polyline through them."""
-    length = 0.0
+def _in_parts(
+    core: CoreCurve, t: Floats, lengths: ArcLength | None, is_measured: bool, report: Report
+) -> Iterator[tuple[Floats, float]]:
+    """Yield the rows of a curve, some at a time, with the deviation of their polyline if it `is_measured`."""
     for first in range(0, len(t) - 1, _ROWS_AT_ONCE):
         report(first / len(t), "Computing samples")
         # The last sample of a part is the first of the next.
         some = t[first : first + _ROWS_AT_ONCE + 1]
-        rows = rows_of(core, some)
-        rows[:, -1] += length
-        length = float(rows[-1, -1])
-        yield rows[1 if first else 0 :], polyline_deviation(core, some)
+        missed = polyline_deviation(core, some) if is_measured else 0.0
+        yield _rows_of(core, some, lengths)[1 if first else 0 :], missed
 
 
 def _columns(titles: tuple[str, ...] | None) -> list[int]:
@@ -104,69 +107,76 @@ def _columns(titles: tuple[str, ...] | None) -> list[int]:
     return [place for place, title in enumerate(TITLES) if titles is None or title in titles]
 
 
-def parameters_of(core: CoreCurve, samples: int, spacing: Spacing, tolerance: float) -> Floats:
-    """Return the parameters to sample a curve at, both ends of its domain among them."""
+def _parameters_of(
+    core: CoreCurve,
+    samples: int,
+    spacing: Spacing,
+    tolerance: float,
+    lengths: ArcLength | None,
+    report: Report,
+) -> tuple[Floats, float | None]:
+    """Return the parameters to sample a curve at, both ends of its domain among them.
+
+    The second value is a bound of the deviation of the polyline through the samples, None where that is
+    to be measured. A tolerance that takes more vertices than a polyline can have is missed, and the bound
+    says so.
+    """
     if spacing is Spacing.TOLERANCE:
-        return flatten_parameters(core, tolerance)
-    if spacing is Spacing.T:
-        start, end = core.domain
-        return np.append(start + (end - start) * (np.arange(samples - 1) / (samples - 1)), end)
-    return _by_length(core, samples)
+        pieces = flatten_pieces(core, tolerance)
+        return pieces.parameters, pieces.reached
+    if lengths is not None and spacing is Spacing.LENGTH:
+        return _by_length(core, lengths, samples, report), None
+    start, end = core.domain
+    return np.append(start + (end - start) * (np.arange(samples - 1) / (samples - 1)), end), None
 
 
-def rows_of(core: CoreCurve, t: Floats) -> Floats:
+def _rows_of(core: CoreCurve, t: Floats, lengths: ArcLength | None) -> Floats:
     """Return the columns of `TITLES` at parameters t (m,) as (m, 9); the curvature of a point at rest is NaN.
 
-    Curvature is positive where the curve turns to the left; the length counts from the first sample. At a
-    corner the values are those after it.
+    Curvature is positive where the curve turns to the left; the length counts from the beginning of the
+    curve, and is NaN where none are wanted. At a corner the values are those after it.
     """
     point, velocity, acceleration = (core.evaluate(t, order) for order in range(3))
     with np.errstate(all="ignore"):
         cross = velocity[:, 0] * acceleration[:, 1] - velocity[:, 1] * acceleration[:, 0]
         curvature = cross / np.hypot(*velocity.T) ** 3
-    length = np.append(0.0, np.cumsum(lengths_between(core, t)))
+    length = lengths.length_at(t) if lengths is not None else np.full(len(t), np.nan)
     return np.column_stack([t, point, velocity, acceleration, curvature, length])
 
 
 def polyline_deviation(core: CoreCurve, t: Floats) -> float:
-    """Return the largest distance of a curve from its chords between the parameters t (m,).
+    """Return about the largest distance of a curve from its chords between the parameters t (m,).
 
-    Measured at seven parameters a chord and the joints between.
+    Measured at seven parameters a chord and the joints between; an eighth of the second differences is
+    added for what lies between the seven, as for a parabola.
     """
-    between = t[:-1, None] + np.diff(t)[:, None] * (np.arange(1, 8) / 8)
+    inside = t[:-1, None] + np.diff(t)[:, None] * (np.arange(8) / 8)
     inner = core.parameters[(core.parameters > t[0]) & (core.parameters < t[-1])]
-    at = np.concatenate([between.ravel(), inner])
+    at = np.concatenate([inside.ravel(), inner])
     chord = np.clip(np.searchsorted(t, at, side="right") - 1, 0, len(t) - 2)
-    ends = core.evaluate(t)
+    points, ends = core.evaluate(at), core.evaluate(t)
     start, along = ends[chord], ends[chord + 1] - ends[chord]
-    offset = core.evaluate(at) - start
+    offset = points - start
     square = np.einsum("md,md->m", along, along)
     with np.errstate(all="ignore"):
         share = np.clip(np.nan_to_num(np.einsum("md,md->m", offset, along) / square), 0, 1)
-    return float(np.hypot(*(offset - share[:, None] * along).T).max())
+        distance = np.hypot(*(offset - share[:, None] * along).T)
+        nine = np.concatenate([points[: inside.size].reshape(len(t) - 1, 8, 2), ends[1:, None]], axis=1)
+        bend = np.hypot(*np.diff(nine, n=2, axis=1).T).max(axis=0) / 8
+    distance[: inside.size] += np.repeat(bend, 8)
+    return float(distance.max())
 
 
-def _by_length(core: CoreCurve, samples: int) -> Floats:
-    """Return parameters at equal arc lengths: from a table, then refined by Newton's method."""
-    joints = core.parameters
-    steps = max(_TABLE_STEPS, -(-2 * samples // len(joints)))
-    fine = joints[:-1, None] + np.diff(joints)[:, None] * (np.arange(steps) / steps)
-    fine = np.unique(np.append(fine.ravel(), joints[-1]))
-    reached = np.append(0.0, np.cumsum(lengths_between(core, fine)))
-    wanted = reached[-1] * (np.arange(1, samples - 1) / (samples - 1))
-    if not 0 < reached[-1] < np.inf:
+def _by_length(core: CoreCurve, lengths: ArcLength, samples: int, report: Report) -> Floats:
+    """Return parameters at equal arc lengths."""
+    if not lengths.total.error < lengths.total.value < np.finfo(float).max:
         raise ExchangeError("The curve has no length to divide.")
-    before = np.clip(np.searchsorted(reached, wanted, side="right") - 1, 0, len(fine) - 2)
-    low, high = fine[before], fine[before + 1]
-    share = (wanted - reached[before]) / np.maximum(reached[before + 1] - reached[before], 1e-300)
-    t = low + (high - low) * np.clip(share, 0, 1)
-    for _ in range(_NEWTON_STEPS):
-        error = reached[before] + lengths_between(core, low, t) - wanted
-        with np.errstate(all="ignore"):
-            step = np.nan_to_num(error / np.hypot(*core.evaluate(t, 1).T), posinf=0.0, neginf=0.0)
-        t = np.clip(t - step, low, high)
-    start, end = core.domain
-    return np.unique(np.concatenate([[start], t, [end]]))
+    wanted = lengths.total.value * (np.arange(1, samples - 1) / (samples - 1))
+    t = [core.parameters[:1]]
+    for first in range(0, len(wanted), _ROWS_AT_ONCE):
+        report(first / len(wanted), "Dividing the length")
+        t.append(lengths.parameter_at(wanted[first : first + _ROWS_AT_ONCE]))
+    return np.unique(np.concatenate([*t, core.parameters[-1:]]))
 
 
 def _cell(value: float) -> str:

@@ -17,6 +17,7 @@ from app.view_model.cardinals import Cardinals
 from app.view_model.flattener import Box, CoreCurve, Flattener, FlatteningKey, Polyline, SimpleCurve
 from app.view_model.jets import Sides, corner_knots, explicit_sides, sides_of
 from app.view_model.node_arrays import NodeArrays, arrays_of
+from app.view_model.refusals import refusal_of
 from curvecore import (
     CardinalBasis,
     Chain,
@@ -159,13 +160,26 @@ class CurveView(msgspec.Struct, frozen=True, eq=False, dict=True):
     @cached_property
     def polyline(self) -> Floats:
         """The curve as a polyline (k, 2), within a thousandth of its size."""
+        return self._whole[0].points
+
+    @cached_property
+    def _whole(self) -> tuple[Polyline, float]:
+        """The polyline, and the tolerance that it keeps everywhere; none where it misses its own."""
         if self.curve is None:
-            return np.empty((0, 2))
+            return Polyline(np.empty(0), np.empty((0, 2))), 0.0
         size = float(np.ptp(self.points, axis=0).max()) if len(self.points) else 1.0
-        return self.flattened(max(size, 1e-300) * 1e-3).points
+        tolerance = max(size, 1e-300) * 1e-3
+        polyline = self.flattened(tolerance)
+        return polyline, tolerance if polyline.deviation <= tolerance else 0.0
 
     def flattened(self, tolerance: float, box: Box | None = None) -> Polyline:
-        """Return the curve as a polyline within `tolerance` of it inside `box`."""
+        """Return the curve as a polyline within `tolerance` of it inside `box`.
+
+        Where `polyline` is known already and close enough, it serves: of thousands of curves that are small
+        on the screen each is flattened once, for their boxes, and not again to be drawn.
+        """
+        if "_whole" in self.__dict__ and 0.0 < self._whole[1] <= tolerance:
+            return self._whole[0]
         key = (tolerance, box)
         if key not in self._flattened:
             self._flattened.clear()
@@ -229,13 +243,16 @@ def view_of(curve: Curve, previous: CurveView | None = None) -> CurveView:
         return _good_view(curve, arrays, previous)
     except CurveError as problem:
         last_good = previous.curve if previous is not None else None
-        return CurveView(curve, arrays.points, arrays, last_good, _sentence(str(problem)))
+        return CurveView(curve, arrays.points, arrays, last_good, refusal_of(problem, curve))
 
 
 def _good_view(curve: Curve, arrays: NodeArrays, previous: CurveView | None) -> CurveView:
     points = arrays.points
     at_knots = np.vstack([points, points[:1]]) if curve.is_closed else points
     parameters = parameters_of(curve, at_knots, arrays.times)
+    if not (np.diff(parameters) > 0.0).all():
+        # Refused as a whole: a piece between two corners would count from its own beginning.
+        LagrangeCurve(at_knots, parameters)
     frozen = _same_parameters(curve, parameters, previous)
     flattener = previous._flattener if previous is not None else Flattener()
     cardinals = previous._cardinals if previous is not None else Cardinals()
@@ -306,11 +323,6 @@ def _onto_interval(parameters: Floats, rule: Parametrization) -> Floats:
     mapped = rule.start + parameters * (rule.end - rule.start)
     mapped[-1] = rule.end
     return mapped
-
-
-def _sentence(text: str) -> str:
-    text = text[:1].upper() + text[1:]
-    return text if text.endswith(".") else text + "."
 
 
 def appended_squeeze(before: CurveView, nodes: Sequence[Node]) -> float:

@@ -11,6 +11,7 @@ from curvecore import (
     FrozenFlattening,
     HermiteCurve,
     LagrangeCurve,
+    Pieces,
     QuinticHermiteCurve,
     flatten_pieces,
 )
@@ -27,10 +28,14 @@ _PAUSE = 30
 
 
 class Polyline(msgspec.Struct, frozen=True, eq=False):
-    """A curve as drawn: the parameters of its vertices (k,) and the vertices (k, 2)."""
+    """A curve as drawn: the parameters of its vertices (k,), the vertices (k, 2), and how far it is off.
+
+    `deviation` is above the tolerance where the curve would need more vertices than a polyline may have.
+    """
 
     parameters: Floats
     points: Floats
+    deviation: float = 0.0
 
 
 class Flattener:
@@ -67,9 +72,12 @@ class Flattener:
                 self._frozen, self._pause = None, _PAUSE
         elif pieces is None:
             self._pause -= 1
-        return _flatten(curve, key) if pieces is None else Polyline(pieces.parameters, pieces.points)
+        return _flatten(curve, key) if pieces is None else _polyline(pieces)
 
 
 def _flatten(curve: CoreCurve, key: FlatteningKey) -> Polyline:
-    pieces = flatten_pieces(curve, *key)
-    return Polyline(pieces.parameters, pieces.points)
+    return _polyline(flatten_pieces(curve, *key))
+
+
+def _polyline(pieces: Pieces) -> Polyline:
+    return Polyline(pieces.parameters, pieces.points, pieces.reached)

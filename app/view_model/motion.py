@@ -11,13 +11,14 @@ import enum
 import msgspec
 import numpy as np
 
+from app.view_model.arc_lengths import arc_lengths_of
 from app.view_model.curve_view import CoreCurve, Floats, Integers
 from curvecore.lengths import ArcLength
 
 SPEEDS = (0.1, 0.25, 0.5, 1.0, 2.0, 4.0)
 
-ACCURACY = 1e-4
-"""Error allowed in arc lengths, against the size of the curve: below a pixel."""
+ACCURACY = 1e-6
+"""Error allowed in arc lengths, against the whole length: below a pixel."""
 
 STATIONS = 60
 """Equal steps of time from one end of a curve to the other; trails are dots at some of them."""
@@ -113,8 +114,7 @@ class Course:
             self._measure(accuracy)
 
     def _measure(self, accuracy: float) -> None:
-        size = float(np.ptp(self.curve.points, axis=0).max())
-        lengths = ArcLength(self.curve, max(accuracy * size, 1e-300))
+        lengths = arc_lengths_of(self.curve, accuracy)
         speed = lengths.total.value / self.duration
         if 0.0 < speed < np.inf:
             self._lengths, self._speed = lengths, speed

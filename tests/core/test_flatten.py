@@ -10,10 +10,12 @@ from curvecore import (
     HermiteCurve,
     LagrangeCurve,
     QuinticHermiteCurve,
+    ToleranceWarning,
     chebyshev,
     chord_length,
     flatten,
     flatten_parameters,
+    flatten_pieces,
     natural_spline_accelerations,
     natural_spline_velocities,
     uniform,
@@ -148,8 +150,9 @@ def test_bounded_work_for_wild_curves(rng, name, size):
     points = size * rng.standard_normal((20, 2)).clip(-1, 1)
     points[7:9] = 0.0
     curve = family(name, points, uniform(20))
-    for box in (None, (-1.0, -1.0, 1.0, 1.0)):
-        polyline = flatten(curve, 0.25 / 500, box)
+    with pytest.warns(ToleranceWarning, match="not 0.0005: it may not have more than"):
+        everywhere = flatten(curve, 0.25 / 500)
+    for polyline in (everywhere, flatten(curve, 0.25 / 500, (-1.0, -1.0, 1.0, 1.0))):
         assert len(polyline) <= MAX_VERTICES
         assert np.isfinite(polyline).all()
 
@@ -191,7 +194,8 @@ def test_data_of_incomparable_sizes_are_flattened(points, velocities):
     curve = HermiteCurve(
         points * rng.normal(size=(4, 2)), velocities * rng.normal(size=(4, 2)), np.arange(4.0)
     )
-    t = flatten_parameters(curve, 1e-8 * points)
+    with pytest.warns(ToleranceWarning):
+        t = flatten_parameters(curve, 1e-8 * points)
     assert (np.diff(t) > 0).all()
     assert len(t) <= MAX_VERTICES
 
@@ -199,9 +203,45 @@ def test_data_of_incomparable_sizes_are_flattened(points, velocities):
 def test_a_wild_polynomial_through_very_many_points_is_given_up_in_time(rng):
     """Equal parameters and a thousand points: values of 1e250, and 16,000 vertices did not help."""
     curve = LagrangeCurve(rng.standard_normal((1000, 2)), np.linspace(0.0, 1.0, 1000))
-    t = flatten_parameters(curve, 1e-3, (-1.0, -1.0, 1.0, 1.0))
+    with pytest.warns(ToleranceWarning):
+        t = flatten_parameters(curve, 1e-3, (-1.0, -1.0, 1.0, 1.0))
     assert t.size <= 2**22 // 1000 + 1
     assert (np.diff(t) > 0.0).all()
+
+
+@pytest.mark.parametrize(
+    ("name", "n", "size", "tolerance"),
+    [
+        ("lagrange", 1000, 1.0, 1e-4),
+        ("hermite", 3000, 1.0, 1e-9),
+        ("quintic_hermite", 20, 1e9, 1e-3),
+        ("lagrange", 40, 1.0, 1e-3),
+    ],
+)
+def test_how_far_a_polyline_of_too_few_vertices_is_off_is_said(rng, name, n, size, tolerance):
+    """It missed the tolerance up to 45 times without a sign, and its bounds were those of longer pieces."""
+    points = size * rng.standard_normal((n, 2))
+    curve = family(name, points, chebyshev(n) if n == 1000 else uniform(n))
+    pieces = flatten_pieces(curve, tolerance)
+    with pytest.warns(
+        ToleranceWarning, match=f"by up to {pieces.reached:.3g}, not {tolerance:.3g}".replace("+", ".")
+    ):
+        t = flatten_parameters(curve, tolerance)
+    assert np.array_equal(t, pieces.parameters)
+    off = distances(curve, t)
+    assert tolerance < off <= pieces.reached
+    assert pieces.reached <= 4.0 * off
+
+
+@every_family
+def test_a_tolerance_that_is_met_makes_no_noise(rng, name):
+    curve = family(name, rng.standard_normal((8, 2)), uniform(8))
+    for tolerance in (1e-2, 1e-5):
+        assert distances(curve, flatten_parameters(curve, tolerance)) <= tolerance
+        assert flatten_pieces(curve, tolerance).reached <= tolerance
+    # A tolerance below roundings is not the vertices' fault.
+    line = family(name, np.linspace(0.0, 1.0, 8)[:, None] * [1e6, 3e6], uniform(8))
+    flatten(line, 1e-12)
 
 
 TURNS_BACK = {

@@ -128,3 +128,21 @@ def test_unrepresentable_values_are_the_largest_number(rng):
         assert np.isfinite(curve.evaluate(t, order)).all()
         assert np.isfinite(curve.basis(t, order)).all()
     assert np.abs(curve.basis(t)).max() == np.finfo(float).max
+
+
+@pytest.mark.parametrize(("decades", "orders"), [(50, range(4)), (280, [0])])
+def test_parameters_of_very_different_distances(exact, decades, orders):
+    """Values at any; derivatives up to 1e50, as the docstring says: at 1e100 they had no right digit."""
+    for n in (3, 5, 8):
+        t = np.concatenate([[0.0], 10.0 ** np.linspace(-decades, 0, n - 1)])
+        curve = LagrangeCurve(np.ones((n, 1)), t)
+        nodes = [exact.rational(x) for x in t]
+        weights = exact.lagrange_weights(nodes)
+        places = np.concatenate([t, 0.5 * (t[1:] + t[:-1])])
+        for order in orders:
+            basis = curve.basis(places, order)[:, :, 0]
+            for row, place in zip(basis, places, strict=True):
+                terms = exact.lagrange_terms(exact.rational(place), nodes, order)
+                for computed, term, weight in zip(row, terms, weights, strict=True):
+                    constant = exact.worst_constant(float(computed), [term * weight])
+                    assert constant is None or constant <= 25

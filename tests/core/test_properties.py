@@ -1,6 +1,7 @@
 """Statements that hold for every input, on inputs that hypothesis makes up."""
 
 import numpy as np
+import pytest
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
@@ -62,6 +63,7 @@ def test_position_functions_sum_to_one(curve, places):
     assert (np.abs(basis.sum(axis=1) - 1.0) <= 40.0 * 2.0**-53 * np.abs(basis).sum(axis=1)).all()
 
 
+@pytest.mark.filterwarnings("ignore::curvecore.ToleranceWarning")
 @profile
 @given(curves(), st.floats(1e-6, 1e3))
 def test_flattening_is_ordered_and_bounded(curve, tolerance):

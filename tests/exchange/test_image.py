@@ -11,9 +11,9 @@ from app.document.model import Document, Family, make_curve
 from app.document.storage import StorageError
 from app.exchange import DARK, INK, ExchangeError, export
 from app.exchange.drawing import drawing_of
-from app.exchange.facts import arc_length
 from app.exchange.svg import POINT_RADIUS, STROKE
 from app.view_model.curve_view import view_of
+from curvecore import arc_length
 
 pytestmark = pytest.mark.usefixtures("qapp")
 

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+
 import numpy as np
 import pytest
 from msgspec.structs import replace
@@ -76,7 +78,11 @@ def test_the_pen_far_away_on_an_interval_of_timestamps_divides_by_nothing(opened
     editor.click((3e7, 1e7))
     assert editor.curve.nodes[:2] == nodes
     assert editor.point(2) == pytest.approx((3e7, 1e7), rel=0.01)
-    assert "strictly increasing" in editor.session.active_view.problem
+    # "parameters must be strictly increasing, but parameters[1] = …" named nothing that is on the screen.
+    assert editor.session.active_view.problem == (
+        "t₀ and t₁ are the same number, 1700000000: for an interval from 1700000000 to 1700000001 "
+        "points 0 and 1 lie too close together."
+    )
     editor.trigger("undo")
     assert editor.curve.nodes == nodes
 
@@ -133,3 +139,16 @@ def test_the_nearest_segment_of_several_polylines():
     assert segments.nearest((-1.0, -2.0)) == (3, 0.25, 1.0)
     assert segments.nearest((-3.0, 0.0)).segment == 3
     assert Segments([np.zeros((1, 2))]).nearest((0.0, 0.0)) is None
+
+
+def test_a_line_that_has_too_few_vertices_says_how_far_it_is_off(opened):
+    """A thousand points, 4 vertices for each: the line was off by 7 pixels and looked like the curve."""
+    points = 2.0 * np.random.default_rng(0).normal(size=(1000, 2))
+    rule = Parametrization(ParametrizationKind.CHEBYSHEV)
+    editor = opened(replace(make_curve(points.tolist()), parametrization=rule))
+    canvas = editor.window.canvas
+    canvas.grab()
+    assert re.fullmatch(r"Drawn within [1-9][0-9.]* pixels", canvas.drawing_note)
+    opened(make_curve(points[:5].tolist()))
+    canvas.grab()
+    assert canvas.drawing_note == ""

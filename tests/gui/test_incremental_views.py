@@ -21,7 +21,7 @@ from app.document.model import (
 from app.view_model.curve_view import CurveView, view_of
 from app.view_model.flattener import Flattener
 from curvecore import LagrangeCurve
-from curvecore.flatten import flatten_parameters, segment_distance
+from curvecore.flatten import flatten_pieces, segment_distance
 
 SQUARE = ((0.0, 0.0), (1.0, 2.0), (3.0, 1.0), (4.0, 3.0), (5.5, 0.0))
 numbers = st.floats(-5, 5, allow_subnormal=False)
@@ -138,7 +138,7 @@ def test_a_curve_too_wild_to_be_followed_is_flattened_once_a_step():
     for _ in range(4):
         curve = LagrangeCurve(rng.normal(size=(120, 2)), t)
         line = flattener.polyline(curve, key)
-        assert (line.parameters == flatten_parameters(curve, *key)).all()
+        assert (line.parameters == flatten_pieces(curve, *key).parameters).all()
     assert flattener._frozen is None
     # Another scale is tried anew, and a calm curve is followed again.
     calm = LagrangeCurve(np.column_stack([t, t**2])[:9], np.linspace(0.0, 1.0, 9))

@@ -13,6 +13,7 @@ from PySide6.QtWidgets import QApplication
 from app.document.curve_edits import set_colour
 from app.document.model import Document, Family, make_curve
 from app.panels.curve_list_view import Spot, spot_rect
+from app.view_model import flattener
 
 CTRL = Qt.KeyboardModifier.ControlModifier
 ALT = Qt.KeyboardModifier.AltModifier
@@ -637,3 +638,25 @@ def test_a_press_and_release_of_another_button_does_nothing(three):
     for kind in (QEvent.Type.MouseButtonPress, QEvent.Type.MouseButtonRelease):
         three.send(three.window.canvas, kind, pixel, button=Qt.MouseButton.RightButton)
     assert three.session.document is document
+
+
+def test_curves_that_are_small_on_the_screen_are_flattened_once(editor, monkeypatch):
+    """Opening 5,000 curves flattened each for its box and once more to draw it."""
+    counts = []
+    plain = flattener.flatten_pieces
+    monkeypatch.setattr(flattener, "flatten_pieces", lambda *given: counts.append(1) or plain(*given))
+    flattened = []
+    for side in (5, 7):
+        curves = [
+            make_curve([(9.0 * i, 9.0 * k), (9.0 * i + 1.0, 9.0 * k + 2.0), (9.0 * i + 2.0, 9.0 * k)])
+            for i in range(side)
+            for k in range(side)
+        ]
+        counts.clear()
+        editor.session.restore(Document(tuple(curves)), None)
+        editor.fit()
+        editor.settle()
+        editor.window.canvas.grab()
+        flattened.append(len(counts) / len(curves))
+    # One each; the active one is drawn at the scale of the screen besides.
+    assert max(flattened) <= 1.5

@@ -7,6 +7,7 @@ import numpy as np
 from app.view_model.analysis.figures import Figure, Shape, Style
 from app.view_model.analysis.scene import Scene
 from app.view_model.curve_view import Floats
+from app.view_model.refusals import in_words
 from curvecore import CurveError, ensemble
 
 _SAMPLES = 240
@@ -29,7 +30,7 @@ def disturbed_curves(scene: Scene) -> tuple[list[Figure], str]:
             remake=scene.view.with_knots if scene.view.source.family.derivatives else None,
         )
     except CurveError as reason:
-        text = str(reason).replace("parameter_error", "δ")
+        text = in_words(str(reason).replace("parameter_error", "δ"))
         return [], f"Not drawn: {text}."
     curves = made.evaluate(_parameters(curve.parameters))
     lines = np.concatenate([curves, np.full((len(curves), 1, 2), np.nan)], axis=1)

@@ -15,6 +15,7 @@ import numpy.typing as npt
 
 from app.view_model.analysis.laboratory_settings import Calculation, LaboratorySettings
 from app.view_model.curve_view import CurveView, SimpleCurve
+from app.view_model.refusals import in_words
 from curvecore import (
     CurveError,
     HermiteCurve,
@@ -277,7 +278,7 @@ def _affordable(view: CurveView, settings: LaboratorySettings) -> tuple[list[Cal
 def _refusal(settings: LaboratorySettings, problem: CurveError) -> str:
     if settings.decimals is not None:
         return f"To {settings.decimals} decimals, neighbouring t are the same number; keep more of them."
-    return f"The shift is too large: neighbouring t become the same number ({problem})."
+    return f"The shift is too large: neighbouring t become the same number ({in_words(str(problem))})."
 
 
 def _samples(knots: Floats, per_segment: int) -> Floats:

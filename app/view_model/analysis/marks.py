@@ -51,14 +51,16 @@ def marks(scene: Scene, is_stale: Callable[[], bool]) -> tuple[list[Figure], str
 
 def _distinct(points: Floats, tolerance: float) -> Floats:
     """Leave out points at the place of an earlier one: of three branches, each two cross there."""
-    kept: list[Floats] = []
+    kept = np.empty_like(points)
+    count = 0
     for point in points:
-        if all(float(np.abs(point - other).max()) > tolerance for other in kept):
-            kept.append(point)
-    return np.array(kept).reshape(-1, 2)
+        if not count or np.abs(kept[:count] - point).max(axis=1).min() > tolerance:
+            kept[count] = point
+            count += 1
+    return kept[:count]
 
 
 def _words(places: dict[Style, Floats], *, complete: bool) -> str:
     counts = [f"{len(found)} {NAMES[style][len(found) != 1]}" for style, found in places.items()]
     text = ", ".join(counts) + "."
-    return text if complete else f"{text} The curve runs along itself: there may be more crossings."
+    return text if complete else f"{text} There may be more crossings: it runs along itself, or has too many."

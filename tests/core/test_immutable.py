@@ -1,0 +1,107 @@
+"""Copies and pickles of curves: read-only, and consistent with what was computed from them."""
+
+import copy
+import pickle
+import re
+
+import numpy as np
+import pytest
+
+from curvecore import (
+    ArcLength,
+    Chain,
+    CurveError,
+    HermiteCurve,
+    LagrangeCurve,
+    QuinticHermiteCurve,
+    arc_length,
+    chord_length,
+    nearest,
+    round_data,
+    uniform,
+)
+from curvecore.nearest_point import NearestWithin
+
+POINTS = np.array([[0.0, 0.0], [1.0, 2.0], [3.0, 1.0], [4.0, 4.0]])
+LINE = HermiteCurve(POINTS[:2], POINTS[1:3], [0, 1])
+OBJECTS = {
+    "lagrange": LagrangeCurve(POINTS, uniform(4)),
+    "hermite": HermiteCurve(POINTS, POINTS[::-1], uniform(4)),
+    "quintic": QuinticHermiteCurve(POINTS, POINTS[::-1], POINTS, uniform(4)),
+    "chain": Chain([LINE, HermiteCurve(POINTS[1:3], POINTS[2:], [1, 2])]),
+    "arc length": ArcLength(LINE, 1e-9),
+}
+WAYS = {
+    "copy": copy.copy,
+    "deepcopy": copy.deepcopy,
+    **{f"pickle {k}": lambda each, k=k: pickle.loads(pickle.dumps(each, k)) for k in range(2, 6)},
+}
+
+
+def arrays_of(thing, seen=None):
+    """All arrays that an object holds, and its attributes give."""
+    if isinstance(thing, np.ndarray):
+        yield thing
+    elif isinstance(thing, tuple):
+        for each in thing:
+            yield from arrays_of(each)
+    elif hasattr(type(thing), "__slots__"):
+        for name in ("points", "parameters", "jets", "row_of_parameter", "pieces", "_arcs", "_at"):
+            # A chain puts its points and jets together anew for everybody who asks.
+            if hasattr(thing, name) and not (isinstance(thing, Chain) and name in ("points", "jets")):
+                yield from arrays_of(getattr(thing, name))
+
+
+def values_of(thing):
+    if isinstance(thing, ArcLength):
+        return thing.length_at([0.1, 0.7]), thing.total
+    return thing.evaluate([0.1, 0.7]), thing.evaluate([0.1, 0.7], 1)
+
+
+@pytest.mark.parametrize("name", OBJECTS)
+@pytest.mark.parametrize("way", WAYS)
+@pytest.mark.parametrize("used", [False, True])
+def test_a_copy_cannot_be_changed_and_says_the_same(name, way, used):
+    """The points of a curve from a pickle could be written to, and `evaluate` went on with the old ones."""
+    original = OBJECTS[name]
+    if used:
+        values_of(original)
+    other = WAYS[way](original)
+    assert type(other) is type(original)
+    held = list(arrays_of(other))
+    assert held
+    for array in held:
+        if not isinstance(other, ArcLength):
+            assert not array.flags.writeable
+    np.testing.assert_equal(values_of(other), values_of(original))
+
+
+MASKED = np.ma.masked_array(POINTS, mask=POINTS == 3.0)
+
+
+@pytest.mark.parametrize(
+    ("make", "message"),
+    [
+        (lambda: LagrangeCurve(MASKED, uniform(4)), "points[2, 0] is masked; every value must be given"),
+        (lambda: LagrangeCurve(list(MASKED), uniform(4)), "points[2, 0] is masked"),
+        (lambda: HermiteCurve(POINTS, MASKED, uniform(4)), "velocities[2, 0] is masked"),
+        (lambda: LagrangeCurve(POINTS, np.ma.masked_equal([0, 1, 2, 3], 1)), "parameters[1] is masked"),
+        (lambda: OBJECTS["chain"].evaluate(np.ma.masked_equal([0.5, 1.0], 1.0)), "t[1] is masked"),
+        (lambda: OBJECTS["chain"].basis(np.ma.masked_equal([0.5, 1.0], 1.0)), "t[1] is masked"),
+        (lambda: chord_length(MASKED), "points[2, 0] is masked"),
+        (lambda: nearest(LINE, MASKED[2], 1e-3), "point[0] is masked"),
+        (lambda: NearestWithin(LINE).to(MASKED[2], 1.0), "point[0] is masked"),
+        (lambda: round_data(MASKED, 2), "values[2, 0] is masked"),
+        (lambda: arc_length(LINE, np.ma.masked_array(0.1, mask=True)), "tolerance is masked"),
+    ],
+)
+def test_masked_values_are_refused(make, message):
+    """What the mask hid counted like any other value."""
+    with pytest.raises(CurveError, match=re.escape(message)):
+        make()
+
+
+def test_masked_arrays_without_masked_values_are_arrays():
+    curve = LagrangeCurve(np.ma.masked_array(POINTS, mask=False), np.ma.masked_array(uniform(4)))
+    assert np.array_equal(curve.points, POINTS)
+    assert type(curve.points) is np.ndarray
