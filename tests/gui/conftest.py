@@ -162,6 +162,11 @@ class KeptEditor:
             QApplication.sendEvent(plot, QEvent(QEvent.Type.Leave))
         editor.settle()
 
+    def pytest_runtest_setup(self, item) -> None:
+        """Begin a test that makes windows of its own without the one that is kept."""
+        if "editor" not in item.fixturenames:
+            self.drop()
+
     def drop(self) -> None:
         if self._editor is not None:
             window, self._editor = self._editor.window, None
@@ -183,10 +188,9 @@ class _Keeper:
 _kept = KeptEditor()
 
 
-def pytest_runtest_setup(item):
-    """Begin a test that makes windows of its own without the one that is kept."""
-    if "editor" not in item.fixturenames:
-        _kept.drop()
+def pytest_configure(config):
+    """Let the kept window hear of tests in other folders, too."""
+    config.pluginmanager.register(_kept)
 
 
 @pytest.fixture
