@@ -40,6 +40,7 @@ condition           condition numbers of monomial systems
 sensitivity         derivatives by the data, worst cases
 ensembles           curves with random errors
 rounding            curves computed with k decimal digits, and the truth
+rounded_data        data rounded to so many decimals or digits
 decimal_methods     its methods, operation by operation
 operation_counts    what they cost
 ==================  ======================================================
@@ -103,13 +104,14 @@ if TYPE_CHECKING:
     )
     from curvecore.nearest_point import Nearest, NearestWithin, nearest
     from curvecore.operation_counts import OperationCounts, operation_counts
+    from curvecore.rounded_data import round_data, round_significant
     from curvecore.rounding import (
         Method,
+        Rounding,
         available_methods,
         digits_lost,
         evaluate_rounded,
         exact_values,
-        round_data,
         rounded_decimals,
     )
     from curvecore.sensitivity import (
@@ -142,13 +144,14 @@ _ANALYSIS = {
     "intersections": ["SelfIntersections", "self_intersections"],
     "nearest_point": ["Nearest", "NearestWithin", "nearest"],
     "operation_counts": ["OperationCounts", "operation_counts"],
+    "rounded_data": ["round_data", "round_significant"],
     "rounding": [
         "Method",
+        "Rounding",
         "available_methods",
         "digits_lost",
         "evaluate_rounded",
         "exact_values",
-        "round_data",
         "rounded_decimals",
     ],
     "sensitivity": [
@@ -188,6 +191,7 @@ __all__ = [
     "OperationCounts",
     "Pieces",
     "QuinticHermiteCurve",
+    "Rounding",
     "SelfIntersections",
     "acceleration_sensitivity",
     "arc_length",
@@ -233,6 +237,7 @@ __all__ = [
     "point_sensitivity",
     "power",
     "round_data",
+    "round_significant",
     "rounded_decimals",
     "segment_conditions",
     "self_intersections",
