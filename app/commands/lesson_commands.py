@@ -139,25 +139,21 @@ class LessonCommands:
         for index, curve in enumerate(session.document.curves):
             if curve.name == step.curve:
                 session.activate(index)
-        self._set_numbers(step.settings)
+        self._set_up_analysis(step.settings)
         for name in step.show:
             if not self._parts.actions[name].isChecked():
                 self._trigger(name)
                 self._switched_on.append(name)
 
-    def _set_numbers(self, numbers: Mapping[str, float]) -> None:
+    def _set_up_analysis(self, settings: Mapping[str, object]) -> None:
         from app.view_model.analysis.laboratory_settings import Calculation  # noqa: PLC0415
 
         analysis = self._parts.analysis
-        fields = {_ERRORS[name]: value for name, value in numbers.items() if name in _ERRORS}
-        experiment: dict[str, object] = {}
-        if "digits" in numbers:
-            experiment["digits"] = int(numbers["digits"])
-        if "shift" in numbers:
-            experiment["shift"] = numbers["shift"]
-        if "methods" in numbers:
-            experiment["methods"] = frozenset(list(Calculation)[: int(numbers["methods"])])
-        analysis.change(**fields, laboratory=replace(analysis.settings.laboratory, **experiment))
+        errors = {_ERRORS[name]: value for name, value in settings.items() if name in _ERRORS}
+        experiment = {name: value for name, value in settings.items() if name not in _ERRORS}
+        if isinstance(count := experiment.get("methods"), int):
+            experiment["methods"] = frozenset(list(Calculation)[:count])
+        analysis.change(**errors, laboratory=replace(analysis.settings.laboratory, **experiment))
 
     def _trigger(self, name: str) -> None:
         if name in self._parts.actions:
