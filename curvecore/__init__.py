@@ -254,8 +254,12 @@ def __getattr__(name: str) -> object:
     """Import the analysis when it is first asked for."""
     if name not in _MODULE_OF:
         raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
-    value: object = getattr(import_module(f"{__name__}.{_MODULE_OF[name]}"), name)
-    globals()[name] = value
+    module = import_module(f"{__name__}.{_MODULE_OF[name]}")
+    # All of them: `operation_counts` would be the module once `OperationCounts` has been asked for.
+    globals().update(
+        {each: getattr(module, each) for each in _MODULE_OF if _MODULE_OF[each] == _MODULE_OF[name]}
+    )
+    value: object = globals()[name]
     return value
 
 

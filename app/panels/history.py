@@ -70,6 +70,8 @@ class HistoryPanel(QWidget):
         self.view.setEmptyLabel(_opened(session) if session.path is not None else "Start")
 
     def _name_the_beginning(self) -> None:
+        if self._session.undo_stack.count():
+            return  # a lesson or an example was opened as a step; it began with something else
         self.view.setEmptyLabel(_opened(self._session))
 
 
