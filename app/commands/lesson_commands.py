@@ -50,7 +50,6 @@ class LessonCommands:
         self._given: Document | None = None
         self._visits: dict[Beginning, _Visit] = {}
         self._switched_on: list[str] = []
-        parts.session.opened.connect(self._follow_document)
         parts.lessons_dock.visibilityChanged.connect(parts.actions["toggleLessons"].setChecked)
 
     def handlers(self) -> Handlers:
@@ -91,6 +90,8 @@ class LessonCommands:
         panel.again_wanted.connect(self._begin_again)
         panel.step_chosen.connect(self._go)
         panel.action_wanted.connect(self._trigger)
+        # Now, and so after the window itself, which shows the usual part of another document.
+        self._parts.session.opened.connect(self._follow_document)
         return panel
 
     @cached_property
@@ -125,8 +126,6 @@ class LessonCommands:
     def _follow_document(self) -> None:
         """Show the lesson whose document is open now, at the step where it was left; else the gallery."""
         copied = self._parts.session.beginning.copied
-        if self._panel is None:
-            return
         lesson = next((each for each in self._lessons if each.document == copied), None)
         if lesson is None:
             if self._lesson is not None:
@@ -138,6 +137,7 @@ class LessonCommands:
         if self._parts.session.document == self._given:
             self._activate(lesson.steps[step].curve)
         self._show(step)
+        self._parts.basis_pane.fit_functions()
 
     def _go(self, step: int) -> None:
         """Go to a step of the lesson that is open; beyond its end, to the next lesson."""
@@ -154,6 +154,7 @@ class LessonCommands:
             return
         self._show(step)
         self._activate(self._lesson.steps[step].curve)
+        self._parts.basis_pane.fit_functions()
 
     def _show(self, step: int) -> None:
         assert self._panel is not None

@@ -195,9 +195,15 @@ class ExportForm(QWidget):
         ending = list(FORMATS)[self.format_box.currentIndex()]
         if not titles and ending in SAMPLED:
             raise ExpressionError("A table needs at least one column.")
-        for box in (self.width_box, self.samples_box):
-            if box.problem and self._form.isRowVisible(box):
-                raise ExpressionError(box.problem)
+        spacing = list(_SPACINGS)[self.spacing_box.currentIndex()]
+        concerns = {
+            self.width_box: ending == ".png",
+            self.samples_box: ending in SAMPLED and spacing is not Spacing.TOLERANCE,
+        }
+        if problem := next(
+            (box.problem for box, is_asked in concerns.items() if is_asked and box.problem), ""
+        ):
+            raise ExpressionError(problem)
         return ExportChoice(
             ending=ending,
             width=self.width_box.value(),
@@ -207,7 +213,7 @@ class ExportForm(QWidget):
             true_size=self.true_size.isChecked(),
             tolerance=self._shown.tolerance,
             cubic=self.cubic.isChecked(),
-            spacing=list(_SPACINGS)[self.spacing_box.currentIndex()],
+            spacing=spacing,
             samples=self.samples_box.value(),
             columns=titles or TITLES,
             **{name: check.isChecked() for name, check in self.shown.items()},

@@ -13,7 +13,7 @@ import pytest
 from PySide6.QtCore import QEvent, QPoint, Qt
 from PySide6.QtGui import QGuiApplication, QImage
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication, QDialog, QFileDialog, QLabel, QPushButton
+from PySide6.QtWidgets import QApplication, QDialog, QFileDialog, QPushButton
 
 from app.document.model import Family
 from app.exchange.choice import FORMATS, ExportChoice, choice_from, text_of
@@ -334,16 +334,18 @@ def test_the_file_has_the_ending_of_its_format_once(editor, dialog, tmp_path, mo
     assert [each.name for each in tmp_path.glob("p*")] == ["p.points.csv"]
 
 
-def test_a_number_that_is_out_of_range_is_told(dialog):
+def test_a_number_that_is_out_of_range_is_told(editor, dialog):
     """Of a width of 99999 pixels, 9999 was left without a word."""
     choose_format(dialog, ".png")
     box = dialog.form.width_box
     box.setFocus()
     box.selectAll()
+    dialog._look()  # a preview is under way
     QTest.keyClicks(box, "99999")
     QTest.keyClick(box, Qt.Key.Key_Tab)
     assert box.value() == 99999
-    assert "Width: from 1 to 16384." in [label.text() for label in dialog.findChildren(QLabel)]
+    assert "Width: from 1 to 16384." in dialog.problem.text()
+    settled(editor, dialog)
     assert not dialog.ok.isEnabled()
     choose_format(dialog, ".svg")
     assert dialog.ok.isEnabled()

@@ -19,6 +19,7 @@ from PySide6.QtWidgets import (
 from app.action_specs import SPECS
 from app.document.storage import load
 from app.lessons import LessonError, lesson_names, load_lesson, parse_lesson
+from app.panels.basis_layers import rail_height
 from app.view_model.analysis.laboratory_settings import LaboratorySettings
 from app.view_model.analysis.settings import AnalysisSettings
 from app.view_model.curve_view import view_of
@@ -101,6 +102,20 @@ def test_a_step_switches_on_what_it_shows_and_the_next_puts_it_away(editor, qtbo
     assert editor.session.scrub is not None
     click(qtbot, find(editor, QPushButton, "lessonNext"))
     assert editor.session.scrub is None
+
+
+def test_the_functions_that_a_step_speaks_of_are_all_in_sight(editor, qtbot):
+    """Of functions that reach from −6.5 to 6.1 those between −0.5 and 1.2 were shown."""
+    for number, lowest, highest in ((3, -6.5, 6.1), (2, -0.2, 1.0)):
+        open_step(editor, qtbot, "01_basis_functions", number)
+        editor.settle()
+        shown = editor.window.basis_panel.pixel_map
+        assert shown.y(lowest) < shown.height - rail_height(1.0)
+        assert shown.y(highest) > 0
+        assert editor.window.basis_pane.extent_text == ""
+    open_step(editor, qtbot, "01_basis_functions", 0)
+    click(qtbot, find(editor, QPushButton, "lessonNext"))
+    assert shown == editor.window.basis_panel.pixel_map
 
 
 def test_the_gallery_works_by_keyboard(editor, qtbot):
