@@ -8,10 +8,12 @@ from __future__ import annotations
 from PySide6.QtCore import QLocale
 from PySide6.QtWidgets import QAbstractSpinBox, QDoubleSpinBox, QSpinBox
 
+from app.overrides import Guarded
+
 _FAR = 999_999_999
 
 
-class ToldSpinBox(QSpinBox):
+class ToldSpinBox(Guarded, QSpinBox):
     """A whole number between two limits, typed or stepped; the arrows stay between them.
 
     Attributes
@@ -37,7 +39,7 @@ class ToldSpinBox(QSpinBox):
         self.setValue(min(max(self.value(), self.least), self.most))
 
 
-class ToldDoubleSpinBox(QDoubleSpinBox):
+class ToldDoubleSpinBox(Guarded, QDoubleSpinBox):
     """A number between two limits, typed or stepped; the arrows stay between them.
 
     Attributes
