@@ -73,7 +73,7 @@ class FileCommands:
             path, partial(session.open_copy, text=text), remember=False, asks=session.path is not None
         )
         if is_open and leaves_work:
-            session.offer("What you had before is kept: Undo goes back to it.", "undo")
+            session.offer("What you had before is kept.", "goBack")
         return is_open
 
     def _open(

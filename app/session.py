@@ -458,17 +458,24 @@ class Session(QObject):
         """
         path = Path(path)
         document = storage.load(path)
-        beginning = Beginning(path, template_title(path, document))
+        title = template_title(path, document)
         self.cancel()
         if self.path is not None or not (self.undo_stack.count() or self.is_modified):
-            self._replace(document, None, beginning=beginning)
+            self._replace(document, None, beginning=Beginning(path, title))
             return
         before = self._state(self._committed, self.active_index)
-        self._push(UndoStep(self._restore_step, before, State(document, 0, beginning), text))
+        after = State(document, 0, Beginning(path, title, self.beginning))
+        self._push(UndoStep(self._restore_step, before, after, text))
         # What is in front now is as it came; the work that was left is told of by `left`.
         self.undo_stack.setClean()
         self.file_changed.emit()
         self.opened.emit()
+
+    def go_back(self) -> None:
+        """Undo to what was there before the document that is open was opened as a step of the history."""
+        here = self.beginning
+        while self.beginning is here and here.before is not None and self.undo_stack.canUndo():
+            self.undo_stack.undo()
 
     def reload(self) -> None:
         """Take over what the file holds now, as a step of the history; raises as `open` does."""

@@ -21,10 +21,14 @@ class Beginning(msgspec.Struct, frozen=True, eq=False):
         The file that it is a copy of (a lesson, an example); None for any other.
     title
         What it is called until it is saved; empty for "Untitled".
+    before
+        The beginning of the document that it was opened in the place of, as a step of the history; None where
+        the history begins with it.
     """
 
     copied: Path | None = None
     title: str = ""
+    before: Beginning | None = None
 
 
 class State(msgspec.Struct, frozen=True):

@@ -42,7 +42,7 @@ ensembles           curves with random errors
 rounding            curves computed with k decimal digits, and the truth
 rounded_data        data rounded to so many decimals or digits
 decimal_methods     its methods, operation by operation
-operation_counts    what they cost
+operations          what they cost
 ==================  ======================================================
 
 Every family is linear in its data: c(t) = sum over i, r of B_ir(t) d_ir, where
@@ -103,7 +103,7 @@ if TYPE_CHECKING:
         parameter_at_length,
     )
     from curvecore.nearest_point import Nearest, NearestWithin, nearest
-    from curvecore.operation_counts import OperationCounts, operation_counts
+    from curvecore.operations import OperationCounts, operation_counts
     from curvecore.rounded_data import round_data, round_significant
     from curvecore.rounding import (
         Method,
@@ -143,7 +143,7 @@ _ANALYSIS = {
     ],
     "intersections": ["SelfIntersections", "self_intersections"],
     "nearest_point": ["Nearest", "NearestWithin", "nearest"],
-    "operation_counts": ["OperationCounts", "operation_counts"],
+    "operations": ["OperationCounts", "operation_counts"],
     "rounded_data": ["round_data", "round_significant"],
     "rounding": [
         "Method",
@@ -254,12 +254,8 @@ def __getattr__(name: str) -> object:
     """Import the analysis when it is first asked for."""
     if name not in _MODULE_OF:
         raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
-    module = import_module(f"{__name__}.{_MODULE_OF[name]}")
-    # All of them: `operation_counts` would be the module once `OperationCounts` has been asked for.
-    globals().update(
-        {each: getattr(module, each) for each in _MODULE_OF if _MODULE_OF[each] == _MODULE_OF[name]}
-    )
-    value: object = globals()[name]
+    value: object = getattr(import_module(f"{__name__}.{_MODULE_OF[name]}"), name)
+    globals()[name] = value
     return value
 
 

@@ -218,7 +218,16 @@ def test_the_next_lesson_is_a_step_that_undo_takes_back(editor, qtbot):
         click(qtbot, find(editor, QPushButton, "lessonNext"))
     assert editor.curve.name == "Eight points"
     assert not editor.session.is_modified
-    assert "Undo goes back to it" in editor.message
+    assert editor.message == "What you had before is kept."
+    editor.fit()
+    editor.drag_point(1, to=(1.3, 1.5))
+    assert editor.message == ""
+    for _ in range(2):
+        editor.trigger("undo")
+    editor.trigger("redo")
+    editor.trigger("goBack")
+    assert editor.session.document is work
+    click(qtbot, find(editor, QPushButton, "lessonNext"))
     click(qtbot, find(editor, QToolButton, "offeredAction"))
     editor.settle()
     assert editor.session.document is work
