@@ -79,7 +79,7 @@ class FunctionLayer:
         painter.setRenderHint(QPainter.RenderHint.Antialiasing, True)
         if way_to_draw(self._basis) is Drawing.EACH:
             self._paint_all(painter, self._basis)
-            kinds = self._shown_kinds(self._basis)
+            kinds = self._basis.shown_of(self.kinds)
             self._names.paint(painter, shown, self._basis, kinds, self.theme, self.scale)
         else:
             self._paint_together(painter, self._basis)

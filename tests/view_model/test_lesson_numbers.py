@@ -27,6 +27,7 @@ from app.view_model.analysis.laboratory_settings import (
     Rounding,
 )
 from app.view_model.curve_view import view_of
+from app.view_model.growth import growth_of_points
 from curvecore import (
     chord_length,
     evaluate_rounded,
@@ -544,3 +545,11 @@ def test_lesson_10_says_where_errors_still_grow():
     t, functions = cardinals(curve(10, "Yours", KIND.CHORD_LENGTH, Family.HERMITE))
     knots = view_of(curve(10, "Yours", KIND.CHORD_LENGTH)).parameters
     assert knots[2] < t[np.abs(functions).sum(axis=0).argmax()] < knots[4]
+
+
+@pytest.mark.parametrize("rule", [KIND.UNIFORM, KIND.CENTRIPETAL, KIND.CHORD_LENGTH])
+def test_the_program_shows_what_moved_points_do(rule):
+    """Λ was 1 on the screen, whatever the estimated velocities did: 1.50, 3.12 and 8.56 here."""
+    which = curve(3, rule=rule, family=Family.HERMITE)
+    # The oracle has 4001 samples; at a maximum that is a relative error of about 1e-6.
+    assert growth_of_points(view_of(which)) == pytest.approx(constant_with_estimates(which), rel=1e-4)
