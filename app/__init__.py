@@ -12,7 +12,7 @@ The layers, top to bottom; a module imports only from its own layer and those ab
 - ``undo_step``: a step of the history.
 - ``session``: the one mutable owner of the current document, its history and the selection.
 - ``analysis``: what is shown over the curve.
-- ``autosave``: keeps a snapshot of what is not saved yet.
+- ``autosave``: keeps a snapshot of what is not saved yet.  ``set_aside``: of what was left for a lesson.
 - ``player``: a motion, and the clock that drives it.
 - ``theme``, ``colours``, ``icons``: how it looks.
 - ``preferences``: what is remembered between starts.  ``settings``, ``settings_file``: the kinds of settings;

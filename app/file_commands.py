@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable
+from functools import partial
 from pathlib import Path
 
 from PySide6.QtCore import Qt
@@ -60,11 +61,24 @@ class FileCommands:
         """Open the document at `path`, after asking about unsaved changes."""
         self._open(path, self._session.open, remember=not is_resource(path))
 
-    def open_example(self, path: Path, *, asks: bool = True) -> bool:
-        """Open a copy of an example; saving it asks for a name. Return whether it is open now."""
-        return self._open(path, self._session.open_copy, remember=False, asks=asks)
+    def open_example(self, path: Path, text: str = "Open Example") -> bool:
+        """Open a copy of an example or a lesson; saving it asks for a name. Return whether it is open now.
 
-    def _open(self, path: Path, opener: Callable[[Path], None], *, remember: bool, asks: bool = True) -> bool:
+        Work without a file stays in the history, below a step called `text`: nobody is asked about it.
+        """
+        session = self._session
+        session.cancel()
+        leaves_work = session.path is None and session.is_modified
+        is_open = self._open(
+            path, partial(session.open_copy, text=text), remember=False, asks=session.path is not None
+        )
+        if is_open and leaves_work:
+            session.offer("What you had before is kept.", "goBack")
+        return is_open
+
+    def _open(
+        self, path: Path, opener: Callable[[Path], object], *, remember: bool, asks: bool = True
+    ) -> bool:
         try:
             load(path)  # nobody is asked to part with a drawing for a file that cannot be opened
             if asks and not self.may_discard():

@@ -4,26 +4,37 @@ A lesson is ``NAME.md`` and ``NAME.curve.json`` in ``resources/lessons``. Its fi
 the paragraph below it the summary; every second-level heading begins a step. A comment in a step says what
 goes with it, separated by semicolons::
 
-    <!-- curve: Careless; show: overlayBand; set: epsilon 0.02; goal: lebesgue < 5 -->
+    <!-- curve: Careless; show: overlayBand; set: epsilon 0.02; goal: lebesgue < 5; keep: points, family -->
 
-``curve`` names the curve to edit, ``show`` the actions to switch on, ``set`` numbers of the analysis (see
-`SETTINGS`), ``goal`` what the curve shall meet. In the text, a link to ``action:NAME`` triggers that action.
+``curve`` names the curve to edit, ``show`` the actions to switch on, ``set`` what the analysis does (see
+`SETTINGS`), ``goal`` what that curve shall meet, ``keep`` what may not change on the way (see `goals.KEPT`).
+In the text, a link to ``action:NAME`` triggers that action.
 """
 
 from __future__ import annotations
 
 import re
+from collections.abc import Callable
 from pathlib import Path
 from typing import NamedTuple
 
 from app.resources import resource
+from app.view_model.analysis.laboratory_settings import Rounding
 from app.view_model.goals import Goal, GoalError, parse_goal
 
 _COMMENT = re.compile(r"<!--(.*?)-->", re.DOTALL)
-_KEYS = ("curve", "show", "set", "goal")
+_KEYS = ("curve", "show", "set", "goal", "keep")
 
-SETTINGS = ("digits", "shift", "methods", "epsilon", "delta")
-"""What a step may set: the laboratory's digits, shift and number of methods, the errors of the band."""
+SETTINGS: dict[str, Callable[[str], float | Rounding]] = {
+    "rounding": Rounding,
+    "digits": int,
+    "shift": float,
+    "methods": int,
+    "epsilon": float,
+    "delta": float,
+}
+"""What a step may set: what the laboratory rounds, its digits, shift and number of methods; the errors of the
+band."""
 
 
 class LessonError(ValueError):
@@ -42,14 +53,14 @@ class Step(NamedTuple):
     show
         Names of actions to switch on.
     settings
-        Numbers to set, by names out of `SETTINGS`.
+        What to set, by names out of `SETTINGS`.
     """
 
     title: str
     text: str
     curve: str
     show: tuple[str, ...]
-    settings: dict[str, float]
+    settings: dict[str, float | Rounding]
     goal: Goal | None
 
 
@@ -98,25 +109,33 @@ def _step(page: str, place: str) -> Step:
     title, _, body = page.partition("\n")
     found = _COMMENT.search(body)
     fields = _fields(found.group(1), place) if found is not None else {}
-    try:
-        goal = parse_goal(fields["goal"]) if "goal" in fields else None
-    except GoalError as problem:
-        raise LessonError(f"{place}: {problem}") from None
+    goal = _goal(fields, place) if "goal" in fields else None
     show = tuple(word for word in re.split(r"[,\s]+", fields.get("show", "")) if word)
     text, curve = _COMMENT.sub("", body).strip(), fields.get("curve", "")
-    return Step(title.strip(), text, curve, show, _settings(fields.get("set", ""), place), goal)
+    settings = _settings(fields.get("set", ""), place)
+    return Step(title.strip(), text, curve, show, settings, goal)
 
 
-def _settings(text: str, place: str) -> dict[str, float]:
-    settings = {}
+def _goal(fields: dict[str, str], place: str) -> Goal:
+    try:
+        goal = parse_goal(fields["goal"], fields.get("curve", ""), fields.get("keep", ""))
+    except GoalError as problem:
+        raise LessonError(f"{place}: {problem}") from None
+    if not goal.curve or not goal.kept:
+        raise LessonError(f"{place}: a goal needs “curve”, and “keep” for what may not change")
+    return goal
+
+
+def _settings(text: str, place: str) -> dict[str, float | Rounding]:
+    settings: dict[str, float | Rounding] = {}
     for part in filter(None, (part.strip() for part in text.split(","))):
-        name, _, number = part.partition(" ")
-        try:
-            settings[name] = float(number)
-        except ValueError:
-            raise LessonError(f"{place}: “{part}” is no name with a number") from None
+        name, _, value = part.partition(" ")
         if name not in SETTINGS:
             raise LessonError(f"{place}: “{name}” is not one of {', '.join(SETTINGS)}")
+        try:
+            settings[name] = SETTINGS[name](value)
+        except ValueError:
+            raise LessonError(f"{place}: “{part}” is no name with a value of its kind") from None
     return settings
 
 

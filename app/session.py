@@ -19,7 +19,7 @@ from app.document.model import Curve, Document, empty_document
 from app.document.open_file import OpenFile, Sight
 from app.examples import first_sketch, template_title
 from app.resources import is_resource
-from app.undo_step import State, UndoStep
+from app.undo_step import Beginning, State, UndoStep
 from app.view_model.curve_view import CurveView, view_of
 
 _RUN_SECONDS = 1.0
@@ -54,7 +54,9 @@ class Session(QObject):
     file_changed
         The path or the modified mark is another one.
     opened
-        Another document was opened or begun.
+        Another document was opened or begun, or undo or redo has gone back to another one.
+    left
+        A document without a file was left with this work in it; undo or redo goes back to it.
     saved
         The document was written to its file.
     history_changed
@@ -71,12 +73,12 @@ class Session(QObject):
 
     Attributes
     ----------
+    beginning
+        Where the document began; the same for all states of it.
     chosen_curves
         The curves that are worked on together, by their places; the one that is edited is one of them.
     path, file
         Where the document is kept; None as long as it has no file.
-    template
-        What the document was begun from, in words; empty where it was opened as a file, or begun empty.
     clock
         Tells the seconds between the changes of a run; tests give their own.
     """
@@ -89,6 +91,7 @@ class Session(QObject):
     scrub_changed = Signal(object)
     file_changed = Signal()
     opened = Signal()
+    left = Signal(object)
     saved = Signal()
     history_changed = Signal()
     interrupted = Signal()
@@ -102,8 +105,8 @@ class Session(QObject):
         self.undo_stack.cleanChanged.connect(self._report_clean)
         self.undo_stack.indexChanged.connect(self._report_index)
         self.path: Path | None = None
+        self.beginning = Beginning()
         self.file: OpenFile | None = None
-        self.template = ""
         self.active_index = 0
         self.selection: frozenset[int] = frozenset()
         self.chosen_curves = frozenset({0})
@@ -286,15 +289,21 @@ class Session(QObject):
             return False
         after = self.active_index if active is None else active
         home, self._home = self._home, None
-        before = State(self._committed, self.active_index if home is None else home.active)
+        before = self._state(self._committed, self.active_index if home is None else home.active)
         joins, steps = self._goes_on(run), self.undo_stack.index()
-        self._is_pushing = True
-        self.undo_stack.push(UndoStep(self._restore_step, before, State(document, after), text, joins=joins))
-        self._is_pushing = False
+        self._push(UndoStep(self._restore_step, before, self._state(document, after), text, joins=joins))
         # Where the change has taken its run back, the last step is another one.
         is_there = self.undo_stack.index() >= steps
         self._run = (run, self.clock()) if run is not None and is_there else None
         return True
+
+    def _state(self, document: Document, active: int) -> State:
+        return State(document, active, self.beginning)
+
+    def _push(self, step: UndoStep) -> None:
+        self._is_pushing = True
+        self.undo_stack.push(step)
+        self._is_pushing = False
 
     def _goes_on(self, run: Hashable) -> bool:
         """Whether a change of this run follows the last one closely enough to be the same step."""
@@ -313,10 +322,33 @@ class Session(QObject):
             self.select(home.selection)
 
     def _restore_step(self, state: State) -> None:
-        before = self._committed
+        before, is_other = self._committed, state.beginning is not self.beginning
+        if is_other:
+            if self.is_modified and self.path is None:
+                self.left.emit(before)
+            self._turn_to(state.beginning)
         self._restore(state)
-        if not self._is_pushing:
+        if self._is_pushing:
+            return
+        if is_other:
+            self.file_changed.emit()
+            self.opened.emit()
+        else:
             self._choose_returned(before)
+
+    def _turn_to(self, beginning: Beginning) -> None:
+        """Put away what belonged to the document before this one."""
+        self.beginning = beginning
+        if self.path is not None:
+            # Its file holds the other document: nothing of this one may go there unasked.
+            self._take_file(None)
+            self.path = None
+            self.undo_stack.resetClean()
+        self.select([])
+        self.choose_curves((self.active_index,))
+        self.set_scrub(None)
+        # Another document's curves are nobody's last good shape.
+        self._views, self._views_of = [], ()
 
     def _choose_returned(self, before: Document) -> None:
         """Select the points, or choose the curves, that undo or redo has brought back."""
@@ -418,11 +450,32 @@ class Session(QObject):
         opened = OpenFile.open(path, self.file)
         self._replace(opened.document, path, opened.file)
 
-    def open_copy(self, path: str | Path) -> None:
-        """Open the document at `path` as a new one without a file of its own (examples)."""
+    def open_copy(self, path: str | Path, text: str = "Open") -> None:
+        """Open the document at `path` as a new one without a file of its own (lessons, examples).
+
+        Work in a document without a file is not lost for it: opening is then one step of the history, called
+        `text`, and undo goes back.
+        """
         path = Path(path)
         document = storage.load(path)
-        self._replace(document, None, template=template_title(path, document))
+        title = template_title(path, document)
+        self.cancel()
+        if self.path is not None or not (self.undo_stack.count() or self.is_modified):
+            self._replace(document, None, beginning=Beginning(path, title))
+            return
+        before = self._state(self._committed, self.active_index)
+        after = State(document, 0, Beginning(path, title, self.beginning))
+        self._push(UndoStep(self._restore_step, before, after, text))
+        # What is in front now is as it came; the work that was left is told of by `left`.
+        self.undo_stack.setClean()
+        self.file_changed.emit()
+        self.opened.emit()
+
+    def go_back(self) -> None:
+        """Undo to what was there before the document that is open was opened as a step of the history."""
+        here = self.beginning
+        while self.beginning is here and here.before is not None and self.undo_stack.canUndo():
+            self.undo_stack.undo()
 
     def reload(self) -> None:
         """Take over what the file holds now, as a step of the history; raises as `open` does."""
@@ -431,9 +484,9 @@ class Session(QObject):
         document = self.file.read_again()
         self.cancel()
         if document != self._committed:
-            before, after = State(self._committed, self.active_index), State(document, 0)
-            if self.active_index < len(document.curves):
-                after = State(document, self.active_index)
+            before = self._state(self._committed, self.active_index)
+            stays = self.active_index < len(document.curves)
+            after = self._state(document, self.active_index if stays else 0)
             self.undo_stack.push(UndoStep(self._restore, before, after, "Reload"))
         self.undo_stack.setClean()
         self.file_changed.emit()
@@ -455,6 +508,11 @@ class Session(QObject):
         if self.file is not None and sight is not self.file.sight:
             self.file.sight = sight
             self.file_changed.emit()
+
+    @property
+    def template(self) -> str:
+        """What the document was begun from, in words; empty where it was opened as a file, or begun empty."""
+        return self.beginning.title
 
     @property
     def is_read_only(self) -> bool:
@@ -489,18 +547,19 @@ class Session(QObject):
         self.undo_stack.resetClean()
 
     def _replace(
-        self, document: Document, path: Path | None, file: OpenFile | None = None, template: str = ""
+        self,
+        document: Document,
+        path: Path | None,
+        file: OpenFile | None = None,
+        beginning: Beginning | None = None,
     ) -> None:
         if file is None and path is not None:
             file = OpenFile.adopt(path, self.file)
         self._take_file(file)
-        self.path, self.template = path, template
-        self.select([])
-        self.choose_curves((self.active_index,))
-        self.set_scrub(None)
-        # Another document's curves are nobody's last good shape.
-        self._views, self._views_of = [], ()
-        self._restore(State(document, 0))
+        self.path = None
+        self._turn_to(beginning or Beginning())
+        self.path = path
+        self._restore(self._state(document, 0))
         self.undo_stack.clear()
         self.undo_stack.setClean()
         self.file_changed.emit()

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from pathlib import Path
 
 import msgspec
 from PySide6.QtGui import QUndoCommand
@@ -11,11 +12,31 @@ from app.document.model import Document
 from app.overrides import Guarded
 
 
+class Beginning(msgspec.Struct, frozen=True, eq=False):
+    """Where a document began: one more of them each time something is opened, or begun again.
+
+    Attributes
+    ----------
+    copied
+        The file that it is a copy of (a lesson, an example); None for any other.
+    title
+        What it is called until it is saved; empty for "Untitled".
+    before
+        The beginning of the document that it was opened in the place of, as a step of the history; None where
+        the history begins with it.
+    """
+
+    copied: Path | None = None
+    title: str = ""
+    before: Beginning | None = None
+
+
 class State(msgspec.Struct, frozen=True):
-    """What undo brings back: a document, and which of its curves was edited."""
+    """What undo brings back: a document, which of its curves was edited, and where it began."""
 
     document: Document
     active: int
+    beginning: Beginning
 
 
 class UndoStep(Guarded, QUndoCommand):

@@ -42,8 +42,9 @@ condition           condition numbers of monomial systems
 sensitivity         derivatives by the data, worst cases
 ensembles           curves with random errors
 rounding            curves computed with k decimal digits, and the truth
+rounded_data        data rounded to so many decimals or digits
 decimal_methods     its methods, operation by operation
-operation_counts    what they cost
+operations          what they cost
 ==================  ======================================================
 
 Every family is linear in its data: c(t) = sum over i, r of B_ir(t) d_ir, where
@@ -111,14 +112,15 @@ if TYPE_CHECKING:
         parameter_at_length,
     )
     from curvecore.nearest_point import Nearest, NearestWithin, nearest
-    from curvecore.operation_counts import OperationCounts, operation_counts
+    from curvecore.operations import OperationCounts, operation_counts
+    from curvecore.rounded_data import round_data, round_significant
     from curvecore.rounding import (
         Method,
+        Rounding,
         available_methods,
         digits_lost,
         evaluate_rounded,
         exact_values,
-        round_data,
         rounded_decimals,
     )
     from curvecore.sensitivity import (
@@ -150,14 +152,15 @@ _ANALYSIS = {
     ],
     "intersections": ["SelfIntersections", "self_intersections"],
     "nearest_point": ["Nearest", "NearestWithin", "nearest"],
-    "operation_counts": ["OperationCounts", "operation_counts"],
+    "operations": ["OperationCounts", "operation_counts"],
+    "rounded_data": ["round_data", "round_significant"],
     "rounding": [
         "Method",
+        "Rounding",
         "available_methods",
         "digits_lost",
         "evaluate_rounded",
         "exact_values",
-        "round_data",
         "rounded_decimals",
     ],
     "sensitivity": [
@@ -197,6 +200,7 @@ __all__ = [
     "OperationCounts",
     "Pieces",
     "QuinticHermiteCurve",
+    "Rounding",
     "SelfIntersections",
     "ToleranceWarning",
     "acceleration_sensitivity",
@@ -243,6 +247,7 @@ __all__ = [
     "point_sensitivity",
     "power",
     "round_data",
+    "round_significant",
     "rounded_decimals",
     "segment_conditions",
     "self_intersections",

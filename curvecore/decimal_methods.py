@@ -2,20 +2,28 @@
 
 All take exact data and an arithmetic: a `decimal.Context`, or anything with
 its four operations. They are written as plain loops on purpose: the order of
-operations is what they are about.
+operations is what they are about. Each is a `Form`: what is computed once from
+the data, and what is computed from that for every t.
 """
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Sequence
-from decimal import Decimal
+from decimal import ROUND_HALF_EVEN, Context, Decimal
 from typing import NamedTuple, Protocol, TypeAlias
 
 import numpy as np
 
 from curvecore.arrays import FloatArray, IntArray
+from curvecore.errors import CurveError
+from curvecore.scaling import LARGEST
 
-__all__ = ["HERMITE_METHODS", "LAGRANGE_METHODS", "Arithmetic", "Data", "Evaluator"]
+__all__ = ["HERMITE_METHODS", "LAGRANGE_METHODS", "Arithmetic", "Data", "Form", "Prepared", "exact_context"]
+
+_GUARD = 40
+_MOST_GUARDED = 3000
+"""Digits of an arithmetic that counts as exact, at most: 60 parameters may come as close as 1e-40."""
 
 
 class Arithmetic(Protocol):
@@ -63,7 +71,75 @@ class Data(NamedTuple):
         return self.parameters[segment : segment + 2], self.jets[segment : segment + 2]
 
 
-Evaluator: TypeAlias = Callable[[Data, Sequence[Decimal], Arithmetic], list[Row]]
+def exact_context(data: Data, t: FloatArray) -> Context:
+    """Return an arithmetic in which none of the first twenty digits of a result is rounded.
+
+    With the t axis scaled to a largest absolute t of 1, which elimination does
+    not notice, a Vandermonde matrix of parameters at least g apart has entries
+    up to 1, its inverse (the coefficients of the basis functions) entries up to
+    (2/g)**(n-1), and entries grow at most 2**(n-1) times under way (Higham,
+    "Accuracy and Stability of Numerical Algorithms", 2nd ed., section 9.3). The
+    rows of derivatives are not scaled alike.
+
+    Raises
+    ------
+    CurveError
+        If that takes more than 3000 digits.
+    """
+    size = math.log10(max(float(np.abs(data.parameters).max()), float(np.abs(t).max(initial=0.0))))
+    with np.errstate(over="ignore"):
+        closest = math.log10(min(float(np.diff(data.parameters).min()), LARGEST))
+    order = data.jets.shape[1]
+    rows = len(data.parameters) if order == 1 else 2 * order
+    lost = (rows - 1) * (math.log10(4.0) + size - closest) + 4 * (order - 1) * abs(size)
+    if _GUARD + lost > _MOST_GUARDED:
+        raise CurveError(
+            f"parameters must be further apart for exact coefficients: they take {_GUARD + lost:.0f} digits, "
+            f"{_MOST_GUARDED} are the most"
+        )
+    return Context(prec=_GUARD + math.ceil(max(lost, 0.0)), rounding=ROUND_HALF_EVEN, traps=[])
+
+
+class Prepared(NamedTuple):
+    """What a method computes once, for one polynomial.
+
+    Attributes
+    ----------
+    coefficients : list of rows
+        What the method's functions are multiplied with: a_k, divided
+        differences, points, derivatives; the weights of the barycentric form.
+    helpers : list of rows
+        Parameters, and what depends on them alone.
+    """
+
+    coefficients: list[Row]
+    helpers: list[Row]
+
+
+class Form(NamedTuple):
+    """A method: what it prepares of one stretch of the data, and the point that it makes of that at one t."""
+
+    prepare: Callable[[Data, int, Arithmetic], Prepared]
+    value: Callable[[Prepared, Decimal, Arithmetic], Row]
+
+    def __call__(
+        self,
+        data: Data,
+        t: Sequence[Decimal],
+        a: Arithmetic,
+        store: Callable[[Decimal], Decimal] | None = None,
+    ) -> list[Row]:
+        """Return the points at all t, every operation done by `a`; `store` is what keeps a coefficient."""
+        prepared: dict[int, Prepared] = {}
+        rows = []
+        for x, place in zip(t, data.segments(np.array([float(x) for x in t])).tolist(), strict=True):
+            if place not in prepared:
+                made = self.prepare(data, place, a)
+                if store is not None:
+                    made = Prepared([[store(x) for x in row] for row in made.coefficients], made.helpers)
+                prepared[place] = made
+            rows.append(self.value(prepared[place], x, a))
+        return rows
 
 
 def _exact(values: FloatArray) -> Row:
@@ -111,12 +187,15 @@ def _size(value: Decimal) -> Decimal:
     return value.copy_abs() if not value.is_nan() else Decimal(-1)
 
 
-def _monomial(data: Data, t: Sequence[Decimal], a: Arithmetic) -> list[Row]:
+def _monomial(data: Data, _segment: int, a: Arithmetic) -> Prepared:
     nodes = _exact(data.parameters)
     matrix = [_powers(node, len(nodes), a) for node in nodes]
     right = [_exact(point) for point in data.jets[:, 0]]
-    coefficients = _solve(matrix, right, a)
-    return [[_horner(column, x, a) for column in coefficients] for x in t]
+    return Prepared(_solve(matrix, right, a), [])
+
+
+def _power_value(prepared: Prepared, t: Decimal, a: Arithmetic) -> Row:
+    return [_horner(column, t, a) for column in prepared.coefficients]
 
 
 def _powers(t: Decimal, count: int, a: Arithmetic) -> Row:
@@ -126,25 +205,26 @@ def _powers(t: Decimal, count: int, a: Arithmetic) -> Row:
     return powers[:count]
 
 
-def _newton(data: Data, t: Sequence[Decimal], a: Arithmetic) -> list[Row]:
+def _newton(data: Data, _segment: int, a: Arithmetic) -> Prepared:
     nodes = _exact(data.parameters)
-    tables = []
-    for column in _columns(data.jets[:, 0]):
+    tables = _columns(data.jets[:, 0])
+    for column in tables:
         for order in range(1, len(nodes)):
             for i in range(len(nodes) - 1, order - 1, -1):
                 gap = a.subtract(nodes[i], nodes[i - order])
                 column[i] = a.divide(a.subtract(column[i], column[i - 1]), gap)
-        tables.append(column)
-    rows = []
-    for x in t:
-        row = []
-        for column in tables:
-            result = column[-1]
-            for i in range(len(nodes) - 2, -1, -1):
-                result = a.add(a.multiply(result, a.subtract(x, nodes[i])), column[i])
-            row.append(result)
-        rows.append(row)
-    return rows
+    return Prepared(tables, [nodes])
+
+
+def _newton_value(prepared: Prepared, t: Decimal, a: Arithmetic) -> Row:
+    (nodes,) = prepared.helpers
+    row = []
+    for column in prepared.coefficients:
+        result = column[-1]
+        for i in range(len(nodes) - 2, -1, -1):
+            result = a.add(a.multiply(result, a.subtract(t, nodes[i])), column[i])
+        row.append(result)
+    return row
 
 
 def _product_without(x: Decimal, nodes: Row, skipped: int, a: Arithmetic) -> Decimal:
@@ -165,46 +245,39 @@ def _dot(weights: Row, column: Row, a: Arithmetic) -> Decimal:
     return total
 
 
-def _lagrange(data: Data, t: Sequence[Decimal], a: Arithmetic) -> list[Row]:
-    nodes, columns = _exact(data.parameters), _columns(data.jets[:, 0])
+def _lagrange(data: Data, _segment: int, a: Arithmetic) -> Prepared:
+    nodes = _exact(data.parameters)
     below = [_product_without(node, nodes, i, a) for i, node in enumerate(nodes)]
-    rows = []
-    for x in t:
-        basis = [
-            a.divide(_product_without(x, nodes, i, a), denominator) for i, denominator in enumerate(below)
-        ]
-        rows.append([_dot(basis, column, a) for column in columns])
-    return rows
+    return Prepared(_columns(data.jets[:, 0]), [nodes, below])
 
 
-def _barycentric(data: Data, t: Sequence[Decimal], a: Arithmetic) -> list[Row]:
-    nodes, columns = _exact(data.parameters), _columns(data.jets[:, 0])
-    one = Decimal(1)
+def _lagrange_value(prepared: Prepared, t: Decimal, a: Arithmetic) -> Row:
+    nodes, below = prepared.helpers
+    basis = [a.divide(_product_without(t, nodes, i, a), denominator) for i, denominator in enumerate(below)]
+    return [_dot(basis, column, a) for column in prepared.coefficients]
+
+
+def _barycentric(data: Data, _segment: int, a: Arithmetic) -> Prepared:
+    nodes, one = _exact(data.parameters), Decimal(1)
     weights = [a.divide(one, _product_without(node, nodes, i, a)) for i, node in enumerate(nodes)]
-    rows = []
-    for x in t:
-        if x in nodes:
-            # The point itself, as a k-digit number: a product with 1 rounds it.
-            hit = nodes.index(x)
-            rows.append([a.multiply(one, column[hit]) for column in columns])
-            continue
-        shares = [a.divide(w, a.subtract(x, node)) for w, node in zip(weights, nodes, strict=True)]
-        total = shares[0]
-        for share in shares[1:]:
-            total = a.add(total, share)
-        rows.append([a.divide(_dot(shares, column, a), total) for column in columns])
-    return rows
+    return Prepared([weights, *_columns(data.jets[:, 0])], [nodes])
 
 
-def _hermite_monomial(data: Data, t: Sequence[Decimal], a: Arithmetic) -> list[Row]:
-    segments = data.segments(np.array([float(x) for x in t]))
-    solved: dict[int, list[Row]] = {}
-    rows = []
-    for x, segment in zip(t, segments, strict=True):
-        if segment not in solved:
-            solved[segment] = _segment_coefficients(data, int(segment), a)
-        rows.append([_horner(column, x, a) for column in solved[segment]])
-    return rows
+def _barycentric_value(prepared: Prepared, t: Decimal, a: Arithmetic) -> Row:
+    (nodes,), (weights, *columns) = prepared.helpers, prepared.coefficients
+    if t in nodes:
+        # The point itself, as a k-digit number: a product with 1 rounds it.
+        hit = nodes.index(t)
+        return [a.multiply(Decimal(1), column[hit]) for column in columns]
+    shares = [a.divide(w, a.subtract(t, node)) for w, node in zip(weights, nodes, strict=True)]
+    total = shares[0]
+    for share in shares[1:]:
+        total = a.add(total, share)
+    return [a.divide(_dot(shares, column, a), total) for column in columns]
+
+
+def _hermite_monomial(data: Data, segment: int, a: Arithmetic) -> Prepared:
+    return Prepared(_segment_coefficients(data, segment, a), [])
 
 
 def _segment_coefficients(data: Data, segment: int, a: Arithmetic) -> list[Row]:
@@ -228,20 +301,18 @@ def _derivative_row(powers: Row, order: int, a: Arithmetic) -> Row:
     return row
 
 
-def _hermite_basis(data: Data, t: Sequence[Decimal], a: Arithmetic) -> list[Row]:
-    functions = _cubic if data.jets.shape[1] == 2 else _quintic
-    nodes = _exact(data.parameters)
-    jets = [[_exact(order) for order in jet] for jet in data.jets]
-    segments = data.segments(np.array([float(x) for x in t]))
-    rows = []
-    for x, i in zip(t, segments, strict=True):
-        h = a.subtract(nodes[i + 1], nodes[i])
-        s, r = a.divide(a.subtract(x, nodes[i]), h), a.divide(a.subtract(nodes[i + 1], x), h)
-        left, right = functions(s, r, h, a), functions(r, s, a.subtract(Decimal(0), h), a)
-        weights = [*left, *right]
-        terms = [*jets[i], *jets[i + 1]]
-        rows.append([_dot(weights, [term[d] for term in terms], a) for d in range(data.jets.shape[2])])
-    return rows
+def _hermite_basis(data: Data, segment: int, _a: Arithmetic) -> Prepared:
+    nodes, jets = data.stretch(segment)
+    return Prepared([_exact(axis) for axis in jets.reshape(-1, jets.shape[2]).T], [_exact(nodes)])
+
+
+def _hermite_value(prepared: Prepared, t: Decimal, a: Arithmetic) -> Row:
+    ((start, end),) = prepared.helpers
+    functions = _cubic if len(prepared.coefficients[0]) == 4 else _quintic
+    h = a.subtract(end, start)
+    s, r = a.divide(a.subtract(t, start), h), a.divide(a.subtract(end, t), h)
+    left, right = functions(s, r, h, a), functions(r, s, a.subtract(Decimal(0), h), a)
+    return [_dot([*left, *right], column, a) for column in prepared.coefficients]
 
 
 def _cubic(s: Decimal, r: Decimal, h: Decimal, a: Arithmetic) -> Row:
@@ -271,10 +342,13 @@ def _quintic(s: Decimal, r: Decimal, h: Decimal, a: Arithmetic) -> Row:
     ]
 
 
-LAGRANGE_METHODS: dict[str, Evaluator] = {
-    "monomial": _monomial,
-    "newton": _newton,
-    "lagrange": _lagrange,
-    "barycentric": _barycentric,
+LAGRANGE_METHODS = {
+    "monomial": Form(_monomial, _power_value),
+    "newton": Form(_newton, _newton_value),
+    "lagrange": Form(_lagrange, _lagrange_value),
+    "barycentric": Form(_barycentric, _barycentric_value),
 }
-HERMITE_METHODS: dict[str, Evaluator] = {"monomial": _hermite_monomial, "basis": _hermite_basis}
+HERMITE_METHODS = {
+    "monomial": Form(_hermite_monomial, _power_value),
+    "basis": Form(_hermite_basis, _hermite_value),
+}

@@ -1,12 +1,14 @@
 """The same curve, computed by several methods with k decimal digits.
 
-Every addition, subtraction, multiplication and division is rounded to k
-significant digits, half to even; the data enter exactly as they are. So what
-is seen is the method alone. `round_data` rounds the data, and `exact_values`
-is the truth to compare with.
+What is rounded to k significant digits, half to even, is one of three things
+(`Rounding`): the result of every addition, subtraction, multiplication and
+division, as on a pocket calculator; the coefficients alone, found and evaluated
+exactly; or the data alone, with exact arithmetic after that. `rounded_data` rounds
+data, and `exact_values` is the truth to compare with.
 
-The order of the operations is part of the contract, so that a pocket
-calculator gives the same digits:
+Where every step is rounded the data enter exactly as they are: what is seen is
+the method alone. The order of the operations is part of the contract, so that a
+pocket calculator gives the same digits:
 
 ``monomial``
     Rows 1, t_i, t_i t_i, (t_i t_i) t_i, ...; elimination with partial pivoting
@@ -27,6 +29,11 @@ calculator gives the same digits:
 ``basis``
     Hermite: h = t_(i+1) - t_i, s = (t - t_i) / h, r = (t_(i+1) - t) / h, and the
     factored functions of s and r that `_cubic` and `_quintic` spell out.
+
+The coefficients of a method are what its functions of t are multiplied with:
+those of 1, t, t**2, ...; divided differences; the points; the weights w_i and
+the points; points, velocities and accelerations. An error e of the coefficient
+of t**k moves the curve by e t**k, one of a point p_i by e L_i(t).
 
 References
 ----------
@@ -58,22 +65,25 @@ from curvecore.decimal_methods import (
     HERMITE_METHODS,
     LAGRANGE_METHODS,
     Data,
-    Evaluator,
+    Form,
+    exact_context,
 )
 from curvecore.errors import CurveError
 from curvecore.exact import CommonPolynomial, as_float, interpolated
+from curvecore.rounded_data import decimal_context, digit_count, round_significant
 
 __all__ = [
     "Method",
+    "Rounding",
     "available_methods",
     "digits_lost",
     "evaluate_rounded",
     "exact_values",
-    "round_data",
     "rounded_decimals",
 ]
 
-MOST_DIGITS = 16
+_SHOWN = 20
+"""Digits of a result that was computed exactly: four more than any computation rounds to."""
 
 
 class Method(StrEnum):
@@ -84,6 +94,14 @@ class Method(StrEnum):
     LAGRANGE = "lagrange"
     BARYCENTRIC = "barycentric"
     BASIS = "basis"
+
+
+class Rounding(StrEnum):
+    """What is rounded to k digits; see the module."""
+
+    EVERY_STEP = "every_step"
+    COEFFICIENTS = "coefficients"
+    DATA = "data"
 
 
 def available_methods(derivatives: int) -> tuple[Method, ...]:
@@ -101,6 +119,8 @@ def evaluate_rounded(
     digits: int,
     velocities: ArrayLike | None = None,
     accelerations: ArrayLike | None = None,
+    *,
+    rounding: Rounding | str = Rounding.EVERY_STEP,
 ) -> FloatArray:
     """Return a curve computed in decimal arithmetic of so many digits.
 
@@ -116,9 +136,12 @@ def evaluate_rounded(
         ``"monomial"``, ``"newton"``, ``"lagrange"`` or ``"barycentric"``; with
         velocities ``"basis"`` or ``"monomial"``.
     digits : int
-        From 2 to 16: significant digits of every intermediate result.
+        From 2 to 16: significant digits of what is rounded.
     velocities, accelerations : array_like, shape (n, dim), optional
         Velocities make it the cubic Hermite curve, both the quintic one.
+    rounding : Rounding or str, optional
+        ``"every_step"``, ``"coefficients"`` or ``"data"`` (points, derivatives
+        and parameters). With rounded data all methods give the same values.
 
     Returns
     -------
@@ -132,15 +155,21 @@ def evaluate_rounded(
     ------
     CurveError
         If data are unusable, the method is unknown or does not go with the
-        data, or digits is out of range.
+        data, digits is out of range, parameters become equal by rounding the
+        data, or are so close together that exact coefficients would need
+        more than 3000 digits.
 
     Notes
     -----
+    "Exactly" means with so many digits that no error reaches the twentieth
+    one: 40 more than elimination on parameters of this spacing can lose.
     The time is that of the Decimal operations, some 0.1 us each:
     m n**2 dim of them for ``"lagrange"``, m n dim for the others, n**3 / 3 at
     first for ``"monomial"``. The segment of a Hermite curve is found exactly.
     """
-    rows = rounded_decimals(points, parameters, t, method, digits, velocities, accelerations)
+    rows = rounded_decimals(
+        points, parameters, t, method, digits, velocities, accelerations, rounding=rounding
+    )
     largest = Decimal(float(np.finfo(np.float64).max))
     dim = np.shape(points)[1]
     return np.array([[_as_float(x, largest) for x in row] for row in rows]).reshape(len(rows), dim)
@@ -154,38 +183,29 @@ def rounded_decimals(
     digits: int,
     velocities: ArrayLike | None = None,
     accelerations: ArrayLike | None = None,
+    *,
+    rounding: Rounding | str = Rounding.EVERY_STEP,
 ) -> list[list[Decimal]]:
-    """Return what `evaluate_rounded` does as Decimals, m lists of dim: the digits themselves."""
-    data = _data(points, parameters, velocities, accelerations)
-    context = _context(digits)
-    return _evaluator(data, method)(data, _decimals(parameter_values(t).values), context)
+    """Return what `evaluate_rounded` does as Decimals, m lists of dim: the digits themselves.
 
-
-def round_data(values: ArrayLike, decimals: int) -> FloatArray:
-    """Round data to so many digits behind the decimal point, half to even.
-
-    Parameters
-    ----------
-    values : array_like, any shape
-        Finite.
-    decimals : int
-        At least 0.
-
-    Returns
-    -------
-    ndarray, same shape
-        The doubles nearest to the rounded decimal numbers. The values are
-        taken as the shortest decimals that stand for them, as printed: 0.125
-        and 2.675 are ties, though the double 2.675 is a little less.
-        (`numpy.round` multiplies by a power of ten and may round twice.)
+    What was evaluated exactly is given to 20 digits.
     """
-    places = integer(decimals, "decimals", 0)
-    array = number_array(values, "values")
-    flat = parameter_values(array.ravel()).values
-    unit = Decimal(1).scaleb(-places)
-    context = Context(prec=400 + places, rounding=ROUND_HALF_EVEN)
-    rounded = [float(Decimal(repr(float(x))).quantize(unit, context=context)) for x in flat]
-    return np.array(rounded).reshape(array.shape)
+    data = _data(points, parameters, velocities, accelerations)
+    form, context = _form(data, method), decimal_context(digits)
+    where = parameter_values(t).values
+    match _known(rounding):
+        case Rounding.EVERY_STEP:
+            return form(data, _decimals(where), context)
+        case Rounding.COEFFICIENTS:
+            exact = exact_context(data, where)
+            rows = form(data, _decimals(where), exact, context.plus)
+        case Rounding.DATA:
+            data = _rounded(data, digits)
+            # In exact arithmetic they are all the same; these two need the least of it.
+            form = _form(data, Method.BASIS if data.jets.shape[1] > 1 else Method.NEWTON)
+            rows = form(data, _decimals(where), exact_context(data, where))
+    shown = Context(prec=_SHOWN, rounding=ROUND_HALF_EVEN, traps=[])
+    return [[shown.plus(x) for x in row] for row in rows]
 
 
 def exact_values(
@@ -245,7 +265,7 @@ def digits_lost(computed: ArrayLike, exact: ArrayLike, digits: int, scale: float
         the rounding of a number of that size; from 0 (as good as can be) to k
         (nothing is right, or not a number).
     """
-    k = _digits(digits)
+    k = digit_count(digits)
     found, truth = number_array(computed, "computed"), _finite_rows(exact)
     if found.shape != truth.shape:
         raise CurveError(f"computed and exact must have the same shape, not {found.shape} and {truth.shape}")
@@ -282,23 +302,27 @@ def _data(
     return Data(parameter_array(parameters, len(position)), np.stack(jets, axis=1))
 
 
-def _digits(digits: int) -> int:
-    k = integer(digits, "digits", 2)
-    if k > MOST_DIGITS:
-        raise CurveError(f"digits must be at most {MOST_DIGITS}, not {k}")
-    return k
-
-
-def _context(digits: int) -> Context:
-    # No traps: a division by zero goes on as Infinity or NaN, like in a floating point unit.
-    return Context(prec=_digits(digits), rounding=ROUND_HALF_EVEN, traps=[])
-
-
-def _evaluator(data: Data, method: Method | str) -> Evaluator:
+def _form(data: Data, method: Method | str) -> Form:
     table = HERMITE_METHODS if data.jets.shape[1] > 1 else LAGRANGE_METHODS
     if str(method) not in table:
         raise CurveError(f"method must be one of {', '.join(sorted(table))} for these data, not {method!r}")
     return table[str(method)]
+
+
+def _known(rounding: Rounding | str) -> Rounding:
+    try:
+        return Rounding(rounding)
+    except ValueError:
+        raise CurveError(f"rounding must be one of {', '.join(Rounding)}, not {rounding!r}") from None
+
+
+def _rounded(data: Data, digits: int) -> Data:
+    parameters = round_significant(data.parameters, digits)
+    equal = np.flatnonzero(np.diff(parameters) <= 0)
+    if len(equal):
+        first = int(equal[0])
+        raise CurveError(f"to {digits} digits parameters[{first}] and parameters[{first + 1}] are equal")
+    return Data(parameters, round_significant(data.jets, digits))
 
 
 def _by_segment(data: Data, t: FloatArray) -> list[tuple[int, IntArray]]:

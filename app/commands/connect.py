@@ -165,7 +165,7 @@ class Commands:
 
     def close(self) -> None:
         """Let what runs beside the window end; called before the window goes."""
-        self.recovery.leave()
+        self.recovery.close()
         close_all(self._parts.window.findChildren(Worker))
 
     def follow(self, view: CurveView) -> None:

@@ -39,6 +39,7 @@ class EditCommands:
         """Return what each action does."""
         return {
             "undo": self._undo,
+            "goBack": self._go_back,
             "redo": self._redo,
             "selectAll": self._select_all,
             "deleteSelection": self._delete_selection,
@@ -86,6 +87,7 @@ class EditCommands:
             verb = name.capitalize()
             self._actions[name].setEnabled(can)
             self._actions[name].setText(f"{verb}: {text}" if text else verb)
+        self._actions["goBack"].setEnabled(self._session.beginning.before is not None)
 
     def _undo(self) -> None:
         # Undo in the middle of a drag takes the drag back, not the step before it.
@@ -94,6 +96,10 @@ class EditCommands:
             text = stack.undoText()
             stack.undo()
             self._session.say(f"Undone: {text}.")
+
+    def _go_back(self) -> None:
+        self._session.go_back()
+        self._session.say("This is as you left it; Redo goes on.")
 
     def _redo(self) -> None:
         stack = self._session.undo_stack

@@ -12,7 +12,7 @@ from app.canvas.trace_layer import Trace
 from app.commands.dock_room import make_room_once
 from app.commands.parts import Handlers, Parts
 from app.overrides import Guarded
-from app.view_model.analysis.laboratory_settings import METHOD_NAMES, LaboratorySettings
+from app.view_model.analysis.laboratory_settings import METHOD_NAMES, LaboratorySettings, Rounding
 from app.view_model.curve_view import CurveView
 from app.view_model.growth import growth_of_data
 from app.view_model.looks import METHOD_LOOKS
@@ -214,7 +214,8 @@ class LaboratoryCommands(Guarded, QObject):
 
 
 def _heading(settings: LaboratorySettings) -> str:
-    text = f"Computed with {settings.digits} digits"
+    what = {Rounding.COEFFICIENTS: "Coefficients", Rounding.DATA: "Data"}.get(settings.rounding, "Computed")
+    text = f"{what} with {settings.digits} digits"
     if settings.decimals is not None:
         text += f", data to {settings.decimals} decimals"
     if settings.shift:

@@ -3,18 +3,22 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Mapping
+from dataclasses import dataclass, field
 from functools import cached_property
 from typing import TYPE_CHECKING
 
 from msgspec.structs import replace
 
 from app.commands.parts import Handlers, Parts
+from app.document.storage import load
+from app.undo_step import Beginning
 from app.view_model.curve_view import CurveView
 
 if TYPE_CHECKING:
     from PySide6.QtWidgets import QWidget
 
-    from app.lessons import Lesson
+    from app.document.model import Document
+    from app.lessons import Lesson, Step
     from app.panels.lesson_panel import LessonPanel
 
 _GALLERY = -1
@@ -24,21 +28,28 @@ _DESK = ("plotErrors", "toggleLaboratory", "playMotion", "motionCompare", "toggl
 _ERRORS = {"epsilon": "point_error", "delta": "parameter_error"}
 
 
+@dataclass
+class _Visit:
+    """How far somebody is in a lesson: the step, and the steps whose goals were reached."""
+
+    step: int = 0
+    reached: set[int] = field(default_factory=set)
+
+
 class LessonCommands:
     """The lessons of one window.
 
-    Nothing of it is imported or read before the dock is first opened.
+    Nothing of it is imported or read before the dock is first opened. A lesson is known by where its document
+    began: undo goes back to the lesson before, and to the step that it was left at.
     """
 
     def __init__(self, parts: Parts) -> None:
         self._parts = parts
         self._panel: LessonPanel | None = None
         self._lesson: Lesson | None = None
-        self._step = 0
-        self._reached: set[int] = set()
+        self._given: Document | None = None
+        self._visits: dict[Beginning, _Visit] = {}
         self._switched_on: list[str] = []
-        self._is_opening = False
-        parts.session.opened.connect(self._leave)
         parts.lessons_dock.visibilityChanged.connect(parts.actions["toggleLessons"].setChecked)
 
     def handlers(self) -> Handlers:
@@ -49,15 +60,21 @@ class LessonCommands:
         """Tick the goal when the curve meets it."""
         if self._panel is None or self._lesson is None or not self._panel.isVisible():
             return
-        goal = self._lesson.steps[self._step].goal
-        if goal is None:
+        visit = self._visit
+        goal = self._lesson.steps[visit.step].goal
+        if goal is None or self._given is None:
             return
         from app.view_model.goals import standing_of  # noqa: PLC0415
 
-        standing = standing_of(goal, view)
+        given = next(curve for curve in self._given.curves if curve.name == goal.curve)
+        standing = standing_of(goal, view, given)
         if standing.is_met:
-            self._reached.add(self._step)
-        self._panel.show_standing(standing, reached=self._step in self._reached)
+            visit.reached.add(visit.step)
+        self._panel.show_standing(standing, reached=visit.step in visit.reached)
+
+    @property
+    def _visit(self) -> _Visit:
+        return self._visits.setdefault(self._parts.session.beginning, _Visit())
 
     def open(self, name: str) -> None:
         """Begin the lesson of this name."""
@@ -70,8 +87,11 @@ class LessonCommands:
 
         panel = self._panel = LessonPanel(self._lessons)
         panel.lesson_chosen.connect(self._begin)
+        panel.again_wanted.connect(self._begin_again)
         panel.step_chosen.connect(self._go)
         panel.action_wanted.connect(self._trigger)
+        # Now, and so after the window itself, which shows the usual part of another document.
+        self._parts.session.opened.connect(self._follow_document)
         return panel
 
     @cached_property
@@ -84,17 +104,16 @@ class LessonCommands:
         self._parts.lessons_dock.setVisible(self._parts.actions["toggleLessons"].isChecked())
 
     def _begin(self, number: int) -> None:
-        lesson, session = self._lessons[number], self._parts.session
-        # What was tried out in a lesson is no work to lose; under a name of its own it is.
-        is_own = self._lesson is None or session.path is not None
-        self._is_opening = True
-        opened = self._parts.files.open_example(lesson.document, asks=is_own)
-        self._is_opening = False
-        if not opened:
-            return
-        self._clear_the_desk()
-        self._lesson, self._reached = lesson, set()
-        self._go(0)
+        """Open a lesson's document; what was there before stays in the history, or is asked about."""
+        lesson = self._lessons[number]
+        self._parts.files.open_example(lesson.document, f"Lesson {number + 1}: {lesson.title}")
+
+    def _begin_again(self) -> None:
+        session = self._parts.session
+        if self._lesson is not None and (session.undo_stack.count() or session.path is not None):
+            self._parts.files.open_example(self._lesson.document, "Begin Again")
+        else:
+            self._go(0)
 
     def _clear_the_desk(self) -> None:
         """Put away what another lesson, or somebody before it, has switched on."""
@@ -104,26 +123,46 @@ class LessonCommands:
         self._parts.analysis.reset()
         self._switched_on.clear()
 
-    def _leave(self) -> None:
-        """Go back to the gallery: the document is no lesson's any more."""
-        if self._lesson is not None and not self._is_opening:
-            self._go(_GALLERY)
+    def _follow_document(self) -> None:
+        """Show the lesson whose document is open now, at the step where it was left; else the gallery."""
+        copied = self._parts.session.beginning.copied
+        lesson = next((each for each in self._lessons if each.document == copied), None)
+        if lesson is None:
+            if self._lesson is not None:
+                self._go(_GALLERY)
+            return
+        self._clear_the_desk()
+        self._lesson, self._given = lesson, load(lesson.document)
+        step = self._visit.step
+        if self._parts.session.document == self._given:
+            self._activate(lesson.steps[step].curve)
+        self._show(step)
+        self._parts.basis_pane.fit_functions()
 
     def _go(self, step: int) -> None:
-        assert self._panel is not None
-        steps = self._lesson.steps if self._lesson is not None else ()
-        showing = steps[step].show if 0 <= step < len(steps) else ()
-        self._put_away(but=showing)
-        if step == _GALLERY or self._lesson is None:
-            self._lesson = None
-            self._panel.show_gallery()
+        """Go to a step of the lesson that is open; beyond its end, to the next lesson."""
+        if self._lesson is None:
             return
         if step == len(self._lesson.steps):
             self._begin(self._lessons.index(self._lesson) + 1)
             return
-        self._step = step
+        if step == _GALLERY:
+            self._put_away(but=())
+            self._lesson = None
+            assert self._panel is not None
+            self._panel.show_gallery()
+            return
+        self._show(step)
+        self._activate(self._lesson.steps[step].curve)
+        self._parts.basis_pane.fit_functions()
+
+    def _show(self, step: int) -> None:
+        assert self._panel is not None
+        assert self._lesson is not None
+        self._put_away(but=self._lesson.steps[step].show)
+        self._visit.step = step
         self._panel.show_step(self._lesson, step, is_last=self._lesson is self._lessons[-1])
-        self._set_up()
+        self._set_up(self._lesson.steps[step])
         self.render(self._parts.session.active_view)
 
     def _put_away(self, but: Collection[str]) -> None:
@@ -133,31 +172,28 @@ class LessonCommands:
                 self._parts.actions[name].trigger()
         self._switched_on = [name for name in self._switched_on if name in but]
 
-    def _set_up(self) -> None:
-        assert self._lesson is not None
-        step, session = self._lesson.steps[self._step], self._parts.session
+    def _activate(self, name: str) -> None:
+        session = self._parts.session
         for index, curve in enumerate(session.document.curves):
-            if curve.name == step.curve:
+            if curve.name == name:
                 session.activate(index)
-        self._set_numbers(step.settings)
+
+    def _set_up(self, step: Step) -> None:
+        self._set_up_analysis(step.settings)
         for name in step.show:
             if not self._parts.actions[name].isChecked():
                 self._trigger(name)
                 self._switched_on.append(name)
 
-    def _set_numbers(self, numbers: Mapping[str, float]) -> None:
+    def _set_up_analysis(self, settings: Mapping[str, object]) -> None:
         from app.view_model.analysis.laboratory_settings import Calculation  # noqa: PLC0415
 
         analysis = self._parts.analysis
-        fields = {_ERRORS[name]: value for name, value in numbers.items() if name in _ERRORS}
-        experiment: dict[str, object] = {}
-        if "digits" in numbers:
-            experiment["digits"] = int(numbers["digits"])
-        if "shift" in numbers:
-            experiment["shift"] = numbers["shift"]
-        if "methods" in numbers:
-            experiment["methods"] = frozenset(list(Calculation)[: int(numbers["methods"])])
-        analysis.change(**fields, laboratory=replace(analysis.settings.laboratory, **experiment))
+        errors = {_ERRORS[name]: value for name, value in settings.items() if name in _ERRORS}
+        experiment = {name: value for name, value in settings.items() if name not in _ERRORS}
+        if isinstance(count := experiment.get("methods"), int):
+            experiment["methods"] = frozenset(list(Calculation)[:count])
+        analysis.change(**errors, laboratory=replace(analysis.settings.laboratory, **experiment))
 
     def _trigger(self, name: str) -> None:
         if name in self._parts.actions:

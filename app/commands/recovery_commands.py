@@ -15,6 +15,7 @@ from app.commands.parts import Handlers, Parts
 from app.document.model import Document
 from app.document.recovery import Found, Snapshot, list_snapshots
 from app.file_commands import NEW_NAME
+from app.set_aside import SetAside
 from app.view_model.curve_view import CurveView
 
 if TYPE_CHECKING:
@@ -34,10 +35,18 @@ class RecoveryCommands:
         self._found = Found()
         self._autosave: Autosave | None = None
         self._open_beside: OpenBeside | None = None
+        self._set_aside: SetAside | None = None
 
     def keep_with(self, autosave: Autosave, open_beside: OpenBeside) -> None:
         """Keep with `autosave` what is restored here; where there is other work, restore it elsewhere."""
         self._autosave, self._open_beside = autosave, open_beside
+        self._set_aside = SetAside(self._parts.session, snapshot_folder(), self._parts.window)
+
+    def close(self) -> None:
+        """Keep for the next start what is not decided, and what only the history of this window holds."""
+        self.leave()
+        if self._set_aside is not None:
+            self._set_aside.leave()
 
     def handlers(self) -> Handlers:
         """Return what each action does, by the action's name."""

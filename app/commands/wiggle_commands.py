@@ -117,6 +117,7 @@ class WiggleCommands(QObject):
         explanation = explain(view, t) if t is not None else None
         panel.render_explanation(explanation, len(view.source.nodes), view.problem)
         if explanation is None:
+            self._preview("")
             self._asked = self._cures = None
             self._settler.give_up()
             self._show_cures()

@@ -4,7 +4,7 @@ Beside the canvas:
 
 - ``basis_pane``: the basis functions over t with a header.  ``basis_plot``: what is shown of them.
   ``basis_panel``: the gestures on it.  ``basis_hits``: what lies under the pointer.  ``tick_edit``: a t typed
-  at its tick.  ``basis_layers``, ``function_lines``: functions, t-rail and scrub line, painted.
+  at its tick.  ``basis_layers``, ``function_lines``, ``crest_names``: functions, t-rail, scrub line, painted.
 - ``plot_panel``, ``plot_pane``, ``plot_canvas``, ``plot_layers``, ``value_scale``: plots over t.
   ``plot_over_t``: what they share with the basis functions.
 - ``motion_bar``: the controls of a motion.  ``parametrization_bar``: the rule for the t_i and its α.
@@ -32,6 +32,6 @@ Words and dialogs:
 Small parts:
 
 - ``field_edit``, ``live_slider``, ``slider_edit``, ``setting_slider``, ``elided_label``, ``thumbnail``,
-  ``form_parts``, ``fitting``, ``work_dialog``, ``choice_style``.
+  ``form_parts``, ``fitting``, ``told_spin``, ``work_dialog``, ``choice_style``.
 - ``number_text``, ``words``: numbers and the names of rules, as panels write them.
 """

@@ -10,6 +10,7 @@ import numpy as np
 from PySide6.QtCore import QPointF, QRectF, Qt
 from PySide6.QtGui import QColor, QFont, QPainter, QPen, QPolygonF
 
+from app.panels.crest_names import CrestNames
 from app.panels.function_lines import Drawing, FunctionLines, way_to_draw
 from app.plot.colours import colours_of
 from app.plot.layered_plot import LayeredPlot
@@ -54,6 +55,7 @@ class FunctionLayer:
         self.emphasised: frozenset[int] = frozenset()
         self._basis: BasisView | None = None
         self._lines: FunctionLines | None = None
+        self._names = CrestNames(plot.font())
         self._layer = plot.add_layer(self.paint, z=0)
 
     def render(self, basis: BasisView | None) -> None:
@@ -77,6 +79,8 @@ class FunctionLayer:
         painter.setRenderHint(QPainter.RenderHint.Antialiasing, True)
         if way_to_draw(self._basis) is Drawing.EACH:
             self._paint_all(painter, self._basis)
+            kinds = self._basis.shown_of(self.kinds)
+            self._names.paint(painter, shown, self._basis, kinds, self.theme, self.scale)
         else:
             self._paint_together(painter, self._basis)
 

@@ -185,6 +185,13 @@ class BasisPane(Guarded, QWidget):
         self._panel.calm_values()
         self._panel.fit_domain()
 
+    def fit_functions(self) -> None:
+        """Show the whole interval and all functions: the usual range where it holds them."""
+        self.fit()
+        if self._reach is not None:
+            self._fit.setChecked(True)
+            self._panel.fit_values()
+
     def _choose_kinds(self) -> None:
         self._panel.set_kinds(frozenset(k for k, button in enumerate(self._kinds) if button.isChecked()))
 

@@ -103,7 +103,8 @@ def _words(cost: Cost) -> str:
 
 def _note(cost: Cost) -> str:
     text = (
-        "Twice as many points: eight times the work to solve, four times for the basis form. "
+        f"Twice as many points: {cost.doubled[0]:.1f} times the operations to solve, "
+        f"{cost.doubled[1]:.1f} times for the basis form; 8 and 4 for large n. "
         f"In its barycentric variant each further point takes {short(cost.further[2])}."
     )
     if cost.count < _SMALL:

@@ -125,8 +125,12 @@ class ExportDialog(WorkDialog):
         self.jobs.start("Drawing", draw, self._show_look, self._refuse)
 
     def _show_look(self, seen: Look) -> None:
+        try:
+            choice = self.form.choice()
+        except ExpressionError:
+            return  # typed while it was drawn, and said
         # As the picture will be looked at, not as this window is.
-        theme = DARK if self.form.choice().dark else LIGHT
+        theme = DARK if choice.dark else LIGHT
         squares = (theme.paper, mix(theme.ink, theme.paper, 0.1))
         self.picture.setPixmap(_on_squares(seen.image, self.devicePixelRatioF(), squares))
         self.size_label.setText(seen.size)

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from msgspec.structs import replace
-from PySide6.QtCore import QLocale, Signal
-from PySide6.QtWidgets import QCheckBox, QFormLayout, QGridLayout, QLabel, QSpinBox, QWidget
+from PySide6.QtCore import Signal
+from PySide6.QtWidgets import QCheckBox, QFormLayout, QGridLayout, QLabel, QWidget
 
 from app.document.expression import ExpressionError, parse_number
 from app.exchange.choice import (
@@ -24,6 +24,7 @@ from app.exchange.units import known_unit
 from app.panels.field_edit import FieldEdit
 from app.panels.form_parts import choice_box
 from app.panels.number_text import decimal_mark, exact_text
+from app.panels.told_spin import ToldSpinBox
 
 _SCALES = {1.0: "× 1 (96 dpi)", 2.0: "× 2 (192 dpi)", 3.0: "× 3 (288 dpi)", 4.0: "× 4 (384 dpi)"}
 _COLOURS = ("Light", "Dark")
@@ -62,8 +63,9 @@ class ExportForm(QWidget):
         self._description = QLabel()
         self._description.setObjectName("exportDescription")
         self._description.setWordWrap(True)
-        self.width_box = _spin("exportWidth", "Width", "Width in pixels before the scale; the height follows")
-        self.width_box.setRange(1, 16384)
+        self.width_box = _spin(
+            "exportWidth", "Width", "Width in pixels before the scale; the height follows", (1, 16384)
+        )
         self.width_box.setSuffix(" px")
         self.scale_box = choice_box(
             "exportScale", "Scale", "How sharp: pixels for each", list(_SCALES.values())
@@ -83,8 +85,9 @@ class ExportForm(QWidget):
         self.spacing_box = choice_box(
             "exportSpacing", "Samples", "How the rows are spread along each curve", list(_SPACINGS.values())
         )
-        self.samples_box = _spin("exportSamples", "Number of samples", "Rows for each curve")
-        self.samples_box.setRange(2, MOST_SAMPLES)
+        self.samples_box = _spin(
+            "exportSamples", "Number of samples", "Rows for each curve", (2, MOST_SAMPLES)
+        )
         self.columns = {
             title: _check(f"exportColumn_{title}", title, f"Write the column {title}") for title in TITLES
         }
@@ -186,12 +189,21 @@ class ExportForm(QWidget):
         Raises
         ------
         ExpressionError
-            If no column is.
+            If no column is, or a number that concerns the format is out of its range.
         """
         titles = tuple(title for title, check in self.columns.items() if check.isChecked())
         ending = list(FORMATS)[self.format_box.currentIndex()]
         if not titles and ending in SAMPLED:
             raise ExpressionError("A table needs at least one column.")
+        spacing = list(_SPACINGS)[self.spacing_box.currentIndex()]
+        concerns = {
+            self.width_box: ending == ".png",
+            self.samples_box: ending in SAMPLED and spacing is not Spacing.TOLERANCE,
+        }
+        if problem := next(
+            (box.problem for box, is_asked in concerns.items() if is_asked and box.problem), ""
+        ):
+            raise ExpressionError(problem)
         return ExportChoice(
             ending=ending,
             width=self.width_box.value(),
@@ -201,7 +213,7 @@ class ExportForm(QWidget):
             true_size=self.true_size.isChecked(),
             tolerance=self._shown.tolerance,
             cubic=self.cubic.isChecked(),
-            spacing=list(_SPACINGS)[self.spacing_box.currentIndex()],
+            spacing=spacing,
             samples=self.samples_box.value(),
             columns=titles or TITLES,
             **{name: check.isChecked() for name, check in self.shown.items()},
@@ -246,13 +258,9 @@ def _nearest(scale: float) -> int:
     return min(range(len(_SCALES)), key=lambda place: abs(list(_SCALES)[place] - scale))
 
 
-def _spin(name: str, label: str, tip: str) -> QSpinBox:
-    box = QSpinBox()
-    box.setObjectName(name)
-    box.setAccessibleName(label)
-    box.setToolTip(tip)
+def _spin(name: str, label: str, tip: str, limits: tuple[int, int]) -> ToldSpinBox:
+    box = ToldSpinBox(name, label, tip, limits)
     box.setKeyboardTracking(False)
-    box.setLocale(QLocale.c())
     return box
 
 

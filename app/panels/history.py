@@ -16,6 +16,9 @@ from app.overrides import Guarded
 from app.session import Session
 from app.theme import mix, theme_of
 
+_MARGIN = 6
+"""Pixels between the edge and the text of a row, besides what the style leaves."""
+
 
 class _StepDelegate(Guarded, QStyledItemDelegate):
     """Draws what was taken back in muted italics: it is there to be done again."""
@@ -36,6 +39,9 @@ class _StepDelegate(Guarded, QStyledItemDelegate):
             palette.setColor(QPalette.ColorRole.Text, theme.muted)
             option.font.setItalic(True)
         option.palette = palette
+        # An empty sign before the text keeps it off the edge, and leaves the row's colour as wide as the row.
+        option.features |= QStyleOptionViewItem.ViewItemFeature.HasDecoration
+        option.decorationSize = QSize(_MARGIN, 1)
 
     def sizeHint(self, option: QStyleOptionViewItem, index: QModelIndex | QPersistentModelIndex) -> QSize:
         size = super().sizeHint(option, index)
@@ -70,6 +76,8 @@ class HistoryPanel(QWidget):
         self.view.setEmptyLabel(_opened(session) if session.path is not None else "Start")
 
     def _name_the_beginning(self) -> None:
+        if self._session.undo_stack.count():
+            return  # a lesson or an example was opened as a step; it began with something else
         self.view.setEmptyLabel(_opened(self._session))
 
 

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from math import log10
-
 from msgspec.structs import replace
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QAction
@@ -33,20 +31,18 @@ from app.panels.number_text import decimal_mark, exact_text
 from app.view_model.analysis.laboratory import Digits, Trial, calculations
 from app.view_model.analysis.laboratory_settings import (
     LEAST_DIGITS,
-    METHOD_NAMES,
     MOST_DECIMALS,
     MOST_DIGITS,
+    ROUNDING_NAMES,
     USUAL_SHIFT,
     Calculation,
     LaboratorySettings,
+    Rounding,
 )
-from app.view_model.analysis.wording import power
+from app.view_model.analysis.laboratory_words import trial_words
 from app.view_model.curve_view import CurveView
 
 _LARGEST_SHIFT = 1e9
-
-_HOPELESS = 0.7
-"""With fewer right digits than this nothing is right."""
 
 
 class LaboratoryPanel(QTabWidget):
@@ -68,6 +64,7 @@ class LaboratoryPanel(QTabWidget):
         self._plot_errors = plot_errors
         self.cost = CostPanel()
         self.table, self.digits = MethodTable(), DigitsTable()
+        self.what = self._make_what()
         self.slider, self.digits_text = self._make_slider(), _label("digitsValue", wraps=False)
         self.rounding, self.shift_button, self.shift_field = (
             self._make_rounding(),
@@ -93,11 +90,20 @@ class LaboratoryPanel(QTabWidget):
         slider.setPageStep(1)
         slider.setTickPosition(QSlider.TickPosition.TicksBelow)
         slider.setTickInterval(1)
-        slider.setAccessibleName("Significant digits of every operation")
-        slider.setToolTip(
-            "Significant decimal digits that every single operation keeps, as on a pocket calculator"
-        )
+        slider.setAccessibleName("Significant digits that are kept")
+        slider.setToolTip("Significant decimal digits that are kept")
         return slider
+
+    def _make_what(self) -> QComboBox:
+        box = QComboBox()
+        box.setObjectName("roundWhat")
+        box.setAccessibleName("What is rounded")
+        box.setToolTip(
+            "Every step, as on a pocket calculator; or once only the coefficients of each method, "
+            "or the data, with exact arithmetic before and after"
+        )
+        box.addItems([ROUNDING_NAMES[each] for each in Rounding])
+        return box
 
     def _make_rounding(self) -> QComboBox:
         box = QComboBox()
@@ -152,22 +158,25 @@ class LaboratoryPanel(QTabWidget):
         grid.setHorizontalSpacing(10)
         grid.setVerticalSpacing(8)
         grid.setColumnStretch(1, 1)
-        grid.addWidget(QLabel("Round every step to"), 0, 0)
-        grid.addWidget(self.slider, 0, 1)
+        grid.addWidget(QLabel("Round"), 0, 0)
+        grid.addWidget(self.what, 0, 1, 1, 2)
+        grid.addWidget(QLabel("to"), 1, 0)
+        grid.addWidget(self.slider, 1, 1)
         self.digits_text.setMinimumWidth(self.fontMetrics().horizontalAdvance("16 digits ") + 8)
         self.rounding.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
-        grid.addWidget(self.digits_text, 0, 2)
+        grid.addWidget(self.digits_text, 1, 2)
         row = QHBoxLayout()
         row.setSpacing(8)
         row.addWidget(self.rounding, 1)
         row.addWidget(self.shift_button)
         self.shift_field.setFixedWidth(self.fontMetrics().horizontalAdvance("100000") + 14)
         row.addWidget(self.shift_field)
-        grid.addLayout(row, 1, 0, 1, 3)
+        grid.addLayout(row, 2, 0, 1, 3)
         return grid
 
     def _connect(self) -> None:
         self.slider.actionTriggered.connect(lambda _action: self._change(digits=self.slider.sliderPosition()))
+        self.what.activated.connect(lambda row: self._change(rounding=list(Rounding)[row]))
         self.rounding.activated.connect(lambda row: self._change(decimals=row - 1 if row else None))
         self.shift_button.clicked.connect(self._toggle_shift)
         self.shift_field.committed.connect(self._type_shift)
@@ -220,6 +229,7 @@ class LaboratoryPanel(QTabWidget):
         settings = self._settings
         if not self.slider.isSliderDown():
             self.slider.setValue(settings.digits)
+        self.what.setCurrentIndex(list(Rounding).index(settings.rounding))
         self.digits_text.setText(f"<b>{settings.digits}</b> digits")
         self.rounding.setCurrentIndex(0 if settings.decimals is None else settings.decimals + 1)
         self.shift_button.setChecked(settings.shift != 0)
@@ -238,7 +248,7 @@ class LaboratoryPanel(QTabWidget):
         """Show what came out; muted while something else is being computed."""
         self.state.setText("computing…" if busy else "")
         self.table.render_trial(trial, lebesgue, faded=busy)
-        self.words.setText(_words(trial) if trial is not None else problem)
+        self.words.setText(trial_words(trial) if trial is not None else problem)
         self.words.setEnabled(not busy)
         self.note.setText(trial.note if trial is not None else "")
         self.note.setVisible(bool(self.note.text()))
@@ -266,22 +276,3 @@ def _scrolling(page: QWidget, name: str) -> QScrollArea:
     bar = area.verticalScrollBar().sizeHint().width()
     area.setMinimumWidth(page.minimumSizeHint().width() + bar)
     return area
-
-
-def _words(trial: Trial) -> str:
-    """Say in a sentence what is to be seen."""
-    if not trial.outcomes:
-        return "Choose a method to compute the curve with."
-    digits = trial.settings.digits
-    monomial = trial.outcome(Calculation.MONOMIAL)
-    if monomial is None or trial.condition is None:
-        best = min(trial.outcomes, key=lambda each: each.lost)
-        return f"{METHOD_NAMES[best.calculation]} loses {best.lost:.1f} of {digits} digits."
-    exponent = round(log10(trial.condition))
-    if monomial.lost > digits - _HOPELESS:
-        return (
-            f"{digits} digits are not enough for the monomials: "
-            f"their system has a condition number κ ≈ {power(exponent)}."
-        )
-    most = f"all {digits} digits" if exponent >= digits else f"up to {exponent} of {digits} digits"
-    return f"The monomials' system has a condition number κ ≈ {power(exponent)}: {most} may go."

@@ -38,12 +38,15 @@ class LessonPanel(QWidget):
         The lesson of this number is wanted.
     step_chosen
         Another step of the lesson is wanted; −1 is the gallery, the number of steps the next lesson.
+    again_wanted
+        The lesson is to begin again, with its document as it comes.
     action_wanted
         A link in the text names this action.
     """
 
     lesson_chosen = Signal(int)
     step_chosen = Signal(int)
+    again_wanted = Signal()
     action_wanted = Signal(str)
 
     def __init__(self, lessons: Sequence[Lesson], parent: QWidget | None = None) -> None:
@@ -57,6 +60,9 @@ class LessonPanel(QWidget):
         self.goal.setFrameShape(QFrame.Shape.StyledPanel)
         self.goal.setMargin(8)
         self.gallery_button = _button("lessonGallery", "All Lessons", "Back to the list of lessons")
+        self.again_button = _button(
+            "lessonAgain", "Begin Again", "Begin this lesson again; Undo goes back to what you have now"
+        )
         self.back_button = _button("lessonBack", "Back", "The step before")
         self.next_button = _button("lessonNext", "Next", "The next step")
         self._title = _named(QLabel(wordWrap=True), "lessonTitle")
@@ -68,6 +74,7 @@ class LessonPanel(QWidget):
         layout.setContentsMargins(0, 0, 0, 0)
         layout.addWidget(self._pages)
         self.gallery_button.clicked.connect(lambda: self.step_chosen.emit(-1))
+        self.again_button.clicked.connect(self.again_wanted)
         self.back_button.clicked.connect(lambda: self.step_chosen.emit(self._step - 1))
         self.next_button.clicked.connect(lambda: self.step_chosen.emit(self._step + 1))
 
@@ -103,6 +110,7 @@ class LessonPanel(QWidget):
         page = QWidget()
         top, bottom = QHBoxLayout(), QHBoxLayout()
         top.addWidget(self.gallery_button)
+        top.addWidget(self.again_button)
         top.addStretch(1)
         top.addWidget(self._place)
         for widget in (self.back_button, self.next_button):

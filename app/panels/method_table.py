@@ -12,7 +12,7 @@ from app.overrides import Guarded
 from app.plot.pens import SIGN, sign_pixmap
 from app.theme import theme_of
 from app.view_model.analysis.laboratory import Trial
-from app.view_model.analysis.laboratory_settings import METHOD_NAMES, Calculation
+from app.view_model.analysis.laboratory_settings import METHOD_NAMES, Calculation, Rounding
 from app.view_model.analysis.wording import short
 from app.view_model.looks import METHOD_LOOKS
 
@@ -30,7 +30,8 @@ _HEADINGS = (
     ("at t", "Where the largest error is"),
     (
         "Condition",
-        "κ: how much solving the system can magnify rounding; Λ: how much the curve itself magnifies errors",
+        "At worst. κ: how many times solving the system can magnify rounding; "
+        "Λ: how many times the curve itself magnifies errors of its points",
     ),
 )
 _CELLS = ("lost", "error", "place", "condition")
@@ -131,6 +132,6 @@ def _side(column: int) -> Qt.AlignmentFlag:
 
 
 def _condition(method: Calculation, trial: Trial, lebesgue: float | None) -> str:
-    if method is Calculation.MONOMIAL:
+    if method is Calculation.MONOMIAL and trial.settings.rounding is not Rounding.DATA:
         return f"κ {short(trial.condition)}" if trial.condition is not None else "–"
     return f"Λ {short(lebesgue)}" if lebesgue is not None else "–"

@@ -6,17 +6,16 @@ from PySide6.QtCore import QSize, Qt, Signal
 from PySide6.QtWidgets import (
     QCheckBox,
     QComboBox,
-    QDoubleSpinBox,
     QFormLayout,
     QHBoxLayout,
     QLabel,
     QPushButton,
-    QSpinBox,
     QWidget,
 )
 
 from app.exchange.animation import FASTEST, LARGEST_WIDTH, MOST_FRAMES, has_video
 from app.panels.fitting import FittedDialog
+from app.panels.told_spin import ToldDoubleSpinBox, ToldSpinBox
 
 FORMATS = {".gif": "GIF", ".apng": "APNG", ".mp4": "MP4"}
 
@@ -38,10 +37,20 @@ class MotionDialog(FittedDialog):
         self.setWindowTitle("Export Motion")
         self.format_box = QComboBox()
         self.format_box.addItems(list(FORMATS.values()))
-        self.width_box = QSpinBox(minimum=64, maximum=LARGEST_WIDTH, singleStep=16, value=640)
+        self.width_box = ToldSpinBox(
+            "filmWidth", "Width", "Width of the picture; the height follows", (64, LARGEST_WIDTH)
+        )
+        self.width_box.setSingleStep(16)
+        self.width_box.setValue(640)
         self.width_box.setSuffix(" px")
-        self.fps_box = QSpinBox(minimum=1, maximum=FASTEST, value=25)
-        self.seconds_box = QDoubleSpinBox(minimum=0.1, maximum=3600.0, decimals=2, singleStep=0.5)
+        self.fps_box = ToldSpinBox(
+            "filmFps", "Frames a second", "How many pictures there are in a second", (1, FASTEST)
+        )
+        self.fps_box.setValue(25)
+        self.seconds_box = ToldDoubleSpinBox(
+            "filmSeconds", "Length", "Length of the film: one round of the motion", (0.1, 3600.0)
+        )
+        self.seconds_box.setSingleStep(0.5)
         self.seconds_box.setSuffix(" s")
         self.points_check = QCheckBox("Points")
         self.points_check.setChecked(True)
@@ -52,16 +61,13 @@ class MotionDialog(FittedDialog):
         self._name_all()
         self._lay_out()
         # The numbers below are told whoever changes them.
-        self.fps_box.valueChanged.connect(self._count)
-        self.seconds_box.valueChanged.connect(self._count)
+        for box in (self.width_box, self.fps_box, self.seconds_box):
+            box.valueChanged.connect(self._count)
         self._export.clicked.connect(self._accept)
 
     def _name_all(self) -> None:
         names = {
             self.format_box: ("filmFormat", "Format", "GIF and APNG play in every browser; MP4 takes ffmpeg"),
-            self.width_box: ("filmWidth", "Width", "Width of the picture; the height follows"),
-            self.fps_box: ("filmFps", "Frames a second", "How many pictures there are in a second"),
-            self.seconds_box: ("filmSeconds", "Length", "Length of the film: one round of the motion"),
             self.points_check: ("filmPoints", "Draw the points", "Draw the points too"),
             self._export: ("filmExport", "Export", "Choose a file and write the motion there"),
         }
@@ -109,11 +115,12 @@ class MotionDialog(FittedDialog):
 
     def _count(self) -> None:
         frames = max(2, round(self.fps_box.value() * self.seconds_box.value()))
-        too_many = frames > MOST_FRAMES
-        self._frames.setText(
-            f"{frames} frames" + (f"; at most {MOST_FRAMES} are possible" if too_many else "")
-        )
-        self._export.setEnabled(not too_many)
+        limits = (self.width_box.problem, self.fps_box.problem, self.seconds_box.problem)
+        problem = next(filter(None, limits), "")
+        if not problem and frames > MOST_FRAMES:
+            problem = f"{frames} frames; at most {MOST_FRAMES} are possible"
+        self._frames.setText(problem or f"{frames} frames")
+        self._export.setEnabled(not problem)
 
     def _accept(self) -> None:
         self.hide()

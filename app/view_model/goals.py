@@ -1,7 +1,8 @@
 """What a lesson asks for, measured on the curve that is edited.
 
-A goal is written as ``measure comparison value``: ``lebesgue < 5``, ``family = quintic_hermite``. Nothing in
-it is executed; a measure is a name in a table.
+A goal is written as ``measure comparison value``: ``lebesgue < 5``, ``family = quintic_hermite``. Beside it
+stand the curve that it is about, and what has to stay as it was given (`KEPT`): nobody shall make Λ small by
+deleting points. Nothing in it is executed; a measure is a name in a table.
 """
 
 from __future__ import annotations
@@ -13,6 +14,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from app.document.model import Curve
 from app.view_model.curve_view import CurveView, Floats
 from app.view_model.growth import growth_of_points
 from curvecore import CurveError, chord_length, joint_report
@@ -26,6 +28,8 @@ _COMPARISONS: dict[str, tuple[Callable[[float, float], bool], str]] = {
     "=": (operator.eq, "exactly"),
 }
 _SAMPLES = 2000
+_LITTLE = 0.1
+"""How far a point may be moved and still count as left where it was, as a share of the drawing."""
 
 
 class GoalError(ValueError):
@@ -42,11 +46,17 @@ class Goal:
         A name in `MEASURES`, or ``family`` or ``parametrization``.
     comparison, value
         As written; the value of ``family`` and ``parametrization`` is a word.
+    curve
+        Name of the curve that it is about; empty for any.
+    kept
+        What has to stay as it was given, by names in `KEPT`.
     """
 
     measure: str
     comparison: str
     value: str
+    curve: str = ""
+    kept: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -63,12 +73,20 @@ class Standing:
     text: str
 
 
-def parse_goal(text: str) -> Goal:
-    """Return the goal that `text` writes; raise `GoalError` where there is none."""
+def parse_goal(text: str, curve: str = "", kept: str = "") -> Goal:
+    """Return the goal that `text` writes; raise `GoalError` where there is none.
+
+    `kept` names what has to stay as it was given, separated by commas.
+    """
     found = _GOAL.fullmatch(text.strip())
     if found is None:
         raise GoalError(f"“{text}” is no goal; write “measure < value”")
-    goal = Goal(*found.groups())
+    measure, comparison, value = found.groups()
+    names = tuple(filter(None, (name.strip() for name in kept.split(","))))
+    for name in names:
+        if name not in KEPT:
+            raise GoalError(f"“{name}” cannot be kept; there are {', '.join(KEPT)}")
+    goal = Goal(measure, comparison, value, curve, names)
     if goal.measure in _WORDS:
         if goal.comparison != "=":
             raise GoalError(f"“{text}”: {goal.measure} can only be =")
@@ -79,19 +97,32 @@ def parse_goal(text: str) -> Goal:
     return goal
 
 
-def standing_of(goal: Goal, view: CurveView) -> Standing:
-    """Return whether the curve of `view` meets `goal`, in words."""
-    if goal.measure in _WORDS:
-        label, value_of = _WORDS[goal.measure]
-        wanted = goal.value.replace("_", " ")
-        return Standing(value_of(view) == goal.value, f"{label} {wanted}")
-    label, measure = MEASURES[goal.measure]
-    compare, words = _COMPARISONS[goal.comparison]
-    asked = f"{label} {words} {goal.value}"
+def standing_of(goal: Goal, view: CurveView, given: Curve | None = None) -> Standing:
+    """Return whether the curve of `view` meets `goal`, in words; `given` is the curve as it was given."""
+    if goal.curve and view.source.name != goal.curve:
+        return Standing(False, f"{_asked(goal)}; click on the curve “{goal.curve}”, which is meant")
     if not view.is_current:
-        return Standing(False, f"{asked}; there is no curve now")
-    value = measure(view)
-    return Standing(compare(value, _number(goal)), f"{asked}; now {value:.4g}")
+        return Standing(False, f"{_asked(goal)}; there is no curve now")
+    is_met, now = _measured(goal, view)
+    changed = [KEPT[name] for name in goal.kept if given is not None and not KEPT[name].is_kept(view, given)]
+    if changed:
+        return Standing(False, f"{_asked(goal)}{now}, but {changed[0].words}")
+    return Standing(is_met, f"{_asked(goal)}{now}")
+
+
+def _asked(goal: Goal) -> str:
+    if goal.measure in _WORDS:
+        return f"{_WORDS[goal.measure][0]} {goal.value.replace('_', ' ')}"
+    return f"{MEASURES[goal.measure][0]} {_COMPARISONS[goal.comparison][1]} {goal.value}"
+
+
+def _measured(goal: Goal, view: CurveView) -> tuple[bool, str]:
+    """Return whether the value is the one that is asked for, and what it is now, in words."""
+    if goal.measure in _WORDS:
+        return _WORDS[goal.measure][1](view) == goal.value, ""
+    value = MEASURES[goal.measure][1](view)
+    now = f"{value:.4g}" if np.isfinite(value) else "∞"
+    return _COMPARISONS[goal.comparison][0](value, _number(goal)), f"; now {now}"
 
 
 def _number(goal: Goal) -> float:
@@ -136,6 +167,48 @@ def _chord_gap(view: CurveView) -> float:
 def _at_knots(view: CurveView) -> Floats:
     return np.vstack([view.points, view.points[:1]]) if view.source.is_closed else view.points
 
+
+@dataclass(frozen=True)
+class Kept:
+    """Something that a goal wants left alone.
+
+    Attributes
+    ----------
+    is_kept
+        Whether the curve still has it, of its view and of the curve as it was given.
+    words
+        What is said where it has not.
+    """
+
+    is_kept: Callable[[CurveView, Curve], bool]
+    words: str
+
+
+def _keeps_points(view: CurveView, given: Curve) -> bool:
+    """Whether there are as many points as given, each about where it was: a lesson may ask to move one."""
+    before = np.array([node.position for node in given.nodes])
+    if before.shape != view.points.shape:
+        return False
+    size = float(np.ptp(before, axis=0).max())
+    return bool(np.abs(view.points - before).max() <= _LITTLE * size)
+
+
+def _has_three_decimals(view: CurveView, _given: Curve) -> bool:
+    return bool((np.round(view.parameters, 3) == view.parameters).all())
+
+
+KEPT = {
+    "points": Kept(_keeps_points, "the points are not the lesson’s any more"),
+    "family": Kept(
+        lambda view, given: view.source.family is given.family, "the family is to stay what it was"
+    ),
+    "rule": Kept(
+        lambda view, given: view.source.parametrization.kind is given.parametrization.kind,
+        "another rule makes the parameters now",
+    ),
+    "decimals": Kept(_has_three_decimals, "some parameters have more than three decimals"),
+}
+"""What a goal may want left alone."""
 
 MEASURES: dict[str, tuple[str, Callable[[CurveView], float]]] = {
     "points": ("Points", lambda view: float(len(view.points))),

@@ -413,3 +413,10 @@ def test_unusable_arguments():
             evaluate_rounded(points, t, [0.5], method, 5, *rest)
     with pytest.raises(CurveError, match="accelerations need velocities"):
         evaluate_rounded(points, t, [0.5], "basis", 5, accelerations=points)
+
+
+def test_no_module_that_is_imported_late_has_the_name_of_a_function():
+    """`from curvecore import OperationCounts, operation_counts` gave a module: importing it took the name."""
+    import curvecore
+
+    assert not set(curvecore._MODULE_OF.values()) & set(curvecore.__all__)

@@ -6,12 +6,16 @@ from itertools import pairwise
 
 import numpy as np
 import pytest
-from PySide6.QtCore import QEvent, QPointF, Qt
+from PySide6.QtCore import QEvent, QPointF, QSizeF, Qt
 from PySide6.QtWidgets import QLabel, QToolButton, QWidget
 
 from app.document.edits import set_position
 from app.document.model import Family, ParametrizationKind
+from app.panels.basis_layers import rail_height
+from app.panels.crest_names import apart, crests_of
+from app.plot.colours import colours_of
 from app.testing import Editor
+from app.theme import LIGHT
 
 
 @pytest.fixture
@@ -73,6 +77,42 @@ def test_a_drag_inside_the_interval_leaves_the_part_of_t_that_is_shown(editor, p
     editor.settle()
     editor.drag_parameter(3, to=editor.parameters[3] + 0.02)
     assert panel.t_range == pytest.approx((0.2, 0.8))
+
+
+def test_functions_are_told_apart_by_numbers_at_their_crests(editor, panel):
+    """By colour alone functions 2 and 3 are the same grey to a deuteranope."""
+    editor.choose_family(Family.HERMITE)
+    editor.settle()
+    basis, shown = panel.basis, panel.pixel_map
+    found = crests_of(basis, [0, 1])
+    for owner, kind, t, value in found:
+        values = basis.value_at(t, kind)
+        assert values[owner] == pytest.approx(value)
+        if kind == 0:
+            assert np.flatnonzero(np.abs(values) > 1e-12).tolist() == [owner]
+        else:
+            # s (1 − s)² h is 4/27 h at its crest, ahead of its knot; that of the last one lies behind it.
+            gaps = np.diff(editor.parameters)
+            beside = gaps[max(owner - 1, 0) : owner + 1]
+            height = 2.5 * 4 / 27 * (gaps[owner] / beside.max() if owner < len(gaps) else -1.0)
+            # Between two samples the crest is lower by a square of their distance.
+            assert value == pytest.approx(height, rel=2e-3)
+    picture, colours = panel.viewport().grab().toImage(), colours_of(basis.count, LIGHT)
+    origin = panel.rail_pixel(0.0) - QPointF(shown.x(0.0), shown.height - rail_height(1.0) + 8)
+    for owner, kind, t, _ in found:
+        if kind == 0:
+            x, y = origin.x() + shown.x(t), origin.y() + shown.y(1.0)
+            above = [(round(x) + i, round(y) - 3 - j) for i in range(-5, 6) for j in range(8)]
+            # Letters are thin: their darkest pixel is nearly the colour of the function.
+            hues = [picture.pixelColor(*place) for place in above]
+            nearest = min(abs(hue.lightness() - colours[owner].lightness()) for hue in hues)
+            assert nearest < 40 < LIGHT.paper.lightness() - colours[owner].lightness(), owner
+
+
+def test_numbers_at_crests_do_not_meet():
+    cell = QSizeF(20, 12)
+    places = np.array([[0.0, 5.0], [10.0, 5.0], [10.0, 30.0], [25.0, 5.0], [60.0, 5.0]])
+    assert sorted(apart(places, cell).tolist()) == [0, 2, 3, 4]
 
 
 def test_a_tick_stops_before_its_neighbours(editor):

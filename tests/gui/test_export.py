@@ -334,6 +334,23 @@ def test_the_file_has_the_ending_of_its_format_once(editor, dialog, tmp_path, mo
     assert [each.name for each in tmp_path.glob("p*")] == ["p.points.csv"]
 
 
+def test_a_number_that_is_out_of_range_is_told(editor, dialog):
+    """Of a width of 99999 pixels, 9999 was left without a word."""
+    choose_format(dialog, ".png")
+    box = dialog.form.width_box
+    box.setFocus()
+    box.selectAll()
+    dialog._look()  # a preview is under way
+    QTest.keyClicks(box, "99999")
+    QTest.keyClick(box, Qt.Key.Key_Tab)
+    assert box.value() == 99999
+    assert "Width: from 1 to 16384." in dialog.problem.text()
+    settled(editor, dialog)
+    assert not dialog.ok.isEnabled()
+    choose_format(dialog, ".svg")
+    assert dialog.ok.isEnabled()
+
+
 def test_a_name_that_was_not_asked_about_is_not_replaced(editor, dialog, tmp_path, monkeypatch):
     choose_format(dialog, ".points.csv")
     (tmp_path / "p.points.csv").write_text("mine", encoding="utf-8")

@@ -34,6 +34,21 @@ def click(qtbot, view, row):
     qtbot.mouseClick(view.viewport(), Qt.MouseButton.LeftButton, pos=place)
 
 
+def test_the_text_of_a_row_keeps_off_the_edge(history):
+    """It began three pixels from the edge of the panel."""
+    _session, panel = history
+    view = panel.view
+    picture = view.viewport().grab().toImage()
+    row = view.visualRect(view.model().index(1, 0))
+    paper = picture.pixelColor(row.right() - 2, row.center().y())
+    inked = [
+        x
+        for x in range(row.left(), row.right())
+        if any(picture.pixelColor(x, y) != paper for y in range(row.top() + 2, row.bottom() - 1))
+    ]
+    assert 8 <= inked[0] <= 16
+
+
 def test_it_lists_the_steps(history):
     _session, panel = history
     view = panel.view

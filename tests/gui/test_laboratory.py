@@ -24,7 +24,8 @@ from PySide6.QtWidgets import (
     QToolButton,
 )
 
-from app.document.model import Document, Family, make_curve
+from app.document.model import Document, Family, Parametrization, ParametrizationKind, make_curve
+from app.view_model.analysis.laboratory_settings import Calculation
 
 LEFT = Qt.MouseButton.LeftButton
 POINTS = ((0.0, 0.0), (1.0, 2.0), (2.5, 1.0), (4.0, 3.0), (5.0, 0.5), (6.0, 2.0))
@@ -232,6 +233,38 @@ def test_the_data_can_be_rounded(lab, qtbot):
     assert first == pytest.approx((0.1, 0.0))
     press_key(lab, qtbot, box, Qt.Key.Key_Up)
     assert "neighbouring t are the same number" in text(lab, "laboratoryWords")
+    assert not shown(lab)
+    press_key(lab, qtbot, box, Qt.Key.Key_Home)
+    assert shown(lab)
+
+
+def test_what_is_rounded_can_be_chosen(lab, qtbot):
+    """Only every step could be: the error of the monomials along t was flat, whatever lesson 6 said of it."""
+    clock = Parametrization(ParametrizationKind.UNIFORM, end=8.0)
+    nine = [(i, y) for i, y in enumerate((0.0, 1.1, 1.6, 1.3, 0.5, 0.2, 0.8, 1.7, 1.9))]
+    lab.session.commit(Document((replace(make_curve(nine), parametrization=clock),)), "Nine")
+    settled(lab, qtbot)
+    box = find(lab, QComboBox, "roundWhat")
+    assert [box.itemText(row) for row in range(3)] == ["every step", "the coefficients", "the data"]
+    box.setFocus()
+    press_key(lab, qtbot, box, Qt.Key.Key_Down)
+    trial = commands(lab).trial
+    errors = trial.outcome(Calculation.MONOMIAL).errors
+    assert errors[trial.t < 0.5].max() < 1e-3 * errors[trial.t > 7.5].max()
+    assert "tᵏ times as much" in text(lab, "laboratoryWords")
+    assert text(lab, "condition_monomial") == "–"
+    assert lab.window.canvas.annotations.traces("laboratory")[0]
+    # Rounded to four digits the points are what they were.
+    assert text(lab, "lost_lagrange") == "0.0"
+    press_key(lab, qtbot, box, Qt.Key.Key_Down)
+    assert text(lab, "error_monomial") == text(lab, "error_lagrange")
+    assert "every method gives the same curve" in text(lab, "laboratoryWords")
+    assert text(lab, "condition_monomial") == text(lab, "condition_lagrange") == "Λ 11"
+    lab.window.analysis.change(
+        laboratory=replace(lab.window.analysis.settings.laboratory, digits=2, shift=1000.0)
+    )
+    settled(lab, qtbot)
+    assert "To 2 digits, neighbouring t are the same number" in text(lab, "laboratoryWords")
     assert not shown(lab)
     press_key(lab, qtbot, box, Qt.Key.Key_Home)
     assert shown(lab)

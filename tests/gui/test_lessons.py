@@ -7,11 +7,19 @@ from pathlib import Path
 import numpy as np
 import pytest
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QDockWidget, QLabel, QPushButton, QSlider, QTextBrowser
+from PySide6.QtWidgets import (
+    QDockWidget,
+    QLabel,
+    QPushButton,
+    QSlider,
+    QTextBrowser,
+    QToolButton,
+)
 
 from app.action_specs import SPECS
 from app.document.storage import load
 from app.lessons import LessonError, lesson_names, load_lesson, parse_lesson
+from app.panels.basis_layers import rail_height
 from app.view_model.analysis.laboratory_settings import LaboratorySettings
 from app.view_model.analysis.settings import AnalysisSettings
 from app.view_model.curve_view import view_of
@@ -96,6 +104,20 @@ def test_a_step_switches_on_what_it_shows_and_the_next_puts_it_away(editor, qtbo
     assert editor.session.scrub is None
 
 
+def test_the_functions_that_a_step_speaks_of_are_all_in_sight(editor, qtbot):
+    """Of functions that reach from −6.5 to 6.1 those between −0.5 and 1.2 were shown."""
+    for number, lowest, highest in ((3, -6.5, 6.1), (2, -0.2, 1.0)):
+        open_step(editor, qtbot, "01_basis_functions", number)
+        editor.settle()
+        shown = editor.window.basis_panel.pixel_map
+        assert shown.y(lowest) < shown.height - rail_height(1.0)
+        assert shown.y(highest) > 0
+        assert editor.window.basis_pane.extent_text == ""
+    open_step(editor, qtbot, "01_basis_functions", 0)
+    click(qtbot, find(editor, QPushButton, "lessonNext"))
+    assert shown == editor.window.basis_panel.pixel_map
+
+
 def test_the_gallery_works_by_keyboard(editor, qtbot):
     editor.trigger("toggleLessons")
     card = find(editor, QPushButton, "lesson3")
@@ -158,6 +180,107 @@ def test_a_goal_is_reached_by_what_its_step_says(editor, qtbot, name, number):
     WAYS[name, number](editor)
     editor.settle()
     assert "Reached" in find(editor, QLabel, "lessonGoal").text()
+
+
+def test_a_goal_waits_for_the_curve_that_it_names(editor, qtbot):
+    """With “In step” in hand, which was calm from the start, the goal used to tick."""
+    open_step(editor, qtbot, "02_three_parameter_sets", 4)
+    goal = find(editor, QLabel, "lessonGoal")
+    editor.fit()
+    editor.session.activate(0)
+    assert "Reached" not in goal.text()
+    assert "click on the curve “Careless”" in goal.text()
+    editor.choose_parametrization("chord_length")
+    editor.session.activate(2)
+    editor.choose_parametrization("chord_length")
+    assert "another rule makes the parameters now" in goal.text()
+    editor.trigger("undo")
+    calm_by_hand(editor)
+    assert "Reached" in goal.text()
+
+
+# Work is kept
+
+
+def place(editor):
+    return find(editor, QLabel, "lessonPlace").text()
+
+
+def test_the_next_lesson_is_a_step_that_undo_takes_back(editor, qtbot):
+    """Next Lesson used to drop what the student had done, and Undo with it."""
+    open_step(editor, qtbot, "03_chord_length", 3)
+    editor.fit()
+    editor.drag_point(1, to=(0.6, 0.4))
+    editor.choose_parametrization("centripetal")
+    assert "Reached" in find(editor, QLabel, "lessonGoal").text()
+    work = editor.session.document
+    for _ in range(2):
+        click(qtbot, find(editor, QPushButton, "lessonNext"))
+    assert editor.curve.name == "Eight points"
+    assert not editor.session.is_modified
+    assert editor.message == "What you had before is kept."
+    editor.fit()
+    editor.drag_point(1, to=(1.3, 1.5))
+    assert editor.message == ""
+    for _ in range(2):
+        editor.trigger("undo")
+    editor.trigger("redo")
+    editor.trigger("goBack")
+    assert editor.session.document is work
+    click(qtbot, find(editor, QPushButton, "lessonNext"))
+    click(qtbot, find(editor, QToolButton, "offeredAction"))
+    editor.settle()
+    assert editor.session.document is work
+    assert editor.session.is_modified
+    assert place(editor) == "5 of 5"
+    assert not editor.action("toggleLaboratory").isChecked()
+    assert editor.window.canvas.shows_all_points
+    click(qtbot, find(editor, QPushButton, "lessonBack"))
+    assert "Reached" in find(editor, QLabel, "lessonGoal").text()
+    assert editor.session.document is work
+    editor.trigger("redo")
+    assert editor.curve.name == "Eight points"
+    assert place(editor) == "1 of 5"
+    assert editor.action("toggleLaboratory").isChecked()
+
+
+def test_work_is_kept_whatever_is_opened_next(editor, qtbot):
+    """From the list of lessons, which asked with a dialog; an example; and the same lesson begun again."""
+    session = editor.session
+    editor.window.open_lesson("08_cost")
+
+    def from_the_list():
+        click(qtbot, find(editor, QPushButton, "lessonGallery"))
+        click(qtbot, find(editor, QPushButton, "lesson2"))
+
+    def again():
+        click(qtbot, find(editor, QPushButton, "lessonAgain"))
+
+    def example():
+        editor.window.menus.examples.actions()[0].trigger()
+
+    for open_next in (from_the_list, again, example):
+        editor.fit()
+        x, y = editor.point(0)
+        editor.drag_point(0, to=(x + 0.3, y + 0.2))
+        work, lesson = session.document, place(editor)
+        open_next()
+        editor.settle()
+        assert session.document.curves != work.curves
+        assert not session.is_modified
+        editor.trigger("undo")
+        assert session.document is work
+        assert place(editor) == lesson
+
+
+def test_a_lesson_that_nothing_was_done_in_leaves_no_trace(editor, qtbot):
+    editor.window.open_lesson("08_cost")
+    editor.window.open_lesson("07_cubic_or_quintic")
+    assert editor.session.undo_stack.count() == 0
+    click(qtbot, find(editor, QPushButton, "lessonNext"))
+    click(qtbot, find(editor, QPushButton, "lessonAgain"))
+    assert place(editor) == "1 of 5"
+    assert editor.message == ""
 
 
 def test_a_lesson_begins_with_a_clear_desk(editor, qtbot):

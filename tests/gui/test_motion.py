@@ -416,6 +416,35 @@ def test_the_dialog_counts_frames_and_knows_its_limits(editor, motion):
     assert not dialog.findChild(QPushButton, "filmExport").isEnabled()
 
 
+def test_a_number_that_a_film_cannot_have_is_told(editor, motion):
+    """Of 60 frames a second, 6 was left in the box without a word."""
+    editor.trigger("exportMotion")
+    dialog = editor.window.findChild(QDialog, "motionDialog")
+    said, button = dialog.findChild(QLabel, "filmFrames"), dialog.findChild(QPushButton, "filmExport")
+    for name, kind, typed, problem in (
+        ("filmFps", QSpinBox, "60", "Frames a second: from 1 to 50."),
+        ("filmFps", QSpinBox, "0", "Frames a second: from 1 to 50."),
+        ("filmWidth", QSpinBox, "5000", "Width: from 64 to 1920."),
+        ("filmSeconds", QDoubleSpinBox, "4000", "Length: from 0.1 to 3600."),
+        ("filmSeconds", QDoubleSpinBox, "-2", "Length: from 0.1 to 3600."),
+    ):
+        box = dialog.findChild(kind, name)
+        before = box.value()
+        box.selectAll()
+        QTest.keyClicks(box, typed)
+        assert box.value() == float(typed)
+        assert said.text() == problem
+        assert not button.isEnabled()
+        box.selectAll()
+        QTest.keyClicks(box, f"{before:g}")
+        assert button.isEnabled()
+    fps = dialog.findChild(QSpinBox, "filmFps")
+    fps.setValue(49)
+    for _ in range(3):
+        QTest.keyClick(fps, Qt.Key.Key_Up)
+    assert fps.value() == 50
+
+
 def test_nothing_is_made_before_it_is_used(editor):
     assert editor.window.findChild(Player) is None
     assert editor.window.findChild(MotionBar) is None

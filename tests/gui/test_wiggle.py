@@ -66,6 +66,18 @@ def leave(widget):
     QApplication.sendEvent(widget, QEvent(QEvent.Type.Leave))
 
 
+def test_escape_takes_the_preview_of_a_cure_away(runge, qtbot):
+    """The scrub line went, the panel was empty, and the preview stayed on the canvas."""
+    runge.trigger("explainWiggle")
+    settled(runge, qtbot)
+    hover(button(runge, "chebyshev"))
+    assert ghosts(runge)
+    for _ in range(2):
+        runge.escape()
+    assert runge.session.scrub is None
+    assert not ghosts(runge)
+
+
 def test_the_tool_explains_the_widest_swing_at_once(runge, qtbot):
     runge.trigger("explainWiggle")
     settled(runge, qtbot)

@@ -5,10 +5,13 @@ from __future__ import annotations
 import importlib.util
 from pathlib import Path
 
+import numpy as np
 import pytest
+from msgspec.structs import replace
 
 from app.document.format import encode
 from app.document.model import Curve, Family, Node, Parametrization, ParametrizationKind, make_curve
+from app.document.storage import load
 from app.lessons import LessonError, find_lesson, lesson_names, load_lesson, parse_lesson
 from app.view_model.curve_view import view_of
 from app.view_model.goals import GoalError, parse_goal, standing_of
@@ -53,6 +56,81 @@ def test_the_distance_from_chord_lengths():
     assert value(text) == pytest.approx(1 / 3 - 0.3, rel=1e-3)
 
 
+def given(name, number):
+    """The goal of a lesson's step, and the curve that it is about as the lesson has it."""
+    lesson = load_lesson(name)
+    goal = lesson.steps[number].goal
+    return goal, next(curve for curve in load(lesson.document).curves if curve.name == goal.curve)
+
+
+def rule_of(curve, kind):
+    return replace(curve, parametrization=Parametrization(kind))
+
+
+def by_chord_length(curve):
+    return rule_of(curve, ParametrizationKind.CHORD_LENGTH)
+
+
+def typed(curve, parameters):
+    nodes = tuple(replace(node, t=float(t)) for node, t in zip(curve.nodes, parameters, strict=True))
+    return replace(rule_of(curve, ParametrizationKind.MANUAL), nodes=nodes)
+
+
+DETOURS = {
+    # All of these were "reached".
+    "deleting points": ("01_basis_functions", 4, lambda c: replace(c, nodes=c.nodes[:4]), "points"),
+    "deleting joints": ("07_cubic_or_quintic", 4, lambda c: replace(c, nodes=c.nodes[:2]), "∞"),
+    "another family": ("05_sensitivity", 3, lambda c: replace(c, family=Family.HERMITE), "family"),
+    "a rule for a drag": ("02_three_parameter_sets", 4, by_chord_length, "rule"),
+    "a rule for typing": ("09_exercise_rounded_parameters", 1, by_chord_length, "rule"),
+    "a rule, then by hand": (
+        "10_exercise_far_point",
+        1,
+        lambda c: typed(c, view_of(by_chord_length(c)).parameters),
+        "three decimals",
+    ),
+    "straight points": (
+        "03_chord_length",
+        3,
+        lambda c: replace(c, nodes=tuple(replace(n, x=float(i), y=0.0) for i, n in enumerate(c.nodes))),
+        "points",
+    ),
+    "another rule for growth": (
+        "01_basis_functions",
+        3,
+        lambda c: typed(c, [0, 1e-6, *np.linspace(0.1, 1, 9)]),
+        "rule",
+    ),
+}
+
+
+@pytest.mark.parametrize("detour", DETOURS)
+def test_a_goal_is_not_reached_by_a_way_that_misses_the_point(detour):
+    name, number, change, words = DETOURS[detour]
+    goal, curve = given(name, number)
+    assert standing_of(
+        parse_goal(f"{goal.measure} {goal.comparison} {goal.value}"), view_of(change(curve))
+    ).is_met
+    standing = standing_of(goal, view_of(change(curve)), curve)
+    assert not standing.is_met
+    assert words in standing.text
+
+
+def test_a_goal_is_about_its_curve():
+    goal, curve = given("02_three_parameter_sets", 4)
+    other = load(load_lesson("02_three_parameter_sets").document).curves[0]
+    standing = standing_of(goal, view_of(other), curve)
+    assert not standing.is_met
+    assert "click on the curve “Careless”" in standing.text
+
+
+def test_a_point_that_was_moved_a_little_does_not_count_as_another():
+    goal, curve = given("03_chord_length", 3)
+    nodes = (replace(curve.nodes[0], y=0.3), *curve.nodes[1:])
+    moved = replace(rule_of(curve, ParametrizationKind.CENTRIPETAL), nodes=nodes)
+    assert standing_of(goal, view_of(moved), curve).is_met
+
+
 def test_a_curve_that_is_none_meets_nothing():
     standing = standing_of(parse_goal("lebesgue > 0"), view_of(make_curve(SQUARE[:1])))
     assert not standing.is_met
@@ -83,6 +161,9 @@ def test_what_is_no_goal_is_refused(text):
         ("# Title\n\nno steps", "begins with"),
         ("# T\n## A\n<!-- goal: length < 3 -->\nb", "step 1"),
         ("# T\n## A\nb\n## B\n<!-- colour: red -->", "step 2"),
+        ("# T\n## A\n<!-- goal: lebesgue < 3 -->\nb", "step 1: a goal needs"),
+        ("# T\n## A\n<!-- curve: C; goal: lebesgue < 3 -->\nb", "step 1: a goal needs"),
+        ("# T\n## A\n<!-- curve: C; goal: lebesgue < 3; keep: colour -->\nb", "“colour” cannot be kept"),
     ],
 )
 def test_a_lesson_that_is_wrong_says_where(text, place):

@@ -7,10 +7,13 @@ import pytest
 from msgspec.structs import replace
 
 from app.document.model import Document, Family, Parametrization, ParametrizationKind, make_curve
+from app.document.storage import load
+from app.lessons import load_lesson
 from app.view_model.analysis.cost import cost_chart, cost_of
 from app.view_model.analysis.cures import CURES, cures_of
 from app.view_model.analysis.laboratory import Refused, digits_at, try_methods
 from app.view_model.analysis.laboratory_settings import Calculation, LaboratorySettings
+from app.view_model.analysis.laboratory_words import trial_words
 from app.view_model.analysis.teaching import Topic, warnings_of
 from app.view_model.analysis.wiggle import explain, overshoot, widest
 from app.view_model.analysis.wording import short
@@ -66,6 +69,23 @@ def test_where_there_is_no_number_nothing_is_drawn():
     assert monomial.lost == 2
     assert len(lagrange.pieces) == 1
     assert len(lagrange.pieces[0]) == len(trial.t)
+
+
+@pytest.mark.parametrize(("digits", "shift"), [(5, 0.0), (8, 0.0), (12, 0.0), (4, 0.0), (8, 100.0)])
+def test_the_condition_number_is_said_once_as_a_bound_beside_what_was_lost(digits, shift):
+    """It said "κ ≈ 10⁸: all 8 digits may go" beside 2.5 digits lost and "κ 5.3·10⁷" in the table."""
+    view = view_of(load(load_lesson("04_decimal_accuracy").document).curves[0])
+    trial = try_methods(view, replace(ALL, digits=digits, shift=shift), wanted)
+    words, lost = trial_words(trial), trial.outcome(Calculation.MONOMIAL).lost
+    kappa = float(np.linalg.cond(np.vander(np.arange(8.0)))) if not shift else trial.condition
+    may_go = float(np.log10(kappa))
+    assert f"κ = {short(kappa)} bounds" in words
+    assert "coefficients" in words
+    assert "≈" not in words
+    assert (f"all {digits} digits" if may_go >= digits else f"{may_go:.1f} of {digits} digits") in words
+    assert lost < may_go
+    assert (f"The curve lost {lost:.1f}" in words) is (lost < min(may_go, digits) - 0.5)
+    assert ("not enough" in words) is (lost > digits - 0.7)
 
 
 def test_work_that_nobody_waits_for_ends():

@@ -11,6 +11,7 @@
 - ``joints``: how smooth the curve is at each joint, in numbers and words.
 - ``legend``: which of all this needs a line of explanation.  ``wording``: numbers in sentences.
 - ``laboratory_settings``, ``laboratory``: the curve computed with few digits, by several methods.
+- ``laboratory_words``: what of that is to be seen, in a sentence.
 - ``cost``: what solving a system costs against the basis form, counted and measured.
 - ``wiggle``, ``cures``: why the curve swings out at one t, and what would calm it.
 - ``teaching``: when the numbers deserve a word of warning.

@@ -45,6 +45,8 @@ class Cost:
         variant.
     seconds
         Measured medians to the first point.
+    doubled
+        How many times `solving` and `basis` twice as many points take.
     piecewise
         Operations that a Hermite curve's own small systems take; None for a Lagrange curve.
     """
@@ -54,6 +56,7 @@ class Cost:
     basis: int
     further: tuple[int, int, int]
     seconds: tuple[float, float]
+    doubled: tuple[float, float]
     piecewise: int | None
 
     @property
@@ -92,7 +95,10 @@ def cost_of(view: CurveView, is_stale: IsStale) -> Cost | None:
         for each in (Calculation.MONOMIAL, Calculation.LAGRANGE, Calculation.BARYCENTRIC)
     )
     further = (solved, form, barycentric)
-    return Cost(len(t), solving, basis, further, seconds, small.setup if small is not None else None)
+    twice = _counts(2 * len(t))
+    doubled = (twice[0] / solving, twice[1] / basis)
+    piecewise = small.setup if small is not None else None
+    return Cost(len(t), solving, basis, further, seconds, doubled, piecewise)
 
 
 def cost_chart() -> CostChart:

@@ -13,7 +13,7 @@ from itertools import pairwise
 import numpy as np
 import numpy.typing as npt
 
-from app.view_model.analysis.laboratory_settings import Calculation, LaboratorySettings
+from app.view_model.analysis.laboratory_settings import Calculation, LaboratorySettings, Rounding
 from app.view_model.curve_view import CurveView, SimpleCurve
 from app.view_model.refusals import in_words
 from curvecore import (
@@ -90,7 +90,8 @@ class Trial:
     outcomes
         One for each method.
     condition
-        The 2-norm condition number of the system for the monomials' coefficients; None if not computed.
+        The 2-norm condition number of the system for the monomials' coefficients; None if not computed, and
+        where that system is solved exactly.
     note
         What is left out and why, as a sentence; empty if nothing is.
     """
@@ -156,21 +157,31 @@ def try_methods(view: CurveView, settings: LaboratorySettings, is_stale: IsStale
         return Refused(
             f"{count} points are too many for arithmetic done digit by digit; it goes up to {MOST_AT_ALL}."
         )
-    chosen, note = _affordable(view, settings)
     try:
-        trials = [_Experiment(piece, settings) for piece in view.pieces]
+        return _trial(view, settings, is_stale)
     except CurveError as problem:
         return Refused(_refusal(settings, problem))
+
+
+def _trial(view: CurveView, settings: LaboratorySettings, is_stale: IsStale) -> Trial | None:
+    count = len(view.parameters)
+    chosen, note = _affordable(view, settings)
+    trials = [_Experiment(piece, settings) for piece in view.pieces]
     per_segment = max(3, SAMPLES // (count - 1))
     where = [_samples(piece.parameters, per_segment) for piece in view.pieces]
     truths = [trial.truth(t) for trial, t in zip(trials, where, strict=True)]
-    outcomes = []
+    outcomes, computed = list[Outcome](), list[Floats]()
     for calculation in chosen:
-        computed = [trial.values(t, calculation, is_stale) for trial, t in zip(trials, where, strict=True)]
+        # From rounded data, with exact arithmetic, all methods come to the same.
+        if settings.rounding is not Rounding.DATA or not outcomes:
+            computed = [
+                trial.values(t, calculation, is_stale) for trial, t in zip(trials, where, strict=True)
+            ]
         if is_stale():
             return None
         outcomes.append(_outcome(calculation, computed, truths, where, settings))
-    condition = max(trial.condition() for trial in trials) if count <= _MOST_CONDITION else None
+    solves = settings.rounding is Rounding.EVERY_STEP and count <= _MOST_CONDITION
+    condition = max(trial.condition() for trial in trials) if solves else None
     return Trial(view, settings, np.concatenate(where), tuple(outcomes), condition, note)
 
 
@@ -189,14 +200,14 @@ def digits_at(view: CurveView, settings: LaboratorySettings, t: float) -> Digits
     piece = next((each for each in pieces if t <= each.parameters[-1]), pieces[-1])
     try:
         experiment = _Experiment(piece, settings)
+        rows = tuple(
+            (calculation, experiment.digits(t, calculation))
+            for calculation in calculations(view)
+            if calculation in settings.methods
+        )
     except CurveError:
         return None
     x, y = experiment.truth(np.array([t]))[0].tolist()
-    rows = tuple(
-        (calculation, experiment.digits(t, calculation))
-        for calculation in calculations(view)
-        if calculation in settings.methods
-    )
     return Digits(t, (x, y), rows)
 
 
@@ -229,7 +240,12 @@ class _Experiment:
                 break
             part = slice(start, start + chunk)
             result[part] = evaluate_rounded(
-                self._jets[:, 0], self._parameters, at[part], *self._how(calculation), *self._derivatives()
+                self._jets[:, 0],
+                self._parameters,
+                at[part],
+                *self._how(calculation),
+                *self._derivatives(),
+                rounding=self._settings.rounding.value,
             )
         return result
 
@@ -241,8 +257,13 @@ class _Experiment:
             t + self._settings.shift,
             *self._how(calculation),
             *self._derivatives(),
+            rounding=self._settings.rounding.value,
         )
-        return str(x), str(y)
+        if self._settings.rounding is Rounding.EVERY_STEP:
+            return str(x), str(y)
+        # As many as are shown of the truth: what is computed exactly has no last digit of its own.
+        shown = self._settings.digits + 2
+        return f"{x:.{shown}g}", f"{y:.{shown}g}"
 
     def _how(self, calculation: Calculation) -> tuple[Method, int]:
         return Method(calculation.value), self._settings.digits
@@ -266,16 +287,26 @@ def _curve(parameters: Floats, jets: Floats) -> SimpleCurve:
 def _affordable(view: CurveView, settings: LaboratorySettings) -> tuple[list[Calculation], str]:
     """Return the chosen methods that are not too slow, and a sentence on what is left out."""
     chosen = [each for each in calculations(view) if each in settings.methods]
-    if len(view.parameters) > MOST_POINTS and Calculation.LAGRANGE in chosen:
+    if len(view.parameters) <= MOST_POINTS or settings.rounding is Rounding.DATA:
+        return chosen, ""
+    notes = []
+    if Calculation.LAGRANGE in chosen:
         chosen.remove(Calculation.LAGRANGE)
-        return chosen, (
+        notes.append(
             f"Above {MOST_POINTS} points Lagrange is left out: its products take n² operations for every t. "
             "The barycentric form is the same polynomial."
         )
-    return chosen, ""
+    if settings.rounding is Rounding.COEFFICIENTS and view.source.family.derivatives == 0:
+        chosen = [each for each in chosen if each is not Calculation.MONOMIAL]
+        notes.append(f"Above {MOST_POINTS} points the monomials' coefficients are not found exactly.")
+    return chosen, " ".join(notes)
 
 
 def _refusal(settings: LaboratorySettings, problem: CurveError) -> str:
+    if settings.rounding is Rounding.COEFFICIENTS:
+        return f"The coefficients are not found exactly: {problem}."
+    if settings.rounding is Rounding.DATA:
+        return f"To {settings.digits} digits, neighbouring t are the same number; keep more of them."
     if settings.decimals is not None:
         return f"To {settings.decimals} decimals, neighbouring t are the same number; keep more of them."
     return f"The shift is too large: neighbouring t become the same number ({in_words(str(problem))})."

@@ -21,6 +21,20 @@ class Calculation(enum.StrEnum):
     BASIS = "basis"
 
 
+class Rounding(enum.StrEnum):
+    """What is rounded, in the order in which the window lists it."""
+
+    EVERY_STEP = "every_step"
+    COEFFICIENTS = "coefficients"
+    DATA = "data"
+
+
+ROUNDING_NAMES = {
+    Rounding.EVERY_STEP: "every step",
+    Rounding.COEFFICIENTS: "the coefficients",
+    Rounding.DATA: "the data",
+}
+
 METHOD_NAMES = {
     Calculation.MONOMIAL: "Monomials",
     Calculation.NEWTON: "Newton",
@@ -37,8 +51,10 @@ class LaboratorySettings(msgspec.Struct, frozen=True):
     ----------
     on
         Whether anything is computed at all.
+    rounding
+        What is rounded: every single operation, or once only the coefficients or the data, all else exact.
     digits
-        How many significant decimal digits every single operation keeps.
+        How many significant decimal digits are kept.
     methods
         What is compared.
     decimals
@@ -48,6 +64,7 @@ class LaboratorySettings(msgspec.Struct, frozen=True):
     """
 
     on: bool = False
+    rounding: Rounding = Rounding.EVERY_STEP
     digits: int = 4
     methods: frozenset[Calculation] = frozenset(
         {Calculation.MONOMIAL, Calculation.LAGRANGE, Calculation.BASIS}

@@ -1,0 +1,144 @@
+"""The number of each basis function at its crest: colours alone are alike to some eyes."""
+
+from __future__ import annotations
+
+import math
+from typing import NamedTuple
+
+import numpy as np
+from pyqtgraph.Qt.internals import PrimitiveArray
+from PySide6.QtCore import QPointF, QRectF, QSizeF, Qt
+from PySide6.QtGui import QFont, QFontMetricsF, QPainter, QPixmap
+
+from app.plot.colours import colours_of
+from app.plot.halo import Halo
+from app.plot.pixel_map import Floats, PixelMap
+from app.theme import Theme
+from app.view_model.basis_view import BasisView
+from app.view_model.curve_view import Integers
+
+MOST = 24
+"""Functions that are named, of all kinds together; among more, a number would stand on other lines."""
+
+_GAP = 1.0
+"""Pixels between a crest and its number."""
+
+_RIM = 2.0
+"""Pixels of paper around a number."""
+
+
+class Crest(NamedTuple):
+    """Where a function is greatest; that of a position is named at its t_i, where all others are 0."""
+
+    owner: int
+    kind: int
+    t: float
+    value: float
+
+
+def crests_of(basis: BasisView, kinds: list[int]) -> list[Crest]:
+    """Return the crests of the functions of these kinds; that of a derivative lies ahead of its knot."""
+    knots, last = basis.curve.parameters.tolist(), basis.count - 1
+    found = [Crest(basis.owners[knot], 0, t, 1.0) for knot, t in enumerate(knots) if 0 in kinds]
+    for kind in kinds:
+        if kind == 0:
+            continue
+        for knot, t_knot in enumerate(knots):
+            t, values = basis.function(knot, kind)
+            sizes = np.abs(values) if knot == last else np.where(t >= t_knot, np.abs(values), 0.0)
+            top = int(np.argmax(sizes))
+            found.append(Crest(basis.owners[knot], kind, float(t[top]), float(values[top])))
+    return found
+
+
+class CrestNames:
+    """Writes the numbers; a sheet with pictures of them is kept, and stamped in one call."""
+
+    def __init__(self, font: QFont) -> None:
+        self._font = QFont(font)
+        self._made_of: tuple[object, ...] = ()
+        self._sheet = QPixmap()
+        self._cell = QSizeF()
+        self._fragments = PrimitiveArray(QPainter.PixmapFragment, 10)
+        self._crests_of: tuple[BasisView, list[int]] | None = None
+        self._owners, self._places = np.empty(0, dtype=np.intp), np.empty((0, 2))
+
+    def paint(
+        self,
+        painter: QPainter,
+        shown: PixelMap,
+        basis: BasisView,
+        kinds: list[int],
+        theme: Theme,
+        scale: float,
+    ) -> None:
+        """Write a number beyond each crest that is in sight, as far as they do not meet."""
+        if basis.count * len(kinds) > MOST:
+            return
+        self._find_crests(basis, kinds)
+        device = painter.device()
+        ratio = device.devicePixelRatioF() if device is not None else 1.0
+        self._draw_sheet(basis.node_count, theme, scale, ratio)
+        places = self._boxes(shown, painter.clipBoundingRect().bottom())
+        kept = apart(places, self._cell)
+        self._fragments.resize(len(kept))
+        data = self._fragments.ndarray()
+        data[:, :2] = np.round(places[kept])
+        data[:, 2] = self._owners[kept] * round(self._cell.width() * ratio)
+        data[:, 3] = 0.0
+        data[:, 4], data[:, 5] = round(self._cell.width() * ratio), round(self._cell.height() * ratio)
+        data[:, 6:8] = 1.0 / ratio
+        data[:, 8], data[:, 9] = 0.0, 1.0
+        fragments, length = self._fragments.drawargs()
+        painter.drawPixmapFragments(fragments, length, self._sheet)
+
+    def _find_crests(self, basis: BasisView, kinds: list[int]) -> None:
+        known = self._crests_of
+        if known is None or known[0] is not basis or known[1] != kinds:
+            crests, self._crests_of = crests_of(basis, kinds), (basis, kinds)
+            self._owners = np.array([each.owner for each in crests], dtype=np.intp)
+            self._places = np.array([(each.t, each.value) for each in crests])
+
+    def _boxes(self, shown: PixelMap, floor: float) -> Floats:
+        """Return the middles of the numbers in pixels: beyond the crests, inside where there is no room."""
+        x, y = shown.x(self._places[:, 0]), shown.y(self._places[:, 1])
+        half = self._cell.height() / 2
+        above, below = y - half - _GAP, y + half + _GAP
+        is_below = np.where(self._places[:, 1] < 0, below + half <= floor, above < half)
+        return np.column_stack([x, np.where(is_below, below, above)])
+
+    def _draw_sheet(self, count: int, theme: Theme, scale: float, ratio: float) -> None:
+        """Draw the numbers of all points side by side, each in its colour with a halo of paper."""
+        if self._made_of == (count, theme, scale, ratio):
+            return
+        self._made_of = (count, theme, scale, ratio)
+        font = QFont(self._font)
+        font.setPointSizeF(max(font.pointSizeF() - 1.5, 7.0) * scale)
+        metrics, rim = QFontMetricsF(font), _RIM * scale
+        # Even numbers of pixels: their middles are whole, and letters are sharp.
+        width, height = metrics.horizontalAdvance("00") + 2 * rim, metrics.ascent() + 2 * rim
+        self._cell = QSizeF(2 * math.ceil(width / 2), 2 * math.ceil(height / 2))
+        size = QSizeF(count * self._cell.width(), self._cell.height()) * ratio
+        self._sheet = QPixmap(math.ceil(size.width()), math.ceil(size.height()))
+        self._sheet.setDevicePixelRatio(ratio)
+        self._sheet.fill(Qt.GlobalColor.transparent)
+        drawing = QPainter(self._sheet)
+        drawing.setFont(font)
+        for index, colour in enumerate(colours_of(count, theme)):
+            cell = QRectF(QPointF(index * self._cell.width(), 0.0), self._cell)
+            inner = cell.adjusted(rim, rim, -rim, -rim)
+            Halo().write(drawing, inner, str(index), theme.paper, colour, rim)
+        drawing.end()
+
+
+def apart(places: Floats, cell: QSizeF) -> Integers:
+    """Return which numbers can be written without meeting one that is written already."""
+    order = np.argsort(places[:, 0], kind="stable")
+    if (np.diff(places[order, 0]) >= cell.width()).all():
+        return order
+    kept: list[int] = []
+    for index in order.tolist():
+        near = [k for k in kept if abs(places[k, 0] - places[index, 0]) < cell.width()]
+        if all(abs(places[k, 1] - places[index, 1]) >= cell.height() for k in near):
+            kept.append(index)
+    return np.array(kept, dtype=np.intp)

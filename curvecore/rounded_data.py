@@ -1,0 +1,80 @@
+"""Data rounded to decimal digits, and the arithmetic that keeps so many.
+
+A double is taken as the shortest decimal that stands for it, as printed.
+"""
+
+from __future__ import annotations
+
+from decimal import ROUND_HALF_EVEN, Context, Decimal
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from curvecore.arrays import FloatArray, integer, number_array, parameter_values
+from curvecore.errors import CurveError
+
+__all__ = ["decimal_context", "digit_count", "round_data", "round_significant"]
+
+MOST_DIGITS = 16
+
+
+def digit_count(digits: int) -> int:
+    """Check a number of significant digits, from 2 to 16."""
+    k = integer(digits, "digits", 2)
+    if k > MOST_DIGITS:
+        raise CurveError(f"digits must be at most {MOST_DIGITS}, not {k}")
+    return k
+
+
+def decimal_context(digits: int) -> Context:
+    """Return an arithmetic of so many digits, half to even."""
+    # No traps: a division by zero goes on as Infinity or NaN, like in a floating point unit.
+    return Context(prec=digit_count(digits), rounding=ROUND_HALF_EVEN, traps=[])
+
+
+def round_data(values: ArrayLike, decimals: int) -> FloatArray:
+    """Round data to so many digits behind the decimal point, half to even.
+
+    Parameters
+    ----------
+    values : array_like, any shape
+        Finite.
+    decimals : int
+        At least 0.
+
+    Returns
+    -------
+    ndarray, same shape
+        The doubles nearest to the rounded decimal numbers. The values are
+        taken as the shortest decimals that stand for them, as printed: 0.125
+        and 2.675 are ties, though the double 2.675 is a little less.
+        (`numpy.round` multiplies by a power of ten and may round twice.)
+    """
+    places = integer(decimals, "decimals", 0)
+    array = number_array(values, "values")
+    flat = parameter_values(array.ravel()).values
+    unit = Decimal(1).scaleb(-places)
+    context = Context(prec=400 + places, rounding=ROUND_HALF_EVEN)
+    rounded = [float(Decimal(repr(float(x))).quantize(unit, context=context)) for x in flat]
+    return np.array(rounded).reshape(array.shape)
+
+
+def round_significant(values: ArrayLike, digits: int) -> FloatArray:
+    """Round data to so many significant digits, half to even.
+
+    Parameters
+    ----------
+    values : array_like, any shape
+        Finite.
+    digits : int
+        From 2 to 16.
+
+    Returns
+    -------
+    ndarray, same shape
+        The doubles nearest to the rounded decimal numbers, the values taken as
+        `round_data` takes them.
+    """
+    context, array = decimal_context(digits), np.array(values, dtype=np.float64)
+    flat = parameter_values(array.ravel()).values
+    return np.array([float(context.plus(Decimal(repr(float(x))))) for x in flat]).reshape(array.shape)
