@@ -1,7 +1,7 @@
 """What a person can do in the window as it is: the test driver asks before it sends an event.
 
-Qt delivers an event to whatever widget it is sent to, hidden or not; a test that relies on it shows nothing of
-what a person can do.
+Qt delivers an event to whatever widget it is sent to, hidden or not; a test that relies on it shows nothing
+of what a person can do.
 """
 
 from __future__ import annotations

@@ -220,9 +220,10 @@ class CurveListView(Guarded, QListView):
 
     def edit_name(self, row: int) -> None:
         """Let the person type another name; one that is being typed is taken as it is."""
-        if self.state() == QListView.State.EditingState:
-            # The delegate takes what was typed, and the editor goes, when the keyboard leaves it.
-            self.setFocus()
+        editor = self.viewport().findChild(QLineEdit)
+        if self.state() == QListView.State.EditingState and editor is not None:
+            self.commitData(editor)
+            self.closeEditor(editor, QStyledItemDelegate.EndEditHint.NoHint)
         self.edit(self.curves.index_of(row))
 
     def row_rect(self, row: int) -> QRect:
