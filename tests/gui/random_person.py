@@ -477,7 +477,7 @@ class RandomPerson:
     @staticmethod
     def _mouse(target, kind, at, button=None, held=NO_KEYS) -> None:
         """Send a mouse event; without a `button` a move has none, and anything else the left one."""
-        if not isValid(target):
+        if not isValid(target) or not target.isVisible():
             return  # what was pressed has put itself away
         nothing, place = Qt.MouseButton.NoButton, QPointF(target.mapToGlobal(at))
         if kind == QEvent.Type.MouseMove:
