@@ -155,7 +155,8 @@ class Player(QObject):
 
     def _follow_scrub(self, t: float | None) -> None:
         """Somebody else moved the scrub line: put away, it ends the motion; dragged, it holds the dot."""
-        if self._is_moving or not self.is_open:
+        if self._is_moving or not self.is_open or self.course is None:
+            # Without a curve the line is away, but nobody has put it away.
             return
         if t is None:
             self._scrub_before = None

@@ -17,6 +17,7 @@ from app.document.edits import EditError
 from app.document.format import FormatError, validate_changes
 from app.document.model import Curve, Document, empty_document
 from app.document.open_file import OpenFile, Sight
+from app.document.plain import plain
 from app.examples import first_sketch, template_title
 from app.resources import is_resource
 from app.undo_step import Beginning, State, UndoStep
@@ -75,10 +76,12 @@ class Session(QObject):
     ----------
     beginning
         Where the document began; the same for all states of it.
-    chosen_curves
-        The curves that are worked on together, by their places; the one that is edited is one of them.
     path, file
         Where the document is kept; None as long as it has no file.
+    selection, hovered, chosen_curves, scrub
+        The nodes selected; the node under the pointer, or -1; the curves that are worked on together, by
+        their places, of which the one that is edited is one; the t of the scrub line, or None. Whatever is
+        asked for and whatever happens to the document, they name what exists in the document shown.
     clock
         Tells the seconds between the changes of a run; tests give their own.
     """
@@ -112,11 +115,13 @@ class Session(QObject):
         self.chosen_curves = frozenset({0})
         self.hovered = -1
         self.scrub: float | None = None
+        # Where the person put the scrub line; it stands there as far as the curve goes.
+        self._scrub_asked: float | None = None
         self.offered_at: float | None = None
         self.clock: Callable[[], float] = time.monotonic
         # The run that the last step belongs to, and when that was.
         self._run: tuple[Hashable, float] | None = None
-        self._committed = first_sketch()
+        self._committed = plain(first_sketch())
         self._shown = self._committed
         self._home: _Home | None = None
         # A step is being made, not undone or redone.
@@ -168,7 +173,7 @@ class Session(QObject):
         self.choose_curves((index,), index)
 
     def choose_curves(self, indices: Collection[int], active: int | None = None) -> None:
-        """Choose curves to work on together.
+        """Choose curves to work on together, those that exist.
 
         The curve that is edited is one of them: `active`, or the one edited so far, or the chosen one nearest
         to it. With several no points are selected, so that tools act on the curves.
@@ -176,7 +181,9 @@ class Session(QObject):
         if self.is_previewing:
             # The gesture may edit a curve that goes with its preview.
             self.interrupt()
-        wanted = self.active_index if active is None else active
+        count = len(self._shown.curves)
+        indices = {index for index in indices if 0 <= index < count}
+        wanted = active if active is not None and 0 <= active < count else self.active_index
         if wanted not in indices:
             wanted = min(indices, key=lambda index: abs(index - wanted), default=wanted)
         before, self.chosen_curves = self.chosen_curves, frozenset({*indices, wanted})
@@ -185,7 +192,7 @@ class Session(QObject):
             self.cancel()
             self.offered_at = None
             self._enter(wanted)
-            self._keep_scrub_inside()
+            self.set_scrub(self._scrub_asked)
             self.active_changed.emit(wanted)
         if len(self.chosen_curves) > 1:
             self.select([])
@@ -204,13 +211,6 @@ class Session(QObject):
         self.select([])
         self.set_hovered(-1)
         self.active_index = index
-
-    def _keep_scrub_inside(self) -> None:
-        """Move the scrub line into the domain of the curve that is active now."""
-        view = self.active_view
-        if self.scrub is not None and view.curve is not None:
-            start, end = view.curve.domain
-            self.set_scrub(min(max(self.scrub, start), end))
 
     @property
     def selected(self) -> int | None:
@@ -239,16 +239,21 @@ class Session(QObject):
 
     # Changes
 
-    def preview(self, document: Document, *, active: int | None = None) -> None:
-        """Show `document` during a gesture; `commit` or `cancel` ends it.
+    def preview(self, document: Document, *, active: int | None = None) -> bool:
+        """Show `document` during a gesture; `commit` or `cancel` ends it. Return whether it is shown.
 
         `active` is the curve to edit meanwhile, where the gesture begins another one.
         """
-        if document is not self._shown and self._is_free(document):
-            if active is not None and self._home is None:
-                self._home = _Home(self.active_index, self.selection, self.chosen_curves)
-                self._enter(active)
-            self._show(document)
+        document = plain(document, self._shown)
+        if document is self._shown:
+            return True
+        if not self._is_free(document):
+            return False
+        if active is not None and self._home is None:
+            self._home = _Home(self.active_index, self.selection, self.chosen_curves)
+            self._enter(active)
+        self._show(document)
+        return True
 
     def interrupt(self) -> bool:
         """Drop the gesture in flight, wherever it is, with its preview; return whether one was shown."""
@@ -284,6 +289,7 @@ class Session(QObject):
         each other within a second, with nothing between them, are one step: arrow keys. A document in which
         a locked curve is another one, or that no file could hold, is refused with a sentence.
         """
+        document = plain(document, self._shown)
         if document == self._committed or not self._is_free(document) or not self._can_be_kept(document):
             self.cancel()
             return False
@@ -366,17 +372,19 @@ class Session(QObject):
             self._enter(state.active)
         self._committed = state.document
         self._show(state.document)
-        self._keep_scrub_inside()
 
     def _show(self, document: Document) -> None:
         before, self._shown = self._shown, document
         self.active_index = min(self.active_index, len(document.curves) - 1)
         has_moved = self._follow_choice(before)
         selection = self._followed_selection(before)
-        self._drop_stale_indices()
+        # Nobody who is told of the document finds something named that it does not have.
+        self.select(self.selection)
+        self.set_hovered(self.hovered)
         self.document_changed.emit(document)
         # Whoever draws it has had to hear of the nodes first.
         self.select(selection)
+        self.set_scrub(self._scrub_asked)
         if has_moved:
             self.chosen_changed.emit(self.chosen_curves)
 
@@ -386,18 +394,12 @@ class Session(QObject):
             return frozenset()
         return followed_nodes(self.selection, before.curves[self.active_index].nodes, self.active_curve.nodes)
 
-    def _drop_stale_indices(self) -> None:
-        count = len(self.active_curve.nodes)
-        if self.hovered >= count:
-            self.set_hovered(-1)
-        if any(index >= count for index in self.selection):
-            self.select([index for index in self.selection if index < count])
-
     # What is neither saved nor undone
 
     def select(self, indices: Collection[int]) -> None:
-        """Select the nodes at `indices` of the active curve."""
-        chosen = frozenset(indices)
+        """Select the nodes at `indices` of the active curve, those that exist."""
+        count = len(self.active_curve.nodes)
+        chosen = frozenset(int(index) for index in indices if 0 <= index < count)
         if chosen != self.selection:
             self._run = None
             self.selection = chosen
@@ -405,12 +407,22 @@ class Session(QObject):
 
     def set_hovered(self, index: int) -> None:
         """Say which node the pointer is over; -1 for none."""
+        if not 0 <= index < len(self.active_curve.nodes):
+            index = -1
         if index != self.hovered:
             self.hovered = index
             self.hovered_changed.emit(index)
 
     def set_scrub(self, t: float | None) -> None:
-        """Move the scrub line to `t`, or put it away (None)."""
+        """Move the scrub line to `t`, or put it away (None).
+
+        It stays on the curve that is edited: at the end nearer to `t` where that lies outside, away while
+        there is no curve, and at `t` again when there is one that goes as far.
+        """
+        self._scrub_asked = t
+        if t is not None:
+            curve = self.active_view.curve
+            t = None if curve is None else float(min(max(t, curve.domain[0]), curve.domain[1]))
         if t != self.scrub:
             self.scrub = t
             self.scrub_changed.emit(t)
@@ -481,7 +493,7 @@ class Session(QObject):
         """Take over what the file holds now, as a step of the history; raises as `open` does."""
         if self.file is None:
             return
-        document = self.file.read_again()
+        document = plain(self.file.read_again())
         self.cancel()
         if document != self._committed:
             before = self._state(self._committed, self.active_index)
@@ -559,7 +571,7 @@ class Session(QObject):
         self.path = None
         self._turn_to(beginning or Beginning())
         self.path = path
-        self._restore(self._state(document, 0))
+        self._restore(self._state(plain(document), 0))
         self.undo_stack.clear()
         self.undo_stack.setClean()
         self.file_changed.emit()

@@ -14,6 +14,9 @@ and a test reads as what a person does::
         editor.add_point(2, 1)
         editor.drag_point(1, to=(3, 2))
         assert editor.point(1) == pytest.approx((3, 2), abs=editor.pixel)
+
+It does what a person can do, and raises `ImpossibleError`, with the reason, where there is no such thing: an
+action is disabled, a panel is hidden, a place lies outside the plot or under something, a dialog waits.
 """
 
 from __future__ import annotations
@@ -38,6 +41,8 @@ from app.panels.file_bar import FileBar
 from app.preferences import Preferences
 from app.session import Session
 from app.testing_hand import Hand
+from app.testing_reach import ImpossibleError as ImpossibleError  # noqa: PLC0414
+from app.testing_reach import require_enabled, require_reachable, require_under_mouse
 from app.view_model.handles import Handle
 
 _FAMILY_ACTIONS = {
@@ -164,6 +169,7 @@ class Editor(Hand):
         bar = self.window.findChild(FileBar)
         if bar is None or action not in bar.offered:
             raise LookupError(f"{action!r} is not offered; {bar.offered if bar else 'there is no line'}.")
+        require_reachable(bar.button(action))
         QTest.mouseClick(bar.button(action), _LEFT)
         self.settle()
 
@@ -173,8 +179,10 @@ class Editor(Hand):
         self.trigger("newDocument")
 
     def trigger(self, name: str) -> None:
-        """Trigger an action."""
-        self.action(name).trigger()
+        """Trigger an action, as its menu or its keys would; `ImpossibleError` where it is disabled."""
+        action = self.action(name)
+        require_enabled(action)
+        action.trigger()
         self.settle()
 
     def fit(self) -> None:
@@ -188,6 +196,7 @@ class Editor(Hand):
     def choose_parametrization(self, kind: ParametrizationKind) -> None:
         """Choose the rule for the parameters in the toolbar's box, by keyboard."""
         box = self.window.parametrization_bar.box
+        require_reachable(box)
         box.setFocus()
         QTest.keyClick(box, Qt.Key.Key_Home)
         for _ in range(list(ParametrizationKind).index(ParametrizationKind(kind))):
@@ -240,6 +249,7 @@ class Editor(Hand):
 
     def type_amount(self, text: str) -> None:
         """Type into the transform that G, S or R began."""
+        require_reachable(self.window.canvas)
         QTest.keyClicks(self.window.canvas, text)
         self.settle()
 
@@ -301,7 +311,9 @@ class Editor(Hand):
         """Click a part of a row in the list of curves; `row` is the curve's place in the document."""
         self.show_dock("curvesDock")
         view = self.window.curve_list.view
-        QTest.mouseClick(view.viewport(), _LEFT, pos=spot_rect(view.row_rect(row), spot).center())
+        place = spot_rect(view.row_rect(row), spot).center()
+        require_under_mouse(view.viewport(), place)
+        QTest.mouseClick(view.viewport(), _LEFT, pos=place)
         self.settle()
 
     def show_dock(self, name: str) -> None:
@@ -315,6 +327,7 @@ class Editor(Hand):
 
     def type_text(self, widget: QWidget, text: str) -> None:
         """Type into a widget."""
+        require_reachable(widget)
         QTest.keyClicks(widget, text)
 
     def wait_for_work(self, seconds: float = 30.0) -> None:

@@ -12,6 +12,7 @@ from PySide6.QtWidgets import QApplication, QMenu, QWidget
 from app.document.model import Vector
 from app.main_window import MainWindow
 from app.plot.plot_widget import PlotWidget
+from app.testing_reach import require_enabled, require_reachable, require_under_mouse
 
 _STEPS = 6
 _NO_KEYS = Qt.KeyboardModifier.NoModifier
@@ -84,12 +85,14 @@ class Hand:
 
     def key(self, key: Qt.Key, keys: Qt.KeyboardModifier = _NO_KEYS) -> None:
         """Press a key with the canvas in focus."""
+        require_reachable(self.window.canvas)
         self.window.canvas.setFocus()
         QTest.keyClick(self.window.canvas, key, keys)
         self.settle()
 
     def hold_space(self) -> None:
         """Press Space over the canvas: a drag pans."""
+        require_reachable(self.window.canvas)
         self.window.canvas.setFocus()
         QTest.keyPress(self.window.canvas, Qt.Key.Key_Space)
 
@@ -105,6 +108,7 @@ class Hand:
         """Turn the wheel on the canvas."""
         canvas = self.window.canvas
         place = QPointF(canvas.to_pixel(*at))
+        require_under_mouse(canvas.viewport(), place)
         event = QWheelEvent(
             place,
             canvas.viewport().mapToGlobal(place),
@@ -147,8 +151,15 @@ class Hand:
         keys: Qt.KeyboardModifier = _NO_KEYS,
         button: Qt.MouseButton = _LEFT,
     ) -> None:
-        """Send one mouse event to a plot's viewport."""
+        """Send one mouse event to a plot's viewport.
+
+        With a button held the mouse may leave the plot, as it may leave it before the release.
+        """
         place = QPointF(pixel)
+        if kind == QEvent.Type.MouseButtonRelease or (kind == QEvent.Type.MouseMove and held):
+            require_reachable(plot.viewport())
+        else:
+            require_under_mouse(plot.viewport(), place)
         nothing = Qt.MouseButton.NoButton
         event = QMouseEvent(
             kind,
@@ -172,6 +183,7 @@ class Hand:
         return self._menu_from(self.window.canvas, QContextMenuEvent.Reason.Keyboard, QPoint())
 
     def _menu_from(self, widget: QWidget, reason: QContextMenuEvent.Reason, pixel: QPoint) -> QMenu:
+        require_reachable(widget)
         QApplication.sendEvent(widget, QContextMenuEvent(reason, pixel, widget.mapToGlobal(pixel)))
         self.settle()
         return self.menu()
@@ -189,6 +201,7 @@ class Hand:
         entry = next((each for each in menu.actions() if each.objectName() == name), None)
         if entry is None:
             raise LookupError(f"There is no entry called {name!r} in the menu.")
+        require_enabled(entry)
         QTest.mouseClick(menu, _LEFT, pos=menu.actionGeometry(entry).center())
         self.settle()
 

@@ -1,15 +1,21 @@
-"""What every test gets: no display, a home of its own, repeatable randomness."""
+"""What every test gets: no display, a home of its own, repeatable randomness; documents are looked at."""
 
 from __future__ import annotations
 
+import functools
+import math
 import os
 import sys
+from enum import Enum
+from itertools import compress
+from operator import is_not
 
 # Before Qt and NumPy are imported: both read these once.
 if not os.environ.get("QT_QPA_PLATFORM"):
     os.environ["QT_QPA_PLATFORM"] = "offscreen"
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 
+import msgspec
 import pytest
 from hypothesis import settings
 
@@ -54,3 +60,60 @@ def _no_window_left_over():
         widget.hide()
         widget.deleteLater()
     assert not left, f"left over: {left} (give windows to qtbot.addWidget)"
+
+
+# Every document that a session shows, in whatever test, holds plain and finite numbers alone: previews,
+# steps, undo, files, snapshots. The walk is not the one of the program: it knows none of the values' names.
+
+_PLAIN = (bool, str, type(None))
+
+
+def odd_values(value: object, place: str = "document", known: object = None) -> list[str]:
+    """Return what in `value` is not of the plain types, or no finite number, with its place.
+
+    What is the same object in `known`, at the same place, is not looked at again.
+    """
+    if value is known and value is not None:
+        return []
+    if isinstance(value, msgspec.Struct):
+        return [
+            odd
+            for name in value.__struct_fields__
+            for odd in odd_values(getattr(value, name), f"{place}.{name}", getattr(known, name, None))
+        ]
+    if type(value) is tuple:
+        return _odd_items(value, place, known)
+    if type(value) is float and math.isfinite(value):
+        return []
+    if type(value) in _PLAIN or isinstance(value, Enum):
+        return []
+    return [f"{place} = {value!r}, a {type(value).__name__}"]
+
+
+def _odd_items(items: tuple[object, ...], place: str, known: object) -> list[str]:
+    before = known if isinstance(known, tuple) and len(known) == len(items) else (None,) * len(items)
+    changed = compress(range(len(items)), map(is_not, items, before))
+    return [odd for index in changed for odd in odd_values(items[index], f"{place}[{index}]", before[index])]
+
+
+def pytest_collection_finish(session):
+    """Have every session look at what it shows, where any test has one."""
+    module = sys.modules.get("app.session")
+    if module is None or hasattr(module.Session._show, "__wrapped__"):
+        return
+    show = module.Session._show
+
+    @functools.wraps(show)
+    def looked_at(self, document):
+        odd = odd_values(document, known=getattr(self, "_looked_at", None))
+        assert not odd, f"The document holds what is not plain: {'; '.join(odd[:5])}"
+        self._looked_at = document
+        show(self, document)
+
+    module.Session._show = looked_at
+
+
+@pytest.fixture(name="odd_values")
+def odd_values_of():
+    """Return what finds the values of a document that are not plain."""
+    return odd_values

@@ -34,15 +34,14 @@ def followed_nodes(chosen: Collection[int], before: Sequence[Node], after: Seque
     """Return where chosen nodes are after a change; those of which nothing is left are left out.
 
     As many nodes as before are the same ones, wherever they went. Otherwise a node is where it was in the
-    plane: of several at one place the first stays the first. An index beyond those of `before` is one of
-    `after` already.
+    plane: of several at one place the first stays the first.
     """
     if len(before) == len(after):
         return frozenset(chosen)
     places: dict[Vector, list[int]] = {}
     for index, node in enumerate(after):
         places.setdefault(node.position, []).append(index)
-    found = {index for index in chosen if len(before) <= index < len(after)}
+    found = set()
     # Every old node takes the first place left where it is, so that one walk over the points will do.
     left = {position: iter(indices) for position, indices in places.items()}
     for index, node in enumerate(before):

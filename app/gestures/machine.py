@@ -39,13 +39,16 @@ class Host(Protocol):
     def active_view(self) -> CurveView:
         """The view of the active curve."""
 
-    def preview(self, document: Document, *, active: int | None = None) -> None:
-        """Show a document for the length of the gesture; edit its curve `active` where that is another."""
+    def preview(self, document: Document, *, active: int | None = None) -> bool:
+        """Show a document for the length of the gesture; edit its curve `active` where that is another.
+
+        Return whether it is shown; it is not where that curve is locked.
+        """
 
     def commit(
         self, document: Document, text: str, *, active: int | None = None, run: Hashable = None
     ) -> bool:
-        """Make it a step of the history; quick steps of the same run are one."""
+        """Make it a step of the history, and return whether it is; quick steps of the same run are one."""
 
     def cancel(self) -> None:
         """Drop the preview."""
@@ -107,6 +110,7 @@ class _Press(msgspec.Struct):
     refused: str = ""
     on_done: Callable[[], None] | None = None
     active: int | None = None
+    makes: int | None = None
     selection: frozenset[int] | None = None
 
 
@@ -140,16 +144,24 @@ class DragMachine:
         drag: Drag,
         on_done: Callable[[], None] | None = None,
         *,
+        makes: int | None = None,
         active: int | None = None,
     ) -> None:
         """Begin a drag that shows its effect at the press (a new point) and commits without any move.
 
         `on_done` is called after the commit; `active` is the curve to edit from the press on, where the drag
-        makes another one. What is selected now is selected again when it is cancelled.
+        makes another one. The node that it `makes` is selected as soon as it is there. What is selected now
+        is selected again when the drag is cancelled, or refused.
         """
-        selection = self._host.selection
         self._press = _Press(
-            pointer.pixel, drag, None, moving=True, on_done=on_done, active=active, selection=selection
+            pointer.pixel,
+            drag,
+            None,
+            moving=True,
+            on_done=on_done,
+            active=active,
+            makes=makes,
+            selection=self._host.selection,
         )
         self._step(pointer)
 
@@ -174,16 +186,18 @@ class DragMachine:
             self._host.refuse(press.refused)
             return
         press.last, press.refused = document, ""
-        self._host.preview(document, active=press.active)
+        if self._host.preview(document, active=press.active) and press.makes is not None:
+            self._host.select([press.makes])
+            press.makes = None
 
     def nudge(self, pointer: Pointer, drag: Drag, run: Hashable) -> None:
         """Do at once what a drag to `pointer` would do; quick nudges of the same run are one step."""
         try:
-            self._host.commit(drag.document_at(pointer), drag.name, run=run)
+            is_done = self._host.commit(drag.document_at(pointer), drag.name, run=run)
         except EditError as reason:
             self._host.refuse(str(reason))
             return
-        if isinstance(drag, Told):
+        if is_done and isinstance(drag, Told):
             self._host.say(drag.note_at(pointer))
 
     def exchange(self, pointer: Pointer, drag: Drag) -> None:
@@ -221,8 +235,10 @@ class DragMachine:
         if press is None:
             return
         if press.moving and press.drag is not None and press.last is not None:
-            self._host.commit(press.last, press.drag.name, active=press.active)
-            if press.on_done is not None:
+            if not self._host.commit(press.last, press.drag.name, active=press.active):
+                if press.selection is not None:
+                    self._host.select(press.selection)
+            elif press.on_done is not None:
                 press.on_done()
         elif not press.moving and press.on_click is not None:
             press.on_click()

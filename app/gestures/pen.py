@@ -134,8 +134,7 @@ class Pen:
         key = self._key
         append = AppendPoint(host.document, host.active_index, host.active_view, pointer, magnet)
         # Only when it is done: Escape leaves a finished curve finished.
-        self._machine.press_at_once(pointer, append, on_done=lambda: self._finished.discard(key))
-        host.select([index])
+        self._machine.press_at_once(pointer, append, on_done=lambda: self._finished.discard(key), makes=index)
 
     def _begin(self, pointer: Pointer) -> None:
         """Begin another curve; it is the one that is edited from the press on."""
@@ -145,18 +144,15 @@ class Pen:
         document = add_curve(host.document, place, fresh)
         self._finished.discard((place, fresh.name))
         begin = BeginCurve(document, place, view_of(fresh), pointer, self._magnets.for_new(-1))
-        self._machine.press_at_once(pointer, begin, active=place)
-        if host.active_index == place:
-            host.select([0])
+        self._machine.press_at_once(pointer, begin, active=place, makes=0)
 
     def _insert(self, pointer: Pointer, hit: Hit) -> None:
         host = self._host
         magnet = self._magnets.for_points((hit.index,), hit.index)
         insert = InsertPoint(host.document, host.active_index, host.active_view, hit, pointer, magnet)
-        count = len(host.active_view.source.nodes)
-        self._machine.press_at_once(pointer, insert, on_done=lambda: self._say_outcome(insert))
-        if len(host.active_view.source.nodes) > count:
-            host.select([hit.index])
+        self._machine.press_at_once(
+            pointer, insert, on_done=lambda: self._say_outcome(insert), makes=hit.index
+        )
 
     def _say_outcome(self, insert: InsertPoint) -> None:
         made = insert.on_curve

@@ -233,7 +233,8 @@ class RailLayer:
         least = _LEAST_TICK_GAP * self.scale
         ticks, gap = spread_out(x, visible, least)
         # Stamped anew for every size: in steps, so that a drag does not.
-        size = min(max(gap // 2 - 1, 0.5 * least), 5.0 * self.scale)
+        room = gap // 2 - 1 if math.isfinite(gap) else gap  # a single tick has all the room there is
+        size = min(max(room, 0.5 * least), 5.0 * self.scale)
         places = np.column_stack([x[ticks], np.full(len(ticks), top + 1 + size)])
         owners = ticks % max(count, 1)
         self._stamps.draw(painter, places, owners, count, self.theme, size, 0.0)

@@ -220,7 +220,11 @@ class CurveListView(Guarded, QListView):
         self.viewport().update()
 
     def edit_name(self, row: int) -> None:
-        """Let the person type another name."""
+        """Let the person type another name; one that is being typed is taken as it is."""
+        editor = self.viewport().findChild(QLineEdit)
+        if self.state() == QListView.State.EditingState and editor is not None:
+            self.commitData(editor)
+            self.closeEditor(editor, QStyledItemDelegate.EndEditHint.NoHint)
         self.edit(self.curves.index_of(row))
 
     def row_rect(self, row: int) -> QRect:

@@ -11,6 +11,7 @@ from PySide6.QtWidgets import QApplication, QHBoxLayout, QLabel, QToolButton, QV
 
 from app.document import edits
 from app.document.edits import EditError
+from app.document.model import Document
 from app.exchange.table_text import Block, TableTextError, read_titled_block, write_block
 from app.icons import icon
 from app.overrides import Guarded
@@ -294,7 +295,8 @@ class PointTable(Guarded, QWidget):
         for row, column in sorted(cells):
             columns.setdefault(row, []).append(self.model.columns[column])
         document = fill_cells(session.document, session.active_index, session.active_view, columns, value)
-        session.commit(document, f"Fill {count_of(len(cells), 'cell')}")
+        if self._is_refused(document, f"Fill {count_of(len(cells), 'cell')}"):
+            return
         session.say(f"Filled {count_of(len(cells), 'cell')}.")
         self.pasted.emit()
 
@@ -306,12 +308,17 @@ class PointTable(Guarded, QWidget):
         height, width = numbers.shape
         whole = {(0, 0), (0, 1)} <= {(column.order, column.component) for column in columns}
         text = count_of(height, "point") if whole else count_of(height * width, "value")
-        session.commit(document, f"Paste {text}")
+        if self._is_refused(document, f"Paste {text}"):
+            return
         session.say(f"Pasted {text}.")
         overwritten = range(top, min(top + height, len(view.source.nodes)))
         session.select(range(top, top + height))
         self._tell_who_kept(*keepers(view, overwritten, columns))
         self.pasted.emit()
+
+    def _is_refused(self, document: Document, text: str) -> bool:
+        """Make `document` a step; return whether the session refuses it, with a sentence."""
+        return not self._session.commit(document, text) and document != self._session.committed
 
     def _columns_of(self, block: Block) -> tuple[list[Column], np.ndarray]:
         """Return which columns a block covers, in the table's order, and its numbers.

@@ -43,9 +43,10 @@ class PixelMap(msgspec.Struct, frozen=True):
         for start, end in (x_range, y_range):
             if not start < end:
                 raise ValueError(f"a range from {start!r} to {end!r} shows nothing")
-        width, height = max(width, 1.0), max(height, 1.0)
-        sx, sy = width / (x_range[1] - x_range[0]), height / (y_range[1] - y_range[0])
-        return cls(x_range[0], y_range[1], sx, sy, width, height)
+        # Fit shows what NumPy has measured; pointer positions come from here, and must be plain floats.
+        left, right, lower, upper = map(float, (*x_range, *y_range))
+        width, height = max(float(width), 1.0), max(float(height), 1.0)
+        return cls(left, upper, width / (right - left), height / (upper - lower), width, height)
 
     def x(self, values: Floats) -> Floats:
         """Return horizontal pixels of plane coordinates x."""

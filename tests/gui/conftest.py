@@ -8,7 +8,8 @@ otherwise it is thrown away. A test that makes windows of its own begins without
 from __future__ import annotations
 
 import enum
-from pathlib import PurePath
+import sys
+from pathlib import Path, PurePath
 from typing import ClassVar
 
 import msgspec
@@ -19,6 +20,9 @@ from PySide6.QtWidgets import QAbstractButton, QApplication, QLabel, QWidget
 
 from app.examples import first_sketch
 from app.testing import Editor
+
+# What several of these tests share lies beside them.
+sys.path.insert(0, str(Path(__file__).parent))
 
 _PLAIN = (bool, int, float, str, bytes, type(None), enum.Enum, PurePath)
 

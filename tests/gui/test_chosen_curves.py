@@ -736,3 +736,14 @@ def test_chosen_rows_are_dragged_together(five):
     # A click without a drag chooses the one alone, as before.
     QTest.mouseClick(view.viewport(), LEFT, pos=view.row_rect(4).center())
     assert chosen(five) == "C"
+
+
+def test_rename_while_a_name_is_typed_takes_that_and_begins_again(editor):
+    """Qt warned: "edit: editing failed"."""
+    for text in ("First", "Second"):
+        editor.trigger("renameCurve")
+        QTest.keyClicks(QApplication.focusWidget(), text)
+    QTest.keyClick(QApplication.focusWidget(), Qt.Key.Key_Return)
+    editor.settle()
+    assert editor.curve.name == "Second"
+    assert editor.session.undo_stack.count() == 2

@@ -149,7 +149,9 @@ def calm_by_hand(editor):
 
 
 WAYS = {
-    ("01_basis_functions", 3): lambda editor: [editor.add_point(5.5 + k / 2, -1.2) for k in range(3)],
+    ("01_basis_functions", 3): lambda editor: [
+        (editor.wheel((2.0, 0.0), -1), editor.add_point(5.5 + k / 2, -1.2)) for k in range(3)
+    ],
     ("01_basis_functions", 4): drag_to_chebyshev,
     ("02_three_parameter_sets", 4): calm_by_hand,
     ("02_three_parameter_sets", 5): lambda editor: editor.choose_parametrization("chord_length"),

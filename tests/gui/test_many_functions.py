@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+from PySide6.QtCore import QPointF
 from PySide6.QtWidgets import QLabel
 
 from app.document.model import Curve, Document, Family, Node, Parametrization, ParametrizationKind
@@ -138,3 +139,13 @@ def test_functions_at_the_edge_of_the_range_stay_finite_when_a_tick_moves():
     values = basis_view(after, before).values
     assert np.isfinite(values).all()
     assert np.array_equal(values, basis_view(after).values)
+
+
+def test_a_single_tick_among_many_is_drawn_as_large_as_ticks_get(open_wave):
+    """Zoomed far out, all lie in one place: the gap to the next was infinite, and its half no number."""
+    editor = open_wave(65, Family.HERMITE)
+    panel = editor.window.basis_panel
+    panel.zoom(1e-5, QPointF(panel.centre()))
+    image = panel.grab().toImage()
+    place = panel.rail_pixel(0.5).toPoint()
+    assert image.pixelColor(place) != image.pixelColor(place.x() + 60, place.y())

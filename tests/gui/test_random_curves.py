@@ -26,7 +26,9 @@ def step(editor, choose):
     if kind < 0.2 and count:
         editor.select(choose.sample(range(count), choose.randint(1, min(3, count))))
     elif kind < 0.3:
-        editor.add_point(choose.uniform(0, 4), choose.uniform(0, 4))
+        x_min, y_min, x_max, y_max = editor.window.canvas.pixel_map.box
+        # Below the line of messages.
+        editor.add_point(choose.uniform(x_min, x_max), choose.uniform(y_min, 0.8 * y_max + 0.2 * y_min))
     elif kind < 0.38:
         editor.choose_family(choose.choice(list(Family)))
     elif kind < 0.44:
@@ -38,6 +40,7 @@ def step(editor, choose):
         x, y = editor.session.active_view.curve.evaluate(
             editor.parameters[0] * 0.4 + editor.parameters[-1] * 0.6
         )
+        editor.fit()
         editor.add_point(float(x), float(y))
     else:
         action = editor.action(choose.choice(ACTIONS))

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 from msgspec.structs import replace
-from PySide6.QtCore import QEvent, QPointF, Qt
+from PySide6.QtCore import QEvent, QPoint, QPointF, Qt
 from PySide6.QtGui import QEnterEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QLabel, QPushButton
@@ -103,7 +103,7 @@ def test_a_click_with_the_tool_explains_another_place_and_escape_puts_the_tool_a
     settled(runge, qtbot)
     assert runge.session.scrub == pytest.approx(t, abs=0.01)
     assert "Between points 4 and 5" in panel(runge).words.text()
-    runge.click((-1.0, 5.0))
+    runge.click(runge.window.canvas.to_plane(QPoint(60, 60)))
     assert "on the curve itself" in runge.status
     runge.escape()
     assert runge.action("selectTool").isChecked()

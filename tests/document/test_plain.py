@@ -1,0 +1,86 @@
+"""What is not plain becomes plain at the door of the document."""
+
+from __future__ import annotations
+
+from decimal import Decimal
+from fractions import Fraction
+
+import numpy as np
+import pytest
+from msgspec.structs import replace
+
+from app.document import edits
+from app.document.format import FormatError, encode, validate
+from app.document.model import Document, Family, Node, Parametrization, ReferenceImage, make_curve
+from app.document.plain import plain
+
+WILD = (
+    np.float64(1 / 3),
+    np.float32(0.25),
+    np.int64(7),
+    3,
+    Fraction(1, 3),
+)
+"""Numbers that are no plain floats."""
+
+
+def document_of(x):
+    """Return a document with `x` at every place where a number may be, and NumPy's truth for every flag."""
+    pair = (x, x)
+    nodes = (
+        Node(0.0, 0.0),
+        Node(x, x, x, pair, pair, np.True_, pair, pair),
+        Node(1.0, 2.0, velocity=[x, np.float64(2.0)]),
+    )
+    curve = replace(
+        make_curve(()),
+        nodes=nodes,
+        family=Family.HERMITE,
+        parametrization=Parametrization(alpha=np.float64(0.5), start=np.float64(0.0), end=10),
+        closed=np.False_,
+        visible=np.True_,
+        locked=np.False_,
+    )
+    return Document((make_curve([(0, 0), (1, 1)]), curve), ReferenceImage("/a.png", x, x, x, x, 1, np.True_))
+
+
+@pytest.mark.parametrize("number", WILD, ids=lambda number: type(number).__name__)
+def test_every_number_becomes_a_float_of_the_same_value(number, odd_values):
+    given = document_of(number)
+    assert odd_values(given)
+    document = plain(given)
+    assert odd_values(document) == []
+    value = float(number)
+    node = document.curves[1].nodes[1]
+    assert node == Node(value, value, value, (value,) * 2, (value,) * 2, True, (value,) * 2, (value,) * 2)
+    assert document.curves[1].nodes[2].velocity == (value, 2.0)
+    assert document.curves[1].parametrization == Parametrization(alpha=0.5, end=10.0)
+    assert document.image == ReferenceImage("/a.png", value, value, value, value, 1.0, True)
+    assert b"null" not in encode(document)
+
+
+def test_what_is_plain_stays_the_same_object():
+    document = Document((make_curve([(0, 0), (1, 1)]), make_curve([(0, 0)])))
+    assert plain(document) is document
+    moved = edits.move_nodes(document, 0, [1], (0.5, 0.5))
+    assert plain(moved, document) is moved
+    with_numpy = edits.insert_nodes(document, 0, 2, [Node(np.float64(3.0), 0.0)])
+    mended = plain(with_numpy, document)
+    assert mended.curves[1] is document.curves[1]
+    assert mended.curves[0].nodes[:2] == document.curves[0].nodes
+    assert all(a is b for a, b in zip(mended.curves[0].nodes, document.curves[0].nodes, strict=False))
+
+
+def test_only_what_changed_is_looked_at():
+    before = document_of(np.float64(2.0))
+    assert plain(before, before) is before
+    curve = before.curves[1]
+    moved = before.with_curve(1, replace(curve, nodes=(Node(1.0, 1.0), *curve.nodes[1:])))
+    assert type(plain(moved, before).curves[1].nodes[1].x) is np.float64
+
+
+@pytest.mark.parametrize("odd", [True, None, "1", Decimal(1), 10**400, np.float64("nan"), np.float64("inf")])
+def test_what_is_no_number_is_left_for_the_sentence_that_refuses_it(odd):
+    curve = replace(make_curve([(0, 0)]), nodes=(Node(odd, 0.0),))
+    with pytest.raises(FormatError, match=r"curves\[0\]\.points\[0\]\.x must"):
+        validate(plain(Document((curve,))))

@@ -1,0 +1,206 @@
+"""The session's door: numbers are plain, and what is selected, hovered, chosen or scrubbed exists."""
+
+from __future__ import annotations
+
+import msgspec
+import numpy as np
+import pytest
+from msgspec.structs import replace
+from PySide6.QtCore import QPointF, Qt
+from PySide6.QtGui import QGuiApplication
+
+from app.document import edits
+from app.document.model import Document, Node, make_curve
+from app.gestures.machine import DragMachine
+from app.gestures.pointer import Pointer
+from app.session import Session
+
+EDGE = 1e12
+
+
+@pytest.fixture
+def at_the_edge(editor):
+    """Three points at the end of what a file can hold, and a view that shows more than that."""
+    points = [(EDGE - 4e9, 0.0), (EDGE - 2e9, 1e9), (EDGE, 0.0)]
+    editor.session.commit(Document((make_curve(points),)), "Begin")
+    editor.fit()
+    editor.select([1])
+    editor.trigger("addTool")
+    return editor
+
+
+def named(session):
+    """What the session names, as a value."""
+    return session.active_index, session.selection, session.chosen_curves, session.hovered, session.scrub
+
+
+def assert_exists(session):
+    """Raise unless everything that the session names is there."""
+    curves, nodes = range(len(session.document.curves)), range(len(session.active_curve.nodes))
+    assert session.active_index in curves
+    assert session.active_index in session.chosen_curves
+    assert all(index in curves for index in session.chosen_curves)
+    assert all(type(index) is int and index in nodes for index in session.selection)
+    assert session.hovered == -1 or session.hovered in nodes
+    if session.scrub is not None:
+        start, end = session.active_view.curve.domain
+        assert type(session.scrub) is float
+        assert start <= session.scrub <= end
+
+
+# Plain numbers
+
+
+def test_after_a_fit_the_pointer_has_plain_floats(editor):
+    for plot in (editor.window.canvas, editor.window.basis_panel):
+        places = [*plot.to_plane(QPointF(50.5, 60.0)), *plot.pixel_map.box, plot.pixel_size]
+        assert [type(value) for value in places] == [float] * 7
+
+
+def test_a_point_clicked_after_a_fit_goes_a_step_of_the_grid(editor):
+    """`repr` of its x was "np.float64(1.0021264288264025)": decimal.InvalidOperation."""
+    editor.fit()
+    editor.trigger("addTool")
+    editor.click((1.0, 1.0))
+    editor.trigger("toggleSnap")
+    new = editor.session.selected
+    x, y = editor.point(new)
+    editor.key(Qt.Key.Key_Right)
+    assert editor.point(new) == pytest.approx((x + editor.window.canvas.grid_spacing[0], y), abs=1e-15)
+
+
+def test_what_a_program_commits_becomes_plain(odd_values):
+    session = Session()
+    session.new()
+    nodes = tuple(Node(*row) for row in np.array([[0.0, 0.0], [1.0, 2.0], [3.0, 1.0]]))
+    document = Document((replace(session.active_curve, nodes=nodes),))
+    assert odd_values(document)
+    assert session.preview(document)
+    assert odd_values(session.document) == []
+    assert session.commit(document, "Numbers of NumPy")
+    assert odd_values(session.document) == []
+    session.restore(document, None)
+    assert odd_values(session.document) == []
+
+
+# What exists
+
+
+def test_a_point_beyond_what_a_file_can_hold_is_not_selected(at_the_edge):
+    """It was: {3} of three points, and the next hover raised IndexError."""
+    editor, before = at_the_edge, at_the_edge.session.document
+    editor.click((EDGE + 1e8, 0.0))
+    assert "must lie between" in editor.status
+    assert editor.session.document is before
+    assert editor.session.selection == {1}
+    editor.hover((EDGE - 1e9, 1e8))
+    assert_exists(editor.session)
+
+
+def test_a_point_dragged_in_from_beyond_is_selected_when_it_is_there(at_the_edge):
+    editor = at_the_edge
+    editor.press((EDGE + 1e8, 0.0))
+    assert editor.session.selection == {1}
+    editor.move((EDGE - 1e8, 2e8))
+    assert editor.session.selection == {3}
+    editor.release((EDGE - 1e8, 2e8))
+    assert len(editor.curve.nodes) == 4
+    assert editor.session.selection == {3}
+
+
+def test_a_curve_begun_beyond_what_a_file_can_hold_leaves_the_one_that_is_edited(at_the_edge):
+    editor = at_the_edge
+    editor.key(Qt.Key.Key_Return)
+    before = named(editor.session)
+    editor.click((EDGE + 1e8, -2e8))
+    assert "must lie between" in editor.status
+    assert len(editor.session.document.curves) == 1
+    assert named(editor.session)[:3] == before[:3]
+    assert_exists(editor.session)
+
+
+class Appended(msgspec.Struct):
+    """A drag that appends a point which no file can hold."""
+
+    session: Session
+    name: str = "Append"
+
+    def document_at(self, pointer):
+        node = Node(pointer.position[0], 2e12)
+        curve = self.session.committed.curves[0]
+        return Document((replace(curve, nodes=(*curve.nodes, node)),))
+
+
+def test_a_gesture_that_is_refused_at_its_end_leaves_the_selection_and_offers_nothing():
+    """What is said when it is done was said of what was refused, and the new point stayed selected."""
+    session, done = Session(), []
+    session.select([1, 2])
+    machine, count = DragMachine(session), len(session.active_curve.nodes)
+    pointer = Pointer((1.0, 1.0), (10.0, 10.0))
+    machine.press_at_once(pointer, Appended(session), on_done=lambda: done.append(True), makes=count)
+    machine.release(pointer)
+    assert not done
+    assert len(session.active_curve.nodes) == count
+    assert session.selection == {1, 2}
+
+
+def test_what_is_refused_by_the_lock_says_so_in_the_table(editor):
+    """The table said "Pasted 2 points." of what was refused, and selected rows that are not there."""
+    editor.trigger("curveLocked")
+    editor.select([4])
+    table = editor.window.point_table
+    panel = editor.window.table_panel
+    QGuiApplication.clipboard().setText("1\t2\n3\t4\n5\t6\n")
+    table.setCurrentIndex(table.model().index(4, 1))
+    before = editor.session.document
+    panel.paste()
+    assert editor.session.document is before
+    assert "is locked" in editor.status
+    assert_exists(editor.session)
+
+
+def test_selection_hover_chosen_and_scrub_name_only_what_exists():
+    session = Session()
+    session.commit(
+        Document((make_curve([(0, 0), (1, 1), (2, 0)]), make_curve([(0, 0), (1, 1)], name="Other"))), "Begin"
+    )
+    session.select([-1, 0, np.int64(2), 3, 99])
+    assert session.selection == {0, 2}
+    for index, there in ((7, -1), (2, 2), (-5, -1), (2, 2)):
+        session.set_hovered(index)
+        assert session.hovered == there
+    session.set_scrub(3.0)
+    assert session.scrub == 1.0
+    session.choose_curves([0, 5], 5)
+    assert session.chosen_curves == {0}
+    session.choose_curves([-1, 1, 2])
+    assert (session.active_index, session.chosen_curves) == (1, {1})
+    assert_exists(session)
+    session.activate(0)
+    session.select([0, 2])
+    session.set_hovered(2)
+    session.preview(edits.delete_nodes(session.document, 0, [1, 2]))
+    assert named(session) == (0, {0}, {0}, -1, None)
+    session.cancel()
+    assert session.scrub == 1.0
+    session.commit(Document((make_curve([(0, 0), (1, 1)], name="Lone"),)), "Leave one")
+    assert_exists(session)
+
+
+def test_the_scrub_line_stands_where_it_was_put_as_far_as_the_curve_goes():
+    """A preview of a shorter interval left it at 3 of [0, 2]."""
+    session = Session()
+    session.commit(edits.set_interval(session.document, 0, 0.0, 5.0), "To 5")
+    session.set_scrub(3.0)
+    session.preview(edits.set_interval(session.document, 0, 0.0, 2.0))
+    assert session.scrub == 2.0
+    session.preview(edits.set_interval(session.document, 0, 0.0, 4.0))
+    assert session.scrub == 3.0
+    session.preview(edits.set_interval(session.document, 0, 3.5, 4.0))
+    assert session.scrub == 3.5
+    session.cancel()
+    assert session.scrub == 3.0
+    session.commit(edits.delete_nodes(session.document, 0, range(1, 9)), "Delete")
+    assert session.scrub is None
+    session.undo_stack.undo()
+    assert session.scrub == 3.0
