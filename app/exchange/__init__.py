@@ -15,6 +15,7 @@
 - ``animation``: motions as GIF, APNG and MP4.  ``motion_frames``: their frames; needs Qt.
 - ``child``: a process with limits for the files of others.  ``reading``: which ending names which reader.
 - ``formats``: the endings.  ``writing``, ``writers``: which ending names which writer.
+- ``naming``: names made different from each other.
 - ``progress``: how long work says how far it is.  ``choice``: what a person chose for an export.
 - ``facts``: what ``curvebench info`` prints.
 
