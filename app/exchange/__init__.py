@@ -16,6 +16,7 @@
 - ``child``: a process with limits for the files of others.  ``reading``: which ending names which reader.
 - ``formats``: the endings.  ``writing``, ``writers``: which ending names which writer.
 - ``units``: how large a length of one is on paper.
+- ``naming``: names made different from each other.
 - ``progress``: how long work says how far it is.  ``choice``: what a person chose for an export.
 - ``facts``: what ``curvebench info`` prints.
 

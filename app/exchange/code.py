@@ -14,6 +14,7 @@ import numpy as np
 from app.document.model import Document
 from app.exchange import code_runtime
 from app.exchange.drawing import Floats
+from app.exchange.naming import Names
 from app.exchange.parts import Source, Written, accuracy, bezier_values, measured, one_line, sources_of
 from app.view_model.curve_view import SimpleCurve
 from curvecore import HermiteCurve, LagrangeCurve, bezier_segments
@@ -76,17 +77,14 @@ def scipy_code(document: Document) -> Written:
 
 def names_of(sources: list[Source]) -> list[str]:
     """Return a different Python identifier for every curve, like its name."""
-    names: list[str] = []
+    names, found = Names(between="_"), []
     for source in sources:
         plain = unicodedata.normalize("NFKD", source.name).encode("ascii", "ignore").decode().lower()
         base = re.sub("[^a-z0-9]+", "_", plain).strip("_") or "curve"
         if base[0].isdigit() or keyword.iskeyword(base) or base in _TAKEN:
             base = f"curve_{base}"
-        name, number = base, 2
-        while name in names:
-            name, number = f"{base}_{number}", number + 1
-        names.append(name)
-    return names
+        found.append(names.different(base))
+    return found
 
 
 def _head(deviation: float, remarks: tuple[str, ...], imports: str) -> str:

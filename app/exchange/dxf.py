@@ -19,6 +19,7 @@ from app.document.model import Document
 from app.exchange.arcs import PIECES_OF_A_TURN, error_of_arc
 from app.exchange.cubics_in import Imported, Path, imported, lines
 from app.exchange.drawing import RELATIVE_TOLERANCE, ExchangeError, Floats
+from app.exchange.naming import Names
 from app.exchange.parts import (
     Beziers,
     Source,
@@ -80,8 +81,9 @@ def dxf_text(
     allowed = checked_tolerance(sources, tolerance)
     drawing: Drawing = ezdxf.new("R2010", units=dxf_code(unit))
     deviation = 0.0
+    names = Names(drawing.layers)
     for source in sources:
-        layer = _layer(drawing, source)
+        layer = _layer(drawing, source, names)
         deviation = max(deviation, _add_spline(drawing, source, _pieces(source, allowed, cubic), layer))
         for x, y in source.core.points[: len(source.curve.nodes)].tolist() if points else ():
             drawing.modelspace().add_point((x, y, 0.0), dxfattribs={"layer": layer})
@@ -116,12 +118,10 @@ def _add_spline(drawing: Drawing, source: Source, parts: list[Beziers], layer: s
     return max(part.deviation for part in parts)
 
 
-def _layer(drawing: Drawing, source: Source) -> str:
+def _layer(drawing: Drawing, source: Source, names: Names) -> str:
     """Add a layer with the curve's name, as far as DXF allows it, and its colour."""
     base = _NOT_IN_A_LAYER.sub("_", one_line(source.name)).strip()[:_LONGEST_LAYER] or "Curve"
-    name, number = base, 2
-    while name in drawing.layers:
-        name, number = f"{base} {number}", number + 1
+    name = names.different(base)
     layer = drawing.layers.add(name, color=_WHITE)
     if source.curve.colour:
         digits = source.curve.colour

@@ -13,6 +13,7 @@ import numpy as np
 from app import __version__
 from app.document.model import Curve, Document
 from app.exchange.drawing import RELATIVE_TOLERANCE, ExchangeError, Floats, sort_out
+from app.exchange.naming import Names
 from app.view_model.curve_view import CoreCurve, SimpleCurve
 from app.view_model.refusals import in_words
 from curvecore import CurveError, LagrangeCurve, bezier_segments, cubic_path
@@ -150,14 +151,8 @@ def one_line(text: str) -> str:
 
 def distinct_names(sources: list[Source]) -> list[str]:
     """Return the names of the curves on one line each; where two are the same, one gets a number."""
-    names: list[str] = []
-    for source in sources:
-        base = " ".join(source.name.split()) or "Curve"
-        name, number = base, 2
-        while name in names:
-            name, number = f"{base} {number}", number + 1
-        names.append(name)
-    return names
+    names = Names()
+    return [names.different(" ".join(source.name.split()) or "Curve") for source in sources]
 
 
 def cell_of_name(name: str, separator: str) -> str:

@@ -16,6 +16,7 @@ from app.document.storage import save
 from app.exchange import ExchangeError, export, svg_of
 from app.exchange.drawing import drawing_of
 from app.exchange.facts import facts_of
+from app.exchange.naming import Names
 from app.view_model.curve_view import view_of
 
 SQUARE = [(0.0, 0.0), (2.0, 0.0), (2.0, 2.0), (0.0, 2.0)]
@@ -117,3 +118,22 @@ def test_info_prints_them(document, tmp_path, capsys):
     assert main(["info", "--json", str(tmp_path / "a.curve.json")]) == 0
     first, second, _ = json.loads(capsys.readouterr().out)["curves"]
     assert (first["closed"], first["corners"], second["visible"]) == (True, 1, False)
+
+
+def test_names_of_many_curves_are_looked_up_as_often_as_there_are_curves():
+    """Of n curves of one name the last tried n numbers in a list of n: n**3 comparisons in all."""
+
+    class Counting(set):
+        looked_up = 0
+
+        def __contains__(self, name):
+            self.looked_up += 1
+            return super().__contains__(name)
+
+    taken = Counting({"a 3"})
+    names = Names(taken)
+    given = [names.different("a") for _ in range(1000)]
+    assert given[:4] == ["a", "a 2", "a 4", "a 5"]
+    assert len(set(given)) == 1000
+    assert taken.looked_up <= 2100
+    assert names.different("a 2") == "a 2 2"

@@ -1,0 +1,31 @@
+"""Names made different from each other: a number is put to those that are taken."""
+
+from __future__ import annotations
+
+from collections.abc import Container
+
+
+class Names:
+    """Hands out names, each once; where many begin alike, the next number is known and not searched.
+
+    Parameters
+    ----------
+    taken
+        Names that somebody else has handed out.
+    between
+        Between a name and its number.
+    """
+
+    def __init__(self, taken: Container[str] = (), between: str = " ") -> None:
+        self._taken, self._between = taken, between
+        self._given: set[str] = set()
+        self._next: dict[str, int] = {}
+
+    def different(self, base: str) -> str:
+        """Return the base, or the base with the least number from 2 on that makes a new name."""
+        name, number = base, self._next.get(base, 2)
+        while name in self._given or name in self._taken:
+            name, number = f"{base}{self._between}{number}", number + 1
+        self._given.add(name)
+        self._next[base] = number
+        return name
