@@ -469,7 +469,7 @@ class Session(QObject):
         `text`, and undo goes back.
         """
         path = Path(path)
-        document = storage.load(path)
+        document = plain(storage.load(path))
         title = template_title(path, document)
         self.cancel()
         if self.path is not None or not (self.undo_stack.count() or self.is_modified):
