@@ -10,7 +10,8 @@
 - ``table_file``, ``table_layout``, ``table_columns``: CSV and TSV in.  ``table_curve``, ``thinning``: as
   curves, thinned out if asked.  ``table_import``: as the window asks for them.
 - ``table_text``: blocks of numbers on the clipboard.
-- ``svg_in``, ``svg_path``, ``arcs``, ``cubics_in``: SVG in, as Hermite curves.  ``doctype``: without a DTD.
+- ``svg_in``, ``svg_path``, ``arcs``, ``cubics_in``: SVG in, as Hermite curves.  ``svg_xml``: its tree,
+  without DTD and entities.
 - ``dxf``: DXF out and in.
 - ``animation``: motions as GIF, APNG and MP4.  ``motion_frames``: their frames; needs Qt.
 - ``child``: a process with limits for the files of others.  ``reading``: which ending names which reader.
