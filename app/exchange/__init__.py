@@ -11,7 +11,7 @@
   curves, thinned out if asked.  ``table_import``: as the window asks for them.
 - ``table_text``: blocks of numbers on the clipboard.
 - ``svg_in``, ``svg_path``, ``arcs``, ``cubics_in``: SVG in, as Hermite curves.  ``svg_xml``: its tree,
-  without DTD and entities.
+  without DTD and entities.  ``svg_style``: its colours.
 - ``dxf``: DXF out and in.
 - ``animation``: motions as GIF, APNG and MP4.  ``motion_frames``: their frames; needs Qt.
 - ``child``: a process with limits for the files of others.  ``reading``: which ending names which reader.

@@ -8,7 +8,6 @@ from PySide6.QtCore import QSize, Qt, QTimer, Signal
 from PySide6.QtWidgets import (
     QCheckBox,
     QHBoxLayout,
-    QLabel,
     QProgressBar,
     QVBoxLayout,
     QWidget,
@@ -21,6 +20,7 @@ from app.exchange.table_file import Preview, preview_table
 from app.exchange.table_import import MANY_ROWS, MOST_POINTS, Prepared, TableChoice, TableSource
 from app.exchange.table_layout import Layout
 from app.exchange.thinning import Thinning
+from app.labels import Label, tip_of
 from app.panels.field_edit import FieldEdit
 from app.panels.form_parts import buttons, choice_box, into_box
 from app.panels.number_text import decimal_mark, rounded_text
@@ -94,7 +94,7 @@ class ImportTableDialog(WorkDialog):
         )
         self.tolerance_edit.setMaximumWidth(110)
         self.into = into_box()
-        self.summary = QLabel()
+        self.summary = Label()
         self.summary.setObjectName("tableSummary")
         # Its room stays, so that nothing jumps when there is something to say, or no longer.
         self.problem.setMinimumHeight(2 * self.problem.fontMetrics().lineSpacing())
@@ -246,7 +246,7 @@ class ImportTableDialog(WorkDialog):
         self.preview.mark(prepared.bad_row, prepared.bad_column, prepared.bad_cells)
         self.summary.setText(_summary(prepared))
         self.ok.setEnabled(prepared.document is not None)
-        self.ok.setToolTip(prepared.problem or "Make curves of the rows")
+        self.ok.setToolTip(tip_of(prepared.problem) or "Make curves of the rows")
 
     def _fail(self, problem: Exception) -> None:
         self.complain(str(problem))
@@ -302,6 +302,6 @@ def _row(*parts: QWidget | str) -> QHBoxLayout:
     row = QHBoxLayout()
     row.setSpacing(8)
     for part in parts:
-        row.addWidget(QLabel(part) if isinstance(part, str) else part)
+        row.addWidget(Label(part) if isinstance(part, str) else part)
     row.addStretch(1)
     return row

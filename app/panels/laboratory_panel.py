@@ -12,7 +12,6 @@ from PySide6.QtWidgets import (
     QFrame,
     QGridLayout,
     QHBoxLayout,
-    QLabel,
     QPushButton,
     QScrollArea,
     QSizePolicy,
@@ -25,6 +24,7 @@ from PySide6.QtWidgets import (
 
 from app.analysis import Analysis
 from app.document.expression import ExpressionError, parse_number
+from app.labels import Label
 from app.panels.cost_panel import CostPanel
 from app.panels.digits_table import DigitsTable
 from app.panels.field_edit import FieldEdit
@@ -152,8 +152,9 @@ class LaboratoryPanel(QTabWidget):
         grid.setHorizontalSpacing(10)
         grid.setVerticalSpacing(8)
         grid.setColumnStretch(1, 1)
-        grid.addWidget(QLabel("Round every step to"), 0, 0)
+        grid.addWidget(Label("Round every step to"), 0, 0)
         grid.addWidget(self.slider, 0, 1)
+        self.digits_text.setTextFormat(Qt.TextFormat.RichText)
         self.digits_text.setMinimumWidth(self.fontMetrics().horizontalAdvance("16 digits ") + 8)
         self.rounding.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
         grid.addWidget(self.digits_text, 0, 2)
@@ -248,8 +249,8 @@ class LaboratoryPanel(QTabWidget):
         self.digits.render_digits(digits, self._settings.digits)
 
 
-def _label(name: str, *, wraps: bool = True) -> QLabel:
-    label = QLabel()
+def _label(name: str, *, wraps: bool = True) -> Label:
+    label = Label()
     label.setObjectName(name)
     label.setWordWrap(wraps)
     return label

@@ -9,13 +9,13 @@ from PySide6.QtWidgets import (
     QDoubleSpinBox,
     QFormLayout,
     QHBoxLayout,
-    QLabel,
     QPushButton,
     QSpinBox,
     QWidget,
 )
 
 from app.exchange.animation import FASTEST, LARGEST_WIDTH, MOST_FRAMES, has_video
+from app.labels import Label
 from app.panels.fitting import FittedDialog
 
 FORMATS = {".gif": "GIF", ".apng": "APNG", ".mp4": "MP4"}
@@ -45,7 +45,7 @@ class MotionDialog(FittedDialog):
         self.seconds_box.setSuffix(" s")
         self.points_check = QCheckBox("Points")
         self.points_check.setChecked(True)
-        self._frames = QLabel()
+        self._frames = Label()
         self._frames.setObjectName("filmFrames")
         self._export = QPushButton("Export…")
         self._export.setDefault(True)
