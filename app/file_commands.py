@@ -60,6 +60,14 @@ class FileCommands:
         """Open the document at `path`, after asking about unsaved changes."""
         self._open(path, self._session.open, remember=not is_resource(path))
 
+    def why_not(self, path: Path) -> str:
+        """Return why a document cannot be opened, as a sentence; empty where it can."""
+        try:
+            load(path)
+        except (FormatError, StorageError) as problem:
+            return _sentence(f"{path.name} was not opened", problem)
+        return ""
+
     def open_example(self, path: Path, *, asks: bool = True) -> bool:
         """Open a copy of an example; saving it asks for a name. Return whether it is open now."""
         return self._open(path, self._session.open_copy, remember=False, asks=asks)
