@@ -21,7 +21,7 @@ from app.cli_options import (
     picture_options,
     positive_number,
 )
-from app.cli_refusals import RefusalError, load_document, one_line
+from app.cli_refusals import RefusalError, load_document, one_line, say
 from app.document.model import Family
 from app.exchange import (
     SUFFIXES,
@@ -159,7 +159,7 @@ def _convert(options: argparse.Namespace) -> int:
     for remark in (*source.remarks, *written.remarks):
         print(f"curvebench: {one_line(remark)}", file=sys.stderr)
     total = rounded_up(source.deviation + written.deviation)
-    print(f"{one_line(options.output)}: largest deviation from the true curves {total:g}")
+    say(f"{one_line(options.output)}: largest deviation from the true curves {total:g}")
     return 0
 
 
@@ -170,9 +170,9 @@ def _info(options: argparse.Namespace) -> int:
     facts = facts_of(load_document(options.file), _told_on_terminals())
     if options.json:
         content = {"file": options.file, "curves": [_as_json(each) for each in facts]}
-        print(json.dumps(content, indent=2, ensure_ascii=False, allow_nan=False))
+        say(json.dumps(content, indent=2, ensure_ascii=False, allow_nan=False))
     else:
-        print("\n\n".join(_as_text(each) for each in facts))
+        say("\n\n".join(_as_text(each) for each in facts))
     return 0
 
 
@@ -197,7 +197,7 @@ def _lesson(options: argparse.Namespace, edit: Callable[[Sequence[str], str], in
 
     if options.name is None:
         for number, name in enumerate(lesson_names(), start=1):
-            print(f"{number:2}  {name.partition('_')[2]:28}{load_lesson(name).title}")
+            say(f"{number:2}  {name.partition('_')[2]:28}{load_lesson(name).title}")
         return 0
     try:
         return edit((), find_lesson(options.name))

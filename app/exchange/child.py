@@ -13,6 +13,7 @@ import sys
 import tempfile
 import time
 from collections.abc import Callable
+from typing import IO
 
 import msgspec
 
@@ -125,10 +126,8 @@ def _output_of(request: bytes, memory: int, seconds: float, report: Report) -> t
     environment = {**os.environ, "OPENBLAS_NUM_THREADS": "1"}
     began = time.monotonic()
     # Not by a pipe: Python before 3.12 stops feeding it after the first timeout.
-    with tempfile.TemporaryFile() as question:
+    with _passing_file(request) as question:
         try:
-            question.write(request)
-            question.seek(0)
             process = subprocess.Popen(
                 _command(memory),
                 stdin=question,
@@ -143,6 +142,17 @@ def _output_of(request: bytes, memory: int, seconds: float, report: Report) -> t
                 return _awaited(process, began, seconds, report), process.returncode
             finally:
                 process.kill()
+
+
+def _passing_file(content: bytes) -> IO[bytes]:
+    """Return a file without a name that holds the content, to be read from its beginning."""
+    try:
+        file = tempfile.TemporaryFile()  # noqa: SIM115 - whoever asked for it closes it
+        file.write(content)
+        file.seek(0)
+    except OSError as problem:
+        raise ExchangeError(f"It cannot be passed on to be read ({problem.strerror}).") from None
+    return file
 
 
 def _awaited(process: subprocess.Popen[bytes], began: float, seconds: float, report: Report) -> bytes:
