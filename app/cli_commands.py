@@ -18,6 +18,8 @@ from app.cli_options import (
     add_convert_options,
     add_motion_options,
     add_picture_options,
+    columns_to_read,
+    columns_to_write,
     picture_options,
     positive_number,
 )
@@ -147,13 +149,15 @@ def _convert(options: argparse.Namespace) -> int:
         thin=options.thin,
         corners=options.corners,
         family=Family(options.family),
+        columns=columns_to_read(options),
+        missing=options.missing,
     )
     wanted = replace(
         picture_options(options, source.document),
         samples=options.samples,
         cubic=options.cubic,
         spacing=Spacing(options.by),
-        columns=tuple(options.columns.split(",")) if options.columns else None,
+        columns=columns_to_write(options),
     )
     written = export_with(source.document, options.output, wanted)
     for remark in (*source.remarks, *written.remarks):

@@ -35,7 +35,6 @@ if TYPE_CHECKING:
         READABLE,
         SAMPLES,
         SUFFIXES,
-        TABLES,
         Exported,
         Options,
         Spacing,
@@ -49,7 +48,7 @@ READER_PROCESS = "--reader-process"
 
 _MODULES = {
     "drawing": ["ExchangeError"],
-    "formats": ["ENDINGS", "READABLE", "SAMPLES", "SUFFIXES", "TABLES", "Exported", "Options", "Spacing"],
+    "formats": ["ENDINGS", "READABLE", "SAMPLES", "SUFFIXES", "Exported", "Options", "Spacing"],
     "reading": ["import_file"],
     "svg": ["DARK", "INK", "LIGHT", "Style", "svg_of"],
     "writing": ["export", "export_with"],
@@ -64,7 +63,6 @@ __all__ = [
     "READABLE",
     "SAMPLES",
     "SUFFIXES",
-    "TABLES",
     "ExchangeError",
     "Exported",
     "Options",

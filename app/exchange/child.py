@@ -21,6 +21,7 @@ from app.document.format import FormatError, validate
 from app.exchange import READER_PROCESS
 from app.exchange.cubics_in import Imported
 from app.exchange.drawing import ExchangeError
+from app.exchange.formats import import_format
 from app.exchange.progress import Report, silent
 
 SECONDS = 5.0
@@ -72,7 +73,7 @@ def limited(
     Parameters
     ----------
     reader
-        "svg" or "dxf".
+        The ending of such files, without the dot: "svg" or "dxf".
     data
         The content.
     tolerance
@@ -200,14 +201,7 @@ def answer_to(request: _Request, memory: int) -> _Answer:
 
 def reader_of(name: str) -> Callable[[bytes, float | None], Imported]:
     """Return the reader of that name; `limited` runs it in a process of its own."""
-    # Each brings a library that takes a while to import.
-    if name == "dxf":
-        from app.exchange.dxf import read_dxf  # noqa: PLC0415
-
-        return read_dxf
-    from app.exchange.svg_in import read_svg  # noqa: PLC0415
-
-    return read_svg
+    return import_format(f".{name}").load()
 
 
 def _limit_memory(extra: int) -> None:

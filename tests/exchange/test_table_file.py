@@ -9,13 +9,10 @@ import pytest
 from app.document.model import Document, Family, Node, make_curve
 from app.exchange import ExchangeError
 from app.exchange.sampled import sampled_table
+from app.exchange.table_columns import Mapping
 from app.exchange.table_curve import document_of_table
-from app.exchange.table_file import (
-    Layout,
-    Mapping,
-    preview_table,
-    read_table,
-)
+from app.exchange.table_file import preview_table, read_table
+from app.exchange.table_layout import Layout
 from app.exchange.thinning import thinned
 from app.view_model.curve_view import view_of
 
@@ -109,7 +106,7 @@ def test_the_preview_shows_what_is_there_and_a_first_guess():
     assert preview.layout == Layout(";", decimal_comma=True, header=True)
     assert preview.titles == ("Y [mm]", "time", "X [mm]")
     assert preview.cells == (("1,5", "2", "3"),)
-    assert preview.mapping == Mapping(x=2, y=0)
+    assert preview.mapping == Mapping(x=2, y=0, t=1)
     assert preview_table(b"1 2 3\n4 5 6").mapping == Mapping(x=1, y=2, t=0)
     assert preview_table(b"1\n2").mapping is None
     assert len(preview_table(b"1,2\n" * 1000).cells) == 50
