@@ -255,10 +255,11 @@ def _full_curve(name: str, own: _Rows, family: Family, closed: bool) -> Curve:
     ]
     times = own.t
     t = [None] * len(own.rows) if times is None else times.tolist()
+    # Column by column: a list of a pair for every row would take more than the points themselves.
     nodes = [
         Node(x, y, at, velocity, acceleration, after is not None, after, bend)
-        for (x, y), at, velocity, acceleration, after, bend in zip(
-            own.points.tolist(), t, *fields, strict=True
+        for x, y, at, velocity, acceleration, after, bend in zip(
+            own.column("x").tolist(), own.column("y").tolist(), t, *fields, strict=True
         )
     ]
     return Curve(name, family, _rule(times), tuple(nodes[:-1] if closed else nodes), closed=closed)

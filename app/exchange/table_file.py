@@ -82,8 +82,6 @@ def read_table(
     layout = layout or sniffed(lines)
     rows = _rows(lines, layout)
     titles = titles_of(rows, layout)
-    if len(titles) > MAX_COLUMNS:
-        raise ExchangeError(f"The table has {len(titles)} columns; {MAX_COLUMNS} can be read.")
     shown = rows[layout.header + layout.units :]
     wanted = _wanted(titles, mapping, _are_numbers(shown, len(titles), layout))
     rows_at_most = max(data.count(b"\n"), data.count(b"\r")) + 1
@@ -103,6 +101,8 @@ def _rows(lines: list[str], layout: Layout) -> list[list[str]]:
     if not kept:
         raise ExchangeError("The table has no rows of numbers.")
     first = cells_of(kept[0], layout)
+    if len(first) > MAX_COLUMNS:
+        raise ExchangeError(f"The table has {len(first):,} columns; {MAX_COLUMNS} can be read.")
     return [first, *(cells_of(line, layout, len(first)) for line in kept[1:])]
 
 

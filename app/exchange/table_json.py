@@ -10,6 +10,7 @@ from typing import Any
 import msgspec
 import numpy as np
 
+from app.document.format import not_json
 from app.exchange.drawing import ExchangeError, Floats
 from app.exchange.table import Table, table_of
 from app.exchange.table_layout import RowProblem
@@ -48,8 +49,11 @@ def read_json(data: bytes) -> Table:
         raise ExchangeError(f"A JSON table may have {MOST_BYTES >> 20} MB; save this one as CSV or .npy.")
     try:
         content = msgspec.json.decode(data)
-    except (msgspec.DecodeError, UnicodeDecodeError) as problem:
-        raise ExchangeError(f"The file is not JSON: {str(problem).removesuffix('.')}.") from None
+    except UnicodeDecodeError:
+        raise ExchangeError("It is not UTF-8 text.") from None
+    except msgspec.DecodeError as problem:
+        clause = not_json(str(problem), data)
+        raise ExchangeError(f"{clause[0].upper()}{clause[1:]}.") from None
     except RecursionError:
         raise ExchangeError("The file is nested too deeply.") from None
     if isinstance(content, dict) and content.get("type") in _GEO:

@@ -65,7 +65,8 @@ def first_lines(data: bytes) -> list[str]:
     """
     for size in (*_HEADS, len(data)):
         found = [line for line in _head(data, size) if is_data(line)]
-        if len(found) > 1 or (found and size >= len(data)):
+        is_enough = len(found) > 1 or size >= len(data) or (found and len(found[0]) >= _HEADS[0])
+        if found and is_enough:
             return found[:SNIFFED_LINES]
     raise ExchangeError("The table has no rows of numbers.")
 
