@@ -56,7 +56,8 @@ def _array(data: bytes) -> npt.NDArray[Any]:
         shape, is_fortran, dtype = _HEADERS[version](file)
     except KeyError:
         raise ExchangeError("The .npy file is of a version that is not read; save it anew.") from None
-    except (ValueError, TypeError, SyntaxError, EOFError):
+    except Exception:
+        # The head is Python's own syntax, and whatever its parser raises, this is no array.
         raise ExchangeError("This is no .npy file, or its head is damaged.") from None
     if dtype.hasobject:
         raise ExchangeError("The array holds Python objects, which are never loaded; save it as numbers.")

@@ -49,9 +49,9 @@ _THINNING_TIP = (
     "Keep corners: the rows that a polyline within the distance turns at (Douglas–Peucker)"
 )
 _MISSING = {
-    Missing.REFUSE: "Must have numbers",
-    Missing.SKIP: "Leave out those without numbers",
-    Missing.SPLIT: "End the curve where numbers are missing",
+    Missing.REFUSE: "Refuse rows without numbers",
+    Missing.SKIP: "Leave out rows without numbers",
+    Missing.SPLIT: "End the curve at rows without numbers",
 }
 _SOON_MS = 250
 
