@@ -201,7 +201,9 @@ def answer_to(request: _Request, memory: int) -> _Answer:
 
 def reader_of(name: str) -> Callable[[bytes, float | None], Imported]:
     """Return the reader of that name; `limited` runs it in a process of its own."""
-    return import_format(f".{name}").load()
+    load = import_format(f".{name}").load
+    assert load is not None
+    return load()
 
 
 def _limit_memory(extra: int) -> None:

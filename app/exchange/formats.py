@@ -6,7 +6,6 @@ import os
 import re
 from collections.abc import Callable
 from enum import StrEnum
-from importlib import import_module
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -65,30 +64,49 @@ class ImportFormat(msgspec.Struct, frozen=True):
         What people call such files.
     kind
         Drawings are parsed in a child process; of a table somebody says what its columns are.
-    reader
-        Module and function that take the content: of a drawing also the tolerance, and return what was
-        `Imported`; of a table that is no text, and return a `Table`. Imported when it is wanted.
+    load
+        Imports the reader, when it is wanted, and returns it. That of a drawing takes the content and the
+        tolerance and returns what was `Imported`; that of a table takes the content and returns a `Table`.
+        None for documents and for tables of text.
     """
 
     endings: tuple[str, ...]
     title: str
     kind: Kind
-    reader: str = ""
+    load: Callable[[], Callable[..., Any]] | None = None
 
-    def load(self) -> Callable[..., Any]:
-        """Return the reader."""
-        module, _, name = self.reader.partition(":")
-        reader: Callable[..., Any] = getattr(import_module(module), name)
-        return reader
+
+def _svg() -> Callable[..., Any]:
+    from app.exchange.svg_in import read_svg  # noqa: PLC0415
+
+    return read_svg
+
+
+def _dxf() -> Callable[..., Any]:
+    from app.exchange.dxf import read_dxf  # noqa: PLC0415
+
+    return read_dxf
+
+
+def _array() -> Callable[..., Any]:
+    from app.exchange.table_array import read_array  # noqa: PLC0415
+
+    return read_array
+
+
+def _json() -> Callable[..., Any]:
+    from app.exchange.table_json import read_json  # noqa: PLC0415
+
+    return read_json
 
 
 IMPORTS = (
     ImportFormat((".curve.json",), "Curvebench documents", Kind.DOCUMENT),
-    ImportFormat((".svg",), "SVG drawings", Kind.DRAWING, "app.exchange.svg_in:read_svg"),
-    ImportFormat((".dxf",), "DXF drawings", Kind.DRAWING, "app.exchange.dxf:read_dxf"),
+    ImportFormat((".svg",), "SVG drawings", Kind.DRAWING, _svg),
+    ImportFormat((".dxf",), "DXF drawings", Kind.DRAWING, _dxf),
     ImportFormat((".csv", ".tsv", ".txt", ".dat"), "Tables", Kind.TABLE),
-    ImportFormat((".npy",), "NumPy arrays", Kind.TABLE, "app.exchange.table_array:read_array"),
-    ImportFormat((".json", ".geojson"), "JSON and GeoJSON", Kind.TABLE, "app.exchange.table_json:read_json"),
+    ImportFormat((".npy",), "NumPy arrays", Kind.TABLE, _array),
+    ImportFormat((".json", ".geojson"), "JSON and GeoJSON", Kind.TABLE, _json),
 )
 """All formats that are read; the first with an ending that fits counts."""
 

@@ -26,7 +26,8 @@ class TableSource:
 
     def __init__(self, data: bytes, ending: str = ".csv") -> None:
         self.data, self.ending = data, ending
-        self._is_text = not import_format(f"a{ending}").reader
+        self._load = import_format(f"a{ending}").load
+        self._is_text = self._load is None
         self._whole: Table | None = None
         self._read: tuple[Layout, Mapping, bool, Table] | None = None
         self.lines = data.count(b"\n") if self._is_text else 0
@@ -67,6 +68,6 @@ class TableSource:
 
     def _all(self) -> Table:
         if self._whole is None:
-            table: Table = import_format(f"a{self.ending}").load()(self.data)
-            self._whole = table
+            assert self._load is not None
+            self._whole = self._load()(self.data)
         return self._whole

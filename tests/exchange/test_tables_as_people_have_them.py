@@ -246,6 +246,6 @@ def test_what_is_left_out_is_named():
     assert words_on(guess(titles).mapping, titles) == "Columns: t = “t”, x = “x”, y = “y”. Left out: “note”."
 
 
-@pytest.mark.parametrize("each", [each for each in IMPORTS if each.reader], ids=lambda each: each.title)
+@pytest.mark.parametrize("each", [each for each in IMPORTS if each.load], ids=lambda each: each.title)
 def test_every_format_has_its_reader(each):
     assert callable(each.load())

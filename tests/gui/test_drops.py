@@ -111,6 +111,7 @@ def program(editor, qapp):
     """An editor whose program opens windows, as `curvebench` does; those it opened are closed in the end."""
     before = set(qapp.topLevelWidgets())
     lifecycle = Lifecycle(qapp, [editor.window])
+    lifecycle.start()
     editor.others = lambda: [
         each for each in qapp.topLevelWidgets() if isinstance(each, MainWindow) and each not in before
     ]
@@ -118,7 +119,7 @@ def program(editor, qapp):
     for window in editor.others():
         window.close()
         window.deleteLater()
-    lifecycle.deleteLater()
+    lifecycle.stop()
 
 
 def documents(folder, *names):
