@@ -36,6 +36,7 @@ _DECIMAL_COMMA = re.compile(r"[-+]?[0-9]*,[0-9]+(?:[eE][-+]?[0-9]+)?")
 
 
 _LONGEST_SHOWN = 10_000
+_ANY_WIDTH = 10**9
 _MISSING = frozenset(("nan", "na", "n/a", "null", "none", "-", "--"))
 
 
@@ -84,31 +85,32 @@ def arranged(lines: list[str], separator: str, decimal_comma: bool) -> Layout:
     """Return the layout with these marks: what the rows above the numbers are."""
     plain = Layout(separator, decimal_comma, header=False)
     rows = [cells_of(line, plain) for line in lines]
-    width = mode(map(len, rows))
-    above = next((place for place, row in enumerate(rows) if not _is_above(row, width, plain)), 0)
+    # Of rows that end with a separator nobody knows yet whether an empty cell follows it.
+    widths = {mode(map(len, rows)), mode(len(cells_of(line, plain, _ANY_WIDTH)) for line in lines)}
+    above = next((place for place, row in enumerate(rows) if not _is_above(row, widths, plain)), 0)
     if above == 0:
         # Without a row of numbers the first one holds titles, if there are others.
         return replace(plain, header=len(rows) > 1 and not any(is_number(cell, plain) for cell in rows[0]))
     titles = above - 1
-    units = above > 1 and _is_units(rows[titles]) and _is_titles(rows[titles - 1], width, plain)
+    units = above > 1 and _is_units(rows[titles]) and _is_titles(rows[titles - 1], widths, plain)
     titles -= units
-    if not _is_titles(rows[titles], width, plain):
+    if not _is_titles(rows[titles], widths, plain):
         return replace(plain, skipped=above)
     return replace(plain, header=True, skipped=titles, units=units)
 
 
-def _is_above(row: list[str], width: int, layout: Layout) -> bool:
+def _is_above(row: list[str], widths: set[int], layout: Layout) -> bool:
     """Whether a row is no row of numbers, nor a broken one."""
     numbers = sum(is_number(cell, layout) or is_missing(cell) for cell in row)
     if numbers == len(row):
         return False
     # Between blanks a title such as "NACA 2412" has as many cells as a point.
-    return numbers == 0 or len(row) != width or layout.separator == " "
+    return numbers == 0 or len(row) not in widths or layout.separator == " "
 
 
-def _is_titles(row: list[str], width: int, layout: Layout) -> bool:
+def _is_titles(row: list[str], widths: set[int], layout: Layout) -> bool:
     """Whether a row above the numbers holds titles; between blanks, words that are known."""
-    if len(row) != width or any(is_number(cell, layout) for cell in row):
+    if len(row) not in widths or any(is_number(cell, layout) for cell in row):
         return False
     return layout.separator != " " or all(map(role_of, row))
 

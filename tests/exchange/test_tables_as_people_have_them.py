@@ -83,6 +83,12 @@ TABLES = [
         ("The row below the titles holds units.", "Columns: t = “time”, x = “x”, y = “y”."),
     ),
     (
+        "empty.csv",
+        "x,y,note\n0,1,\n2,3,\n",
+        {"empty": PAIR},
+        ("Columns: x = “x”, y = “y”. Left out: “note”.",),
+    ),
+    (
         "selig.dat",
         "NACA 2412\n1.0 0.0\n0.5 0.05\n0 0\n0.5 -0.05\n1 0\n",
         {"selig": points((1, 0), (0.5, 0.05), (0, 0), (0.5, -0.05), (1, 0))},
