@@ -14,7 +14,7 @@ The layers, top to bottom; a module imports only from its own layer and those ab
 - ``analysis``: what is shown over the curve.
 - ``autosave``: keeps a snapshot of what is not saved yet.  ``set_aside``: of what was left for a lesson.
 - ``player``: a motion, and the clock that drives it.
-- ``theme``, ``colours``, ``icons``: how it looks.
+- ``theme``, ``colours``, ``icons``: how it looks.  ``labels``: words of others as they are written.
 - ``preferences``: what is remembered between starts.  ``settings``, ``settings_file``: the kinds of settings;
   their ini file.
 - ``keymap``: which keys do what.  ``mnemonics``: the letters of menus.

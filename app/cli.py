@@ -11,7 +11,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from app import __version__
-from app.cli_refusals import RefusalError, load_document, one_line
+from app.cli_refusals import RefusalError, load_document, one_line, reason_of, say
 from app.display import has_display, missing_library, why_no_window
 from app.document.storage import StorageError
 from app.exchange import READER_PROCESS
@@ -58,7 +58,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
         sys.stdout.reconfigure(errors="backslashreplace")
     try:
         code = _run(words)
-        print(end="", flush=True)
+        say(end="")  # what was printed by others
     except BrokenPipeError:
         return _leave_closed_pipe()
     except KeyboardInterrupt:
@@ -66,7 +66,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
     except (RefusalError, StorageError) as problem:
         message = str(problem)
     except OSError as problem:
-        message = f"The output cannot be written ({problem.strerror})."
+        # Whatever it is: which command failed, on which files, and what the system says of it.
+        message = f"{' '.join(['curvebench', *words])} failed: {reason_of(problem)}."
     else:
         return code
     print(f"curvebench: {one_line(message)}", file=sys.stderr)

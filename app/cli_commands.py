@@ -18,10 +18,12 @@ from app.cli_options import (
     add_convert_options,
     add_motion_options,
     add_picture_options,
+    columns_to_read,
+    columns_to_write,
     picture_options,
     positive_number,
 )
-from app.cli_refusals import RefusalError, load_document, one_line
+from app.cli_refusals import RefusalError, load_document, one_line, say
 from app.document.model import Family
 from app.exchange import (
     SUFFIXES,
@@ -147,19 +149,21 @@ def _convert(options: argparse.Namespace) -> int:
         thin=options.thin,
         corners=options.corners,
         family=Family(options.family),
+        columns=columns_to_read(options),
+        missing=options.missing,
     )
     wanted = replace(
         picture_options(options, source.document),
         samples=options.samples,
         cubic=options.cubic,
         spacing=Spacing(options.by),
-        columns=tuple(options.columns.split(",")) if options.columns else None,
+        columns=columns_to_write(options),
     )
     written = export_with(source.document, options.output, wanted)
     for remark in (*source.remarks, *written.remarks):
         print(f"curvebench: {one_line(remark)}", file=sys.stderr)
     total = rounded_up(source.deviation + written.deviation)
-    print(f"{one_line(options.output)}: largest deviation from the true curves {total:g}")
+    say(f"{one_line(options.output)}: largest deviation from the true curves {total:g}")
     return 0
 
 
@@ -170,9 +174,9 @@ def _info(options: argparse.Namespace) -> int:
     facts = facts_of(load_document(options.file), _told_on_terminals())
     if options.json:
         content = {"file": options.file, "curves": [_as_json(each) for each in facts]}
-        print(json.dumps(content, indent=2, ensure_ascii=False, allow_nan=False))
+        say(json.dumps(content, indent=2, ensure_ascii=False, allow_nan=False))
     else:
-        print("\n\n".join(_as_text(each) for each in facts))
+        say("\n\n".join(_as_text(each) for each in facts))
     return 0
 
 
@@ -197,7 +201,7 @@ def _lesson(options: argparse.Namespace, edit: Callable[[Sequence[str], str], in
 
     if options.name is None:
         for number, name in enumerate(lesson_names(), start=1):
-            print(f"{number:2}  {name.partition('_')[2]:28}{load_lesson(name).title}")
+            say(f"{number:2}  {name.partition('_')[2]:28}{load_lesson(name).title}")
         return 0
     try:
         return edit((), find_lesson(options.name))

@@ -157,8 +157,30 @@ def _add_table_options(convert: argparse.ArgumentParser) -> None:
         help="equal steps of t or of the arc length, or as many rows as the tolerance takes",
     )
     convert.add_argument(
-        "--columns", metavar="A,B", help="of a table of samples: t, x, y, vx, vy, ax, ay, curvature, length"
+        "--columns",
+        action="append",
+        default=[],
+        metavar="A,B",
+        help="of a table to read, which column is what, by title or number: t=time,x=pos_x,y=3; of one of "
+        "samples to write, which columns: t, x, y, vx, vy, ax, ay, curvature, length",
     )
+    convert.add_argument(
+        "--missing",
+        choices=("refuse", "skip", "split"),
+        default="refuse",
+        help="of rows without numbers: leave them out, or end the curve there (default: %(default)s)",
+    )
+
+
+def columns_to_read(options: argparse.Namespace) -> str:
+    """Return those of the columns that say what a column is: with “=”."""
+    return ",".join(each for each in options.columns if "=" in each)
+
+
+def columns_to_write(options: argparse.Namespace) -> tuple[str, ...] | None:
+    """Return those of the columns that are to be written; None for all."""
+    names = [name for each in options.columns if "=" not in each for name in each.split(",")]
+    return tuple(names) or None
 
 
 def picture_options(options: argparse.Namespace, document: Document) -> Options:

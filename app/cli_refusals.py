@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import os
+
 from app.document.format import FormatError
 from app.document.model import Document
 from app.document.storage import load
@@ -9,6 +11,32 @@ from app.document.storage import load
 
 class RefusalError(Exception):
     """What was asked cannot be done; the text says why."""
+
+
+def say(text: str = "", end: str = "\n") -> None:
+    """Print a text to the standard output.
+
+    Raises
+    ------
+    RefusalError
+        If it cannot be written. A reader that is gone is a `BrokenPipeError` still.
+    """
+    try:
+        print(text, end=end, flush=True)
+    except BrokenPipeError:
+        raise
+    except OSError as problem:
+        raise RefusalError(f"The output cannot be written ({reason_of(problem)}).") from None
+
+
+def reason_of(problem: OSError) -> str:
+    """Return what the system says, and of which file; some errors have words of their own only."""
+    reason = problem.strerror or str(problem) or type(problem).__name__
+    return f"{reason}: “{os.fsdecode(problem.filename)}”" if _has_name(problem) else reason
+
+
+def _has_name(problem: OSError) -> bool:
+    return isinstance(problem.filename, str | bytes | os.PathLike) and bool(problem.filename)
 
 
 def load_document(path: str) -> Document:

@@ -61,6 +61,14 @@ class FileCommands:
         """Open the document at `path`, after asking about unsaved changes."""
         self._open(path, self._session.open, remember=not is_resource(path))
 
+    def why_not(self, path: Path) -> str:
+        """Return why a document cannot be opened, as a sentence; empty where it can."""
+        try:
+            load(path)
+        except (FormatError, StorageError) as problem:
+            return _sentence(f"{path.name} was not opened", problem)
+        return ""
+
     def open_example(self, path: Path, text: str = "Open Example") -> bool:
         """Open a copy of an example or a lesson; saving it asks for a name. Return whether it is open now.
 
@@ -160,6 +168,7 @@ class FileCommands:
         question = QMessageBox(self._window)
         question.setObjectName("saveChanges")
         question.setWindowTitle("Curvebench")
+        question.setTextFormat(Qt.TextFormat.PlainText)
         question.setIcon(QMessageBox.Icon.Question)
         question.setTextFormat(Qt.TextFormat.PlainText)
         question.setText(asked)

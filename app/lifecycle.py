@@ -54,6 +54,7 @@ class Lifecycle(QObject):
     def _watch(self, window: MainWindow) -> None:
         autosave = self._autosaves[window] = Autosave(window.session, snapshot_folder(), self)
         window.keep_with(autosave, self._open_beside)
+        window.open_others_with(self._open_window)
         window.closed.connect(lambda: self._finish(window))
         # Who goes on working has called the end of the system off.
         window.session.history_changed.connect(window.ask_before_closing)
@@ -62,10 +63,19 @@ class Lifecycle(QObject):
         """Go on with unsaved work in another window, and return what keeps it."""
         session = Session()
         session.restore(document, path)
+        return self._autosaves[self._show(session)]
+
+    def _open_window(self, path: Path) -> None:
+        """Open a document in another window, as one of the command line."""
+        session = Session()
+        session.open(path)
+        self._show(session)
+
+    def _show(self, session: Session) -> MainWindow:
         window = MainWindow(session)
         self._watch(window)
         window.show()
-        return self._autosaves[window]
+        return window
 
     def start(self) -> None:
         """Take signals and crashes from now on, and offer what was not saved last time."""

@@ -28,8 +28,7 @@ from app.analysis import Analysis
 from app.autosave import Autosave
 from app.canvas.canvas import Canvas
 from app.commands.connect import Commands
-from app.commands.drops import accepted_file, invitation, is_picture
-from app.commands.exchange_commands import can_import
+from app.commands.drops import OpenWindow, accepted
 from app.commands.parts import Parts
 from app.commands.recovery_commands import OpenBeside
 from app.docks import Docks
@@ -318,6 +317,10 @@ class MainWindow(Guarded, QMainWindow):
         """Keep with `autosave` what is restored in this window; where it is in use, open another."""
         self._commands.recovery.keep_with(autosave, open_beside)
 
+    def open_others_with(self, open_window: OpenWindow) -> None:
+        """Open by `open_window` all documents of a drop but the first."""
+        self._commands.drops.open_window = open_window
+
     def offer_unsaved_work(self) -> None:
         """Offer what was not saved when the program last ended, if there is any."""
         self._commands.recovery.look()
@@ -410,26 +413,21 @@ class MainWindow(Guarded, QMainWindow):
         super().keyPressEvent(event)
 
     def dragEnterEvent(self, event: QDragEnterEvent) -> None:
-        path = accepted_file(event)
-        if path is not None:
-            self.status_line.show_tip(invitation(path))
+        files = accepted(event)
+        if files is not None:
+            self.status_line.show_tip(files.invitation)
 
     def dragMoveEvent(self, event: QDragMoveEvent) -> None:
-        accepted_file(event)
+        accepted(event)
 
     def dragLeaveEvent(self, event: QDragLeaveEvent) -> None:
         self.status_line.show_tip("")
 
     def dropEvent(self, event: QDropEvent) -> None:
         self.status_line.show_tip("")
-        path = accepted_file(event)
-        if path is not None:
-            if is_picture(path):
-                self.add_image(path)
-            elif can_import(path):
-                self.import_file(path)
-            else:
-                self._files.open(path)
+        files = accepted(event)
+        if files is not None:
+            self._commands.drops.take(files)
 
     def closeEvent(self, event: QCloseEvent) -> None:
         if self.asks_before_closing and not self._files.may_discard():

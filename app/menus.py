@@ -12,6 +12,7 @@ from app.action_specs import MENUS
 from app.actions import Actions
 from app.examples import example_name, example_paths
 from app.keymap import call_alone
+from app.labels import menu_text
 from app.mnemonics import give_mnemonics, with_mnemonics
 from app.preferences import Preferences
 
@@ -102,11 +103,11 @@ class Menus:
     def _name_examples(self) -> None:
         # Only now: nobody waits at the start for files to be read that are perhaps never opened.
         for action, path in zip(self.examples.actions(), example_paths(), strict=True):
-            action.setText(example_name(path).replace("&", "&&"))
+            action.setText(menu_text(example_name(path)))
 
 
 def _add_file(menu: QMenu, path: Path, title: str, name: str) -> QAction:
-    action = menu.addAction(title)
+    action = menu.addAction(menu_text(title))
     action.setObjectName(name)
     action.setStatusTip(f"Open {path.name}")
     return action

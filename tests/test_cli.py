@@ -238,6 +238,35 @@ def test_output_that_cannot_be_written_is_said():
     assert done.stderr == "curvebench: The output cannot be written (No space left on device).\n"
 
 
+@pytest.mark.parametrize(
+    ("problem", "said"),
+    [
+        (OSError("an odd one"), "an odd one"),
+        (PermissionError(13, "Permission denied", "b.png"), "Permission denied: “b.png”"),
+        (OSError(28, "No space left on device"), "No space left on device"),
+        (TimeoutError(), "TimeoutError"),
+    ],
+)
+def test_whatever_the_system_refuses_is_said(problem, said, monkeypatch, capsys):
+    """It used to be "The output cannot be written (None)", whatever and wherever it was."""
+
+    def fail(*_arguments, **_options):
+        raise problem
+
+    monkeypatch.setattr("app.cli_commands.export_with", fail)
+    assert refusal(capsys, "render", LETTER, "-o", "b.png") == (
+        f"curvebench render {LETTER} -o b.png failed: {said}."
+    )
+
+
+def test_a_folder_for_passing_files_that_is_gone_is_named(monkeypatch, capsys, tmp_path):
+    monkeypatch.setattr("tempfile.tempdir", str(tmp_path / "gone"))
+    path = tmp_path / "a.svg"
+    path.write_text("<svg/>", encoding="utf-8")
+    said = refusal(capsys, "convert", str(path), "b.csv")
+    assert said == "“a.svg” cannot be read: It cannot be passed on to be read (No such file or directory)."
+
+
 def test_ctrl_c_is_quiet(monkeypatch, capsys):
     def interrupted(_path):
         raise KeyboardInterrupt

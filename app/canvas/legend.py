@@ -6,9 +6,10 @@ from collections.abc import Sequence
 
 from PySide6.QtCore import QEvent, QObject, QSize, Qt, Signal
 from PySide6.QtGui import QFont
-from PySide6.QtWidgets import QFrame, QGridLayout, QLabel, QToolButton, QWidget
+from PySide6.QtWidgets import QFrame, QGridLayout, QToolButton, QWidget
 
 from app.icons import icon
+from app.labels import Label, tip_of
 from app.overrides import Guarded
 from app.plot.pens import sign_pixmap
 from app.theme import Theme, mix
@@ -100,7 +101,7 @@ class Legend(Guarded, QFrame):
         font = QFont(self.font())
         font.setPointSizeF(font.pointSizeF() * 0.92 * self._scale)
         if row.sign is not None:
-            sign = QLabel()
+            sign = Label()
             sign.setPixmap(sign_pixmap(row.sign, self._theme, self.devicePixelRatioF()))
             self._grid.addWidget(sign, place, 0)
         if isinstance(row.sign, Ghost):
@@ -109,9 +110,9 @@ class Legend(Guarded, QFrame):
             self._grid.addWidget(choose, place, 1)
             self._grid.addWidget(hide, place, 2)
             return
-        text = QLabel(row.text)
+        text = Label(row.text)
         text.setFont(font)
-        text.setToolTip(row.tip)
+        text.setToolTip(tip_of(row.tip))
         text.setStyleSheet(f"color: {(self._theme.muted if row.is_muted else self._theme.ink).name()}")
         first = 0 if row.sign is None else 1
         self._grid.addWidget(text, place, first, 1, 3 - first)
@@ -129,7 +130,7 @@ class Legend(Guarded, QFrame):
             (hide, f"legendHide_{ghost}", f"Hide the ghost: {row.text}"),
         ):
             button.setObjectName(name)
-            button.setToolTip(words)
+            button.setToolTip(tip_of(words))
             button.setAccessibleName(words)
             button.setAutoRaise(True)
             button.setCursor(Qt.CursorShape.ArrowCursor)

@@ -12,6 +12,7 @@ from app.commands.clipboard_commands import ClipboardCommands
 from app.commands.context_menus import ContextMenus
 from app.commands.curve_commands import CurveCommands
 from app.commands.disk_commands import DiskCommands
+from app.commands.drops import Drops
 from app.commands.edit_commands import EditCommands
 from app.commands.error_plot import ErrorPlotCommands
 from app.commands.exchange_commands import ExchangeCommands
@@ -64,6 +65,7 @@ class Commands:
         self.recovery = RecoveryCommands(parts)
         self.work = FileWork(parts)
         self.exchange = ExchangeCommands(parts, self.work)
+        self.drops = Drops(parts, self.work, self.exchange.import_file, self.images.add)
         curves = CurveCommands(parts)
         self.hodograph = HodographCommands(parts)
         self.joints = JointCommands(parts)
@@ -165,6 +167,7 @@ class Commands:
 
     def close(self) -> None:
         """Let what runs beside the window end; called before the window goes."""
+        self.drops.close()
         self.recovery.close()
         close_all(self._parts.window.findChildren(Worker))
 

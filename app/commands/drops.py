@@ -1,44 +1,167 @@
-"""Files that are dragged over the window: what a drop would do with them, and that it only reads them."""
+"""Files dragged over the window: what a drop would do with them, and what it does; it only reads them."""
 
 from __future__ import annotations
 
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
 from pathlib import Path
 
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QDropEvent
 
 from app.commands.exchange_commands import can_import
+from app.commands.file_work import FileWork
 from app.commands.image_commands import PICTURE_SUFFIXES
+from app.commands.parts import Parts
+from app.document.format import FormatError
+from app.document.storage import StorageError
+from app.panels.words import count_of
+
+MOST_WINDOWS = 12
+"""Documents that one drop opens; whoever drops a whole folder's content did not mean a hundred windows."""
+
+OpenWindow = Callable[[Path], None]
 
 
-def dropped_file(event: QDropEvent) -> Path | None:
-    """Return the first local file that is dragged, None without one."""
-    for url in event.mimeData().urls():
-        if url.isLocalFile():
-            return Path(url.toLocalFile())
-    return None
+@dataclass(frozen=True)
+class Dropped:
+    """Files that are dragged, by what a drop would do with them.
+
+    Attributes
+    ----------
+    documents, imports, pictures
+        To be opened, imported and traced.
+    elsewhere
+        How many addresses there are of what is not on this machine's disk.
+    """
+
+    documents: tuple[Path, ...] = ()
+    imports: tuple[Path, ...] = ()
+    pictures: tuple[Path, ...] = ()
+    elsewhere: int = 0
+
+    @property
+    def invitation(self) -> str:
+        """What a drop would do."""
+        kinds = (
+            ("open", "document", self.documents),
+            ("import", "file", self.imports),
+            ("trace", "picture", self.pictures[:1]),
+        )
+        there = [kind for kind in kinds if kind[2]]
+        if len(there) == 1 and len(there[0][2]) == 1:
+            return f"Drop to {there[0][0]} {there[0][2][0].name}"
+        return f"Drop to {', '.join(f'{verb} {count_of(len(paths), what)}' for verb, what, paths in there)}"
 
 
-def accepted_file(event: QDropEvent) -> Path | None:
-    """Accept a drag of a file as a copy and return the file; None where there is none or it must be moved.
+def dropped(event: QDropEvent) -> Dropped:
+    """Return what is dragged."""
+    urls = event.mimeData().urls()
+    paths = list(dict.fromkeys(Path(url.toLocalFile()) for url in urls if url.isLocalFile()))
+    pictures = tuple(path for path in paths if path.suffix.lower() in PICTURE_SUFFIXES)
+    imports = tuple(path for path in paths if can_import(path))
+    documents = tuple(path for path in paths if path not in (*pictures, *imports))
+    return Dropped(documents, imports, pictures, sum(not url.isLocalFile() for url in urls))
+
+
+def accepted(event: QDropEvent) -> Dropped | None:
+    """Accept a drag of files as a copy and return them; None where there are none or they must be moved.
 
     Whoever answers "move" makes the file manager delete what was dragged.
     """
-    path = dropped_file(event)
-    if path is None or not event.possibleActions() & Qt.DropAction.CopyAction:
+    files = dropped(event)
+    is_local = bool(files.documents or files.imports or files.pictures)
+    if not is_local or not event.possibleActions() & Qt.DropAction.CopyAction:
         event.ignore()
         return None
     event.setDropAction(Qt.DropAction.CopyAction)
     event.accept()
-    return path
+    return files
 
 
-def is_picture(path: Path) -> bool:
-    """Whether a file is a picture to trace."""
-    return path.suffix.lower() in PICTURE_SUFFIXES
+class Drops:
+    """Takes all files of a drop, and says which it did not take.
+
+    Attributes
+    ----------
+    open_window
+        Opens a document in a window of its own; None where somebody else keeps the windows.
+    """
+
+    def __init__(
+        self, parts: Parts, work: FileWork, import_file: Callable[[Path], None], trace: Callable[[str], None]
+    ) -> None:
+        self._parts, self._work = parts, work
+        self._import, self._trace = import_file, trace
+        self._waiting: list[Path] = []
+        self.open_window: OpenWindow | None = None
+        work.jobs.ended.connect(self._import_next)
+
+    def take(self, files: Dropped) -> None:
+        """Open the documents, import what is to be imported, one after the other, and trace a picture."""
+        left = self._open(files.documents)
+        for path in files.pictures[:1]:
+            self._trace(str(path.absolute()))
+        if len(files.pictures) > 1:
+            names = _listed(files.pictures[1:])
+            left.append(f"{names} not traced: a document has one picture to trace.")
+        if files.elsewhere:
+            left.append(f"{count_of(files.elsewhere, 'link')} to no file of this computer left out.")
+        self._waiting += files.imports
+        self._import_next()
+        if left:
+            self._parts.message_bar.warn(" ".join(left))
+
+    def close(self) -> None:
+        """Forget what waits to be imported."""
+        self._waiting.clear()
+
+    def _open(self, documents: tuple[Path, ...]) -> list[str]:
+        """Open the first document here and the others beside it; return what was left out, and why."""
+        files = self._parts.files
+        if len(documents) < 2:
+            for path in documents:
+                files.open(path)
+            return []
+        problems = {path: files.why_not(path) for path in documents}
+        able = [path for path, problem in problems.items() if not problem]
+        if able:
+            files.open(able[0])
+        others, left = able[1:], [problem for problem in problems.values() if problem]
+        beside = others[: MOST_WINDOWS - 1] if self.open_window is not None else []
+        left += self._open_beside(beside)
+        if len(others) > len(beside):
+            most = f"a drop opens {MOST_WINDOWS} documents" if beside else "there is one window"
+            left.append(f"{_listed(others[len(beside) :])} not opened: {most}.")
+        return left
+
+    def _open_beside(self, paths: list[Path]) -> list[str]:
+        opened, left = [], []
+        for path in paths:
+            assert self.open_window is not None
+            try:
+                self.open_window(path)
+                opened.append(path)
+            except (FormatError, StorageError) as problem:
+                # It was there just now, when somebody looked.
+                left.append(f"{path.name} was not opened. {problem}")
+        if opened:
+            windows = "a window of its own" if len(opened) == 1 else "windows of their own"
+            self._parts.session.say(f"Opened {_names(opened)} in {windows}.")
+        return left
+
+    def _import_next(self) -> None:
+        if self._waiting and not self._work.jobs.is_busy:
+            self._import(self._waiting.pop(0))
 
 
-def invitation(path: Path) -> str:
-    """Return what a drop would do with a file."""
-    verb = "trace" if is_picture(path) else "import" if can_import(path) else "open"
-    return f"Drop to {verb} {path.name}"
+def _names(paths: Sequence[Path]) -> str:
+    """Return the first names, and how many more there are."""
+    names = [path.name for path in paths[:3]]
+    if len(paths) > len(names):
+        names.append(f"{len(paths) - len(names)} more")
+    return names[0] if len(names) == 1 else f"{', '.join(names[:-1])} and {names[-1]}"
+
+
+def _listed(paths: Sequence[Path]) -> str:
+    return f"{_names(paths)} {'was' if len(paths) == 1 else 'were'}"

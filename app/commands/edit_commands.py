@@ -8,6 +8,7 @@ from app.commands.parts import Handlers, Parts
 from app.document import edits
 from app.document.model import Family, ParametrizationKind
 from app.keymap import call_alone
+from app.labels import menu_text
 from app.panels.parametrization_bar import KIND_NAMES
 from app.view_model.curve_view import CurveView
 
@@ -86,7 +87,7 @@ class EditCommands:
         ):
             verb = name.capitalize()
             self._actions[name].setEnabled(can)
-            self._actions[name].setText(f"{verb}: {text}" if text else verb)
+            self._actions[name].setText(f"{verb}: {menu_text(text)}" if text else verb)
         self._actions["goBack"].setEnabled(self._session.beginning.before is not None)
 
     def _undo(self) -> None:

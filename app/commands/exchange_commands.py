@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -15,28 +16,26 @@ from app.commands.parts import Handlers, Parts
 from app.document.import_edits import add_imported
 from app.document.model import Document
 from app.document.storage import StorageError, read
-from app.exchange import READABLE, TABLES, Exported, Options, export_with, import_file
+from app.exchange import READABLE, Exported, Options, export_with, import_file
+from app.exchange.formats import IMPORTS, Kind, ending_of, import_format, is_document
 from app.exchange.progress import Report
-from app.file_commands import file_stem
+from app.file_commands import SUFFIX, file_stem
 from app.panels.words import count_of
 from app.view_model.curve_view import CurveView
 
 if TYPE_CHECKING:
     from app.exchange.choice import ExportChoice
     from app.exchange.cubics_in import Imported
-    from app.exchange.table_file import Preview
-    from app.exchange.table_import import Prepared, TableSource
+    from app.exchange.table import Preview
+    from app.exchange.table_import import Prepared
+    from app.exchange.table_source import TableSource
     from app.panels.export_dialog import ExportDialog
 
 # Readers, writers and dialogs are imported when they are wanted: at the start nobody waits for them.
 
-_IMPORTS = (
-    "Curves and tables (*.svg *.dxf *.csv *.tsv *.txt *.json);;"
-    "SVG drawings (*.svg);;DXF drawings (*.dxf);;Tables (*.csv *.tsv *.txt);;Curvebench documents (*.json);;"
-    "All files (*)"
-)
 _SVG_TYPE = "image/svg+xml"
 _COPY_WIDTH = 1600
+_HEAD = 4096
 
 
 class ExchangeCommands:
@@ -69,21 +68,28 @@ class ExchangeCommands:
 
     def _ask_and_import(self) -> None:
         folder = str(self._preferences.last_folder)
-        name, _ = QFileDialog.getOpenFileName(self._parts.window, "Import", folder, _IMPORTS)
+        name, _ = QFileDialog.getOpenFileName(self._parts.window, "Import", folder, _filters())
         if name:
             self.import_file(Path(name))
 
     def import_file(self, path: Path) -> None:
         """Read a file of another format and ask what is to become of it, or say why it cannot be read."""
-        if path.suffix.lower() in TABLES:
-            self._import_table(path)
-            return
 
-        def work(report: Report) -> Imported:
-            return import_file(path, report=report)
+        def work(report: Report) -> Imported | _OpenTable:
+            if import_format(path).kind is not Kind.TABLE:
+                return import_file(path, report=report)
+            report(0.0, "Reading")
+            data = read(path)
+            return import_file(path, report=report) if is_document(data) else _opened_table(path, data)
 
-        done = self._for_this_document(path, lambda found: self._ask_where(path, found))
-        self._work.start(f"Reading {path.name}", work, done, path, "imported")
+        def done(found: Imported | _OpenTable) -> None:
+            if isinstance(found, _OpenTable):
+                self._ask_about_table(path, found)
+            else:
+                self._ask_where(path, found)
+
+        here = self._for_this_document(path, done)
+        self._work.start(f"Reading {path.name}", work, here, path, "imported")
 
     def _for_this_document(self, path: Path, done: Callable[[Any], object]) -> Callable[[Any], object]:
         """Return `done` for an import that begins now; another document must not get its curves."""
@@ -121,24 +127,12 @@ class ExchangeCommands:
         dialog.chosen.connect(lambda anew: self._take_in(path, found.document, found.deviation, anew))
         self._open_for_this_document(path, dialog)
 
-    def _import_table(self, path: Path) -> None:
-        def work(report: Report) -> tuple[TableSource, Preview]:
-            from app.exchange.table_file import preview_table  # noqa: PLC0415
-            from app.exchange.table_import import TableSource  # noqa: PLC0415
+    def _ask_about_table(self, path: Path, table: _OpenTable) -> None:
+        from app.panels.import_table_dialog import ImportTableDialog  # noqa: PLC0415
 
-            report(0.0, "Reading")
-            source = TableSource(read(path))
-            return source, preview_table(source.data)
-
-        def done(result: tuple[TableSource, Preview]) -> None:
-            from app.panels.import_table_dialog import ImportTableDialog  # noqa: PLC0415
-
-            dialog = ImportTableDialog(path.name, path.stem, *result, self._parts.window)
-            dialog.chosen.connect(lambda prepared, anew: self._take_table(path, prepared, anew))
-            self._open_for_this_document(path, dialog)
-
-        here = self._for_this_document(path, done)
-        self._work.start(f"Reading {path.name}", work, here, path, "imported")
+        dialog = ImportTableDialog(path.name, path.stem, table.source, table.preview, self._parts.window)
+        dialog.chosen.connect(lambda prepared, anew: self._take_table(path, prepared, anew))
+        self._open_for_this_document(path, dialog)
 
     def _take_table(self, path: Path, prepared: Prepared, anew: bool) -> None:
         assert prepared.document is not None
@@ -271,7 +265,40 @@ class ExchangeCommands:
 def can_import(path: Path) -> bool:
     """Whether a file that is dropped is to be imported; documents are opened."""
     name = path.name.lower()
-    return name.endswith(READABLE) and not name.endswith(".json")
+    if name.endswith(".json") and not name.endswith(SUFFIX):
+        return path.is_file() and not _looks_like_document(path)
+    return name.endswith(READABLE) and not name.endswith(SUFFIX)
+
+
+def _looks_like_document(path: Path) -> bool:
+    try:
+        with path.open("rb") as file:
+            return is_document(file.read(_HEAD))
+    except OSError:
+        return True  # whoever opens it says what is wrong with it
+
+
+@dataclass(frozen=True)
+class _OpenTable:
+    """A table that was read so far that somebody can say what its columns are."""
+
+    source: TableSource
+    preview: Preview
+
+
+def _opened_table(path: Path, data: bytes) -> _OpenTable:
+    from app.exchange.table_source import TableSource  # noqa: PLC0415
+
+    source = TableSource(data, ending_of(path, import_format(path).endings))
+    return _OpenTable(source, source.preview())
+
+
+def _filters() -> str:
+    """Return the kinds of files for the dialog that asks for one."""
+    patterns = {each.title: " ".join(f"*{ending}" for ending in each.endings) for each in IMPORTS}
+    everything = f"Curves and tables ({' '.join(patterns.values())})"
+    kinds = [f"{title} ({pattern})" for title, pattern in patterns.items()]
+    return ";;".join([everything, *kinds, "All files (*)"])
 
 
 def _open(dialog: QWidget) -> None:

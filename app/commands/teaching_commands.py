@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from PySide6.QtCore import QObject
-from PySide6.QtWidgets import QLabel
 
 from app.commands.parts import Parts
+from app.labels import Label
 from app.panels.teaching_badge import TeachingBadge
 from app.view_model.analysis.teaching import Topic, Warned, warnings_of
 from app.view_model.curve_view import CurveView
@@ -28,7 +28,7 @@ class TeachingCommands(QObject):
         self._badge = TeachingBadge()
         parts.status_line.addPermanentWidget(self._badge)
         self._badge.hide()
-        self._plain = parts.status_line.findChild(QLabel, "lebesgueConstant")
+        self._plain = parts.status_line.findChild(Label, "lebesgueConstant")
         self._badge.laboratory_wanted.connect(open_laboratory)
         self._badge.explanation_wanted.connect(explain)
         self._badge.put_away.connect(self._put_away)

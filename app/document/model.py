@@ -62,7 +62,7 @@ class Value(msgspec.Struct, frozen=True, forbid_unknown_fields=True, omit_defaul
     """Base of the document's values."""
 
 
-class Node(Value, frozen=True):
+class Node(Value, frozen=True, gc=False):
     """A point of a curve with what the person fixed there.
 
     Attributes

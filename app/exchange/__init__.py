@@ -7,10 +7,13 @@
 - ``parts``: the curves of a document and their pieces, the source of everything else that is written.
 - ``code``, ``code_runtime``: Python with NumPy or SciPy.  ``latex``: formulas, TikZ, PGFPlots.
 - ``formulas``: Desmos, SVG path data, coefficients.  ``sampled``, ``points_table``: tables.
-- ``table_file``, ``table_layout``, ``table_columns``: CSV and TSV in.  ``table_curve``, ``thinning``: as
-  curves, thinned out if asked.  ``table_import``: as the window asks for them.
+- ``table``, ``table_source``: a table in memory, and the file it comes from.
+- ``table_file``, ``table_lines``, ``table_layout``, ``table_columns``: tables of text in.
+- ``table_array``, ``table_json``: arrays of NumPy and JSON in, as tables.
+- ``table_curve``, ``thinning``: tables as curves, thinned out if asked.  ``table_import``: for the window.
 - ``table_text``: blocks of numbers on the clipboard.
-- ``svg_in``, ``svg_path``, ``arcs``, ``cubics_in``: SVG in, as Hermite curves.  ``doctype``: without a DTD.
+- ``svg_in``, ``svg_path``, ``arcs``, ``cubics_in``: SVG in, as Hermite curves.  ``svg_xml``: its tree,
+  without DTD and entities.  ``svg_style``: its colours.
 - ``dxf``: DXF out and in.
 - ``animation``: motions as GIF, APNG and MP4.  ``motion_frames``: their frames; needs Qt.
 - ``child``: a process with limits for the files of others.  ``reading``: which ending names which reader.
@@ -35,7 +38,6 @@ if TYPE_CHECKING:
         READABLE,
         SAMPLES,
         SUFFIXES,
-        TABLES,
         Exported,
         Options,
         Spacing,
@@ -49,7 +51,7 @@ READER_PROCESS = "--reader-process"
 
 _MODULES = {
     "drawing": ["ExchangeError"],
-    "formats": ["ENDINGS", "READABLE", "SAMPLES", "SUFFIXES", "TABLES", "Exported", "Options", "Spacing"],
+    "formats": ["ENDINGS", "READABLE", "SAMPLES", "SUFFIXES", "Exported", "Options", "Spacing"],
     "reading": ["import_file"],
     "svg": ["DARK", "INK", "LIGHT", "Style", "svg_of"],
     "writing": ["export", "export_with"],
@@ -64,7 +66,6 @@ __all__ = [
     "READABLE",
     "SAMPLES",
     "SUFFIXES",
-    "TABLES",
     "ExchangeError",
     "Exported",
     "Options",

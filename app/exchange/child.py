@@ -13,6 +13,7 @@ import sys
 import tempfile
 import time
 from collections.abc import Callable
+from typing import IO
 
 import msgspec
 
@@ -20,6 +21,7 @@ from app.document.format import FormatError, validate
 from app.exchange import READER_PROCESS
 from app.exchange.cubics_in import Imported
 from app.exchange.drawing import ExchangeError
+from app.exchange.formats import import_format
 from app.exchange.progress import Report, silent
 
 SECONDS = 5.0
@@ -71,7 +73,7 @@ def limited(
     Parameters
     ----------
     reader
-        "svg" or "dxf".
+        The ending of such files, without the dot: "svg" or "dxf".
     data
         The content.
     tolerance
@@ -125,10 +127,8 @@ def _output_of(request: bytes, memory: int, seconds: float, report: Report) -> t
     environment = {**os.environ, "OPENBLAS_NUM_THREADS": "1"}
     began = time.monotonic()
     # Not by a pipe: Python before 3.12 stops feeding it after the first timeout.
-    with tempfile.TemporaryFile() as question:
+    with _passing_file(request) as question:
         try:
-            question.write(request)
-            question.seek(0)
             process = subprocess.Popen(
                 _command(memory),
                 stdin=question,
@@ -143,6 +143,17 @@ def _output_of(request: bytes, memory: int, seconds: float, report: Report) -> t
                 return _awaited(process, began, seconds, report), process.returncode
             finally:
                 process.kill()
+
+
+def _passing_file(content: bytes) -> IO[bytes]:
+    """Return a file without a name that holds the content, to be read from its beginning."""
+    try:
+        file = tempfile.TemporaryFile()  # noqa: SIM115 - whoever asked for it closes it
+        file.write(content)
+        file.seek(0)
+    except OSError as problem:
+        raise ExchangeError(f"It cannot be passed on to be read ({problem.strerror}).") from None
+    return file
 
 
 def _awaited(process: subprocess.Popen[bytes], began: float, seconds: float, report: Report) -> bytes:
@@ -190,14 +201,9 @@ def answer_to(request: _Request, memory: int) -> _Answer:
 
 def reader_of(name: str) -> Callable[[bytes, float | None], Imported]:
     """Return the reader of that name; `limited` runs it in a process of its own."""
-    # Each brings a library that takes a while to import.
-    if name == "dxf":
-        from app.exchange.dxf import read_dxf  # noqa: PLC0415
-
-        return read_dxf
-    from app.exchange.svg_in import read_svg  # noqa: PLC0415
-
-    return read_svg
+    load = import_format(f".{name}").load
+    assert load is not None
+    return load()
 
 
 def _limit_memory(extra: int) -> None:

@@ -8,6 +8,7 @@ point becomes a corner with two velocities.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -79,7 +80,25 @@ class Path:
     deviation: float = 0.0
 
 
-def imported(paths: list[Path], remarks: tuple[str, ...] = ()) -> Imported:
+@dataclass(frozen=True)
+class PointsAlone:
+    """A curve of which a file gives no more than the points that it passes.
+
+    Attributes
+    ----------
+    name, colour, closed
+        As in `Curve`.
+    points
+        In order, without the first once more at the end.
+    """
+
+    name: str
+    colour: str
+    points: tuple[Vector, ...]
+    closed: bool
+
+
+def imported(paths: Sequence[Path | PointsAlone], remarks: tuple[str, ...] = ()) -> Imported:
     """Return the curves of paths as a document.
 
     Raises
@@ -89,6 +108,9 @@ def imported(paths: list[Path], remarks: tuple[str, ...] = ()) -> Imported:
     """
     curves, deviation = [], 0.0
     for path in paths:
+        if isinstance(path, PointsAlone):
+            curves.append(_through(path))
+            continue
         _check_numbers(path)
         pieces = _without_points(path.pieces)
         if len(pieces) == 0:
@@ -112,6 +134,12 @@ def lines(points: Floats) -> Floats:
     start, end = points[:-1], points[1:]
     third = (end - start) / 3
     return np.stack([start, start + third, end - third, end], axis=1)
+
+
+def _through(path: PointsAlone) -> Curve:
+    """Return the natural spline through points, by chord length: nothing else is known of it."""
+    nodes = tuple(Node(x, y) for x, y in path.points)
+    return Curve(path.name, Family.HERMITE, Parametrization(), nodes, closed=path.closed, colour=path.colour)
 
 
 def _check_numbers(path: Path) -> None:

@@ -17,7 +17,7 @@ import numpy as np
 
 from app.document.model import Document
 from app.exchange.arcs import PIECES_OF_A_TURN, error_of_arc
-from app.exchange.cubics_in import Imported, Path, imported, lines
+from app.exchange.cubics_in import Imported, Path, PointsAlone, imported, lines
 from app.exchange.drawing import RELATIVE_TOLERANCE, ExchangeError, Floats
 from app.exchange.naming import Names
 from app.exchange.parts import (
@@ -196,13 +196,19 @@ class _Reader:
     def __init__(self, drawing: Drawing, tolerance: float | None) -> None:
         self._drawing = drawing
         self._tolerance = tolerance
-        self.paths: list[Path] = []
+        self.paths: list[Path | PointsAlone] = []
+        self._through = 0
         self._lost: Counter[str] = Counter()
 
     @property
     def remarks(self) -> tuple[str, ...]:
         """What was left out."""
-        return tuple(f"{what} is not read ({count})." for what, count in sorted(self._lost.items()))
+        lost = [f"{what} is not read ({count})." for what, count in sorted(self._lost.items())]
+        if self._through:
+            lost.append(
+                f"SPLINE given by fit points alone: the natural spline through them ({self._through})."
+            )
+        return tuple(lost)
 
     def take(self, entity: DXFGraphic, number: int) -> None:
         """Add the paths of an entity, counted from 1."""
@@ -227,7 +233,7 @@ class _Reader:
         degree = int(spline.dxf.degree)
         weights = list(spline.weights)
         if len(points) == 0:
-            self._lost["SPLINE with fit points only"] += 1
+            self._take_fit_points(spline)
         elif weights and max(weights) != min(weights):
             self._lost["rational SPLINE"] += 1
         elif not 1 <= degree <= HIGHEST_DEGREE_READ:
@@ -237,17 +243,34 @@ class _Reader:
         else:
             self._add(spline, _beziers(points, knots, degree), bool(spline.dxf.flags & _CLOSED))
 
+    def _take_fit_points(self, spline: Spline) -> None:
+        """Add the natural spline through fit points: what else the curve does, the file does not say."""
+        points = [(float(point[0]), float(point[1])) for point in spline.fit_points]
+        closed = bool(spline.dxf.flags & _CLOSED)
+        if closed and len(points) > 1 and points[0] == points[-1]:
+            points.pop()
+        distinct = [here for here, before in zip(points, [None, *points[:-1]], strict=True) if here != before]
+        if len(distinct) < 2:
+            self._lost["SPLINE with less than two points"] += 1
+            return
+        if not np.isfinite(distinct).all():
+            raise ExchangeError(f"The SPLINE on layer “{spline.dxf.layer}” is not finite.")
+        self._through += 1
+        self.paths.append(PointsAlone(self._name(spline), self._colour(spline), tuple(distinct), closed))
+
+    def _name(self, entity: DXFGraphic) -> str:
+        layer = str(entity.dxf.layer)
+        return layer if layer != "0" else f"{entity.dxftype().capitalize()} {len(self.paths) + 1}"
+
     def _add(self, entity: DXFGraphic, pieces: Floats, closed: bool, deviation: float = 0.0) -> None:
         if not np.isfinite(pieces).all():
             raise ExchangeError(f"The {entity.dxftype()} on layer “{entity.dxf.layer}” is not finite.")
         if pieces.shape[1] > 4:
             pieces, deviation = self._as_cubics(pieces)
-        layer = str(entity.dxf.layer)
-        name = layer if layer != "0" else f"{entity.dxftype().capitalize()} {len(self.paths) + 1}"
         meets = bool((pieces[0, 0] == pieces[-1, -1]).all())
         self.paths.append(
             Path(
-                name,
+                self._name(entity),
                 self._colour(entity),
                 _raised(pieces),
                 meets and (closed or len(pieces) > 1),

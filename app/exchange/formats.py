@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 import os
+import re
+from collections.abc import Callable
 from enum import StrEnum
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import msgspec
 from msgspec.structs import replace
@@ -42,11 +44,96 @@ ENDINGS = (
 )
 """Endings of all files that `export` can write; the first that fits counts."""
 
-READABLE = (".curve.json", ".json", ".csv", ".tsv", ".txt", ".svg", ".dxf")
+
+class Kind(StrEnum):
+    """How what is read becomes curves."""
+
+    DOCUMENT = "document"
+    DRAWING = "drawing"
+    TABLE = "table"
+
+
+class ImportFormat(msgspec.Struct, frozen=True):
+    """A format that is read. To add one is to add its record to `IMPORTS`.
+
+    Attributes
+    ----------
+    endings
+        Of its files, in small letters.
+    title
+        What people call such files.
+    kind
+        Drawings are parsed in a child process; of a table somebody says what its columns are.
+    load
+        Imports the reader, when it is wanted, and returns it. That of a drawing takes the content and the
+        tolerance and returns what was `Imported`; that of a table takes the content and returns a `Table`.
+        None for documents and for tables of text.
+    """
+
+    endings: tuple[str, ...]
+    title: str
+    kind: Kind
+    load: Callable[[], Callable[..., Any]] | None = None
+
+
+def _svg() -> Callable[..., Any]:
+    from app.exchange.svg_in import read_svg  # noqa: PLC0415
+
+    return read_svg
+
+
+def _dxf() -> Callable[..., Any]:
+    from app.exchange.dxf import read_dxf  # noqa: PLC0415
+
+    return read_dxf
+
+
+def _array() -> Callable[..., Any]:
+    from app.exchange.table_array import read_array  # noqa: PLC0415
+
+    return read_array
+
+
+def _json() -> Callable[..., Any]:
+    from app.exchange.table_json import read_json  # noqa: PLC0415
+
+    return read_json
+
+
+IMPORTS = (
+    ImportFormat((".curve.json",), "Curvebench documents", Kind.DOCUMENT),
+    ImportFormat((".svg",), "SVG drawings", Kind.DRAWING, _svg),
+    ImportFormat((".dxf",), "DXF drawings", Kind.DRAWING, _dxf),
+    ImportFormat((".csv", ".tsv", ".txt", ".dat"), "Tables", Kind.TABLE),
+    ImportFormat((".npy",), "NumPy arrays", Kind.TABLE, _array),
+    ImportFormat((".json", ".geojson"), "JSON and GeoJSON", Kind.TABLE, _json),
+)
+"""All formats that are read; the first with an ending that fits counts."""
+
+READABLE = tuple(ending for each in IMPORTS for ending in each.endings)
 """Endings of the files that `import_file` can read."""
 
-TABLES = (".csv", ".tsv", ".txt")
-"""Those of them that are tables."""
+
+def import_format(path: str | os.PathLike[str]) -> ImportFormat:
+    """Return the format that the ending of a file names.
+
+    Raises
+    ------
+    ExchangeError
+        If it names none.
+    """
+    ending = ending_of(path, READABLE)
+    return next(each for each in IMPORTS if ending in each.endings)
+
+
+def is_document(data: bytes) -> bool:
+    """Whether JSON is, or claims to be, a document of Curvebench."""
+    return _DOCUMENT_MARK.search(data[:_MARK_WITHIN]) is not None
+
+
+_DOCUMENT_MARK = re.compile(rb'"format"\s*:\s*"curvebench"')
+_MARK_WITHIN = 4096
+"""Bytes in which a document says what it is."""
 
 SAMPLES = 201
 """Rows of a table of samples, unless asked otherwise."""

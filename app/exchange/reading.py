@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Callable
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -12,7 +11,7 @@ from app.document.image_path import resolved
 from app.document.model import Family
 from app.document.storage import read
 from app.exchange.drawing import ExchangeError
-from app.exchange.formats import READABLE, TABLES, ending_of
+from app.exchange.formats import Kind, ending_of, import_format, is_document
 from app.exchange.progress import Report, part, silent
 
 if TYPE_CHECKING:
@@ -26,6 +25,8 @@ def import_file(
     thin: float | None = None,
     corners: bool = False,
     family: Family = Family.HERMITE,
+    columns: str = "",
+    missing: str = "refuse",
     report: Report = silent,
 ) -> Imported:
     """Return the curves in a file of the format that its ending names.
@@ -42,28 +43,30 @@ def import_file(
         Of tables: thin them out to the corners of a polyline, not to a smooth curve.
     family
         Of tables: the curve's family, unless a column says it.
+    columns
+        Of tables: which column is what, as "t=time,x=pos_x,y=3", by title or number from 1; by default what
+        their titles say.
+    missing
+        Of tables: "skip" to leave out rows without numbers, "split" to begin another curve after them.
     report
         Hears how far it has come.
 
     Raises
     ------
     ExchangeError
-        For an unknown ending, or with the place in the file and the reason.
+        For an unknown ending, or with the place in the file and the reason; for a table of which nobody
+        knows what its columns are.
     StorageError
         If the file cannot be read at all.
     """
-    ending = ending_of(path, READABLE)
+    kind = import_format(path).kind
     data = read(path)
-    name = Path(path).name[: -len(ending)] or "Table"
-    readers: dict[str, Callable[[], Imported]] = {
-        ".curve.json": lambda: _document(data, path),
-        ".json": lambda: _document(data, path),
-        ".svg": lambda: _drawing("svg", data, tolerance, report),
-        ".dxf": lambda: _drawing("dxf", data, tolerance, report),
-        **dict.fromkeys(TABLES, lambda: _table(data, name, thin, corners, family, report)),
-    }
     try:
-        return readers[ending]()
+        if kind is Kind.DOCUMENT or (kind is Kind.TABLE and is_document(data)):
+            return _document(data, path)
+        if kind is Kind.DRAWING:
+            return _drawing(path, data, tolerance, report)
+        return _table(path, data, thin, corners, family, columns, missing, report)
     except (FormatError, ExchangeError) as problem:
         raise ExchangeError(f"“{Path(path).name}” cannot be read: {problem}") from problem
     except MemoryError:
@@ -80,27 +83,48 @@ def _document(data: bytes, path: str | os.PathLike[str]) -> Imported:
     return Imported(resolved(decode(data), folder))
 
 
-def _table(
-    data: bytes, name: str, thin: float | None, corners: bool, family: Family, report: Report
-) -> Imported:
-    from app.exchange.cubics_in import Imported  # noqa: PLC0415
-    from app.exchange.table_curve import document_of_table  # noqa: PLC0415
-    from app.exchange.table_file import read_table  # noqa: PLC0415
-    from app.exchange.thinning import Thinning  # noqa: PLC0415
-
-    table = read_table(data, report=part(report, 0.0, 0.5))
-    document, deviation = document_of_table(
-        table,
-        name=name,
-        thin=thin,
-        thinning=Thinning.POLYLINE if corners else Thinning.CURVE,
-        family=family,
-        report=part(report, 0.5, 1.0),
-    )
-    return Imported(document, deviation)
-
-
-def _drawing(reader: str, data: bytes, tolerance: float | None, report: Report) -> Imported:
+def _drawing(path: str | os.PathLike[str], data: bytes, tolerance: float | None, report: Report) -> Imported:
     from app.exchange.child import limited  # noqa: PLC0415
 
-    return limited(reader, data, tolerance, report=report)
+    return limited(Path(path).suffix.lower().removeprefix("."), data, tolerance, report=report)
+
+
+def _table(
+    path: str | os.PathLike[str],
+    data: bytes,
+    thin: float | None,
+    corners: bool,
+    family: Family,
+    columns: str,
+    missing: str,
+    report: Report,
+) -> Imported:
+    from app.exchange.cubics_in import Imported  # noqa: PLC0415
+    from app.exchange.table_columns import mapping_of, words_on  # noqa: PLC0415
+    from app.exchange.table_curve import Missing, document_of_table  # noqa: PLC0415
+    from app.exchange.table_layout import MissingNumber  # noqa: PLC0415
+    from app.exchange.table_source import TableSource  # noqa: PLC0415
+    from app.exchange.thinning import Thinning  # noqa: PLC0415
+
+    source = TableSource(data, ending_of(path, import_format(path).endings))
+    preview = source.preview()
+    mapping = mapping_of(columns, preview.titles) if columns else preview.certain_mapping()
+    name = Path(path).name[: -len(source.ending)] or "Table"
+    try:
+        table = source.table(preview.layout, mapping, Missing(missing), part(report, 0.0, 0.5))
+        document, deviation = document_of_table(
+            table,
+            mapping,
+            name=name,
+            thin=thin,
+            thinning=Thinning.POLYLINE if corners else Thinning.CURVE,
+            family=family,
+            missing=Missing(missing),
+            report=part(report, 0.5, 1.0),
+        )
+    except MissingNumber as problem:
+        raise ExchangeError(
+            f"{problem} Leave such rows out with --missing skip, or end the curve there with --missing split."
+        ) from None
+    said = (preview.said, words_on(mapping, preview.titles), table.words_on_blocks)
+    return Imported(document, deviation, tuple(filter(None, said)))

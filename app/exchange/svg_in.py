@@ -16,19 +16,17 @@ import numpy as np
 
 from app.exchange.arcs import arc
 from app.exchange.cubics_in import Imported, Path, imported, lines
-from app.exchange.doctype import Parser
 from app.exchange.drawing import ExchangeError, Floats
-from app.exchange.svg import DARK, INK
 from app.exchange.svg_path import Subpath, read_path_data
+from app.exchange.svg_style import AREAS, RULES, colour_of, lost_from, property_of, remark_on
+from app.exchange.svg_xml import MAX_DEPTH, MAX_ELEMENTS, parsed, tag_of
 
-MAX_ELEMENTS = 10_000
-MAX_DEPTH = 200
 MAX_PATHS = 2_000
 
 _CONTAINERS = {"svg", "g", "a", "switch", "symbol"}
 _SHAPES = {"path", "rect", "circle", "ellipse", "line", "polyline", "polygon"}
 _ONLY_WHEN_USED = {"defs", "symbol", "clipPath", "mask", "marker", "pattern"}
-_LOST = {"text", "image", "style", "foreignObject"}
+_LOST = {"text", "image", "foreignObject"}
 _UNITS = {"": 1.0, "px": 1.0, "in": 96.0, "cm": 96 / 2.54, "mm": 96 / 25.4, "pt": 4 / 3, "pc": 16.0}
 _LENGTH = re.compile(
     r"\s*([-+]?(?:[0-9]+(?:\.[0-9]*)?|\.[0-9]+)(?:[eE][-+]?[0-9]+)?)\s*(px|in|cm|mm|pt|pc)?\s*"
@@ -42,12 +40,6 @@ _ARGUMENTS = {
     "skewX": (1,),
     "skewY": (1,),
 }
-_COLOURS = {
-    "black": "#000000", "silver": "#c0c0c0", "gray": "#808080", "grey": "#808080", "white": "#ffffff",
-    "maroon": "#800000", "red": "#ff0000", "purple": "#800080", "fuchsia": "#ff00ff", "magenta": "#ff00ff",
-    "green": "#008000", "lime": "#00ff00", "olive": "#808000", "yellow": "#ffff00", "navy": "#000080",
-    "blue": "#0000ff", "teal": "#008080", "aqua": "#00ffff", "cyan": "#00ffff", "orange": "#ffa500",
-}  # fmt: skip
 _NO_CURVES = ("paper", "points", "grid", "handles", "basis")
 _OUR_MARK = "Largest deviation from the true curves"
 
@@ -82,54 +74,12 @@ def read_svg(data: bytes, tolerance: float | None = None) -> Imported:
         With the element, for anything that is no SVG or that is hostile: a DTD, entities, elements that
         use themselves, more than `MAX_ELEMENTS` elements, broken data.
     """
-    root = _parsed(data)
-    if _tag(root) != "svg":
-        raise ExchangeError(f"This is no SVG file: it begins with <{_tag(root)[:40]}>.")
+    root = parsed(data)
+    if tag_of(root) != "svg":
+        raise ExchangeError(f"This is no SVG file: it begins with <{tag_of(root)[:40]}>.")
     reader = _Reader(root, tolerance)
     paths = list(reader.paths(root, _State(np.array([[1.0, 0.0, 0.0], [0.0, -1.0, 0.0]])), depth=0))
     return imported(paths, reader.remarks)
-
-
-def _parsed(data: bytes) -> ET.Element:
-    if not data.strip():
-        raise ExchangeError("The file is empty.")
-    parser = Parser(_CountingBuilder())
-    try:
-        parser.feed(data)
-        root: ET.Element = parser.close()
-    except ET.ParseError as problem:
-        line, column = problem.position
-        raise ExchangeError(f"The file is not XML: line {line}, column {column + 1}.") from None
-    except (ValueError, LookupError) as problem:
-        if isinstance(problem, ExchangeError):
-            raise
-        raise ExchangeError("The file is not XML: its encoding is unknown.") from None
-    return root
-
-
-class _CountingBuilder(ET.TreeBuilder):
-    """Builds the tree as long as it is neither large nor deep."""
-
-    def __init__(self) -> None:
-        super().__init__()
-        self._count = self._depth = 0
-
-    def start(self, tag: str, attributes: dict[str, str], /) -> ET.Element:
-        self._count += 1
-        self._depth += 1
-        if self._count > MAX_ELEMENTS:
-            raise ExchangeError(f"The file has more than {MAX_ELEMENTS} elements.")
-        if self._depth > MAX_DEPTH:
-            raise ExchangeError(f"Element {self._count} is nested deeper than {MAX_DEPTH} levels.")
-        return super().start(tag, attributes)
-
-    def end(self, tag: str, /) -> ET.Element:
-        self._depth -= 1
-        return super().end(tag)
-
-
-def _tag(element: ET.Element) -> str:
-    return str(element.tag).rpartition("}")[2]
 
 
 class _Reader:
@@ -141,25 +91,32 @@ class _Reader:
         self._by_id = {element.get("id", ""): element for element in root.iter()}
         self._visited = self._found = 0
         self._lost: set[str] = set()
-        description = next((child.text or "" for child in root if _tag(child) == "desc"), "")
+        self._lost_style: set[str] = set()
+        description = next((child.text or "" for child in root if tag_of(child) == "desc"), "")
         # The paper and the points of our own pictures are no curves.
         self._ours = _OUR_MARK in description
+        if any(tag_of(element) == "style" and (element.text or "").strip() for element in root.iter()):
+            self._lost_style.add(RULES)
 
     @property
     def remarks(self) -> tuple[str, ...]:
         """What was left out."""
-        return tuple(f"{what} is not read." for what in sorted(self._lost))
+        lost = [f"{what} is not read." for what in sorted(self._lost)]
+        # What our own pictures look like is the program's choice, not the file's.
+        style = "" if self._ours else remark_on(self._lost_style)
+        return (*lost, *([style] if style else []))
 
     def paths(self, element: ET.Element, state: _State, depth: int) -> Iterator[Path]:
         """Yield the paths of an element and those in it."""
         self._visited += 1
         if self._visited > MAX_ELEMENTS:
             raise ExchangeError(f"The file draws more than {MAX_ELEMENTS} elements.")
-        tag = _tag(element)
+        tag = tag_of(element)
         if tag in _LOST:
             self._lost.add(f"<{tag}>")
+        self._lost_style |= lost_from(element)
         state = self._entered(element, state)
-        hidden = _property(element, "display") == "none"
+        hidden = property_of(element, "display") == "none"
         if hidden or (self._ours and element.get("id") in _NO_CURVES):
             return
         if tag in _SHAPES:
@@ -171,7 +128,7 @@ class _Reader:
             if tag == "svg" and depth > 0:
                 self._lost.add("The view box of an <svg> in another")
             for child in element:
-                if isinstance(child.tag, str) and _tag(child) not in _ONLY_WHEN_USED:
+                if isinstance(child.tag, str) and tag_of(child) not in _ONLY_WHEN_USED:
                     yield from self.paths(child, state, depth + 1)
 
     def _entered(self, element: ET.Element, state: _State) -> _State:
@@ -181,9 +138,9 @@ class _Reader:
             if not np.isfinite(matrix).all():
                 raise self._broken(element, "its transform is beyond all numbers.")
             state = replace(state, matrix=matrix)
-        stroke, fill = (_property(element, name).replace("inherit", "") for name in ("stroke", "fill"))
+        stroke, fill = (property_of(element, name).replace("inherit", "") for name in ("stroke", "fill"))
         state = replace(state, stroke=stroke or state.stroke, fill=fill or state.fill)
-        visibility = _property(element, "visibility")
+        visibility = property_of(element, "visibility")
         return replace(state, visible=visibility == "visible") if visibility else state
 
     def _transform(self, element: ET.Element, text: str) -> Floats:
@@ -229,13 +186,15 @@ class _Reader:
             raise self._broken(element, str(problem)) from None
         name = _name(element) or f"{tag.capitalize()} {self._number[element]}"
         drawn = [each for each in subpaths if each.pieces]
+        if state.fill != "none" and AREAS not in self._lost_style and any(map(_has_area, drawn)):
+            self._lost_style.add(AREAS)
         for index, subpath in enumerate(drawn, start=1):
             self._found += 1
             if self._found > MAX_PATHS:
                 raise ExchangeError(f"The file has more than {MAX_PATHS} paths.")
             yield Path(
                 name if len(drawn) == 1 else f"{name} ({index})",
-                _colour(state.stroke) or _colour(state.fill),
+                colour_of(state.stroke) or colour_of(state.fill),
                 _moved(subpath.controls, state.matrix),
                 subpath.closed,
                 subpath.deviation * scale,
@@ -277,7 +236,7 @@ class _Reader:
     def _broken(self, element: ET.Element, why: str) -> ExchangeError:
         if why.startswith("Element "):
             return ExchangeError(why)
-        return ExchangeError(f"Element {self._number[element]} (<{_tag(element)}>): {why}")
+        return ExchangeError(f"Element {self._number[element]} (<{tag_of(element)}>): {why}")
 
 
 # Shapes
@@ -328,7 +287,16 @@ def _ellipse(x: float, y: float, rx: float, ry: float, tolerance: float | None) 
     return [Subpath(whole.pieces[0, 0], [whole.pieces], closed=True, deviation=whole.deviation)]
 
 
-# Matrices and style
+def _has_area(subpath: Subpath) -> bool:
+    """Whether filling shows anything: the points do not all lie on one line."""
+    points = subpath.controls.reshape(-1, 2)
+    with np.errstate(all="ignore"):
+        x, y = (points - points[0]).T
+        farthest = int(np.argmax(np.hypot(x, y)))
+        return bool((x * y[farthest] != y * x[farthest]).any())
+
+
+# Matrices and names
 
 
 def _matrix(name: str, values: list[float]) -> Floats:
@@ -366,27 +334,7 @@ def _moved(points: Floats, matrix: Floats) -> Floats:
         return np.asarray(points @ matrix[:, :2].T + matrix[:, 2])
 
 
-def _property(element: ET.Element, name: str) -> str:
-    """Return a property from the style attribute, or from its own."""
-    for part in element.get("style", "").split(";"):
-        key, _, value = part.partition(":")
-        if key.strip() == name:
-            return value.replace("!important", "").strip()
-    return element.get(name, "").strip()
-
-
-def _colour(text: str) -> str:
-    """Return a colour as the document writes it; empty for none, for our own ink and for what is unknown."""
-    text = text.strip().lower()
-    if match := re.fullmatch("#([0-9a-f])([0-9a-f])([0-9a-f])", text):
-        text = "#" + "".join(digit * 2 for digit in match.groups())
-    if match := re.fullmatch(r"rgb\(\s*(\d{1,3})[\s,]+(\d{1,3})[\s,]+(\d{1,3})\s*\)", text):
-        text = "#" + "".join(f"{min(int(value), 255):02x}" for value in match.groups())
-    text = _COLOURS.get(text, text)
-    return text if re.fullmatch("#[0-9a-f]{6}", text) and text not in (INK.ink, DARK.ink, "#000000") else ""
-
-
 def _name(element: ET.Element) -> str:
-    title = next((child.text for child in element if _tag(child) == "title" and child.text), None)
+    title = next((child.text for child in element if tag_of(child) == "title" and child.text), None)
     label = element.get("{http://www.inkscape.org/namespaces/inkscape}label")
     return " ".join((title or label or element.get("id") or "").split())[:200]

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from dataclasses import dataclass
+from enum import StrEnum
 
 import numpy as np
 import numpy.typing as npt
@@ -19,14 +21,26 @@ from app.document.model import (
 )
 from app.exchange.drawing import ExchangeError, Floats
 from app.exchange.progress import Report, part, silent
+from app.exchange.table import Table
 from app.exchange.table_columns import AFTER, ROLES, Mapping, guessed
-from app.exchange.table_file import Table
-from app.exchange.table_layout import RowProblem
+from app.exchange.table_layout import MissingNumber, RowProblem
 from app.exchange.thinning import Thinning, thinned
 
 MOST_CURVES = 1_000
+Group = tuple[str, npt.NDArray[np.intp]]
+"""The name of a curve and the places of its rows."""
+
 CLOSED = "closed "
 """Before the family of a curve whose last row is its first point again."""
+
+
+class Missing(StrEnum):
+    """What becomes of rows without a number for t, x or y."""
+
+    REFUSE = "refuse"
+    SKIP = "skip"
+    SPLIT = "split"
+
 
 _PAIRS = {
     "velocity": ("vx", "vy"),
@@ -44,11 +58,12 @@ def document_of_table(
     name: str = "Table",
     thin: float | None = None,
     thinning: Thinning = Thinning.CURVE,
+    missing: Missing = Missing.REFUSE,
     report: Report = silent,
 ) -> tuple[Document, float]:
     """Return a document with the curves through the rows of a table, and how far they are from them at most.
 
-    There is one curve, or one for each name in the column of names.
+    There is one curve, or one for each name in the column of names, and one for each block of rows.
 
     Parameters
     ----------
@@ -65,6 +80,8 @@ def document_of_table(
         None to take every row; otherwise the rows are thinned out, and the curves are cubic Hermite curves.
     thinning
         What stays within that distance of every row.
+    missing
+        Whether rows without a number are refused, left out, or where a curve ends and the next begins.
     report
         Hears how far it has come.
 
@@ -80,7 +97,7 @@ def document_of_table(
     for role, column in columns.items():
         if not 0 <= column < table.values.shape[1]:
             raise ExchangeError(f"There is no column {column + 1} for {role}.")
-    groups = _groups(table, chosen, name)
+    groups = _numbered(_without_missing(table, columns, _groups(table, chosen, name), missing))
     curves, deviation = [], 0.0
     for place, (title, rows) in enumerate(groups):
         own = _Rows(table, columns, rows)
@@ -95,20 +112,51 @@ def document_of_table(
     return _checked(curves), deviation
 
 
-def _groups(table: Table, mapping: Mapping, name: str) -> list[tuple[str, npt.NDArray[np.intp]]]:
+def _groups(table: Table, mapping: Mapping, name: str) -> list[Group]:
     """Return the name and the rows of each curve, in the order in which they begin."""
     if mapping.curve is None or mapping.curve not in table.words:
-        return [(name, np.arange(len(table.values)))]
+        blocks = np.split(np.arange(len(table.values)), table.blocks)
+        return [(name, rows) for rows in blocks]
     places: dict[str, int] = {}
     group = np.array([places.setdefault(word, len(places)) for word in table.words[mapping.curve]])
-    if len(places) > MOST_CURVES:
-        raise ExchangeError(f"The table names {len(places)} curves; {MOST_CURVES} can be read.")
     order = np.argsort(group, kind="stable")
     ends = np.cumsum(np.bincount(group))[:-1]
     return [
         (title.removeprefix("'") or name, rows)
         for title, rows in zip(places, np.split(order, ends), strict=True)
     ]
+
+
+def _without_missing(
+    table: Table, columns: dict[str, int], groups: list[Group], missing: Missing
+) -> list[Group]:
+    """Return the groups without rows that lack t, x or y; split there if asked."""
+    if missing is Missing.REFUSE:
+        return groups
+    needed = [column for role, column in columns.items() if role in ("t", "x", "y")]
+    is_whole = np.asarray(np.isfinite(table.values[:, needed]).all(axis=1))
+    result: list[Group] = []
+    for title, rows in groups:
+        kept = np.flatnonzero(is_whole[rows])
+        ends = np.flatnonzero(np.diff(kept) > 1) + 1 if missing is Missing.SPLIT else kept[:0]
+        # What is left of a block may be a single row, which is no curve.
+        result += [(title, rows[part]) for part in np.split(kept, ends) if len(part) > 1]
+    if not result:
+        raise ExchangeError("No two rows that follow each other have numbers.")
+    return result
+
+
+def _numbered(groups: list[Group]) -> list[Group]:
+    """Return the groups, of which those with one name are numbered."""
+    if len(groups) > MOST_CURVES:
+        raise ExchangeError(f"The table holds {len(groups)} curves; {MOST_CURVES} can be read.")
+    titles = Counter(title for title, _ in groups)
+    seen: Counter[str] = Counter()
+    result = []
+    for title, rows in groups:
+        seen[title] += 1
+        result.append((f"{title} ({seen[title]})" if titles[title] > 1 else title, rows))
+    return result
 
 
 def _family_of(
@@ -154,7 +202,7 @@ class _Rows:
             raise RowProblem(": t must increase from row to row.", self.line_of(row))
 
     def _refuse_empty(self, role: str, row: int) -> None:
-        raise RowProblem(f" is empty; it gives {role}.", self.line_of(row), self.columns[role] + 1)
+        raise MissingNumber(f" is empty; it gives {role}.", self.line_of(row), self.columns[role] + 1)
 
     def line_of(self, row: int) -> int:
         """Return the line of the file that holds a row."""
@@ -207,10 +255,11 @@ def _full_curve(name: str, own: _Rows, family: Family, closed: bool) -> Curve:
     ]
     times = own.t
     t = [None] * len(own.rows) if times is None else times.tolist()
+    # Column by column: a list of a pair for every row would take more than the points themselves.
     nodes = [
         Node(x, y, at, velocity, acceleration, after is not None, after, bend)
-        for (x, y), at, velocity, acceleration, after, bend in zip(
-            own.points.tolist(), t, *fields, strict=True
+        for x, y, at, velocity, acceleration, after, bend in zip(
+            own.column("x").tolist(), own.column("y").tolist(), t, *fields, strict=True
         )
     ]
     return Curve(name, family, _rule(times), tuple(nodes[:-1] if closed else nodes), closed=closed)

@@ -1,92 +1,31 @@
-"""CSV and TSV files in: bytes to columns of numbers, strictly."""
+"""CSV, TSV and other tables of text in: bytes to columns of numbers, strictly."""
 
 from __future__ import annotations
 
-import codecs
 import io
 import math
-from collections.abc import Iterator
-from dataclasses import dataclass, field
-from itertools import islice
+from dataclasses import dataclass
 
 import numpy as np
 
 from app.document.model import MAX_MAGNITUDE
 from app.exchange.drawing import ExchangeError, Floats
 from app.exchange.progress import Report, silent
-from app.exchange.table_columns import AFTER, ROLES, WORDS, Mapping, guessed
-from app.exchange.table_layout import Layout, RowProblem, cells_of, is_number, sniffed, titles_of
+from app.exchange.table import MAX_COLUMNS, PREVIEW_ROWS, Preview, Table
+from app.exchange.table_columns import AFTER, ROLES, WORDS, Mapping, guess, role_of
+from app.exchange.table_layout import (
+    Layout,
+    MissingNumber,
+    RowProblem,
+    cells_of,
+    is_missing,
+    is_number,
+    sniffed,
+    titles_of,
+)
+from app.exchange.table_lines import first_lines, is_data, parts_of, plain_utf_8
 
-MAX_ROWS = 2_000_000
-MAX_COLUMNS = 64
-PREVIEW_ROWS = 50
-
-_SNIFFED_LINES = 50
-_HEAD_BYTES = 2**16
-_BLOCK = 2**19
-"""Characters that are read at once: some milliseconds, in which no other thread can do anything."""
-
-_MARKS = ((b"\xef\xbb\xbf", "utf-8"), (b"\xff\xfe", "utf-16-le"), (b"\xfe\xff", "utf-16-be"))
 _FORMULA = ("=", "@")
-
-
-@dataclass(frozen=True)
-class Preview:
-    """The first rows of a file as a dialog shows them.
-
-    Attributes
-    ----------
-    layout
-        What was found, or what was asked for.
-    titles
-        Of the columns; "Column 1" and so on without a header.
-    cells
-        The first rows, as text.
-    mapping
-        A first guess, by the titles; None with fewer than two columns.
-    """
-
-    layout: Layout
-    titles: tuple[str, ...]
-    cells: tuple[tuple[str, ...], ...]
-    mapping: Mapping | None
-
-
-@dataclass(frozen=True, eq=False)
-class Table:
-    """Columns of numbers.
-
-    Attributes
-    ----------
-    layout
-        How the text was read.
-    titles
-        Of the columns.
-    values
-        (rows, columns); NaN where a cell is empty or its column was not read as numbers, otherwise finite.
-    first_row
-        The line of the file, from 1, that holds the first row.
-    gaps
-        The lines after it that hold none.
-    words
-        The cells of the columns of text, by column.
-    """
-
-    layout: Layout
-    titles: tuple[str, ...]
-    values: Floats
-    first_row: int
-    gaps: tuple[int, ...] = ()
-    words: dict[int, list[str]] = field(default_factory=dict)
-
-    def line_of(self, row: int) -> int:
-        """Return the line of the file, from 1, that holds a row, from 0."""
-        line = self.first_row + row
-        for gap in self.gaps:
-            if gap > line:
-                break
-            line += 1
-        return line
 
 
 def preview_table(data: bytes, layout: Layout | None = None) -> Preview:
@@ -97,18 +36,24 @@ def preview_table(data: bytes, layout: Layout | None = None) -> Preview:
     ExchangeError
         If the bytes are no text.
     """
-    text = _text(_head(data))
-    layout = layout or sniffed(_first_lines(text))
-    rows = _rows(_first_lines(text), layout)
+    lines = first_lines(plain_utf_8(data))
+    layout = layout or sniffed(lines)
+    rows = _rows(lines, layout)
     titles = titles_of(rows, layout)
-    shown = rows[1 if layout.header else 0 :][:PREVIEW_ROWS]
-    return Preview(layout, titles, tuple(map(tuple, shown)), guessed(titles))
+    shown = rows[layout.header + layout.units :]
+    found = guess(titles, shown, _are_numbers(shown, len(titles), layout))
+    return Preview(layout, titles, tuple(map(tuple, shown[:PREVIEW_ROWS])), found, _said(lines, layout))
 
 
 def read_table(
-    data: bytes, layout: Layout | None = None, mapping: Mapping | None = None, *, report: Report = silent
+    data: bytes,
+    layout: Layout | None = None,
+    mapping: Mapping | None = None,
+    *,
+    allows_missing: bool = False,
+    report: Report = silent,
 ) -> Table:
-    """Return the numbers of a CSV or TSV file.
+    """Return the numbers of a table of text.
 
     Empty lines are skipped, and lines that begin with "#"; cells may be empty. Nothing is ever computed: a
     formula is text, and refused as such.
@@ -120,8 +65,10 @@ def read_table(
     layout
         How to read it; by default what the file looks like.
     mapping
-        The columns that are wanted; what stands in the others is not looked at. By default all of them are,
-        and those with the titles `WORDS` are text.
+        The columns that are wanted; what stands in the others is not looked at. By default those that look
+        like numbers, and those with the titles `WORDS` as text.
+    allows_missing
+        Whether "nan" and the like may stand in place of a number.
     report
         Hears how far it has come.
 
@@ -130,115 +77,50 @@ def read_table(
     ExchangeError
         With the row, as an editor of text counts, and the column, for the first cell that is no number.
     """
-    text = _text(data)
-    layout = layout or sniffed(_first_lines(text))
-    rows = _rows(_first_lines(text), layout)
+    data = plain_utf_8(data)
+    lines = first_lines(data)
+    layout = layout or sniffed(lines)
+    rows = _rows(lines, layout)
     titles = titles_of(rows, layout)
-    if len(titles) > MAX_COLUMNS:
-        raise ExchangeError(f"The table has {len(titles)} columns; {MAX_COLUMNS} can be read.")
-    skipped = _lines_to_skip(text, layout)
-    collector = _Collector(layout, _wanted(titles, mapping))
-    for first, block, share in _blocks(text, skipped):
-        report(share, "Reading")
+    shown = rows[layout.header + layout.units :]
+    wanted = _wanted(titles, mapping, _are_numbers(shown, len(titles), layout))
+    rows_at_most = max(data.count(b"\n"), data.count(b"\r")) + 1
+    collector = _Collector(layout, wanted, rows_at_most, allows_missing)
+    for first, block, place in parts_of(data):
+        report(place / len(data), "Reading")
         collector.add(block, first)
-    return Table(layout, titles, collector.values, skipped + 1, tuple(collector.gaps), collector.words)
+    return collector.table(titles)
 
 
-# From bytes to lines
-
-
-def _head(data: bytes) -> bytes:
-    """Return the beginning of a file, ended where a line ends."""
-    if len(data) <= _HEAD_BYTES:
-        return data
-    step = 2 if data.startswith((b"\xff\xfe", b"\xfe\xff")) else 1
-    end = data.rfind(b"\n", 0, _HEAD_BYTES)
-    # In UTF-16 a line ends with two bytes, of which either may be the one that was found.
-    return data[: (end if end > 0 else _HEAD_BYTES) // step * step]
-
-
-def _text(data: bytes) -> str:
-    if not data or data.isspace():
-        raise ExchangeError("The file is empty.")
-    encoding, start = "utf-8", 0
-    for mark, name in _MARKS:
-        if data.startswith(mark):
-            encoding, start = name, len(mark)
-    try:
-        text = _decoded(data, start, encoding)
-    except UnicodeDecodeError:
-        # Once more, as a whole: in parts, nobody knows where the bad byte was.
-        row = data.count(b"\n", 0, _first_bad(data, start, encoding)) + 1
-        raise RowProblem(f" is not {encoding.upper()} text.", row) from None
-    if "\0" in text:
-        row = text.count("\n", 0, text.index("\0")) + 1
-        raise RowProblem(" holds a zero byte; this is no text.", row)
-    if "\r" in text:
-        text = text.replace("\r\n", "\n").replace("\r", "\n")
-    if text.count("\n") > MAX_ROWS:
-        raise ExchangeError(f"The table has more than {MAX_ROWS} rows.")
-    return text
-
-
-def _decoded(data: bytes, start: int, encoding: str) -> str:
-    """Return the text in parts put together, so that other threads have their turn between."""
-    decoder = codecs.getincrementaldecoder(encoding)()
-    places = range(start, len(data), _BLOCK)
-    parts = [decoder.decode(data[place : place + _BLOCK]) for place in places]
-    return "".join([*parts, decoder.decode(b"", final=True)])
-
-
-def _first_bad(data: bytes, start: int, encoding: str) -> int:
-    try:
-        data[start:].decode(encoding)
-    except UnicodeDecodeError as problem:
-        return start + problem.start
-    return len(data)
-
-
-def _is_data(line: str) -> bool:
-    text = line.lstrip()
-    return bool(text) and text[0] != "#"
-
-
-def _lines_of(text: str) -> Iterator[str]:
-    """Yield line by line; all at once they would be as long again as the text."""
-    start = 0
-    while start < len(text):
-        end = text.find("\n", start)
-        end = len(text) if end < 0 else end
-        yield text[start:end]
-        start = end + 1
-
-
-def _first_lines(text: str) -> list[str]:
-    found = list(islice(filter(_is_data, _lines_of(text)), _SNIFFED_LINES))
-    if not found:
-        raise ExchangeError("The table has no rows of numbers.")
-    return found
+# The lines above the numbers
 
 
 def _rows(lines: list[str], layout: Layout) -> list[list[str]]:
-    first = cells_of(lines[0], layout)
-    return [first, *(cells_of(line, layout, len(first)) for line in lines[1:])]
+    """Return the cells of the lines from the titles, or the first row, on."""
+    kept = lines[layout.skipped :]
+    if not kept:
+        raise ExchangeError("The table has no rows of numbers.")
+    first = cells_of(kept[0], layout)
+    if len(first) > MAX_COLUMNS:
+        raise ExchangeError(f"The table has {len(first):,} columns; {MAX_COLUMNS} can be read.")
+    return [first, *(cells_of(line, layout, len(first)) for line in kept[1:])]
 
 
-def _lines_to_skip(text: str, layout: Layout) -> int:
-    """Return how many lines stand before the first row of numbers.
+def _are_numbers(rows: list[list[str]], width: int, layout: Layout) -> list[bool]:
+    """Return for each column whether it looks like numbers: most of its cells are, or are missing."""
+    columns = ([row[place] for row in rows if place < len(row) and row[place]] for place in range(width))
+    return [
+        2 * sum(is_number(cell, layout) or is_missing(cell) for cell in cells) >= len(cells)
+        for cells in columns
+    ]
 
-    Raises
-    ------
-    ExchangeError
-        If there is none.
-    """
-    headers = 1 if layout.header else 0
-    for index, line in enumerate(_lines_of(text)):
-        if not _is_data(line):
-            continue
-        if headers == 0:
-            return index
-        headers -= 1
-    raise ExchangeError("The table has no rows of numbers.")
+
+def _said(lines: list[str], layout: Layout) -> str:
+    """Return what stands above the numbers and is none of them."""
+    above = [f"“{line.strip()[:40]}”" for line in lines[: layout.skipped][:3]]
+    titles = f"Not read as numbers: {', '.join(above)}." if above else ""
+    units = "The row below the titles holds units." if layout.units else ""
+    return " ".join(filter(None, (titles, units)))
 
 
 # From lines to numbers
@@ -258,12 +140,20 @@ class _Wanted:
         return len(self.numbers) == self.width
 
 
-def _wanted(titles: tuple[str, ...], mapping: Mapping | None) -> _Wanted:
-    width, chosen = len(titles), mapping or guessed(titles)
-    words = tuple(chosen.columns(WORDS).values()) if chosen else ()
+def _wanted(titles: tuple[str, ...], mapping: Mapping | None, are_numbers: list[bool]) -> _Wanted:
+    width = len(titles)
     if mapping is None:
-        numbers: tuple[int, ...] = tuple(index for index in range(width) if index not in words)
+        roles = [role_of(title) for title in titles]
+        words = tuple(column for column, role in enumerate(roles) if role in WORDS)
+        numbers = tuple(
+            column
+            for column, (role, looks) in enumerate(zip(roles, are_numbers, strict=True))
+            if role not in WORDS and (role or looks)
+        )
+        # Where none does, the first of them shall say what is wrong with it.
+        numbers = numbers or tuple(column for column in range(width) if column not in words)
     else:
+        words = tuple(mapping.columns(WORDS).values())
         numbers = tuple(sorted(set(mapping.columns((*ROLES, *AFTER)).values())))
     for column in (*numbers, *words):
         if not 0 <= column < width:
@@ -271,66 +161,109 @@ def _wanted(titles: tuple[str, ...], mapping: Mapping | None) -> _Wanted:
     return _Wanted(width, numbers, words)
 
 
-def _blocks(text: str, skipped: int) -> Iterator[tuple[int, list[str], float]]:
-    """Yield the lines after the first `skipped` in parts: the first one's number, the lines, the share read.
-
-    In parts, so that the place of a bad cell is found soon and other threads have their turn. Lines end
-    where an editor ends them, not where str.splitlines does.
-    """
-    start, number = 0, skipped + 1
-    for _ in range(skipped):
-        start = text.index("\n", start) + 1
-    while start < len(text):
-        end = text.find("\n", start + _BLOCK)
-        end = len(text) if end < 0 else end
-        lines = text[start:end].split("\n")
-        yield number, lines, start / len(text)
-        start, number = end + 1, number + len(lines)
-
-
 class _Collector:
     """Gathers the numbers and the words of all rows."""
 
-    def __init__(self, layout: Layout, wanted: _Wanted) -> None:
-        self._layout, self._wanted = layout, wanted
-        self._parts: list[Floats] = []
-        self.gaps: list[int] = []
-        self.words: dict[int, list[str]] = {column: [] for column in wanted.words}
+    def __init__(self, layout: Layout, wanted: _Wanted, rows: int, allows_missing: bool) -> None:
+        self._layout, self._wanted, self._allows_missing = layout, wanted, allows_missing
+        # At once: put together from parts, the numbers would be there twice. What is not used takes nothing.
+        self._values = np.empty((rows, wanted.width))
+        self._count = self._first_row = 0
+        self._above = layout.above
+        self._gaps: list[int] = []
+        self._breaks: list[int] = []
+        self._words: dict[int, list[str]] = {column: [] for column in wanted.words}
         self._known: dict[str, str] = {}
 
-    @property
-    def values(self) -> Floats:
-        """All numbers, (rows, columns)."""
-        return np.concatenate(self._parts) if self._parts else np.empty((0, self._wanted.width))
+    def table(self, titles: tuple[str, ...]) -> Table:
+        """Return all that was gathered.
+
+        Raises
+        ------
+        ExchangeError
+            If there is no row.
+        """
+        if self._count == 0:
+            raise ExchangeError("The table has no rows of numbers.")
+        values = self._values[: self._count]
+        gaps = tuple(self._gaps)
+        plain = not self._layout.header and not self._wanted.words
+        if plain and (upper := _lednicer(values)):
+            return Table(self._layout, titles, values[1:], self._first_row + 1, gaps, blocks=(upper,))
+        blocks = _blocks(self._breaks, self._count)
+        return Table(self._layout, titles, values, self._first_row, gaps, self._words, blocks)
 
     def add(self, lines: list[str], first: int) -> None:
         """Take in lines, of which the first has the number `first`."""
-        if not all(map(_is_data, lines)):
-            self.gaps += [number for number, line in enumerate(lines, start=first) if not _is_data(line)]
-        if not any(map(_is_data, lines)):
+        are_data = list(map(is_data, lines))
+        if self._above:
+            skipped = self._skipped(are_data)
+            lines, are_data, first = lines[skipped:], are_data[skipped:], first + skipped
+        if not all(are_data):
+            self._note_gaps(lines, are_data, first)
+        if not any(are_data):
             return
-        values = _fast(lines, self._layout, self._wanted)
+        values = _fast(lines, self._layout, self._wanted, self._allows_missing)
         if values is None:
-            values = _careful(lines, first, self._layout, self._wanted)
-        self._parts.append(values)
+            values = _careful(lines, first, self._layout, self._wanted, self._allows_missing)
+        self._first_row = self._first_row or first + are_data.index(True)
+        end = self._count + len(values)
+        if self._wanted.is_all:
+            self._values[self._count : end] = values
+        else:
+            self._values[self._count : end] = np.nan
+            self._values[self._count : end, list(self._wanted.numbers)] = values
+        self._count = end
         if self._wanted.words:
             self._add_words(lines)
 
+    def _skipped(self, are_data: list[bool]) -> int:
+        """Return how many lines stand above the first row of numbers."""
+        for place, has_data in enumerate(are_data):
+            if has_data and self._above == 0:
+                return place
+            self._above -= has_data
+        return len(are_data)
+
+    def _note_gaps(self, lines: list[str], are_data: list[bool], first: int) -> None:
+        row = self._count
+        for number, (line, has_data) in enumerate(zip(lines, are_data, strict=True), start=first):
+            row += has_data
+            if not has_data and row > 0:
+                self._gaps.append(number)
+                if not line.strip() and (not self._breaks or self._breaks[-1] != row):
+                    self._breaks.append(row)
+
     def _add_words(self, lines: list[str]) -> None:
         for line in lines:
-            if _is_data(line):
+            if is_data(line):
                 cells = cells_of(line, self._layout, self._wanted.width)
-                for column, words in self.words.items():
+                for column, words in self._words.items():
                     # A name that a million rows share is kept once.
                     words.append(self._known.setdefault(cells[column], cells[column]))
 
 
-def _fast(lines: list[str], layout: Layout, wanted: _Wanted) -> Floats | None:
+def _blocks(breaks: list[int], count: int) -> tuple[int, ...]:
+    """Return the rows at which blocks begin after empty lines; none where one would be no curve."""
+    starts = [row for row in breaks if 0 < row < count]
+    sizes = np.diff([0, *starts, count])
+    return tuple(starts) if (sizes >= 2).all() else ()
+
+
+def _lednicer(values: Floats) -> int:
+    """Return the rows of an airfoil's upper side, where the first row counts those of both; else 0."""
+    if values.shape[1] != 2 or len(values) < 5:
+        return 0
+    upper, lower = values[0]
+    return int(upper) if min(upper, lower) >= 2 and upper + lower == len(values) - 1 and upper % 1 == 0 else 0
+
+
+def _fast(lines: list[str], layout: Layout, wanted: _Wanted, allows_missing: bool) -> Floats | None:
     """Return the numbers by NumPy's reader in C, or None if anything is unusual."""
     text = "\n".join(lines)
     if '"' in text or (layout.decimal_comma and "." in text):
         return None
-    if not wanted.is_all and not _is_even(lines, layout, wanted.width):
+    if not wanted.is_all and not _is_even(lines, text, layout, wanted.width):
         return None  # the reader in C looks at the columns it is told to read, and at nothing else
     if layout.decimal_comma:
         text = text.replace(",", ".")
@@ -344,37 +277,38 @@ def _fast(lines: list[str], layout: Layout, wanted: _Wanted) -> Floats | None:
         )
     except (ValueError, IndexError):
         return None
-    # Written so that NaN fails.
-    usable = values.shape[1] == len(wanted.numbers) and bool((np.abs(values) <= MAX_MAGNITUDE).all())
-    if not usable or wanted.is_all:
-        return values if usable else None
-    return _spread(values, wanted)
+    # Written so that NaN fails, unless it is allowed.
+    small = np.abs(values) <= MAX_MAGNITUDE
+    usable = small | np.isnan(values) if allows_missing else small
+    return values if values.shape[1] == len(wanted.numbers) and usable.all() else None
 
 
-def _is_even(lines: list[str], layout: Layout, width: int) -> bool:
-    if layout.separator == " " or "#" in "".join(lines):
+def _is_even(lines: list[str], text: str, layout: Layout, width: int) -> bool:
+    if "#" in text:
         return False
-    return all(line.count(layout.separator) == width - 1 for line in lines if _is_data(line))
+    if layout.separator == " ":
+        return all(len(line.split()) == width for line in lines if is_data(line))
+    return all(line.count(layout.separator) == width - 1 for line in lines if is_data(line))
 
 
-def _spread(values: Floats, wanted: _Wanted) -> Floats:
-    """Return the numbers in the places of their columns, NaN in the others."""
-    result = np.full((len(values), wanted.width), np.nan)
-    result[:, list(wanted.numbers)] = values
-    return result
-
-
-def _careful(lines: list[str], first: int, layout: Layout, wanted: _Wanted) -> Floats:
+def _careful(lines: list[str], first: int, layout: Layout, wanted: _Wanted, allows_missing: bool) -> Floats:
     """Return the numbers row by row, or say where the first cell is that is none."""
     rows = []
     for number, line in enumerate(lines, start=first):
-        if not _is_data(line):
+        if not is_data(line):
             continue
         cells = cells_of(line, layout, wanted.width)
         if len(cells) != wanted.width:
             raise RowProblem(f" has {len(cells)} cells; the first has {wanted.width}.", number)
-        rows.append([_number(cells[column], number, column + 1, layout) for column in wanted.numbers])
-    return _spread(np.array(rows, dtype=float).reshape(-1, len(wanted.numbers)), wanted)
+        rows.append(
+            [
+                math.nan
+                if allows_missing and is_missing(cells[column])
+                else _number(cells[column], number, column + 1, layout)
+                for column in wanted.numbers
+            ]
+        )
+    return np.array(rows, dtype=float).reshape(-1, len(wanted.numbers))
 
 
 def _number(cell: str, row: int, column: int, layout: Layout) -> float:
@@ -385,7 +319,8 @@ def _number(cell: str, row: int, column: int, layout: Layout) -> float:
         words = cell[0] in "+-" and cell[1:].lower() not in ("inf", "infinity", "nan")
         if cell.startswith(_FORMULA) or (words and any(each.isalpha() for each in cell)):
             raise RowProblem(f": “{shown}” is a formula; only numbers are read.", row, column)
-        raise RowProblem(f": “{shown}” is not a number.", row, column)
+        kind = MissingNumber if is_missing(cell) else RowProblem
+        raise kind(f": “{shown}” is not a number.", row, column)
     value = float(cell.replace(",", "."))
     if not math.isfinite(value) or abs(value) > MAX_MAGNITUDE:
         raise RowProblem(" must lie between −1e12 and 1e12.", row, column)

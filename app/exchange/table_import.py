@@ -9,10 +9,11 @@ import numpy as np
 from app.document.model import Document, Family
 from app.exchange.drawing import ExchangeError
 from app.exchange.progress import Report, part, silent
+from app.exchange.table import Table
 from app.exchange.table_columns import Mapping
-from app.exchange.table_curve import document_of_table
-from app.exchange.table_file import Table, read_table
-from app.exchange.table_layout import Layout, RowProblem, cells_of_row
+from app.exchange.table_curve import Missing, document_of_table
+from app.exchange.table_layout import Layout, MissingNumber, RowProblem, cells_of_row
+from app.exchange.table_source import TableSource
 from app.exchange.thinning import MOST_KEPT, Thinning, TooManyLeftError
 
 MANY_ROWS = 1_000
@@ -45,6 +46,8 @@ class TableChoice:
         How near to stay to the rows; None for a thousandth of the table's size.
     name
         Of a curve that no column gives another.
+    missing
+        What becomes of rows without numbers.
     """
 
     layout: Layout
@@ -53,6 +56,7 @@ class TableChoice:
     thinning: Thinning | None = None
     tolerance: float | None = None
     name: str = "Table"
+    missing: Missing = Missing.REFUSE
 
 
 @dataclass(frozen=True)
@@ -73,6 +77,8 @@ class Prepared:
         The distance that would have been used had it not left too many points; 0 where it was used.
     bad_row, bad_column, bad_cells
         Where that is, counted from 1, and what stands there; 0 and empty where no row is meant.
+    lacks_numbers
+        Whether it is that a row has no number: it could be left out.
     """
 
     rows: int = 0
@@ -84,6 +90,7 @@ class Prepared:
     bad_row: int = 0
     bad_column: int = 0
     bad_cells: tuple[str, ...] = ()
+    lacks_numbers: bool = False
 
     @property
     def points(self) -> int:
@@ -91,58 +98,33 @@ class Prepared:
         return sum(len(curve.nodes) for curve in self.document.curves) if self.document else 0
 
 
-class TableSource:
-    """The content of one file; what was read of it is kept for the next choice.
-
-    Attributes
-    ----------
-    data
-        The content.
-    lines
-        How many lines it has: about as many as rows.
-    """
-
-    def __init__(self, data: bytes) -> None:
-        self.data = data
-        self.lines = data.count(b"\n")
-        self._read: tuple[Layout, Mapping, Table] | None = None
-
-    def prepared(self, choice: TableChoice, report: Report = silent) -> Prepared:
-        """Return what becomes of the table; whatever is wrong with it stands in the result."""
-        rows = 0
-        try:
-            table = self._table(choice, part(report, 0.0, 0.6))
-            rows = len(table.values)
-            if choice.thinning is None and rows > MOST_POINTS:
-                raise ExchangeError(f"{rows:,} rows are more points than {MOST_POINTS:,}; thin them out.")
-            if choice.thinning is None and choice.family is Family.LAGRANGE and rows > MOST_LAGRANGE:
-                raise ExchangeError(
-                    f"A Lagrange curve can take {MOST_LAGRANGE:,} rows, not {rows:,}; choose Hermite, "
-                    "or thin them out."
-                )
-            result = _made(table, choice, part(report, 0.6, 1.0))
-        except RowProblem as problem:
-            cells = cells_of_row(self.data, choice.layout, problem.row)
-            return Prepared(
-                rows,
-                problem=str(problem),
-                bad_row=problem.row,
-                bad_column=problem.column or 0,
-                bad_cells=cells,
+def prepare_table(source: TableSource, choice: TableChoice, report: Report = silent) -> Prepared:
+    """Return what becomes of a table; whatever is wrong with it stands in the result."""
+    rows = 0
+    try:
+        table = source.table(choice.layout, choice.mapping, choice.missing, part(report, 0.0, 0.6))
+        rows = len(table.values)
+        if choice.thinning is None and rows > MOST_POINTS:
+            raise ExchangeError(f"{rows:,} rows are more points than {MOST_POINTS:,}; thin them out.")
+        if choice.thinning is None and choice.family is Family.LAGRANGE and rows > MOST_LAGRANGE:
+            raise ExchangeError(
+                f"A Lagrange curve can take {MOST_LAGRANGE:,} rows, not {rows:,}; choose Hermite, "
+                "or thin them out."
             )
-        except ExchangeError as problem:
-            return Prepared(rows, problem=str(problem))
-        except MemoryError:
-            return Prepared(rows, problem="The table takes more memory than there is.")
-        return result
-
-    def _table(self, choice: TableChoice, report: Report) -> Table:
-        known = self._read
-        if known is not None and known[:2] == (choice.layout, choice.mapping):
-            return known[2]
-        table = read_table(self.data, choice.layout, choice.mapping, report=report)
-        self._read = (choice.layout, choice.mapping, table)
-        return table
+        return _made(table, choice, part(report, 0.6, 1.0))
+    except RowProblem as problem:
+        return Prepared(
+            rows,
+            problem=str(problem),
+            bad_row=problem.row,
+            bad_column=problem.column or 0,
+            bad_cells=cells_of_row(source.data, choice.layout, problem.row),
+            lacks_numbers=isinstance(problem, MissingNumber),
+        )
+    except ExchangeError as problem:
+        return Prepared(rows, problem=str(problem))
+    except MemoryError:
+        return Prepared(rows, problem="The table takes more memory than there is.")
 
 
 def _made(table: Table, choice: TableChoice, report: Report) -> Prepared:
@@ -156,6 +138,7 @@ def _made(table: Table, choice: TableChoice, report: Report) -> Prepared:
                 choice.mapping,
                 family=choice.family,
                 name=choice.name,
+                missing=choice.missing,
                 thin=tolerance or None,
                 thinning=choice.thinning or Thinning.CURVE,
                 report=report,

@@ -11,7 +11,6 @@ from PySide6.QtWidgets import (
     QFrame,
     QGridLayout,
     QHBoxLayout,
-    QLabel,
     QScrollArea,
     QSizePolicy,
     QToolButton,
@@ -21,6 +20,7 @@ from PySide6.QtWidgets import (
 
 from app.analysis import Analysis
 from app.document.expression import ExpressionError, parse_number
+from app.labels import Label
 from app.overrides import Guarded
 from app.panels.field_edit import FieldEdit
 from app.panels.number_text import decimal_mark, exact_text, rounded_text
@@ -56,7 +56,7 @@ class AnalysisPanel(Guarded, QScrollArea):
         self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         self._analysis, self._actions = analysis, actions
         self._refusal = ""
-        self._notes: dict[Overlay, QLabel] = {}
+        self._notes: dict[Overlay, Label] = {}
         self._sliders: dict[str, tuple[Overlay, SettingSlider]] = {}
         self._ghost_boxes: dict[Ghost, QCheckBox] = {}
         self._problem = _note("analysisProblem")
@@ -88,7 +88,7 @@ class AnalysisPanel(Guarded, QScrollArea):
         self._add("overlayEnsemble", Overlay.ENSEMBLE, "ensemble_count", count)
         self._errors = self._make_errors()
         self._rows.addWidget(self._errors, self._rows.rowCount(), 0, 1, 2)
-        title = QLabel("Ghosts: the same points, otherwise")
+        title = Label("Ghosts: the same points, otherwise")
         title.setObjectName("ghostsTitle")
         self._rows.addWidget(title, self._rows.rowCount(), 0, 1, 2)
         for ghost, name in _GHOSTS.items():
@@ -148,7 +148,7 @@ class AnalysisPanel(Guarded, QScrollArea):
         layout.setContentsMargins(24, 0, 0, 0)
         layout.setSpacing(6)
         for label, edit in (("ε points", self.point_error), ("δ in t", self.parameter_error)):
-            layout.addWidget(QLabel(label))
+            layout.addWidget(Label(label))
             layout.addWidget(edit, 1)
         layout.addWidget(seed)
         return errors
@@ -238,8 +238,8 @@ class AnalysisPanel(Guarded, QScrollArea):
         self._render_notes()
 
 
-def _note(name: str) -> QLabel:
-    label = QLabel()
+def _note(name: str) -> Label:
+    label = Label()
     label.setObjectName(name)
     label.setWordWrap(True)
     # A long word never widens the window.

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from PySide6.QtCore import QSize, Qt, QTimer
 from PySide6.QtGui import QAction, QIcon, QResizeEvent
-from PySide6.QtWidgets import QHBoxLayout, QLabel, QSizePolicy, QToolButton, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QHBoxLayout, QSizePolicy, QToolButton, QVBoxLayout, QWidget
 
+from app.labels import Label
 from app.overrides import Guarded
 from app.panels.basis_panel import BasisPanel
 from app.panels.choice_style import choice_style
@@ -40,7 +41,7 @@ class BasisPane(Guarded, QWidget):
         super().__init__(parent)
         self.setObjectName("basisPane")
         self._panel = panel
-        self._title = QLabel("Basis functions")
+        self._title = Label("Basis functions")
         self._title.setObjectName("basisTitle")
         self._estimates = self._estimates_button()
         self._with_estimates = self._shows_cardinals = False

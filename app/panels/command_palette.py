@@ -27,7 +27,6 @@ from PySide6.QtGui import (
 from PySide6.QtWidgets import (
     QApplication,
     QFrame,
-    QLabel,
     QLineEdit,
     QListView,
     QStyle,
@@ -39,6 +38,7 @@ from PySide6.QtWidgets import (
 from shiboken6 import isValid
 
 from app.keymap import name_alone, native, why_not
+from app.labels import Label
 from app.overrides import Guarded
 from app.panels.fuzzy import Named, ranked
 from app.theme import mix, theme_of
@@ -80,7 +80,7 @@ class CommandPalette(Guarded, QFrame):
         self._focus_before: QWidget | None = None
         self.search = _SearchField(self)
         self.list = _command_list()
-        self._note = QLabel()
+        self._note = Label()
         self._note.setObjectName("paletteNote")
         self._model = _CommandModel(self)
         self.list.setModel(self._model)

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from PySide6.QtWidgets import QGridLayout, QLabel, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QGridLayout, QVBoxLayout, QWidget
 
+from app.labels import Label
 from app.panels.log_plot import LogLine, LogPlot
 from app.view_model.analysis.cost import Cost, cost_chart
 from app.view_model.analysis.laboratory_settings import Calculation
@@ -21,13 +22,13 @@ class CostPanel(QWidget):
         self.setObjectName("costPanel")
         self._words = _line("costWords")
         self._numbers = QGridLayout()
-        self._cells: dict[str, QLabel] = {}
+        self._cells: dict[str, Label] = {}
         self._lay_out_numbers()
         self._note = _line("costNote")
         self.chart = LogPlot(
             "costChart", "Operations to the first point of the curve over the number of points n"
         )
-        title = QLabel("Operations to the first point, over n")
+        title = Label("Operations to the first point, over n")
         layout = QVBoxLayout(self)
         layout.setContentsMargins(12, 12, 12, 12)
         layout.setSpacing(10)
@@ -41,7 +42,7 @@ class CostPanel(QWidget):
         self._numbers.setColumnStretch(0, 1)
         self._numbers.setHorizontalSpacing(12)
         for column, text in enumerate(("", "Solving, n³", "Basis form, n²")):
-            self._numbers.addWidget(QLabel(text), 0, column)
+            self._numbers.addWidget(Label(text), 0, column)
         for row, (key, text) in enumerate(
             (
                 ("first", "Operations, first point"),
@@ -50,9 +51,9 @@ class CostPanel(QWidget):
             ),
             start=1,
         ):
-            self._numbers.addWidget(QLabel(text), row, 0)
+            self._numbers.addWidget(Label(text), row, 0)
             for column, way in enumerate(("solving", "basis"), start=1):
-                cell = QLabel("–")
+                cell = Label("–")
                 cell.setObjectName(f"cost_{key}_{way}")
                 self._cells[f"{key}_{way}"] = cell
                 self._numbers.addWidget(cell, row, column)
@@ -86,8 +87,8 @@ class CostPanel(QWidget):
         )
 
 
-def _line(name: str) -> QLabel:
-    label = QLabel()
+def _line(name: str) -> Label:
+    label = Label()
     label.setObjectName(name)
     label.setWordWrap(True)
     return label

@@ -7,13 +7,13 @@ from PySide6.QtGui import QFontDatabase, QGuiApplication
 from PySide6.QtWidgets import (
     QApplication,
     QDialogButtonBox,
-    QLabel,
     QPlainTextEdit,
     QPushButton,
     QVBoxLayout,
     QWidget,
 )
 
+from app.labels import Label
 from app.panels.fitting import FittedDialog
 from app.theme import theme_of
 
@@ -60,8 +60,8 @@ class CrashDialog(FittedDialog):
         layout.addWidget(self._report, 1)
         self.hold(self._buttons(), wished=QSize(560, 0))
 
-    def _title(self) -> QLabel:
-        title = QLabel("Something went wrong inside Curvebench.")
+    def _title(self) -> Label:
+        title = Label("Something went wrong inside Curvebench.")
         title.setObjectName("crashTitle")
         font = title.font()
         font.setBold(True)
@@ -100,7 +100,7 @@ class CrashDialog(FittedDialog):
         self._copy.setText("Copied")
 
 
-def _wrapped(text: str) -> QLabel:
-    label = QLabel(text)
+def _wrapped(text: str) -> Label:
+    label = Label(text)
     label.setWordWrap(True)
     return label

@@ -38,6 +38,7 @@ from PySide6.QtWidgets import (
 
 from app.colours import curve_colour
 from app.icons import icon
+from app.labels import tip_of
 from app.overrides import Guarded
 from app.panels.curve_list_model import CurveListModel, Row
 from app.theme import mix, theme_of
@@ -368,7 +369,7 @@ class CurveListView(Guarded, QListView):
 
     def viewportEvent(self, event: QEvent) -> bool:
         if isinstance(event, QHelpEvent) and event.type() == QEvent.Type.ToolTip:
-            QToolTip.showText(event.globalPos(), self.tip_at(event.pos()), self)
+            QToolTip.showText(event.globalPos(), tip_of(self.tip_at(event.pos())), self)
             return True
         return super().viewportEvent(event)
 

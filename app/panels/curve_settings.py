@@ -9,13 +9,14 @@ from typing import TypeVar
 import numpy as np
 from PySide6.QtCore import QEvent, QSize, Qt
 from PySide6.QtGui import QShowEvent
-from PySide6.QtWidgets import QComboBox, QFormLayout, QHBoxLayout, QLabel, QToolButton, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QComboBox, QFormLayout, QHBoxLayout, QToolButton, QVBoxLayout, QWidget
 
 from app.document import edits
 from app.document.edits import EditError
 from app.document.expression import ExpressionError, parse_number
 from app.document.model import Document, Family
 from app.icons import icon
+from app.labels import Label
 from app.overrides import Guarded
 from app.panels.field_edit import FieldEdit
 from app.panels.number_text import decimal_mark, exact_text, rounded_text
@@ -66,7 +67,7 @@ class CurveSettings(Guarded, QWidget):
         interval = QHBoxLayout()
         interval.setSpacing(6)
         interval.addWidget(self.start_edit, 1)
-        interval.addWidget(QLabel("to"))
+        interval.addWidget(Label("to"))
         interval.addWidget(self.end_edit, 1)
         self._form = QFormLayout()
         self._form.setFieldGrowthPolicy(QFormLayout.FieldGrowthPolicy.AllNonFixedFieldsGrow)
@@ -253,8 +254,8 @@ def _reset_button() -> QToolButton:
     return button
 
 
-def _note(name: str) -> QLabel:
-    label = QLabel()
+def _note(name: str) -> Label:
+    label = Label()
     label.setObjectName(name)
     label.setWordWrap(True)
     return label

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QFontDatabase, QPalette
-from PySide6.QtWidgets import QGridLayout, QLabel, QWidget
+from PySide6.QtWidgets import QGridLayout, QWidget
 
+from app.labels import Label
 from app.view_model.analysis.laboratory import Digits
 from app.view_model.analysis.laboratory_settings import METHOD_NAMES
 
@@ -20,7 +21,7 @@ class DigitsTable(QWidget):
         super().__init__(parent)
         self.setObjectName("digitsTable")
         self.setAccessibleName("Computed digits")
-        self._title = QLabel()
+        self._title = Label()
         self._title.setObjectName("digitsTitle")
         self._title.setToolTip("Put the scrub line (T) where you want to look; without it, the worst place")
         self._grid = QGridLayout(self)
@@ -30,11 +31,11 @@ class DigitsTable(QWidget):
         self._grid.setColumnStretch(0, 1)
         self._grid.addWidget(self._title, 0, 0)
         for column, text in ((1, "x"), (2, "y")):
-            heading = QLabel(_aligned(text))
+            heading = Label(_aligned(text))
             heading.setFont(QFontDatabase.systemFont(QFontDatabase.SystemFont.FixedFont))
             heading.setForegroundRole(QPalette.ColorRole.PlaceholderText)
             self._grid.addWidget(heading, 0, column)
-        self._rows: list[tuple[QLabel, QLabel, QLabel]] = []
+        self._rows: list[tuple[Label, Label, Label]] = []
 
     @property
     def texts(self) -> list[tuple[str, str, str]]:
@@ -62,7 +63,7 @@ class DigitsTable(QWidget):
                 label.setStyleSheet(style)
 
     def _add_row(self) -> None:
-        labels = (QLabel(), QLabel(), QLabel())
+        labels = (Label(), Label(), Label())
         for column, label in enumerate(labels):
             if column:
                 label.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)

@@ -10,8 +10,9 @@ import math
 
 from PySide6.QtCore import QEvent, QSize, Qt
 from PySide6.QtGui import QColor, QPainter, QPaintEvent
-from PySide6.QtWidgets import QLabel, QSizePolicy
+from PySide6.QtWidgets import QSizePolicy
 
+from app.labels import Label, tip_of
 from app.overrides import Guarded
 
 _STEP = 16
@@ -21,7 +22,7 @@ _SPARE = 3 * _STEP
 """Pixels of unused room that a label keeps."""
 
 
-class SteadyLabel(Guarded, QLabel):
+class SteadyLabel(Guarded, Label):
     """A line of plain text that asks for more or less room only when it needs it.
 
     Attributes
@@ -97,4 +98,4 @@ class ElidedLabel(SteadyLabel):
     def setText(self, text: str) -> None:  # noqa: N802
         """Show `text`."""
         super().setText(text)
-        self.setToolTip(text)
+        self.setToolTip(tip_of(text))

@@ -6,7 +6,6 @@ from PySide6.QtCore import QSize, Qt, QTimer, Signal
 from PySide6.QtGui import QColor, QImage, QPainter, QPixmap
 from PySide6.QtWidgets import (
     QHBoxLayout,
-    QLabel,
     QVBoxLayout,
     QWidget,
 )
@@ -17,6 +16,7 @@ from app.exchange import ExchangeError
 from app.exchange.choice import FORMATS, PICTURES, ExportChoice
 from app.exchange.image import Look, look
 from app.exchange.progress import Report
+from app.labels import Label
 from app.panels.export_form import ExportForm
 from app.panels.form_parts import buttons
 from app.panels.work_dialog import WorkDialog
@@ -43,17 +43,17 @@ class ExportDialog(WorkDialog):
         self._document: Document | None = None
         self._active, self._unit = 0, ""
         self.form = ExportForm()
-        self.picture = QLabel()
+        self.picture = Label()
         self.picture.setObjectName("exportPreview")
         self.picture.setAccessibleName("Preview")
         self.picture.setToolTip("What the picture will look like; squares stand for no paper")
         self.picture.setFixedSize(_WIDTH, _HEIGHT)
         self.picture.setAlignment(Qt.AlignmentFlag.AlignCenter)
-        self.size_label = QLabel()
+        self.size_label = Label()
         self.size_label.setObjectName("exportSize")
         self.size_label.setWordWrap(True)
         self.size_label.setAlignment(Qt.AlignmentFlag.AlignHCenter)
-        self.told = QLabel()
+        self.told = Label()
         self.told.setObjectName("exportColoursTold")
         self.told.setTextFormat(Qt.TextFormat.PlainText)
         self.told.setWordWrap(True)

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 from msgspec.structs import replace
 from PySide6.QtCore import Signal
-from PySide6.QtWidgets import QCheckBox, QFormLayout, QGridLayout, QLabel, QWidget
+from PySide6.QtWidgets import QCheckBox, QFormLayout, QGridLayout, QWidget
 
 from app.document.expression import ExpressionError, parse_number
 from app.exchange.choice import (
@@ -21,6 +21,7 @@ from app.exchange.choice import (
 from app.exchange.formats import Spacing
 from app.exchange.sampled import MOST_SAMPLES, TITLES
 from app.exchange.units import known_unit
+from app.labels import Label
 from app.panels.field_edit import FieldEdit
 from app.panels.form_parts import choice_box
 from app.panels.number_text import decimal_mark, exact_text
@@ -60,7 +61,7 @@ class ExportForm(QWidget):
         self.format_box = choice_box(
             "exportFormat", "Format", "What kind of file to write", list(FORMATS.values())
         )
-        self._description = QLabel()
+        self._description = Label()
         self._description.setObjectName("exportDescription")
         self._description.setWordWrap(True)
         self.width_box = _spin(

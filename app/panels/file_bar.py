@@ -11,13 +11,13 @@ from PySide6.QtWidgets import (
     QBoxLayout,
     QFrame,
     QHBoxLayout,
-    QLabel,
     QSizePolicy,
     QToolButton,
     QWidget,
 )
 
 from app.icons import icon
+from app.labels import Label
 from app.overrides import Guarded
 from app.theme import mix, theme_of
 
@@ -43,10 +43,8 @@ class FileBar(Guarded, QFrame):
         self.setObjectName("fileBar")
         self._below, self._above = parent, above
         self._is_warning = False
-        self._sign, self._text = QLabel(), QLabel()
+        self._sign, self._text = Label(), Label()
         self._text.setObjectName("fileText")
-        # Names of files and of people stand in it.
-        self._text.setTextFormat(Qt.TextFormat.PlainText)
         self._text.setWordWrap(True)
         self._text.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Preferred)
         self._close = QToolButton()

@@ -11,10 +11,11 @@ from PySide6.QtWidgets import (
     QComboBox,
     QDialog,
     QDialogButtonBox,
-    QLabel,
     QLineEdit,
     QPushButton,
 )
+
+from app.labels import Label
 
 INTO = ("This document", "A new document")
 
@@ -40,9 +41,9 @@ def into_box() -> QComboBox:
     return choice_box("importInto", "Into", "Where the curves go", INTO)
 
 
-def problem_label(name: str) -> QLabel:
+def problem_label(name: str) -> Label:
     """Return a label for what is wrong; hidden while nothing is."""
-    label = QLabel()
+    label = Label()
     label.setObjectName(name)
     label.setWordWrap(True)
     label.hide()

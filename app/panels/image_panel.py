@@ -11,7 +11,6 @@ from PySide6.QtWidgets import (
     QCheckBox,
     QFormLayout,
     QHBoxLayout,
-    QLabel,
     QSizePolicy,
     QToolButton,
     QVBoxLayout,
@@ -22,6 +21,7 @@ from app.document.edits import EditError
 from app.document.expression import ExpressionError, parse_number
 from app.document.image_edits import place_image, set_image_locked, set_image_opacity
 from app.document.model import Document, ReferenceImage
+from app.labels import Label, tip_of
 from app.overrides import Guarded
 from app.panels.field_edit import FieldEdit
 from app.panels.live_slider import LiveSlider
@@ -46,16 +46,16 @@ class ImagePanel(Guarded, QWidget):
         self.width_edit = _number_edit("imageWidth", "Width", "Width in the plane; the height follows")
         self.height_edit = _number_edit("imageHeight", "Height", "Height in the plane; the width follows")
         self.opacity = _opacity_slider()
-        self._percent = QLabel()
+        self._percent = Label()
         self._percent.setMinimumWidth(self._percent.fontMetrics().horizontalAdvance("100 %"))
         self.lock = QCheckBox("Locked")
         self.lock.setObjectName("imageLocked")
         self.lock.setToolTip("Keep the image safe from being moved and scaled")
-        self._file = QLabel()
+        self._file = Label()
         self._file.setObjectName("imageFile")
         # A long name is cut, it never widens the window; the tooltip has it whole.
         self._file.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
-        self._problem = QLabel()
+        self._problem = Label()
         self._problem.setObjectName("imageProblem")
         self._problem.setWordWrap(True)
         policy = self._problem.sizePolicy()
@@ -69,12 +69,12 @@ class ImagePanel(Guarded, QWidget):
     def _lay_out(self) -> None:
         place, size, fade = QHBoxLayout(), QHBoxLayout(), QHBoxLayout()
         for row, widgets in (
-            (place, (self.x_edit, QLabel("y"), self.y_edit)),
-            (size, (self.width_edit, QLabel("×"), self.height_edit)),
+            (place, (self.x_edit, Label("y"), self.y_edit)),
+            (size, (self.width_edit, Label("×"), self.height_edit)),
         ):
             row.setSpacing(6)
             for widget in widgets:
-                row.addWidget(widget, 0 if isinstance(widget, QLabel) else 1)
+                row.addWidget(widget, 0 if isinstance(widget, Label) else 1)
         fade.addWidget(self.opacity, 1)
         fade.addWidget(self._percent)
         form = QFormLayout()
@@ -134,7 +134,7 @@ class ImagePanel(Guarded, QWidget):
             edit.show_text(rounded_text(value, mark))
             edit.setEnabled(not image.locked)
         self._file.setText(Path(image.path).name)
-        self._file.setToolTip(image.path)
+        self._file.setToolTip(tip_of(image.path))
         self.lock.setChecked(image.locked)
         if not self.opacity.isSliderDown():
             self.opacity.setValue(round(image.opacity * _STEPS))
@@ -150,7 +150,7 @@ class ImagePanel(Guarded, QWidget):
         self._problem.setStyleSheet(f"color: {theme_of(self.palette()).warning.name()}")
         # Paths may be broken where folders end: else a long one would widen the window.
         self._problem.setText(f"⚠ {text}".replace("/", "/\N{ZERO WIDTH SPACE}") if text else "")
-        self._problem.setToolTip(text)
+        self._problem.setToolTip(tip_of(text))
         self._problem.setVisible(bool(text))
 
     def changeEvent(self, event: QEvent) -> None:

@@ -5,12 +5,12 @@ from __future__ import annotations
 from PySide6.QtCore import QSize, Qt, Signal
 from PySide6.QtWidgets import (
     QHBoxLayout,
-    QLabel,
     QVBoxLayout,
     QWidget,
 )
 
 from app.exchange.cubics_in import Imported
+from app.labels import Label
 from app.panels.fitting import FittedDialog
 from app.panels.form_parts import buttons, into_box
 from app.panels.words import count_of
@@ -34,15 +34,15 @@ class ImportDrawingDialog(FittedDialog):
         self.setObjectName("importDrawingDialog")
         self.setWindowTitle(f"Import {title}")
         self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
-        self.summary = QLabel(_summary(found))
+        self.summary = Label(_summary(found))
         self.summary.setObjectName("importSummary")
-        self.remarks = QLabel(_remarks(found))
+        self.remarks = Label(_remarks(found))
         self.remarks.setObjectName("importRemarks")
         self.remarks.setWordWrap(True)
         self.remarks.setVisible(bool(found.remarks))
         self.into = into_box()
         into = QHBoxLayout()
-        into.addWidget(QLabel("Into"))
+        into.addWidget(Label("Into"))
         into.addWidget(self.into)
         into.addStretch(1)
         foot, self.ok = buttons("Import", "importDrawing", "Take the curves in", "cancelImport")

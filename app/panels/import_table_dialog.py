@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
+from functools import partial
 from itertools import pairwise
 
 from PySide6.QtCore import QSize, Qt, QTimer, Signal
 from PySide6.QtWidgets import (
     QCheckBox,
     QHBoxLayout,
-    QLabel,
     QProgressBar,
     QVBoxLayout,
     QWidget,
@@ -16,11 +16,14 @@ from PySide6.QtWidgets import (
 
 from app.document.expression import ExpressionError, parse_number
 from app.document.model import Family
-from app.exchange.table_columns import AFTER, ROLES, WORDS, Mapping
-from app.exchange.table_file import Preview, preview_table
-from app.exchange.table_import import MANY_ROWS, MOST_POINTS, Prepared, TableChoice, TableSource
+from app.exchange.table import Preview
+from app.exchange.table_columns import AFTER, ROLES, WORDS, Mapping, words_on
+from app.exchange.table_curve import Missing
+from app.exchange.table_import import MANY_ROWS, MOST_POINTS, Prepared, TableChoice, prepare_table
 from app.exchange.table_layout import Layout
+from app.exchange.table_source import TableSource
 from app.exchange.thinning import Thinning
+from app.labels import Label, tip_of
 from app.panels.field_edit import FieldEdit
 from app.panels.form_parts import buttons, choice_box, into_box
 from app.panels.number_text import decimal_mark, rounded_text
@@ -45,6 +48,11 @@ _THINNING_TIP = (
     "Fit a curve: as few points as a smooth curve needs to pass all rows within the distance. "
     "Keep corners: the rows that a polyline within the distance turns at (Douglas–Peucker)"
 )
+_MISSING = {
+    Missing.REFUSE: "Refuse rows without numbers",
+    Missing.SKIP: "Leave out rows without numbers",
+    Missing.SPLIT: "End the curve at rows without numbers",
+}
 _SOON_MS = 250
 
 
@@ -64,6 +72,7 @@ class ImportTableDialog(WorkDialog):
     ) -> None:
         super().__init__("importTableDialog", f"Import {title}", "tableProblem", parent)
         self._source, self._stem, self._layout_now = source, stem, preview.layout
+        self._preview = preview
         self._prepared: Prepared | None = None
         self._tolerance: float | None = None
         self._build()
@@ -84,6 +93,15 @@ class ImportTableDialog(WorkDialog):
         self.comma_check = _check("tableComma", "Decimal comma", "Numbers are written 0,5")
         self.header_check = _check("tableHeader", "First row holds titles", "The first row is no point")
         self.preview = TablePreview((IGNORE, *ROLES, *AFTER, *WORDS))
+        self.said = Label(wordWrap=True)
+        self.said.setObjectName("tableSaid")
+        self.missing_box = choice_box(
+            "tableMissing",
+            "Rows without numbers",
+            "What becomes of rows without numbers",
+            list(_MISSING.values()),
+        )
+        self.missing_box.hide()
         self.family_box = choice_box(
             "tableFamily", "Family", "The curve through the rows", list(_FAMILIES.values())
         )
@@ -94,7 +112,7 @@ class ImportTableDialog(WorkDialog):
         )
         self.tolerance_edit.setMaximumWidth(110)
         self.into = into_box()
-        self.summary = QLabel()
+        self.summary = Label()
         self.summary.setObjectName("tableSummary")
         # Its room stays, so that nothing jumps when there is something to say, or no longer.
         self.problem.setMinimumHeight(2 * self.problem.fontMetrics().lineSpacing())
@@ -116,10 +134,12 @@ class ImportTableDialog(WorkDialog):
         layout.setSpacing(10)
         layout.addLayout(_row("Separator", self.separator_box, self.comma_check, self.header_check))
         layout.addWidget(self.preview, 1)
+        layout.addWidget(self.said)
         layout.addLayout(
             _row("Rows", self.thinning_box, self.tolerance_edit, "Family", self.family_box, "Into", self.into)
         )
         layout.addWidget(self.problem)
+        layout.addWidget(self.missing_box, 0, Qt.AlignmentFlag.AlignLeft)
         foot = QWidget()
         bottom = _row(self.summary, self.bar)
         bottom.addWidget(self.buttons)
@@ -133,6 +153,7 @@ class ImportTableDialog(WorkDialog):
         self.header_check.clicked.connect(self._choose_layout)
         self.preview.head.chosen.connect(self._prepare)
         self.family_box.activated.connect(self._prepare)
+        self.missing_box.activated.connect(self._prepare)
         self.thinning_box.activated.connect(self._choose_thinning)
         self.tolerance_edit.committed.connect(self._type_tolerance)
         self.tolerance_edit.textEdited.connect(self._type_soon)
@@ -148,8 +169,10 @@ class ImportTableDialog(WorkDialog):
     def _choose_layout(self) -> None:
         separator = list(_SEPARATORS)[self.separator_box.currentIndex()]
         comma = self.comma_check.isChecked() and separator != ","
-        self._layout_now = Layout(separator, comma, self.header_check.isChecked())
-        self._show_preview(preview_table(self._source.data, self._layout_now))
+        has_header = self.header_check.isChecked()
+        units = self._layout_now.units and has_header
+        self._layout_now = Layout(separator, comma, has_header, self._layout_now.skipped, units)
+        self._show_preview(self._source.preview(self._layout_now))
         self._prepare()
 
     def _choose_thinning(self) -> None:
@@ -207,21 +230,36 @@ class ImportTableDialog(WorkDialog):
             "The curve through the rows" if thinning is None else "Thinned out, rows become a Hermite curve"
         )
         mapping = self._mapping()
+        self._say_columns(mapping)
         if mapping is None:
             self._show(Prepared(problem="Say which columns are x and y."))
             return
         family = list(_FAMILIES)[self.family_box.currentIndex()]
-        choice = TableChoice(self._layout_now, mapping, family, thinning, self._tolerance, self._stem)
+        missing = list(_MISSING)[self.missing_box.currentIndex()]
+        choice = TableChoice(
+            self._layout_now, mapping, family, thinning, self._tolerance, self._stem, missing
+        )
         self.summary.setText("Reading…")
         self.bar.setValue(0)
         source = self._source
-        self.jobs.start("Reading", lambda report: source.prepared(choice, report), self._show, self._fail)
+        self.jobs.start("Reading", partial(prepare_table, source, choice), self._show, self._fail)
+
+    def _say_columns(self, mapping: Mapping | None) -> None:
+        """Say what was taken for what, and where that is no more than a guess."""
+        preview = self._preview
+        is_guess = mapping is not None and mapping == preview.mapping and not preview.guess.is_certain
+        words = words_on(mapping, preview.titles) if mapping is not None else ""
+        doubt = "This is a guess; choose above the columns what they are." if is_guess else ""
+        self.said.setText(" ".join(filter(None, (preview.said, words, doubt))))
 
     def _show_preview(self, preview: Preview) -> None:
         self.separator_box.setCurrentIndex(list(_SEPARATORS).index(preview.layout.separator))
         self.comma_check.setChecked(preview.layout.decimal_comma)
-        self.comma_check.setEnabled(preview.layout.separator != ",")
         self.header_check.setChecked(preview.layout.header)
+        is_comma = preview.layout.separator == ","
+        for choice in (self.separator_box, self.comma_check, self.header_check):
+            choice.setEnabled(preview.is_text and (choice is not self.comma_check or not is_comma))
+        self._preview = preview
         columns = preview.mapping.columns((*ROLES, *AFTER, *WORDS)) if preview.mapping else {}
         roles = [IGNORE] * len(preview.titles)
         for role, column in columns.items():
@@ -243,10 +281,11 @@ class ImportTableDialog(WorkDialog):
                 f"The distance is {_shown(prepared.tolerance)}: {_shown(prepared.wider_than)} would leave "
                 f"more than {MOST_POINTS:,} points."
             )
+        self.missing_box.setVisible(prepared.lacks_numbers or self.missing_box.currentIndex() > 0)
         self.preview.mark(prepared.bad_row, prepared.bad_column, prepared.bad_cells)
         self.summary.setText(_summary(prepared))
         self.ok.setEnabled(prepared.document is not None)
-        self.ok.setToolTip(prepared.problem or "Make curves of the rows")
+        self.ok.setToolTip(tip_of(prepared.problem) or "Make curves of the rows")
 
     def _fail(self, problem: Exception) -> None:
         self.complain(str(problem))
@@ -302,6 +341,6 @@ def _row(*parts: QWidget | str) -> QHBoxLayout:
     row = QHBoxLayout()
     row.setSpacing(8)
     for part in parts:
-        row.addWidget(QLabel(part) if isinstance(part, str) else part)
+        row.addWidget(Label(part) if isinstance(part, str) else part)
     row.addStretch(1)
     return row

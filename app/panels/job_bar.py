@@ -4,7 +4,9 @@ from __future__ import annotations
 
 from PySide6.QtCore import QSize, Qt
 from PySide6.QtGui import QAction
-from PySide6.QtWidgets import QHBoxLayout, QLabel, QProgressBar, QToolButton, QWidget
+from PySide6.QtWidgets import QHBoxLayout, QProgressBar, QToolButton, QWidget
+
+from app.labels import Label
 
 _STEPS = 1000
 
@@ -15,7 +17,7 @@ class JobBar(QWidget):
     def __init__(self, cancel: QAction, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setObjectName("jobBar")
-        self._word = QLabel()
+        self._word = Label()
         self._word.setObjectName("jobWord")
         self.bar = QProgressBar()
         self.bar.setObjectName("jobProgress")

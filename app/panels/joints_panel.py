@@ -10,13 +10,13 @@ from PySide6.QtWidgets import (
     QAbstractItemView,
     QHBoxLayout,
     QHeaderView,
-    QLabel,
     QTableView,
     QToolButton,
     QVBoxLayout,
     QWidget,
 )
 
+from app.labels import Label
 from app.overrides import Guarded
 from app.panels.joints_model import SIGNS, JointsModel
 from app.panels.number_text import decimal_mark, rounded_text
@@ -113,12 +113,12 @@ class JointsPanel(Guarded, QWidget):
         self.setObjectName("jointsPanel")
         self._model = JointsModel(self)
         self.view = JointsView(self._model)
-        self._summary = QLabel()
+        self._summary = Label()
         self._summary.setObjectName("jointsSummary")
         self._summary.setAccessibleName("Summary of the joints")
         self._summary.setWordWrap(True)
         self._summary.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
-        self._detail = QLabel()
+        self._detail = Label()
         self._detail.setObjectName("jointsDetail")
         self._detail.setAccessibleName("The chosen joint in words")
         self._detail.setWordWrap(True)

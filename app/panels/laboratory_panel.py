@@ -10,7 +10,6 @@ from PySide6.QtWidgets import (
     QFrame,
     QGridLayout,
     QHBoxLayout,
-    QLabel,
     QPushButton,
     QScrollArea,
     QSizePolicy,
@@ -23,6 +22,7 @@ from PySide6.QtWidgets import (
 
 from app.analysis import Analysis
 from app.document.expression import ExpressionError, parse_number
+from app.labels import Label
 from app.panels.cost_panel import CostPanel
 from app.panels.digits_table import DigitsTable
 from app.panels.field_edit import FieldEdit
@@ -158,10 +158,11 @@ class LaboratoryPanel(QTabWidget):
         grid.setHorizontalSpacing(10)
         grid.setVerticalSpacing(8)
         grid.setColumnStretch(1, 1)
-        grid.addWidget(QLabel("Round"), 0, 0)
+        grid.addWidget(Label("Round"), 0, 0)
         grid.addWidget(self.what, 0, 1, 1, 2)
-        grid.addWidget(QLabel("to"), 1, 0)
+        grid.addWidget(Label("to"), 1, 0)
         grid.addWidget(self.slider, 1, 1)
+        self.digits_text.setTextFormat(Qt.TextFormat.RichText)
         self.digits_text.setMinimumWidth(self.fontMetrics().horizontalAdvance("16 digits ") + 8)
         self.rounding.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
         grid.addWidget(self.digits_text, 1, 2)
@@ -258,8 +259,8 @@ class LaboratoryPanel(QTabWidget):
         self.digits.render_digits(digits, self._settings.digits)
 
 
-def _label(name: str, *, wraps: bool = True) -> QLabel:
-    label = QLabel()
+def _label(name: str, *, wraps: bool = True) -> Label:
+    label = Label()
     label.setObjectName(name)
     label.setWordWrap(wraps)
     return label

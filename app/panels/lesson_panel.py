@@ -11,7 +11,6 @@ from PySide6.QtWidgets import (
     QCommandLinkButton,
     QFrame,
     QHBoxLayout,
-    QLabel,
     QPushButton,
     QScrollArea,
     QStackedWidget,
@@ -20,13 +19,14 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from app.labels import Label, html_of
 from app.lessons import Lesson
 from app.view_model.goals import Standing
 
 _MARGIN = 10
 _LEAST_WIDTH = 256
 """No title of the gallery is cut off."""
-Label = TypeVar("Label", bound=QWidget)
+Named = TypeVar("Named", bound=QWidget)
 
 
 class LessonPanel(QWidget):
@@ -56,7 +56,7 @@ class LessonPanel(QWidget):
         self._step = 0
         self.gallery = self._make_gallery(lessons)
         self.text = self._make_text()
-        self.goal = _named(QLabel(wordWrap=True), "lessonGoal")
+        self.goal = _named(Label(wordWrap=True, is_html=True), "lessonGoal")
         self.goal.setFrameShape(QFrame.Shape.StyledPanel)
         self.goal.setMargin(8)
         self.gallery_button = _button("lessonGallery", "All Lessons", "Back to the list of lessons")
@@ -65,8 +65,8 @@ class LessonPanel(QWidget):
         )
         self.back_button = _button("lessonBack", "Back", "The step before")
         self.next_button = _button("lessonNext", "Next", "The next step")
-        self._title = _named(QLabel(wordWrap=True), "lessonTitle")
-        self._place = _named(QLabel(), "lessonPlace")
+        self._title = _named(Label(wordWrap=True, is_html=True), "lessonTitle")
+        self._place = _named(Label(), "lessonPlace")
         self._pages = QStackedWidget()
         self._pages.addWidget(self.gallery)
         self._pages.addWidget(self._make_page())
@@ -138,7 +138,7 @@ class LessonPanel(QWidget):
         """Show one step of a lesson; after its end comes the next lesson, unless it is the last one."""
         self._step = step
         self._pages.setCurrentIndex(1)
-        self._title.setText(f"<b>{lesson.title}</b>")
+        self._title.setText(f"<b>{html_of(lesson.title)}</b>")
         self._place.setText(f"{step + 1} of {len(lesson.steps)}")
         self.text.setMarkdown(f"### {lesson.steps[step].title}\n\n{lesson.steps[step].text}")
         self.back_button.setEnabled(step > 0)
@@ -155,7 +155,7 @@ class LessonPanel(QWidget):
         self.goal.setVisible(standing is not None)
         if standing is not None:
             sign = "✓ Reached" if reached else "○ Goal"
-            self.goal.setText(f"<b>{sign}</b><br>{standing.text}")
+            self.goal.setText(f"<b>{sign}</b><br>{html_of(standing.text)}")
 
 
 def _card(number: int, lesson: Lesson) -> QCommandLinkButton:
@@ -168,7 +168,7 @@ def _card(number: int, lesson: Lesson) -> QCommandLinkButton:
     return card
 
 
-def _named(widget: Label, name: str) -> Label:
+def _named(widget: Named, name: str) -> Named:
     widget.setObjectName(name)
     return widget
 

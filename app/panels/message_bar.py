@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from PySide6.QtCore import QEvent, QObject, QSize, Qt, Signal
 from PySide6.QtGui import QAction
-from PySide6.QtWidgets import QFrame, QHBoxLayout, QLabel, QSizePolicy, QToolButton, QWidget
+from PySide6.QtWidgets import QFrame, QHBoxLayout, QSizePolicy, QToolButton, QWidget
 
 from app.icons import icon
+from app.labels import Label
 from app.overrides import Guarded
 from app.theme import LIGHT, Theme, mix
 
@@ -35,8 +36,8 @@ class MessageBar(Guarded, QFrame):
         parent.installEventFilter(self)
         self._theme = LIGHT
         self._is_warning = False
-        self._sign = QLabel()
-        self._text = QLabel()
+        self._sign = Label()
+        self._text = Label()
         self._text.setObjectName("messageText")
         self._text.setWordWrap(True)
         self._text.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Preferred)

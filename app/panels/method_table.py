@@ -6,8 +6,9 @@ from collections.abc import Sequence
 
 from PySide6.QtCore import QEvent, Qt, Signal
 from PySide6.QtGui import QIcon, QPalette
-from PySide6.QtWidgets import QCheckBox, QGridLayout, QLabel, QWidget
+from PySide6.QtWidgets import QCheckBox, QGridLayout, QWidget
 
+from app.labels import Label
 from app.overrides import Guarded
 from app.plot.pens import SIGN, sign_pixmap
 from app.theme import theme_of
@@ -58,13 +59,13 @@ class MethodTable(Guarded, QWidget):
         self._grid.setVerticalSpacing(4)
         self._grid.setColumnStretch(0, 1)
         for column, (text, tip) in enumerate(_HEADINGS):
-            heading = QLabel(text)
+            heading = Label(text)
             heading.setToolTip(tip)
             heading.setForegroundRole(QPalette.ColorRole.PlaceholderText)
             heading.setAlignment(_side(column))
             self._grid.addWidget(heading, 0, column)
         self._boxes: dict[Calculation, QCheckBox] = {}
-        self._cells: dict[Calculation, list[QLabel]] = {}
+        self._cells: dict[Calculation, list[Label]] = {}
         for row, method in enumerate(Calculation, start=1):
             self._add_row(row, method)
         self._dress()
@@ -80,7 +81,7 @@ class MethodTable(Guarded, QWidget):
         self._grid.addWidget(box, row, 0)
         self._cells[method] = []
         for column, name in enumerate(_CELLS, start=1):
-            cell = QLabel()
+            cell = Label()
             cell.setObjectName(f"{name}_{method.value}")
             cell.setAlignment(_side(column))
             self._cells[method].append(cell)

@@ -8,12 +8,12 @@ from PySide6.QtWidgets import (
     QComboBox,
     QFormLayout,
     QHBoxLayout,
-    QLabel,
     QPushButton,
     QWidget,
 )
 
 from app.exchange.animation import FASTEST, LARGEST_WIDTH, MOST_FRAMES, has_video
+from app.labels import Label
 from app.panels.fitting import FittedDialog
 from app.panels.told_spin import ToldDoubleSpinBox, ToldSpinBox
 
@@ -54,7 +54,7 @@ class MotionDialog(FittedDialog):
         self.seconds_box.setSuffix(" s")
         self.points_check = QCheckBox("Points")
         self.points_check.setChecked(True)
-        self._frames = QLabel()
+        self._frames = Label()
         self._frames.setObjectName("filmFrames")
         self._export = QPushButton("Export…")
         self._export.setDefault(True)

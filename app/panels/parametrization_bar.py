@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from PySide6.QtCore import Qt, Signal
-from PySide6.QtWidgets import QComboBox, QHBoxLayout, QLabel, QSizePolicy, QWidget
+from PySide6.QtWidgets import QComboBox, QHBoxLayout, QSizePolicy, QWidget
 
 from app.document import edits
 from app.document.model import Curve, Document, ParametrizationKind
+from app.labels import Label
 from app.panels.live_slider import LiveSlider
 from app.panels.slider_edit import SliderEdit
 from app.session import Session
@@ -52,9 +53,9 @@ class ParametrizationBar(QWidget):
         self.box.setToolTip("The rule that gives the parameters t")
         self.box.addItems(list(KIND_NAMES.values()))
         self.box.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToContents)
-        self._label = QLabel("Parameters")
+        self._label = Label("Parameters")
         self._slider = self._make_slider()
-        self._alpha = QLabel()
+        self._alpha = Label()
         self._alpha.setObjectName("alphaValue")
         self._alpha.setMinimumWidth(self._alpha.fontMetrics().horizontalAdvance("α 0.00"))
         self._lay_out()

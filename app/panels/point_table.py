@@ -7,13 +7,14 @@ from collections.abc import Callable
 import numpy as np
 from PySide6.QtCore import QSize, Qt, QTimer, Signal
 from PySide6.QtGui import QAction, QGuiApplication, QKeySequence, QShowEvent
-from PySide6.QtWidgets import QApplication, QHBoxLayout, QLabel, QToolButton, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QApplication, QHBoxLayout, QToolButton, QVBoxLayout, QWidget
 
 from app.document import edits
 from app.document.edits import EditError
 from app.document.model import Document
 from app.exchange.table_text import Block, TableTextError, read_titled_block, write_block
 from app.icons import icon
+from app.labels import Label, html_of
 from app.overrides import Guarded
 from app.panels.number_text import decimal_mark, exact_text
 from app.panels.point_table_edits import (
@@ -66,12 +67,12 @@ class PointTable(Guarded, QWidget):
         self._to_reset: tuple[list[int], set[int]] = ([], set())
         self.model = PointTableModel(session, self)
         self.view = PointTableView(self.model, self)
-        self._message = QLabel()
+        self._message = Label(is_html=True)
         self._message.setObjectName("pointTableMessage")
         self._message.setWordWrap(True)
         self._message.setTextInteractionFlags(Qt.TextInteractionFlag.LinksAccessibleByMouse)
         self._message.hide()
-        self._legend = QLabel("<i>Italic</i>: estimated")
+        self._legend = Label("<i>Italic</i>: estimated", is_html=True)
         self._legend.setObjectName("pointTableLegend")
         self._reset_button = self._make_reset_button()
         self._timer = QTimer(self, singleShot=True, interval=INTERVAL_MS)
@@ -223,9 +224,7 @@ class PointTable(Guarded, QWidget):
         self._render_footer()
 
     def _refuse(self, reason: str) -> None:
-        from html import escape  # noqa: PLC0415 — nobody waits for its tables at the start
-
-        self._tell(f"⚠ {escape(reason)}")
+        self._tell(f"⚠ {html_of(reason)}")
         self._session.refuse(reason)
 
     def _forget_message(self) -> None:
@@ -360,7 +359,7 @@ class PointTable(Guarded, QWidget):
             return
         self._to_reset = (indices, orders)
         sentence = keeping_sentence(indices, orders)
-        self._tell(f'⚠ {sentence} · <a href="reset">Reset to estimated</a>')
+        self._tell(f'⚠ {html_of(sentence)} · <a href="reset">Reset to estimated</a>')
         self._session.say(f"{sentence}; “Reset to estimated” has the rules estimate again.")
 
     def _reset_kept(self) -> None:

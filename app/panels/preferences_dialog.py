@@ -9,7 +9,6 @@ from PySide6.QtWidgets import (
     QComboBox,
     QDialogButtonBox,
     QFormLayout,
-    QLabel,
     QLineEdit,
     QTabWidget,
     QVBoxLayout,
@@ -19,6 +18,7 @@ from PySide6.QtWidgets import (
 from app.document.expression import ExpressionError, parse_number
 from app.gestures.snapping import SnapKind
 from app.keymap import Keymap
+from app.labels import Label
 from app.panels.field_edit import FieldEdit
 from app.panels.fitting import FittedDialog
 from app.panels.number_text import decimal_mark, exact_text
@@ -66,7 +66,7 @@ class PreferencesDialog(FittedDialog):
             "gridSpacing", "Grid spacing", "“adaptive”, or a distance in the plane (Enter to set)"
         )
         self.snap_checks = {kind: _check(kind, text) for kind, text in SNAPS.items()}
-        self._problem = QLabel()
+        self._problem = Label()
         self._problem.setObjectName("preferencesProblem")
         self._problem.setWordWrap(True)
         self.shortcuts = ShortcutEditor(keymap)

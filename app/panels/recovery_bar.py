@@ -12,7 +12,6 @@ from PySide6.QtWidgets import (
     QApplication,
     QFrame,
     QHBoxLayout,
-    QLabel,
     QPushButton,
     QScrollArea,
     QToolButton,
@@ -22,6 +21,7 @@ from PySide6.QtWidgets import (
 
 from app.document.model import Document
 from app.icons import icon
+from app.labels import Label, tip_of
 from app.overrides import Guarded
 from app.panels.elided_label import ElidedLabel
 from app.panels.thumbnail import thumbnail
@@ -78,13 +78,12 @@ class RecoveryBar(Guarded, QFrame):
         self.setAccessibleName("Unsaved work")
         self._below = parent
         self._offers: tuple[Offer, ...] = ()
-        self._pictures: list[QLabel] = []
+        self._pictures: list[Label] = []
         self._theme = theme_of(QApplication.palette())
-        self._title, self._note = QLabel(), QLabel()
+        self._title, self._note = Label(), Label()
         self._title.setObjectName("recoveryTitle")
         self._note.setObjectName("recoveryNote")
         for label in (self._title, self._note):
-            label.setTextFormat(Qt.TextFormat.PlainText)
             label.setWordWrap(True)
         self._close = QToolButton()
         self._close.setObjectName("closeRecovery")
@@ -151,7 +150,7 @@ class RecoveryBar(Guarded, QFrame):
         self._rows.setVisible(bool(self._offers))
 
     def _row(self, index: int, offer: Offer) -> QHBoxLayout:
-        picture = QLabel()
+        picture = Label()
         picture.setObjectName(f"recoveryPicture{index}")
         picture.setAccessibleName(f"Picture of {offer.name}")
         self._pictures.append(picture)
@@ -163,7 +162,7 @@ class RecoveryBar(Guarded, QFrame):
         name.setFont(font)
         told.setText(offer.told)
         told.setObjectName("recoveryTold")
-        name.setToolTip(offer.tip or offer.name)
+        name.setToolTip(tip_of(offer.tip or offer.name))
         words = QVBoxLayout()
         words.setSpacing(2)
         words.addStretch(1)
@@ -188,7 +187,7 @@ class RecoveryBar(Guarded, QFrame):
         for key, text, tip, asked in kinds:
             button = QPushButton(text)
             button.setObjectName(f"{key}{index}")
-            button.setToolTip(tip)
+            button.setToolTip(tip_of(tip))
             button.setAccessibleName(tip)
             button.setFixedWidth(button.fontMetrics().horizontalAdvance(text) + _AROUND_TEXT)
             button.clicked.connect(lambda _checked=False, asked=asked: asked.emit(index))

@@ -6,8 +6,9 @@ from collections.abc import Callable
 from math import log10
 
 from PySide6.QtCore import Qt, Signal
-from PySide6.QtWidgets import QHBoxLayout, QLabel, QWidget
+from PySide6.QtWidgets import QHBoxLayout, QWidget
 
+from app.labels import Label
 from app.panels.live_slider import LiveSlider
 
 _NARROWEST = 64
@@ -50,7 +51,7 @@ class SettingSlider(QWidget):
         self.slider.setToolTip(f"{label}; Escape cancels a drag")
         self.slider.setRange(*steps)
         self.slider.setMinimumWidth(_NARROWEST)
-        self._label = QLabel()
+        self._label = Label()
         self._label.setObjectName(f"{name}Value")
         widest = max(self.fontMetrics().horizontalAdvance(text_of(value_at(step))) for step in steps)
         self._label.setMinimumWidth(widest + 4)

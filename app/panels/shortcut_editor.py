@@ -9,7 +9,6 @@ from PySide6.QtWidgets import (
     QHBoxLayout,
     QHeaderView,
     QKeySequenceEdit,
-    QLabel,
     QLineEdit,
     QPushButton,
     QTableWidget,
@@ -19,6 +18,7 @@ from PySide6.QtWidgets import (
 )
 
 from app.keymap import Keymap, keys_text, native, refusal
+from app.labels import Label
 from app.overrides import Guarded
 from app.panels.fuzzy import Named, ranked
 from app.theme import theme_of
@@ -41,10 +41,10 @@ class ShortcutEditor(Guarded, QWidget):
         self.search = _search_field()
         self.table = _table()
         self.recorder = _recorder()
-        self.note = QLabel()
+        self.note = Label()
         self.note.setObjectName("shortcutNote")
         self.note.setWordWrap(True)
-        self._caption = QLabel()
+        self._caption = Label()
         self.take = _button("takeKeys", "Take Them Over", "Give these keys to this action instead")
         self.keep = _button("keepKeys", "Leave Them", "Leave these keys where they are")
         self.clear = _button("clearKeys", "No Keys", "Take the keys of this action away")

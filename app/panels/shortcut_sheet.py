@@ -12,7 +12,6 @@ from PySide6.QtWidgets import (
     QFrame,
     QGridLayout,
     QHBoxLayout,
-    QLabel,
     QScrollArea,
     QSizePolicy,
     QToolButton,
@@ -21,6 +20,7 @@ from PySide6.QtWidgets import (
 )
 
 from app.icons import icon
+from app.labels import Label, html_of
 from app.overrides import Guarded
 from app.theme import mix, theme_of
 
@@ -201,7 +201,7 @@ class ShortcutSheet(Guarded, QFrame):
         return button
 
     def _lay_out(self) -> None:
-        heading = QLabel("<b>Keys and mouse</b>")
+        heading = Label("<b>Keys and mouse</b>", is_html=True)
         top = QHBoxLayout()
         top.setContentsMargins(16, 8, 8, 4)
         top.addWidget(heading, 1)
@@ -315,7 +315,7 @@ def _grid(sections: Sequence[tuple[str, Rows]]) -> QWidget:
     for title, rows in sections:
         if not rows:
             continue
-        heading = QLabel(f"<b>{title}</b>")
+        heading = Label(f"<b>{html_of(title)}</b>", is_html=True)
         heading.setContentsMargins(0, 10 if row else 0, 0, 2)
         grid.addWidget(heading, row, 0, 1, 2)
         for offset, (keys, what) in enumerate(rows, start=1):
@@ -326,10 +326,9 @@ def _grid(sections: Sequence[tuple[str, Rows]]) -> QWidget:
     return content
 
 
-def _cell(text: str, name: str) -> QLabel:
-    label = QLabel(text)
+def _cell(text: str, name: str) -> Label:
+    label = Label(text)
     label.setObjectName(name)
-    label.setTextFormat(Qt.TextFormat.PlainText)
     label.setWordWrap(True)
     label.setAlignment(Qt.AlignmentFlag.AlignTop)
     label.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Minimum)

@@ -10,6 +10,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtGui import QBrush, QColor
 from PySide6.QtWidgets import QAbstractItemView, QTableWidget, QTableWidgetItem
 
+from app.labels import tip_of
 from app.panels.role_header import RoleHeader
 from app.theme import mix, theme_of
 
@@ -73,7 +74,7 @@ def _item(text: str) -> QTableWidgetItem:
     shown = _short(text)
     item = QTableWidgetItem(shown)
     if shown != text or len(text) > _FITTING:
-        item.setToolTip(text)
+        item.setToolTip(tip_of(text))
     item.setTextAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
     return item
 

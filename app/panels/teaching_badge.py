@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from PySide6.QtCore import QEvent, QPoint, Qt, Signal
 from PySide6.QtGui import QKeyEvent
-from PySide6.QtWidgets import QFrame, QHBoxLayout, QLabel, QPushButton, QToolButton, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QFrame, QHBoxLayout, QPushButton, QToolButton, QVBoxLayout, QWidget
 
+from app.labels import Label, tip_of
 from app.overrides import Guarded
 from app.theme import theme_of
 from app.view_model.analysis.teaching import Warned
@@ -51,7 +52,7 @@ class TeachingBadge(Guarded, QToolButton):
             self._popup.hide()
             return
         self.setText(warned.badge)
-        self.setToolTip(f"{warned.sentence} Click for what can be done")
+        self.setToolTip(tip_of(f"{warned.sentence} Click for what can be done"))
         self.setAccessibleName(f"{warned.badge}. {warned.sentence}")
         self._popup.sentence.setText(warned.sentence)
 
@@ -85,7 +86,7 @@ class _Popup(Guarded, QFrame):
         self.setObjectName("teachingPopup")
         self.setFrameShape(QFrame.Shape.StyledPanel)
         self.setFixedWidth(_WIDTH)
-        self.sentence = QLabel()
+        self.sentence = Label()
         self.sentence.setObjectName("teachingSentence")
         self.sentence.setWordWrap(True)
         self.laboratory = self._button(

@@ -4,10 +4,11 @@ from __future__ import annotations
 
 from PySide6.QtCore import QEvent, QPointF, Qt, Signal
 from PySide6.QtGui import QFocusEvent, QKeyEvent
-from PySide6.QtWidgets import QFrame, QLabel, QLineEdit, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QFrame, QLineEdit, QVBoxLayout, QWidget
 
 from app.document.edits import EditError
 from app.document.expression import ExpressionError, parse_number
+from app.labels import Label
 from app.overrides import Guarded
 from app.panels.number_text import decimal_mark, exact_text
 from app.theme import mix, theme_of
@@ -34,7 +35,7 @@ class TickEdit(Guarded, QFrame):
         self._panel = parent
         self._knot = -1
         self._tick = QPointF()
-        self._reason = QLabel()
+        self._reason = Label()
         self._reason.setObjectName("tickProblem")
         self._reason.setWordWrap(True)
         self.line = _TickLine(self)

@@ -6,8 +6,9 @@ import math
 
 from PySide6.QtCore import QEvent, Qt, Signal
 from PySide6.QtGui import QEnterEvent, QFocusEvent, QKeyEvent, QPalette
-from PySide6.QtWidgets import QFrame, QGridLayout, QLabel, QPushButton, QScrollArea, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QFrame, QGridLayout, QPushButton, QScrollArea, QVBoxLayout, QWidget
 
+from app.labels import Label
 from app.overrides import Guarded
 from app.panels.weight_bars import WeightBars
 from app.view_model.analysis.cures import CURES, Cure, Cures
@@ -84,15 +85,15 @@ class WigglePanel(QScrollArea):
         self.setWidgetResizable(True)
         self.setFrameShape(QFrame.Shape.NoFrame)
         self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
-        self.words = QLabel(_NOWHERE)
+        self.words = Label(_NOWHERE)
         self.words.setObjectName("wiggleWords")
         self.words.setWordWrap(True)
-        self.title = QLabel()
+        self.title = Label()
         self.title.setObjectName("wiggleTitle")
         self.bars = WeightBars()
-        self._headings = [QLabel() for _ in range(3)]
+        self._headings = [Label() for _ in range(3)]
         self.buttons: dict[str, CureButton] = {}
-        self._effects: dict[str, tuple[QLabel, QLabel]] = {}
+        self._effects: dict[str, tuple[Label, Label]] = {}
         self._lay_out()
 
     def _lay_out(self) -> None:
@@ -130,7 +131,7 @@ class WigglePanel(QScrollArea):
             button.clicked.connect(lambda _checked=False, key=key: self.chosen.emit(key))
             self.buttons[key] = button
             grid.addWidget(button, row, 0)
-            effects = (QLabel(), QLabel())
+            effects = (Label(), Label())
             for column, (name, label) in enumerate(zip(("swing", "lebesgue"), effects, strict=True), start=1):
                 label.setObjectName(f"{name}_{key}")
                 label.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)

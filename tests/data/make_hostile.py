@@ -147,8 +147,13 @@ CSV: dict[str, Callable[[], bytes]] = {
 
 SVG: dict[str, Callable[[], bytes]] = {
     "zero_bytes": lambda: b"",
-    "doctype": lambda: b"<!DOCTYPE svg>" + svg('<path d="M0 0L1 1"/>'),
-    "external_dtd": lambda: b'<!DOCTYPE svg SYSTEM "file:///dev/random">' + svg('<path d="M0 0L1 1"/>'),
+    "two_doctypes": lambda: b"<!DOCTYPE svg><!DOCTYPE svg>" + svg('<path d="M0 0L1 1"/>'),
+    "doctype_in_a_doctype": lambda: b'<!DOCTYPE svg SYSTEM "<!DOCTYPE">' + svg('<path d="M0 0L1 1"/>'),
+    "external_dtd": lambda: b'<!DOCTYPE svg SYSTEM "file:///dev/random">' + svg('<path d="M0 0L1 1&a;"/>'),
+    "internal_subset": lambda: b"<!DOCTYPE svg [<!ATTLIST path d CDATA #FIXED 'M0 0L1 1'>]>" + svg("<path/>"),
+    "parameter_entity": lambda: (
+        b'<!DOCTYPE svg [<!ENTITY % a SYSTEM "file:///etc/passwd">%a;]>' + svg('<path d="M0 0L1 1"/>')
+    ),
     "entities": lambda: (
         b'<!DOCTYPE svg [<!ENTITY a "M0 0L1 1"><!ENTITY b "&a;&a;&a;"><!ENTITY c "&b;&b;&b;">]>'
         + svg('<path d="&c;"/>')

@@ -161,13 +161,30 @@ def test_lines_polylines_and_arcs():
 def test_what_is_not_exact_is_left_out_with_a_word():
     def draw(space):
         space.add_rational_spline([(0, 0), (1, 1), (2, 0), (3, 1)], weights=[1, 2, 1, 1])
-        space.add_spline(fit_points=[(0, 0), (1, 1), (2, 0)])
 
     with pytest.raises(ExchangeError) as refusal:
         read_dxf(file_with(draw))
-    assert str(refusal.value) == (
-        "There is no curve in the file. SPLINE with fit points only is not read (1). "
-        "rational SPLINE is not read (1)."
+    assert str(refusal.value) == ("There is no curve in the file. rational SPLINE is not read (1).")
+
+
+def test_fit_points_alone_are_points_to_interpolate():
+    """Such a spline used to be left out."""
+
+    def draw(space):
+        space.add_spline(fit_points=[(0, 0), (1, 1), (1, 1), (2, 0)], dxfattribs={"layer": "duct"})
+        ring = space.add_spline(fit_points=[(0, 0), (1, 1), (2, 0), (0, 0)])
+        ring.dxf.flags |= 1
+        space.add_spline(fit_points=[(5, 5), (5, 5)])
+
+    result = read_dxf(file_with(draw))
+    duct, ring = result.document.curves
+    assert (duct.name, duct.closed, ring.closed) == ("duct", False, True)
+    for curve in (duct, ring):
+        assert [node.position for node in curve.nodes] == [(0, 0), (1, 1), (2, 0)]
+        assert [node.velocity for node in curve.nodes] == [None] * 3
+    assert result.remarks == (
+        "SPLINE with less than two points is not read (1).",
+        "SPLINE given by fit points alone: the natural spline through them (2).",
     )
 
 

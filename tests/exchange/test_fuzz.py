@@ -5,6 +5,7 @@ from __future__ import annotations
 import io
 
 import ezdxf
+import numpy as np
 import pytest
 from hypothesis import HealthCheck, example, given, settings
 from hypothesis import strategies as st
@@ -17,8 +18,10 @@ from app.exchange.points_table import points_table
 from app.exchange.sampled import sampled_table
 from app.exchange.svg_in import read_svg
 from app.exchange.svg_path import read_path_data
+from app.exchange.table_array import read_array
 from app.exchange.table_curve import document_of_table
 from app.exchange.table_file import preview_table, read_table
+from app.exchange.table_json import read_json
 
 POINTS = [(0.0, 0.0), (1.0, 2.5), (3.0, -1.0), (4.0, 4.0)]
 SKETCH = Document((make_curve(POINTS, name="Kurve α", family=Family.HERMITE),))
@@ -52,6 +55,12 @@ def _spline_as_dxf() -> bytes:
     return f"  0\nSECTION\n{text[start:end]}ENDSEC\n  0\nEOF\n".encode()
 
 
+def _npy(array) -> bytes:
+    stream = io.BytesIO()
+    np.save(stream, array)
+    return stream.getvalue()
+
+
 def _table(data: bytes) -> Document:
     preview_table(data)
     return document_of_table(read_table(data))[0]
@@ -66,6 +75,21 @@ READERS = {
             points_table(PAIR).text.encode(),
             b"x;y\n1,5;2\n3,25;4e3\n",
             b'"a" 1 2\n',
+            b"NACA 1\n 2. 2.\n\n0 0\n1 1\n\n0 0\n1 -1\n",
+            b",time,x\n-,s,m\n0,1,2\n1,2,nan\n\n2,3,4\n",
+        ],
+    ),
+    "array": (
+        lambda data: document_of_table(read_array(data))[0],
+        [_npy(np.array(POINTS)), _npy(np.array([(1, 2.0), (3, 4.0)], dtype=[("x", "i2"), ("y", ">f8")]))],
+    ),
+    "json": (
+        lambda data: document_of_table(read_json(data))[0],
+        [
+            b"[[0, 1], [2, 3], [null, 4], [5, 6.5e3]]",
+            b'[{"x": 1, "y": 2, "n": "a"}, {"x": 2, "y": 3}]',
+            b'{"type":"FeatureCollection","features":[{"type":"Feature","properties":{"name":"a"},'
+            b'"geometry":{"type":"MultiLineString","coordinates":[[[9,53],[10,54]],[[1,2],[3,4]]]}}]}',
         ],
     ),
     "svg": (lambda data: read_svg(data).document, [svg_of(SKETCH).encode(), SHAPES]),

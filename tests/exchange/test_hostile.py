@@ -116,7 +116,7 @@ def test_a_hostile_file_gives_one_sentence(name, reports):
         ("ragged.csv", "Row 3 has 3 cells; the first has 2."),
         ("formula.csv", "Row 3, column 1: “=cmd|' /C calc'!A0” is a formula"),
         ("bad_last_row.csv", "Row 1000002 has 1 cells"),
-        ("entities.svg", "declares entities or a DTD"),
+        ("entities.svg", "Its DOCTYPE declares entities"),
         ("use_loop.svg", "Element 3 (<use>): it uses itself"),
         ("nan.svg", "Element 2 (<path>): its data are broken at character 7"),
         ("infinite_by_transform.svg", "Element 2 (<path>): its transform is beyond all numbers"),

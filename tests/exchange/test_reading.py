@@ -37,7 +37,8 @@ def test_a_table_is_named_after_its_file(tmp_path):
 
 
 def test_an_unknown_ending_is_refused(tmp_path):
-    with pytest.raises(ExchangeError, match=r"use .curve.json, .json, .csv, .tsv, .txt, .svg or .dxf"):
+    known = r"use .curve.json, .svg, .dxf, .csv, .tsv, .txt, .dat, .npy, .json or .geojson"
+    with pytest.raises(ExchangeError, match=known):
         import_file(tmp_path / "a.gif")
 
 

@@ -9,15 +9,24 @@ from PySide6.QtWidgets import QApplication, QDialog
 
 from app.document.model import Document, make_curve
 from app.document.storage import save
+from app.lifecycle import Lifecycle
+from app.main_window import MainWindow
 
 COPY, MOVE = Qt.DropAction.CopyAction, Qt.DropAction.MoveAction
 LEFT, NO_KEYS = Qt.MouseButton.LeftButton, Qt.KeyboardModifier.NoModifier
 
 
-def carried(path):
+def carried(*paths):
     data = QMimeData()
-    data.setUrls([QUrl.fromLocalFile(str(path))])
+    data.setUrls([QUrl.fromLocalFile(str(path)) for path in paths])
     return data
+
+
+def drop(editor, *paths):
+    data = carried(*paths)
+    for kind in (QDragEnterEvent, QDropEvent):
+        send(editor, kind, data, COPY)
+    editor.wait_for_work()
 
 
 def send(editor, kind, data, actions):
@@ -92,3 +101,92 @@ def test_words_alone_are_no_file(editor):
     data = QMimeData()
     data.setText("3, 4")
     assert not send(editor, QDragEnterEvent, data, COPY).isAccepted()
+
+
+# Several at once
+
+
+@pytest.fixture
+def program(editor, qapp):
+    """An editor whose program opens windows, as `curvebench` does; those it opened are closed in the end."""
+    before = set(qapp.topLevelWidgets())
+    lifecycle = Lifecycle(qapp, [editor.window])
+    lifecycle.start()
+    editor.others = lambda: [
+        each for each in qapp.topLevelWidgets() if isinstance(each, MainWindow) and each not in before
+    ]
+    yield editor
+    for window in editor.others():
+        window.close()
+        window.deleteLater()
+    lifecycle.stop()
+
+
+def documents(folder, *names):
+    curve = make_curve([(0.0, 0.0), (5.0, 5.0)])
+    for name in names:
+        save(folder / f"{name}.curve.json", Document((curve,)))
+    return [folder / f"{name}.curve.json" for name in names]
+
+
+def test_all_documents_of_a_drop_are_opened(program, tmp_path):
+    """Of three the first was opened, and nothing was said of the others."""
+    paths = documents(tmp_path, "a", "b", "c")
+    send(program, QDragEnterEvent, carried(*paths), COPY)
+    assert program.status == "Drop to open 3 documents"
+    drop(program, *paths)
+    opened = [program.session.path, *(window.session.path for window in program.others())]
+    assert sorted(opened) == paths
+    assert program.session.path == paths[0]
+    assert program.status == "Opened b.curve.json and c.curve.json in windows of their own."
+    assert program.message == ""
+
+
+def test_what_a_drop_cannot_open_is_said(program, tmp_path):
+    paths = documents(tmp_path, "a", "b")
+    bad = tmp_path / "bad.curve.json"
+    bad.write_text("{}", encoding="utf-8")
+    drop(program, bad, paths[0], tmp_path, paths[1])
+    assert program.session.path == paths[0]
+    assert [window.session.path for window in program.others()] == [paths[1]]
+    assert "bad.curve.json was not opened: " in program.message
+    assert f"{tmp_path.name} was not opened. “{tmp_path}” is a folder" in program.message
+
+
+def test_a_drop_opens_no_hundred_windows(program, tmp_path, monkeypatch):
+    monkeypatch.setattr("app.commands.drops.MOST_WINDOWS", 2)
+    drop(program, *documents(tmp_path, "a", "b", "c", "d"))
+    assert len(program.others()) == 1
+    assert program.message == "c.curve.json and d.curve.json were not opened: a drop opens 2 documents."
+
+
+def test_where_there_is_one_window_the_others_are_named(editor, tmp_path):
+    paths = documents(tmp_path, "a", "b")
+    drop(editor, *paths)
+    assert editor.session.path == paths[0]
+    assert editor.message == "b.curve.json was not opened: there is one window."
+
+
+def test_a_mixed_drop_takes_all_it_can(editor, files):
+    for name in ("b.csv", "c.csv"):
+        (files / name).write_text("1,2\n3,4\n", encoding="utf-8")
+    (files / "b.png").write_bytes((files / "a.png").read_bytes())
+    names = ("a.csv", "a.png", "b.csv", "a.curve.json", "b.png", "c.csv")
+    data = carried(*(files / name for name in names))
+    data.setUrls([*data.urls(), QUrl("https://example.org/a.png")])
+    send(editor, QDragEnterEvent, data, COPY)
+    assert editor.status == "Drop to open 1 document, import 3 files, trace 1 picture"
+    send(editor, QDropEvent, data, COPY)
+    dialogs = []
+    while len(dialogs) < 3:
+        editor.wait_for_work()
+        dialogs = editor.window.findChildren(QDialog, "importTableDialog")
+    assert sorted(each.windowTitle() for each in dialogs) == ["Import a.csv", "Import b.csv", "Import c.csv"]
+    assert editor.session.path == files / "a.curve.json"
+    assert editor.session.document.image is not None
+    assert editor.message == (
+        "b.png was not traced: a document has one picture to trace. "
+        "1 link to no file of this computer left out."
+    )
+    for dialog in dialogs:
+        dialog.close()

@@ -131,6 +131,52 @@ def test_the_view_stays_where_all_of_an_import_is_in_sight(editor, tmp_path):
     assert canvas.pixel_map.box == after
 
 
+def test_the_dialog_says_what_was_taken_for_what(editor, tmp_path):
+    """A table of pandas used to come in as x = the index, y = the time, without a word."""
+    text = ",time,pos_x,pos_y\n0,0.0,1,2\n1,0.1,2,3\n2,0.2,3,1\n"
+    dialog = opened(editor, write(tmp_path / "pandas.csv", text))
+    assert dialog.preview.head.roles == ("ignore", "t", "x", "y")
+    said = "Columns: t = “time”, x = “pos_x”, y = “pos_y”. Left out: column 1."
+    assert dialog.said.text() == said
+    choose(dialog.preview.head.boxes[1], "ignore")
+    settle(editor, dialog)
+    assert dialog.said.text() == "Columns: x = “pos_x”, y = “pos_y”. Left out: column 1, “time”."
+    dialog.close()
+    dialog = opened(editor, write(tmp_path / "three.dat", "NACA 1\n0 1 2\n1 3 4\n"))
+    assert dialog.said.text() == (
+        "Not read as numbers: “NACA 1”. Columns: t = column 1, x = column 2, y = column 3. "
+        "This is a guess; choose above the columns what they are."
+    )
+    dialog.close()
+
+
+def test_the_dialog_offers_what_can_be_done_about_missing_numbers(editor, tmp_path):
+    dialog = opened(editor, write(tmp_path / "gaps.csv", "x,y\n0,1\n1,2\nnan,nan\n3,4\n5,3\n"))
+    assert dialog.problem.text() == "⚠ Row 4, column 1: “nan” is not a number."
+    assert not dialog.ok.isEnabled()
+    assert dialog.missing_box.isVisible()
+    choose(dialog.missing_box, "End the curve at rows without numbers")
+    settle(editor, dialog)
+    assert dialog.summary.text() == "5 rows → 4 points in 2 curves"
+    press(dialog, "importTable")
+    editor.settle()
+    assert [each.name for each in editor.session.document.curves[-2:]] == ["gaps (1)", "gaps (2)"]
+
+
+def test_an_array_and_points_in_json_come_in_by_the_same_dialog(editor, tmp_path):
+    np.save(tmp_path / "array.npy", np.array([[0.0, 1.0], [2.0, 3.0]]))
+    write(tmp_path / "pairs.json", "[[0, 1], [2, 3]]")
+    for name in ("array.npy", "pairs.json"):
+        dialog = opened(editor, tmp_path / name)
+        assert dialog.summary.text() == "2 rows → 2 points"
+        assert not dialog.separator_box.isEnabled()
+        assert dialog.preview.head.roles == ("x", "y")
+        assert dialog.said.text() == "Columns: x = column 1, y = column 2."
+        press(dialog, "importTable")
+        editor.settle()
+        assert [node.position for node in editor.curve.nodes] == [(0, 1), (2, 3)]
+
+
 def test_as_a_new_document(editor, tmp_path):
     dialog = opened(editor, write(tmp_path / "a.txt", "0 0\n1 1\n2 4\n"))
     choose(dialog.into, "A new document")
@@ -349,7 +395,9 @@ def test_a_table_of_several_curves(editor, tmp_path):
 def test_a_drawing_says_what_it_holds_and_what_it_lost(editor, tmp_path):
     dialog = opened(editor, write(tmp_path / "a.svg", SVG), "importDrawingDialog")
     assert dialog.summary.text() == "2 curves with 4 points, exact."
-    assert dialog.remarks.text() == "<text> is not read."
+    assert dialog.remarks.text() == (
+        "<text> is not read.\nOf the style, this is not taken over: filled areas."
+    )
     QTest.keyClick(dialog, Qt.Key.Key_Return)
     editor.settle()
     first, second = editor.session.document.curves[-2:]
@@ -383,12 +431,12 @@ def test_another_document_comes_in_too(editor, tmp_path):
         ("a.svg", "<!DOCTYPE svg [<!ENTITY a 'b'>]><svg/>", "delete all from “<!DOCTYPE” to “]>”"),
         (
             "a.svg",
-            '<?xml version="1.0"?>\n<!DOCTYPE svg PUBLIC "-//W3C//DTD SVG 1.1//EN" "svg11.dtd">\n<svg/>',
-            "delete the line that begins with “<!DOCTYPE”, up to its “>”",
+            '<?xml version="1.0"?>\n<!DOCTYPE svg [<!ENTITY a "b">]>\n<svg/>',
+            "delete all from “<!DOCTYPE” to “]>” in a text editor",
         ),
         ("a.dxf", "  0\nSECTION\n", "cut off"),
         ("a.csv", "", "The file is empty"),
-        ("a.json", "{", "“a.json” cannot be read: it is not JSON; the file ends too early."),
+        ("a.json", "{", "a.json was not imported. It is not JSON; the file ends too early."),
         ("a.gif", "GIF89a", "does not end in a known format"),
     ],
 )

@@ -1,0 +1,73 @@
+"""The content of a file with a table, whatever its format; what was read is kept for the next choice."""
+
+from __future__ import annotations
+
+from app.exchange.formats import import_format
+from app.exchange.progress import Report, silent
+from app.exchange.table import Preview, Table, preview_of
+from app.exchange.table_columns import Mapping
+from app.exchange.table_curve import Missing
+from app.exchange.table_file import preview_table, read_table
+from app.exchange.table_layout import Layout
+
+
+class TableSource:
+    """The content of one file.
+
+    Attributes
+    ----------
+    data
+        The content.
+    ending
+        Of its name.
+    lines
+        About how many rows it has.
+    """
+
+    def __init__(self, data: bytes, ending: str = ".csv") -> None:
+        self.data, self.ending = data, ending
+        self._load = import_format(f"a{ending}").load
+        self._is_text = self._load is None
+        self._whole: Table | None = None
+        self._read: tuple[Layout, Mapping, bool, Table] | None = None
+        self.lines = data.count(b"\n") if self._is_text else 0
+
+    def preview(self, layout: Layout | None = None) -> Preview:
+        """Return the first rows, and what the columns seem to be.
+
+        Raises
+        ------
+        ExchangeError
+            If it is no table.
+        """
+        if self._is_text:
+            return preview_table(self.data, layout)
+        whole = self._all()
+        self.lines = len(whole.values)
+        return preview_of(whole)
+
+    def table(
+        self, layout: Layout, mapping: Mapping, missing: Missing = Missing.REFUSE, report: Report = silent
+    ) -> Table:
+        """Return the numbers in the columns of a mapping.
+
+        Raises
+        ------
+        ExchangeError
+            With the place of what is no number.
+        """
+        if not self._is_text:
+            return self._all()
+        allows_missing = missing is not Missing.REFUSE
+        known = self._read
+        if known is not None and known[:3] == (layout, mapping, allows_missing):
+            return known[3]
+        table = read_table(self.data, layout, mapping, allows_missing=allows_missing, report=report)
+        self._read = (layout, mapping, allows_missing, table)
+        return table
+
+    def _all(self) -> Table:
+        if self._whole is None:
+            assert self._load is not None
+            self._whole = self._load()(self.data)
+        return self._whole

@@ -1,0 +1,40 @@
+"""Words of others on the screen as they are written: names, paths and messages are data, not HTML.
+
+Where a text has a tag in its first line, a ``QLabel`` and a tooltip show it as HTML; in a menu an “&” becomes
+an underline.
+"""
+
+from __future__ import annotations
+
+from PySide6.QtGui import Qt
+from PySide6.QtWidgets import QLabel, QWidget
+
+
+class Label(QLabel):
+    """A label of plain text, unless it says that it is HTML; data in that go through `html_of`."""
+
+    def __init__(
+        self,
+        text: str = "",
+        parent: QWidget | None = None,
+        *,
+        wordWrap: bool = False,  # noqa: N803 - as Qt has it
+        is_html: bool = False,
+    ) -> None:
+        super().__init__(text, parent, wordWrap=wordWrap)
+        self.setTextFormat(Qt.TextFormat.RichText if is_html else Qt.TextFormat.PlainText)
+
+
+def html_of(text: str) -> str:
+    """Return HTML that shows a text as it is written."""
+    return text.replace("&", "&amp;").replace("<", "&lt;").replace("\n", "<br>")
+
+
+def tip_of(text: str) -> str:
+    """Return a tooltip that shows a text as it is written."""
+    return f"<qt>{html_of(text)}</qt>" if Qt.mightBeRichText(text) else text
+
+
+def menu_text(text: str) -> str:
+    """Return what an action, a button or a tab shows a text by."""
+    return text.replace("&", "&&")
