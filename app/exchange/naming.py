@@ -2,7 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Container
+from typing import Protocol
+
+
+class Taken(Protocol):
+    """What knows which names are taken."""
+
+    def __contains__(self, name: str, /) -> bool:
+        """Return whether a name is taken."""
 
 
 class Names:
@@ -16,7 +23,7 @@ class Names:
         Between a name and its number.
     """
 
-    def __init__(self, taken: Container[str] = (), between: str = " ") -> None:
+    def __init__(self, taken: Taken = (), between: str = " ") -> None:
         self._taken, self._between = taken, between
         self._given: set[str] = set()
         self._next: dict[str, int] = {}
