@@ -6,10 +6,10 @@ from typing import Protocol
 
 
 class Taken(Protocol):
-    """Names that are handed out already."""
+    """What knows which names are taken."""
 
     def __contains__(self, name: str, /) -> bool:
-        """Return whether somebody has this name."""
+        """Return whether a name is taken."""
 
 
 class Names:
