@@ -358,6 +358,8 @@ def test_document_and_picture_can_be_moved_together(traced, tmp_path):
     assert b'"path": "red.png"' in here.read_bytes()
     there = tmp_path / "elsewhere"
     there.mkdir()
+    # A document whose file goes while it is open is asked about.
+    traced.session.new()
     for name in ("a.curve.json", "red.png"):
         (tmp_path / name).rename(there / name)
     traced.window.open_file(there / "a.curve.json")
