@@ -82,7 +82,7 @@ def _check_masks(values: ArrayLike, name: str) -> None:
     # Without the module, which takes long to import, there is no masked array; nor while another thread is in
     # the middle of importing it.
     masked_arrays = sys.modules.get("numpy.ma")
-    if not hasattr(masked_arrays, "MaskedArray"):
+    if masked_arrays is None or not hasattr(masked_arrays, "MaskedArray"):
         return
     rows = values if isinstance(values, (list, tuple)) else ()
     if not isinstance(values, masked_arrays.MaskedArray) and not any(
