@@ -79,9 +79,10 @@ def _as_floats(values: ArrayLike, name: str) -> FloatArray:
 
 def _check_masks(values: ArrayLike, name: str) -> None:
     """Raise for the first masked entry: what a masked array hides would count like any other value."""
-    # Without the module, which takes long to import, there is no masked array.
+    # Without the module, which takes long to import, there is no masked array; nor while another thread is in
+    # the middle of importing it.
     masked_arrays = sys.modules.get("numpy.ma")
-    if masked_arrays is None:
+    if masked_arrays is None or not hasattr(masked_arrays, "MaskedArray"):
         return
     rows = values if isinstance(values, (list, tuple)) else ()
     if not isinstance(values, masked_arrays.MaskedArray) and not any(

@@ -6,6 +6,7 @@ import subprocess
 import sys
 from decimal import Decimal
 from fractions import Fraction
+from types import ModuleType
 
 import numpy as np
 import pytest
@@ -127,3 +128,10 @@ def test_importing_the_core_loads_nothing_but_numpy():
     )
     loaded = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, check=True)
     assert set(loaded.stdout.split()) <= {"curvecore", "numpy"}
+
+
+def test_a_number_is_taken_while_another_thread_imports_masked_arrays(monkeypatch):
+    """The module was there, but not yet its classes: AttributeError in the middle of a drag."""
+    monkeypatch.setitem(sys.modules, "numpy.ma", ModuleType("numpy.ma"))
+    curve = LagrangeCurve([(0, 0), (1, 2)], [0, 1])
+    assert curve.evaluate(0.5).tolist() == [0.5, 1.0]
