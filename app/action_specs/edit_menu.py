@@ -18,16 +18,6 @@ EDIT_MENU = (
         needs="a step that was taken back",
     ),
     ActionSpec(
-        "goBack",
-        "Go Back",
-        "Edit",
-        "",
-        "history",
-        "Go back to what was there before this lesson or example; Redo comes here again",
-        alone="Go Back to What Was Before the Lesson",
-        needs="work that was left for a lesson or an example",
-    ),
-    ActionSpec(
         "selectTool",
         "Select",
         "Edit",

@@ -7,6 +7,16 @@ from app.action_specs.spec import ActionSpec
 FILE_MENU = (
     ActionSpec("newDocument", "New", "File", "Ctrl+N", "new", "Start an empty document"),
     ActionSpec("openDocument", "Open…", "File", "Ctrl+O", "open", "Open a document"),
+    ActionSpec(
+        "goBack",
+        "Go Back",
+        "File",
+        "",
+        "history",
+        "Go back to what was there before this lesson or example; Redo comes here again",
+        alone="Go Back to What Was Before the Lesson",
+        needs="work that was left for a lesson or an example",
+    ),
     ActionSpec("saveDocument", "Save", "File", "Ctrl+S", "save", "Save the document", separated=True),
     ActionSpec(
         "saveDocumentAs",

@@ -154,7 +154,7 @@ PLACES = (
     Place(Canvas, "event", press_arrow),
     Place(Canvas, "keyPressEvent", press_arrow),
     Place(PlotWidget, "mouseMoveEvent", lambda editor: editor.hover((0.5, 0.5))),
-    Place(PlotWidget, "mousePressEvent", lambda editor: editor.click((0.5, 0.5))),
+    Place(PlotWidget, "mousePressEvent", lambda editor: editor.press((0.5, 0.5))),
     Place(PlotWidget, "wheelEvent", lambda editor: editor.wheel((0.5, 0.5), 1)),
     Place(MainWindow, "event", lambda editor: QApplication.sendEvent(editor.window, QStatusTipEvent("tip"))),
     Place(MainWindow, "event", lambda editor: QApplication.sendEvent(editor.window, QCloseEvent())),
