@@ -92,8 +92,7 @@ class Menus:
     def _fill_recent(self, preferences: Preferences, open_file: Callable[[Path], object]) -> None:
         self.recent.clear()
         for path in preferences.recent_files:
-            title = path.name.replace("&", "&&")
-            _add_file(self.recent, path, title, str(path)).triggered.connect(
+            _add_file(self.recent, path, path.name, str(path)).triggered.connect(
                 lambda _checked=False, path=path: open_file(path)
             )
         self.recent.setEnabled(True)
