@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import QSize, Qt
+from PySide6.QtCore import QEvent, QObject, QSize, Qt
 from PySide6.QtGui import QScreen, QShowEvent
 from PySide6.QtWidgets import QDialog, QFrame, QLayout, QScrollArea, QVBoxLayout, QWidget
 
@@ -43,7 +43,14 @@ class Scrolled(Guarded, QScrollArea):
         return self._content.sizeHint()
 
     def minimumSizeHint(self) -> QSize:
-        return self._content.minimumSizeHint().boundedTo(self._most)
+        least = self._content.minimumSizeHint().expandedTo(self._content.minimumSize())
+        return least.boundedTo(self._most)
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        if watched is self._content and event.type() == QEvent.Type.LayoutRequest:
+            # Qt asks a scroll area for its size once; what is in it may grow later.
+            self.updateGeometry()
+        return super().eventFilter(watched, event)
 
 
 class FittedDialog(Guarded, QDialog):

@@ -112,9 +112,9 @@ class LessonPanel(QWidget):
         top.addWidget(self.gallery_button)
         top.addWidget(self.again_button)
         top.addStretch(1)
-        top.addWidget(self._place)
-        for widget in (self.back_button, self.next_button):
-            bottom.addWidget(widget, 1)
+        bottom.addWidget(self.back_button, 1)
+        bottom.addWidget(self._place)
+        bottom.addWidget(self.next_button, 1)
         layout = QVBoxLayout(page)
         layout.setContentsMargins(_MARGIN, _MARGIN, _MARGIN, _MARGIN)
         layout.addLayout(top)

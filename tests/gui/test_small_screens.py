@@ -105,3 +105,13 @@ def every_dialog():
     ours = {kind for kind in heirs(QDialog) if kind.__module__.startswith("app.")}
     assert ours == heirs(FittedDialog)
     return {kind for kind in ours if not kind.__subclasses__()}
+
+
+def test_a_lesson_is_read_without_scrolling_sideways(qtbot):
+    """A dock used to take its width from what it held before the lesson was in it: 190 pixels of 256."""
+    editor = Editor(qtbot, size=(1280, 800))
+    editor.show_dock("lessonsDock")
+    editor.window.open_lesson("03_chord_length")
+    editor.settle()
+    area = editor.window.lessons_dock.widget()
+    assert area.horizontalScrollBar().maximum() == 0
