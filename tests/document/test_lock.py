@@ -293,6 +293,7 @@ RACE = """
 import os, sys, time
 from pathlib import Path
 from app.document.lock import acquire
+print("ready", flush=True)
 while not Path(sys.argv[2]).exists():
     time.sleep(0.001)
 attempt = acquire(Path(sys.argv[1]))
@@ -316,7 +317,7 @@ def test_of_several_at_once_one_gets_a_stale_lock(target, tmp_path):
         )
         for _ in range(4)
     ]
-    time.sleep(0.4)
+    assert [racer.stdout.readline().strip() for racer in racers] == [b"ready"] * 4
     signal.touch()
     answers = sorted(racer.stdout.readline().strip() for racer in racers)
     for racer in racers:

@@ -69,10 +69,12 @@ def test_what_its_file_holds_after_all_is_not_offered(tmp_path):
     assert len(list_snapshots(tmp_path / "unsaved").snapshots) == 1
 
 
-def test_the_latest_comes_first(tmp_path):
-    for name in ("one", "two", "three"):
-        left_behind(tmp_path, Document((make_curve([(0, 0)], name=name),)))
-        time.sleep(0.002)
+def test_the_latest_comes_first(tmp_path, monkeypatch):
+    began = time.time()
+    for second, name in enumerate(("one", "two", "three")):
+        with monkeypatch.context() as patch:
+            patch.setattr("app.document.recovery.time.time", lambda now=began + second: now)
+            left_behind(tmp_path, Document((make_curve([(0, 0)], name=name),)))
     names = [each.document.curves[0].name for each in list_snapshots(tmp_path).snapshots]
     assert names == ["three", "two", "one"]
 

@@ -26,6 +26,8 @@ from app.lifecycle import FaultFile, Lifecycle
 from app.start import open_windows
 from app.testing import Editor
 
+WAIT_MS = 20_000
+
 
 @pytest.fixture
 def guarded(qapp):
@@ -57,20 +59,41 @@ def dialogs():
     ]
 
 
-def raise_soon(qtbot, problem, count=1):
+def has_told(crashes):
+    """Whether what was raised is shown, or waits only until the dialog before it is put away."""
+    return not crashes._soon.isActive()
+
+
+def raise_soon(guarded, qtbot, problem, count=1):
+    """Raise `problem` so often from within the event loop, and wait until the handler has told of it."""
+    raised = []
+
     def fail():
+        raised.append(problem)
         raise problem
 
     for _ in range(count):
         QTimer.singleShot(0, fail)
-    qtbot.wait(30)
+    qtbot.waitUntil(lambda: len(raised) == count and has_told(guarded.lifecycle.crashes), timeout=WAIT_MS)
 
 
-def run(qapp, *steps):
-    """Do `steps`, one after the other, in the event loop that `curvebench` runs, and return its code."""
-    for delay, step in enumerate(steps):
-        QTimer.singleShot(50 * delay, step)
-    watchdog = QTimer(singleShot=True, interval=5000)
+def run(guarded, qapp, *steps):
+    """Do `steps`, one after the other, in the event loop that `curvebench` runs, and return its code.
+
+    Each begins when what the one before has raised is told.
+    """
+    to_do, crashes = list(steps), guarded.lifecycle.crashes
+
+    def do_next():
+        if not to_do:
+            timer.stop()
+        elif has_told(crashes):
+            to_do.pop(0)()
+
+    timer = QTimer(interval=1)
+    timer.timeout.connect(do_next)
+    timer.start()
+    watchdog = QTimer(singleShot=True, interval=WAIT_MS)
     watchdog.timeout.connect(lambda: qapp.exit(99))
     watchdog.start()
     return qapp.exec()
@@ -96,7 +119,7 @@ def report():
 
 def test_the_work_is_kept_before_anything_is_said(guarded, qtbot):
     guarded.drag_point(1, to=(2, 3))
-    raise_soon(qtbot, ZeroDivisionError("a fault of ours"))
+    raise_soon(guarded, qtbot, ZeroDivisionError("a fault of ours"))
     assert len(list(snapshot_folder().glob("*.snapshot.json"))) == 1
     (dialog,) = dialogs()
     assert any("Your work is safe" in each.text() for each in dialog.findChildren(QLabel))
@@ -111,7 +134,7 @@ def test_without_a_backup_it_says_what_to_do(guarded, qtbot):
     snapshot_folder().parent.parent.mkdir(parents=True, exist_ok=True)
     snapshot_folder().parent.write_text("in the way")
     guarded.drag_point(1, to=(2, 3))
-    raise_soon(qtbot, ZeroDivisionError())
+    raise_soon(guarded, qtbot, ZeroDivisionError())
     (dialog,) = dialogs()
     assert any("Save your work under another name" in each.text() for each in dialog.findChildren(QLabel))
     press("saveAndQuit")
@@ -120,25 +143,25 @@ def test_without_a_backup_it_says_what_to_do(guarded, qtbot):
 
 
 def test_the_same_fault_is_shown_once(guarded, qtbot):
-    raise_soon(qtbot, ZeroDivisionError("again"), count=100)
+    raise_soon(guarded, qtbot, ZeroDivisionError("again"), count=100)
     assert len(dialogs()) == 1
     press("goOn")
-    raise_soon(qtbot, ZeroDivisionError("again"), count=10)
+    raise_soon(guarded, qtbot, ZeroDivisionError("again"), count=10)
     assert dialogs() == []
 
 
 def test_another_fault_waits_until_the_first_is_put_away(guarded, qtbot):
-    raise_soon(qtbot, ZeroDivisionError("one"))
+    raise_soon(guarded, qtbot, ZeroDivisionError("one"))
     sys.excepthook(*raised(KeyError("two")))
     assert "one" in report()
     press("goOn")
-    qtbot.waitUntil(lambda: len(dialogs()) == 1)
+    qtbot.waitUntil(lambda: len(dialogs()) == 1, timeout=WAIT_MS)
     assert "two" in report()
     press("goOn")
 
 
 def test_escape_goes_on(guarded, qtbot):
-    raise_soon(qtbot, ZeroDivisionError())
+    raise_soon(guarded, qtbot, ZeroDivisionError())
     (dialog,) = dialogs()
     QTest.keyClick(dialog, Qt.Key.Key_Escape)
     assert dialogs() == []
@@ -147,15 +170,18 @@ def test_escape_goes_on(guarded, qtbot):
 
 def test_a_fault_while_painting_is_told_and_painting_goes_on(guarded, qtbot, monkeypatch):
     layer = next(layer for layer in guarded.window.canvas._layers if layer.isVisible())
+    failed = []
 
     def fail(*_arguments):
+        failed.append(layer)
         raise RuntimeError("cannot paint")
 
     with monkeypatch.context() as patch:
         patch.setattr(layer, "_paint", fail)
-        for _ in range(5):
+        for times in range(1, 6):
             guarded.window.canvas.viewport().update()
-            qtbot.wait(10)
+            qtbot.waitUntil(lambda times=times: len(failed) >= times, timeout=WAIT_MS)
+        qtbot.waitUntil(lambda: has_told(guarded.lifecycle.crashes), timeout=WAIT_MS)
     assert "cannot paint" in report()
     press("goOn")
     guarded.drag_point(1, to=(2, 3))
@@ -169,25 +195,25 @@ def test_a_fault_in_a_thread_is_told_by_the_window(guarded, qtbot):
     thread = threading.Thread(target=fail)
     thread.start()
     thread.join()
-    qtbot.waitUntil(lambda: len(dialogs()) == 1)
+    qtbot.waitUntil(lambda: len(dialogs()) == 1, timeout=WAIT_MS)
     assert "in a thread" in report()
     press("goOn")
 
 
-def test_what_fails_while_it_is_thrown_away_is_no_matter_for_a_dialog(guarded, qtbot, capsys):
+def test_what_fails_while_it_is_thrown_away_is_no_matter_for_a_dialog(guarded, capsys):
     class Bad:
         def __del__(self):
             raise RuntimeError("thrown away")
 
     Bad()
     gc.collect()
-    qtbot.wait(20)
+    assert has_told(guarded.lifecycle.crashes)
     assert dialogs() == []
     assert "thrown away" in capsys.readouterr().err
 
 
 def test_the_report_can_be_copied(guarded, qtbot):
-    raise_soon(qtbot, ZeroDivisionError())
+    raise_soon(guarded, qtbot, ZeroDivisionError())
     shown = report()
     press("copyReport")
     assert QGuiApplication.clipboard().text() == shown
@@ -200,7 +226,7 @@ def test_save_and_quit_saves_what_has_a_file(guarded, qapp, tmp_path):
     guarded.session.save(path)
     guarded.drag_point(1, to=(2, 3))
     document = guarded.session.document
-    assert run(qapp, fail, lambda: press("saveAndQuit")) == 0
+    assert run(guarded, qapp, fail, lambda: press("saveAndQuit")) == 0
     assert storage.load(path) == document
     assert not is_open(guarded.window)
     assert list(snapshot_folder().iterdir()) == []
@@ -209,7 +235,7 @@ def test_save_and_quit_saves_what_has_a_file(guarded, qapp, tmp_path):
 def test_save_and_quit_keeps_what_has_no_file_for_the_next_start(guarded, qapp):
     guarded.drag_point(1, to=(2, 3))
     document = guarded.session.document
-    assert run(qapp, fail, lambda: press("saveAndQuit")) == 0
+    assert run(guarded, qapp, fail, lambda: press("saveAndQuit")) == 0
     assert not is_open(guarded.window)
     (snapshot,) = list_snapshots(snapshot_folder()).snapshots
     assert snapshot.document == document
@@ -222,7 +248,7 @@ def test_save_and_quit_goes_on_where_saving_fails(guarded, qtbot, tmp_path):
     guarded.session.save(path)
     guarded.drag_point(1, to=(2, 3))
     shutil.rmtree(path.parent)
-    raise_soon(qtbot, ZeroDivisionError())
+    raise_soon(guarded, qtbot, ZeroDivisionError())
     press("saveAndQuit")
     assert guarded.window.isVisible()
     assert "was not saved" in guarded.file_message
@@ -232,7 +258,7 @@ def test_save_and_quit_goes_on_where_saving_fails(guarded, qtbot, tmp_path):
 def test_ctrl_c_ends_the_program_and_keeps_the_work(guarded, qapp):
     guarded.drag_point(1, to=(2, 3))
     document = guarded.session.document
-    assert run(qapp, interrupt) == 130
+    assert run(guarded, qapp, interrupt) == 130
     assert dialogs() == []
     assert not is_open(guarded.window)
     (snapshot,) = list_snapshots(snapshot_folder()).snapshots
@@ -276,7 +302,7 @@ def test_at_most_five_different_faults_are_shown(qtbot):
         shown = 0
         for number in range(8):
             sys.excepthook(*raised(type(f"Fault{number}", (Exception,), {})()))
-            qtbot.wait(5)
+            qtbot.waitUntil(lambda: has_told(handler), timeout=WAIT_MS)
             shown += len(dialogs())
             if dialogs():
                 press("goOn")
@@ -363,7 +389,7 @@ def test_last_words_go_to_a_file_where_there_is_no_terminal(own_home, monkeypatc
 
 
 def test_the_dialog_is_spoken_of_in_full(guarded, qtbot):
-    raise_soon(qtbot, ZeroDivisionError())
+    raise_soon(guarded, qtbot, ZeroDivisionError())
     (dialog,) = dialogs()
     assert isinstance(dialog, QDialog)
     for name in ("goOn", "saveAndQuit", "copyReport"):

@@ -16,7 +16,9 @@ from PySide6.QtCore import QEvent, QFileSystemWatcher, Qt, QTimer
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QFileDialog, QMessageBox, QToolButton
 
+from app.commands.disk_commands import DiskCommands
 from app.commands.disk_notices import Standing, about_lock
+from app.disk_watch import DiskWatch
 from app.document import storage
 from app.document.edits import move_nodes
 from app.document.format import encode
@@ -31,6 +33,7 @@ from app.testing import Editor
 from app.theme import ThemeMode
 
 THEIRS = Document((make_curve([(0.0, 0.0), (1.0, 2.0), (3.0, 1.0)]),))
+WAIT_MS = 20_000
 OTHERS = Document((make_curve([(0.0, 0.0), (5.0, 5.0)]),))
 
 
@@ -49,7 +52,24 @@ def saved(editor, path):
 @pytest.fixture
 def until(qtbot):
     """Wait until something is so."""
-    return lambda condition: qtbot.waitUntil(lambda: bool(condition()), timeout=5000)
+    return lambda condition: qtbot.waitUntil(lambda: bool(condition()), timeout=WAIT_MS)
+
+
+@pytest.fixture
+def save_loudly(qtbot):
+    """Save, and wait until the system has told all who watch the folder."""
+
+    def save_it(path, document):
+        watcher = QFileSystemWatcher([str(path.parent)])
+        with qtbot.waitSignal(watcher.directoryChanged, timeout=WAIT_MS):
+            save(path, document)
+
+    return save_it
+
+
+def looks(editor):
+    """How often the file was looked at since it was found gone or broken."""
+    return editor.window.findChild(DiskCommands)._looks
 
 
 def edit(editor):
@@ -310,10 +330,10 @@ def test_a_reader_is_not_asked_about_what_the_owner_saved(saved, path, qtbot, un
     assert second.window.close()
 
 
-def test_half_a_file_is_waited_for(saved, path, until, qtbot):
+def test_half_a_file_is_waited_for(saved, path, until):
     content = encode(THEIRS)
     path.write_bytes(content[: len(content) // 2])
-    qtbot.wait(250)
+    until(lambda: looks(saved) == 2)
     assert saved.file_message == ""
     path.write_bytes(content)
     until(lambda: saved.file_message)
@@ -361,28 +381,29 @@ def test_a_file_that_was_changed_and_is_then_deleted_is_gone(saved, path, until,
     assert saved.file_message == ""
 
 
-def test_a_file_put_back_at_once_was_never_gone(saved, path, qtbot):
+def test_a_file_put_back_at_once_was_never_gone(saved, path, until):
     content = path.read_bytes()
     path.unlink()
-    qtbot.wait(150)
+    until(lambda: looks(saved) == 1)
     path.write_bytes(content)
-    qtbot.wait(400)
+    until(lambda: looks(saved) == 0)
     assert saved.file_message == ""
     assert not saved.session.is_modified
 
 
-def test_own_saves_are_no_news(saved, path, qtbot):
+def test_own_saves_are_no_news(saved, qtbot):
     edit(saved)
+    watch = saved.window.findChild(DiskWatch)
     for _ in range(3):
-        saved.trigger("saveDocument")
-        qtbot.wait(130)
+        with qtbot.waitSignal(watch.stirred, timeout=WAIT_MS):
+            saved.trigger("saveDocument")
         assert saved.file_message == ""
 
 
-def test_a_new_document_has_nothing_to_do_with_the_old_file(saved, path, qtbot):
+def test_a_new_document_has_nothing_to_do_with_the_old_file(saved, path, save_loudly):
     saved.new()
-    save(path, THEIRS)
-    qtbot.wait(250)
+    save_loudly(path, THEIRS)
+    assert not saved.window.findChild(DiskWatch)._soon.isActive()
     assert saved.file_message == ""
     assert not lock_place(path).exists()
 
@@ -398,12 +419,12 @@ def test_a_gesture_in_flight_survives_the_news(saved, path, until):
     assert saved.session.document is document
 
 
-def test_without_any_sign_a_look_is_due_when_the_window_comes_to_the_front(saved, path, qtbot, until):
+def test_without_any_sign_a_look_is_due_when_the_window_comes_to_the_front(saved, path, save_loudly, until):
     """Some file systems of a network tell nothing of changes."""
     watcher = saved.window.findChild(QFileSystemWatcher)
     watcher.removePaths([*watcher.files(), *watcher.directories()])
-    save(path, THEIRS)
-    qtbot.wait(150)
+    save_loudly(path, THEIRS)
+    assert not saved.window.findChild(DiskWatch)._soon.isActive()
     assert saved.file_message == ""
     QApplication.sendEvent(saved.window, QEvent(QEvent.Type.WindowActivate))
     until(lambda: saved.file_message)

@@ -63,7 +63,7 @@ def test_the_legend_makes_a_ghost_real_in_one_step(editor, qtbot):
 
 def test_one_legend_explains_ghosts_and_the_laboratory(editor, qtbot):
     editor.trigger("toggleLaboratory")
-    qtbot.waitUntil(lambda: bool(editor.window.canvas.annotations.traces("laboratory")[0]), timeout=5000)
+    qtbot.waitUntil(lambda: bool(editor.window.canvas.annotations.traces("laboratory")[0]), timeout=20_000)
     editor.trigger("ghostUniform")
     ghosts, computed = ["Lagrange · Chord length", "Uniform"], ["Monomials", "Lagrange"]
     # Whatever came first: the curve itself never stands under the heading of another group.

@@ -102,7 +102,7 @@ def test_it_follows_a_drag_at_the_pace_of_the_panels_and_escape_goes_back(bessel
     x, y = bessel.point(3)
     bessel.press((x, y))
     bessel.move((x + 0.4, y + 0.4))
-    qtbot.waitUntil(lambda: panel(bessel).rows != before, timeout=2000)
+    qtbot.waitUntil(lambda: panel(bessel).rows != before, timeout=20_000)
     bessel.escape()
     assert panel(bessel).rows == before
 

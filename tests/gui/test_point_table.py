@@ -10,7 +10,7 @@ from PySide6.QtWidgets import QApplication, QLabel, QLineEdit, QMainWindow, QToo
 from app.colours import point_colours
 from app.document import edits
 from app.document.model import Family, ParametrizationKind, VelocityRule, make_curve
-from app.panels.point_table import INTERVAL_MS, PointTable
+from app.panels.point_table import PointTable
 from app.panels.point_table_delegate import CellEditor
 from app.session import Session
 from app.testing_hand import wait_for_rest
@@ -190,8 +190,8 @@ def test_estimated_numbers_are_muted_italic_and_say_by_which_rule(hermite):
 
 def test_t_x_y_and_velocities_fit_in_a_narrow_dock(hermite):
     hermite.window.resize(320, 300)
-    hermite.qtbot.wait(1)
-    assert hermite.view.horizontalHeader().length() <= hermite.view.viewport().width()
+    header, viewport = hermite.view.horizontalHeader(), hermite.view.viewport()
+    hermite.qtbot.waitUntil(lambda: header.length() <= viewport.width() < 320)
 
 
 @pytest.mark.parametrize("mode", [ThemeMode.LIGHT, ThemeMode.DARK])
@@ -668,7 +668,7 @@ def test_a_stream_of_previews_is_followed_at_a_pace_and_ends_on_the_last(qtbot):
     for step in range(1, 51):
         table.session.preview(edits.move_nodes(before, 0, [3], (0.01 * step, 0.0)))
     assert changes.count() < 10
-    qtbot.waitUntil(lambda: table.value(3, X) == 1.25 + 0.5, timeout=1000)
+    qtbot.waitUntil(lambda: table.value(3, X) == 1.25 + 0.5)
     table.session.preview(edits.move_nodes(before, 0, [3], (1.0, 0.0)))
     table.session.commit(table.session.document, "Move point 3")
     assert table.value(3, X) == 2.25  # a step of the history does not wait
@@ -679,7 +679,7 @@ def test_a_cancelled_drag_leaves_the_old_numbers(qtbot):
     for step in range(5):
         table.session.preview(edits.move_nodes(table.session.document, 0, [3], (0.1 * step, 0.0)))
     table.session.cancel()
-    qtbot.waitUntil(lambda: table.value(3, X) == 1.25, timeout=1000)
+    qtbot.waitUntil(lambda: table.value(3, X) == 1.25)
 
 
 def test_a_hidden_table_rests_until_it_is_shown(qtbot):
@@ -687,7 +687,7 @@ def test_a_hidden_table_rests_until_it_is_shown(qtbot):
     table.panel.hide()
     changes = QSignalSpy(table.model.dataChanged)
     table.session.preview(edits.move_nodes(table.session.document, 0, [3], (1.0, 0.0)))
-    qtbot.wait(2 * INTERVAL_MS)
+    qtbot.waitUntil(lambda: not table.panel._timer.isActive())
     assert changes.count() == 0
     table.panel.show()
     assert table.value(3, X) == 2.25
@@ -841,8 +841,8 @@ def test_rounding_residues_are_shown_as_zero_and_kept_whole(hermite):
 
 def test_a_quintic_curve_fits_in_a_dock(quintic):
     quintic.window.resize(360, 400)
-    quintic.qtbot.wait(1)
-    assert quintic.view.horizontalHeader().length() <= quintic.view.viewport().width()
+    header, viewport = quintic.view.horizontalHeader(), quintic.view.viewport()
+    quintic.qtbot.waitUntil(lambda: header.length() <= viewport.width() < 360)
     metrics = quintic.view.fontMetrics()
     for column in range(7):
         room = quintic.view.columnWidth(column)

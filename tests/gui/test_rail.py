@@ -280,7 +280,7 @@ def test_a_ghost_of_the_curve_stands_still_while_a_tick_is_dragged_and_fades(edi
         assert canvas.ghost_opacity == 1
     editor.send(panel, QEvent.Type.MouseButtonRelease, start + QPointF(30, 0), held=False)
     assert 0 < canvas.ghost_opacity <= 1
-    qtbot.waitUntil(lambda: canvas.ghost_opacity == 0, timeout=3000)
+    qtbot.waitUntil(lambda: canvas.ghost_opacity == 0, timeout=20_000)
 
 
 def test_the_ghost_goes_when_the_drag_is_cancelled(editor, panel, qtbot):
@@ -290,7 +290,7 @@ def test_the_ghost_goes_when_the_drag_is_cancelled(editor, panel, qtbot):
     editor.send(panel, QEvent.Type.MouseMove, start + QPointF(20, 0))
     editor.key(Qt.Key.Key_Escape)
     editor.send(panel, QEvent.Type.MouseButtonRelease, start, held=False)
-    qtbot.waitUntil(lambda: canvas.ghost_opacity == 0, timeout=3000)
+    qtbot.waitUntil(lambda: canvas.ghost_opacity == 0, timeout=20_000)
 
 
 def test_the_alpha_slider_has_a_ghost_too(editor):

@@ -621,7 +621,7 @@ def test_many_curves_are_moved_along_while_the_view_moves_and_painted_when_it_re
     shown, place = canvas.pixel_map, picture.place_in(canvas.pixel_map)
     x, y = picture.shown.plane(100, 50)
     assert shown.point(x, y) == pytest.approx((place.x() + 120, place.y() + 60))
-    qtbot.waitUntil(lambda: layer._picture is not picture, timeout=2000)
+    qtbot.waitUntil(lambda: layer._picture is not picture, timeout=20_000)
     assert layer._picture.shown == shown
 
 

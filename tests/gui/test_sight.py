@@ -8,12 +8,13 @@ import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QColor, QGuiApplication, QImage
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QToolButton
+from PySide6.QtWidgets import QApplication, QToolButton
 
 from app.document.model import Document, Family, make_curve
 from app.main_window import MainWindow
 from app.preferences import Preferences
 from app.session import Session
+from app.testing_hand import wait_for_rest
 
 
 @pytest.fixture
@@ -87,7 +88,8 @@ def test_a_file_given_at_the_start_opens_with_the_margins_of_fit(qtbot, file, tm
     window.resize(1100, 750)
     with qtbot.waitExposed(window):
         window.show()
-    qtbot.wait(30)
+    wait_for_rest(window)
+    QApplication.processEvents()
     opened = window.canvas.pixel_map.box
     window.canvas.fit()
     assert window.canvas.pixel_map.box == pytest.approx(opened)

@@ -15,7 +15,7 @@ from PySide6.QtWidgets import QWidget
 
 from app import worker
 from app.exchange.progress import FINAL, part
-from app.worker import Jobs, Settler, Task, Worker, close_all
+from app.worker import SHOWN_AFTER_MS, Jobs, Settler, Task, Worker, close_all
 
 
 @pytest.fixture
@@ -110,9 +110,9 @@ def test_a_result_that_is_already_on_its_way_is_dropped(jobs):
 
     jobs.start("Quick", work, heard.done, heard.failed)
     assert finished.wait(10)
-    time.sleep(0.05)  # the signal waits in the queue
+    jobs._task.thread.join()  # from now on the signal waits in the queue
     jobs.cancel()
-    QTest.qWait(50)
+    until(gc.isenabled)  # it has arrived
     assert heard.results == []
 
 
@@ -128,19 +128,22 @@ def test_one_thing_at_a_time(jobs):
 
 def test_only_long_work_is_shown(jobs):
     heard, shown, shares, release = Heard(), [], [], threading.Event()
+    assert jobs._patience.interval() == SHOWN_AFTER_MS
+    jobs._patience.setInterval(60_000)  # so that on no machine "short" takes longer
     jobs.shown.connect(shown.append)
     jobs.progressed.connect(lambda share, word: shares.append((share, word)))
     jobs.start("Short", lambda _report: 1, heard.done, heard.failed)
     until(lambda: heard.results)
-    QTest.qWait(250)
+    assert not jobs._patience.isActive()
     assert shown == []
+    jobs._patience.setInterval(1)
 
     def long(report):
         report(0.25, "Working")
         release.wait(10)
 
     jobs.start("Long", long, heard.done, heard.failed)
-    until(lambda: shown)
+    until(lambda: shown and shares)
     assert shown == ["Long"]
     assert shares == [(0.25, "Working")]
     release.set()
@@ -160,9 +163,7 @@ def test_closing_waits_until_the_work_has_noticed(jobs):
     jobs.start("Endless", work, heard.done, heard.failed)
     until(lambda: len(steps) > 3)
     jobs.close()
-    count = len(steps)
-    time.sleep(0.05)
-    assert len(steps) == count
+    assert work_threads() == []
     assert heard.results == heard.problems == []
 
 
