@@ -114,7 +114,7 @@ class MainWindow(Guarded, QMainWindow):
             self.status_line.refuse(self.preferences.complaint)
         self.actions_by_name.attach(self)
         self._fit()
-        when_first_shown(self, self._fit_again)
+        when_first_shown(self, self._fit)
 
     # Building
 
@@ -294,11 +294,6 @@ class MainWindow(Guarded, QMainWindow):
     def _fit(self) -> None:
         self.canvas.fit()
         self.basis_pane.fit()
-
-    def _fit_again(self) -> None:
-        self.canvas.fit()
-        # A lesson may be open already, and show all of its functions.
-        self.basis_pane.fit_again()
 
     def _show_points(self) -> None:
         """Fit the view where points of the active curve lie outside it."""

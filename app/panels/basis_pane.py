@@ -193,13 +193,6 @@ class BasisPane(Guarded, QWidget):
             self._fit.setChecked(True)
             self._panel.fit_values()
 
-    def fit_again(self) -> None:
-        """Fit as was fitted last, now that the pane has another size."""
-        if self._fit.isChecked():
-            self.fit_functions()
-        else:
-            self.fit()
-
     def _choose_kinds(self) -> None:
         self._panel.set_kinds(frozenset(k for k, button in enumerate(self._kinds) if button.isChecked()))
 

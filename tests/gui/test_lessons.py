@@ -19,10 +19,7 @@ from PySide6.QtWidgets import (
 from app.action_specs import SPECS
 from app.document.storage import load
 from app.lessons import LessonError, lesson_names, load_lesson, parse_lesson
-from app.main_window import MainWindow
 from app.panels.basis_layers import rail_height
-from app.session import Session
-from app.testing_hand import wait_for_rest
 from app.view_model.analysis.laboratory_settings import LaboratorySettings
 from app.view_model.analysis.settings import AnalysisSettings
 from app.view_model.curve_view import view_of
@@ -357,15 +354,3 @@ def test_the_laboratory_comes_when_it_is_called_in_a_presentation(editor, qtbot)
     editor.trigger("toggleLaboratory")
     assert not dock.isVisible()
     editor.trigger("presentation")
-
-
-def test_a_start_with_a_lesson_shows_all_of_its_functions(qtbot):
-    """What fits the window when it is shown first used to take the range back."""
-    window = MainWindow(Session())
-    qtbot.addWidget(window)
-    window.open_lesson("03_chord_length")
-    with qtbot.waitExposed(window):
-        window.show()
-    qtbot.waitUntil(lambda: window.basis_panel.pixel_map.box[1] < -1.2)
-    wait_for_rest(window)
-    assert window.basis_panel.pixel_map.box[1] < -1.2
