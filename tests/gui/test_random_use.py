@@ -15,6 +15,7 @@ import sys
 import threading
 import time
 import traceback
+from contextlib import contextmanager
 from pathlib import Path
 
 import numpy as np
@@ -33,7 +34,7 @@ MINUTES = float(os.environ.get("CURVEBENCH_RANDOM_MINUTES", "0"))
 STEPS = int(os.environ.get("CURVEBENCH_RANDOM_STEPS", "400" if MINUTES else "100"))
 ROUND_TRIP_EVERY = 25
 PATIENCE = 90
-"""Seconds after which a step is taken to hang: Python then says where."""
+"""Seconds after which a step is taken to hang."""
 
 
 class Faults:
@@ -126,6 +127,17 @@ def folder(tmp_path):
     return tmp_path / "files"
 
 
+@contextmanager
+def patience(log: Path):
+    """End the process where a step hangs; where it does stands after the steps."""
+    with log.open("a", encoding="utf-8") as file:
+        faulthandler.dump_traceback_later(PATIENCE, exit=True, file=file)
+        try:
+            yield
+        finally:
+            faulthandler.cancel_dump_traceback_later()
+
+
 def use(qtbot, seed, folder, log, faults, odd_values) -> None:
     """Use one window for a while; raise with the seed and the last steps where anything is wrong."""
     window = MainWindow(Session())
@@ -137,15 +149,13 @@ def use(qtbot, seed, folder, log, faults, odd_values) -> None:
     person.note(f"— seed {seed}")
     try:
         for number in range(STEPS):
-            faulthandler.dump_traceback_later(PATIENCE, exit=True, file=sys.__stderr__)
-            person.step()
-            faulthandler.cancel_dump_traceback_later()
+            with patience(log):
+                person.step()
             faults.check()
             assert_sound(editor, odd_values)
             if number % ROUND_TRIP_EVERY == 0 and not editor.session.is_previewing:
                 assert_history_is_exact(editor.session)
         editor.wait_for_work()
-        faults.check()
     except BaseException as problem:
         steps = "\n".join(person.steps)
         again = f"CURVEBENCH_RANDOM_SEED={seed} CURVEBENCH_RANDOM_STEPS={STEPS}"
@@ -165,5 +175,6 @@ def test_nothing_breaks_a_window_that_is_used_at_random(
     until = time.monotonic() + 60 * MINUTES
     for seed in itertools.count(SEED):
         use(qtbot, seed, folder, log, faults, odd_values)
+        faults.check()
         if time.monotonic() >= until:
             break
