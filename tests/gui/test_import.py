@@ -611,7 +611,7 @@ def test_a_million_rows_never_block_the_window(editor, tmp_path, record_property
     press(dialog, "importTable")
     editor.settle()
     timer.stop()
-    longest, whole = np.diff(turns).max(), turns[-1] - turns[0]
+    longest, whole = float(np.diff(turns).max()), turns[-1] - turns[0]
     record_property("longest without a turn, in ms of the processor", 1000 * longest)
     print(f"longest {1000 * longest:.0f} ms of {1000 * whole:.0f} ms, {prepared.points} points")
     assert len(editor.curve.nodes) == prepared.points < 1000
