@@ -11,15 +11,13 @@ from app.panels.log_plot import LogPlot
 from app.plot.plot_widget import PlotWidget
 
 Phase, Keys = Qt.ScrollPhase, Qt.KeyboardModifier
-_PAD = QPointingDevice(
-    "trackpad",
-    7,
-    QInputDevice.DeviceType.TouchPad,
-    QPointingDevice.PointerType.Finger,
-    QInputDevice.Capability.Position | QInputDevice.Capability.Scroll,
-    2,
-    1,
-)
+
+
+def trackpad():
+    """A new one for each event: one that was kept for all was once gone before it was used."""
+    kinds = QInputDevice.DeviceType.TouchPad, QPointingDevice.PointerType.Finger
+    abilities = QInputDevice.Capability.Position | QInputDevice.Capability.Scroll
+    return QPointingDevice("trackpad", 7, *kinds, abilities, 2, 1)
 
 
 def scroll(
@@ -37,14 +35,16 @@ def scroll(
         False,
         Qt.MouseEventSource.MouseEventNotSynthesized,
     ]
-    event = QWheelEvent(*given, _PAD) if pad else QWheelEvent(*given)
+    device = trackpad()
+    event = QWheelEvent(*given, device) if pad else QWheelEvent(*given)
     QApplication.sendEvent(plot.viewport(), event)
 
 
 def pinch(plot, at, value, kind=Qt.NativeGestureType.ZoomNativeGesture):
     place = QPointF(at)
+    device = trackpad()
     event = QNativeGestureEvent(
-        kind, _PAD, 2, place, place, plot.viewport().mapToGlobal(place), value, QPointF(), 0
+        kind, device, 2, place, place, plot.viewport().mapToGlobal(place), value, QPointF(), 0
     )
     QApplication.sendEvent(plot.viewport(), event)
 
