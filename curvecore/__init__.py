@@ -75,6 +75,7 @@ from curvecore.flatten import (
     flatten_pieces,
 )
 from curvecore.frozen import FrozenFlattening
+from curvecore.frozen_segments import FrozenSegments
 from curvecore.hermite import HermiteCurve, LocalBasis, QuinticHermiteCurve
 from curvecore.lagrange import LagrangeCurve
 from curvecore.parametrization import centripetal, chebyshev, chord_length, power, uniform
@@ -188,6 +189,7 @@ __all__ = [
     "CurveError",
     "Ensemble",
     "FrozenFlattening",
+    "FrozenSegments",
     "HermiteCurve",
     "Joint",
     "LagrangeBezier",

@@ -18,7 +18,13 @@ import numpy as np
 
 from curvecore.arrays import FloatArray, IntArray
 
-__all__ = ["bernstein_weights", "control_points", "evaluate_inside", "weighted_columns"]
+__all__ = [
+    "bernstein_functions",
+    "bernstein_weights",
+    "control_points",
+    "evaluate_inside",
+    "weighted_columns",
+]
 
 _CHUNK = 4096  # parameters at a time: the dozen working arrays stay in the second-level cache
 _BINOMIALS = {3: (1.0, 3.0, 3.0, 1.0), 5: (1.0, 5.0, 10.0, 10.0, 5.0, 1.0)}
@@ -72,6 +78,11 @@ def bernstein_weights(s: FloatArray, r: FloatArray, degree: int) -> tuple[FloatA
     r3, s3 = r2 * r, s2 * s
     rs = r * s
     return r3 * r2, r3 * rs, r3 * s2, s3 * r2, s3 * rs, s3 * s2
+
+
+def bernstein_functions(s: FloatArray, degree: int) -> FloatArray:
+    """Return the Bernstein polynomials at s in [0, 1], shape (m, degree + 1)."""
+    return np.stack(bernstein_weights(s, 1.0 - s, degree), axis=1) * np.array(_BINOMIALS[degree])
 
 
 def evaluate_inside(

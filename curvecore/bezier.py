@@ -78,6 +78,8 @@ def bezier_segments(curve: HermiteCurve | QuinticHermiteCurve) -> FloatArray:
     if not isinstance(curve, (HermiteCurve, QuinticHermiteCurve)):
         raise CurveError("curve must be a HermiteCurve or a QuinticHermiteCurve to have Bezier segments")
     controls = control_points(curve.jets, curve.parameters)
+    if np.abs(controls).max() <= _LIMIT:
+        return controls
     np.nan_to_num(controls, copy=False, nan=_LIMIT)
     return np.clip(controls, -_LIMIT, _LIMIT, out=controls)
 

@@ -33,6 +33,7 @@ __all__ = [
     "MAX_VERTICES",
     "Pieces",
     "ToleranceWarning",
+    "chord_bound",
     "flatten",
     "flatten_parameters",
     "flatten_pieces",
@@ -245,7 +246,7 @@ def _bezier_pieces(
     done: list[tuple[FloatArray, FloatArray, FloatArray, FloatArray]] = []
     size = 0
     for level in range(_ROUNDS):
-        bound = _chord_bound(arcs.controls)
+        bound = chord_bound(arcs.controls)
         outside = np.zeros(len(bound), dtype=bool) if box is None else ~may_enter(arcs.controls, box)
         need = np.where(outside, 1.0, np.maximum(1.0, np.ceil(np.sqrt(bound / tolerance))))
         fine = need <= _FINE
@@ -272,8 +273,8 @@ def _uniform_pieces(
     """Divide each arc into as many equal pieces as it needs."""
     joints = curve.parameters
     room = max(MAX_VERTICES, 4 * len(joints)) - 1
-    # Data that differ by hundreds of orders of magnitude may ask for more than any number.
-    need = np.minimum(np.nan_to_num(need, nan=room, posinf=room), room)
+    # Data that differ by hundreds of orders of magnitude may ask for more than any number, or for none.
+    need = np.fmin(need, room)
     if need.sum() > room:
         need = np.maximum(1.0, np.floor(need * ((room - need.size) / need.sum())))
     count = need.astype(np.intp)
@@ -292,7 +293,7 @@ def _uniform_pieces(
     return Pieces(t, _points(curve, t), deviation)
 
 
-def _chord_bound(controls: FloatArray) -> FloatArray:
+def chord_bound(controls: FloatArray) -> FloatArray:
     """Bound the distance between arcs and their chords: max |c''| / 8 over s in [0, 1]."""
     degree = controls.shape[1] - 1
     second = controls[:, 2:] - 2.0 * controls[:, 1:-1] + controls[:, :-2]

@@ -224,7 +224,9 @@ class _PiecewiseHermite(Immutable):
         if self._columns is None:
             with np.errstate(over="ignore", under="ignore", invalid="ignore"):
                 columns = weighted_columns(control_points(self._jets, self._parameters))
-            self._columns = read_only(np.nan_to_num(columns, copy=False, nan=LARGEST))
+            if not np.isfinite(columns).all():
+                np.nan_to_num(columns, copy=False, nan=LARGEST)
+            self._columns = read_only(columns)
         return self._columns
 
     def _is_inside(self, t: FloatArray) -> bool:

@@ -9,6 +9,7 @@ import numpy.typing as npt
 from curvecore import (
     Chain,
     FrozenFlattening,
+    FrozenSegments,
     HermiteCurve,
     LagrangeCurve,
     Pieces,
@@ -41,38 +42,49 @@ class Polyline(msgspec.Struct, frozen=True, eq=False):
 class Flattener:
     """Flattens one curve after the other; views of a curve that changes hand it on from one to the next.
 
-    A Lagrange curve that is drawn again at the same scale gets samples that follow it. Piecewise
-    curves are flattened whole: that costs no more than finding out which segments a move has reached.
+    A curve that is drawn again at the same scale gets samples, or places on its segments, that follow it.
     """
 
     def __init__(self) -> None:
         self._last: FlatteningKey | None = None
-        self._frozen: FrozenFlattening | None = None
+        self._frozen: FrozenFlattening | FrozenSegments | None = None
         self._pause = 0
 
     def polyline(self, curve: CoreCurve | None, key: FlatteningKey) -> Polyline:
         """Return the polyline of `curve` for the tolerance and the box `key`."""
         if curve is None:
             return Polyline(np.empty(0), np.empty((0, 2)))
-        if isinstance(curve, LagrangeCurve):
-            return self._following(curve, key)
-        return _flatten(curve, key)
+        if isinstance(curve, Chain):
+            return _flatten(curve, key)
+        return self._following(curve, key)
 
-    def _following(self, curve: LagrangeCurve, key: FlatteningKey) -> Polyline:
+    def _following(self, curve: SimpleCurve, key: FlatteningKey) -> Polyline:
         if key != self._last:
             # The first at this scale: there may never be another one.
             self._last, self._frozen, self._pause = key, None, 0
             return _flatten(curve, key)
-        pieces = self._frozen.follow(curve) if self._frozen is not None else None
+        pieces = _followed(self._frozen, curve)
         if pieces is None and self._pause == 0:
-            self._frozen = FrozenFlattening(curve, *key)
-            pieces = self._frozen.follow(curve)
+            self._frozen = _frozen(curve, key)
+            pieces = _followed(self._frozen, curve)
             if pieces is None:
                 # Too wild to be followed; it may calm down.
                 self._frozen, self._pause = None, _PAUSE
         elif pieces is None:
             self._pause -= 1
         return _flatten(curve, key) if pieces is None else _polyline(pieces)
+
+
+def _frozen(curve: SimpleCurve, key: FlatteningKey) -> FrozenFlattening | FrozenSegments:
+    return FrozenFlattening(curve, *key) if isinstance(curve, LagrangeCurve) else FrozenSegments(curve, *key)
+
+
+def _followed(frozen: FrozenFlattening | FrozenSegments | None, curve: SimpleCurve) -> Pieces | None:
+    if isinstance(frozen, FrozenFlattening):
+        return frozen.follow(curve) if isinstance(curve, LagrangeCurve) else None
+    if frozen is None or isinstance(curve, LagrangeCurve):
+        return None
+    return frozen.follow(curve)
 
 
 def _flatten(curve: CoreCurve, key: FlatteningKey) -> Polyline:

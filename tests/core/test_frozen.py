@@ -1,12 +1,10 @@
 """Samples that follow a changing curve, against the curve itself."""
 
-from itertools import pairwise
-
 import numpy as np
 import pytest
 
 from curvecore import FrozenFlattening, LagrangeCurve, chebyshev
-from curvecore.flatten import segment_distance
+from tests.polylines import worst_distance
 
 BOX = (-0.5, -0.5, 4.5, 3.0)
 TOLERANCE = 1e-3
@@ -15,16 +13,6 @@ TOLERANCE = 1e-3
 def wave(n):
     t = chebyshev(n)
     return LagrangeCurve(np.column_stack([4 * t, 1 + 0.7 * np.sin(9 * t)]), t)
-
-
-def worst_distance(curve, pieces):
-    """Largest distance of the curve within the box from its polyline, at twenty places a piece."""
-    t = np.concatenate([np.linspace(*ends, 20) for ends in pairwise(pieces.parameters)])
-    piece = np.repeat(np.arange(len(pieces.parameters) - 1), 20)
-    points = curve.evaluate(t)
-    distance = segment_distance(points, pieces.points[piece], pieces.points[piece + 1])
-    inside = ((points >= BOX[:2]) & (points <= BOX[2:])).all(axis=1)
-    return float(distance[inside].max(initial=0.0))
 
 
 @pytest.mark.parametrize("n", [2, 3, 7, 20, 60])
@@ -39,7 +27,7 @@ def test_a_moved_point_is_followed_within_the_tolerance(n):
         pieces = frozen.follow(moved)
         if pieces is not None:
             followed += 1
-            assert worst_distance(moved, pieces) <= TOLERANCE
+            assert worst_distance(moved, pieces, BOX) <= TOLERANCE
             # The samples are those of the curve itself, to the rounding of one more sum.
             assert np.abs(pieces.points - moved.evaluate(pieces.parameters)).max() <= 1e-13 * (1 + size)
     assert followed >= 2
@@ -54,7 +42,7 @@ def test_moved_parameters_are_followed_within_the_tolerance(n):
     moved = LagrangeCurve(curve.points, parameters)
     pieces = frozen.follow(moved)
     assert pieces is not None
-    assert worst_distance(moved, pieces) <= TOLERANCE
+    assert worst_distance(moved, pieces, BOX) <= TOLERANCE
 
 
 def test_samples_that_do_not_serve_any_more_are_not_used():
@@ -79,7 +67,7 @@ def test_a_curve_that_comes_in_from_outside_the_box_is_noticed():
     frozen = FrozenFlattening(curve, TOLERANCE, BOX)
     inside = curve.with_jets((points - [9.0, 9.0])[:, None])
     pieces = frozen.follow(inside)
-    assert pieces is None or worst_distance(inside, pieces) <= TOLERANCE
+    assert pieces is None or worst_distance(inside, pieces, BOX) <= TOLERANCE
 
 
 @pytest.mark.parametrize("n", [3, 4, 6, 9])
@@ -97,8 +85,5 @@ def test_tips_that_move_along_their_own_line_are_followed_or_refused(n):
             pieces = frozen.follow(moved)
             if pieces is not None:
                 followed += 1
-                t = np.concatenate([np.linspace(*ends, 40) for ends in pairwise(pieces.parameters)])
-                piece = np.repeat(np.arange(len(pieces.parameters) - 1), 40)
-                off = segment_distance(moved.evaluate(t), pieces.points[piece], pieces.points[piece + 1])
-                assert off.max() <= tolerance
+                assert worst_distance(moved, pieces, (-np.inf, -np.inf, np.inf, np.inf)) <= tolerance
     assert followed >= 40
