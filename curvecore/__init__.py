@@ -22,6 +22,7 @@ tangents            velocities and accelerations estimated from points
 bezier              exact and approximate Bezier control points
 flatten             polylines within a tolerance
 frozen              the same while points move and parameters stay
+frozen_segments     the same for Hermite curves, whatever moves
 moved_parameters    Lagrange functions after a few parameters moved
 left_out            the curve then: some points left out and put back
 derivatives         c', c'' at many parameters, by a short cut

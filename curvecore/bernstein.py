@@ -82,7 +82,9 @@ def bernstein_weights(s: FloatArray, r: FloatArray, degree: int) -> tuple[FloatA
 
 def bernstein_functions(s: FloatArray, degree: int) -> FloatArray:
     """Return the Bernstein polynomials at s in [0, 1], shape (m, degree + 1)."""
-    return np.stack(bernstein_weights(s, 1.0 - s, degree), axis=1) * np.array(_BINOMIALS[degree])
+    functions: FloatArray = np.stack(bernstein_weights(s, 1.0 - s, degree), axis=1)
+    functions *= np.array(_BINOMIALS[degree])
+    return functions
 
 
 def evaluate_inside(

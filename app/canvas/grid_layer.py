@@ -7,9 +7,10 @@ from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
-from PySide6.QtGui import QPainter, QPen
+from PySide6.QtCore import Qt
+from PySide6.QtGui import QPainter
 
-from app.plot.drawing import Segments
+from app.plot.drawing import Bars
 from app.plot.layered_plot import LayeredPlot
 from app.plot.pixel_map import Floats, PixelMap
 from app.theme import Theme
@@ -31,7 +32,7 @@ class GridLayer:
         self.theme = theme
         self._visible = True
         self._shown: PixelMap | None = None
-        self._fine, self._coarse = Segments(), Segments()
+        self._fine, self._coarse = Bars(), Bars()
         self._fixed = 0.0
         self._steps = (0.0, 0.0)
         self._layer = plot.add_layer(self.paint, z=-10)
@@ -79,8 +80,9 @@ class GridLayer:
         if shown is not self._shown:
             self._compute(shown)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing, False)
+        painter.setPen(Qt.PenStyle.NoPen)
         for lines, colour in ((self._fine, self.theme.grid_fine), (self._coarse, self.theme.grid_coarse)):
-            painter.setPen(QPen(colour, 1))
+            painter.setBrush(colour)
             lines.draw(painter)
 
     def _compute(self, shown: PixelMap) -> None:
@@ -140,6 +142,6 @@ def _values(levels: list[tuple[float, list[float]]], level: int) -> Floats:
 def _lines(x: Floats, y: Floats, shown: PixelMap) -> Floats:
     """Return vertical lines at `x` and horizontal lines at `y`, on whole pixels so that they stay crisp."""
     x, y = np.round(x), np.round(y)
-    vertical = np.column_stack([x, np.zeros_like(x), x, np.full_like(x, shown.height)])
-    horizontal = np.column_stack([np.zeros_like(y), y, np.full_like(y, shown.width), y])
+    vertical = np.column_stack([x, np.zeros_like(x), np.ones_like(x), np.full_like(x, shown.height)])
+    horizontal = np.column_stack([np.zeros_like(y), y, np.full_like(y, shown.width), np.ones_like(y)])
     return np.vstack([vertical, horizontal])

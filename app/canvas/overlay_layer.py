@@ -5,13 +5,14 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 
 from PySide6.QtCore import QPointF, QRectF, QSizeF, Qt
-from PySide6.QtGui import QColor, QFont, QFontMetricsF, QPainter, QPen
+from PySide6.QtGui import QColor, QFontMetricsF, QPainter, QPen
 
 from app.canvas.label_place import NOTHING, Surroundings, free_corner
 from app.document.model import Vector
 from app.gestures.overlay import Note, Overlay, Ruler
 from app.gestures.snapping import Snap
 from app.gestures.transform_box import TransformBox
+from app.plot.fonts import Sizes
 from app.plot.halo import Halo
 from app.plot.layered_plot import LayeredPlot
 from app.plot.pixel_map import PixelMap
@@ -46,7 +47,7 @@ class OverlayLayer:
         # Where the words about the last snap stood.
         self.label = QRectF()
         self._halo = Halo()
-        self._font = QFont(plot.font())
+        self._fonts = Sizes(plot.font())
         self._layer = plot.add_layer(self.paint, z=20)
 
     @property
@@ -63,7 +64,7 @@ class OverlayLayer:
     def paint(self, painter: QPainter, shown: PixelMap) -> None:
         """Draw what there is."""
         overlay = self._overlay
-        painter.setFont(self._scaled_font())
+        painter.setFont(self._fonts.times(0.95 * self.scale))
         if overlay.box is not None:
             self._paint_box(painter, shown, overlay.box)
         if overlay.band is not None:
@@ -76,11 +77,6 @@ class OverlayLayer:
             self._paint_snap(painter, shown, overlay.snap)
         if overlay.note is not None:
             self._paint_note(painter, shown, overlay.note)
-
-    def _scaled_font(self) -> QFont:
-        font = QFont(self._font)
-        font.setPointSizeF(self._font.pointSizeF() * 0.95 * self.scale)
-        return font
 
     def _pen(self, width: float = 1.0, style: Qt.PenStyle = Qt.PenStyle.SolidLine) -> QPen:
         return QPen(self.theme.accent, width * self.scale, style)

@@ -6,11 +6,12 @@ from collections.abc import Sequence
 
 import numpy as np
 from PySide6.QtCore import QPointF, QRectF, Qt, QTimer
-from PySide6.QtGui import QColor, QFont, QPainter, QPen, QPolygonF
+from PySide6.QtGui import QColor, QPainter, QPen, QPolygonF
 
 from app.canvas.point_density import RADIUS, Discs, discs_for, with_neighbours
 from app.plot.colours import colours_of
 from app.plot.drawing import Flags
+from app.plot.fonts import Sizes
 from app.plot.layered_plot import LayeredPlot
 from app.plot.pixel_map import Floats, PixelMap
 from app.plot.plates import write_on_plate
@@ -30,9 +31,6 @@ _FAR = 1e5
 _HIDDEN = 0.35
 """Opacity of the points of a curve that is hidden, while it is edited."""
 
-_STAMPED_FROM = 64
-"""Points from which on discs are stamped, on whole pixels, in place of drawn."""
-
 
 class PointLayer:
     """Draws the nodes of the active curve; all in one item."""
@@ -51,7 +49,7 @@ class PointLayer:
         self._view: CurveView | None = None
         self._handles: list[Handle] = []
         self._layer = plot.add_layer(self.paint, z=10)
-        self._font = QFont(plot.font())
+        self._fonts = Sizes(plot.font())
         self._stamps = Stamps(_disc)
         self._discs_now = Discs(RADIUS, 0.0)
         self._discs_asked: tuple[object, ...] = ()
@@ -125,10 +123,7 @@ class PointLayer:
         hovered = calm[calm == self.hovered]
         if discs.crowded:
             calm = with_neighbours([*chosen, *hovered.tolist()], calm)
-        if len(calm) < _STAMPED_FROM:
-            self._paint_discs(painter, pixels, calm.tolist(), colours, discs.radius, discs.rim)
-        else:
-            self._stamps.draw(painter, pixels[calm], calm, len(pixels), self.theme, discs.radius, discs.rim)
+        self._stamps.draw(painter, pixels[calm], calm, len(pixels), self.theme, discs.radius, discs.rim)
         self._paint_discs(
             painter, pixels, hovered.tolist(), colours, (RADIUS + _GROWTH) * self.scale, 1.5 * self.scale
         )
@@ -156,7 +151,7 @@ class PointLayer:
         return f"{len(self._view.points)} points: selection only · zoom in to see all"
 
     def _paint_note(self, painter: QPainter, shown: QRectF) -> None:
-        painter.setFont(self._scaled_font(0.9))
+        painter.setFont(self._fonts.times(0.9 * self.scale))
         size = painter.fontMetrics().size(0, self.note)
         plate = QRectF(0, 0, size.width() + 10, size.height() + 4)
         plate.moveBottomLeft(shown.bottomLeft() + QPointF(6, -6))
@@ -200,7 +195,7 @@ class PointLayer:
         chosen: list[int] = visible.tolist()
         if not chosen:
             return
-        painter.setFont(self._scaled_font(0.95))
+        painter.setFont(self._fonts.times(0.95 * self.scale))
         with_weight = self._has_weight_text(len(pixels))
         for index in chosen:
             text, colour, away = str(index), self.theme.muted, 17 * self.scale
@@ -236,18 +231,16 @@ class PointLayer:
 
     def _number_place(self, pixels: Floats, index: int, distance: float) -> QPointF:
         """Put the number on the outer side of the bend, where the curve is not."""
-        here = pixels[index]
-        before, after = pixels[max(index - 1, 0)], pixels[min(index + 1, len(pixels) - 1)]
+        last = len(pixels) - 1
+        around = pixels[[max(index - 1, 0), index, min(index + 1, last)]].tolist()
+        before, here, after = (complex(*place) for place in around)
         outward = here - (before + after) / 2
-        length = float(np.hypot(*outward))
-        bends = 0 < index < len(pixels) - 1 and length > 2
-        outward = outward / length if bends else _beside(after - before)
-        return QPointF(here[0] + distance * outward[0], here[1] + distance * outward[1])
-
-    def _scaled_font(self, factor: float) -> QFont:
-        font = QFont(self._font)
-        font.setPointSizeF(self._font.pointSizeF() * factor * self.scale)
-        return font
+        if 0 < index < last and abs(outward) > 2:
+            outward /= abs(outward)
+        else:
+            outward = _beside(after - before)
+        place = here + distance * outward
+        return QPointF(place.real, place.imag)
 
     # Handles
 
@@ -351,13 +344,12 @@ def _is_near(pixels: Floats, shown: PixelMap) -> Flags:
     return (x > -margin) & (x < shown.width + margin) & (y > -margin) & (y < shown.height + margin)
 
 
-def _beside(direction: Floats) -> Floats:
+def _beside(direction: complex) -> complex:
     """Return the unit vector across `direction` (pixels) that points up; straight up without direction."""
-    length = float(np.hypot(*direction))
-    if length == 0:
-        return np.array([0.0, -1.0])
-    across = np.array([direction[1], -direction[0]]) / length
-    return -across if across[1] > 0 else across
+    if direction == 0:
+        return -1j
+    across = direction * -1j / abs(direction)
+    return -across if across.imag > 0 else across
 
 
 def _paint_mark(painter: QPainter, handle: Handle, tip: QPointF, size: float) -> None:

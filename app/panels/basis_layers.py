@@ -8,11 +8,12 @@ from collections.abc import Sequence
 
 import numpy as np
 from PySide6.QtCore import QPointF, QRectF, Qt
-from PySide6.QtGui import QColor, QFont, QPainter, QPen, QPolygonF
+from PySide6.QtGui import QColor, QPainter, QPen, QPolygonF
 
 from app.panels.crest_names import CrestNames
 from app.panels.function_lines import Drawing, FunctionLines, way_to_draw
 from app.plot.colours import colours_of
+from app.plot.fonts import Sizes
 from app.plot.layered_plot import LayeredPlot
 from app.plot.pens import with_dashes
 from app.plot.pixel_map import Floats, PixelMap
@@ -181,7 +182,7 @@ class RailLayer:
         self._stamps = Stamps(_tick)
         self._owners: Sequence[int] = ()
         self._count = 0
-        self._font = QFont(plot.font())
+        self._fonts = Sizes(plot.font())
         self._layer = plot.add_layer(self.paint, z=10)
 
     def render(self, basis: BasisView | None) -> None:
@@ -215,9 +216,7 @@ class RailLayer:
         last = self.selection | {self.hovered}
         order = sorted(visible.tolist(), key=lambda knot: self._owners[knot] in last)
         numbers_right_of = -np.inf
-        font = QFont(self._font)
-        font.setPointSizeF(max(self._font.pointSizeF() - 1.5, 7.0) * self.scale)
-        painter.setFont(font)
+        painter.setFont(self._fonts.less(1.5, self.scale))
         for index in order:
             place, owner = float(x[index]), self._owners[index]
             self._paint_tick(painter, place, top, owner, colours[owner])

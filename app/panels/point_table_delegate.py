@@ -112,6 +112,7 @@ class PointTableDelegate(Guarded, QStyledItemDelegate):
         self._theme = LIGHT
         self._streaming = False
         self._formats: list[ColumnFormat] = []
+        self._upright, self._italic = QFont(), QFont()
 
     def set_theme(self, theme: Theme) -> None:
         """Take the colours of `theme`."""
@@ -135,7 +136,7 @@ class PointTableDelegate(Guarded, QStyledItemDelegate):
         if self._model.shows_one_side(row, column):
             _paint_corner_mark(painter, rect, theme)
         text = self.text(row, column)
-        painter.setFont(_italic(option.font) if estimated else option.font)
+        painter.setFont(self._italic_of(option.font) if estimated else option.font)
         painter.setPen(theme.muted if estimated else theme.ink)
         painter.drawText(
             rect.adjusted(0, 0, -PADDING, 0),
@@ -145,6 +146,13 @@ class PointTableDelegate(Guarded, QStyledItemDelegate):
         if option.state & QStyle.StateFlag.State_HasFocus:
             painter.setPen(theme.accent)
             painter.drawRect(rect.adjusted(0, 0, -1, -1))
+
+    def _italic_of(self, font: QFont) -> QFont:
+        """Return the font in italics: the last one again, for Qt seeks the glyphs of a new one anew."""
+        if font != self._upright:
+            self._upright, self._italic = QFont(font), QFont(font)
+            self._italic.setItalic(True)
+        return self._italic
 
     def text(self, row: int, column: int) -> str:
         """Return a number as its column writes it."""
@@ -269,9 +277,3 @@ def _paint_corner_mark(painter: QPainter, rect: QRect, theme: Theme) -> None:
     x, y = rect.left() + 1, rect.top() + 1
     painter.drawPolygon([QPoint(x, y), QPoint(x + _MARK, y), QPoint(x, y + _MARK)])
     painter.restore()
-
-
-def _italic(font: QFont) -> QFont:
-    italic = QFont(font)
-    italic.setItalic(True)
-    return italic

@@ -10,7 +10,7 @@ import numpy as np
 import numpy.typing as npt
 from pyqtgraph.functions import create_qpolygonf, ndarray_from_qpolygonf
 from pyqtgraph.Qt.internals import PrimitiveArray
-from PySide6.QtCore import QLineF
+from PySide6.QtCore import QLineF, QRectF
 from PySide6.QtGui import QPainter, QPolygonF
 
 Floats = npt.NDArray[np.float64]
@@ -142,6 +142,23 @@ class Segments:
         """Draw with the painter's pen."""
         if len(self._lines):
             painter.drawLines(*self._lines.drawargs())
+
+
+class Bars:
+    """Many rectangles along the axes, filled in one call: of lines on whole pixels the quickest way."""
+
+    def __init__(self) -> None:
+        self._rects = PrimitiveArray(QRectF, 4)
+
+    def fill(self, rects: Floats) -> None:
+        """Take rectangles (m, 4) = x, y, width, height."""
+        self._rects.resize(len(rects))
+        self._rects.ndarray()[:] = rects
+
+    def draw(self, painter: QPainter) -> None:
+        """Draw with the painter's brush, and its pen if it has one."""
+        if len(self._rects):
+            painter.drawRects(*self._rects.drawargs())
 
 
 def polygon(x: Floats, y: Floats) -> QPolygonF:

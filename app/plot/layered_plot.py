@@ -12,7 +12,7 @@ from typing import Protocol, TypeVar, runtime_checkable
 import pyqtgraph as pg
 from pyqtgraph.graphicsItems.ViewBox.ViewBox import ChildGroup
 from PySide6.QtCore import QPoint, QPointF, QRectF, Signal
-from PySide6.QtGui import QColor, QFont, QPainter, QPaintEvent, QPen
+from PySide6.QtGui import QColor, QFont, QPainter, QPaintEvent, QPen, QResizeEvent
 from PySide6.QtWidgets import QGraphicsItem, QGraphicsView, QStyleOptionGraphicsItem, QWidget
 
 from app.overrides import Guarded, guard_library
@@ -117,6 +117,7 @@ class LayeredPlot(Guarded, pg.PlotWidget):  # type: ignore[misc]  # pyqtgraph ha
         self._theme = LIGHT
         self._scale = 1.0
         self._map: PixelMap | None = None
+        self._origin: QPointF | None = None
         self._shows_focus = False
         self._set_up_plot()
         # With it Qt repaints one pixel around each layer, without it two; see _INSET.
@@ -198,9 +199,11 @@ class LayeredPlot(Guarded, pg.PlotWidget):  # type: ignore[misc]  # pyqtgraph ha
         return self._map
 
     def _area_origin(self) -> QPointF:
-        """Return where in the viewport the plot area begins."""
-        box = self.getViewBox()
-        return QPointF(self.viewportTransform().map(box.mapToScene(QPointF(0, 0))))
+        """Return where in the viewport the plot area begins: as long as it is as large, at the same place."""
+        if self._origin is None:
+            box = self.getViewBox()
+            self._origin = QPointF(self.viewportTransform().map(box.mapToScene(QPointF(0, 0))))
+        return self._origin
 
     def to_pixel(self, x: float, y: float) -> QPoint:
         """Return the viewport pixel nearest to a point of the plane."""
@@ -227,7 +230,7 @@ class LayeredPlot(Guarded, pg.PlotWidget):  # type: ignore[misc]  # pyqtgraph ha
         return self._area_origin() + QPointF(shown.width / 2, shown.height / 2)
 
     def _forget_map(self) -> None:
-        self._map = None
+        self._map = self._origin = None
         rect = self.getViewBox().rect()
         for layer in self._layers:
             layer.resize(rect)
@@ -257,6 +260,10 @@ class LayeredPlot(Guarded, pg.PlotWidget):  # type: ignore[misc]  # pyqtgraph ha
         x_min, y_min, x_max, y_max = shown.box
         by_x, by_y = -dx / shown.sx, dy / shown.sy
         self.show_box((x_min + by_x, x_max + by_x), (y_min + by_y, y_max + by_y))
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        super().resizeEvent(event)
+        self._origin = None
 
     def paintEvent(self, event: QPaintEvent) -> None:
         super().paintEvent(event)

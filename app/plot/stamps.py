@@ -20,6 +20,10 @@ _COLOURS = 256
 
 _COLUMNS = 16
 
+_FEW, _PLACES = 64, 4
+"""Colours up to which each mark is kept at so many places within a pixel, along x and y: an eye cannot tell
+it from one drawn where it belongs. Of more, on whole pixels."""
+
 
 class Stamps:
     """Marks in the colours of the points.
@@ -51,10 +55,13 @@ class Stamps:
         device = painter.device()
         ratio = device.devicePixelRatioF() if device is not None else 1.0
         self._prepare(min(count, _COLOURS), theme, radius, rim, ratio)
-        cells = cells_of(indices, count)
+        finer = _places_within_a_pixel(count)
+        steps = np.floor(places * (ratio * finer) + 0.5).astype(np.intp)
+        whole, within = np.divmod(steps, finer)
+        cells = (cells_of(indices, count) * finer + within[:, 1]) * finer + within[:, 0]
         self._fragments.resize(len(indices))
         data = self._fragments.ndarray()
-        data[:, :2] = places
+        data[:, :2] = whole / ratio
         data[:, 2] = cells % _COLUMNS * self._cell
         data[:, 3] = cells // _COLUMNS * self._cell
         data[:, 4:6] = self._cell
@@ -69,20 +76,29 @@ class Stamps:
         if wanted == self._made_of:
             return
         self._made_of = wanted
-        self._cell = 2 * math.ceil((radius + rim) * ratio) + 2
-        rows = -(-colours // _COLUMNS)
+        finer = _places_within_a_pixel(colours)
+        # Even, so that whole pixels lie on whole pixels.
+        self._cell = 2 * math.ceil((radius + rim) * ratio) + 4
+        rows = -(-colours * finer * finer // _COLUMNS)
         self._sheet = QPixmap(_COLUMNS * self._cell, rows * self._cell)
         self._sheet.fill(Qt.GlobalColor.transparent)
         painter = QPainter(self._sheet)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing, True)
         painter.setPen(QPen(theme.paper, rim * ratio) if rim else Qt.PenStyle.NoPen)
-        for cell, colour in enumerate(point_colours(colours, theme)):
-            centre = QPointF((cell % _COLUMNS + 0.5) * self._cell, (cell // _COLUMNS + 0.5) * self._cell)
+        within = [(x / finer, y / finer) for y in range(finer) for x in range(finer)]
+        for number, colour in enumerate(point_colours(colours, theme)):
             painter.setBrush(colour)
-            painter.translate(centre)
-            self._shape(painter, radius * ratio)
-            painter.translate(-centre)
+            for cell, (x, y) in enumerate(within, number * len(within)):
+                left, top = cell % _COLUMNS * self._cell, cell // _COLUMNS * self._cell
+                centre = QPointF(left + self._cell / 2 + x, top + self._cell / 2 + y)
+                painter.translate(centre)
+                self._shape(painter, radius * ratio)
+                painter.translate(-centre)
         painter.end()
+
+
+def _places_within_a_pixel(count: int) -> int:
+    return _PLACES if count <= _FEW else 1
 
 
 def cells_of(indices: npt.NDArray[np.intp], count: int) -> npt.NDArray[np.intp]:
