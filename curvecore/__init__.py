@@ -30,6 +30,7 @@ bernstein_algebra   polynomials in Bernstein form: products, roots
 pieces              any curve as Bezier pieces of low degree
 geometry            curvature, box, inflections, extrema of curvature
 lengths             lengths within a bound, and the way back
+quadrature          its arithmetic, for the arcs of many curves at once
 nearest_point       the nearest point of a curve, of all or within a reach
 arc_pairs           arcs of a curve that may meet
 intersections       where a curve crosses itself

@@ -45,17 +45,21 @@ def control_points(jets: FloatArray, parameters: FloatArray) -> FloatArray:
     ndarray, shape (n - 1, 2 R, dim)
         Not finite where h v or h**2 a overflows.
     """
-    h = np.diff(parameters)[:, None]
-    degree = 2 * jets.shape[1] - 1
-    controls = np.empty((len(h), degree + 1, jets.shape[2]))
+    return controls_between(jets[:-1], jets[1:], np.diff(parameters)[:, None])
+
+
+def controls_between(starts: FloatArray, ends: FloatArray, h: FloatArray) -> FloatArray:
+    """Return the control points of segments of lengths h (k, 1) from the jets at their ends, (k, R, dim)."""
+    degree = 2 * starts.shape[1] - 1
+    controls = np.empty((len(h), degree + 1, starts.shape[2]))
     with np.errstate(over="ignore", under="ignore", invalid="ignore"):
-        for ends, step, column, inward in ((jets[:-1], h, 0, 1), (jets[1:], -h, degree, -1)):
-            reach = step * ends[:, 1]
-            controls[:, column] = ends[:, 0]
-            controls[:, column + inward] = ends[:, 0] + reach / degree
+        for jets, step, column, inward in ((starts, h, 0, 1), (ends, -h, degree, -1)):
+            reach = step * jets[:, 1]
+            controls[:, column] = jets[:, 0]
+            controls[:, column + inward] = jets[:, 0] + reach / degree
             if degree == 5:
-                bend = step * (step * ends[:, 2]) / 20.0
-                controls[:, column + 2 * inward] = ends[:, 0] + (0.4 * reach + bend)
+                bend = step * (step * jets[:, 2]) / 20.0
+                controls[:, column + 2 * inward] = jets[:, 0] + (0.4 * reach + bend)
     return controls
 
 

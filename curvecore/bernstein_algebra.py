@@ -40,7 +40,9 @@ __all__ = [
 ]
 
 _DEPTH = 40  # halvings after which an interval that still changes sign counts as a root
-_MOST = 4096  # intervals at a time: an identically small polynomial must not cost more
+_MOST = (
+    4096  # intervals at a time, or one for each coefficient: halving adds no changes of sign but by rounding
+)
 _STEPS = 60
 
 
@@ -126,10 +128,10 @@ def _left_half(degree: int) -> FloatArray:
 def halves(coefficients: FloatArray) -> tuple[FloatArray, FloatArray]:
     """Return the coefficients on [0, 1/2] and on [1/2, 1]; any trailing axes."""
     matrix = _left_half(coefficients.shape[1] - 1)
+    flat = coefficients.reshape(*coefficients.shape[:2], -1)
     with np.errstate(under="ignore"):
-        left = np.einsum("ij,kj...->ki...", matrix, coefficients)
-        right = np.einsum("ij,kj...->ki...", matrix[::-1, ::-1], coefficients)
-    return left, right
+        left, right = matrix @ flat, matrix[::-1, ::-1] @ flat
+    return left.reshape(coefficients.shape), right.reshape(coefficients.shape)
 
 
 def subdivided(coefficients: FloatArray) -> FloatArray:
@@ -160,6 +162,7 @@ def sign_changes(coefficients: FloatArray, noise: FloatArray) -> PieceRoots:
     start, size = np.zeros(len(piece)), 1.0
     work, limit = coefficients, noise
     found: list[_Bracket] = []
+    most = max(_MOST, coefficients.size)
     for depth in range(_DEPTH):
         count = _variations(work, limit)
         single = count % 2 == 1 if depth == _DEPTH - 1 else count == 1
@@ -167,7 +170,7 @@ def sign_changes(coefficients: FloatArray, noise: FloatArray) -> PieceRoots:
         rising = end_signs(work[single], limit[single], -1) > 0.0
         found.append(_Bracket(piece[single], start[single], work[single], rising, size))
         rest = count > 1
-        if not rest.any() or 2 * int(rest.sum()) > _MOST:
+        if not rest.any() or 2 * int(rest.sum()) > most:
             break
         work = subdivided(work[rest])
         size *= 0.5

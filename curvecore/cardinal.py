@@ -29,6 +29,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from curvecore.arrays import FloatArray, IntArray, parameter_values, read_only
+from curvecore.bernstein import controls_between
 from curvecore.chain import Chain
 from curvecore.curve import Curve
 from curvecore.errors import CurveError
@@ -242,6 +243,18 @@ class CardinalBasis:
         low = min(int(counts.min(initial=middle)), middle - 1)
         high = max(int(counts.max(initial=middle)), middle)
         return columns[:, low : high + 1], estimates[:, :, :, low : high + 1]
+
+    @property
+    def controls(self) -> FloatArray:
+        """The functions on each segment as Bezier control points, (segments, degree + 1, w): of w points."""
+        if self._estimates is None or self._ends is None:
+            raise CurveError("only functions that follow the points have control points of their own")
+        segments, _, orders, width = self._estimates.shape
+        jets = np.zeros((segments, 2, orders + 1, width))
+        jets[:, :, 1:] = self._estimates
+        places = self._ends[:, :, None] == np.arange(width)
+        jets[:, :, 0] = places
+        return controls_between(jets[:, 0], jets[:, 1], np.diff(self.parameters)[:, None])
 
     # The functions
 

@@ -14,12 +14,13 @@ References
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from functools import cache
 from typing import NamedTuple
 
 import numpy as np
 
-from curvecore.arrays import FloatArray, read_only
+from curvecore.arrays import FloatArray, IntArray, read_only
 from curvecore.bernstein import control_points
 from curvecore.bernstein_algebra import derivative, elevated, weights
 from curvecore.bezier import spread
@@ -27,7 +28,7 @@ from curvecore.chain import Chain
 from curvecore.curve import Curve
 from curvecore.hermite import HermiteCurve, QuinticHermiteCurve
 
-__all__ = ["MAX_PIECES", "BezierPieces", "bezier_pieces", "parameters_at", "size_of"]
+__all__ = ["MAX_PIECES", "BezierPieces", "alike", "bezier_pieces", "parameters_at", "size_of"]
 
 MAX_PIECES = 1 << 12
 """No polynomial is divided into more pieces than this."""
@@ -90,6 +91,15 @@ def bezier_pieces(curve: Curve, tolerance: float) -> BezierPieces:
             pieces = _scaled(controls, curve.parameters, exact, exact, 0)
             return _with_exact_slopes(pieces, curve)
         return _sampled(curve, tolerance)
+
+
+def alike(parts: Sequence[BezierPieces]) -> list[IntArray]:
+    """Return the indices of curves whose pieces have one degree and dim: their arrays can be joined."""
+    shapes = [part.controls.shape[1:] for part in parts]
+    return [
+        np.array([index for index, shape in enumerate(shapes) if shape == wanted])
+        for wanted in dict.fromkeys(shapes)
+    ]
 
 
 def size_of(controls: FloatArray) -> float:
@@ -192,7 +202,7 @@ def _sampled(curve: Curve, tolerance: float) -> BezierPieces:
         if finer.size == parameters.size:
             break
         parameters = finer
-    controls = np.einsum("bc,kcd->kbd", _to_bernstein(degree), coefficients[:, : degree + 1])
+    controls = _to_bernstein(degree) @ coefficients[:, : degree + 1]
     # Coefficients as small as rounding are none of the polynomial's own.
     noise = 8.0 * _UNIT * np.abs(coefficients[:, 0]).max(axis=1, initial=0.0)
     orders = np.arange(degree + 1, _POINTS, dtype=np.float64)
@@ -215,7 +225,7 @@ def _chebyshev(curve: Curve, parameters: FloatArray) -> tuple[FloatArray, float,
     sampled = curve.evaluate(t.ravel()).reshape(*t.shape, -1)
     _, base = np.frexp(np.abs(sampled).max())
     sampled = np.ldexp(sampled, -base)
-    return np.einsum("cp,kpd->kcd", _transform(), sampled), size_of(sampled), int(base)
+    return _transform() @ sampled, size_of(sampled), int(base)
 
 
 @cache

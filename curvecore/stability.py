@@ -17,20 +17,20 @@ References
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from typing import NamedTuple, Protocol, runtime_checkable
+from collections.abc import Callable, Sequence
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from curvecore.arrays import FloatArray, parameter_values
+from curvecore.arrays import FloatArray, IntArray, parameter_values
+from curvecore.bernstein_algebra import weights
 from curvecore.cardinal import CardinalBasis
 from curvecore.chain import Chain
 from curvecore.curve import Curve
-from curvecore.hermite import LocalBasis
 from curvecore.scaling import LARGEST
 
-__all__ = ["derivative_sums", "lebesgue_constant", "lebesgue_function"]
+__all__ = ["derivative_sums", "lebesgue_constant", "lebesgue_constants", "lebesgue_function"]
 
 
 class _Search(NamedTuple):
@@ -44,12 +44,8 @@ class _Search(NamedTuple):
 _ONE_PEAK = _Search(9, 0.3, 15)
 _FEW_PEAKS = _Search(19, 0.15, 9)
 _MANY = 500  # intervals, of which the likelier half or fewer is searched
+_MOST_AT_ONCE = 1 << 20  # values: a few megabytes
 _MOST_PEAKS = 64  # intervals that are looked into more closely; of equal ones a few will do
-
-
-@runtime_checkable
-class _Local(Protocol):
-    def local_basis(self, t: ArrayLike, order: int = 0) -> LocalBasis: ...
 
 
 def lebesgue_function(curve: Curve | CardinalBasis, t: ArrayLike) -> FloatArray:
@@ -131,46 +127,141 @@ def lebesgue_constant(curve: Curve | CardinalBasis) -> float:
     500 intervals only the 250 that three samples show to be the highest.
     """
     if isinstance(curve, CardinalBasis):
-        if not curve.follows:
-            return lebesgue_constant(curve.curve)
-        return _largest_sum(curve.sums, curve.parameters, _FEW_PEAKS)
+        return lebesgue_constants([curve])[0] if curve.follows else lebesgue_constant(curve.curve)
     if isinstance(curve, Chain):
         return max(lebesgue_constant(piece) for piece in curve.pieces)
     if curve.jets.shape[1] > 1 or len(curve.parameters) == 2:
         return 1.0
-    return _largest_sum(lambda t: _sums(curve, t)[:, 0], curve.parameters, _ONE_PEAK)
+    return _largest_lagrange(curve)
 
 
-def _largest_sum(sums: Callable[[FloatArray], FloatArray], joints: FloatArray, search: _Search) -> float:
-    """Return the largest value of `sums` between the joints, at least 1."""
-    low, high = joints[:-1], joints[1:]
-    if len(low) > _MANY:
-        quarters = (low + (high - low) * np.array([[0.25], [0.5], [0.75]])).ravel()
-        likely = np.argsort(sums(quarters).reshape(3, -1).max(axis=0))[-_MANY // 2 :]
-        low, high = low[likely], high[likely]
-    largest = 1.0
+def _largest_lagrange(curve: Curve) -> float:
+    joints = curve.parameters
+    segments = np.arange(len(joints) - 1)
+    intervals = _Intervals(joints[:-1], joints[1:], segments, np.zeros_like(segments))
+
+    def sums(t: FloatArray, _segment: IntArray) -> FloatArray:
+        return _sums(curve, t.ravel())[:, 0].reshape(t.shape)
+
+    return float(_largest_sums(sums, intervals, 1, _ONE_PEAK)[0])
+
+
+def lebesgue_constants(bases: Sequence[CardinalBasis]) -> list[float]:
+    """Return the constants of many cardinal bases in a fraction of the time.
+
+    Parameters
+    ----------
+    bases : sequence of CardinalBasis
+        In all of them derivatives follow the points.
+
+    Returns
+    -------
+    list of float
+        As `lebesgue_constant`.
+    """
+    controls = [basis.controls for basis in bases]
+    found = [1.0] * len(bases)
+    for degree in dict.fromkeys(each.shape[1] for each in controls):
+        same = [index for index, each in enumerate(controls) if each.shape[1] == degree]
+        for index, constant in zip(same, _largest_of([controls[index] for index in same]), strict=True):
+            found[index] = constant
+    return found
+
+
+def _largest_of(controls: list[FloatArray]) -> list[float]:
+    """Return the largest sums of absolute values of functions with these control points, of one degree."""
+    counts = [len(each) for each in controls]
+    width = max(each.shape[2] for each in controls)
+    # What narrower ones are filled up with adds 0.
+    table = np.zeros((sum(counts), controls[0].shape[1], width))
+    for each, after in zip(controls, np.cumsum(counts), strict=True):
+        table[after - len(each) : after, :, : each.shape[2]] = each
+    np.nan_to_num(table, copy=False, nan=LARGEST)
+
+    def sums(places: FloatArray, segment: IntArray) -> FloatArray:
+        at = weights(places.ravel(), table.shape[1] - 1).reshape(*places.shape, -1)
+        step = max(_MOST_AT_ONCE // (places.shape[1] * width), 1)
+        blocks = [
+            np.abs(at[first : first + step] @ table[segment[first : first + step]]).sum(axis=2)
+            for first in range(0, len(segment), step)
+        ]
+        found: FloatArray = np.minimum(np.nan_to_num(np.concatenate(blocks), nan=LARGEST), LARGEST)
+        return found
+
+    owner = np.repeat(np.arange(len(controls)), counts)
+    segments = np.arange(len(owner))
+    intervals = _Intervals(np.zeros(len(owner)), np.ones(len(owner)), segments, owner)
+    largest: list[float] = _largest_sums(sums, intervals, len(controls), _FEW_PEAKS).tolist()
+    return largest
+
+
+class _Intervals(NamedTuple):
+    """Where largest values are looked for.
+
+    Attributes
+    ----------
+    low, high : ndarray, shape (k,)
+    segment : ndarray of int, shape (k,)
+        Of the curve, or of all curves.
+    owner : ndarray of int, shape (k,)
+        The curve, ascending.
+    """
+
+    low: FloatArray
+    high: FloatArray
+    segment: IntArray
+    owner: IntArray
+
+    def taken(self, chosen: IntArray) -> _Intervals:
+        return _Intervals(self.low[chosen], self.high[chosen], self.segment[chosen], self.owner[chosen])
+
+
+_SumsIn = Callable[[FloatArray, IntArray], FloatArray]
+"""Places (k, m) in segments (k,) to sums of the same size."""
+
+
+def _largest_sums(sums: _SumsIn, intervals: _Intervals, owners: int, search: _Search) -> FloatArray:
+    """Return the largest value of `sums` in the intervals of each owner, at least 1."""
+    left = intervals
+    if np.bincount(left.owner).max() > _MANY:
+        quarters = left.low[:, None] + (left.high - left.low)[:, None] * np.array([0.25, 0.5, 0.75])
+        highest = sums(quarters, left.segment).max(axis=1)
+        left = left.taken(_highest(highest, left.owner, _MANY // 2, above=_MANY))
+    largest = np.ones(owners)
     steps = np.arange(1, search.samples + 1) / (search.samples + 1)
-    with np.errstate(under="ignore"):
+    with np.errstate(all="ignore"):
         for step in range(search.rounds):
-            t = low[:, None] + (high - low)[:, None] * steps
-            values = sums(np.minimum(t, high[:, None]).ravel()).reshape(t.shape)
+            t = np.minimum(left.low[:, None] + (left.high - left.low)[:, None] * steps, left.high[:, None])
+            values = sums(t, left.segment)
             best = np.argmax(values, axis=1)
             rows = np.arange(len(best))
-            peak = values[rows, best]
-            largest = max(largest, float(peak.max()))
+            peak, middle = values[rows, best], t[rows, best]
+            np.maximum.at(largest, left.owner, peak)
             # What a maximum may exceed its samples by falls with the square of their distance.
-            keep = np.flatnonzero(peak >= (1.0 - search.shrink ** (step + 1)) * largest)
-            if len(keep) > _MOST_PEAKS:
-                keep = keep[np.argsort(peak[keep])[-_MOST_PEAKS:]]
-            width = 0.5 * search.shrink * (high - low)[keep]
-            middle = t[rows, best][keep]
-            low, high = np.maximum(middle - width, low[keep]), np.minimum(middle + width, high[keep])
-    return min(largest, LARGEST)
+            keep = np.flatnonzero(peak >= (1.0 - search.shrink ** (step + 1)) * largest[left.owner])
+            keep = keep[_highest(peak[keep], left.owner[keep], _MOST_PEAKS, above=_MOST_PEAKS)]
+            left, middle = left.taken(keep), middle[keep]
+            width = 0.5 * search.shrink * (left.high - left.low)
+            left = left._replace(
+                low=np.maximum(middle - width, left.low), high=np.minimum(middle + width, left.high)
+            )
+    return np.minimum(largest, LARGEST)
+
+
+def _highest(peaks: FloatArray, owner: IntArray, count: int, above: int) -> IntArray:
+    """Return which intervals to keep, ascending: of an owner of more than `above` the `count` highest."""
+    many = np.bincount(owner) > above
+    if not many.any():
+        return np.arange(len(peaks))
+    order = np.lexsort((-peaks, owner))
+    rank = np.arange(len(order)) - np.searchsorted(owner, owner)
+    return np.sort(order[(rank < count) | ~many[owner]])
 
 
 def _sums(curve: Curve, t: FloatArray) -> FloatArray:
     """Return the sums of all |B_ir|, shape (m, R)."""
-    values = curve.local_basis(t).values if isinstance(curve, _Local) else curve.basis(t)
+    local = getattr(curve, "local_basis", None)
+    values = local(t).values if local is not None else curve.basis(t)
     with np.errstate(over="ignore", under="ignore"):
         result: FloatArray = np.minimum(np.abs(values).sum(axis=1), LARGEST)
     return result

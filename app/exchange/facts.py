@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import NamedTuple
 
@@ -10,10 +11,12 @@ import numpy as np
 from app.document.model import Curve, Document, Family, Parametrization
 from app.exchange.drawing import ExchangeError, frame_around, refuse_wild, too_much
 from app.exchange.progress import Report, silent
-from app.view_model.arc_lengths import arc_lengths_of
-from app.view_model.curve_view import CoreCurve, view_of
-from app.view_model.growth import growth_of_data, growth_of_points
-from curvecore import LagrangeCurve, Length, bounding_box
+from app.view_model.arc_lengths import lengths_of
+from app.view_model.curve_view import CoreCurve, CurveView, view_of
+from app.view_model.growth import growths_of_points
+from curvecore import LagrangeCurve, Length
+from curvecore.geometry import Box, bounding_boxes, pieces_of
+from curvecore.pieces import BezierPieces
 from curvecore.scaling import LARGEST
 
 LENGTH_TOLERANCE = 1e-9
@@ -23,6 +26,9 @@ AMPLIFICATION_WORTH_A_WORD = 100.0
 """Lebesgue constant from which the growth of errors is mentioned."""
 
 _MOST_POINTS_EXAMINED = 500
+
+_POINTS_AT_ONCE = 2000
+"""Points of the curves that are worked on together: some megabytes."""
 
 
 class Growth(NamedTuple):
@@ -86,23 +92,77 @@ class CurveFacts:
 
 def facts_of(document: Document, report: Report = silent) -> tuple[CurveFacts, ...]:
     """Return the facts about every curve of a document; `report` hears how far it has come."""
-    facts = []
-    for index, curve in enumerate(document.curves):
-        report(index / len(document.curves), "Examining curves")
-        facts.append(_curve_facts(curve))
+    facts: list[CurveFacts] = []
+    for curves in _blocks(document.curves):
+        shapes = []
+        for index, curve in enumerate(curves, start=len(facts)):
+            report(index / len(document.curves), "Examining curves")
+            shapes.append(_shape_of(curve))
+        facts += _facts_of_block(curves, shapes)
     report(1.0, "Examining curves")
     return tuple(facts)
 
 
-def _curve_facts(curve: Curve) -> CurveFacts:
+def _blocks(curves: Sequence[Curve]) -> Iterator[list[Curve]]:
+    """Divide curves into blocks that are worked on together: a small one costs the calls, not the work."""
+    block: list[Curve] = []
+    points = 0
+    for curve in curves:
+        block.append(curve)
+        points += len(curve.nodes)
+        if points >= _POINTS_AT_ONCE:
+            yield block
+            block, points = [], 0
+    if block:
+        yield block
+
+
+class _Shape(NamedTuple):
+    """A curve that can be computed.
+
+    Attributes
+    ----------
+    curve
+        The document's value.
+    view, core
+        What is computed of it.
+    pieces
+        Bézier pieces of `core`, of which box and length are made.
+    """
+
+    curve: Curve
+    view: CurveView
+    core: CoreCurve
+    pieces: BezierPieces
+
+
+def _shape_of(curve: Curve) -> _Shape | str:
+    """Return what the facts about a curve are made of, or why there is none."""
     if reason := too_much(curve):
-        return _facts_without_curve(curve, reason)
+        return reason
     view = view_of(curve)
-    core = view.curve
-    if core is None:
-        return _facts_without_curve(curve, view.problem)
-    box, warnings = _box(curve, core)
-    growth = None if _is_slow(core) else Growth(growth_of_data(view), growth_of_points(view))
+    return view.problem if view.curve is None else _Shape(curve, view, view.curve, pieces_of(view.curve))
+
+
+def _facts_of_block(curves: Sequence[Curve], shapes: Sequence[_Shape | str]) -> Iterator[CurveFacts]:
+    """Yield the facts about curves; what takes many calls is computed of all of them together."""
+    good = {index: shape for index, shape in enumerate(shapes) if not isinstance(shape, str)}
+    quick = {index: shape for index, shape in good.items() if not _is_slow(shape.core)}
+    found = bounding_boxes([each.core for each in good.values()], [each.pieces for each in good.values()])
+    boxes = dict(zip(good, found, strict=True))
+    totals = lengths_of([each.pieces for each in quick.values()], LENGTH_TOLERANCE)
+    lengths = dict(zip(quick, totals, strict=True))
+    growths = dict(zip(quick, _growths([each.view for each in quick.values()]), strict=True))
+    for index, (curve, shape) in enumerate(zip(curves, shapes, strict=True)):
+        if isinstance(shape, str):
+            yield _facts_without_curve(curve, shape)
+        else:
+            yield _facts_with_curve(shape, boxes[index], lengths.get(index), growths.get(index))
+
+
+def _facts_with_curve(shape: _Shape, around: Box, length: Length | None, growth: Growth | None) -> CurveFacts:
+    curve, core = shape.curve, shape.core
+    box, warnings = _edges(curve, around)
     return CurveFacts(
         name=curve.name,
         family=curve.family,
@@ -110,12 +170,12 @@ def _curve_facts(curve: Curve) -> CurveFacts:
         points=len(curve.nodes),
         degree=core.degree,
         domain=core.domain,
-        length=_length(core),
+        length=length if length is not None and length.value < np.finfo(float).max else None,
         lebesgue_constant=growth,
         box=box,
         warnings=(*warnings, *_amplification(growth)),
         closed=curve.is_closed,
-        corners=len(view.corners),
+        corners=len(shape.view.corners),
         visible=curve.visible,
     )
 
@@ -131,9 +191,8 @@ def _facts_without_curve(curve: Curve, reason: str) -> CurveFacts:
     )
 
 
-def _box(curve: Curve, core: CoreCurve) -> tuple[tuple[float, float, float, float] | None, tuple[str, ...]]:
+def _edges(curve: Curve, box: Box) -> tuple[tuple[float, float, float, float] | None, tuple[str, ...]]:
     """Return the edges of the curve and nothing to say, or no edges and the reason."""
-    box = bounding_box(core)
     corners = np.array([box.minimum, box.maximum])
     try:
         refuse_wild(curve, corners)
@@ -144,11 +203,12 @@ def _box(curve: Curve, core: CoreCurve) -> tuple[tuple[float, float, float, floa
     return (left, bottom, right, top), ()
 
 
-def _length(core: CoreCurve) -> Length | None:
-    if _is_slow(core):
-        return None
-    length = arc_lengths_of(core, LENGTH_TOLERANCE).total
-    return length if length.value < np.finfo(float).max else None
+def _growths(views: Sequence[CurveView]) -> list[Growth]:
+    """Return the constants of the data and of the points."""
+    return [
+        Growth(1.0 if view.source.family.derivatives else constant, constant)
+        for view, constant in zip(views, growths_of_points(views), strict=True)
+    ]
 
 
 def _is_slow(core: CoreCurve) -> bool:

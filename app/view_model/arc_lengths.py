@@ -7,10 +7,18 @@ well as any other.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import numpy as np
+import numpy.typing as npt
 
 from app.view_model.flattener import CoreCurve
-from curvecore.lengths import ArcLength
+from curvecore.bernstein_algebra import weights
+from curvecore.lengths import ArcLength, Length, arc_lengths
+from curvecore.pieces import BezierPieces, alike
+from curvecore.scaling import scale_by_power
+
+Floats = npt.NDArray[np.float64]
 
 _PARTS = np.arange(4) / 4
 _LEAST = 1e-300
@@ -29,6 +37,27 @@ def arc_lengths_of(core: CoreCurve, accuracy: float) -> ArcLength:
         from the origin for example, may not allow as much.
     """
     return ArcLength(core, max(accuracy * _least_length(core), _LEAST))
+
+
+def lengths_of(parts: Sequence[BezierPieces], accuracy: float) -> list[Length]:
+    """Return the whole lengths of many curves, whose pieces are at hand, to the same accuracy."""
+    if not parts:
+        return []
+    least = np.empty(len(parts))
+    for same in alike(parts):
+        least[same] = _least_lengths([parts[index] for index in same])
+    return arc_lengths(parts, np.maximum(accuracy * least, _LEAST))
+
+
+def _least_lengths(parts: Sequence[BezierPieces]) -> Floats:
+    """Return the lengths of polylines through curves whose pieces have one degree."""
+    controls = np.concatenate([part.controls for part in parts])
+    counts = np.array([len(part.starts) for part in parts])
+    with np.errstate(all="ignore"):
+        points = weights(np.append(_PARTS, 1.0), controls.shape[1] - 1) @ controls
+        chords = np.hypot(*np.diff(points, axis=1).transpose(2, 0, 1)).sum(axis=1)
+        sums = np.add.reduceat(chords, np.cumsum(counts) - counts)
+    return scale_by_power(sums, np.array([part.exponent for part in parts]))
 
 
 def _least_length(core: CoreCurve) -> float:

@@ -8,11 +8,13 @@ another question: they grow by Σ |Bᵢ₀(t)|, which is 1 for every Hermite cur
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 
 from app.view_model.basis_view import BasisView
 from app.view_model.curve_view import CurveView, Floats
 from curvecore import lebesgue_constant
 from curvecore.scaling import LARGEST
+from curvecore.stability import lebesgue_constants
 
 
 def growth_at(view: CurveView, t: Floats) -> Floats:
@@ -40,3 +42,14 @@ def growth_of_data(view: CurveView, basis: BasisView | None = None) -> float:
     if view.source.family.derivatives:
         return 1.0
     return basis.lebesgue_constant if basis is not None else lebesgue_constant(view.skeleton)
+
+
+def growths_of_points(views: Sequence[CurveView]) -> list[float]:
+    """Return the Lebesgue constants Λ of the points of many current curves in a fraction of the time."""
+    bases = [view.cardinal for view in views]
+    following = [basis for basis in bases if basis is not None and basis.follows]
+    constants = iter(lebesgue_constants(following))
+    return [
+        math.inf if basis is None else next(constants) if basis.follows else lebesgue_constant(basis)
+        for basis in bases
+    ]

@@ -7,20 +7,29 @@ The bounds are ratios in one run: a hundred curves, one of them dragged, over th
 
 from __future__ import annotations
 
+from time import perf_counter
+
 import numpy as np
 import pytest
 from harness import Paints, Times, drag
+from msgspec.structs import replace
 from PySide6.QtCore import QPointF
 
 from app.document.model import Document, Family, make_curve
+from app.exchange.facts import facts_of
 from app.session import Session
 from app.testing import Editor
+from app.view_model.curve_view import view_of
 
 MOST = 1.7
 """Times what one curve takes that is alone, or the only one chosen."""
 
 ALL_MOST = 1.2
 """The same for each of thirty curves that are moved together: every one is computed and drawn anew."""
+
+
+FACTS_MOST = 5.0
+"""What the facts of curves cost, with the curves, over what these cost alone."""
 
 
 def document(count: int) -> Document:
@@ -83,3 +92,18 @@ def test_thirty_chosen_curves_follow_the_pointer(qtbot):
     print(f"\n30 curves of 20 points moved together: {found}   1 curve: {alone}")
     editor.window.hide()
     assert found.median <= 30 * ALL_MOST * alone.median
+
+
+def test_the_facts_of_a_small_curve_cost_little_more_than_the_curve():
+    """`curvebench info` of thousands: 18 times what it takes to compute them, when each was for itself."""
+    curves = document(1000).curves
+    small = Document(tuple(replace(curve, nodes=curve.nodes[:5]) for curve in curves))
+    began = perf_counter()
+    for curve in small.curves:
+        view_of(curve)
+    made = perf_counter() - began
+    began = perf_counter()
+    facts_of(small)
+    ratio = (perf_counter() - began) / made
+    print(f"\nfacts of 1000 curves: {ratio:.1f} times the curves")
+    assert ratio <= FACTS_MOST

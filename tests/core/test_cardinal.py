@@ -32,6 +32,7 @@ from curvecore import (
     worst_case_band,
     zero_accelerations,
 )
+from curvecore.stability import lebesgue_constants
 
 # Two groups of near points and a long way between them, those of the lesson on chord length.
 UNEVEN = np.array([(0.0, 0.0), (0.5, 0.1), (1.0, 0.0), (5.0, 2.2), (5.4, 2.2), (5.8, 2.0), (6.2, 2.1)])
@@ -140,6 +141,21 @@ def test_errors_of_seven_points_grow_though_the_family_says_one(rule, published)
         at = between(t, 4001)
         # Between two samples 1/4000 of a segment apart the function rises by little.
         assert lebesgue_function(cardinal, at).max() == pytest.approx(constant, rel=1e-6)
+
+
+def test_constants_of_many_bases_are_those_of_each(rng):
+    """Cubics and quintics, few points and many, whose tables are filled up to one width."""
+    bases = [
+        cardinal_of(chord_length(rng.standard_normal((n, 2))), rules)
+        for n in (2, 3, 7, 40, 600)
+        for rules in (RULES[0], RULES[1], RULES[4])
+    ]
+    bases = [basis for basis in bases if basis.follows]
+    together = lebesgue_constants(bases)
+    assert together == pytest.approx([lebesgue_constant(basis) for basis in bases], rel=1e-13)
+    for basis, constant in zip(bases, together, strict=True):
+        sampled = lebesgue_function(basis, between(basis.parameters, 25)).max()
+        assert sampled * (1 - 1e-13) <= constant <= sampled * 1.02
 
 
 @every_rule

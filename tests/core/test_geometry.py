@@ -9,6 +9,7 @@ from curvecore import (
     HermiteCurve,
     LagrangeCurve,
     QuinticHermiteCurve,
+    arc_length,
     bounding_box,
     chebyshev,
     curvature,
@@ -20,6 +21,8 @@ from curvecore import (
     speed,
     uniform,
 )
+from curvecore.geometry import bounding_boxes, pieces_of
+from curvecore.lengths import arc_lengths
 
 FAMILIES = ["lagrange", "hermite", "quintic_hermite"]
 every_family = pytest.mark.parametrize("name", FAMILIES)
@@ -164,6 +167,44 @@ def test_the_box_where_the_derivative_is_zero_at_both_ends():
     assert bounding_box(curve).maximum == pytest.approx([16.0 * 0.4**2 * 0.6**3], rel=1e-14)
     curve = QuinticHermiteCurve(points, [[0.0], [0.0]], [[-32.0], [0.0]], [0.0, 1.0])
     assert bounding_box(curve).minimum == pytest.approx([-16.0 * 0.4**2 * 0.6**3], rel=1e-14)
+
+
+def test_the_box_where_a_polynomial_turns_between_two_of_its_pieces():
+    """Of a symmetric curve in the middle, where its middle piece was halved: the largest value was 0.83."""
+    half = [0.6, -0.04, 0.63, 0.21, 0.31, 0.83]
+    curve = LagrangeCurve(np.reshape(half + half[::-1], (-1, 1)), uniform(12))
+    assert bounding_box(curve).maximum == pytest.approx(curve.evaluate(0.5), abs=1e-14)
+    assert bounding_box(curve).maximum == pytest.approx([0.928523788], abs=1e-9)
+
+
+def test_the_box_of_thousands_of_segments_that_all_turn_twice():
+    """Above 2048 such segments none was looked into: the box was flat."""
+    t, ones = np.arange(2501.0), np.ones(2501)
+    curve = HermiteCurve(np.stack([t, 0 * t], axis=1), np.stack([ones, ones], axis=1), t)
+    assert bounding_box(curve).maximum[1] == pytest.approx(np.sqrt(3.0) / 18.0, abs=1e-12)
+
+
+def test_boxes_and_lengths_of_many_curves_are_those_of_each(rng):
+    """Chains, several degrees, and sizes from 1e-9 to 1e9."""
+    curves = [
+        family(name, 10.0**size * rng.standard_normal((n, 2)), chebyshev(n))
+        for size, n in ((0, 2), (-9, 5), (9, 12))
+        for name in ("lagrange", "hermite", "quintic")
+    ]
+    curves.append(
+        Chain([HermiteCurve(*np.ones((2, 2, 2)), [0, 1]), HermiteCurve(np.eye(2), np.eye(2), [1, 3])])
+    )
+    parts = [pieces_of(curve) for curve in curves]
+    for curve, part, box in zip(curves, parts, bounding_boxes(curves, parts), strict=True):
+        alone = bounding_box(curve)
+        assert np.array_equal(np.concatenate(alone[:2]), np.concatenate(box[:2]))
+        assert alone.error == box.error
+        (length,) = arc_lengths([part], [1e-9])
+        own = arc_length(curve, 1e-9)
+        assert abs(length.value - own.value) <= length.error + own.error
+    together = arc_lengths(parts, [1e-9] * len(parts))
+    for part, length in zip(parts, together, strict=True):
+        assert length == pytest.approx(arc_lengths([part], [1e-9])[0], rel=1e-13)
 
 
 def test_the_box_of_a_chain_with_a_break():
