@@ -12,7 +12,8 @@ from PySide6.QtWidgets import (
 from app.exchange.cubics_in import Imported
 from app.labels import Label
 from app.panels.fitting import FittedDialog
-from app.panels.form_parts import buttons, into_box
+from app.panels.form_parts import into_box
+from app.panels.import_foot import ImportFoot
 from app.panels.words import count_of
 
 _MOST_REMARKS = 8
@@ -45,9 +46,9 @@ class ImportDrawingDialog(FittedDialog):
         into.addWidget(Label("Into"))
         into.addWidget(self.into)
         into.addStretch(1)
-        foot, self.ok = buttons("Import", "importDrawing", "Take the curves in", "cancelImport")
-        foot.accepted.connect(self._import)
-        foot.rejected.connect(self.reject)
+        self.foot = ImportFoot(self, "importDrawing", "Take the curves in")
+        self.ok = self.foot.ok
+        self.foot.box.accepted.connect(self._import)
         layout = QVBoxLayout(self.body)
         layout.setContentsMargins(16, 14, 16, 0)
         layout.setSpacing(10)
@@ -55,7 +56,7 @@ class ImportDrawingDialog(FittedDialog):
         layout.addWidget(self.remarks)
         layout.addLayout(into)
         layout.addStretch(1)
-        self.hold(foot, wished=QSize(380, 0))
+        self.hold(self.foot, wished=QSize(380, 0))
 
     def _import(self) -> None:
         # First, for a new document closes the dialogs of the one before.
