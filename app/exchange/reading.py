@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -99,7 +100,6 @@ def _table(
     missing: str,
     report: Report,
 ) -> Imported:
-    from app.exchange.cubics_in import Imported  # noqa: PLC0415
     from app.exchange.table_columns import mapping_of, words_on  # noqa: PLC0415
     from app.exchange.table_curve import Missing, document_of_table  # noqa: PLC0415
     from app.exchange.table_layout import MissingNumber  # noqa: PLC0415
@@ -112,7 +112,7 @@ def _table(
     name = Path(path).name[: -len(source.ending)] or "Table"
     try:
         table = source.table(preview.layout, mapping, Missing(missing), part(report, 0.0, 0.5))
-        document, deviation = document_of_table(
+        made = document_of_table(
             table,
             mapping,
             name=name,
@@ -126,5 +126,5 @@ def _table(
         raise ExchangeError(
             f"{problem} Leave such rows out with --missing skip, or end the curve there with --missing split."
         ) from None
-    said = (preview.said, words_on(mapping, preview.titles), table.words_on_blocks)
-    return Imported(document, deviation, tuple(filter(None, said)))
+    said = (preview.said, words_on(mapping, preview.titles), table.words_on_blocks, *made.remarks)
+    return replace(made, remarks=tuple(filter(None, said)))

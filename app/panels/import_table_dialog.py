@@ -277,11 +277,7 @@ class ImportTableDialog(WorkDialog):
             self._tolerance = prepared.tolerance
             self.tolerance_edit.show_text(_shown(prepared.tolerance).replace("−", "-"))
         self.complain(prepared.problem)
-        if prepared.wider_than:
-            self._explain(
-                f"The distance is {_shown(prepared.tolerance)}: {_shown(prepared.wider_than)} would leave "
-                f"more than {MOST_POINTS:,} points."
-            )
+        self._explain(prepared)
         self.missing_box.setVisible(prepared.lacks_numbers or self.missing_box.currentIndex() > 0)
         self.preview.mark(prepared.bad_row, prepared.bad_column, prepared.bad_cells)
         self.summary.setText(_summary(prepared))
@@ -297,9 +293,17 @@ class ImportTableDialog(WorkDialog):
         self.problem.setStyleSheet(f"color: {theme_of(self.palette()).warning.name()}")
         self.problem.setText(f"⚠ {text}" if text else "")
 
-    def _explain(self, text: str) -> None:
-        self.problem.setStyleSheet("")
-        self.problem.setText(text)
+    def _explain(self, prepared: Prepared) -> None:
+        """Say what there is to say of the curves, where they can be made."""
+        lines = list(prepared.remarks)
+        if prepared.wider_than:
+            lines.append(
+                f"The distance is {_shown(prepared.tolerance)}: {_shown(prepared.wider_than)} would leave "
+                f"more than {MOST_POINTS:,} points."
+            )
+        if lines:
+            self.problem.setStyleSheet("")
+            self.problem.setText("\n".join(lines))
 
     def _show_share(self, share: float, word: str) -> None:
         self.summary.setText(f"{word}…")

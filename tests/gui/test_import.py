@@ -163,6 +163,18 @@ def test_the_dialog_offers_what_can_be_done_about_missing_numbers(editor, tmp_pa
     assert [each.name for each in editor.session.document.curves[-2:]] == ["gaps (1)", "gaps (2)"]
 
 
+def test_the_dialog_says_what_became_of_points_that_coincide(editor, tmp_path):
+    """Of four points two were one; they came in as "exact", and no curve was drawn."""
+    dialog = opened(editor, write(tmp_path / "twice.csv", "0,0\n1,1\n1,1\n2,0\n"))
+    said = "Row 3 repeats the point of the row before; it was merged with that"
+    assert dialog.problem.text().startswith(said)
+    assert dialog.summary.text() == "4 rows → 3 points"
+    press(dialog, "importTable")
+    editor.settle()
+    assert editor.session.active_view.problem == ""
+    assert editor.status == "Imported twice.csv: 1 curve, 3 points, exact."
+
+
 def test_an_array_and_points_in_json_come_in_by_the_same_dialog(editor, tmp_path):
     np.save(tmp_path / "array.npy", np.array([[0.0, 1.0], [2.0, 3.0]]))
     write(tmp_path / "pairs.json", "[[0, 1], [2, 3]]")
