@@ -19,7 +19,9 @@ from PySide6.QtWidgets import (
 from app.action_specs import SPECS
 from app.document.storage import load
 from app.lessons import LessonError, lesson_names, load_lesson, parse_lesson
+from app.main_window import MainWindow
 from app.panels.basis_layers import rail_height
+from app.session import Session
 from app.view_model.analysis.laboratory_settings import LaboratorySettings
 from app.view_model.analysis.settings import AnalysisSettings
 from app.view_model.curve_view import view_of
@@ -354,3 +356,22 @@ def test_the_laboratory_comes_when_it_is_called_in_a_presentation(editor, qtbot)
     editor.trigger("toggleLaboratory")
     assert not dock.isVisible()
     editor.trigger("presentation")
+
+
+@pytest.mark.parametrize("is_shown_first", [True, False], ids=["as the command line", "before the window"])
+def test_a_start_with_a_lesson_shows_all_of_its_functions(qtbot, is_shown_first):
+    """What fits the window when it is first shown took the range back: −0.5 to 1.2 of −1.3 to 1.3."""
+    window = MainWindow(Session())
+    qtbot.addWidget(window)
+    if is_shown_first:
+        window.show()
+    window.open_lesson("03_chord_length")
+    window.show()
+    qtbot.waitExposed(window)
+    qtbot.waitUntil(lambda: not [each for each in window.children() if type(each).__name__ == "_FirstShow"])
+    assert window.lessons_dock.isVisible()
+    low, high = window.basis_panel.basis.extent(frozenset((0, 1, 2)))
+    _, bottom, _, top = window.basis_panel.pixel_map.box
+    assert low < -0.5
+    assert bottom < low < high < top
+    assert window.findChild(QLabel, "lessonPlace").text() == "1 of 5"
