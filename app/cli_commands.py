@@ -8,6 +8,7 @@ import math
 import sys
 from collections.abc import Callable, Sequence
 from decimal import ROUND_UP, Context
+from pathlib import Path
 from time import perf_counter
 from typing import TYPE_CHECKING, Any
 
@@ -113,6 +114,8 @@ def _render(options: argparse.Namespace) -> int:
     if is_film or (options.motion and options.output.lower().endswith(".png")):
         return _render_film(options)
     if not options.output.lower().endswith(SUFFIXES):
+        if Path(options.output).is_dir():
+            raise RefusalError(f"“{options.output}” is a folder. Choose a file.")
         endings = SUFFIXES + FILMS
         known = f"{', '.join(endings[:-1])} or {endings[-1]}"
         raise RefusalError(f"“{options.output}” does not end in a known format for pictures; use {known}.")
@@ -247,11 +250,18 @@ def _as_text(facts: CurveFacts) -> str:
         rows.append(("Λ (Lebesgue)", _growth_text(facts.lebesgue_constant)))
     if facts.box is not None:
         left, bottom, right, top = facts.box
-        rows.append(("box", f"about x {left:.6g} to {right:.6g}, y {bottom:.6g} to {top:.6g}"))
+        rows.append(("box", f"about x {_edges_text(left, right)}, y {_edges_text(bottom, top)}"))
     if not facts.visible:
         rows.append(("hidden", "not drawn in pictures"))
     rows += [("warning", warning) for warning in facts.warnings]
     return "\n".join([one_line(facts.name), *(f"  {key:<16} {value}" for key, value in rows)])
+
+
+def _edges_text(low: float, high: float) -> str:
+    """Return two edges of a box; what is no more than rounding beside the larger of them is 0."""
+    noise = sys.float_info.epsilon * max(abs(low), abs(high))
+    low, high = (0.0 if abs(edge) <= noise else edge for edge in (low, high))
+    return f"{low:.6g} to {high:.6g}"
 
 
 def _finite_only(growth: Growth | None) -> dict[str, float | None] | None:

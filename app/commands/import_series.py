@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable
 from pathlib import Path
 
-from app.panels.import_foot import Turn
+from app.panels.turn import Turn
 
 
 class ImportSeries:

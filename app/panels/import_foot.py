@@ -2,32 +2,12 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QDialog, QDialogButtonBox, QHBoxLayout, QPushButton, QWidget
 
 from app.panels.form_parts import buttons
+from app.panels.turn import Turn
 from app.panels.words import count_of
-
-
-@dataclass(frozen=True)
-class Turn:
-    """Which file of how many is being asked about.
-
-    Attributes
-    ----------
-    place, count
-        Its place, from 1 on, and how many there are.
-    """
-
-    place: int = 1
-    count: int = 1
-
-    @property
-    def waiting(self) -> int:
-        """How many files come after it."""
-        return self.count - self.place
 
 
 class ImportFoot(QWidget):
