@@ -35,6 +35,7 @@ from app.exchange import (
 )
 
 if TYPE_CHECKING:
+    from app.exchange.cubics_in import Imported
     from app.exchange.facts import CurveFacts, Growth
 
 FAMILY_NAMES = {
@@ -47,6 +48,9 @@ FAMILY_NAMES = {
 _ONE_DIGIT_UP = Context(prec=1, rounding=ROUND_UP)
 
 _CONVERT = "Read a file of one format and write another; prints the largest deviation from the true curves."
+
+_MANY_CURVES = 20
+"""Curves beyond which it is said how to take some of them."""
 
 _PATIENCE = 0.2
 """Seconds of work without a word, and between two words."""
@@ -154,6 +158,7 @@ def _convert(options: argparse.Namespace) -> int:
         family=Family(options.family),
         columns=columns_to_read(options),
         missing=options.missing,
+        only=options.only,
     )
     wanted = replace(
         picture_options(options, source.document),
@@ -163,11 +168,19 @@ def _convert(options: argparse.Namespace) -> int:
         columns=columns_to_write(options),
     )
     written = export_with(source.document, options.output, wanted)
-    for remark in (*source.remarks, *written.remarks):
+    for remark in (*source.remarks, *_on_groups(source, options.only), *written.remarks):
         print(f"curvebench: {one_line(remark)}", file=sys.stderr)
     total = rounded_up(source.deviation + written.deviation)
     say(f"{one_line(options.output)}: largest deviation from the true curves {total:g}")
     return 0
+
+
+def _on_groups(source: Imported, only: Sequence[str]) -> tuple[str, ...]:
+    """Return what could be taken alone, where there are more curves than somebody may have meant."""
+    count = len(source.document.curves)
+    if only or not source.groups or count <= _MANY_CURVES:
+        return ()
+    return (f"These are {count} curves; --only NAME takes those of a group. There is {source.contents()}.",)
 
 
 def _info(options: argparse.Namespace) -> int:

@@ -138,6 +138,26 @@ def test_a_folder_is_refused_as_one(tmp_path, capsys):
         assert refusal(capsys, *words) == f"“{tmp_path}” is a folder. Choose a file."
 
 
+def test_convert_takes_groups_of_a_drawing_by_name(tmp_path, capsys):
+    """All 167 curves of a plot came in, glyphs and ticks and all, with no choice."""
+    line = '<g id="line2d_{0}"><path d="M0 {0}H9"/></g>'
+    drawing, out = tmp_path / "a.svg", tmp_path / "a.curve.json"
+    groups = "".join(map(line.format, range(21)))
+    drawing.write_text(
+        f'<svg xmlns="http://www.w3.org/2000/svg"><g id="axes">{groups}</g></svg>', encoding="utf-8"
+    )
+    assert main(["convert", str(drawing), str(out)]) == 0
+    assert "These are 21 curves; --only NAME takes those of a group. There is axes (21), line2d_0, " in (
+        capsys.readouterr().err
+    )
+    only = ["--only", "line2d_3", "--only", "line2d_1?"]
+    assert main(["convert", str(drawing), str(out), *only]) == 0
+    assert "These are" not in capsys.readouterr().err
+    assert [curve.nodes[0].y for curve in load(out).curves] == [-3, *range(-10, -20, -1)]
+    words = refusal(capsys, "convert", str(drawing), str(out), "--only", "nothing")
+    assert words.startswith("Nothing in it is called “nothing”; there is axes (21), line2d_0, ")
+
+
 @pytest.mark.parametrize(
     ("points", "box"),
     [

@@ -160,7 +160,7 @@ class ExchangeCommands:
         from app.panels.import_drawing_dialog import ImportDrawingDialog  # noqa: PLC0415
 
         dialog = ImportDrawingDialog(path.name, found, self._parts.window)
-        dialog.chosen.connect(lambda anew: self._take_in(path, found.document, found.deviation, anew))
+        dialog.chosen.connect(lambda taken, anew: self._take_in(path, taken.document, taken.deviation, anew))
         self._ask(dialog)
 
     def _ask_about_table(self, path: Path, table: _OpenTable) -> None:

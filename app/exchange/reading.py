@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+from collections.abc import Sequence
 from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -28,6 +29,7 @@ def import_file(
     family: Family = Family.HERMITE,
     columns: str = "",
     missing: str = "refuse",
+    only: Sequence[str] = (),
     report: Report = silent,
 ) -> Imported:
     """Return the curves in a file of the format that its ending names.
@@ -49,6 +51,8 @@ def import_file(
         their titles say.
     missing
         Of tables: "skip" to leave out rows without numbers, "split" to begin another curve after them.
+    only
+        The names of curves, or of groups of them, that are taken, such as "line2d_*"; by default all are.
     report
         Hears how far it has come.
 
@@ -62,16 +66,21 @@ def import_file(
     """
     kind = import_format(path).kind
     data = read(path)
-    try:
+
+    def found() -> Imported:
         if kind is Kind.DOCUMENT or (kind is Kind.TABLE and is_document(data)):
             return _document(data, path)
         if kind is Kind.DRAWING:
             return _drawing(path, data, tolerance, report)
         return _table(path, data, thin, corners, family, columns, missing, report)
+
+    try:
+        result = found()
     except (FormatError, ExchangeError) as problem:
         raise ExchangeError(f"“{Path(path).name}” cannot be read: {problem}") from problem
     except MemoryError:
         raise ExchangeError(f"“{Path(path).name}” takes more memory than there is.") from None
+    return result.called(only) if only else result
 
 
 # The window starts without the readers.

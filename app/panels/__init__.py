@@ -28,7 +28,7 @@ Words and dialogs:
 - ``command_palette``, ``fuzzy``: type what you want.  ``shortcut_sheet``, ``shortcut_editor``: keys.
 - ``preferences_dialog``, ``motion_dialog``, ``crash_dialog``.  ``export_dialog``, ``export_form``: export.
 - ``import_drawing_dialog``, ``import_table_dialog``, ``table_preview``, ``role_header``,
-  ``import_foot``, ``turn``: import.
+  ``group_tree``, ``import_foot``, ``turn``: import.
 
 Small parts:
 

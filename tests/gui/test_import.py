@@ -419,6 +419,53 @@ def test_a_drawing_says_what_it_holds_and_what_it_lost(editor, tmp_path):
     assert len(editor.session.document.curves) == 1
 
 
+GROUPS = (
+    '<svg xmlns="http://www.w3.org/2000/svg"><g id="figure_1"><g id="patch_1"><path d="M0 0H9V9Z"/></g>'
+    '<g id="axes_1"><path d="M0 1H9"/><g id="axis"><defs><path id="tick" d="M0 0V1"/></defs>'
+    '<use href="#tick" x="1"/><use href="#tick" x="2"/></g>'
+    '<g id="line2d_1"><path d="M0 0C1 1 2 1 3 0"/></g></g></g></svg>'
+)
+
+
+def check_box(editor, tree, *names):
+    """Click the box of a group."""
+    item = None
+    for name in names:
+        around = [item.child(i) for i in range(item.childCount())] if item else []
+        around = around or [tree.topLevelItem(i) for i in range(tree.topLevelItemCount())]
+        (item,) = [each for each in around if each.text(0) == name]
+    tree.scrollToItem(item)
+    place = tree.visualItemRect(item)
+    QTest.mouseClick(
+        tree.viewport(), Qt.MouseButton.LeftButton, pos=QPoint(place.left() + 10, place.center().y())
+    )
+    editor.settle()
+
+
+def test_groups_of_a_drawing_are_chosen(editor, tmp_path):
+    """All 167 curves of a plot came in, glyphs and ticks and all, with no choice."""
+    path = write(tmp_path / "plot.svg", GROUPS)
+    dialog = opened(editor, path, "importDrawingDialog")
+    assert dialog.summary.text().startswith("5 curves with ")
+    tree = dialog.groups
+    assert tree.topLevelItem(0).text(1) == "5 curves"
+    check_box(editor, tree, "figure_1")
+    assert dialog.summary.text() == "None of 5 curves; choose at least one group."
+    assert not dialog.ok.isEnabled()
+    check_box(editor, tree, "figure_1", "axes_1", "line2d_1")
+    assert dialog.summary.text() == "1 of 5 curves with 2 points, exact."
+    assert tree.topLevelItem(0).checkState(0) == Qt.CheckState.PartiallyChecked
+    check_box(editor, tree, "figure_1", "axes_1", "in no group of its own")
+    before = len(editor.session.document.curves)
+    press(dialog, "importDrawing")
+    editor.settle()
+    assert [len(curve.nodes) for curve in editor.session.document.curves[before:]] == [2, 2]
+    assert editor.status == "Imported plot.svg: 2 curves, 4 points, exact."
+    dialog = opened(editor, write(tmp_path / "flat.svg", SVG), "importDrawingDialog")
+    assert dialog.groups is None
+    dialog.close()
+
+
 def test_our_own_svg_comes_back_as_the_same_curves(editor, tmp_path):
     editor.window.export_file(tmp_path / "out.svg")
     editor.wait_for_work()
