@@ -176,14 +176,52 @@ def test_there_is_a_way_to_every_goal():
     assert set(WAYS) == {(name, k) for name, k in STEPS if load_lesson(name).steps[k].goal is not None}
 
 
-@pytest.mark.parametrize(("name", "number"), WAYS)
-def test_a_goal_is_reached_by_what_its_step_says(editor, qtbot, name, number):
-    open_step(editor, qtbot, name, number)
-    assert "Goal" in find(editor, QLabel, "lessonGoal").text()
-    editor.fit()
-    WAYS[name, number](editor)
-    editor.settle()
-    assert "Reached" in find(editor, QLabel, "lessonGoal").text()
+def move_a_little(index, by):
+    def move(editor):
+        x, y = editor.point(index)
+        editor.drag_point(index, to=(x + by, y + by))
+
+    return move
+
+
+MOVES = {
+    ("01_basis_functions", 2): ("Drag a point", lambda editor: editor.drag_point(2, to=(2.5, 1.0))),
+    ("03_chord_length", 2): ("Move point 2 a little", move_a_little(2, 0.2)),
+    ("10_exercise_far_point", 2): ("Move one of the near points by very little", move_a_little(1, 0.1)),
+}
+"""What a step without a goal asks for, in its words."""
+
+WAYS_BACK = {
+    ("01_basis_functions", 4): (
+        "Take back the points",
+        lambda editor: [editor.trigger("undo") for _ in range(3)],
+    ),
+}
+"""What a step asks for first, because of what the one before has left."""
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_every_goal_is_reached_by_who_does_what_each_step_says(editor, qtbot, name):
+    """In one go: the points that lesson 1 has one append were in the way of its next goal."""
+    open_step(editor, qtbot, name, 0)
+    for number, step in enumerate(load_lesson(name).steps):
+        if number:
+            click(qtbot, find(editor, QPushButton, "lessonNext"))
+        editor.fit()
+        for asked in (MOVES, WAYS_BACK):
+            words, act = asked.get((name, number), ("", lambda _editor: None))
+            assert words in step.text
+            act(editor)
+        if step.goal is None:
+            continue
+        goal = find(editor, QLabel, "lessonGoal")
+        assert "Goal" in goal.text()
+        assert "Reached" not in goal.text()
+        assert "any more" not in goal.text()
+        WAYS[name, number](editor)
+        editor.settle()
+        assert "Reached" in goal.text(), (number, goal.text())
+    editor.session.give_up_changes()
 
 
 def test_a_goal_waits_for_the_curve_that_it_names(editor, qtbot):
