@@ -8,6 +8,7 @@ import math
 import sys
 from collections.abc import Callable, Sequence
 from decimal import ROUND_UP, Context
+from pathlib import Path
 from time import perf_counter
 from typing import TYPE_CHECKING, Any
 
@@ -34,6 +35,7 @@ from app.exchange import (
 )
 
 if TYPE_CHECKING:
+    from app.exchange.cubics_in import Imported
     from app.exchange.facts import CurveFacts, Growth
 
 FAMILY_NAMES = {
@@ -46,6 +48,9 @@ FAMILY_NAMES = {
 _ONE_DIGIT_UP = Context(prec=1, rounding=ROUND_UP)
 
 _CONVERT = "Read a file of one format and write another; prints the largest deviation from the true curves."
+
+_MANY_CURVES = 20
+"""Curves beyond which it is said how to take some of them."""
 
 _PATIENCE = 0.2
 """Seconds of work without a word, and between two words."""
@@ -113,6 +118,8 @@ def _render(options: argparse.Namespace) -> int:
     if is_film or (options.motion and options.output.lower().endswith(".png")):
         return _render_film(options)
     if not options.output.lower().endswith(SUFFIXES):
+        if Path(options.output).is_dir():
+            raise RefusalError(f"“{options.output}” is a folder. Choose a file.")
         endings = SUFFIXES + FILMS
         known = f"{', '.join(endings[:-1])} or {endings[-1]}"
         raise RefusalError(f"“{options.output}” does not end in a known format for pictures; use {known}.")
@@ -151,6 +158,7 @@ def _convert(options: argparse.Namespace) -> int:
         family=Family(options.family),
         columns=columns_to_read(options),
         missing=options.missing,
+        only=options.only,
     )
     wanted = replace(
         picture_options(options, source.document),
@@ -160,11 +168,19 @@ def _convert(options: argparse.Namespace) -> int:
         columns=columns_to_write(options),
     )
     written = export_with(source.document, options.output, wanted)
-    for remark in (*source.remarks, *written.remarks):
+    for remark in (*source.remarks, *_on_groups(source, options.only), *written.remarks):
         print(f"curvebench: {one_line(remark)}", file=sys.stderr)
     total = rounded_up(source.deviation + written.deviation)
     say(f"{one_line(options.output)}: largest deviation from the true curves {total:g}")
     return 0
+
+
+def _on_groups(source: Imported, only: Sequence[str]) -> tuple[str, ...]:
+    """Return what could be taken alone, where there are more curves than somebody may have meant."""
+    count = len(source.document.curves)
+    if only or not source.groups or count <= _MANY_CURVES:
+        return ()
+    return (f"These are {count} curves; --only NAME takes those of a group. There is {source.contents()}.",)
 
 
 def _info(options: argparse.Namespace) -> int:
@@ -247,11 +263,18 @@ def _as_text(facts: CurveFacts) -> str:
         rows.append(("Λ (Lebesgue)", _growth_text(facts.lebesgue_constant)))
     if facts.box is not None:
         left, bottom, right, top = facts.box
-        rows.append(("box", f"about x {left:.6g} to {right:.6g}, y {bottom:.6g} to {top:.6g}"))
+        rows.append(("box", f"about x {_edges_text(left, right)}, y {_edges_text(bottom, top)}"))
     if not facts.visible:
         rows.append(("hidden", "not drawn in pictures"))
     rows += [("warning", warning) for warning in facts.warnings]
     return "\n".join([one_line(facts.name), *(f"  {key:<16} {value}" for key, value in rows)])
+
+
+def _edges_text(low: float, high: float) -> str:
+    """Return two edges of a box; what is no more than rounding beside the larger of them is 0."""
+    noise = sys.float_info.epsilon * max(abs(low), abs(high))
+    low, high = (0.0 if abs(edge) <= noise else edge for edge in (low, high))
+    return f"{low:.6g} to {high:.6g}"
 
 
 def _finite_only(growth: Growth | None) -> dict[str, float | None] | None:

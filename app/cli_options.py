@@ -121,6 +121,14 @@ def add_convert_options(convert: argparse.ArgumentParser) -> None:
         action="store_true",
         help="of a DXF: no spline above degree 3, for programs that draw none, such as LibreCAD",
     )
+    convert.add_argument(
+        "--only",
+        action="append",
+        default=[],
+        metavar="NAME",
+        help="take the curves of this name, or those in the group of this name or id, such as axes_1 or "
+        "'line2d_*'; may be given more than once",
+    )
     _add_table_options(convert)
     add_picture_options(convert)
 

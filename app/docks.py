@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from typing import TypeVar
 
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QDockWidget, QMainWindow, QWidget
@@ -31,6 +32,9 @@ _LATE = {
 
 _ASKED_FOR = ("laboratoryDock", "wiggleDock", "hodographDock")
 """Too many tabs are none: these come when they are asked for."""
+
+
+_Dock = TypeVar("_Dock", bound=QDockWidget)
 
 
 class Docks:
@@ -80,10 +84,10 @@ class Docks:
         dock.setWidget(Scrolled(content, IN_DOCK))
         return self._place(dock, name, _RIGHT)
 
-    def _add_late(self, name: str, title: str, area: Qt.DockWidgetArea = _RIGHT) -> QDockWidget:
+    def _add_late(self, name: str, title: str, area: Qt.DockWidgetArea = _RIGHT) -> LateDock:
         return self._place(LateDock(title, lambda: self._build(name), self._window), name, area)
 
-    def _place(self, dock: QDockWidget, name: str, area: Qt.DockWidgetArea) -> QDockWidget:
+    def _place(self, dock: _Dock, name: str, area: Qt.DockWidgetArea) -> _Dock:
         dock.setObjectName(name)
         dock.setAllowedAreas(_LEFT | _RIGHT)
         self._window.addDockWidget(area, dock)

@@ -114,7 +114,7 @@ class MainWindow(Guarded, QMainWindow):
             self.status_line.refuse(self.preferences.complaint)
         self.actions_by_name.attach(self)
         self._fit()
-        when_first_shown(self, self._fit)
+        when_first_shown(self, self._fit_again)
 
     # Building
 
@@ -294,6 +294,14 @@ class MainWindow(Guarded, QMainWindow):
     def _fit(self) -> None:
         self.canvas.fit()
         self.basis_pane.fit()
+
+    def _fit_again(self) -> None:
+        """Fit, in the size that the window has at last, what was fitted when its document was opened.
+
+        Whoever opens a document says what of it is shown; here nobody chooses anew, for a lesson may be open.
+        """
+        self.canvas.fit()
+        self.basis_pane.fit_again()
 
     def _show_points(self) -> None:
         """Fit the view where points of the active curve lie outside it."""

@@ -126,6 +126,53 @@ def test_bad_files_are_refused_in_one_line(tmp_path, capsys):
     assert list(tmp_path.iterdir()) == [bad]
 
 
+def test_a_folder_is_refused_as_one(tmp_path, capsys):
+    """`convert . x.json` said that the name “” does not end in a known format."""
+    table = tmp_path / "a.csv"
+    table.write_text("0,0\n1,1\n", encoding="utf-8")
+    for words in (
+        ["convert", str(tmp_path), str(tmp_path / "x.json")],
+        ["convert", str(table), str(tmp_path)],
+        ["render", str(table), "-o", str(tmp_path)],
+    ):
+        assert refusal(capsys, *words) == f"“{tmp_path}” is a folder. Choose a file."
+
+
+def test_convert_takes_groups_of_a_drawing_by_name(tmp_path, capsys):
+    """All 167 curves of a plot came in, glyphs and ticks and all, with no choice."""
+    line = '<g id="line2d_{0}"><path d="M0 {0}H9"/></g>'
+    drawing, out = tmp_path / "a.svg", tmp_path / "a.curve.json"
+    groups = "".join(map(line.format, range(21)))
+    drawing.write_text(
+        f'<svg xmlns="http://www.w3.org/2000/svg"><g id="axes">{groups}</g></svg>', encoding="utf-8"
+    )
+    assert main(["convert", str(drawing), str(out)]) == 0
+    assert "These are 21 curves; --only NAME takes those of a group. There is axes (21), line2d_0, " in (
+        capsys.readouterr().err
+    )
+    only = ["--only", "line2d_3", "--only", "line2d_1?"]
+    assert main(["convert", str(drawing), str(out), *only]) == 0
+    assert "These are" not in capsys.readouterr().err
+    assert [curve.nodes[0].y for curve in load(out).curves] == [-3, *range(-10, -20, -1)]
+    words = refusal(capsys, "convert", str(drawing), str(out), "--only", "nothing")
+    assert words.startswith("Nothing in it is called “nothing”; there is axes (21), line2d_0, ")
+
+
+@pytest.mark.parametrize(
+    ("points", "box"),
+    [
+        ([(-5e-20, 0.0), (1.0, 1.0)], "about x 0 to 1, y 0 to 1"),  # was: x -5e-20 to 1
+        ([(-5e-20, 1e-9), (2e-20, 1.0)], "about x -5e-20 to 2e-20, y 1e-09 to 1"),
+    ],
+)
+def test_the_box_of_info_holds_no_rounding_and_all_numbers(tmp_path, capsys, points, box):
+    path = tmp_path / "a.curve.json"
+    save(path, Document((make_curve(points),)))
+    assert main(["info", str(path)]) == 0
+    (line,) = [line for line in capsys.readouterr().out.splitlines() if line.startswith("  box")]
+    assert line.removeprefix("  box").strip() == box
+
+
 def test_impossible_renders_are_refused_in_one_line(tmp_path, capsys):
     empty = tmp_path / "empty.curve.json"
     save(empty, Document((make_curve(()),)))

@@ -8,7 +8,8 @@
 - ``clipboard_commands``: points on the clipboard.  ``context_menus``: what the right button opens.
 - ``disk_commands``, ``disk_notices``: the document's file while it is open.
 - ``recovery_commands``: work that was not saved.
-- ``exchange_commands``: import and export.  ``file_work``: how what takes long is shown and stopped.
+- ``exchange_commands``: import and export.  ``import_series``: of several files.
+  ``file_work``: how what takes long is shown and stopped.
 - ``overlay_commands``, ``plot_commands``: what is drawn over the curve, and over t.
 - ``laboratory_commands``, ``error_plot``: the stability laboratory, and its errors over t.
 - ``wiggle_commands``, ``teaching_commands``: a wiggle explained; warnings that teach.

@@ -65,7 +65,7 @@ class Commands:
         self.recovery = RecoveryCommands(parts)
         self.work = FileWork(parts)
         self.exchange = ExchangeCommands(parts, self.work)
-        self.drops = Drops(parts, self.work, self.exchange.import_file, self.images.add)
+        self.drops = Drops(parts, self.exchange.import_files, self.images.add)
         curves = CurveCommands(parts)
         self.hodograph = HodographCommands(parts)
         self.joints = JointCommands(parts)
@@ -167,7 +167,7 @@ class Commands:
 
     def close(self) -> None:
         """Let what runs beside the window end; called before the window goes."""
-        self.drops.close()
+        self.exchange.close()
         self.recovery.close()
         close_all(self._parts.window.findChildren(Worker))
 

@@ -5,11 +5,17 @@ from __future__ import annotations
 from PySide6.QtCore import Qt, QTimer
 from PySide6.QtWidgets import QDockWidget, QMainWindow
 
+from app.panels.fitting import Scrolled
+
 _LEAST_ABOVE = 150
+_LEAST_BESIDE = 480
+"""Pixels that are left of the drawing; beside less of it a dock is scrolled."""
 
 
 def make_room_once(window: QMainWindow, dock: QDockWidget, height: int) -> None:
-    """Let a dock that is opened for the first time be so high, if the upper one can spare it.
+    """Let a dock that is opened for the first time be so high, and as wide as its content needs.
+
+    As far as the upper one and the drawing can spare it.
 
     Once for each dock: where the borders stand afterwards is the person's business.
     """
@@ -18,6 +24,7 @@ def make_room_once(window: QMainWindow, dock: QDockWidget, height: int) -> None:
     dock.setProperty("hadRoom", True)
     # Only when the dock has its place is its height known.
     QTimer.singleShot(0, dock, lambda: _make_room(window, dock, height))
+    QTimer.singleShot(0, dock, lambda: _make_width(window, dock))
 
 
 def put_idle_docks_away(window: QMainWindow) -> None:
@@ -44,6 +51,15 @@ def _make_room(window: QMainWindow, dock: QDockWidget, height: int) -> None:
         window.resizeDocks(
             [above, dock], [above.height() - given, dock.height() + given], Qt.Orientation.Vertical
         )
+
+
+def _make_width(window: QMainWindow, dock: QDockWidget) -> None:
+    area, drawing = dock.widget(), window.centralWidget()
+    if not isinstance(area, Scrolled) or drawing is None:
+        return
+    missing = area.content.minimumSizeHint().width() - area.viewport().width()
+    if 0 < missing <= drawing.width() - _LEAST_BESIDE:
+        window.resizeDocks([dock], [dock.width() + missing], Qt.Orientation.Horizontal)
 
 
 def _is_above(other: QDockWidget, dock: QDockWidget) -> bool:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -10,12 +10,11 @@ from PySide6.QtCore import Qt
 from PySide6.QtGui import QDropEvent
 
 from app.commands.exchange_commands import can_import
-from app.commands.file_work import FileWork
 from app.commands.image_commands import PICTURE_SUFFIXES
 from app.commands.parts import Parts
 from app.document.format import FormatError
 from app.document.storage import StorageError
-from app.panels.words import count_of
+from app.panels.words import count_of, listed, names_of
 
 MOST_WINDOWS = 12
 """Documents that one drop opens; whoever drops a whole folder's content did not mean a hundred windows."""
@@ -89,13 +88,11 @@ class Drops:
     """
 
     def __init__(
-        self, parts: Parts, work: FileWork, import_file: Callable[[Path], None], trace: Callable[[str], None]
+        self, parts: Parts, import_files: Callable[[Iterable[Path]], None], trace: Callable[[str], None]
     ) -> None:
-        self._parts, self._work = parts, work
-        self._import, self._trace = import_file, trace
-        self._waiting: list[Path] = []
+        self._parts = parts
+        self._import, self._trace = import_files, trace
         self.open_window: OpenWindow | None = None
-        work.jobs.ended.connect(self._import_next)
 
     def take(self, files: Dropped) -> None:
         """Open the documents, import what is to be imported, one after the other, and trace a picture."""
@@ -107,14 +104,9 @@ class Drops:
             left.append(f"{names} not traced: a document has one picture to trace.")
         if files.elsewhere:
             left.append(f"{count_of(files.elsewhere, 'link')} to no file of this computer left out.")
-        self._waiting += files.imports
-        self._import_next()
+        self._import(files.imports)
         if left:
             self._parts.message_bar.warn(" ".join(left))
-
-    def close(self) -> None:
-        """Forget what waits to be imported."""
-        self._waiting.clear()
 
     def _open(self, documents: tuple[Path, ...]) -> list[str]:
         """Open the first document here and the others beside it; return what was left out, and why."""
@@ -147,21 +139,10 @@ class Drops:
                 left.append(f"{path.name} was not opened. {problem}")
         if opened:
             windows = "a window of its own" if len(opened) == 1 else "windows of their own"
-            self._parts.session.say(f"Opened {_names(opened)} in {windows}.")
+            names = names_of([path.name for path in opened])
+            self._parts.session.say(f"Opened {names} in {windows}.")
         return left
 
-    def _import_next(self) -> None:
-        if self._waiting and not self._work.jobs.is_busy:
-            self._import(self._waiting.pop(0))
 
-
-def _names(paths: Sequence[Path]) -> str:
-    """Return the first names, and how many more there are."""
-    names = [path.name for path in paths[:3]]
-    if len(paths) > len(names):
-        names.append(f"{len(paths) - len(names)} more")
-    return names[0] if len(names) == 1 else f"{', '.join(names[:-1])} and {names[-1]}"
-
-
-def _listed(paths: Sequence[Path]) -> str:
-    return f"{_names(paths)} {'was' if len(paths) == 1 else 'were'}"
+def _listed(paths: Iterable[Path]) -> str:
+    return listed([path.name for path in paths])

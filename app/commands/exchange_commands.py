@@ -2,16 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Iterable
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QMimeData
 from PySide6.QtGui import QGuiApplication
-from PySide6.QtWidgets import QDialog, QFileDialog, QWidget
+from PySide6.QtWidgets import QFileDialog, QWidget
 
 from app.commands.file_work import FileWork
+from app.commands.import_series import ImportSeries
 from app.commands.parts import Handlers, Parts
 from app.document.import_edits import add_imported
 from app.document.model import Document
@@ -20,7 +21,7 @@ from app.exchange import READABLE, Exported, Options, export_with, import_file
 from app.exchange.formats import IMPORTS, Kind, ending_of, import_format, is_document
 from app.exchange.progress import Report
 from app.file_commands import SUFFIX, file_stem
-from app.panels.words import count_of
+from app.panels.words import count_of, listed
 from app.view_model.curve_view import CurveView
 
 if TYPE_CHECKING:
@@ -30,6 +31,8 @@ if TYPE_CHECKING:
     from app.exchange.table_import import Prepared
     from app.exchange.table_source import TableSource
     from app.panels.export_dialog import ExportDialog
+    from app.panels.import_drawing_dialog import ImportDrawingDialog
+    from app.panels.import_table_dialog import ImportTableDialog
 
 # Readers, writers and dialogs are imported when they are wanted: at the start nobody waits for them.
 
@@ -45,7 +48,9 @@ class ExchangeCommands:
         self._parts, self._work = parts, work
         self._session, self._preferences = parts.session, parts.preferences
         self._dialog: ExportDialog | None = None
-        self._documents = 0
+        self._documents = self._meant_for = 0
+        self._series = ImportSeries(self._begin, lambda: not work.jobs.is_busy, parts.message_bar.warn)
+        work.jobs.ended.connect(self._series.go_on)
         parts.session.opened.connect(self._count_document)
         parts.session.document_changed.connect(self._show_in_dialog)
         parts.session.active_changed.connect(self._show_in_dialog)
@@ -74,7 +79,20 @@ class ExchangeCommands:
 
     def import_file(self, path: Path) -> None:
         """Read a file of another format and ask what is to become of it, or say why it cannot be read."""
+        if not self._work.refuse_second():
+            self.import_files([path])
 
+    def import_files(self, paths: Iterable[Path]) -> None:
+        """Import these one after the other, each when the one before has been answered."""
+        if not self._series.is_busy:
+            self._meant_for = self._documents
+        self._series.add(paths)
+
+    def close(self) -> None:
+        """Forget what waits to be imported."""
+        self._series.skip_rest()
+
+    def _begin(self, path: Path) -> None:
         def work(report: Report) -> Imported | _OpenTable:
             if import_format(path).kind is not Kind.TABLE:
                 return import_file(path, report=report)
@@ -83,62 +101,89 @@ class ExchangeCommands:
             return import_file(path, report=report) if is_document(data) else _opened_table(path, data)
 
         def done(found: Imported | _OpenTable) -> None:
-            if isinstance(found, _OpenTable):
-                self._ask_about_table(path, found)
-            else:
-                self._ask_where(path, found)
+            if self._meant_for != self._documents:
+                self._give_up()
+                return
+            try:
+                self._ask_about(path, found)
+            except Exception:
+                self._series.end()
+                raise
 
-        here = self._for_this_document(path, done)
-        self._work.start(f"Reading {path.name}", work, here, path, "imported")
-
-    def _for_this_document(self, path: Path, done: Callable[[Any], object]) -> Callable[[Any], object]:
-        """Return `done` for an import that begins now; another document must not get its curves."""
-        begun = self._documents
-
-        def done_here(result: object) -> None:
-            if begun == self._documents:
-                done(result)
-            else:
-                self._give_up(path)
-
-        return done_here
+        if self._meant_for != self._documents:
+            # It has waited for other work, and another document must not get its curves.
+            self._give_up()
+        else:
+            self._work.start(f"Reading {path.name}", work, done, path, "imported", self._series.end)
 
     def _count_document(self) -> None:
         self._documents += 1
 
-    def _give_up(self, path: Path) -> None:
-        self._session.refuse(f"{path.name} was not imported, for another document was opened meanwhile.")
+    def _give_up(self) -> None:
+        """Leave out what was meant for another document than there is now."""
+        names = listed(self._series.skip_rest())
+        self._session.refuse(f"{names} not imported, for another document was opened meanwhile.")
+        self._series.end()
 
-    def _open_for_this_document(self, path: Path, dialog: QDialog) -> None:
-        """Show the dialog of an import until another document is opened."""
+    def _ask(self, dialog: ImportDrawingDialog | ImportTableDialog) -> None:
+        """Show the dialog of an import until it is answered or another document is opened."""
 
         def leave() -> None:
+            dialog.rejected.disconnect(self._series.end)
             dialog.reject()
-            self._give_up(path)
+            self._give_up()
+
+        def skip_rest() -> None:
+            names = listed(self._series.skip_rest())
+            dialog.reject()
+            self._session.say(f"{names} left out.")
+
+        def forget() -> None:
+            self._session.opened.disconnect(leave)
+            self._series.changed = None
 
         self._session.opened.connect(leave)
-        dialog.finished.connect(lambda _result: self._session.opened.disconnect(leave))
+        dialog.finished.connect(forget)
+        dialog.rejected.connect(self._series.end)
+        dialog.foot.rest_skipped.connect(skip_rest)
+        dialog.foot.show_turn(self._series.turn)
+        self._series.changed = dialog.foot.show_turn
         _open(dialog)
+
+    def _ask_about(self, path: Path, found: Imported | _OpenTable) -> None:
+        if isinstance(found, _OpenTable):
+            self._ask_about_table(path, found)
+        else:
+            self._ask_where(path, found)
 
     def _ask_where(self, path: Path, found: Imported) -> None:
         from app.panels.import_drawing_dialog import ImportDrawingDialog  # noqa: PLC0415
 
         dialog = ImportDrawingDialog(path.name, found, self._parts.window)
-        dialog.chosen.connect(lambda anew: self._take_in(path, found.document, found.deviation, anew))
-        self._open_for_this_document(path, dialog)
+        dialog.chosen.connect(lambda taken, anew: self._take_in(path, taken.document, taken.deviation, anew))
+        self._ask(dialog)
 
     def _ask_about_table(self, path: Path, table: _OpenTable) -> None:
         from app.panels.import_table_dialog import ImportTableDialog  # noqa: PLC0415
 
         dialog = ImportTableDialog(path.name, path.stem, table.source, table.preview, self._parts.window)
         dialog.chosen.connect(lambda prepared, anew: self._take_table(path, prepared, anew))
-        self._open_for_this_document(path, dialog)
+        self._ask(dialog)
 
     def _take_table(self, path: Path, prepared: Prepared, anew: bool) -> None:
         assert prepared.document is not None
         self._take_in(path, prepared.document, prepared.deviation, anew)
 
     def _take_in(self, path: Path, new: Document, deviation: float, anew: bool) -> None:
+        """Add the curves, and go on with the next file."""
+        try:
+            self._add(path, new, deviation, anew)
+        finally:
+            # What comes next of the series goes where this one went.
+            self._meant_for = self._documents
+            self._series.end()
+
+    def _add(self, path: Path, new: Document, deviation: float, anew: bool) -> None:
         """Add the curves as one step, to this document or to a new one."""
         if anew:
             if not self._parts.files.may_discard():

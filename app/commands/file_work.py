@@ -31,6 +31,7 @@ class FileWork:
         self._parts = parts
         self.jobs = Jobs(parts.window)
         self._bar: JobBar | None = None
+        self._stopped: Callable[[], object] = lambda: None
         self.jobs.shown.connect(self._show_bar)
         self.jobs.ended.connect(self._hide_bar)
         self.jobs.progressed.connect(self._show_share)
@@ -43,30 +44,57 @@ class FileWork:
     def render(self, view: CurveView) -> None:
         """Leave it: work goes on whatever the curve becomes."""
 
-    def start(self, title: str, work: Work, done: Callable[[Any], object], path: Path, what: str) -> None:
-        """Do work for a file; what it raises is said as “file was not `what`”."""
+    def start(
+        self,
+        title: str,
+        work: Work,
+        done: Callable[[Any], object],
+        path: Path,
+        what: str,
+        left: Callable[[str], object] | None = None,
+    ) -> None:
+        """Do work for a file; what it raises is said as “file was not `what`”.
+
+        Where nothing comes of it, `left` is called with that sentence, or with an empty one where the person
+        has stopped the work; by default the sentence is shown.
+        """
+        leave = left or self._warn
 
         def failed(problem: Exception) -> None:
-            if not isinstance(problem, _EXPECTED):
-                raise problem
-            self.refuse(path, what, problem)
+            if isinstance(problem, _EXPECTED):
+                leave(why_not(path, what, problem))
+                return
+            leave("")
+            raise problem
 
-        if not self.jobs.start(title, work, done, failed):
+        if self.refuse_second():
+            return
+        self._stopped = lambda: leave("")
+        self.jobs.start(title, work, done, failed)
+
+    def refuse_second(self) -> bool:
+        """Say that one thing is done at a time, and return True, while something is being done."""
+        if self.jobs.is_busy:
             self._parts.session.refuse(f"{self.jobs.title} is still going on; stop it first.")
+        return self.jobs.is_busy
 
     def refuse(self, path: Path, what: str, problem: Exception) -> None:
         """Say why something was not done with a file."""
-        # Some are clauses; what readers say names the file, and it need not be named twice.
-        reason = f"{str(problem).removesuffix('.')}."
-        named = what == "imported" and path.name in reason
-        self._parts.message_bar.warn(reason if named else f"{path.name} was not {what}. {reason}")
+        self._warn(why_not(path, what, problem))
+
+    def _warn(self, sentence: str) -> None:
+        if sentence:
+            self._parts.message_bar.warn(sentence)
 
     def _cancel(self) -> None:
         if self.jobs.is_busy:
-            title = self.jobs.title
+            # Other work may begin as soon as this has ended.
+            title, leave = self.jobs.title, self._stopped
             stopped = self.jobs.cancel()
             end = "was stopped; nothing has changed" if stopped else "cannot be stopped any more"
             self._parts.session.say(f"{title} {end}.")
+            if stopped:
+                leave()
 
     def _show_bar(self, title: str) -> None:
         if self._bar is None:
@@ -83,3 +111,11 @@ class FileWork:
     def _show_share(self, share: float, _word: str) -> None:
         if self._bar is not None:
             self._bar.show_share(share)
+
+
+def why_not(path: Path, what: str, problem: Exception) -> str:
+    """Return why something was not done with a file, as a sentence."""
+    # Some are clauses; what readers say names the file, and it need not be named twice.
+    reason = f"{str(problem).removesuffix('.')}."
+    named = what == "imported" and path.name in reason
+    return reason if named else f"{path.name} was not {what}. {reason}"

@@ -78,7 +78,10 @@ class LessonCommands:
 
     def open(self, name: str) -> None:
         """Begin the lesson of this name."""
-        self._parts.lessons_dock.show()
+        dock = self._parts.lessons_dock
+        dock.show()
+        # In a window that is not on the screen yet nothing is shown; but the panel follows the document.
+        dock.fill()
         self._begin([lesson.name for lesson in self._lessons].index(name))
 
     def build(self) -> QWidget:

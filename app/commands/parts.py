@@ -18,6 +18,7 @@ from app.panels.basis_pane import BasisPane
 from app.panels.basis_panel import BasisPanel
 from app.panels.curve_list import CurveList
 from app.panels.image_panel import ImagePanel
+from app.panels.late_dock import LateDock
 from app.panels.message_bar import MessageBar
 from app.panels.plot_panel import PlotPanel
 from app.panels.status_line import StatusLine
@@ -53,7 +54,7 @@ class Parts(msgspec.Struct, frozen=True):
     image_dock: QDockWidget
     splitter: QSplitter
     plot_panel: PlotPanel
-    lessons_dock: QDockWidget
+    lessons_dock: LateDock
 
     def change(self, text: str, edit: Callable[[], Document], *, active: int | None = None) -> bool:
         """Commit what `edit` makes as the step `text`, or say why not; return whether the document changed.

@@ -8,9 +8,13 @@ point becomes a corner with two velocities.
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from fnmatch import fnmatchcase
+from itertools import compress
 
+import msgspec
 import numpy as np
 
 from app.document.format import FormatError, validate
@@ -32,6 +36,10 @@ SMOOTH = 1e-9
 MAX_PIECES = 100_000
 """Pieces of the longest path that is read."""
 
+_OUTER = 3
+_MOST_NAMES = 24
+"""Of groups, when they are listed: the three outermost of each curve, and so many in all."""
+
 _FASTEST = 1e3  # how much a segment's speed may differ from that of the first after a corner
 
 # A control point moves the curve by at most the largest value of its Bernstein polynomial.
@@ -50,11 +58,46 @@ class Imported:
         Largest distance of its curves from what the file describes, but for rounding.
     remarks
         One sentence for everything that was left out.
+    groups
+        For every curve the names of the groups that it lies in, from the outermost on; empty where a file
+        knows none.
     """
 
     document: Document
     deviation: float = 0.0
     remarks: tuple[str, ...] = ()
+    groups: tuple[tuple[str, ...], ...] = ()
+
+    def only(self, taken: Sequence[bool]) -> Imported:
+        """Return some of the curves, at least one; how far they are from the file is a bound still."""
+        curves = tuple(compress(self.document.curves, taken))
+        document = msgspec.structs.replace(self.document, curves=curves)
+        return replace(self, document=document, groups=tuple(compress(self.groups, taken)))
+
+    def called(self, names: Sequence[str]) -> Imported:
+        """Return the curves that have one of these names or lie in a group that has; “*” stands for anything.
+
+        Raises
+        ------
+        ExchangeError
+            If there is none, with the names that there are.
+        """
+        groups = self.groups or ((),) * len(self.document.curves)
+        own = [(*chain, curve.name) for chain, curve in zip(groups, self.document.curves, strict=True)]
+        taken = [any(fnmatchcase(each, name) for each in mine for name in names) for mine in own]
+        if not any(taken):
+            raise ExchangeError(f"Nothing in it is called “{', '.join(names)}”; there is {self.contents()}.")
+        return self.only(taken)
+
+    def contents(self) -> str:
+        """Return the names of the outer groups, or of the curves, with how many curves they hold."""
+        curves = self.document.curves
+        chains = self.groups or ((),) * len(curves)
+        names = [chain[:_OUTER] or (curve.name,) for chain, curve in zip(chains, curves, strict=True)]
+        counts = Counter(name for mine in names for name in dict.fromkeys(mine))
+        shown = [f"{name} ({count})" if count > 1 else name for name, count in counts.items()]
+        more = len(shown) - _MOST_NAMES
+        return ", ".join([*shown[:_MOST_NAMES], *([f"and {more} more"] if more > 0 else [])])
 
 
 @dataclass(frozen=True, eq=False)
@@ -71,6 +114,8 @@ class Path:
         Whether the last piece ends where the first begins, on purpose.
     deviation
         Largest distance from what the file describes.
+    groups
+        As in `Imported`.
     """
 
     name: str
@@ -78,6 +123,7 @@ class Path:
     pieces: Floats
     closed: bool
     deviation: float = 0.0
+    groups: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -106,10 +152,11 @@ def imported(paths: Sequence[Path | PointsAlone], remarks: tuple[str, ...] = ())
     ExchangeError
         If there is none, or if its numbers are beyond what a document may hold.
     """
-    curves, deviation = [], 0.0
+    curves, groups, deviation = [], list[tuple[str, ...]](), 0.0
     for path in paths:
         if isinstance(path, PointsAlone):
             curves.append(_through(path))
+            groups.append(())
             continue
         _check_numbers(path)
         pieces = _without_points(path.pieces)
@@ -118,6 +165,7 @@ def imported(paths: Sequence[Path | PointsAlone], remarks: tuple[str, ...] = ())
             continue
         curve, moved = _curve(path, pieces)
         curves.append(curve)
+        groups.append(path.groups)
         deviation = max(deviation, path.deviation + moved)
     if not curves:
         raise ExchangeError(" ".join(["There is no curve in the file.", *remarks]))
@@ -126,7 +174,7 @@ def imported(paths: Sequence[Path | PointsAlone], remarks: tuple[str, ...] = ())
         validate(document)
     except FormatError as problem:
         raise ExchangeError(f"The file cannot become a document: {problem}.") from problem
-    return Imported(document, deviation, remarks)
+    return Imported(document, deviation, remarks, tuple(groups) if any(groups) else ())
 
 
 def lines(points: Floats) -> Floats:

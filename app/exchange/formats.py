@@ -205,12 +205,14 @@ def ending_of(path: str | os.PathLike[str], endings: tuple[str, ...]) -> str:
     Raises
     ------
     ExchangeError
-        If it has none.
+        If it has none, or is a folder's.
     """
     name = Path(path).name
     for ending in endings:
         if name.lower().endswith(ending):
             return ending
+    if Path(path).is_dir():
+        raise ExchangeError(f"“{os.fspath(path)}” is a folder. Choose a file.")
     known = ", ".join(endings[:-1])
     raise ExchangeError(f"The name “{name}” does not end in a known format; use {known} or {endings[-1]}.")
 

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import os
+from collections.abc import Sequence
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -27,6 +29,7 @@ def import_file(
     family: Family = Family.HERMITE,
     columns: str = "",
     missing: str = "refuse",
+    only: Sequence[str] = (),
     report: Report = silent,
 ) -> Imported:
     """Return the curves in a file of the format that its ending names.
@@ -48,6 +51,8 @@ def import_file(
         their titles say.
     missing
         Of tables: "skip" to leave out rows without numbers, "split" to begin another curve after them.
+    only
+        The names of curves, or of groups of them, that are taken, such as "line2d_*"; by default all are.
     report
         Hears how far it has come.
 
@@ -61,16 +66,21 @@ def import_file(
     """
     kind = import_format(path).kind
     data = read(path)
-    try:
+
+    def found() -> Imported:
         if kind is Kind.DOCUMENT or (kind is Kind.TABLE and is_document(data)):
             return _document(data, path)
         if kind is Kind.DRAWING:
             return _drawing(path, data, tolerance, report)
         return _table(path, data, thin, corners, family, columns, missing, report)
+
+    try:
+        result = found()
     except (FormatError, ExchangeError) as problem:
         raise ExchangeError(f"“{Path(path).name}” cannot be read: {problem}") from problem
     except MemoryError:
         raise ExchangeError(f"“{Path(path).name}” takes more memory than there is.") from None
+    return result.called(only) if only else result
 
 
 # The window starts without the readers.
@@ -99,7 +109,6 @@ def _table(
     missing: str,
     report: Report,
 ) -> Imported:
-    from app.exchange.cubics_in import Imported  # noqa: PLC0415
     from app.exchange.table_columns import mapping_of, words_on  # noqa: PLC0415
     from app.exchange.table_curve import Missing, document_of_table  # noqa: PLC0415
     from app.exchange.table_layout import MissingNumber  # noqa: PLC0415
@@ -112,7 +121,7 @@ def _table(
     name = Path(path).name[: -len(source.ending)] or "Table"
     try:
         table = source.table(preview.layout, mapping, Missing(missing), part(report, 0.0, 0.5))
-        document, deviation = document_of_table(
+        made = document_of_table(
             table,
             mapping,
             name=name,
@@ -126,5 +135,5 @@ def _table(
         raise ExchangeError(
             f"{problem} Leave such rows out with --missing skip, or end the curve there with --missing split."
         ) from None
-    said = (preview.said, words_on(mapping, preview.titles), table.words_on_blocks)
-    return Imported(document, deviation, tuple(filter(None, said)))
+    said = (preview.said, words_on(mapping, preview.titles), table.words_on_blocks, *made.remarks)
+    return replace(made, remarks=tuple(filter(None, said)))

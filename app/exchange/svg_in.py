@@ -53,6 +53,7 @@ class _State:
     fill: str = "black"
     visible: bool = True
     inside: tuple[str, ...] = ()
+    groups: tuple[str, ...] = ()
 
 
 def read_svg(data: bytes, tolerance: float | None = None) -> Imported:
@@ -125,6 +126,8 @@ class _Reader:
         elif tag == "use":
             yield from self._used(element, state, depth)
         elif tag in _CONTAINERS:
+            if name := _name(element):
+                state = replace(state, groups=(*state.groups, name))
             if tag == "svg" and depth > 0:
                 self._lost.add("The view box of an <svg> in another")
             for child in element:
@@ -198,6 +201,7 @@ class _Reader:
                 _moved(subpath.controls, state.matrix),
                 subpath.closed,
                 subpath.deviation * scale,
+                state.groups,
             )
 
     def _subpaths(self, element: ET.Element, tag: str, tolerance: float | None) -> list[Subpath]:

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from collections import Counter
-from dataclasses import dataclass
+from collections.abc import Callable
+from dataclasses import dataclass, replace
 from enum import StrEnum
 
 import numpy as np
@@ -19,6 +20,7 @@ from app.document.model import (
     ParametrizationKind,
     Vector,
 )
+from app.exchange.cubics_in import Imported
 from app.exchange.drawing import ExchangeError, Floats
 from app.exchange.progress import Report, part, silent
 from app.exchange.table import Table
@@ -60,10 +62,11 @@ def document_of_table(
     thinning: Thinning = Thinning.CURVE,
     missing: Missing = Missing.REFUSE,
     report: Report = silent,
-) -> tuple[Document, float]:
-    """Return a document with the curves through the rows of a table, and how far they are from them at most.
+) -> Imported:
+    """Return the curves through the rows of a table, how far they are from them, and what there is to say.
 
-    There is one curve, or one for each name in the column of names, and one for each block of rows.
+    There is one curve, or one for each name in the column of names, and one for each block of rows. Where
+    there is no column of parameters, rows that repeat the point before become one point with it.
 
     Parameters
     ----------
@@ -98,9 +101,14 @@ def document_of_table(
         if not 0 <= column < table.values.shape[1]:
             raise ExchangeError(f"There is no column {column + 1} for {role}.")
     groups = _numbered(_without_missing(table, columns, _groups(table, chosen, name), missing))
-    curves, deviation = [], 0.0
+    curves, deviation, repeats = [], 0.0, Repeats()
     for place, (title, rows) in enumerate(groups):
         own = _Rows(table, columns, rows)
+        found = own.repeats
+        repeats = repeats.and_of(found, own.line_of)
+        if own.t is None:
+            # Parameters by distance, which are the rule then, cannot tell these points apart.
+            own = own.without(found)
         away = part(report, place / len(groups), (place + 1) / len(groups))
         if thin is not None:
             kept = thinned(own.points, own.t, thin, thinning, report=away)
@@ -109,7 +117,8 @@ def document_of_table(
         else:
             away(0.0, "Making a curve")
             curves.append(_full_curve(title, own, *_family_of(table, chosen, rows, family)))
-    return _checked(curves), deviation
+    said = repeats.said(are_kept="t" in columns)
+    return Imported(_checked(curves), deviation, (said,) if said else ())
 
 
 def _groups(table: Table, mapping: Mapping, name: str) -> list[Group]:
@@ -174,6 +183,40 @@ def _family_of(
         raise RowProblem(f" must be one of {known}.", table.line_of(first), mapping.family + 1) from None
 
 
+@dataclass(frozen=True)
+class Repeats:
+    """Rows that hold the same point as the row before.
+
+    Attributes
+    ----------
+    count
+        How many there are.
+    first
+        The row of the file that holds the first one.
+    """
+
+    count: int = 0
+    first: int = 0
+
+    def and_of(self, rows: npt.NDArray[np.intp], line_of: Callable[[int], int]) -> Repeats:
+        """Return these and more, of another curve."""
+        first = self.first or (line_of(int(rows[0])) if len(rows) else 0)
+        return Repeats(self.count + len(rows), first)
+
+    def said(self, *, are_kept: bool) -> str:
+        """Return what there is to say of them and of what became of them; empty where there are none."""
+        if not self.count:
+            return ""
+        kept = "kept, with {} t of {} own"
+        merged = "merged with that, for parameters by distance need distinct points"
+        if self.count == 1:
+            became = f"is {kept.format('a', 'its')}" if are_kept else f"was {merged}"
+            return f"Row {self.first} repeats the point of the row before; it {became}."
+        became = f"are {kept.format('a', 'their')}" if are_kept else f"were {merged}"
+        where = f"row {self.first} first"
+        return f"{self.count:,} rows repeat the point of the row before, {where}; they {became}."
+
+
 @dataclass(frozen=True, eq=False)
 class _Rows:
     """The rows of one curve.
@@ -221,6 +264,24 @@ class _Rows:
     def points(self) -> Floats:
         """The points, (n, 2)."""
         return np.column_stack([self.column("x"), self.column("y")])
+
+    @property
+    def repeats(self) -> npt.NDArray[np.intp]:
+        """The rows that hold the same point as the row before."""
+        return np.flatnonzero((np.diff(self.points, axis=0) == 0).all(axis=1)) + 1
+
+    def without(self, rows: npt.NDArray[np.intp]) -> _Rows:
+        """Return all rows but these.
+
+        Raises
+        ------
+        ExchangeError
+            If one is left.
+        """
+        left = np.delete(self.rows, rows)
+        if len(left) < 2:
+            raise ExchangeError("All points coincide; there is no curve through them.")
+        return replace(self, rows=left)
 
     def vectors(self, field: str) -> list[Vector | None]:
         """Return one derivative of every row, None where its cells are empty or there is no such column.

@@ -79,6 +79,8 @@ class Prepared:
         Where that is, counted from 1, and what stands there; 0 and empty where no row is meant.
     lacks_numbers
         Whether it is that a row has no number: it could be left out.
+    remarks
+        What there is to say of the curves, in sentences.
     """
 
     rows: int = 0
@@ -91,6 +93,7 @@ class Prepared:
     bad_column: int = 0
     bad_cells: tuple[str, ...] = ()
     lacks_numbers: bool = False
+    remarks: tuple[str, ...] = ()
 
     @property
     def points(self) -> int:
@@ -133,7 +136,7 @@ def _made(table: Table, choice: TableChoice, report: Report) -> Prepared:
     tolerance = (choice.tolerance or suggested) if choice.thinning is not None else 0.0
     for _ in range(_MOST_DOUBLINGS):
         try:
-            document, deviation = document_of_table(
+            made = document_of_table(
                 table,
                 choice.mapping,
                 family=choice.family,
@@ -150,7 +153,12 @@ def _made(table: Table, choice: TableChoice, report: Report) -> Prepared:
         else:
             is_wider = choice.tolerance is None and tolerance > suggested
             return Prepared(
-                len(table.values), tolerance, document, deviation, wider_than=is_wider * suggested
+                len(table.values),
+                tolerance,
+                made.document,
+                made.deviation,
+                wider_than=is_wider * suggested,
+                remarks=made.remarks,
             )
     raise ExchangeError("The rows are too far apart to be thinned out; choose a distance.")
 

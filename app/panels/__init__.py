@@ -27,7 +27,8 @@ Words and dialogs:
   ``recovery_bar``: over the canvas.
 - ``command_palette``, ``fuzzy``: type what you want.  ``shortcut_sheet``, ``shortcut_editor``: keys.
 - ``preferences_dialog``, ``motion_dialog``, ``crash_dialog``.  ``export_dialog``, ``export_form``: export.
-- ``import_drawing_dialog``, ``import_table_dialog``, ``table_preview``, ``role_header``: import.
+- ``import_drawing_dialog``, ``import_table_dialog``, ``table_preview``, ``role_header``,
+  ``group_tree``, ``import_foot``, ``turn``: import.
 
 Small parts:
 

@@ -53,6 +53,7 @@ class BasisPane(Guarded, QWidget):
         self._extent = ElidedLabel()
         self._extent.setObjectName("basisExtent")
         self._fit = self._fit_button()
+        self._wants_all = False
         self._soon = QTimer(self, singleShot=True, interval=_SOON_MS)
         self._soon.timeout.connect(self._write_reach)
         self._lay_out()
@@ -182,6 +183,7 @@ class BasisPane(Guarded, QWidget):
 
     def fit(self) -> None:
         """Show the whole interval and the usual range of values."""
+        self._wants_all = False
         self._fit.setChecked(False)
         self._panel.calm_values()
         self._panel.fit_domain()
@@ -189,9 +191,17 @@ class BasisPane(Guarded, QWidget):
     def fit_functions(self) -> None:
         """Show the whole interval and all functions: the usual range where it holds them."""
         self.fit()
+        self._wants_all = True
         if self._reach is not None:
             self._fit.setChecked(True)
             self._panel.fit_values()
+
+    def fit_again(self) -> None:
+        """Fit what was fitted last: the pane has its size only now."""
+        if self._wants_all:
+            self.fit_functions()
+        else:
+            self.fit()
 
     def _choose_kinds(self) -> None:
         self._panel.set_kinds(frozenset(k for k, button in enumerate(self._kinds) if button.isChecked()))

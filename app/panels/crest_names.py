@@ -6,6 +6,7 @@ import math
 from typing import NamedTuple
 
 import numpy as np
+import numpy.typing as npt
 from pyqtgraph.Qt.internals import PrimitiveArray
 from PySide6.QtCore import QPointF, QRectF, QSizeF, Qt
 from PySide6.QtGui import QFont, QFontMetricsF, QPainter, QPixmap
@@ -16,6 +17,8 @@ from app.plot.pixel_map import Floats, PixelMap
 from app.theme import Theme
 from app.view_model.basis_view import BasisView
 from app.view_model.curve_view import Integers
+
+Bools = npt.NDArray[np.bool_]
 
 MOST = 24
 """Functions that are named, of all kinds together; among more, a number would stand on other lines."""
@@ -72,15 +75,16 @@ class CrestNames:
         theme: Theme,
         scale: float,
     ) -> None:
-        """Write a number beyond each crest that is in sight, as far as they do not meet."""
+        """Write a number at each crest, as far as they do not meet and no function crosses them."""
         if basis.count * len(kinds) > MOST:
             return
         self._find_crests(basis, kinds)
         device = painter.device()
         ratio = device.devicePixelRatioF() if device is not None else 1.0
         self._draw_sheet(basis.node_count, theme, scale, ratio)
-        places = self._boxes(shown, painter.clipBoundingRect().bottom())
-        kept = apart(places, self._cell)
+        places, is_clear = self._boxes(shown, basis, kinds, painter.clipBoundingRect().bottom(), scale)
+        clear = np.flatnonzero(is_clear)
+        kept = clear[apart(places[clear], self._cell)]
         self._fragments.resize(len(kept))
         data = self._fragments.ndarray()
         data[:, :2] = np.round(places[kept])
@@ -99,13 +103,36 @@ class CrestNames:
             self._owners = np.array([each.owner for each in crests], dtype=np.intp)
             self._places = np.array([(each.t, each.value) for each in crests])
 
-    def _boxes(self, shown: PixelMap, floor: float) -> Floats:
-        """Return the middles of the numbers in pixels: beyond the crests, inside where there is no room."""
+    def _boxes(
+        self, shown: PixelMap, basis: BasisView, kinds: list[int], floor: float, scale: float
+    ) -> tuple[Floats, Bools]:
+        """Return the middles of the numbers in pixels, and for which of them there is one.
+
+        Beyond the crest, where no function crosses the number; else on its other side, or a little aside.
+        """
         x, y = shown.x(self._places[:, 0]), shown.y(self._places[:, 1])
-        half = self._cell.height() / 2
+        width, height = self._cell.width(), self._cell.height()
+        half = height / 2
         above, below = y - half - _GAP, y + half + _GAP
         is_below = np.where(self._places[:, 1] < 0, below + half <= floor, above < half)
-        return np.column_stack([x, np.where(is_below, below, above)])
+        beyond, inside = np.where(is_below, below, above), np.where(is_below, above, below)
+        aside, rim = width / 2 + _GAP, 2 * _RIM * scale
+        lines = Lines(shown, basis, kinds, (width - rim, height - rim))
+        places = np.column_stack([x, beyond])
+        is_clear = lines.leave_free(places)
+        for by, other in (
+            (0.0, inside),
+            (-aside, beyond),
+            (aside, beyond),
+            (-aside, inside),
+            (aside, inside),
+        ):
+            tried = np.column_stack([x + by, other])
+            fits = (other >= half) & (other + half <= floor) & (x + by >= 0) & (x + by <= shown.width)
+            better = np.flatnonzero(~is_clear & fits)
+            better = better[lines.leave_free(tried[better])]
+            places[better], is_clear[better] = tried[better], True
+        return places, is_clear
 
     def _draw_sheet(self, count: int, theme: Theme, scale: float, ratio: float) -> None:
         """Draw the numbers of all points side by side, each in its colour with a halo of paper."""
@@ -129,6 +156,39 @@ class CrestNames:
             inner = cell.adjusted(rim, rim, -rim, -rim)
             Halo().write(drawing, inner, str(index), theme.paper, colour, rim)
         drawing.end()
+
+
+class Lines:
+    """The functions and the line of zero in pixels, as far as it takes to see whether they cross a number.
+
+    Parameters
+    ----------
+    size
+        Width and height of a number.
+    """
+
+    def __init__(
+        self, shown: PixelMap, basis: BasisView, kinds: list[int], size: tuple[float, float]
+    ) -> None:
+        self._half = np.array(size) / 2
+        self._x = shown.x(basis.t)
+        values = basis.values[:, :, kinds].reshape(len(basis.t), -1)
+        y = shown.y(np.column_stack([values, np.zeros(len(values))]))
+        self._top, self._bottom = np.minimum(y[:-1], y[1:]), np.maximum(y[:-1], y[1:])
+        if basis.first is not None:
+            # Where one segment ends and the next begins a column changes from one knot to another.
+            self._top[basis.first[1:-1] - 1] = np.inf
+
+    def leave_free(self, places: Floats) -> Bools:
+        """Return around which places (k, 2) nothing crosses a number."""
+        across, up = self._half
+        starts = (np.searchsorted(self._x, places[:, 0] - across) - 1).clip(0)
+        ends = np.searchsorted(self._x, places[:, 0] + across)
+        result = np.ones(len(places), dtype=np.bool_)
+        for k, (start, end) in enumerate(zip(starts.tolist(), ends.tolist(), strict=True)):
+            low, high = places[k, 1] - up, places[k, 1] + up
+            result[k] = not ((self._top[start:end] < high) & (self._bottom[start:end] > low)).any()
+        return result
 
 
 def apart(places: Floats, cell: QSizeF) -> Integers:

@@ -27,11 +27,16 @@ class Scrolled(Guarded, QScrollArea):
     ----------
     most
         What the content may ask for at least, whatever it needs.
+
+    Attributes
+    ----------
+    content
+        What scrolls.
     """
 
     def __init__(self, content: QWidget, most: QSize) -> None:
         super().__init__()
-        self._content, self._most = content, most
+        self.content, self._most = content, most
         self.setObjectName("scrolled")
         self.setFrameShape(QFrame.Shape.NoFrame)
         self.setWidgetResizable(True)
@@ -40,14 +45,14 @@ class Scrolled(Guarded, QScrollArea):
         self.setWidget(content)
 
     def sizeHint(self) -> QSize:
-        return self._content.sizeHint()
+        return self.content.sizeHint()
 
     def minimumSizeHint(self) -> QSize:
-        least = self._content.minimumSizeHint().expandedTo(self._content.minimumSize())
+        least = self.content.minimumSizeHint().expandedTo(self.content.minimumSize())
         return least.boundedTo(self._most)
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
-        if watched is self._content and event.type() == QEvent.Type.LayoutRequest:
+        if watched is self.content and event.type() == QEvent.Type.LayoutRequest:
             # Qt asks a scroll area for its size once; what is in it may grow later.
             self.updateGeometry()
         return super().eventFilter(watched, event)

@@ -25,7 +25,8 @@ from app.exchange.table_source import TableSource
 from app.exchange.thinning import Thinning
 from app.labels import Label, tip_of
 from app.panels.field_edit import FieldEdit
-from app.panels.form_parts import buttons, choice_box, into_box
+from app.panels.form_parts import choice_box, into_box
+from app.panels.import_foot import ImportFoot
 from app.panels.number_text import decimal_mark, rounded_text
 from app.panels.table_preview import TablePreview
 from app.panels.words import count_of
@@ -125,7 +126,8 @@ class ImportTableDialog(WorkDialog):
         self.bar.setRange(0, 1000)
         self.bar.setTextVisible(False)
         self.bar.setFixedSize(120, 8)
-        self.buttons, self.ok = buttons("Import", "importTable", "Make curves of the rows", "cancelImport")
+        self.foot = ImportFoot(self, "importTable", "Make curves of the rows")
+        self.ok = self.foot.ok
         self._lay_out()
 
     def _lay_out(self) -> None:
@@ -142,7 +144,7 @@ class ImportTableDialog(WorkDialog):
         layout.addWidget(self.missing_box, 0, Qt.AlignmentFlag.AlignLeft)
         foot = QWidget()
         bottom = _row(self.summary, self.bar)
-        bottom.addWidget(self.buttons)
+        bottom.addWidget(self.foot)
         bottom.setContentsMargins(0, 0, 0, 0)
         foot.setLayout(bottom)
         self.hold(foot, wished=QSize(760, 560))
@@ -157,8 +159,7 @@ class ImportTableDialog(WorkDialog):
         self.thinning_box.activated.connect(self._choose_thinning)
         self.tolerance_edit.committed.connect(self._type_tolerance)
         self.tolerance_edit.textEdited.connect(self._type_soon)
-        self.buttons.rejected.connect(self.reject)
-        self.buttons.accepted.connect(self._import)
+        self.foot.box.accepted.connect(self._import)
         self.jobs.progressed.connect(self._show_share)
         self.jobs.shown.connect(lambda _title: self.bar.show())
         self.jobs.ended.connect(self.bar.hide)
@@ -276,11 +277,7 @@ class ImportTableDialog(WorkDialog):
             self._tolerance = prepared.tolerance
             self.tolerance_edit.show_text(_shown(prepared.tolerance).replace("−", "-"))
         self.complain(prepared.problem)
-        if prepared.wider_than:
-            self._explain(
-                f"The distance is {_shown(prepared.tolerance)}: {_shown(prepared.wider_than)} would leave "
-                f"more than {MOST_POINTS:,} points."
-            )
+        self._explain(prepared)
         self.missing_box.setVisible(prepared.lacks_numbers or self.missing_box.currentIndex() > 0)
         self.preview.mark(prepared.bad_row, prepared.bad_column, prepared.bad_cells)
         self.summary.setText(_summary(prepared))
@@ -296,9 +293,17 @@ class ImportTableDialog(WorkDialog):
         self.problem.setStyleSheet(f"color: {theme_of(self.palette()).warning.name()}")
         self.problem.setText(f"⚠ {text}" if text else "")
 
-    def _explain(self, text: str) -> None:
-        self.problem.setStyleSheet("")
-        self.problem.setText(text)
+    def _explain(self, prepared: Prepared) -> None:
+        """Say what there is to say of the curves, where they can be made."""
+        lines = list(prepared.remarks)
+        if prepared.wider_than:
+            lines.append(
+                f"The distance is {_shown(prepared.tolerance)}: {_shown(prepared.wider_than)} would leave "
+                f"more than {MOST_POINTS:,} points."
+            )
+        if lines:
+            self.problem.setStyleSheet("")
+            self.problem.setText("\n".join(lines))
 
     def _show_share(self, share: float, word: str) -> None:
         self.summary.setText(f"{word}…")

@@ -3,15 +3,13 @@
 from __future__ import annotations
 
 from msgspec.structs import replace
-from PySide6.QtCore import Qt, Signal
+from PySide6.QtCore import QSize, Qt, Signal
 from PySide6.QtGui import QAction
 from PySide6.QtWidgets import (
     QComboBox,
-    QFrame,
     QGridLayout,
     QHBoxLayout,
     QPushButton,
-    QScrollArea,
     QSizePolicy,
     QSlider,
     QTabWidget,
@@ -26,6 +24,7 @@ from app.labels import Label
 from app.panels.cost_panel import CostPanel
 from app.panels.digits_table import DigitsTable
 from app.panels.field_edit import FieldEdit
+from app.panels.fitting import Scrolled
 from app.panels.method_table import MethodTable
 from app.panels.number_text import decimal_mark, exact_text
 from app.view_model.analysis.laboratory import Digits, Trial, calculations
@@ -39,10 +38,12 @@ from app.view_model.analysis.laboratory_settings import (
     LaboratorySettings,
     Rounding,
 )
-from app.view_model.analysis.laboratory_words import trial_words
+from app.view_model.analysis.laboratory_words import growth_words, trial_words
 from app.view_model.curve_view import CurveView
 
 _LARGEST_SHIFT = 1e9
+_PAGE = QSize(2000, 72)
+"""What a page may ask for: all of its width."""
 
 
 class LaboratoryPanel(QTabWidget):
@@ -74,8 +75,8 @@ class LaboratoryPanel(QTabWidget):
         self.words, self.note, self.state = (
             _label("laboratoryWords"), _label("laboratoryNote"), _label("laboratoryState", wraps=False)
         )  # fmt: skip
-        self.addTab(_scrolling(self._accuracy_page(), "accuracyPage"), "Accuracy")
-        self.addTab(_scrolling(self.cost, "costPage"), "Cost")
+        self.addTab(_Page(self._accuracy_page(), "accuracyPage"), "Accuracy")
+        self.addTab(_Page(self.cost, "costPage"), "Cost")
         self.setTabToolTip(0, "How many digits each method loses")
         self.setTabToolTip(1, "How many operations each way takes, and how long")
         self._connect()
@@ -249,7 +250,8 @@ class LaboratoryPanel(QTabWidget):
         """Show what came out; muted while something else is being computed."""
         self.state.setText("computing…" if busy else "")
         self.table.render_trial(trial, lebesgue, faded=busy)
-        self.words.setText(trial_words(trial) if trial is not None else problem)
+        said = (trial_words(trial), growth_words(trial)) if trial is not None else (problem,)
+        self.words.setText(" ".join(filter(None, said)))
         self.words.setEnabled(not busy)
         self.note.setText(trial.note if trial is not None else "")
         self.note.setVisible(bool(self.note.text()))
@@ -266,14 +268,16 @@ def _label(name: str, *, wraps: bool = True) -> Label:
     return label
 
 
-def _scrolling(page: QWidget, name: str) -> QScrollArea:
-    area = QScrollArea()
-    area.setObjectName(name)
-    area.setWidgetResizable(True)
-    area.setFrameShape(QFrame.Shape.NoFrame)
-    area.setWidget(page)
-    # Nothing is cut off at the side: the dock is not narrower than its page and the scroll bar. (Where type
-    # is enlarged for a projector, the page may be wider than the dock, and is scrolled.)
-    bar = area.verticalScrollBar().sizeHint().width()
-    area.setMinimumWidth(page.minimumSizeHint().width() + bar)
-    return area
+class _Page(Scrolled):
+    """A page that scrolls up and down.
+
+    Nothing is cut off at the side: it asks for the width of its content and of the scroll bar. (Where type is
+    enlarged for a projector, the content may be wider than the dock, and is scrolled.)
+    """
+
+    def __init__(self, content: QWidget, name: str) -> None:
+        super().__init__(content, _PAGE)
+        self.setObjectName(name)
+
+    def minimumSizeHint(self) -> QSize:
+        return super().minimumSizeHint() + QSize(self.verticalScrollBar().sizeHint().width(), 0)

@@ -24,7 +24,12 @@ class LateDock(QDockWidget):
 
     def _show_content(self, visible: bool) -> None:
         # Hidden behind another tab, a dock is not visible in this sense.
-        if visible and self.widget() is None:
+        if visible:
+            self.fill()
+
+    def fill(self) -> None:
+        """Build the content, if there is none; for who needs it before the dock is on the screen."""
+        if self.widget() is None:
             self.setWidget(Scrolled(self._build(), IN_DOCK))
             self._apply_scale()
 

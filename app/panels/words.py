@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 from app.document.model import AccelerationRule, VelocityRule
 
 VELOCITY_RULES = {
@@ -34,3 +36,16 @@ ACCELERATION_ESTIMATES = {
 def count_of(number: int, noun: str) -> str:
     """Return "1 point", "2 points"."""
     return f"{number} {noun}" if number == 1 else f"{number} {noun}s"
+
+
+def names_of(names: Sequence[str]) -> str:
+    """Return the first names, and how many more there are."""
+    shown = list(names[:3])
+    if len(names) > len(shown):
+        shown.append(f"{len(names) - len(shown)} more")
+    return shown[0] if len(shown) == 1 else f"{', '.join(shown[:-1])} and {shown[-1]}"
+
+
+def listed(names: Sequence[str]) -> str:
+    """Return "a was", "a and b were": the beginning of a sentence that says what became of them."""
+    return f"{names_of(names)} {'was' if len(names) == 1 else 'were'}"

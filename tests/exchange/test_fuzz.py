@@ -63,7 +63,7 @@ def _npy(array) -> bytes:
 
 def _table(data: bytes) -> Document:
     preview_table(data)
-    return document_of_table(read_table(data))[0]
+    return document_of_table(read_table(data)).document
 
 
 READERS = {
@@ -80,11 +80,11 @@ READERS = {
         ],
     ),
     "array": (
-        lambda data: document_of_table(read_array(data))[0],
+        lambda data: document_of_table(read_array(data)).document,
         [_npy(np.array(POINTS)), _npy(np.array([(1, 2.0), (3, 4.0)], dtype=[("x", "i2"), ("y", ">f8")]))],
     ),
     "json": (
-        lambda data: document_of_table(read_json(data))[0],
+        lambda data: document_of_table(read_json(data)).document,
         [
             b"[[0, 1], [2, 3], [null, 4], [5, 6.5e3]]",
             b'[{"x": 1, "y": 2, "n": "a"}, {"x": 2, "y": 3}]',

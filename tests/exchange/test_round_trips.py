@@ -104,7 +104,7 @@ def test_chosen_columns_of_samples(document):
 
 def test_rows_of_different_curves_may_be_mixed():
     table = read_table(b"curve,x,y\na,0,0\nb,5,5\na,1,0\nb,6,5\n")
-    (first, second), _ = document_of_table(table)[0].curves, None
+    first, second = document_of_table(table).document.curves
     assert (first.name, [node.position for node in first.nodes]) == ("a", [(0, 0), (1, 0)])
     assert (second.name, [node.position for node in second.nodes]) == ("b", [(5, 5), (6, 5)])
 
@@ -132,14 +132,14 @@ def test_a_column_that_is_left_out_may_hold_anything():
     with pytest.raises(ExchangeError, match="is not a number"):
         read_table(text)
     table = read_table(text, mapping=Mapping(x=0, y=2))
-    document, _ = document_of_table(table, Mapping(x=0, y=2))
+    document = document_of_table(table, Mapping(x=0, y=2)).document
     assert [node.position for node in document.curves[0].nodes] == [(i, i * i) for i in range(5)]
     with pytest.raises(ExchangeError, match="Row 6 has 2 cells"):
         read_table(text + b"\n1;2", mapping=Mapping(x=0, y=2))
 
 
 def test_an_empty_pair_of_cells_is_estimated():
-    document, _ = document_of_table(read_table(b"x,y,vx,vy\n0,0,1,2\n1,1,,\n"))
+    document = document_of_table(read_table(b"x,y,vx,vy\n0,0,1,2\n1,1,,\n")).document
     assert [node.velocity for node in document.curves[0].nodes] == [(1, 2), None]
 
 

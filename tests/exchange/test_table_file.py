@@ -38,7 +38,8 @@ ROWS = [[0.0, 1.5, -2.0], [1.0, 2.25, 3.0], [2.5, 1e-3, 4e5]]
 def test_many_layouts_hold_the_same_numbers(text):
     table = read_table(text.encode())
     assert table.values.tolist() == ROWS
-    document, deviation = document_of_table(table)
+    made = document_of_table(table)
+    document, deviation = made.document, made.deviation
     assert deviation == 0
     assert [(n.t, n.x, n.y) for n in document.curves[0].nodes] == [tuple(row) for row in ROWS]
 
@@ -116,7 +117,7 @@ def test_the_preview_shows_what_is_there_and_a_first_guess():
 
 def test_the_person_maps_the_columns():
     table = read_table(b"5,1,2,7\n6,3,4,8\n")
-    document, _ = document_of_table(table, Mapping(x=1, y=0, t=3), family=Family.LAGRANGE, name="mine")
+    document = document_of_table(table, Mapping(x=1, y=0, t=3), family=Family.LAGRANGE, name="mine").document
     curve = document.curves[0]
     assert (curve.name, curve.family) == ("mine", Family.LAGRANGE)
     assert [(n.x, n.y, n.t) for n in curve.nodes] == [(1, 5, 7), (3, 6, 8)]
@@ -129,7 +130,7 @@ def test_our_own_table_gives_the_quintic_back():
     core = view_of(curve).curve
     written = sampled_table(Document((curve,)), samples=60)
     # Curvature and length are not roles; the rest is.
-    document, _ = document_of_table(read_table(written.text.encode()), family=curve.family)
+    document = document_of_table(read_table(written.text.encode()), family=curve.family).document
     back = view_of(document.curves[0]).curve
     t = np.linspace(*core.domain, 500)
     assert np.abs(back.evaluate(t) - core.evaluate(t)).max() < 1e-3
@@ -144,7 +145,7 @@ def test_empty_cells_matter_only_where_they_are_used():
     table = read_table(text.encode())
     assert np.isnan(table.values[0, 7])
     assert np.isfinite(np.delete(table.values, 7, axis=1)).all()
-    document, _ = document_of_table(table)
+    document = document_of_table(table).document
     assert document.curves[0].nodes[0].velocity == (0.0, 0.0)
 
 
@@ -156,7 +157,8 @@ def test_a_thinned_table_stays_within_the_tolerance(tolerance):
     assert kept.deviation <= tolerance
     assert len(kept.rows) < 40 * tolerance**-0.25
     text = "\n".join(f"{x!r},{y!r}" for x, y in points.tolist())
-    document, deviation = document_of_table(read_table(text.encode()), thin=tolerance)
+    made = document_of_table(read_table(text.encode()), thin=tolerance)
+    document, deviation = made.document, made.deviation
     core = view_of(document.curves[0]).curve
     length = np.append(0, np.cumsum(np.hypot(*np.diff(points, axis=0).T)))
     assert np.hypot(*(core.evaluate(length) - points).T).max() == pytest.approx(deviation)
@@ -190,10 +192,11 @@ def test_a_million_rows_are_read_and_thinned_by_arrays():
 
     def work():
         read.append(read_table(data))
-        read.extend(document_of_table(read[0], thin=1e-4))
+        read.append(document_of_table(read[0], thin=1e-4))
 
     assert calls_of(work) < 2.2 * len(t)
-    table, document, deviation = read
+    table, made = read
+    document, deviation = made.document, made.deviation
     assert table.values.shape == (1_000_000, 3)
     assert deviation <= 1e-4
     assert len(document.curves[0].nodes) < 400
@@ -219,3 +222,40 @@ def peak_of(work):
         return tracemalloc.get_traced_memory()[1]
     finally:
         tracemalloc.stop()
+
+
+@pytest.mark.parametrize(
+    ("text", "points", "said"),
+    [
+        (
+            "x,y\n0,0\n1,1\n1,1\n2,0\n",
+            [(0, 0), (1, 1), (2, 0)],
+            "Row 4 repeats the point of the row before; it was merged with that, for parameters by distance "
+            "need distinct points.",
+        ),
+        (
+            "x,y\n0,0\n1,1\n1,1\n1,1\n2,0\n2,0\n0,0\n",
+            [(0, 0), (1, 1), (2, 0), (0, 0)],
+            "3 rows repeat the point of the row before, row 4 first; they were merged with that, for "
+            "parameters by distance need distinct points.",
+        ),
+        (
+            "t,x,y\n0,0,0\n1,1,1\n2,1,1\n3,2,0\n",
+            [(0, 0), (1, 1), (1, 1), (2, 0)],
+            "Row 4 repeats the point of the row before; it is kept, with a t of its own.",
+        ),
+        ("x,y\n0,0\n1,1\n0,0\n", [(0, 0), (1, 1), (0, 0)], ""),
+    ],
+)
+def test_points_that_coincide_are_told_of_and_make_a_curve(text, points, said):
+    """They came in as "exact", a curve that could not be drawn: chord length has no step between them."""
+    made = document_of_table(read_table(text.encode()))
+    (curve,) = made.document.curves
+    assert [node.position for node in curve.nodes] == points
+    assert view_of(curve).curve is not None
+    assert made.remarks == ((said,) if said else ())
+
+
+def test_one_point_many_times_is_no_curve():
+    with pytest.raises(ExchangeError, match="All points coincide"):
+        document_of_table(read_table(b"1,1\n1,1\n1,1\n"))

@@ -52,7 +52,7 @@ class Fingerprint:
         # Where the pointer was last, before it left.
         *("_hand", "_last", "_menu_refused", "_modal", "_place_now", "_pointer"),
         # How often something has happened.
-        "_documents",
+        *("_documents", "_meant_for"),
     }
     """Names of attributes that may differ."""
 

@@ -10,7 +10,7 @@ from PySide6.QtCore import QEvent, QPointF, QSizeF, Qt
 from PySide6.QtWidgets import QLabel, QToolButton, QWidget
 
 from app.document.edits import set_position
-from app.document.model import Family, ParametrizationKind
+from app.document.model import Document, Family, ParametrizationKind, make_curve
 from app.panels.basis_layers import rail_height
 from app.panels.crest_names import apart, crests_of
 from app.plot.colours import colours_of
@@ -107,6 +107,31 @@ def test_functions_are_told_apart_by_numbers_at_their_crests(editor, panel):
             hues = [picture.pixelColor(*place) for place in above]
             nearest = min(abs(hue.lightness() - colours[owner].lightness()) for hue in hues)
             assert nearest < 40 < LIGHT.paper.lightness() - colours[owner].lightness(), owner
+
+
+@pytest.mark.parametrize(
+    ("family", "count", "least"),
+    [(Family.LAGRANGE, 12, 8), (Family.HERMITE, 12, 18), (Family.QUINTIC_HERMITE, 8, 16)],
+)
+def test_no_function_crosses_the_number_of_another(editor, panel, family, count, least):
+    """Of twelve Lagrange functions the numbers at the ends were crossed."""
+    points = [(float(i), float(i * i % 5)) for i in range(count)]
+    editor.session.commit(Document((make_curve(points, family=family),)), "Begin")
+    editor.fit()
+    editor.settle()
+    panel.viewport().grab()
+    names, shown, basis = panel._functions._names, panel.pixel_map, panel.basis
+    cell = names._cell
+    boxes = names._fragments.ndarray()[:, :2]
+    assert len(boxes) >= least
+    for x, y in boxes:
+        t = np.linspace(
+            *(shown.plane(x + dx, 0)[0] for dx in (2 - cell.width() / 2, cell.width() / 2 - 2)), 60
+        )
+        functions = [basis.curve.basis(t)[:, :, kind] * basis.scales[:, kind] for kind in range(basis.kinds)]
+        heights = np.abs(shown.y(np.concatenate(functions, axis=1)) - y)
+        inside = (t >= 0) & (t <= 1)
+        assert (heights[inside] >= cell.height() / 2 - 3).all(), (x, y)
 
 
 def test_numbers_at_crests_do_not_meet():

@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+import time
+
 import pytest
 from PySide6.QtCore import QMimeData, QPoint, QPointF, Qt, QUrl
 from PySide6.QtGui import QDragEnterEvent, QDragLeaveEvent, QDragMoveEvent, QDropEvent, QImage
-from PySide6.QtWidgets import QApplication, QDialog
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QApplication, QDialog, QPushButton
 
 from app.document.model import Document, make_curve
 from app.document.storage import save
@@ -177,16 +180,112 @@ def test_a_mixed_drop_takes_all_it_can(editor, files):
     send(editor, QDragEnterEvent, data, COPY)
     assert editor.status == "Drop to open 1 document, import 3 files, trace 1 picture"
     send(editor, QDropEvent, data, COPY)
-    dialogs = []
-    while len(dialogs) < 3:
-        editor.wait_for_work()
-        dialogs = editor.window.findChildren(QDialog, "importTableDialog")
-    assert sorted(each.windowTitle() for each in dialogs) == ["Import a.csv", "Import b.csv", "Import c.csv"]
+    for place, name in enumerate(("a.csv", "b.csv", "c.csv"), 1):
+        dialog = only_dialog(editor)
+        assert dialog.windowTitle() == f"Import {name} ({place} of 3)"
+        press(editor, dialog, "cancelImport")
+    assert dialogs(editor) == []
     assert editor.session.path == files / "a.curve.json"
     assert editor.session.document.image is not None
     assert editor.message == (
         "b.png was not traced: a document has one picture to trace. "
         "1 link to no file of this computer left out."
     )
-    for dialog in dialogs:
-        dialog.close()
+
+
+# Imports of a drop, one after the other
+
+
+def dialogs(editor):
+    editor.wait_for_work()
+    found = editor.window.findChildren(QDialog, "importTableDialog")
+    found += editor.window.findChildren(QDialog, "importDrawingDialog")
+    return [each for each in found if each.isVisible()]
+
+
+def only_dialog(editor):
+    found = dialogs(editor)
+    assert len(found) == 1
+    if found[0].objectName() == "importTableDialog":
+        until(lambda: not found[0].jobs.is_busy)
+    return found[0]
+
+
+def until(is_so):
+    deadline = time.monotonic() + 10
+    while not is_so():
+        assert time.monotonic() < deadline
+        QTest.qWait(2)
+
+
+def press(editor, dialog, name):
+    button = dialog.findChild(QPushButton, name)
+    assert button.isVisible()
+    QTest.mouseClick(button, LEFT)
+    editor.settle()
+
+
+def tables(folder, *names):
+    for name in names:
+        (folder / name).write_text("1,2\n3,4\n", encoding="utf-8")
+    return [folder / name for name in names]
+
+
+def test_tables_dropped_at_once_are_asked_about_one_after_the_other(editor, tmp_path):
+    """Three dialogs lay on top of each other."""
+    first, second = tables(tmp_path, "a.csv", "b.csv")
+    bad = tmp_path / "bad.svg"
+    bad.write_text("<svg", encoding="utf-8")
+    (late,) = tables(tmp_path, "late.csv")
+    editor.new()
+    drop(editor, first, bad, second)
+    dialog = only_dialog(editor)
+    assert dialog.windowTitle() == "Import a.csv (1 of 3)"
+    assert dialog.findChild(QPushButton, "cancelImport").text() == "Skip"
+    assert (
+        dialog.findChild(QPushButton, "skipRest").toolTip() == "Leave out this file and the 2 files after it"
+    )
+    drop(editor, late)  # joins those that wait
+    assert only_dialog(editor).windowTitle() == "Import a.csv (1 of 4)"
+    press(editor, dialog, "importTable")
+    dialog = only_dialog(editor)  # what could not be read was left out, and is told until the last one
+    assert dialog.windowTitle() == "Import b.csv (3 of 4)"
+    assert "bad.svg" in editor.message
+    QTest.keyClick(dialog, Qt.Key.Key_Escape)
+    editor.settle()
+    dialog = only_dialog(editor)
+    assert dialog.windowTitle() == "Import late.csv (4 of 4)"
+    assert "ancel" in dialog.findChild(QPushButton, "cancelImport").text()
+    assert not dialog.findChild(QPushButton, "skipRest").isVisible()
+    press(editor, dialog, "importTable")
+    assert dialogs(editor) == []
+    assert [curve.name for curve in editor.session.document.curves] == ["a", "late"]
+    assert "bad.svg" in editor.message
+    drop(editor, second)
+    dialog = only_dialog(editor)
+    assert dialog.windowTitle() == "Import b.csv"
+    dialog.close()
+
+
+def test_the_rest_of_a_drop_is_skipped_or_given_up_with_its_document(editor, tmp_path):
+    paths = tables(tmp_path, "a.csv", "b.csv", "c.csv")
+    before = editor.session.document
+    drop(editor, *paths)
+    press(editor, only_dialog(editor), "skipRest")
+    assert dialogs(editor) == []
+    assert editor.session.document is before
+    assert editor.status == "a.csv, b.csv and c.csv were left out."
+    drop(editor, *paths)
+    press(editor, only_dialog(editor), "cancelImport")
+    assert only_dialog(editor).windowTitle() == "Import b.csv (2 of 3)"
+    editor.new()
+    assert dialogs(editor) == []
+    assert editor.status == "b.csv and c.csv were not imported, for another document was opened meanwhile."
+    drop(editor, *paths[:2])
+    dialog = only_dialog(editor)
+    assert dialog.windowTitle() == "Import a.csv (1 of 2)"
+    dialog.into.setCurrentIndex(1)
+    press(editor, dialog, "importTable")  # its new document is where the others go, too
+    press(editor, only_dialog(editor), "importTable")
+    assert [curve.name for curve in editor.session.document.curves] == ["a", "b"]
+    editor.session.give_up_changes()

@@ -163,6 +163,18 @@ def test_the_dialog_offers_what_can_be_done_about_missing_numbers(editor, tmp_pa
     assert [each.name for each in editor.session.document.curves[-2:]] == ["gaps (1)", "gaps (2)"]
 
 
+def test_the_dialog_says_what_became_of_points_that_coincide(editor, tmp_path):
+    """Of four points two were one; they came in as "exact", and no curve was drawn."""
+    dialog = opened(editor, write(tmp_path / "twice.csv", "0,0\n1,1\n1,1\n2,0\n"))
+    said = "Row 3 repeats the point of the row before; it was merged with that"
+    assert dialog.problem.text().startswith(said)
+    assert dialog.summary.text() == "4 rows → 3 points"
+    press(dialog, "importTable")
+    editor.settle()
+    assert editor.session.active_view.problem == ""
+    assert editor.status == "Imported twice.csv: 1 curve, 3 points, exact."
+
+
 def test_an_array_and_points_in_json_come_in_by_the_same_dialog(editor, tmp_path):
     np.save(tmp_path / "array.npy", np.array([[0.0, 1.0], [2.0, 3.0]]))
     write(tmp_path / "pairs.json", "[[0, 1], [2, 3]]")
@@ -405,6 +417,53 @@ def test_a_drawing_says_what_it_holds_and_what_it_lost(editor, tmp_path):
     assert "Imported a.svg: 2 curves, 4 points, exact." in editor.status
     editor.trigger("undo")
     assert len(editor.session.document.curves) == 1
+
+
+GROUPS = (
+    '<svg xmlns="http://www.w3.org/2000/svg"><g id="figure_1"><g id="patch_1"><path d="M0 0H9V9Z"/></g>'
+    '<g id="axes_1"><path d="M0 1H9"/><g id="axis"><defs><path id="tick" d="M0 0V1"/></defs>'
+    '<use href="#tick" x="1"/><use href="#tick" x="2"/></g>'
+    '<g id="line2d_1"><path d="M0 0C1 1 2 1 3 0"/></g></g></g></svg>'
+)
+
+
+def check_box(editor, tree, *names):
+    """Click the box of a group."""
+    item = None
+    for name in names:
+        around = [item.child(i) for i in range(item.childCount())] if item else []
+        around = around or [tree.topLevelItem(i) for i in range(tree.topLevelItemCount())]
+        (item,) = [each for each in around if each.text(0) == name]
+    tree.scrollToItem(item)
+    place = tree.visualItemRect(item)
+    QTest.mouseClick(
+        tree.viewport(), Qt.MouseButton.LeftButton, pos=QPoint(place.left() + 10, place.center().y())
+    )
+    editor.settle()
+
+
+def test_groups_of_a_drawing_are_chosen(editor, tmp_path):
+    """All 167 curves of a plot came in, glyphs and ticks and all, with no choice."""
+    path = write(tmp_path / "plot.svg", GROUPS)
+    dialog = opened(editor, path, "importDrawingDialog")
+    assert dialog.summary.text().startswith("5 curves with ")
+    tree = dialog.groups
+    assert tree.topLevelItem(0).text(1) == "5 curves"
+    check_box(editor, tree, "figure_1")
+    assert dialog.summary.text() == "None of 5 curves; choose at least one group."
+    assert not dialog.ok.isEnabled()
+    check_box(editor, tree, "figure_1", "axes_1", "line2d_1")
+    assert dialog.summary.text() == "1 of 5 curves with 2 points, exact."
+    assert tree.topLevelItem(0).checkState(0) == Qt.CheckState.PartiallyChecked
+    check_box(editor, tree, "figure_1", "axes_1", "in no group of its own")
+    before = len(editor.session.document.curves)
+    press(dialog, "importDrawing")
+    editor.settle()
+    assert [len(curve.nodes) for curve in editor.session.document.curves[before:]] == [2, 2]
+    assert editor.status == "Imported plot.svg: 2 curves, 4 points, exact."
+    dialog = opened(editor, write(tmp_path / "flat.svg", SVG), "importDrawingDialog")
+    assert dialog.groups is None
+    dialog.close()
 
 
 def test_our_own_svg_comes_back_as_the_same_curves(editor, tmp_path):

@@ -389,3 +389,18 @@ def test_sixteen_digits_fit_the_dock(lab, qtbot):
     settled(lab, qtbot)
     page = find(lab, QScrollArea, "accuracyPage")
     assert page.widget().width() <= page.viewport().width()
+
+
+@pytest.mark.parametrize("family", [Family.LAGRANGE, Family.QUINTIC_HERMITE])
+def test_the_dock_is_as_wide_as_the_laboratory(editor, qtbot, family):
+    """In a window 1280 pixels wide it was 4 pixels wider than its dock, and scrolled sideways by them."""
+    editor.window.resize(1280, 860)
+    editor.choose_family(family)
+    editor.trigger("toggleLaboratory")
+    settled(editor, qtbot)
+    dock = editor.window.findChild(QDockWidget, "laboratoryDock")
+    qtbot.waitUntil(lambda: dock.widget().horizontalScrollBar().maximum() == 0)
+    page = find(editor, QScrollArea, "accuracyPage")
+    assert page.horizontalScrollBar().maximum() == 0
+    words = find(editor, QLabel, "laboratoryWords").text()
+    assert ("Λ here is of the data" in words) == bool(family.derivatives)

@@ -19,7 +19,9 @@ from PySide6.QtWidgets import (
 from app.action_specs import SPECS
 from app.document.storage import load
 from app.lessons import LessonError, lesson_names, load_lesson, parse_lesson
+from app.main_window import MainWindow
 from app.panels.basis_layers import rail_height
+from app.session import Session
 from app.view_model.analysis.laboratory_settings import LaboratorySettings
 from app.view_model.analysis.settings import AnalysisSettings
 from app.view_model.curve_view import view_of
@@ -174,14 +176,52 @@ def test_there_is_a_way_to_every_goal():
     assert set(WAYS) == {(name, k) for name, k in STEPS if load_lesson(name).steps[k].goal is not None}
 
 
-@pytest.mark.parametrize(("name", "number"), WAYS)
-def test_a_goal_is_reached_by_what_its_step_says(editor, qtbot, name, number):
-    open_step(editor, qtbot, name, number)
-    assert "Goal" in find(editor, QLabel, "lessonGoal").text()
-    editor.fit()
-    WAYS[name, number](editor)
-    editor.settle()
-    assert "Reached" in find(editor, QLabel, "lessonGoal").text()
+def move_a_little(index, by):
+    def move(editor):
+        x, y = editor.point(index)
+        editor.drag_point(index, to=(x + by, y + by))
+
+    return move
+
+
+MOVES = {
+    ("01_basis_functions", 2): ("Drag a point", lambda editor: editor.drag_point(2, to=(2.5, 1.0))),
+    ("03_chord_length", 2): ("Move point 2 a little", move_a_little(2, 0.2)),
+    ("10_exercise_far_point", 2): ("Move one of the near points by very little", move_a_little(1, 0.1)),
+}
+"""What a step without a goal asks for, in its words."""
+
+WAYS_BACK = {
+    ("01_basis_functions", 4): (
+        "Take back the points",
+        lambda editor: [editor.trigger("undo") for _ in range(3)],
+    ),
+}
+"""What a step asks for first, because of what the one before has left."""
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_every_goal_is_reached_by_who_does_what_each_step_says(editor, qtbot, name):
+    """In one go: the points that lesson 1 has one append were in the way of its next goal."""
+    open_step(editor, qtbot, name, 0)
+    for number, step in enumerate(load_lesson(name).steps):
+        if number:
+            click(qtbot, find(editor, QPushButton, "lessonNext"))
+        editor.fit()
+        for asked in (MOVES, WAYS_BACK):
+            words, act = asked.get((name, number), ("", lambda _editor: None))
+            assert words in step.text
+            act(editor)
+        if step.goal is None:
+            continue
+        goal = find(editor, QLabel, "lessonGoal")
+        assert "Goal" in goal.text()
+        assert "Reached" not in goal.text()
+        assert "any more" not in goal.text()
+        WAYS[name, number](editor)
+        editor.settle()
+        assert "Reached" in goal.text(), (number, goal.text())
+    editor.session.give_up_changes()
 
 
 def test_a_goal_waits_for_the_curve_that_it_names(editor, qtbot):
@@ -354,3 +394,22 @@ def test_the_laboratory_comes_when_it_is_called_in_a_presentation(editor, qtbot)
     editor.trigger("toggleLaboratory")
     assert not dock.isVisible()
     editor.trigger("presentation")
+
+
+@pytest.mark.parametrize("is_shown_first", [True, False], ids=["as the command line", "before the window"])
+def test_a_start_with_a_lesson_shows_all_of_its_functions(qtbot, is_shown_first):
+    """What fits the window when it is first shown took the range back: −0.5 to 1.2 of −1.3 to 1.3."""
+    window = MainWindow(Session())
+    qtbot.addWidget(window)
+    if is_shown_first:
+        window.show()
+    window.open_lesson("03_chord_length")
+    window.show()
+    qtbot.waitExposed(window)
+    qtbot.waitUntil(lambda: not [each for each in window.children() if type(each).__name__ == "_FirstShow"])
+    assert window.lessons_dock.isVisible()
+    low, high = window.basis_panel.basis.extent(frozenset((0, 1, 2)))
+    _, bottom, _, top = window.basis_panel.pixel_map.box
+    assert low < -0.5
+    assert bottom < low < high < top
+    assert window.findChild(QLabel, "lessonPlace").text() == "1 of 5"

@@ -28,13 +28,28 @@ def trial_words(trial: Trial) -> str:
             )
         case Rounding.COEFFICIENTS if monomial is not None:
             return (
-                f"Only the coefficients are rounded, to {trial.settings.digits} digits. An error of that of "
-                "tᵏ moves the curve by tᵏ times as much, so that the error grows with |t|."
+                f"Only the coefficients are rounded, to {trial.settings.digits} digits. An error in the "
+                "coefficient of tᵏ moves the curve by tᵏ times as much, so that the error grows with |t|."
             )
         case Rounding.EVERY_STEP if monomial is not None and trial.condition is not None:
             return _on_solving(trial, monomial, trial.condition)
     best = min(trial.outcomes, key=lambda each: each.lost)
     return f"{METHOD_NAMES[best.calculation]} loses {best.lost:.1f} of {trial.settings.digits} digits."
+
+
+def growth_words(trial: Trial) -> str:
+    """Say which Λ the table has, where the one in the status line is another; else nothing."""
+    if not trial.view.source.family.derivatives or not any(
+        _shows_growth(trial, each) for each in trial.outcomes
+    ):
+        return ""
+    return (
+        "Λ here is of the data, estimates held fixed; in the status line, of the points, which they follow."
+    )
+
+
+def _shows_growth(trial: Trial, outcome: Outcome) -> bool:
+    return outcome.calculation is not Calculation.MONOMIAL or trial.settings.rounding is Rounding.DATA
 
 
 def _on_solving(trial: Trial, monomial: Outcome, condition: float) -> str:
