@@ -52,7 +52,7 @@ class FocusCommands:
         docks = sorted((*parts.docks, parts.lessons_dock), key=lambda dock: (dock.x(), dock.y()))
         panels: list[QWidget] = [parts.canvas, parts.basis_panel, parts.plot_panel, *docks, parts.toolbar]
         for panel in panels:
-            target = _first_in(panel) if _is_in_sight(panel) else None
+            target = first_in(panel) if _is_in_sight(panel) else None
             if target is not None:
                 yield panel, target
 
@@ -73,19 +73,16 @@ def _is_in_sight(panel: QWidget) -> bool:
     return panel.isVisible()
 
 
-def _first_in(panel: QWidget) -> QWidget | None:
+def first_in(panel: QWidget) -> QWidget | None:
     """Return what had the focus in a panel last, else the first that takes it by Tab."""
     before = panel.focusWidget()
     if before is not None and _takes_focus(before):
         return before
     if _takes_focus(panel):
         return panel
-    each = panel.nextInFocusChain()
-    while each is not None and each is not panel:
-        if panel.isAncestorOf(each) and _takes_focus(each):
-            return each
-        each = each.nextInFocusChain()
-    return None
+    # Not by `nextInFocusChain`: PySide6 takes what that returns for a part of the widget that was asked, and
+    # for deleted as soon as that one is.
+    return next(filter(_takes_focus, panel.findChildren(QWidget)), None)
 
 
 def _takes_focus(widget: QWidget) -> bool:

@@ -6,8 +6,10 @@ import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QColor, QKeySequence
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication, QMenu
+from PySide6.QtWidgets import QApplication, QGraphicsView, QMenu, QWidget
+from shiboken6 import Shiboken
 
+from app.commands.focus_commands import first_in
 from app.mnemonics import plain, with_mnemonics
 from app.theme import theme_of
 
@@ -129,3 +131,14 @@ def test_f11_twice_leaves_a_maximised_window_maximised(editor):
         editor.settle()
         assert window.isFullScreen() is is_presented
     assert window.isMaximized()  # it had become small
+
+
+def test_a_panel_in_which_nothing_takes_the_focus_does_not_own_the_rest_of_the_window(qtbot):
+    """The canvas' viewport was taken for a part of whatever came before it, and for deleted when that was."""
+    window = QWidget()
+    qtbot.addWidget(window)
+    panel, view = QWidget(window), QGraphicsView(window)
+    viewport = view.viewport()
+    assert first_in(panel) is None
+    owner = next(line for line in Shiboken.dump(viewport).splitlines() if line.startswith("parent"))
+    assert owner.endswith(f"at {hex(id(view))}>")
