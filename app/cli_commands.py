@@ -6,7 +6,8 @@ import argparse
 import json
 import math
 import sys
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
 from decimal import ROUND_UP, Context
 from pathlib import Path
 from time import perf_counter
@@ -33,6 +34,7 @@ from app.exchange import (
     export_with,
     import_file,
 )
+from app.exchange.progress import Report, part
 
 if TYPE_CHECKING:
     from app.exchange.cubics_in import Imported
@@ -124,7 +126,8 @@ def _render(options: argparse.Namespace) -> int:
         known = f"{', '.join(endings[:-1])} or {endings[-1]}"
         raise RefusalError(f"“{options.output}” does not end in a known format for pictures; use {known}.")
     document = load_document(options.file)
-    export_with(document, options.output, picture_options(options, document))
+    with _told_on_terminals() as report:
+        export_with(document, options.output, picture_options(options, document).reporting(report))
     return 0
 
 
@@ -150,24 +153,27 @@ def _render_film(options: argparse.Namespace) -> int:
 def _convert(options: argparse.Namespace) -> int:
     from app.exchange.parts import rounded_up  # noqa: PLC0415
 
-    source = import_file(
-        options.file,
-        tolerance=options.tolerance,
-        thin=options.thin,
-        corners=options.corners,
-        family=Family(options.family),
-        columns=columns_to_read(options),
-        missing=options.missing,
-        only=options.only,
-    )
-    wanted = replace(
-        picture_options(options, source.document),
-        samples=options.samples,
-        cubic=options.cubic,
-        spacing=Spacing(options.by),
-        columns=columns_to_write(options),
-    )
-    written = export_with(source.document, options.output, wanted)
+    with _told_on_terminals() as report:
+        source = import_file(
+            options.file,
+            tolerance=options.tolerance,
+            thin=options.thin,
+            corners=options.corners,
+            family=Family(options.family),
+            columns=columns_to_read(options),
+            missing=options.missing,
+            only=options.only,
+            report=part(report, 0.0, 0.5),
+        )
+        wanted = replace(
+            picture_options(options, source.document),
+            samples=options.samples,
+            cubic=options.cubic,
+            spacing=Spacing(options.by),
+            columns=columns_to_write(options),
+            report=part(report, 0.5, 1.0),
+        )
+        written = export_with(source.document, options.output, wanted)
     for remark in (*source.remarks, *_on_groups(source, options.only), *written.remarks):
         print(f"curvebench: {one_line(remark)}", file=sys.stderr)
     total = rounded_up(source.deviation + written.deviation)
@@ -187,7 +193,9 @@ def _info(options: argparse.Namespace) -> int:
     # Takes modules along that the editor does without.
     from app.exchange.facts import facts_of  # noqa: PLC0415
 
-    facts = facts_of(load_document(options.file), _told_on_terminals())
+    document = load_document(options.file)
+    with _told_on_terminals() as report:
+        facts = facts_of(document, report)
     if options.json:
         content = {"file": options.file, "curves": [_as_json(each) for each in facts]}
         say(json.dumps(content, indent=2, ensure_ascii=False, allow_nan=False))
@@ -196,20 +204,23 @@ def _info(options: argparse.Namespace) -> int:
     return 0
 
 
-def _told_on_terminals() -> Callable[[float, str], None]:
-    """Return a report that writes how far work has come to a terminal, from 0.2 s on."""
+@contextmanager
+def _told_on_terminals() -> Iterator[Report]:
+    """Lend a report that writes how far work has come to a terminal, from 0.2 s on; the line goes with it."""
     began = last = perf_counter()
 
     def report(share: float, word: str) -> None:
         nonlocal last
         now = perf_counter()
-        if sys.stderr.isatty() and now - began > _PATIENCE and now - last > _PATIENCE:
+        if share < 1.0 and sys.stderr.isatty() and now - began > _PATIENCE and now - last > _PATIENCE:
             last = now
-            print(f"\r{word}: {share:.0%} ", end="", file=sys.stderr, flush=True)
-        if share >= 1.0 and last > began:
-            print("\r\033[K", end="", file=sys.stderr, flush=True)
+            print(f"\r{word}: {share:.0%}\033[K", end="", file=sys.stderr, flush=True)
 
-    return report
+    try:
+        yield report
+    finally:
+        if last > began:
+            print("\r\033[K", end="", file=sys.stderr, flush=True)
 
 
 def _lesson(options: argparse.Namespace, edit: Callable[[Sequence[str], str], int]) -> int:

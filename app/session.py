@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Callable, Collection, Hashable
+from collections.abc import Callable, Collection, Hashable, Sequence
 from pathlib import Path
 
 import msgspec
@@ -16,7 +16,7 @@ from app.document.curve_edits import refuse_locked
 from app.document.edits import EditError
 from app.document.format import FormatError, validate_changes
 from app.document.model import Curve, Document, empty_document
-from app.document.open_file import OpenFile, Sight
+from app.document.open_file import OpenFile, Reading, Sight
 from app.document.plain import plain
 from app.examples import first_sketch, template_title
 from app.resources import is_resource
@@ -365,12 +365,15 @@ class Session(QObject):
             old = before.curves[self.active_index].nodes
             self.select(returned_nodes(old, self.active_curve.nodes))
 
-    def _restore(self, state: State) -> None:
+    def _restore(self, state: State, views: Sequence[CurveView] = ()) -> None:
         self._run = self._home = None
         self.interrupted.emit()
         if state.active != self.active_index:
             self._enter(state.active)
         self._committed = state.document
+        if views:
+            # Those that are of the document's curves are taken as they are.
+            self._views, self._views_of = list(views), ()
         self._show(state.document)
 
     def _show(self, document: Document) -> None:
@@ -448,19 +451,20 @@ class Session(QObject):
 
     def new(self) -> None:
         """Start an empty document."""
-        self._replace(empty_document(), None)
+        self._replace(plain(empty_document()), None)
 
-    def open(self, path: str | Path) -> None:
+    def open(self, path: str | Path, reading: Reading | None = None, views: Sequence[CurveView] = ()) -> None:
         """Open the document at `path`; when it cannot be read, raise and leave the open one as it was.
 
+        Where the file was read already, `reading` is what it held, and `views` may be those of its curves.
         What ships with the program opens as a copy: it is everybody's, and a lock has no place beside it.
         """
         path = Path(path)
         if is_resource(path):
             self.open_copy(path)
             return
-        opened = OpenFile.open(path, self.file)
-        self._replace(opened.document, path, opened.file)
+        opened = OpenFile.open(path, self.file, reading)
+        self._replace(opened.document, path, opened.file, views=views)
 
     def open_copy(self, path: str | Path, text: str = "Open") -> None:
         """Open the document at `path` as a new one without a file of its own (lessons, examples).
@@ -555,7 +559,7 @@ class Session(QObject):
 
     def restore(self, document: Document, path: Path | None) -> None:
         """Go on with unsaved work: `document`, with changes that are not in the file at `path`."""
-        self._replace(document, path)
+        self._replace(plain(document), path)
         self.undo_stack.resetClean()
 
     def _replace(
@@ -564,6 +568,7 @@ class Session(QObject):
         path: Path | None,
         file: OpenFile | None = None,
         beginning: Beginning | None = None,
+        views: Sequence[CurveView] = (),
     ) -> None:
         if file is None and path is not None:
             file = OpenFile.adopt(path, self.file)
@@ -571,7 +576,7 @@ class Session(QObject):
         self.path = None
         self._turn_to(beginning or Beginning())
         self.path = path
-        self._restore(self._state(plain(document), 0))
+        self._restore(self._state(document, 0), views)
         self.undo_stack.clear()
         self.undo_stack.setClean()
         self.file_changed.emit()

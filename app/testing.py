@@ -40,7 +40,7 @@ from app.panels.curve_list_view import Spot, spot_rect
 from app.panels.file_bar import FileBar
 from app.preferences import Preferences
 from app.session import Session
-from app.testing_hand import Hand
+from app.testing_hand import Hand, spin
 from app.testing_reach import ImpossibleError as ImpossibleError  # noqa: PLC0414
 from app.testing_reach import require_enabled, require_reachable, require_under_mouse
 from app.view_model.handles import Handle
@@ -336,7 +336,7 @@ class Editor(Hand):
         while self.window.jobs.is_busy:
             if time.monotonic() > deadline:
                 raise TimeoutError(f"{self.window.jobs.title} takes longer than {seconds:g} s.")
-            QTest.qWait(5)
+            spin(5)
         self.settle()
 
     def screenshot(self, path: str | Path | None = None) -> QImage:

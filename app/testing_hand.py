@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import time
 
-from PySide6.QtCore import QEvent, QPoint, QPointF, Qt, QTimer
+from PySide6.QtCore import QEvent, QEventLoop, QPoint, QPointF, Qt, QTimer
 from PySide6.QtGui import QContextMenuEvent, QGuiApplication, QMouseEvent, QWheelEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QMenu, QWidget
@@ -42,7 +42,17 @@ def wait_for_rest(widget: QWidget, seconds: float = 10.0, *, up_to_ms: int = _SH
     while is_busy():
         if time.monotonic() > deadline:
             raise TimeoutError(f"The window does not come to rest within {seconds:g} s.")
-        QTest.qWait(5)
+        spin(5)
+
+
+def spin(milliseconds: int) -> None:
+    """Let the window's events come and go for a while, and what is computed beside it get on.
+
+    QTest.qWait keeps the interpreter to itself while it waits.
+    """
+    loop = QEventLoop()
+    QTimer.singleShot(milliseconds, loop, loop.quit)
+    loop.exec()
 
 
 class Hand:

@@ -49,6 +49,28 @@ def refusal(capsys, *words):
     return output.err.removeprefix("curvebench: ").rstrip()
 
 
+@pytest.mark.parametrize("output", ["out.curve.json", "out.svg", "out.png"])
+def test_convert_and_render_tell_on_a_terminal_how_far_they_are(output, tmp_path, monkeypatch):
+    """There was no word for the 4 s that a million rows take."""
+
+    class Terminal(io.StringIO):
+        def isatty(self) -> bool:
+            return True
+
+    table = tmp_path / "rows.csv"
+    table.write_text("x,y\n" + "".join(f"{k},{k % 7}\n" for k in range(12_000)))
+    monkeypatch.setattr("app.cli_commands._PATIENCE", -1.0)
+    monkeypatch.setattr(sys, "stderr", terminal := Terminal())
+    word, source = ("convert", str(table)) if output.endswith("json") else ("render", LETTER)
+    target = str(tmp_path / output)
+    assert main([word, source, *(["-o", target] if word == "render" else [target])]) == 0
+    told = [each for each in terminal.getvalue().split("\r") if "%" in each]
+    assert len(told) >= 3
+    assert all(each.endswith("%\033[K") for each in told)
+    # The line is gone before anything else is said.
+    assert terminal.getvalue().rpartition("%\033[K")[2].startswith("\r\033[K")
+
+
 def test_info_prints_the_facts(capsys):
     assert main(["info", LETTER]) == 0
     lines = capsys.readouterr().out.splitlines()

@@ -42,7 +42,7 @@ class ChosenCurvesLayer(OtherCurvesLayer):
         for view in views:
             painter.setOpacity(opacity_of(view))
             stroke.fill(pixels_of(view, shown), shown.width, shown.height)
-            if len(views) <= _HALOS_UP_TO:
+            if len(self._views) <= _HALOS_UP_TO:
                 painter.setPen(self._line(halo, _HALO))
                 stroke.draw(painter)
             painter.setOpacity(1.0)

@@ -25,13 +25,17 @@ class Box(NamedTuple):
 
 def box_of(views: Sequence[CurveView]) -> Box | None:
     """Return the box that shows all these curves with a margin; None where there is no point."""
-    boxes = _boxes(views, margin=_FIT_MARGIN)
-    if not boxes:
+    boxes, size = _limited(views)
+    if not len(boxes):
         return None
-    around, bare = _hull(boxes), _hull(_boxes(views, margin=0.0))
+    low, high = boxes[:, 0], boxes[:, 1]
+    own = _FIT_MARGIN * size[:, None]
     # A small curve at the edge of a large drawing has the margin of the drawing.
-    margin = _FIT_MARGIN * float((bare.high - bare.low).max())
-    return Box(np.minimum(around.low, bare.low - margin), np.maximum(around.high, bare.high + margin))
+    margin = _FIT_MARGIN * float((high.max(axis=0) - low.min(axis=0)).max())
+    return Box(
+        np.minimum((low - own).min(axis=0), low.min(axis=0) - margin),
+        np.maximum((high + own).max(axis=0), high.max(axis=0) + margin),
+    )
 
 
 def with_margin(box: Box) -> Box:
@@ -42,7 +46,7 @@ def with_margin(box: Box) -> Box:
 
 def are_in_sight(views: Sequence[CurveView], shown: PixelMap) -> bool:
     """Whether curves lie in sight, as far as `box_of` would show them."""
-    return all(all_inside(shown, np.array(box)) for box in _boxes(views, margin=0.0))
+    return all_inside(shown, _boxes(views).reshape(-1, 2))
 
 
 def all_inside(shown: PixelMap, points: Floats) -> bool:
@@ -59,21 +63,21 @@ def way_back_inside(pixel: float, size: float) -> float:
     return (margin if pixel < 0 else size - margin) - pixel
 
 
-def _hull(boxes: Sequence[Box]) -> Box:
-    return Box(np.min([box.low for box in boxes], axis=0), np.max([box.high for box in boxes], axis=0))
+def _boxes(views: Sequence[CurveView]) -> Floats:
+    """Return the boxes to show, (k, 2, 2): of the curves, at most three times as large as their points."""
+    return _limited(views)[0]
 
 
-def _boxes(views: Sequence[CurveView], *, margin: float) -> list[Box]:
-    return [_box_of(view.points, view.polyline, margin) for view in views if len(view.points)]
+def _limited(views: Sequence[CurveView]) -> tuple[Floats, Floats]:
+    """Return the boxes, and of each how large what it shows counts, (k,).
 
-
-def _box_of(points: Floats, polyline: Floats, margin: float) -> Box:
-    """Return the box to show: that of the curve, but at most three times as large as its points."""
-    low, high = points.min(axis=0), points.max(axis=0)
-    size = float((high - low).max())
-    if len(polyline):
-        low = np.maximum(np.minimum(low, polyline.min(axis=0)), low - size)
-        high = np.minimum(np.maximum(high, polyline.max(axis=0)), high + size)
-    # One point, or several at one place, are shown in an area of unit size (at 1e9 a visible part of that).
-    size = max(float((high - low).max()), 1e-6 * float(np.abs(high).max()), 1e-7) if size else 4.0
-    return Box(low - margin * size, high + margin * size)
+    One point, or several at one place, are shown in an area of unit size (at 1e9 a visible part of that).
+    """
+    extents = np.array([view.extent for view in views if len(view.points)]).reshape(-1, 2, 2, 2)
+    points, curves = extents[:, 0], extents[:, 1]
+    size = np.ptp(points, axis=1).max(axis=1)
+    low = np.maximum(curves[:, 0], points[:, 0] - size[:, None])
+    high = np.minimum(curves[:, 1], points[:, 1] + size[:, None])
+    visible = np.maximum(1e-6 * np.abs(high).max(axis=1), 1e-7)
+    counts = np.where(size > 0.0, np.maximum((high - low).max(axis=1), visible), 4.0)
+    return np.stack([low, high], axis=1), counts

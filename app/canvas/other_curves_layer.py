@@ -26,6 +26,9 @@ _SLOW = 0.008
 
 _REST_MS = 80
 
+_AT_ONCE = 400
+"""Curves that are painted before the window is heard again: some hundredths of a second."""
+
 
 class OtherCurvesLayer:
     """Draws the visible curves that are neither edited nor chosen, and tells which of them a pixel is on.
@@ -46,6 +49,9 @@ class OtherCurvesLayer:
         self._is_resting = False
         self._rest = QTimer(plot, singleShot=True, interval=_REST_MS)
         self._rest.timeout.connect(self._make_anew)
+        self._painted = 0
+        self._next = QTimer(plot, singleShot=True, interval=0)
+        self._next.timeout.connect(self._update)
         self._outline: _Outline | None = None
         self._layer = plot.add_layer(self.paint, z=-1)
         self._layer.hide()
@@ -87,11 +93,24 @@ class OtherCurvesLayer:
             painter.drawPixmap(picture.place_in(shown), picture.pixmap, QRectF(picture.pixmap.rect()))
             return
         if picture is None or picture.key != key or picture.shown != shown:
-            began = perf_counter()
-            picture = self._picture = _Picture(self._painted(shown, ratio), shown, key)
-            self._seconds = perf_counter() - began
-            self._is_resting = False
+            picture = self._picture = _Picture(self._empty(shown, ratio), shown, key)
+            self._painted, self._seconds, self._is_resting = 0, 0.0, False
+        if self._painted < len(self._views):
+            self._paint_more(picture)
         painter.drawPixmap(0, 0, picture.pixmap)
+
+    def _paint_more(self, picture: _Picture) -> None:
+        """Paint the next curves into the picture; thousands take several steps."""
+        began = perf_counter()
+        some = self._views[self._painted : self._painted + _AT_ONCE]
+        painter = QPainter(picture.pixmap)
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing, True)
+        self.paint_curves(painter, picture.shown, [view for _, view in some])
+        painter.end()
+        self._painted += len(some)
+        self._seconds += perf_counter() - began
+        if self._painted < len(self._views):
+            self._next.start()
 
     def _may_wait(self, shown: PixelMap) -> bool:
         """Whether the picture is slow to make, and good enough for a view that is moving."""
@@ -103,14 +122,14 @@ class OtherCurvesLayer:
         self._is_resting = True
         self._layer.update()
 
-    def _painted(self, shown: PixelMap, ratio: float) -> QPixmap:
+    def _update(self) -> None:
+        self._layer.update()
+
+    @staticmethod
+    def _empty(shown: PixelMap, ratio: float) -> QPixmap:
         picture = QPixmap(int(np.ceil(shown.width * ratio)), int(np.ceil(shown.height * ratio)))
         picture.setDevicePixelRatio(ratio)
         picture.fill(Qt.GlobalColor.transparent)
-        painter = QPainter(picture)
-        painter.setRenderHint(QPainter.RenderHint.Antialiasing, True)
-        self.paint_curves(painter, shown, [view for _, view in self._views])
-        painter.end()
         return picture
 
     def paint_curves(self, painter: QPainter, shown: PixelMap, views: Sequence[CurveView]) -> None:

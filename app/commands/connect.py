@@ -64,6 +64,7 @@ class Commands:
         self.images = ImageCommands(parts, self.messages)
         self.recovery = RecoveryCommands(parts)
         self.work = FileWork(parts)
+        parts.files.beside = self.work.start
         self.exchange = ExchangeCommands(parts, self.work)
         self.drops = Drops(parts, self.exchange.import_files, self.images.add)
         curves = CurveCommands(parts)

@@ -19,7 +19,7 @@ from app.document.model import Document
 from app.document.storage import StorageError, read
 from app.exchange import READABLE, Exported, Options, export_with, import_file
 from app.exchange.formats import IMPORTS, Kind, ending_of, import_format, is_document
-from app.exchange.progress import Report
+from app.exchange.progress import Report, part
 from app.file_commands import SUFFIX, file_stem
 from app.panels.words import count_of, listed
 from app.view_model.curve_view import CurveView
@@ -273,10 +273,9 @@ class ExchangeCommands:
             from app.exchange.image import png_bytes  # noqa: PLC0415
             from app.exchange.svg import svg_of  # noqa: PLC0415
 
-            report(0.0, "Drawing")
-            png = png_bytes(document, Options(width=_COPY_WIDTH, transparent=True))
-            report(0.5, "Drawing")
-            return png, svg_of(document, unit=unit).encode()
+            options = Options(width=_COPY_WIDTH, transparent=True, report=part(report, 0.0, 0.5))
+            png = png_bytes(document, options)
+            return png, svg_of(document, unit=unit, report=part(report, 0.5, 1.0)).encode()
 
         self._work.start("Drawing", work, self._put_image, Path("The image"), "copied")
 
@@ -297,8 +296,7 @@ class ExchangeCommands:
         def work(report: Report) -> str:
             from app.exchange.formulas import svg_path_data  # noqa: PLC0415
 
-            report(0.0, "Writing path data")
-            return svg_path_data(document).text
+            return svg_path_data(document, report=report).text
 
         def done(text: str) -> None:
             QGuiApplication.clipboard().setText(text)

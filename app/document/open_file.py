@@ -13,6 +13,7 @@ from app.document.format import VERSION, FormatError, version_of
 from app.document.leftovers import sweep
 from app.document.lock import Attempt, Lock, Owner, acquire, owner_of, take_over
 from app.document.model import Document
+from app.document.plain import plain
 from app.document.storage import MissingError, Stamp, StorageError, UnconfirmedError
 
 
@@ -40,6 +41,20 @@ class Opened(msgspec.Struct, frozen=True):
 
     document: Document
     file: OpenFile
+
+
+class Reading(msgspec.Struct, frozen=True):
+    """What a document's file holds, with plain values alone, and what the file was when it was read."""
+
+    document: Document
+    stamp: Stamp
+    version: int
+
+    @classmethod
+    def of(cls, path: Path) -> Reading:
+        """Read the file at `path`; see `storage.load` for what may be wrong."""
+        content = storage.read_content(path)
+        return cls(plain(storage.document_in(content.data, path)), content.stamp, _version(content.data))
 
 
 class OpenFile:
@@ -74,17 +89,17 @@ class OpenFile:
     # Opening and saving
 
     @classmethod
-    def open(cls, path: Path, previous: OpenFile | None = None) -> Opened:
+    def open(cls, path: Path, previous: OpenFile | None = None, reading: Reading | None = None) -> Opened:
         """Read the document at `path` and mark it as open; see `storage.load` for what may be wrong.
 
         `previous` is the file that was open in this window until now; its lock goes on where it is the same.
+        Where the file was read before, `reading` is what it held.
         """
-        content = storage.read_content(path)
-        document = storage.document_in(content.data, path)
+        found = reading or Reading.of(path)
         # What somebody writes between the reading and the lock is noticed like any later change.
         attempt = _lock_for(path, previous)
         sweep(_target(path).parent)
-        return Opened(document, cls(path, content.stamp, attempt, _version(content.data)))
+        return Opened(found.document, cls(path, found.stamp, attempt, found.version))
 
     @classmethod
     def adopt(cls, path: Path, previous: OpenFile | None = None) -> OpenFile:

@@ -16,6 +16,7 @@ from app.exchange import code_runtime
 from app.exchange.drawing import Floats
 from app.exchange.naming import Names
 from app.exchange.parts import Source, Written, accuracy, bezier_values, measured, one_line, sources_of
+from app.exchange.progress import Report, part, silent, told
 from app.view_model.curve_view import SimpleCurve
 from curvecore import HermiteCurve, LagrangeCurve, bezier_segments
 
@@ -30,7 +31,7 @@ _RUNTIME: tuple[Callable[..., Any], ...] = (
 _evaluate: Callable[..., Floats] = code_runtime.evaluate
 
 
-def python_code(document: Document) -> Written:
+def python_code(document: Document, report: Report = silent) -> Written:
     """Return a module of Python, with NumPy alone, that has a function of t for every curve.
 
     Its values are those of the curves but for rounding: about 1e-15 of the size, more where the sum of
@@ -41,19 +42,24 @@ def python_code(document: Document) -> Written:
     ExchangeError
         If there is no curve to write.
     """
-    sources, remarks = sources_of(document)
-    deviation = max(_python_deviation(piece) for source in sources for piece in source.pieces)
+    sources, remarks = sources_of(document, part(report, 0.0, 0.3))
+    deviation = max(
+        _python_deviation(piece)
+        for source in told(sources, part(report, 0.3, 0.7), "Comparing")
+        for piece in source.pieces
+    )
+    named = list(zip(names_of(sources), sources, strict=True))
     body = [inspect.getsource(function).rstrip() for function in _RUNTIME]
     body += [
         f"{_listing(name.upper(), source)}\n\n\n{_function(name, source)}"
-        for name, source in zip(names_of(sources), sources, strict=True)
+        for name, source in told(named, part(report, 0.7, 1.0), "Writing")
     ]
     return Written(
         "\n\n\n".join([_head(deviation, remarks, "import numpy as np"), *body]) + "\n", deviation, remarks
     )
 
 
-def scipy_code(document: Document) -> Written:
+def scipy_code(document: Document, report: Report = silent) -> Written:
     """Return a module of Python that makes every curve an interpolator of SciPy, called with t.
 
     A Lagrange curve becomes a `BarycentricInterpolator`, whose error grows with the Lebesgue constant;
@@ -65,12 +71,13 @@ def scipy_code(document: Document) -> Written:
     ExchangeError
         If there is no curve to write.
     """
-    sources, remarks = sources_of(document)
-    deviation = max(_scipy_deviation(source) for source in sources)
+    sources, remarks = sources_of(document, part(report, 0.0, 0.3))
+    deviation = max(map(_scipy_deviation, told(sources, part(report, 0.3, 0.7), "Comparing")))
     imports = "import numpy as np\nfrom scipy import interpolate"
+    named = list(zip(names_of(sources), sources, strict=True))
     body = [
         f"# {_title(source)}\n{_scipy_object(name, source)}"
-        for name, source in zip(names_of(sources), sources, strict=True)
+        for name, source in told(named, part(report, 0.7, 1.0), "Writing")
     ]
     return Written("\n\n".join([_head(deviation, remarks, imports), *body]) + "\n", deviation, remarks)
 

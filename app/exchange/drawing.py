@@ -11,6 +11,7 @@ import numpy.typing as npt
 from msgspec.structs import replace
 
 from app.document.model import Curve, Document, Family
+from app.exchange.progress import Report, part, silent, told
 from app.view_model.curve_view import CoreCurve, CurveView, view_of
 from app.view_model.refusals import in_words
 from curvecore import CurveError
@@ -174,7 +175,7 @@ class Drawing(msgspec.Struct, frozen=True):
         return replace(self, outlines=outlines, frame=Frame(0.0, 0.0, width, height), decor=decor)
 
 
-def drawing_of(document: Document, tolerance: float | None = None) -> Drawing:
+def drawing_of(document: Document, tolerance: float | None = None, report: Report = silent) -> Drawing:
     """Return the drawing of a document.
 
     Parameters
@@ -184,6 +185,8 @@ def drawing_of(document: Document, tolerance: float | None = None) -> Drawing:
     tolerance
         Largest deviation allowed, positive, in the document's unit; by default `RELATIVE_TOLERANCE` of
         the drawing's larger side.
+    report
+        Hears how far it has come.
 
     Raises
     ------
@@ -193,15 +196,17 @@ def drawing_of(document: Document, tolerance: float | None = None) -> Drawing:
     """
     if tolerance is not None and not 0 < tolerance < np.inf:
         raise ExchangeError("The tolerance must be a positive number.")
-    views, remarks = sort_out(curve for curve in document.curves if curve.visible)
+    visible = [curve for curve in document.curves if curve.visible]
+    views, remarks = sort_out(told(visible, part(report, 0.0, 0.3), "Computing curves"))
     drawable = [(view.source, view.curve) for view in views if view.curve is not None]
     if not drawable and not remarks:
         raise ExchangeError("There is nothing to draw: all curves are hidden.")
     if not drawable:
         raise ExchangeError(f"There is nothing to draw. {' '.join(remarks)}")
-    samples = [_samples(curve, core) for curve, core in drawable]
+    samples = [_samples(*each) for each in told(drawable, part(report, 0.3, 0.5), "Computing curves")]
     allowed = tolerance if tolerance is not None else RELATIVE_TOLERANCE * frame_around(samples).side
-    outlines = tuple(_outline(curve, core, allowed) for curve, core in drawable)
+    drawn = told(drawable, part(report, 0.5, 1.0), "Drawing curves")
+    outlines = tuple(_outline(curve, core, allowed) for curve, core in drawn)
     return Drawing(outlines, frame_with(outlines), allowed, tuple(remarks))
 
 

@@ -32,6 +32,7 @@ from app.exchange.parts import (
     one_line,
     sources_of,
 )
+from app.exchange.progress import Report, part, silent, told
 from app.exchange.units import dxf_code
 from curvecore import LagrangeCurve, chebyshev, cubic_path
 
@@ -63,6 +64,7 @@ def dxf_text(
     points: bool = False,
     cubic: bool = False,
     unit: str = "",
+    report: Report = silent,
 ) -> Written:
     """Return the curves as DXF (R2010): one SPLINE each, on a layer of its own.
 
@@ -77,23 +79,36 @@ def dxf_text(
         If there is no curve to write, or ezdxf is not installed.
     """
     ezdxf = _ezdxf()
-    sources, remarks = sources_of(document)
+    sources, remarks = sources_of(document, part(report, 0.0, 0.2))
     allowed = checked_tolerance(sources, tolerance)
     drawing: Drawing = ezdxf.new("R2010", units=dxf_code(unit))
     deviation = 0.0
     names = Names(drawing.layers)
-    for source in sources:
+    for source in told(sources, part(report, 0.2, 0.6), "Writing"):
         layer = _layer(drawing, source, names)
         deviation = max(deviation, _add_spline(drawing, source, _pieces(source, allowed, cubic), layer))
         for x, y in source.core.points[: len(source.curve.nodes)].tolist() if points else ():
             drawing.modelspace().add_point((x, y, 0.0), dxfattribs={"layer": layer})
     comments = [accuracy(deviation), *map(one_line, remarks)]
     drawing.header.custom_vars.append("Accuracy", comments[0])
-    stream = io.StringIO()
+    stream = _ToldStream(report)
     drawing.write(stream)
     # 999 is the group of comments; they stand before everything else.
     head = "".join(f"999\n{comment}\n" for comment in comments)
     return Written(head + stream.getvalue(), deviation, remarks)
+
+
+class _ToldStream(io.StringIO):
+    """Text that reports at every piece that is written: what ezdxf writes can be stopped."""
+
+    def __init__(self, report: Report) -> None:
+        super().__init__()
+        self._report = report
+
+    def write(self, text: str) -> int:
+        """Write and report; how much is still to come only ezdxf knows."""
+        self._report(0.8, "Writing")
+        return super().write(text)
 
 
 def _pieces(source: Source, tolerance: float, cubic: bool) -> list[Beziers]:

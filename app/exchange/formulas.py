@@ -23,6 +23,7 @@ from app.exchange.parts import (
     monomials_of,
     sources_of,
 )
+from app.exchange.progress import Report, part, silent, told
 from app.exchange.svg import path_data
 from app.view_model.curve_view import SimpleCurve
 from curvecore import LagrangeCurve, bezier_segments
@@ -31,7 +32,9 @@ MOST_COEFFICIENTS = 100
 """Points of the largest Lagrange curve whose coefficients are written: beyond, no float holds them well."""
 
 
-def desmos_expressions(document: Document, tolerance: float | None = None) -> Written:
+def desmos_expressions(
+    document: Document, tolerance: float | None = None, report: Report = silent
+) -> Written:
     r"""Return a list of expressions to paste into Desmos, one Bézier piece a line, t from 0 to 1.
 
     Lagrange curves beyond degree 10 become cubics within the tolerance.
@@ -41,11 +44,16 @@ def desmos_expressions(document: Document, tolerance: float | None = None) -> Wr
     ExchangeError
         If there is no curve to write.
     """
-    sources, remarks = sources_of(document)
+    sources, remarks = sources_of(document, part(report, 0.0, 0.3))
     allowed = checked_tolerance(sources, tolerance)
-    parts = [beziers_of(piece, allowed) for source in sources for piece in source.pieces]
-    lines = [_desmos_line(controls) for part in parts for controls in part.control_points]
-    return Written("\n".join(lines) + "\n", max(part.deviation for part in parts), remarks)
+    written = told(sources, part(report, 0.3, 0.6), "Writing")
+    pieces = [beziers_of(piece, allowed) for source in written for piece in source.pieces]
+    lines = [
+        _desmos_line(controls)
+        for each in told(pieces, part(report, 0.6, 1.0), "Writing")
+        for controls in each.control_points
+    ]
+    return Written("\n".join(lines) + "\n", max(each.deviation for each in pieces), remarks)
 
 
 def _desmos_line(controls: Floats) -> str:
@@ -73,7 +81,7 @@ def _desmos_number(value: float) -> str:
     return rf"\left({text}\right)" if value < 0 else text
 
 
-def svg_path_data(document: Document, tolerance: float | None = None) -> Written:
+def svg_path_data(document: Document, tolerance: float | None = None, report: Report = silent) -> Written:
     """Return path data, the ``d`` of an SVG path, one path a paragraph; y points down there.
 
     Raises
@@ -81,12 +89,12 @@ def svg_path_data(document: Document, tolerance: float | None = None) -> Written
     ExchangeError
         If nothing can be drawn.
     """
-    drawing = drawing_of(document, tolerance)
-    paths = [path_data(outline) for outline in drawing.outlines]
+    drawing = drawing_of(document, tolerance, part(report, 0.0, 0.7))
+    paths = [path_data(each) for each in told(drawing.outlines, part(report, 0.7, 1.0), "Writing")]
     return Written("\n\n".join(paths) + "\n", drawing.deviation, drawing.remarks)
 
 
-def coefficients_json(document: Document) -> Written:
+def coefficients_json(document: Document, report: Report = silent) -> Written:
     """Return the coefficients of every polynomial piece as JSON, lowest power of s first.
 
     On a segment from start to end, s = (t - start) / (end - start), and x = Σ x_k s^k. The coefficients
@@ -98,9 +106,9 @@ def coefficients_json(document: Document) -> Written:
     ExchangeError
         If there is no curve, or for a Lagrange curve of more than `MOST_COEFFICIENTS` points.
     """
-    sources, remarks = sources_of(document)
+    sources, remarks = sources_of(document, part(report, 0.0, 0.3))
     curves, worst = [], 0.0
-    for source in sources:
+    for source in told(sources, part(report, 0.3, 1.0), "Writing"):
         segments = []
         for piece in source.pieces:
             coefficients = _coefficients(piece)

@@ -27,10 +27,10 @@ from PySide6.QtSvg import QSvgRenderer, QtSvg
 
 from app import __version__
 from app.document.model import Document
-from app.exchange.decor import decorated
-from app.exchange.drawing import Drawing, ExchangeError, Frame, drawing_of
+from app.exchange.drawing import Drawing, ExchangeError, Frame
 from app.exchange.formats import Options
-from app.exchange.svg import Style, accuracy_of, nominal_width, svg_text
+from app.exchange.progress import Report, part, silent
+from app.exchange.svg import Style, accuracy_of, nominal_width, picture_of, svg_text
 from app.exchange.units import MILLIMETRES, POINTS_PER_MILLIMETRE, known_unit, size_in_words
 from app.view_model.palette import adjustment_of
 
@@ -49,6 +49,9 @@ _PDF_RESOLUTION = 1440
 
 _DOTS_PER_METRE = 96 / 0.0254
 
+_DRAWN = 0.6
+"""Share of a picture that is its drawing; painting follows."""
+
 
 def png_image(document: Document, options: Options) -> QImage:
     """Return a picture of a document, `options.width` × `options.scale` pixels wide.
@@ -58,11 +61,14 @@ def png_image(document: Document, options: Options) -> QImage:
     ExchangeError
         If nothing can be drawn, or the picture would be too large.
     """
+    return _png(_drawing(document, options, options.paper_style), options)
+
+
+def _png(drawing: Drawing, options: Options) -> QImage:
     style = options.paper_style
-    drawing = _drawing(document, options, style)
     width, height = _size(drawing, options)
     with application():
-        image = _painted(drawing, (width, height), style, points=options.points)
+        image = _painted(drawing, (width, height), style, options)
         image.setText("Software", f"Curvebench {__version__}")
         image.setText("Description", accuracy_of(drawing))
         dots = round(_DOTS_PER_METRE * options.scale)
@@ -103,7 +109,7 @@ def look(document: Document, options: Options, ending: str, room: tuple[int, int
     frame = drawing.frame
     scale = min(room[0] / frame.width, room[1] / frame.height)
     size = (max(round(frame.width * scale), 1), max(round(frame.height * scale), 1))
-    image = _painted(drawing, size, style, points=options.points)
+    image = _painted(drawing, size, style, options)
     return Look(image, size_text(drawing, options, ending), _moved_colours(drawing, style))
 
 
@@ -128,20 +134,34 @@ def _size(drawing: Drawing, options: Options) -> tuple[int, int]:
     return width, height
 
 
-def _painted(drawing: Drawing, size: tuple[int, int], style: Style, *, points: bool) -> QImage:
+def _painted(drawing: Drawing, size: tuple[int, int], style: Style, options: Options) -> QImage:
     image = QImage(*size, QImage.Format.Format_ARGB32_Premultiplied)
     image.fill(QColor(0, 0, 0, 0))
     painter = QPainter(image)
     painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-    paint_drawing(drawing.fitted(*size), painter, style, points=points)
-    painter.end()
+    _paint(drawing.fitted(*size), painter, style, options)
     return image
+
+
+def _paint(fitted: Drawing, painter: QPainter, style: Style, options: Options) -> None:
+    """Paint a drawing, and end the painter also where somebody stops it: it may not outlive its device."""
+    try:
+        report = part(options.report, _DRAWN, 1.0)
+        paint_drawing(fitted, painter, style, points=options.points, report=report)
+    finally:
+        painter.end()
 
 
 def png_bytes(document: Document, options: Options) -> bytes:
     """Return the content of a PNG file; see `png_image`."""
+    return png_file(document, options)[0]
+
+
+def png_file(document: Document, options: Options) -> tuple[bytes, Drawing]:
+    """Return the content of a PNG file and what it shows; see `png_image`."""
+    drawing = _drawing(document, options, options.paper_style)
     with application():
-        return _encoded(png_image(document, options))
+        return _encoded(_png(drawing, options)), drawing
 
 
 def _encoded(image: QImage) -> bytes:
@@ -152,8 +172,10 @@ def _encoded(image: QImage) -> bytes:
     return bytes(buffer.data().data())
 
 
-def pdf_bytes(document: Document, options: Options) -> bytes:
-    """Return a document as a PDF of one page, as outlines; `options.width` in points of 1/72 inch.
+def pdf_file(document: Document, options: Options) -> tuple[bytes, Drawing]:
+    """Return a document as a PDF of one page, as outlines, and what that shows.
+
+    `options.width` is in points of 1/72 inch.
 
     Without a width, and with a unit, the page has true size.
 
@@ -165,7 +187,7 @@ def pdf_bytes(document: Document, options: Options) -> bytes:
     style = options.vector_style
     drawing = _drawing(document, options, style)
     with application():
-        return _page(drawing, options, style)
+        return _page(drawing, options, style), drawing
 
 
 def _page(drawing: Drawing, options: Options, style: Style) -> bytes:
@@ -181,8 +203,7 @@ def _page(drawing: Drawing, options: Options, style: Style) -> bytes:
     writer.setPageLayout(QPageLayout(size, QPageLayout.Orientation.Portrait, QMarginsF()))
     painter = QPainter(writer)
     device = painter.viewport()
-    paint_drawing(drawing.fitted(device.width(), device.height()), painter, style, points=options.points)
-    painter.end()
+    _paint(drawing.fitted(device.width(), device.height()), painter, style, options)
     return bytes(buffer.data().data())
 
 
@@ -227,16 +248,16 @@ def size_text(drawing: Drawing, options: Options, ending: str) -> str:
 
 
 def _drawing(document: Document, options: Options, style: Style) -> Drawing:
-    drawing = drawing_of(document, options.tolerance)
-    if options.extras is None:
-        return drawing
-    return decorated(drawing, document, options.extras, style.theme)
+    report = part(options.report, 0.0, _DRAWN)
+    return picture_of(document, options.tolerance, options.extras, style, report)
 
 
-def paint_drawing(fitted: Drawing, painter: QPainter, style: Style, *, points: bool) -> None:
+def paint_drawing(
+    fitted: Drawing, painter: QPainter, style: Style, *, points: bool, report: Report = silent
+) -> None:
     """Paint a drawing whose frame is the painter's whole device."""
     frame = fitted.frame
-    text = svg_text(fitted, style=style, points=points, width=frame.width)
+    text = svg_text(fitted, style=style, points=points, width=frame.width, report=report)
     renderer = QSvgRenderer()
     # Otherwise Qt silently cuts off paths of more than some ten thousand pieces.
     renderer.setOptions(QtSvg.Option.AssumeTrustedSource)

@@ -19,6 +19,7 @@ from app.exchange.parts import (
     one_line,
     sources_of,
 )
+from app.exchange.progress import Report, part, silent, told
 from app.view_model.curve_view import SimpleCurve
 from app.view_model.refusals import in_words
 from curvecore import CurveError, LagrangeCurve
@@ -40,7 +41,7 @@ _SPECIAL = {
 }
 
 
-def latex_formula(document: Document, digits: int = DIGITS) -> Written:
+def latex_formula(document: Document, digits: int = DIGITS, report: Report = silent) -> Written:
     """Return every curve as a formula in LaTeX with the numbers that go into it; needs amsmath.
 
     Lagrange curves are written in Lagrange's form, Hermite curves by the Bézier control points of their
@@ -51,14 +52,18 @@ def latex_formula(document: Document, digits: int = DIGITS) -> Written:
     ExchangeError
         If there is no curve, or if so few digits would make two parameters equal.
     """
-    sources, remarks = sources_of(document)
-    deviation = max(_rounded_deviation(piece, digits) for source in sources for piece in source.pieces)
+    sources, remarks = sources_of(document, part(report, 0.0, 0.3))
+    deviation = max(
+        _rounded_deviation(piece, digits)
+        for source in told(sources, part(report, 0.3, 0.6), "Comparing")
+        for piece in source.pieces
+    )
     head = [accuracy(deviation), r"Needs \usepackage{amsmath}.", *map(one_line, remarks)]
-    parts = [_formula(source, digits) for source in sources]
+    parts = [_formula(each, digits) for each in told(sources, part(report, 0.6, 1.0), "Writing")]
     return Written("\n".join([*(f"% {line}" for line in head), *parts]) + "\n", deviation, remarks)
 
 
-def tikz_picture(document: Document, tolerance: float | None = None) -> Written:
+def tikz_picture(document: Document, tolerance: float | None = None, report: Report = silent) -> Written:
     r"""Return a ``tikzpicture`` of the curves, `PICTURE_SIDE` cm large, as cubic Bézier curves; needs tikz.
 
     Raises
@@ -66,20 +71,20 @@ def tikz_picture(document: Document, tolerance: float | None = None) -> Written:
     ExchangeError
         If nothing can be drawn.
     """
-    drawing = drawing_of(document, tolerance)
+    drawing = drawing_of(document, tolerance, part(report, 0.0, 0.7))
     frame = drawing.frame
     scale = PICTURE_SIDE / frame.side
     fitted = drawing.fitted(frame.width * scale, frame.height * scale)
     # Rounding moves every control point, and so the curve, by half a unit of the last digit in x and y.
     deviation = drawing.deviation + math.sqrt(0.5) * 10.0**-_PICTURE_DIGITS / scale
     lines = [f"  % One centimetre is {1 / scale:.6g} of the document."]
-    for outline in fitted.outlines:
+    for outline in told(fitted.outlines, part(report, 0.7, 1.0), "Writing"):
         lines.append(f"  % {one_line(outline.name)}")
         lines.append(_path(outline, lambda v: f"{v + 0.0:.{_PICTURE_DIGITS}f}", ""))
     return _picture(lines, deviation, drawing.remarks, "tikz")
 
 
-def pgfplots_axis(document: Document, tolerance: float | None = None) -> Written:
+def pgfplots_axis(document: Document, tolerance: float | None = None, report: Report = silent) -> Written:
     r"""Return a ``tikzpicture`` of an axis with the curves and their points; needs pgfplots.
 
     Coordinates are the document's own in full precision; pgfplots computes with about seven digits.
@@ -89,9 +94,9 @@ def pgfplots_axis(document: Document, tolerance: float | None = None) -> Written
     ExchangeError
         If nothing can be drawn.
     """
-    drawing = drawing_of(document, tolerance)
+    drawing = drawing_of(document, tolerance, part(report, 0.0, 0.7))
     lines = [f"  \\begin{{axis}}[axis equal image, {_limits(drawing.frame)}]"]
-    for outline in drawing.outlines:
+    for outline in told(drawing.outlines, part(report, 0.7, 1.0), "Writing"):
         lines.append(f"    % {one_line(outline.name)}")
         lines.append(_path(outline, _plain, "axis cs:", margin="    "))
         marks = " ".join(f"({_plain(x)},{_plain(y)})" for x, y in outline.nodes.tolist())

@@ -14,6 +14,7 @@ from app import __version__
 from app.document.model import Curve, Document
 from app.exchange.drawing import RELATIVE_TOLERANCE, ExchangeError, Floats, sort_out
 from app.exchange.naming import Names
+from app.exchange.progress import Report, silent, told
 from app.view_model.curve_view import CoreCurve, SimpleCurve
 from app.view_model.refusals import in_words
 from curvecore import CurveError, LagrangeCurve, bezier_segments, cubic_path
@@ -99,7 +100,7 @@ class Beziers:
         return int(self.control_points.shape[1]) - 1
 
 
-def sources_of(document: Document) -> tuple[list[Source], tuple[str, ...]]:
+def sources_of(document: Document, report: Report = silent) -> tuple[list[Source], tuple[str, ...]]:
     """Return the visible curves that can be written, and a sentence for each of the others.
 
     Raises
@@ -108,7 +109,8 @@ def sources_of(document: Document) -> tuple[list[Source], tuple[str, ...]]:
         If there is none.
     """
     hidden = [f"“{curve.name}” is hidden." for curve in document.curves if not curve.visible]
-    views, unusable = sort_out(curve for curve in document.curves if curve.visible)
+    visible = [curve for curve in document.curves if curve.visible]
+    views, unusable = sort_out(told(visible, report, "Computing curves"))
     remarks = hidden + unusable
     sources = [Source(view.source, view.curve, view.pieces) for view in views if view.curve is not None]
     if not sources:

@@ -7,6 +7,7 @@ from math import isnan, nan
 from app.document.edits import interval
 from app.document.model import Document, Vector
 from app.exchange.parts import Written, cell_of_name, distinct_names, sources_of
+from app.exchange.progress import Report, part, silent, told
 from app.exchange.table_columns import AFTER, ROLES, WORDS
 from app.exchange.table_curve import CLOSED
 from app.view_model.curve_view import CurveView, view_of
@@ -14,7 +15,7 @@ from app.view_model.curve_view import CurveView, view_of
 _NOTHING = (nan, nan)
 
 
-def points_table(document: Document, separator: str = ",") -> Written:
+def points_table(document: Document, separator: str = ",", report: Report = silent) -> Written:
     """Return the points of all visible curves, a row each; read back, they give curves of the same shape.
 
     Derivatives are those in force, estimated ones too. The derivatives after a corner stand in columns of
@@ -26,10 +27,11 @@ def points_table(document: Document, separator: str = ",") -> Written:
     ExchangeError
         If there is no curve.
     """
-    sources, remarks = sources_of(document)
+    sources, remarks = sources_of(document, part(report, 0.0, 0.5))
     titles = (*ROLES, *AFTER)
     rows = []
-    for source, name in zip(sources, distinct_names(sources), strict=True):
+    named = list(zip(sources, distinct_names(sources), strict=True))
+    for source, name in told(named, part(report, 0.5, 1.0), "Writing"):
         curve = source.curve
         words = [cell_of_name(name, separator), (CLOSED if curve.is_closed else "") + curve.family]
         rows += [(words, row) for row in _rows(view_of(curve))]

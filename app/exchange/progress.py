@@ -5,8 +5,11 @@ Work that may take longer than a moment takes a `Report` and calls it now and th
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator, Sequence
 from math import inf
+from typing import TypeVar
+
+Item = TypeVar("Item")
 
 Report = Callable[[float, str], None]
 """Takes the share that is done, 0 to 1, and a word for what is being done; raises `Cancelled`."""
@@ -21,6 +24,13 @@ class Cancelled(Exception):  # noqa: N818 - nothing has gone wrong
 
 def silent(_share: float, _word: str) -> None:
     """Report to nobody."""
+
+
+def told(items: Sequence[Item], report: Report, word: str) -> Iterator[Item]:
+    """Yield items one after the other, and report before each: a loop that tells, and that can be stopped."""
+    for place, item in enumerate(items):
+        report(place / len(items), word)
+        yield item
 
 
 def part(report: Report, start: float, end: float) -> Report:

@@ -66,14 +66,14 @@ def sampled_table(
     """
     if not 2 <= samples <= MOST_SAMPLES:
         raise ExchangeError(f"A table can have 2 to {MOST_SAMPLES} samples.")
-    sources, remarks = sources_of(document)
+    sources, remarks = sources_of(document, part(report, 0.0, 0.1))
     allowed = checked_tolerance(sources, tolerance)
-    chosen = _columns(columns)
+    chosen, rest = _columns(columns), part(report, 0.1, 1.0)
     named = len(sources) > 1
     titles = [TITLES[column] for column in chosen]
     lines, deviation = [separator.join(["curve", *titles] if named else titles)], 0.0
     for place, (source, name) in enumerate(zip(sources, distinct_names(sources), strict=True)):
-        away = part(report, place / len(sources), (place + 1) / len(sources))
+        away = part(rest, place / len(sources), (place + 1) / len(sources))
         away(0.0, "Computing samples")
         core = source.core
         needed = spacing is Spacing.LENGTH or _LENGTH in chosen

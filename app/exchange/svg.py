@@ -11,6 +11,7 @@ import msgspec
 from app import __version__
 from app.document.model import Document
 from app.exchange.drawing import Decor, Drawing, Frame, Outline, drawing_of
+from app.exchange.progress import Report, part, silent, told
 from app.exchange.units import css_length, known_unit
 from app.view_model import palette
 
@@ -60,6 +61,7 @@ def svg_of(
     width: float | None = None,
     extras: Extras | None = None,
     unit: str = "",
+    report: Report = silent,
 ) -> str:
     """Return a document as SVG.
 
@@ -84,19 +86,34 @@ def svg_of(
         What else to draw, in groups of their own.
     unit
         What a length of one is, a name that `known_unit` knows: without a `width` the picture has true size.
+    report
+        Hears how far it has come.
 
     Raises
     ------
     ExchangeError
         If nothing can be drawn, or if the coordinates are beyond what a picture can hold.
     """
-    drawing = drawing_of(document, tolerance)
-    if extras is not None:
-        # Views of basis functions and handles are no business of a plain drawing.
-        from app.exchange.decor import decorated  # noqa: PLC0415
+    drawing = picture_of(document, tolerance, extras, style, part(report, 0.0, 0.7))
+    written = part(report, 0.7, 1.0)
+    return svg_text(drawing, style=style, points=points, width=width, unit=unit, report=written)
 
-        drawing = decorated(drawing, document, extras, style.theme)
-    return svg_text(drawing, style=style, points=points, width=width, unit=unit)
+
+def picture_of(
+    document: Document,
+    tolerance: float | None,
+    extras: Extras | None,
+    style: Style,
+    report: Report = silent,
+) -> Drawing:
+    """Return the drawing of a document with what else is to be drawn; see `svg_of`."""
+    drawing = drawing_of(document, tolerance, report)
+    if extras is None:
+        return drawing
+    # Views of basis functions and handles are no business of a plain drawing.
+    from app.exchange.decor import decorated  # noqa: PLC0415
+
+    return decorated(drawing, document, extras, style.theme)
 
 
 def nominal_width(drawing: Drawing, width: float | None) -> float:
@@ -105,7 +122,13 @@ def nominal_width(drawing: Drawing, width: float | None) -> float:
 
 
 def svg_text(
-    drawing: Drawing, *, style: Style, points: bool, width: float | None = None, unit: str = ""
+    drawing: Drawing,
+    *,
+    style: Style,
+    points: bool,
+    width: float | None = None,
+    unit: str = "",
+    report: Report = silent,
 ) -> str:
     """Return a drawing as SVG with the nominal `width` in CSS pixels, or at true size in a unit."""
     frame = drawing.frame
@@ -119,7 +142,7 @@ def svg_text(
         f"  <desc>{_text(' '.join([accuracy_of(drawing), *drawing.remarks]))}</desc>",
         *([_paper(frame, style.paper)] if style.paper else []),
         *_decor(drawing, style, "grid"),
-        *_curves(drawing, style),
+        *_curves(drawing, style, report),
         *_decor(drawing, style, "handles"),
         *(_points(drawing, style) if points else []),
         *_decor(drawing, style, "basis"),
@@ -151,13 +174,13 @@ def _paper(frame: Frame, colour: str) -> str:
     return f'  <rect id="paper" x="{x}" y="{y}" width="{width}" height="{height}" fill="{colour}"/>'
 
 
-def _curves(drawing: Drawing, style: Style) -> list[str]:
+def _curves(drawing: Drawing, style: Style, report: Report) -> list[str]:
     stroke = _number(STROKE * drawing.frame.side)
     group = (
         f'  <g id="curves" fill="none" stroke="{style.ink}" stroke-width="{stroke}" '
         'stroke-linecap="round" stroke-linejoin="round">'
     )
-    layers = [line for outline in drawing.outlines for line in _layer(outline, style)]
+    layers = [line for each in told(drawing.outlines, report, "Writing") for line in _layer(each, style)]
     return [group, *layers, "  </g>"]
 
 

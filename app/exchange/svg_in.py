@@ -31,6 +31,7 @@ _UNITS = {"": 1.0, "px": 1.0, "in": 96.0, "cm": 96 / 2.54, "mm": 96 / 25.4, "pt"
 _LENGTH = re.compile(
     r"\s*([-+]?(?:[0-9]+(?:\.[0-9]*)?|\.[0-9]+)(?:[eE][-+]?[0-9]+)?)\s*(px|in|cm|mm|pt|pc)?\s*"
 )
+_REST = re.compile(r"[ \t\r\n,]*\Z")
 _CALL = re.compile(r"[\s,]*([A-Za-z]+)\s*\(([^()]*)\)")
 _ARGUMENTS = {
     "matrix": (6,),
@@ -148,7 +149,8 @@ class _Reader:
 
     def _transform(self, element: ET.Element, text: str) -> Floats:
         result, place = np.eye(2, 3), 0
-        while text[place:].strip(" \t\r\n,"):
+        # Every call takes some of the text, and none of it is copied to see whether there is more.
+        while not _REST.match(text, place):
             match = _CALL.match(text, place)
             if match is None:
                 raise self._broken(element, f"its transform is broken at character {place + 1}.")

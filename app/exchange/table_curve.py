@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
 from enum import StrEnum
 
@@ -29,6 +29,8 @@ from app.exchange.table_layout import MissingNumber, RowProblem
 from app.exchange.thinning import Thinning, thinned
 
 MOST_CURVES = 1_000
+
+_ROWS_AT_ONCE = 5_000
 Group = tuple[str, npt.NDArray[np.intp]]
 """The name of a curve and the places of its rows."""
 
@@ -115,8 +117,7 @@ def document_of_table(
             curves.append(_thinned_curve(title, own, kept.rows, kept.parameters))
             deviation = max(deviation, kept.deviation)
         else:
-            away(0.0, "Making a curve")
-            curves.append(_full_curve(title, own, *_family_of(table, chosen, rows, family)))
+            curves.append(_full_curve(title, own, *_family_of(table, chosen, rows, family), away))
     said = repeats.said(are_kept="t" in columns)
     return Imported(_checked(curves), deviation, (said,) if said else ())
 
@@ -283,8 +284,8 @@ class _Rows:
             raise ExchangeError("All points coincide; there is no curve through them.")
         return replace(self, rows=left)
 
-    def vectors(self, field: str) -> list[Vector | None]:
-        """Return one derivative of every row, None where its cells are empty or there is no such column.
+    def vectors(self, field: str, some: slice) -> list[Vector | None]:
+        """Return one derivative of some rows, None where its cells are empty or there is no such column.
 
         Raises
         ------
@@ -292,38 +293,40 @@ class _Rows:
             If one of two cells is empty.
         """
         pair = _PAIRS[field]
+        rows = self.rows[some]
         if not set(pair) <= set(self.columns):
-            return [None] * len(self.rows)
-        values = np.column_stack([self.column(role) for role in pair])
+            return [None] * len(rows)
+        values = np.column_stack([self.table.values[rows, self.columns[role]] for role in pair])
         empty = np.isnan(values)
         halves = np.flatnonzero(empty[:, 0] != empty[:, 1])
         if len(halves):
             row = int(halves[0])
-            self._refuse_empty(pair[0] if empty[row, 0] else pair[1], row)
+            self._refuse_empty(pair[0] if empty[row, 0] else pair[1], (some.start or 0) + row)
         return [None if x != x else (x, y) for x, y in values.tolist()]  # noqa: PLR0124 - NaN
 
 
-def _full_curve(name: str, own: _Rows, family: Family, closed: bool) -> Curve:
-    nothing: list[Vector | None] = [None] * len(own.rows)
-    fields = [
-        own.vectors(field) if order <= family.derivatives else nothing
-        for order, field in (
-            (1, "velocity"),
-            (2, "acceleration"),
-            (1, "velocity_after"),
-            (2, "acceleration_after"),
-        )
-    ]
+def _full_curve(name: str, own: _Rows, family: Family, closed: bool, report: Report) -> Curve:
     times = own.t
-    t = [None] * len(own.rows) if times is None else times.tolist()
-    # Column by column: a list of a pair for every row would take more than the points themselves.
-    nodes = [
-        Node(x, y, at, velocity, acceleration, after is not None, after, bend)
-        for x, y, at, velocity, acceleration, after, bend in zip(
-            own.column("x").tolist(), own.column("y").tolist(), t, *fields, strict=True
-        )
-    ]
-    return Curve(name, family, _rule(times), tuple(nodes[:-1] if closed else nodes), closed=closed)
+    nodes = tuple(_nodes(own, family, report))
+    return Curve(name, family, _rule(times), nodes[:-1] if closed else nodes, closed=closed)
+
+
+def _nodes(own: _Rows, family: Family, report: Report) -> Iterator[Node]:
+    """Yield the points of all rows, made of some rows at a time: lists of all would double the memory."""
+    x, y, times = own.column("x"), own.column("y"), own.t
+    orders = ((1, "velocity"), (2, "acceleration"), (1, "velocity_after"), (2, "acceleration_after"))
+    for first in range(0, len(x), _ROWS_AT_ONCE):
+        report(first / len(x), "Making a curve")
+        some = slice(first, first + _ROWS_AT_ONCE)
+        nothing: list[Vector | None] = [None] * len(x[some])
+        fields = [
+            own.vectors(name, some) if order <= family.derivatives else nothing for order, name in orders
+        ]
+        t = [None] * len(nothing) if times is None else times[some].tolist()
+        for at_x, at_y, at, velocity, acceleration, after, bend in zip(
+            x[some].tolist(), y[some].tolist(), t, *fields, strict=True
+        ):
+            yield Node(at_x, at_y, at, velocity, acceleration, after is not None, after, bend)
 
 
 def _thinned_curve(name: str, own: _Rows, kept: npt.NDArray[np.intp], parameters: Floats) -> Curve:

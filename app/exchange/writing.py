@@ -6,10 +6,11 @@ import os
 import struct
 from typing import TYPE_CHECKING
 
+from app.document.format import FormatError, encode
 from app.document.image_path import relative_to
 from app.document.model import Document
 from app.document.storage import write
-from app.exchange.drawing import ExchangeError, drawing_of
+from app.exchange.drawing import ExchangeError
 from app.exchange.formats import ENDINGS, SAMPLES, Exported, Options, Spacing, ending_of
 from app.exchange.progress import FINAL, Report, silent
 from app.exchange.svg import Style
@@ -110,6 +111,7 @@ def export_with(document: Document, path: str | os.PathLike[str], options: Optio
     if ending == ".curve.json":
         # The picture to trace is found from where the file lies.
         document = relative_to(document, os.path.dirname(os.path.abspath(path)))  # noqa: PTH100, PTH120 - links are kept
+        return _put(path, _encoded(document), Exported(0.0), options.report)
     if ending in (".png", ".pdf"):
         data, deviation, remarks = _image(document, ending, options)
     else:
@@ -118,9 +120,22 @@ def export_with(document: Document, path: str | os.PathLike[str], options: Optio
 
         written = WRITERS[ending](document, options)
         data, deviation, remarks = written.text.encode(), written.deviation, written.remarks
-    options.report(FINAL, "Writing")
+    pixels = _size_of_png(data) if ending == ".png" else None
+    return _put(path, data, Exported(deviation, remarks, pixels), options.report)
+
+
+def _put(path: str | os.PathLike[str], data: bytes, done: Exported, report: Report) -> Exported:
+    """Put the file in place, which cannot be taken back."""
+    report(FINAL, "Writing")
     write(path, data)
-    return Exported(deviation, remarks, _size_of_png(data) if ending == ".png" else None)
+    return done
+
+
+def _encoded(document: Document) -> bytes:
+    try:
+        return encode(document)
+    except FormatError as problem:
+        raise ExchangeError(f"The document cannot be written: {problem}.") from problem
 
 
 def _size_of_png(data: bytes) -> tuple[int, int]:
@@ -133,6 +148,6 @@ def _image(document: Document, ending: str, options: Options) -> tuple[bytes, fl
     # Qt is slow to import, and everything else does without.
     from app.exchange import image  # noqa: PLC0415
 
-    drawing = drawing_of(document, options.tolerance)
-    make = image.pdf_bytes if ending == ".pdf" else image.png_bytes
-    return make(document, options), drawing.deviation, drawing.remarks
+    make = image.pdf_file if ending == ".pdf" else image.png_file
+    data, drawing = make(document, options)
+    return data, drawing.deviation, drawing.remarks

@@ -1,6 +1,7 @@
 """Documents turned into arrays to draw. No Qt; with ``exchange`` the only place in app that calls curvecore.
 
 - ``curve_view``: a document's curve as a core curve, its polyline, its handles, or why it cannot be made.
+  ``views_ahead``: those of many, made beside the window.
 - ``basis_view``: the basis functions sampled for the basis panel, and the weights at one parameter.
 - ``jets``, ``handles``: what was set and what the rules estimate; where a person drags it.
 - ``cardinals``, ``growth``: what each point does, with its estimates; how errors of points grow.

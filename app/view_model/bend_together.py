@@ -26,6 +26,7 @@ Floats = npt.NDArray[np.float64]
 
 _STEPS = 3
 _FIRST_STAGE = 0.5
+_MOST_STAGES = 40  # 3**40 times the curve: beyond, the first of them is a longer one
 _SMALL_STEP = 1e-2
 _DIFFERENCE = 1e-4
 _LEAST_DAMPING, _FIRST_DAMPING = 1e-9, 1e-3
@@ -87,11 +88,14 @@ def divided(
 
 
 def _stages(length: float) -> list[float]:
-    """Return the shares of a pull by which to go: a far pull in steps of three times as far each."""
-    lengths = [length]
-    while lengths[0] > _FIRST_STAGE:
-        lengths.insert(0, lengths[0] / 3)
-    return [each / length for each in lengths] if length else []
+    """Return the shares of a pull by which to go: a far pull in steps of three times as far each.
+
+    None where the curve is so small beside the pull that no number says how far that is: it is moved.
+    """
+    if not 0.0 < length < math.inf:
+        return []
+    steps = math.ceil(math.log(length / _FIRST_STAGE, 3)) if length > _FIRST_STAGE else 0
+    return [3.0**-step for step in range(min(steps, _MOST_STAGES), -1, -1)]
 
 
 class _Search:

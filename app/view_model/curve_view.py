@@ -163,6 +163,12 @@ class CurveView(msgspec.Struct, frozen=True, eq=False, dict=True):
         return self._whole[0].points
 
     @cached_property
+    def extent(self) -> Floats:
+        """Lowest and highest corner of the points, and of the curve with them, (2, 2, 2)."""
+        drawn = np.vstack([self.points, self.polyline])
+        return np.array([(each.min(axis=0), each.max(axis=0)) for each in (self.points, drawn)])
+
+    @cached_property
     def _whole(self) -> tuple[Polyline, float]:
         """The polyline, and the tolerance that it keeps everywhere; none where it misses its own."""
         if self.curve is None:

@@ -125,7 +125,7 @@ def test_a_process_that_breaks_down_is_not_called_one_that_needs_memory(monkeypa
 
 
 def test_every_ending_has_a_writer():
-    assert (*WRITERS, ".png", ".pdf") == ENDINGS
+    assert (".curve.json", *WRITERS, ".png", ".pdf") == ENDINGS
 
 
 def test_the_window_starts_without_readers_and_writers():

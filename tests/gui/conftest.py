@@ -48,7 +48,18 @@ class Fingerprint:
             "_ghost_stroke",
             "_is_resting",
         ),
-        *("_known", "_made", "_pens", "_room", "_seconds", "_stamps", "_stroke", "_strokes", "__dict__"),
+        *(
+            "_known",
+            "_made",
+            "_painted",
+            "_pens",
+            "_room",
+            "_seconds",
+            "_stamps",
+            "_stroke",
+            "_strokes",
+            "__dict__",
+        ),
         # Where the pointer was last, before it left.
         *("_hand", "_last", "_menu_refused", "_modal", "_place_now", "_pointer"),
         # How often something has happened.

@@ -1,0 +1,28 @@
+"""Views of many curves before anybody draws them: beside the window, so that it need not wait."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+
+from app.document.model import Curve
+from app.view_model.curve_view import CurveView, view_of
+
+
+def views_ahead(curves: Sequence[Curve], told: Callable[[float], object]) -> list[CurveView]:
+    """Return the views of curves, with what every one of them is asked for when it is first shown.
+
+    Parameters
+    ----------
+    curves
+        The document's values.
+    told
+        Hears the share that is done; what it raises ends the work.
+    """
+    views = []
+    for place, curve in enumerate(curves):
+        told(place / len(curves))
+        view = view_of(curve)
+        if len(view.points):
+            _ = view.extent  # kept by the view, and with it the polyline that it is made of
+        views.append(view)
+    return views

@@ -1,0 +1,55 @@
+"""Writers say how far they are, curve by curve, and end where they are told to stop."""
+
+from __future__ import annotations
+
+from itertools import pairwise
+
+import pytest
+
+from app.document.model import Document, Family, make_curve
+from app.exchange import ENDINGS, Options, export_with
+from app.exchange.progress import FINAL, Cancelled
+
+COUNT = 12
+# A document is what is there already: it is encoded in one go.
+TOLD = [ending for ending in ENDINGS if ending != ".curve.json"]
+
+
+@pytest.fixture(scope="module")
+def several():
+    families = list(Family)
+    return Document(
+        tuple(
+            make_curve([(k, 0.0), (k + 0.5, 1.0), (k + 1.0, 0.3)], name=f"Curve {k}", family=families[k % 3])
+            for k in range(COUNT)
+        )
+    )
+
+
+@pytest.mark.parametrize("ending", TOLD)
+def test_a_writer_tells_of_every_curve_and_stops_at_any(several, ending, tmp_path):
+    """The loops had no report: Stop ended them by force, after a second."""
+    shares = []
+    path = tmp_path / f"curves{ending}"
+    options = Options(width=200, samples=5, report=lambda share, _word: shares.append(share))
+    export_with(several, path, options)
+    assert shares.pop() == FINAL
+    assert len(shares) >= 2 * COUNT  # computed, and written
+    assert all(first <= second for first, second in pairwise(shares))
+    assert 0.0 <= shares[0] <= shares[-1] <= 1.0
+    # Nowhere between two reports more than the work of some curves.
+    assert max(second - first for first, second in pairwise(shares)) < 0.5
+
+    for last in (2, len(shares) // 2, len(shares) - 1):
+        told = []
+
+        def stop(share, _word, last=last, told=told):
+            told.append(share)
+            if len(told) > last:
+                raise Cancelled
+
+        path.unlink(missing_ok=True)
+        with pytest.raises(Cancelled):
+            export_with(several, path, options.reporting(stop))
+        assert len(told) == last + 1
+        assert not path.exists()

@@ -1,0 +1,87 @@
+"""Documents of many curves: opened beside the window, which shows how far that is, and painted in steps."""
+
+from __future__ import annotations
+
+import pytest
+
+from app.document import storage
+from app.document.model import Document, Family, make_curve
+from tests.effort import calls_of
+
+COUNT = 450
+
+
+@pytest.fixture(scope="module")
+def large(tmp_path_factory):
+    path = tmp_path_factory.mktemp("large") / "many.curve.json"
+    curves = [
+        make_curve(
+            [(k % 40, k // 40), (k % 40 + 0.4, k // 40 + 0.7), (k % 40 + 0.8, k // 40)],
+            name=f"Curve {k}",
+            family=Family.HERMITE,
+        )
+        for k in range(COUNT)
+    ]
+    storage.save(path, Document(tuple(curves)))
+    return path
+
+
+def test_a_large_document_is_opened_beside_the_window(editor, large, qtbot):
+    """The window's thread made each view and flattened it: frozen for 3.9 s with 5,000 curves."""
+    told = []
+    before = editor.session.document
+    editor.window.jobs.progressed.connect(lambda share, word: told.append((share, word)))
+    editor.window.open_file(large)
+    assert editor.window.jobs.is_busy
+    assert editor.session.document is before
+    qtbot.waitUntil(editor.action("cancelWork").isEnabled)
+    editor.trigger("cancelWork")
+    assert not editor.window.jobs.is_busy
+    assert editor.session.document is before
+    assert "Opening many.curve.json was stopped; nothing has changed." in editor.status
+
+    told.clear()
+
+    def opened() -> None:
+        editor.window.open_file(large)
+        editor.wait_for_work()
+
+    # Of this thread alone; 1,450 for each curve when all was done in it.
+    calls = calls_of(opened)
+    assert editor.session.path == large
+    assert len(editor.session.document.curves) == COUNT
+    assert calls < 500 * COUNT
+    assert [share for share, _ in told] == sorted(share for share, _ in told)
+    assert {word for _, word in told} <= {"Reading", "Computing curves"}
+
+
+def test_another_document_that_was_opened_meanwhile_stays(editor, large):
+    editor.window.open_file(large)
+    editor.session.new()
+    editor.wait_for_work()
+    assert editor.session.path is None
+    assert editor.status == "many.curve.json was not opened, for another document was opened meanwhile."
+
+
+def test_what_is_wrong_with_a_large_file_is_said(editor, large, tmp_path):
+    path = tmp_path / "cut.curve.json"
+    path.write_bytes(large.read_bytes()[:-9])
+    editor.window.open_file(path)
+    editor.wait_for_work()
+    assert editor.session.path is None
+    assert "cut.curve.json was not opened" in editor.message
+
+
+def test_many_curves_are_painted_in_steps(editor, large, qtbot):
+    """One paint took 0.5 s with 5,000 curves."""
+    canvas, steps = editor.window.canvas, []
+    layer = canvas._other_curves
+    canvas.painted.connect(lambda: steps.append(layer._painted))
+    editor.session.open(large)
+    canvas.show_box((-1, 41), (-1, 26))
+    qtbot.waitUntil(lambda: COUNT - 1 in steps)
+    assert 400 in steps
+    picture = canvas.grab().toImage()
+    place = canvas.to_pixel(9.4, 11.7) * picture.devicePixelRatio()  # the last curve's crest
+    around = [picture.pixelColor(place.x(), place.y() + step).lightness() for step in range(-3, 4)]
+    assert min(around) < 200
