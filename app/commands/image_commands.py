@@ -100,8 +100,7 @@ class ImageCommands:
         for each in (*in_front, *(each for each in covered if each in self._in_front_before)):
             if each is not dock and not each.isHidden():
                 each.raise_()
-        if shown:
-            self._in_front_before = in_front
+        self._in_front_before = in_front if shown else []
 
     def _load(self, path: str) -> None:
         self._loaded_path, self._pixels, self._problem = path, None, ""

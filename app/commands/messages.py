@@ -40,6 +40,7 @@ class Messages(QObject):
         self._bar.closed.connect(self._forget_closed)
         self._session.interrupted.connect(self._forget_offer)
         self._session.opened.connect(self._begin_anew)
+        self._session.history_changed.connect(self._forget_greeting)
 
     def _forget_closed(self, text: str) -> None:
         """Say it once: the panel of the image goes on saying it, and the greeting is for the first start."""
@@ -73,15 +74,15 @@ class Messages(QObject):
     def greet(self) -> None:
         """Show the hint of the first start, until it is put away or something has been done."""
         self._greeting = _GREETING
-        self._session.history_changed.connect(self._forget_greeting)
         self.render(self._session.active_view)
 
     def _render_again(self, _on: bool) -> None:
         self.render(self._session.active_view)
 
     def _forget_greeting(self) -> None:
-        self._greeting = ""
-        self.render(self._session.active_view)
+        if self._greeting:
+            self._greeting = ""
+            self.render(self._session.active_view)
 
     def render(self, view: CurveView) -> None:
         """Show what `view` needs said."""

@@ -98,6 +98,9 @@ class PlotCommands:
         if not self._is_on:
             self._settler.give_up()
             panel.hide()
+            if panel.pane is not None:
+                # Else they would stand there when the panel is next opened, until others are computed.
+                panel.pane.canvas.render_plots([], self._parts.session.active_view.parameters, calm=False)
             return
         pane = panel.fill(self._build)
         # What it was before: on its way to the screen the panel gets other heights.

@@ -185,6 +185,7 @@ class BasisPane(Guarded, QWidget):
         """Show the whole interval and the usual range of values."""
         self._wants_all = False
         self._fit.setChecked(False)
+        self._fit.setVisible(self._reach is not None)
         self._panel.calm_values()
         self._panel.fit_domain()
 

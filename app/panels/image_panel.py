@@ -121,8 +121,12 @@ class ImagePanel(Guarded, QWidget):
     # Rendering: nothing here writes back
 
     def render_image(self, image: ReferenceImage | None) -> None:
-        """Show where `image` lies."""
+        """Show where `image` lies; nothing of one that is there no more."""
         if image is None:
+            for edit in (self.x_edit, self.y_edit, self.width_edit, self.height_edit):
+                edit.show_text("")
+            self._file.setText("")
+            self._file.setToolTip("")
             return
         mark = decimal_mark()
         for edit, value in (

@@ -36,6 +36,8 @@ class JobBar(QWidget):
         self._cancel = cancel
         self.button.setIconSize(QSize(14, 14))
         self.button.setAutoRaise(True)
+        # No higher than the labels beside it: the drawing must not move when the line appears.
+        self.button.setFixedHeight(self.fontMetrics().height() + 4)
         layout = QHBoxLayout(self)
         layout.setContentsMargins(6, 0, 6, 0)
         layout.setSpacing(8)

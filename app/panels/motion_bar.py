@@ -16,6 +16,7 @@ from PySide6.QtWidgets import (
 )
 
 from app.icons import icon
+from app.mnemonics import plain
 from app.panels.elided_label import ElidedLabel
 from app.theme import Theme
 from app.view_model.motion import SPEEDS, MotionSettings, Pace, Repeat
@@ -84,7 +85,7 @@ class MotionBar(QWidget):
     def _action_box(self, name: str, label: str, actions: Sequence[str]) -> QComboBox:
         box = _box(name, label, label)
         for action in actions:
-            box.addItem(self._actions(action).text())
+            box.addItem(plain(self._actions(action).text()))
         box.activated.connect(lambda index: self._actions(actions[index]).trigger())
         return box
 

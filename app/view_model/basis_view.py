@@ -149,9 +149,13 @@ class BasisView(msgspec.Struct, frozen=True, eq=False, dict=True):
 
     @cached_property
     def lebesgue_constant(self) -> float:
-        """The largest sum of |L_i| of a Lagrange curve over the samples: Λ as far as can be drawn."""
+        """The largest sum of |L_i| of a Lagrange curve over the samples: Λ as far as can be drawn.
+
+        Infinite where it is beyond all floats.
+        """
         assert isinstance(self.curve, LagrangeCurve)
-        return float(np.abs(self.values[:, :, 0]).sum(axis=1).max())
+        with np.errstate(over="ignore"):
+            return float(np.abs(self.values[:, :, 0]).sum(axis=1).max())
 
     def value_at(self, t: float, kind: int) -> Floats:
         """Return the scaled functions of one kind at `t`, one for each knot."""

@@ -278,6 +278,10 @@ def test_functions_that_leave_the_range_are_reported_and_fit_shows_them(editor, 
     assert y_min < low
     assert high < y_max
     assert editor.window.basis_pane.extent_text == ""
+    # With nothing to fit any more, and the usual range shown, the button goes (it stayed, and did nothing).
+    editor.trigger("undo")
+    editor.fit()
+    assert not fit.isVisible()
 
 
 def test_a_point_dragged_at_frozen_parameters_leaves_the_functions_alone(editor, panel):

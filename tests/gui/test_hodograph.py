@@ -23,7 +23,8 @@ def hodograph(editor):
     return panel(editor).plot
 
 
-def test_it_is_built_when_it_is_asked_for(editor):
+def test_it_is_built_when_it_is_asked_for(new_editor):
+    editor = new_editor
     dock = editor.window.findChild(QDockWidget, "hodographDock")
     assert dock.isHidden()
     assert panel(editor) is None

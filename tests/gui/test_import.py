@@ -582,11 +582,14 @@ def until_collected():
 
 
 def test_long_work_shows_how_far_it_is_and_can_be_stopped(editor, busy):
-    before = editor.session.document
+    before, height = editor.session.document, editor.window.canvas.height()
     editor.window.import_file(busy)
     assert editor.window.jobs.is_busy
     bar = shown_bar(editor)
     assert bar.text == "Reading busy.svg"
+    # It is no higher than what stands beside it: the drawing stays where it is (it lost two pixels).
+    editor.settle()
+    assert editor.window.canvas.height() == height
     deadline = time.monotonic() + 10
     while bar.bar.value() == 0:
         assert time.monotonic() < deadline

@@ -287,7 +287,8 @@ def test_a_drag_keeps_the_old_curves_faded_until_it_rests(lab, qtbot):
     assert text(lab, "laboratoryState") == ""
 
 
-def test_off_it_costs_nothing_and_closing_the_dock_switches_it_off(editor, qtbot):
+def test_off_it_costs_nothing_and_closing_the_dock_switches_it_off(new_editor, qtbot):
+    editor = new_editor
     assert not commands(editor)._settings.on
     assert commands(editor)._panel is None
     editor.drag_point(1, to=(2, 3))

@@ -47,7 +47,7 @@ def test_the_curve_menu_is_short(editor):
     (curve,) = [entry.menu() for entry in editor.window.menuBar().actions() if plain(entry.text()) == "Curve"]
     entries = [action for action in curve.actions() if not action.isSeparator()]
     assert len(entries) <= 15
-    submenus = [action.text() for action in entries if action.menu() is not None]
+    submenus = [plain(action.text()) for action in entries if action.menu() is not None]
     assert submenus == ["Points", "Tangents", "Parameters", "Properties", "Order"]
 
 

@@ -15,6 +15,7 @@ from PySide6.QtWidgets import (
     QDialog,
     QDoubleSpinBox,
     QLabel,
+    QMenu,
     QPushButton,
     QSpinBox,
     QToolButton,
@@ -451,11 +452,21 @@ def test_a_number_that_a_film_cannot_have_is_told(editor, motion):
     assert fps.value() == 50
 
 
-def test_nothing_is_made_before_it_is_used(editor):
-    assert editor.window.findChild(Player) is None
-    assert editor.window.findChild(MotionBar) is None
-    editor.send(editor.window.canvas, QEvent.Type.MouseMove, editor.window.canvas.to_pixel(0, 0), held=False)
-    assert editor.window.canvas.dots == ()
+def test_nothing_is_made_before_it_is_used(new_editor):
+    window = new_editor.window
+    assert window.findChild(Player) is None
+    assert window.findChild(MotionBar) is None
+    new_editor.send(window.canvas, QEvent.Type.MouseMove, window.canvas.to_pixel(0, 0), held=False)
+    assert window.canvas.dots == ()
+
+
+def test_its_choices_are_named_as_in_the_menu_but_for_the_underlined_letters(new_editor):
+    """With the menu opened first, the box said “By &Arc Length”."""
+    for menu in new_editor.window.menuBar().findChildren(QMenu):
+        menu.aboutToShow.emit()
+    new_editor.trigger("playMotion")
+    box = new_editor.window.findChild(QComboBox, "motionPace")
+    assert [box.itemText(index) for index in range(box.count())] == ["By t", "By Arc Length"]
 
 
 def test_weights_make_room_for_the_dot_and_come_back(editor, qtbot):

@@ -25,6 +25,7 @@ from PySide6.QtWidgets import (
 from app.document.edits import rename_curve
 from app.document.model import Document, Family, ReferenceImage, make_curve
 from app.document.storage import save
+from app.mnemonics import plain
 from app.panels.recovery_bar import Offer, RecoveryBar
 
 NAME = "<b>x</b> & \"y\" 'z'"
@@ -147,7 +148,7 @@ def test_a_step_is_called_in_the_menu_as_in_the_history(planted):
     planted.settle()
     assert menu_shows(planted.action("undo").text()) == f"Undo: Rename {NAME}"
     menus = planted.window.findChildren(QMenu)
-    recent = next(menu for menu in menus if menu.title() == "Open Recent")
+    recent = next(menu for menu in menus if plain(menu.title()) == "Open Recent")
     recent.aboutToShow.emit()
     check("tip of Label imageProblem")
 

@@ -62,13 +62,17 @@ def wheel(editor, plot, place, notches):
 def test_each_plot_is_switched_on_and_off(editor, name):
     panel = editor.window.findChild(QWidget, "plotPanel")
     assert panel.isHidden()
-    assert editor.window.plot_panel.pane is None
     editor.trigger(name)
     assert panel.isVisible()
     assert [each.title for each in canvas(editor).plots] == [TITLES[ACTIONS[name]]]
     assert editor.action(name).isChecked()
     editor.trigger(name)
     assert panel.isHidden()
+
+
+def test_nothing_is_built_before_there_is_something_to_plot(new_editor):
+    new_editor.drag_point(1, to=(2, 3))
+    assert new_editor.window.plot_panel.pane is None
 
 
 def test_the_buttons_of_the_header_choose(editor, qtbot):
@@ -222,6 +226,19 @@ def test_without_a_curve_the_plots_say_why(editor):
     editor.trigger("undo")
     assert canvas(editor).note == ""
     assert canvas(editor).plots
+
+
+def test_after_a_plot_was_closed_others_can_add_as_many(editor):
+    """The panel stayed away: it took the plot that was shown before for the one that was added."""
+    editor.trigger("plotSpeed")
+    editor.trigger("plotSpeed")
+    assert not canvas(editor).plots
+    t = np.linspace(0, 1, 50)
+    editor.window.plot_panel.show_lines([PlotLine("monomial", t, 1e-3 * (1 + t))], Scale.LOG, "Errors")
+    editor.settle()
+    assert editor.window.plot_panel.isVisible()
+    assert [each.title for each in canvas(editor).plots] == ["Errors"]
+    editor.window.plot_panel.hide_lines("Errors")
 
 
 def test_others_can_add_lines_of_their_own(editor):

@@ -354,8 +354,9 @@ class Layouts(QObject):
 
 
 @pytest.mark.parametrize("family", list(Family))
-def test_a_drag_does_not_lay_the_window_out_at_every_move(editor, panel, family):
+def test_a_drag_does_not_lay_the_window_out_at_every_move(new_editor, family):
     """Labels whose text changed had it done 400 times in a drag of 400 moves: a tenth of every frame."""
+    editor, panel = new_editor, new_editor.window.basis_panel
     editor.choose_family(family)
     start = panel.rail_pixel(editor.parameters[3])
     editor.send(panel, QEvent.Type.MouseButtonPress, start)

@@ -20,6 +20,10 @@ HEIGHTS = (0.04, 0.06, 0.1, 0.2, 0.5, 1.0, 0.5, 0.2, 0.1, 0.06, 0.04)
 @pytest.fixture
 def runge(editor):
     """Runge's function over equally spaced points: it swings out at both ends."""
+    return with_runge(editor)
+
+
+def with_runge(editor):
     points = [(0.4 * i, 2 * y) for i, y in enumerate(HEIGHTS)]
     uniform = Parametrization(kind=ParametrizationKind.UNIFORM)
     editor.session.commit(Document((replace(make_curve(points), parametrization=uniform),)), "Begin")
@@ -210,7 +214,8 @@ def test_closed_curves_and_corners_are_explained_too(editor, qtbot):
     assert text(editor, "swing_chebyshev")
 
 
-def test_hidden_it_computes_nothing(runge, qtbot):
+def test_hidden_it_computes_nothing(new_editor, qtbot):
+    runge = with_runge(new_editor)
     runge.drag_point(3, to=(1.2, 1.0))
     assert commands(runge)._panel is None
     runge.trigger("explainWiggle")

@@ -14,7 +14,9 @@ from app.view_model.analysis.plot_lines import PlotLine, Scale, extent_of, plot_
 from app.view_model.analysis.plot_samples import is_slow, samples_over
 from app.view_model.analysis.plots import SYMBOLS, TITLES, plots_of, values_at
 from app.view_model.analysis.settings import Plot
+from app.view_model.basis_view import basis_view
 from app.view_model.curve_view import view_of
+from app.view_model.growth import growth_of_points
 
 
 def wave(count, family, kind=ParametrizationKind.CHORD_LENGTH, **fields):
@@ -208,3 +210,9 @@ def test_the_hodograph_of_a_cubic_jumps_where_the_acceleration_does():
     gaps = np.isnan(hodograph_of(view, 2).points)
     assert (gaps[:, 0] == gaps[:, 1]).all()
     assert gaps[:, 0].sum() == 4
+
+
+def test_growth_beyond_all_floats_is_infinite_without_a_warning():
+    """Λ of 1100 uniform parameters is about 2^1100 / (1100 e ln 1100), beyond 2^1024."""
+    view = wave(1100, Family.LAGRANGE, ParametrizationKind.UNIFORM)
+    assert growth_of_points(view, basis_view(view)) == math.inf

@@ -1,0 +1,67 @@
+"""The window that tests share: whatever one of them leaves is put away, or is found and ends the sharing."""
+
+from __future__ import annotations
+
+import pytest
+from kept_window import Fingerprint, differences
+from PySide6.QtWidgets import QLabel
+
+from app.document.model import Family
+
+
+def test_what_is_planted_is_found(editor, monkeypatch):
+    window, session = editor.window, editor.session
+    hint, canvas = window.findChild(QLabel, "hint"), window.canvas
+    action = window.actions_by_name["undo"]
+    new = Fingerprint(window).told
+
+    class Clock:
+        def __call__(self):
+            return 0.0
+
+    planted = {
+        "window.canvas._is_held": lambda patch: patch.setattr(canvas, "_is_held", True),
+        "window.canvas.of_a_test": lambda patch: patch.setattr(canvas, "of_a_test", 1, raising=False),
+        "window.canvas._layers.count": lambda patch: patch.setattr(canvas, "_layers", canvas._layers[:-1]),
+        "window.canvas._tool.snapping": lambda patch: patch.setattr(canvas._tool, "snapping", None),
+        "window.session.clock": lambda patch: patch.setattr(session, "clock", Clock()),
+        "window.session.selection": lambda patch: patch.setattr(session, "selection", frozenset([1])),
+        "window.session.say": lambda patch: patch.setattr(session, "say", lambda _text: None),
+        "widget hint": lambda patch: patch.setattr(hint, "is_planted", hint.setToolTip("?"), raising=False),
+        "action undo": lambda patch: patch.setattr(action, "is_planted", action.setText("?"), raising=False),
+    }
+    assert not differences(Fingerprint(window).told, new)
+    for place, plant in planted.items():
+        with monkeypatch.context() as patch:
+            plant(patch)
+            found = differences(Fingerprint(window).told, new)
+        assert any(each.startswith(place) for each in found), place
+        hint.setToolTip(new["widget hint"][-1])
+        action.setText("Undo")
+    # What was planted is gone, and the window is as it was.
+    assert not differences(Fingerprint(window).told, new)
+
+
+_WAYS = {
+    "another family": lambda editor: editor.choose_family(Family.HERMITE),
+    "a dark theme": lambda editor: editor.trigger("themeDark"),
+    "a lesson": lambda editor: editor.window.open_lesson("01_basis_functions"),
+    "a motion": lambda editor: editor.trigger("playMotion"),
+    "a palette": lambda editor: editor.find_command("fit"),
+    "a press": lambda editor: editor.press((1.0, 1.0)),
+    "a smaller window": lambda editor: editor.window.resize(900, 650),
+    "laboratory": lambda editor: editor.trigger("toggleLaboratory"),
+    "a presentation": lambda editor: editor.trigger("presentation"),
+    "snapping": lambda editor: editor.trigger("toggleSnap"),
+    "plots": lambda editor: editor.trigger("plotSpeed"),
+    "preferences": lambda editor: editor.trigger("preferences"),
+    "keys": lambda editor: editor.trigger("showShortcuts"),
+}
+
+
+@pytest.mark.parametrize("way", list(_WAYS))
+def test_what_a_person_does_is_put_away(editor, kept_editor, way):
+    _WAYS[way](editor)
+    editor.settle()
+    kept_editor._reset()
+    assert not kept_editor.differences()
