@@ -195,7 +195,7 @@ def _question_about(session: Session) -> tuple[str, str]:
 
 
 def _short(name: str) -> str:
-    """Return a name without its middle where it is too long for a question; the window's title has it whole."""
+    """Return a name without its middle where it is long; the title of the window has it whole."""
     half = _LONGEST_STEM // 2
     return name if len(name) <= _LONGEST_STEM else f"{name[:half]}…{name[-half:]}"
 
