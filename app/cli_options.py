@@ -52,7 +52,7 @@ def add_picture_options(parser: argparse.ArgumentParser) -> None:
         type=_unit,
         metavar="U",
         help=f"what a length of one is ({', '.join(MILLIMETRES)}): without --width an SVG or PDF then has "
-        "true size; a DXF names it",
+        "true size; TikZ has, and a PNG by its pixels per inch; a DXF names it",
     )
     parser.add_argument(
         "--scale",

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import sys
 import threading
+import traceback
 from collections.abc import Callable, Collection
 from types import TracebackType
 from typing import Any
@@ -21,7 +22,9 @@ class CrashHandler(QObject):
     """What the interpreter calls with an exception that nobody caught.
 
     The same fault is shown once, however often a paint or a timer runs into it again, and there is one
-    dialog at a time. What comes from another thread is shown by that of the window.
+    dialog at a time. One that keeps a window open is shown each time that the window is asked to close: else
+    nothing would happen then, and there would be no way out. What comes from another thread is shown by that
+    of the window.
 
     Parameters
     ----------
@@ -93,7 +96,10 @@ class CrashHandler(QObject):
         """Queue a report, unless it is known; never raises, for who would catch that."""
         try:
             signature = signature_of(problem)
-            if signature in self._seen or len(self._seen) >= _MOST_DIALOGS:
+            if _keeps_window_open(problem):
+                if self._dialog is not None or self._waiting:
+                    return
+            elif signature in self._seen or len(self._seen) >= _MOST_DIALOGS:
                 return
             self._seen.add(signature)
             self._waiting.append(report_of(problem, self._private()))
@@ -119,6 +125,13 @@ class CrashHandler(QObject):
     def _shown(self) -> None:
         self._dialog = None
         self._soon.start()
+
+
+def _keeps_window_open(problem: BaseException) -> bool:
+    """Whether a window was asked to close and has failed to; see `overrides.Guarded`."""
+    return any(
+        frame.f_code.co_name == "closeEvent" for frame, _line in traceback.walk_tb(problem.__traceback__)
+    )
 
 
 def _print(kind: type[BaseException], problem: BaseException, trace: TracebackType | None) -> None:

@@ -16,6 +16,7 @@ from app.document.model import empty_document
 from app.document.open_file import Reading, Sight
 from app.document.storage import StorageError, load
 from app.exchange.progress import Report, part
+from app.labels import breakable
 from app.preferences import Preferences
 from app.resources import is_resource
 from app.session import Session
@@ -221,8 +222,7 @@ class FileCommands:
         question.setWindowTitle("Curvebench")
         question.setTextFormat(Qt.TextFormat.PlainText)
         question.setIcon(QMessageBox.Icon.Question)
-        question.setTextFormat(Qt.TextFormat.PlainText)
-        question.setText(asked)
+        question.setText(breakable(asked))
         question.setInformativeText(told)
         buttons = QMessageBox.StandardButton
         question.setStandardButtons(buttons.Save | buttons.Discard | buttons.Cancel)
@@ -232,7 +232,7 @@ class FileCommands:
 
 def _question_about(session: Session) -> tuple[str, str]:
     """Return what is asked before a document goes that is not in its file, and why."""
-    name = title_of(session) if session.path is not None else "the sketch"
+    name = _short(title_of(session)) if session.path is not None else "the sketch"
     sight = session.file.sight if session.file is not None and session.file.has_lost_document else Sight.SAME
     why = {
         Sight.SAME: "",
@@ -243,6 +243,12 @@ def _question_about(session: Session) -> tuple[str, str]:
     if session.has_changes:
         return f"Save the changes to {name}?", f"{why}Without saving they are lost."
     return f"Save {name} as it is shown here?", f"{why}Without saving, what is shown here is lost."
+
+
+def _short(name: str) -> str:
+    """Return a name without its middle where it is long; the title of the window has it whole."""
+    half = _LONGEST_STEM // 2
+    return name if len(name) <= _LONGEST_STEM else f"{name[:half]}…{name[-half:]}"
 
 
 def title_of(session: Session) -> str:

@@ -6,8 +6,14 @@ an underline.
 
 from __future__ import annotations
 
+import re
+
 from PySide6.QtGui import Qt
 from PySide6.QtWidgets import QLabel, QWidget
+
+_NO_SPACE = "\N{ZERO WIDTH SPACE}"
+_LONG_WORD = re.compile(r"\S{16}(?=\S{16})")
+"""So much of a longer word stays together."""
 
 
 class Label(QLabel):
@@ -38,3 +44,8 @@ def tip_of(text: str) -> str:
 def menu_text(text: str) -> str:
     """Return what an action, a button or a tab shows a text by."""
     return text.replace("&", "&&")
+
+
+def breakable(text: str) -> str:
+    """Return a text whose long words may be broken: a message box cuts off what is wider than the screen."""
+    return _LONG_WORD.sub(lambda found: found[0] + _NO_SPACE, text)

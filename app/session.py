@@ -20,7 +20,7 @@ from app.document.open_file import OpenFile, Reading, Sight
 from app.document.plain import plain
 from app.examples import first_sketch, template_title
 from app.resources import is_resource
-from app.undo_step import Beginning, State, UndoStep
+from app.undo_step import Beginning, State, UndoStep, state_at_index
 from app.view_model.curve_view import CurveView, view_of
 
 _RUN_SECONDS = 1.0
@@ -134,7 +134,32 @@ class Session(QObject):
 
     def _report_index(self, _index: int) -> None:
         self.offered_at = None
+        self._follow_history()
         self.history_changed.emit()
+
+    def _follow_history(self) -> None:
+        """Turn to what the history says is there, where undo or redo has failed on its way to it.
+
+        The history goes on whatever a step raises: whoever undoes next would land somewhere else. What a step
+        does besides may be what failed; here it is made anew.
+        """
+        state = state_at_index(self.undo_stack)
+        if state is None or state.document is self._committed or state.document == self._committed:
+            return
+        self._run = self._home = None
+        self._committed = self._shown = state.document
+        self._views, self._views_of = [], ()
+        self.active_index = min(state.active, len(state.document.curves) - 1)
+        self.selection, self.chosen_curves = frozenset(), frozenset({self.active_index})
+        if state.beginning is not self.beginning:
+            self._turn_to(state.beginning)
+        self.interrupted.emit()
+        self.document_changed.emit(state.document)
+        self.selection_changed.emit(self.selection)
+        self.set_hovered(-1)
+        self.set_scrub(self._scrub_asked)
+        self.active_changed.emit(self.active_index)
+        self.chosen_changed.emit(self.chosen_curves)
 
     # What is shown
 

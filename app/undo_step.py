@@ -6,7 +6,7 @@ from collections.abc import Callable
 from pathlib import Path
 
 import msgspec
-from PySide6.QtGui import QUndoCommand
+from PySide6.QtGui import QUndoCommand, QUndoStack
 
 from app.document.model import Document
 from app.overrides import Guarded
@@ -77,3 +77,12 @@ class UndoStep(Guarded, QUndoCommand):
     def undo(self) -> None:
         """Bring back the state before the step; called by Qt."""
         self._restore(self._before)
+
+
+def state_at_index(stack: QUndoStack) -> State | None:
+    """Return what the history says is there now: what its last step led to; None where it is empty."""
+    index = stack.index()
+    step = stack.command(index - 1 if index else 0) if stack.count() else None
+    if not isinstance(step, UndoStep):
+        return None
+    return step._after if index else step._before

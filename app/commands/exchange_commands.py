@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -27,6 +27,7 @@ from app.view_model.curve_view import CurveView
 if TYPE_CHECKING:
     from app.exchange.choice import ExportChoice
     from app.exchange.cubics_in import Imported
+    from app.exchange.parts import Written
     from app.exchange.table import Preview
     from app.exchange.table_import import Prepared
     from app.exchange.table_source import TableSource
@@ -39,6 +40,7 @@ if TYPE_CHECKING:
 _SVG_TYPE = "image/svg+xml"
 _COPY_WIDTH = 1600
 _HEAD = 4096
+_MOST_REMARKS = 3
 
 
 class ExchangeCommands:
@@ -222,8 +224,13 @@ class ExchangeCommands:
 
     def _show_in_dialog(self) -> None:
         if self._dialog is not None:
-            unit = self._preferences.unit_name
-            self._dialog.show_document(self._session.document, self._session.active_index, unit)
+            preferences, session = self._preferences, self._session
+            self._dialog.show_document(
+                session.document,
+                session.active_index,
+                preferences.unit_name,
+                with_estimates=preferences.with_estimates,
+            )
 
     def _ask_where_to(self, choice: ExportChoice) -> None:
         from app.exchange.choice import FORMATS, text_of  # noqa: PLC0415
@@ -241,7 +248,10 @@ class ExchangeCommands:
             there = StorageError("It is there already; choose it in the list to replace it.")
             self._work.refuse(path, "written", there)
             return
-        self.export(path, choice.options(self._session.active_index, self._preferences.unit_name))
+        preferences = self._preferences
+        with_estimates = preferences.with_estimates
+        active, unit = self._session.active_index, preferences.unit_name
+        self.export(path, choice.options(active, unit, with_estimates=with_estimates))
 
     def export(self, path: Path, options: Options | None = None) -> None:
         """Write the document in the format that the ending names, and say how exactly."""
@@ -262,6 +272,13 @@ class ExchangeCommands:
             # Pixels are not exact, whatever they were painted from.
             what = f"{written.pixels[0]} × {written.pixels[1]} pixels"
         self._session.say(f"Wrote {path.name}, {what}.")
+        self._warn_of(written.remarks)
+
+    def _warn_of(self, remarks: Sequence[str]) -> None:
+        """Say what was left out of a file that was written."""
+        more = [f"And {len(remarks) - _MOST_REMARKS} more."] if len(remarks) > _MOST_REMARKS else []
+        if remarks:
+            self._parts.message_bar.warn(" ".join([*remarks[:_MOST_REMARKS], *more]))
 
     # To the clipboard
 
@@ -293,14 +310,15 @@ class ExchangeCommands:
     def _copy_path_data(self) -> None:
         document = self._session.document
 
-        def work(report: Report) -> str:
+        def work(report: Report) -> Written:
             from app.exchange.formulas import svg_path_data  # noqa: PLC0415
 
-            return svg_path_data(document, report=report).text
+            return svg_path_data(document, report=report)
 
-        def done(text: str) -> None:
-            QGuiApplication.clipboard().setText(text)
+        def done(written: Written) -> None:
+            QGuiApplication.clipboard().setText(written.text)
             self._session.say("Copied the curves as SVG path data.")
+            self._warn_of(written.remarks)
 
         self._work.start("Writing path data", work, done, Path("The path data"), "copied")
 

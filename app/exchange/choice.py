@@ -49,7 +49,7 @@ DESCRIPTIONS = {
 
 PICTURES = (".png", ".svg", ".pdf")
 SAMPLED = (".csv", ".tsv")
-TO_SCALE = (".svg", ".pdf")
+TO_SCALE = (".png", ".svg", ".pdf", ".tikz")
 """Those that can have true size."""
 
 WITH_TOLERANCE = (".svg", ".pdf", ".dxf", ".tikz", ".pgfplots.tex", ".desmos.txt", ".path.txt")
@@ -67,9 +67,10 @@ class ExportChoice(msgspec.Struct, frozen=True):
     dark, transparent
         The colours, and whether there is no paper.
     true_size
-        Of SVG and PDF: whether a length of one is one of the unit, where there is one.
+        Of pictures: whether a length of one is one of the unit, where there is one.
     points, handles, grid, basis
-        What else to draw; the basis functions are those of the curve that is edited.
+        What else to draw; the basis functions are those of the curve that is edited, as
+        the panel shows them.
     tolerance
         None for the default.
     cubic
@@ -94,10 +95,13 @@ class ExportChoice(msgspec.Struct, frozen=True):
     samples: int = SAMPLES
     columns: tuple[str, ...] = TITLES
 
-    def options(self, active: int, unit: str = "") -> Options:
-        """Return the options of the format; `active` is the curve that is edited, `unit` what one is."""
+    def options(self, active: int, unit: str = "", *, with_estimates: bool = False) -> Options:
+        """Return the options of the format; `active` is the curve that is edited, `unit` what one is.
+
+        `with_estimates` is whether the basis panel shows what each point does with its estimates.
+        """
         is_picture = self.ending in PICTURES
-        extras = Extras(self.handles, self.grid, active if self.basis else None)
+        extras = Extras(self.handles, self.grid, active if self.basis else None, with_estimates)
         style = None
         if is_picture and (self.dark or not self.transparent):
             style = DARK if self.dark else LIGHT

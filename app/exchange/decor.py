@@ -8,9 +8,10 @@ import msgspec
 import numpy as np
 from msgspec.structs import replace
 
-from app.document.model import Document
+from app.document.model import Curve, Document
 from app.exchange.drawing import MARGIN, Decor, Drawing, ExchangeError, Floats, Frame, frame_with
 from app.view_model.basis_view import BasisView, basis_view
+from app.view_model.cardinal_view import cardinal_view
 from app.view_model.curve_view import view_of
 from app.view_model.handles import Handle, handles_of
 from app.view_model.palette import point_palette
@@ -39,11 +40,15 @@ class Extras(msgspec.Struct, frozen=True):
         Whether to draw the Bézier control points beside the points, and a grid.
     basis
         The curve whose basis functions to draw below the picture; None for none.
+    with_estimates
+        Whether to draw what each point does with the estimates that follow it, where there are any, and not
+        the functions of the family.
     """
 
     handles: bool = False
     grid: bool = False
     basis: int | None = None
+    with_estimates: bool = False
 
 
 PLAIN = Extras()
@@ -66,7 +71,7 @@ def decorated(drawing: Drawing, document: Document, extras: Extras, theme: str) 
     for curve, each in handles.items():
         decor += _drawn_handles(document.curves[curve].colour, each, frame.side)
     if extras.basis is not None:
-        view = basis_view(view_of(document.curves[extras.basis]))
+        view = _functions(document.curves[extras.basis], extras)
         if view is None:
             raise ExchangeError(f"“{document.curves[extras.basis].name}” has no basis functions to draw.")
         height = PANEL * frame.side
@@ -74,6 +79,12 @@ def decorated(drawing: Drawing, document: Document, extras: Extras, theme: str) 
         decor += _basis(view, panel, frame.side, theme)
         frame = Frame(frame.left, panel.bottom, frame.width, frame.height + height)
     return replace(drawing, frame=frame, decor=tuple(decor))
+
+
+def _functions(curve: Curve, extras: Extras) -> BasisView | None:
+    view = view_of(curve)
+    shows_cardinals = extras.with_estimates and curve.family.derivatives > 0
+    return cardinal_view(view) if shows_cardinals else basis_view(view)
 
 
 def grid_step(frame: Frame) -> float:

@@ -48,6 +48,7 @@ _PDF_RESOLUTION = 1440
 """Dots an inch: a whole number for each point, so that nothing is rounded."""
 
 _DOTS_PER_METRE = 96 / 0.0254
+_MOST_DOTS = 2**31 - 1
 
 _DRAWN = 0.6
 """Share of a picture that is its drawing; painting follows."""
@@ -71,10 +72,25 @@ def _png(drawing: Drawing, options: Options) -> QImage:
         image = _painted(drawing, (width, height), style, options)
         image.setText("Software", f"Curvebench {__version__}")
         image.setText("Description", accuracy_of(drawing))
-        dots = round(_DOTS_PER_METRE * options.scale)
+        dots = _dots_per_metre(drawing, options)
         image.setDotsPerMeterX(dots)
         image.setDotsPerMeterY(dots)
     return image
+
+
+def _dots_per_metre(drawing: Drawing, options: Options) -> int:
+    """Return how dense the pixels are: for true size where that can be, else as on a screen."""
+    return _true_dots_per_metre(drawing, options) or round(_DOTS_PER_METRE * options.scale)
+
+
+def _true_dots_per_metre(drawing: Drawing, options: Options) -> int:
+    """Return how dense the pixels are at true size; 0 without a unit, or where no file can say it."""
+    unit = known_unit(options.unit)
+    if not unit:
+        return 0
+    width, _ = _size(drawing, options)
+    dots = round(1000 * width / (drawing.frame.width * MILLIMETRES[unit]))
+    return dots if dots <= _MOST_DOTS else 0
 
 
 @dataclass(frozen=True)
@@ -234,7 +250,9 @@ def size_text(drawing: Drawing, options: Options, ending: str) -> str:
     """Return what a file of this ending says of its size, its scale and its page, in a line."""
     if ending == ".png":
         width, height = _size(drawing, options)
-        return f"{width} × {height} pixels"
+        pixels = f"{width} × {height} pixels"
+        dots = _true_dots_per_metre(drawing, options)
+        return f"{pixels}, 1 : 1 at {dots * 0.0254:.4g} per inch" if dots else pixels
     frame, unit = drawing.frame, known_unit(options.unit)
     if unit and options.width is None:
         page = "Page of " if ending == ".pdf" else ""

@@ -20,6 +20,7 @@ from app.exchange.parts import (
     sources_of,
 )
 from app.exchange.progress import Report, part, silent, told
+from app.exchange.units import MILLIMETRES, known_unit, size_in_words
 from app.view_model.curve_view import SimpleCurve
 from app.view_model.refusals import in_words
 from curvecore import CurveError, LagrangeCurve
@@ -29,6 +30,9 @@ DIGITS = 6
 
 PICTURE_SIDE = 12.0
 """Longer side of a TikZ picture, in centimetres."""
+
+_LEAST_SIDE, _LARGEST_SIDE = 0.01, 500.0
+"""Of a TikZ picture at true size: TeX's largest length is 575 cm, and it counts in 5e-6 cm."""
 
 _PICTURE_DIGITS = 5  # TeX itself counts in 1/65536 pt, 5e-6 cm
 _LINES_OF_ARRAY = 40
@@ -63,21 +67,30 @@ def latex_formula(document: Document, digits: int = DIGITS, report: Report = sil
     return Written("\n".join([*(f"% {line}" for line in head), *parts]) + "\n", deviation, remarks)
 
 
-def tikz_picture(document: Document, tolerance: float | None = None, report: Report = silent) -> Written:
-    r"""Return a ``tikzpicture`` of the curves, `PICTURE_SIDE` cm large, as cubic Bézier curves; needs tikz.
+def tikz_picture(
+    document: Document, tolerance: float | None = None, unit: str = "", report: Report = silent
+) -> Written:
+    r"""Return a ``tikzpicture`` of the curves as cubic Bézier curves; needs tikz.
+
+    It is `PICTURE_SIDE` cm large; in a unit of length it has true size.
 
     Raises
     ------
     ExchangeError
-        If nothing can be drawn.
+        If nothing can be drawn, or if TeX counts no lengths as large or as small.
     """
     drawing = drawing_of(document, tolerance, part(report, 0.0, 0.7))
-    frame = drawing.frame
-    scale = PICTURE_SIDE / frame.side
+    frame, known = drawing.frame, known_unit(unit)
+    scale = MILLIMETRES[known] / 10 if known else PICTURE_SIDE / frame.side
+    if not _LEAST_SIDE <= frame.side * scale <= _LARGEST_SIDE:
+        raise ExchangeError(
+            f"At true size the picture would be {size_in_words(frame.width, frame.height, known)}; "
+            f"TikZ draws pictures of {_LEAST_SIDE:g} to {_LARGEST_SIDE:g} cm."
+        )
     fitted = drawing.fitted(frame.width * scale, frame.height * scale)
     # Rounding moves every control point, and so the curve, by half a unit of the last digit in x and y.
     deviation = drawing.deviation + math.sqrt(0.5) * 10.0**-_PICTURE_DIGITS / scale
-    lines = [f"  % One centimetre is {1 / scale:.6g} of the document."]
+    lines = [f"  % One centimetre is {1 / scale:.6g} {known or 'of the document'}."]
     for outline in told(fitted.outlines, part(report, 0.7, 1.0), "Writing"):
         lines.append(f"  % {one_line(outline.name)}")
         lines.append(_path(outline, lambda v: f"{v + 0.0:.{_PICTURE_DIGITS}f}", ""))

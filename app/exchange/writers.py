@@ -65,8 +65,12 @@ WRITERS: dict[str, Writer] = {
     ".scipy.py": lambda document, options: scipy_code(document, options.report),
     ".py": lambda document, options: python_code(document, options.report),
     ".pgfplots.tex": lambda document, options: pgfplots_axis(document, options.tolerance, options.report),
-    ".tikz.tex": lambda document, options: tikz_picture(document, options.tolerance, options.report),
-    ".tikz": lambda document, options: tikz_picture(document, options.tolerance, options.report),
+    ".tikz.tex": lambda document, options: tikz_picture(
+        document, options.tolerance, options.unit, options.report
+    ),
+    ".tikz": lambda document, options: tikz_picture(
+        document, options.tolerance, options.unit, options.report
+    ),
     ".tex": lambda document, options: latex_formula(document, report=options.report),
     ".desmos.txt": lambda document, options: desmos_expressions(document, options.tolerance, options.report),
     ".path.txt": lambda document, options: svg_path_data(document, options.tolerance, options.report),

@@ -67,8 +67,8 @@ def export(
     cubic
         Of DXF: whether to write no spline above degree 3.
     unit
-        Of SVG, PDF and DXF: what a length of one is, such as "mm". Without a `width` an SVG or PDF then has
-        true size.
+        Of pictures, TikZ and DXF: what a length of one is, such as "mm". Without a `width` an SVG or PDF then
+        has true size, as TikZ always has; of a PNG it gives the pixels per inch.
     report
         Hears how far it has come; until the file is put in place it may raise `Cancelled`.
 

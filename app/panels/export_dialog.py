@@ -41,7 +41,7 @@ class ExportDialog(WorkDialog):
     def __init__(self, choice: ExportChoice, parent: QWidget | None = None) -> None:
         super().__init__("exportDialog", "Export", "exportProblem", parent)
         self._document: Document | None = None
-        self._active, self._unit = 0, ""
+        self._active, self._unit, self._with_estimates = 0, "", False
         self.form = ExportForm()
         self.picture = Label()
         self.picture.setObjectName("exportPreview")
@@ -84,12 +84,15 @@ class ExportDialog(WorkDialog):
         layout.addLayout(columns)
         self.hold(self.problem, foot, wished=QSize(690, 400))
 
-    def show_document(self, document: Document, active: int, unit: str = "") -> None:
+    def show_document(
+        self, document: Document, active: int, unit: str = "", *, with_estimates: bool = False
+    ) -> None:
         """Show what this document would look like.
 
-        `active` is the curve that is edited, `unit` the name of what a length of one is.
+        For the others see `ExportChoice.options`.
         """
         self._document, self._active, self._unit = document, active, unit
+        self._with_estimates = with_estimates
         self.form.show_unit(unit)
         self._soon.start()
 
@@ -116,7 +119,7 @@ class ExportDialog(WorkDialog):
             choice = self.form.choice()
         except ExpressionError:
             return  # that has been said
-        options = choice.options(active, self._unit)
+        options = choice.options(active, self._unit, with_estimates=self._with_estimates)
         room = (round(_WIDTH * self.devicePixelRatioF()), round(_HEIGHT * self.devicePixelRatioF()))
 
         def draw(_report: Report) -> Look:

@@ -50,9 +50,9 @@ _THINNING_TIP = (
     "Keep corners: the rows that a polyline within the distance turns at (Douglas–Peucker)"
 )
 _MISSING = {
-    Missing.REFUSE: "Refuse rows without numbers",
-    Missing.SKIP: "Leave out rows without numbers",
-    Missing.SPLIT: "End the curve at rows without numbers",
+    Missing.REFUSE: "Refuse them",
+    Missing.SKIP: "Leave them out",
+    Missing.SPLIT: "End the curve there",
 }
 _SOON_MS = 250
 
@@ -102,7 +102,14 @@ class ImportTableDialog(WorkDialog):
             "What becomes of rows without numbers",
             list(_MISSING.values()),
         )
-        self.missing_box.hide()
+        label = Label("Rows without numbers")
+        label.setObjectName("tableMissingLabel")
+        label.setBuddy(self.missing_box)
+        self._missing = QWidget()
+        row = _row(label, self.missing_box)
+        row.setContentsMargins(0, 0, 0, 0)
+        self._missing.setLayout(row)
+        self._missing.hide()
         self.family_box = choice_box(
             "tableFamily", "Family", "The curve through the rows", list(_FAMILIES.values())
         )
@@ -141,7 +148,7 @@ class ImportTableDialog(WorkDialog):
             _row("Rows", self.thinning_box, self.tolerance_edit, "Family", self.family_box, "Into", self.into)
         )
         layout.addWidget(self.problem)
-        layout.addWidget(self.missing_box, 0, Qt.AlignmentFlag.AlignLeft)
+        layout.addWidget(self._missing)
         foot = QWidget()
         bottom = _row(self.summary, self.bar)
         bottom.addWidget(self.foot)
@@ -278,7 +285,7 @@ class ImportTableDialog(WorkDialog):
             self.tolerance_edit.show_text(_shown(prepared.tolerance).replace("−", "-"))
         self.complain(prepared.problem)
         self._explain(prepared)
-        self.missing_box.setVisible(prepared.lacks_numbers or self.missing_box.currentIndex() > 0)
+        self._missing.setVisible(prepared.lacks_numbers or self.missing_box.currentIndex() > 0)
         self.preview.mark(prepared.bad_row, prepared.bad_column, prepared.bad_cells)
         self.summary.setText(_summary(prepared))
         self.ok.setEnabled(prepared.document is not None)

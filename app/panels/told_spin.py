@@ -13,6 +13,26 @@ from app.overrides import Guarded
 _FAR = 999_999_999
 
 
+def _step_between(box: ToldSpinBox | ToldDoubleSpinBox, steps: int) -> None:
+    """Step, and stay between the limits; called by Qt."""
+    QAbstractSpinBox.stepBy(box, steps)
+    box.setValue(min(max(box.value(), box.least), box.most))  # type: ignore[arg-type]  # each has its own kind
+
+
+def _problem_of(box: ToldSpinBox | ToldDoubleSpinBox) -> str:
+    """Why the number that stands here is not possible; empty where it is."""
+    if box.least <= box.value() <= box.most:
+        return ""
+    return f"{box.accessibleName()}: from {box.least:g} to {box.most:g}."
+
+
+def _dress(box: ToldSpinBox | ToldDoubleSpinBox, name: str, label: str, tip: str) -> None:
+    box.setRange(-_FAR, _FAR)
+    box.setObjectName(name)
+    box.setAccessibleName(label)
+    box.setToolTip(tip)
+
+
 class ToldSpinBox(Guarded, QSpinBox):
     """A whole number between two limits, typed or stepped; the arrows stay between them.
 
@@ -25,52 +45,21 @@ class ToldSpinBox(Guarded, QSpinBox):
     def __init__(self, name: str, label: str, tip: str, limits: tuple[int, int]) -> None:
         super().__init__()
         self.least, self.most = limits
-        self.setRange(-_FAR, _FAR)
         self.setLocale(QLocale.c())
         _dress(self, name, label, tip)
 
-    @property
-    def problem(self) -> str:
-        """Why the number that stands here is not possible; empty where it is."""
-        return _problem(self, self.least, self.value(), self.most)
-
-    def stepBy(self, steps: int) -> None:  # noqa: N802
-        super().stepBy(steps)
-        self.setValue(min(max(self.value(), self.least), self.most))
+    # In the body of each class, where `Guarded` finds what overrides Qt's.
+    stepBy = _step_between  # noqa: N815 - as Qt calls it
+    problem = property(_problem_of)
 
 
 class ToldDoubleSpinBox(Guarded, QDoubleSpinBox):
-    """A number between two limits, typed or stepped; the arrows stay between them.
-
-    Attributes
-    ----------
-    least, most
-        The limits.
-    """
+    """As `ToldSpinBox`, with decimals."""
 
     def __init__(self, name: str, label: str, tip: str, limits: tuple[float, float]) -> None:
         super().__init__()
         self.least, self.most = limits
-        self.setRange(-_FAR, _FAR)
         _dress(self, name, label, tip)
 
-    @property
-    def problem(self) -> str:
-        """Why the number that stands here is not possible; empty where it is."""
-        return _problem(self, self.least, self.value(), self.most)
-
-    def stepBy(self, steps: int) -> None:  # noqa: N802
-        super().stepBy(steps)
-        self.setValue(min(max(self.value(), self.least), self.most))
-
-
-def _dress(box: QAbstractSpinBox, name: str, label: str, tip: str) -> None:
-    box.setObjectName(name)
-    box.setAccessibleName(label)
-    box.setToolTip(tip)
-
-
-def _problem(box: QAbstractSpinBox, least: float, value: float, most: float) -> str:
-    if least <= value <= most:
-        return ""
-    return f"{box.accessibleName()}: from {least:g} to {most:g}."
+    stepBy = _step_between  # noqa: N815 - as Qt calls it
+    problem = property(_problem_of)

@@ -7,6 +7,7 @@ import zlib
 from xml.etree import ElementTree
 
 import pytest
+from PySide6.QtGui import QImage
 
 from app.cli import main
 from app.document.model import Document, Family, make_curve
@@ -141,3 +142,36 @@ def test_the_command_line_is_told_the_unit(tmp_path, capsys):
         main(["render", str(path), "-o", str(tmp_path / "a.svg"), "--unit", "yard"])
     assert "“yard” is none of" in capsys.readouterr().err
     assert Options().unit == ""
+
+
+def test_a_png_says_its_pixels_per_inch_and_tikz_has_true_size(tmp_path):
+    """Both took no notice of the unit: 70 mm were 96 pixels per inch, and 12 cm."""
+    png, tikz = tmp_path / "a.png", tmp_path / "a.tikz"
+    export(SEVENTY, png, width=800, unit="mm")
+    image = QImage(str(png))
+    wide = drawing_of(SEVENTY).frame.width
+    assert image.dotsPerMeterX() == image.dotsPerMeterY() == round(800 / wide * 1000)
+    seen = look(SEVENTY, Options(width=800, unit="mm"), ".png", (100, 100))
+    assert seen.size.endswith(f" pixels, 1 : 1 at {image.dotsPerMeterX() * 0.0254:.4g} per inch")
+    export(SEVENTY, png, width=800)
+    assert QImage(str(png)).dotsPerMeterX() == round(96 / 0.0254)
+    export(SEVENTY, tikz, unit="mm")
+    ends = [tuple(map(float, each)) for each in re.findall(r"\(([-.0-9]+),([-.0-9]+)\)", tikz.read_text())]
+    across = ends[-1][0] - ends[0][0], ends[-1][1] - ends[0][1]
+    assert across == pytest.approx((7.0, 4.0), abs=1e-4)
+    assert "One centimetre is 10 mm." in tikz.read_text()
+    with pytest.raises(ExchangeError, match="TikZ draws pictures of"):
+        export(SEVENTY, tikz, unit="km")
+
+
+def test_basis_functions_are_those_that_the_panel_shows():
+    """Always the family's were drawn, also where the panel showed what each point does."""
+    curve = make_curve(((0.0, 0.0), (1.0, 2.0), (3.0, 1.0), (4.0, 3.0)), family=Family.HERMITE)
+    document = Document((curve,))
+    drawn = [
+        svg_of(document, extras=ExportChoice(".svg", basis=True).options(0, with_estimates=shown).extras)
+        for shown in (False, True)
+    ]
+    lines = [ElementTree.fromstring(each.encode()).findall(".//*[@id='basis']//*[@d]") for each in drawn]
+    # Two kinds of functions of four points each; and one function of each point.
+    assert [len(each) for each in lines] == [3 + 8, 3 + 4]

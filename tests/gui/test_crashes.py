@@ -150,6 +150,25 @@ def test_the_same_fault_is_shown_once(guarded, qtbot):
     assert dialogs() == []
 
 
+def test_a_fault_that_keeps_the_window_open_is_told_each_time(guarded, qtbot, qapp, monkeypatch):
+    """It was told once; from then on the × did nothing, without a word."""
+    guarded.drag_point(1, to=(2, 3))
+    monkeypatch.setattr(guarded.window._files, "may_discard", lambda: int("x"))
+    crashes = guarded.lifecycle.crashes
+    for _ in range(3):
+        assert not guarded.window.close()
+        assert not guarded.window.close()  # asked again before it was told: once is enough
+        qtbot.waitUntil(lambda: has_told(crashes), timeout=WAIT_MS)
+        assert len(list(snapshot_folder().glob("*.snapshot.json"))) == 1
+        assert "closeEvent" in report()
+        press("goOn")
+        qtbot.waitUntil(lambda: has_told(crashes), timeout=WAIT_MS)
+        assert dialogs() == []
+    assert run(guarded, qapp, guarded.window.close, lambda: press("saveAndQuit")) == 0
+    assert not is_open(guarded.window)
+    assert len(list(snapshot_folder().glob("*.snapshot.json"))) == 1
+
+
 def test_another_fault_waits_until_the_first_is_put_away(guarded, qtbot):
     raise_soon(guarded, qtbot, ZeroDivisionError("one"))
     sys.excepthook(*raised(KeyError("two")))

@@ -10,12 +10,13 @@ from xml.etree import ElementTree
 
 import numpy as np
 import pytest
+from msgspec.structs import replace
 from PySide6.QtCore import QEvent, QPoint, Qt
 from PySide6.QtGui import QGuiApplication, QImage
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QDialog, QFileDialog, QPushButton
 
-from app.document.model import Family
+from app.document.model import Family, make_curve
 from app.exchange.choice import FORMATS, ExportChoice, choice_from, text_of
 from app.exchange.formats import with_ending
 from app.preferences import Preferences
@@ -375,3 +376,17 @@ def test_the_unit_of_the_preferences_gives_true_size_and_is_said(qtbot, tmp_path
     path = export(editor, dialog, tmp_path / "a.svg", monkeypatch)
     root = ElementTree.fromstring(path.read_text())
     assert root.get("width") == f"{root.get('viewBox').split()[2]}cm"
+
+
+def test_what_an_export_leaves_out_is_said_in_the_window(editor, dialog, tmp_path, monkeypatch):
+    """The command line said so; the window said no more than "exact"."""
+    broken = replace(make_curve([(0.0, 0.0), (1.0, 1.0), (1.0, 1.0), (2.0, 0.0)]), name="Twice")
+    document = editor.session.document
+    editor.session.commit(replace(document, curves=(*document.curves, broken)), "Add")
+    choose_format(dialog, ".svg")
+    export(editor, dialog, tmp_path / "a.svg", monkeypatch)
+    assert editor.status.startswith("Wrote a.svg, ")
+    assert "“Twice”" in editor.message
+    editor.trigger("copyPathData")
+    editor.wait_for_work()
+    assert "“Twice”" in editor.message

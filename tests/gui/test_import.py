@@ -18,6 +18,7 @@ from PySide6.QtWidgets import (
     QComboBox,
     QDialog,
     QFileDialog,
+    QLabel,
     QPushButton,
     QSpinBox,
 )
@@ -155,7 +156,12 @@ def test_the_dialog_offers_what_can_be_done_about_missing_numbers(editor, tmp_pa
     assert dialog.problem.text() == "⚠ Row 4, column 1: “nan” is not a number."
     assert not dialog.ok.isEnabled()
     assert dialog.missing_box.isVisible()
-    choose(dialog.missing_box, "End the curve at rows without numbers")
+    # The box had no label; nobody saw what it chose.
+    label = dialog.findChild(QLabel, "tableMissingLabel")
+    assert label.isVisible()
+    assert (label.text(), label.buddy()) == ("Rows without numbers", dialog.missing_box)
+    assert dialog.missing_box.accessibleName() == label.text()
+    choose(dialog.missing_box, "End the curve there")
     settle(editor, dialog)
     assert dialog.summary.text() == "5 rows → 4 points in 2 curves"
     press(dialog, "importTable")

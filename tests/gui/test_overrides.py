@@ -20,6 +20,7 @@ from PySide6.QtGui import QPainter
 from PySide6.QtWidgets import QLabel, QWidget
 
 import app
+from app.document.edits import set_position
 from app.overrides import Guarded, empty_result, is_guarded
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -207,6 +208,41 @@ def test_a_part_that_fails_to_end_keeps_neither_the_others_nor_the_window(editor
     assert window.close()
     assert ended == ["last"]
     assert [type(each) for each in faults] == [ValueError]
+
+
+def test_document_and_history_agree_after_a_step_that_failed(editor, faults, monkeypatch):
+    """The history went on without the document: the next undo then landed two steps further back."""
+    session, stack = editor.session, editor.session.undo_stack
+    states = [session.document]
+    for step in range(3):
+        editor.drag_point(1, to=(1.0 + step, 3.0))
+        states.append(session.document)
+    editor.select_point(2)
+
+    def planted(act):
+        with monkeypatch.context() as patch:
+            patch.setattr(session, "_restore", lambda _state: int("x"))
+            act()
+        assert session.document is session.committed
+        assert session.document == states[stack.index()]
+        assert session.active_view.source is session.document.curves[0]
+        assert editor.window.canvas._view is session.active_view
+        return stack.index()
+
+    assert planted(lambda: editor.trigger("undo")) == 2
+    editor.trigger("undo")
+    assert session.document is states[1]
+    assert planted(lambda: editor.trigger("redo")) == 2
+    assert planted(lambda: stack.setIndex(0)) == 0
+    assert planted(lambda: stack.setIndex(3)) == 3
+    editor.trigger("undo")
+    assert session.document is states[2]
+    states[3:] = [set_position(states[2], 0, 1, (7.0, 7.0))]
+    assert planted(lambda: session.commit(states[3], "Move")) == 3
+    editor.trigger("undo")
+    assert session.document is states[2]
+    assert {type(each) for each in faults} == {ValueError}
+    session.give_up_changes()
 
 
 def test_a_failed_filter_lets_the_event_pass(qtbot, faults):

@@ -6,11 +6,13 @@ import importlib
 import pkgutil
 
 import pytest
-from PySide6.QtCore import QSize
-from PySide6.QtWidgets import QDialog, QPushButton
+from PySide6.QtCore import QSize, QTimer
+from PySide6.QtWidgets import QDialog, QLabel, QMessageBox, QPushButton
 
 import app.panels
+from app.document.edits import set_position
 from app.document.model import Document, make_curve
+from app.document.storage import save
 from app.exchange.choice import FORMATS, ExportChoice
 from app.exchange.cubics_in import Imported
 from app.exchange.table_file import preview_table
@@ -22,6 +24,7 @@ from app.panels.import_drawing_dialog import ImportDrawingDialog
 from app.panels.import_table_dialog import ImportTableDialog
 from app.panels.motion_dialog import MotionDialog
 from app.panels.preferences_dialog import PreferencesDialog
+from app.session import Session
 from app.testing import Editor
 
 ROOM = QSize(960, 540) - FRAME
@@ -93,6 +96,30 @@ def test_every_dialog_fits_and_its_buttons_stay_in_sight(qtbot, type_size, monke
                 assert dialog.rect().contains(corner), button.text()
         dialog.close()
     assert shown == every_dialog()
+
+
+def test_a_question_about_a_long_name_fits_and_is_read_to_its_end(qtbot, type_size, tmp_path):
+    """A name of 200 letters went out of the box at the right, and with it the question mark."""
+    path = tmp_path / f"{'n' * 200}.curve.json"
+    save(path, LINE)
+    session = Session()
+    session.open(path)
+    editor = Editor(qtbot, session)
+    session.commit(set_position(LINE, 0, 0, (3.0, 3.0)), "Move")
+    seen = []
+
+    def look():
+        box = editor.window.findChild(QMessageBox, "saveChanges")
+        label = box.findChild(QLabel, "qt_msgbox_label")
+        seen.append((box.size(), label.size(), label.minimumSizeHint(), label.heightForWidth(label.width())))
+        box.reject()
+
+    QTimer.singleShot(0, look)
+    editor.trigger("newDocument")
+    ((box, label, needed, height),) = seen
+    assert fits(box)
+    assert needed.width() <= label.width()
+    assert height <= label.height()
 
 
 def every_dialog():
