@@ -661,14 +661,14 @@ def test_closing_the_dialog_of_a_table_drops_the_work(editor, tmp_path):
 
 
 def test_a_million_rows_never_block_the_window(editor, tmp_path, record_property):
-    """The most that is computed in one go, without a turn for the window, as a share of all the work.
+    """The most that the window's thread computes in one go, as a share of all the work.
 
-    In time of the processor that this process has used: what others take of it does not count.
+    In time of the processor that this thread has used: what others take of it does not count.
     """
     path = spiral(tmp_path / "million.csv", 1_000_000)
-    turns = [time.process_time()]
+    began, turns = time.process_time(), [time.thread_time()]
     timer = QTimer(interval=1, timerType=Qt.TimerType.PreciseTimer)
-    timer.timeout.connect(lambda: turns.append(time.process_time()))
+    timer.timeout.connect(lambda: turns.append(time.thread_time()))
     timer.start()
     editor.window.import_file(path)
     editor.wait_for_work()
@@ -679,7 +679,7 @@ def test_a_million_rows_never_block_the_window(editor, tmp_path, record_property
     press(dialog, "importTable")
     editor.settle()
     timer.stop()
-    longest, whole = float(np.diff(turns).max()), turns[-1] - turns[0]
+    longest, whole = float(np.diff(turns).max()), time.process_time() - began
     record_property("longest without a turn, in ms of the processor", 1000 * longest)
     print(f"longest {1000 * longest:.0f} ms of {1000 * whole:.0f} ms, {prepared.points} points")
     assert len(editor.curve.nodes) == prepared.points < 1000
