@@ -40,7 +40,6 @@ class Legend(Guarded, QFrame):
         super().__init__(below)
         self.setObjectName("legend")
         self.setAccessibleName("Legend")
-        self._below = below
         self._groups: dict[str, Sequence[LegendRow]] = {}
         self._scale = 1.0
         self._grid = QGridLayout(self)
@@ -51,6 +50,13 @@ class Legend(Guarded, QFrame):
         self.theme = theme
         below.installEventFilter(self)
         self.hide()
+
+    @property
+    def _below(self) -> QWidget:
+        """What it lies on: asked for anew each time, for a viewport that was kept was once gone for PySide6."""
+        below = self.parentWidget()
+        assert below is not None
+        return below
 
     @property
     def rows(self) -> Sequence[LegendRow]:

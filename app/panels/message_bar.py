@@ -32,7 +32,6 @@ class MessageBar(Guarded, QFrame):
     def __init__(self, parent: QWidget) -> None:
         super().__init__(parent)
         self.setObjectName("messageBar")
-        self._below = parent
         parent.installEventFilter(self)
         self._theme = LIGHT
         self._is_warning = False
@@ -68,6 +67,13 @@ class MessageBar(Guarded, QFrame):
             # What lies below hears of a pointer that only passes, too, and says what a press would do.
             part.setMouseTracking(True)
         self.hide()
+
+    @property
+    def _below(self) -> QWidget:
+        """What it lies on: asked for anew each time, for a viewport that was kept was once gone for PySide6."""
+        below = self.parentWidget()
+        assert below is not None
+        return below
 
     @property
     def text(self) -> str:
