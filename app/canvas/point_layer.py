@@ -25,6 +25,9 @@ _LABELLED_UP_TO = 12
 _DISCS_MS = 200
 """How long discs keep their size while points move."""
 
+_HALF_NUMBER = 6.0
+"""Half of what the number of a point takes, in pixels; what is written beside it makes it longer."""
+
 _WEIGHED_UP_TO = 24
 _LEAST_WEIGHT = 5e-3
 _FAR = 1e5
@@ -205,7 +208,8 @@ class PointLayer:
                 colour = self.theme.warning if weight < 0 else self.theme.ink
                 # Beyond the disc, so that neither covers the curve.
                 away = max(away, self._weight_radius(weight) + 14 * self.scale)
-            centre = self._number_place(pixels, index, away)
+            beyond = max(painter.fontMetrics().horizontalAdvance(text) / 2 - _HALF_NUMBER * self.scale, 0.0)
+            centre = _number_place(pixels, index, away, beyond)
             self.numbers.append((centre, len(text)))
             if self.over_picture:
                 self._paint_plate(painter, centre, text)
@@ -228,19 +232,6 @@ class PointLayer:
         if self.weights is None or len(self.weights) != count or count > _WEIGHED_UP_TO:
             return np.zeros(count, dtype=bool)
         return np.abs(self.weights) >= _LEAST_WEIGHT
-
-    def _number_place(self, pixels: Floats, index: int, distance: float) -> QPointF:
-        """Put the number on the outer side of the bend, where the curve is not."""
-        last = len(pixels) - 1
-        around = pixels[[max(index - 1, 0), index, min(index + 1, last)]].tolist()
-        before, here, after = (complex(*place) for place in around)
-        outward = here - (before + after) / 2
-        if 0 < index < last and abs(outward) > 2:
-            outward /= abs(outward)
-        else:
-            outward = _beside(after - before)
-        place = here + distance * outward
-        return QPointF(place.real, place.imag)
 
     # Handles
 
@@ -342,6 +333,20 @@ def _is_near(pixels: Floats, shown: PixelMap) -> Flags:
     margin = 60.0
     x, y = pixels[:, 0], pixels[:, 1]
     return (x > -margin) & (x < shown.width + margin) & (y > -margin) & (y < shown.height + margin)
+
+
+def _number_place(pixels: Floats, index: int, distance: float, beyond: float) -> QPointF:
+    """Put the number on the outer side of the bend, where the curve is not, and a long one further away."""
+    last = len(pixels) - 1
+    around = pixels[[max(index - 1, 0), index, min(index + 1, last)]].tolist()
+    before, here, after = (complex(*place) for place in around)
+    outward = here - (before + after) / 2
+    if 0 < index < last and abs(outward) > 2:
+        outward /= abs(outward)
+    else:
+        outward = _beside(after - before)
+    place = here + distance * outward
+    return QPointF(place.real + beyond * outward.real, place.imag)
 
 
 def _beside(direction: complex) -> complex:

@@ -12,6 +12,7 @@ os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
 from contextlib import nullcontext
 from time import monotonic
 
+from msgspec.structs import replace
 from PySide6.QtWidgets import QApplication
 
 from app.document.model import Family
@@ -73,8 +74,10 @@ def analysis(app: QApplication, editor: Editor) -> None:
 
 
 def laboratory(app: QApplication, editor: Editor) -> None:
-    """The lesson about digits, as it begins."""
+    """The lesson about digits, with four of them."""
     editor.window.open_lesson("04_decimal_accuracy")
+    analysis = editor.window.analysis
+    analysis.change(laboratory=replace(analysis.settings.laboratory, digits=4))
     take(app, editor, "laboratory", ThemeMode.DARK)
 
 
