@@ -7,7 +7,7 @@ import math
 import os
 import sys
 from enum import Enum
-from itertools import compress
+from itertools import compress, count
 from operator import is_not
 
 # Before Qt and NumPy are imported: both read these once.
@@ -26,10 +26,18 @@ _HOMES = ("HOME", "USERPROFILE", "APPDATA", "LOCALAPPDATA")
 _XDG = ("XDG_CONFIG_HOME", "XDG_DATA_HOME", "XDG_STATE_HOME", "XDG_CACHE_HOME")
 
 
+@pytest.fixture(scope="session")
+def _homes(tmp_path_factory):
+    """Where the homes are: to number the next one pytest would read the names of all before it."""
+    return tmp_path_factory.mktemp("homes"), count()
+
+
 @pytest.fixture(autouse=True)
-def own_home(tmp_path_factory, monkeypatch):
+def own_home(_homes, monkeypatch):
     """Keep the person's own settings, recent files and recovery files out of reach."""
-    home = tmp_path_factory.mktemp("home", numbered=True)
+    folder, numbers = _homes
+    home = folder / f"home{next(numbers)}"
+    home.mkdir(mode=0o700)
     for name in _HOMES:
         monkeypatch.setenv(name, str(home))
     for name in _XDG:

@@ -1,13 +1,16 @@
 """The oracle: Lagrange and Hermite curves in exact rational arithmetic."""
 
 import math
+from math import prod
 from types import SimpleNamespace
 
 import numpy as np
 import pytest
-from flint import fmpq
+from flint import arb, ctx, fmpq, fmpz
 
 UNIT_ROUNDOFF = 2.0**-53
+
+_BITS = 512
 
 
 def rational(x):
@@ -39,11 +42,10 @@ def lagrange_terms(t, parameters, order):
 def lagrange_weights(parameters):
     weights = []
     for i, node in enumerate(parameters):
-        product = fmpq(1)
-        for j, other in enumerate(parameters):
-            if j != i:
-                product *= node - other
-        weights.append(1 / product)
+        differences = [node - other for j, other in enumerate(parameters) if j != i]
+        # Reduced once: the numerators of doubles' differences have little in common with powers of two.
+        over = prod((each.p for each in differences), start=fmpz(1))
+        weights.append(fmpq(prod((each.q for each in differences), start=fmpz(1)), over))
     return weights
 
 
@@ -79,14 +81,20 @@ def hermite_terms(t, parameters, width, order):
 
 
 def worst_constant(computed, terms):
-    """|computed - sum of terms| in units of u times the sum of their sizes; None if out of range."""
-    scale = sum((abs(x) for x in terms), fmpq(0))
-    if scale == 0:
+    """|computed - sum of terms| in units of u times the sum of their sizes; None if out of range.
+
+    The terms are exact. Their sums, whose common denominators are longer by far than all of them, lie in
+    intervals of some 2^-500 of their size; the upper end counts.
+    """
+    if not any(terms):
         return 0.0 if computed == 0 else math.inf
-    if not fmpq(1, 10**285) < scale < fmpq(10) ** 305:
-        return None  # no double holds the result to full precision
-    ratio = abs(rational(computed) - sum(terms, fmpq(0))) / scale
-    return int(ratio.p) / int(ratio.q) / UNIT_ROUNDOFF
+    with ctx.workprec(_BITS):
+        enclosed = [arb(x) for x in terms]
+        scale = sum((abs(x) for x in enclosed), arb(0))
+        if not arb(fmpq(1, 10**285)) < scale < arb(fmpq(10) ** 305):
+            return None  # no double holds the result to full precision
+        ratio = abs(arb(rational(computed)) - sum(enclosed, arb(0))) / scale
+        return float((ratio / UNIT_ROUNDOFF).abs_upper())
 
 
 def parameter_sets(n, rng):
