@@ -70,6 +70,16 @@ def _no_window_left_over():
     assert not left, f"left over: {left} (give windows to qtbot.addWidget)"
 
 
+@pytest.hookimpl(optionalhook=True)
+def pytest_xdist_make_scheduler(config, log):
+    """Give every process neighbours: windows and what modules prepare are used again by the next test."""
+    if config.getoption("dist") != "load":
+        return None
+    from xdist.scheduler import WorkStealingScheduling
+
+    return WorkStealingScheduling(config, log)
+
+
 # Every document that a session shows, in whatever test, holds plain and finite numbers alone: previews,
 # steps, undo, files, snapshots. The walk is not the one of the program: it knows none of the values' names.
 

@@ -20,7 +20,7 @@ from types import BuiltinFunctionType, FunctionType, MethodType
 import msgspec
 from PySide6.QtCore import QCoreApplication, QEvent, QSettings
 from PySide6.QtGui import QAction
-from PySide6.QtWidgets import QAbstractButton, QApplication, QLabel, QMenu, QWidget
+from PySide6.QtWidgets import QAbstractButton, QApplication, QDockWidget, QLabel, QMenu, QWidget
 
 from app.examples import first_sketch
 from app.panels.command_palette import CommandPalette
@@ -137,6 +137,8 @@ class Fingerprint:
                 action.text().replace("&", ""),
                 action.shortcut().toString(),
             )
+        for dock in window.findChildren(QDockWidget):
+            self.told[f"dock {dock.objectName()}"] = bool(dock.property("hadRoom"))
         for widget in window.findChildren(QWidget):
             name = widget.objectName()
             # What is out of sight is told what to say before it is shown.
@@ -322,6 +324,9 @@ class KeptEditor:
 
     def _reset_layout(self) -> None:
         window = self._editor.window
+        for dock in window.findChildren(QDockWidget):
+            # Once opened it has had the room that it asks for.
+            dock.setProperty("hadRoom", None)
         if window.size() != self._size:
             window.resize(self._size)
         if window.saveState() != self._state:
