@@ -29,6 +29,7 @@ _MARGIN = 1.6  # on an estimate from one place for the whole of a piece
 _LIMIT = 1e300
 _MOST_MOVED = 4  # points whose parameters move, above which evaluating anew is as fast
 _SHARE = 0.05  # of the tolerance, that roundings may take
+_FEW = 512  # vertices, up to which drawing all takes less time than finding those that need not be
 _MOST_COLUMNS = 16  # moved points, above which evaluating anew is as fast
 
 
@@ -81,7 +82,8 @@ class FrozenFlattening:
             deviation = self._deviation(points)
             if not np.isfinite(points).all() or np.any((deviation > self._tolerance) & (deviation < np.inf)):
                 return None
-            return merged_pieces(Pieces(self._parameters, points, deviation), self._tolerance)
+            pieces = Pieces(self._parameters, points, deviation)
+            return pieces if points.shape[0] <= _FEW else merged_pieces(pieces, self._tolerance)
 
     def _samples(self, curve: LagrangeCurve) -> FloatArray:
         """Return the curve at all samples, (m, 2)."""

@@ -140,7 +140,7 @@ def test_a_point_dragged_at_frozen_parameters(open_wave, beside, family):
     """The functions rest, in the peer too."""
     editor = open_wave(20, family, frozen(family))
     what = f"{NAMES[family]} n = 20, a point"
-    assert beside(what, lambda: drag_point(editor, ["canvas"]), 4, functions=False)
+    assert beside(what, lambda: drag_point(editor, ["canvas"]), 5.5, functions=False)
 
 
 @pytest.mark.parametrize("family", [Family.HERMITE, Family.QUINTIC_HERMITE])
@@ -151,7 +151,7 @@ def test_a_point_dragged_under_chord_length(open_wave, beside, family):
     assert beside(what, lambda: drag_point(editor, ["canvas", "basis"]), 3)
 
 
-@pytest.mark.parametrize(("n", "most"), [(20, 3.5), (1000, 0.2)])
+@pytest.mark.parametrize(("n", "most"), [(20, 3.7), (1000, 0.4)])
 @pytest.mark.parametrize("family", [Family.HERMITE, Family.QUINTIC_HERMITE])
 def test_a_point_dragged_under_its_cardinal_functions(open_wave, beside, family, n, most):
     """Under chord length the estimates change with every move, and every function with them."""
@@ -164,7 +164,7 @@ def test_a_point_dragged_under_its_cardinal_functions(open_wave, beside, family,
 @pytest.mark.parametrize("family", list(Family))
 def test_a_parameter_dragged(open_wave, beside, family):
     editor = open_wave(20, family, frozen(family))
-    assert beside(f"{NAMES[family]} n = 20, a parameter", lambda: drag_tick(editor), 3)
+    assert beside(f"{NAMES[family]} n = 20, a parameter", lambda: drag_tick(editor), 3.2)
 
 
 @pytest.mark.parametrize("kind", [ParametrizationKind.CHORD_LENGTH, ParametrizationKind.CENTRIPETAL])
@@ -216,7 +216,7 @@ def test_a_point_dragged_under_all_that_explains_the_curve(open_wave, beside, fa
         editor.trigger(name)
     error = "error of points" if not errors[1] else "and parameters"
     what = f"{NAMES[family]} n = 20, comb, band ({error}), Λ(t), ghosts"
-    assert beside(what, lambda: drag_point(editor, ["canvas"]), 6)
+    assert beside(what, lambda: drag_point(editor, ["canvas"]), 6.5)
     assert len(editor.window.canvas.annotations.ghosts) == 2
 
 
