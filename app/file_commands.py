@@ -227,7 +227,10 @@ class FileCommands:
         buttons = QMessageBox.StandardButton
         question.setStandardButtons(buttons.Save | buttons.Discard | buttons.Cancel)
         question.setDefaultButton(buttons.Save)
-        return question.exec()
+        answer = question.exec()
+        # Else every question ever asked would stay a part of the window.
+        question.setParent(None)
+        return answer
 
 
 def _question_about(session: Session) -> tuple[str, str]:

@@ -283,7 +283,6 @@ def test_closing_asks_about_a_document_that_is_in_its_file_no_longer(saved, path
         box = saved.window.findChild(QMessageBox, "saveChanges")
         asked.append((box.text(), box.informativeText()))
         box.button(button).click()
-        box.deleteLater()
 
     lose(path)
     left = path.read_bytes() if path.exists() else None
@@ -308,6 +307,7 @@ def test_closing_asks_about_a_document_that_is_in_its_file_no_longer(saved, path
     assert load(path) == saved.session.document
     assert saved.window.close()
     assert len(asked) == 2
+    assert saved.window.findChild(QMessageBox, "saveChanges") is None
 
 
 def test_a_file_that_is_whole_again_is_nobodys_loss(saved, path, until, monkeypatch):
