@@ -7,7 +7,14 @@ from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).parent))
 
+import pytest
 import targets
+
+
+def pytest_collection_modifyitems(items):
+    """Let a benchmark take as long as it takes."""
+    for item in items:
+        item.add_marker(pytest.mark.timeout(0))
 
 
 def pytest_terminal_summary(terminalreporter):

@@ -168,6 +168,7 @@ def use(qtbot, seed, folder, log, faults, odd_values) -> None:
         QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
 
 
+@pytest.mark.timeout(0 if MINUTES else 240)
 def test_nothing_breaks_a_window_that_is_used_at_random(
     qtbot, qtlog, monkeypatch, folder, tmp_path, odd_values
 ):
