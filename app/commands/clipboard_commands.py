@@ -9,7 +9,7 @@ from msgspec.structs import replace
 from PySide6.QtCore import QMimeData, QObject, Qt, Signal
 from PySide6.QtGui import QGuiApplication
 
-from app.commands.curve_clipboard import CurveClipboard
+from app.commands.curve_clipboard import CurveClipboard, put_on_clipboard
 from app.commands.parts import Handlers, Parts
 from app.document import curve_edits, edits
 from app.document.edits import EditError
@@ -132,7 +132,7 @@ class ClipboardCommands:
         data = QMimeData()
         data.setData(POINTS, encode(Document((clip,))))
         data.setText(write_block(rows))
-        QGuiApplication.clipboard().setMimeData(data)
+        put_on_clipboard(data)
         self._session.say(f"Copied {count_of(len(clip.nodes), 'point')}.")
 
     def _cut(self) -> None:
@@ -211,7 +211,7 @@ class ClipboardCommands:
         data = QMimeData()
         data.setData(DERIVATIVES, msgspec.json.encode(jet))
         data.setText(write_block([[exact_text(number, mark) for number in numbers]]))
-        QGuiApplication.clipboard().setMimeData(data)
+        put_on_clipboard(data)
         self._session.say(f"Copied the derivatives of point {index}.")
 
     def _paste_derivatives(self) -> None:

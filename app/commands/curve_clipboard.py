@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import atexit
+from functools import cache
+
 from PySide6.QtCore import QMimeData
 from PySide6.QtGui import QGuiApplication
 
@@ -15,6 +18,27 @@ from app.panels.number_text import decimal_mark, exact_text
 
 CURVES = "application/x-curvebench-curves"
 """MIME type of several curves: a document of them."""
+
+
+def put_on_clipboard(data: QMimeData) -> None:
+    """Let other programs, and this one, paste `data`."""
+    QGuiApplication.clipboard().setMimeData(data)
+    _take_away_at_exit()
+
+
+@cache
+def _take_away_at_exit() -> None:
+    """See that what Qt itself keeps, having no clipboard of a system, goes before the interpreter does.
+
+    Qt would destroy it with the process: with nobody there to hear of it, that ends in a segmentation fault.
+    """
+    if QGuiApplication.platformName() in ("offscreen", "minimal"):
+        atexit.register(_take_away)
+
+
+def _take_away() -> None:
+    if QGuiApplication.instance() is not None:
+        QGuiApplication.clipboard().clear()
 
 
 class CurveClipboard:
@@ -42,7 +66,7 @@ class CurveClipboard:
         data = QMimeData()
         data.setData(CURVES, encode(Document(curves)))
         data.setText("\n".join(tables))
-        QGuiApplication.clipboard().setMimeData(data)
+        put_on_clipboard(data)
         session.say(f"Copied {len(curves)} curves.")
 
     def cut(self) -> None:

@@ -11,6 +11,7 @@ from PySide6.QtCore import QMimeData
 from PySide6.QtGui import QGuiApplication
 from PySide6.QtWidgets import QFileDialog, QWidget
 
+from app.commands.curve_clipboard import put_on_clipboard
 from app.commands.file_work import FileWork
 from app.commands.import_series import ImportSeries
 from app.commands.parts import Handlers, Parts
@@ -304,7 +305,7 @@ class ExchangeCommands:
         data.setData("image/png", png)
         data.setData(_SVG_TYPE, svg)
         data.setImageData(QImage.fromData(png))
-        QGuiApplication.clipboard().setMimeData(data)
+        put_on_clipboard(data)
         self._session.say("Copied the curves as an image: PNG without paper, and SVG.")
 
     def _copy_path_data(self) -> None:
