@@ -76,9 +76,9 @@ class ExchangeCommands:
 
     def _ask_and_import(self) -> None:
         folder = str(self._preferences.last_folder)
-        name, _ = QFileDialog.getOpenFileName(self._parts.window, "Import", folder, _filters())
-        if name:
-            self.import_file(Path(name))
+        names, _ = QFileDialog.getOpenFileNames(self._parts.window, "Import", folder, _filters())
+        if names and not self._work.refuse_second():
+            self.import_files([Path(name) for name in names])
 
     def import_file(self, path: Path) -> None:
         """Read a file of another format and ask what is to become of it, or say why it cannot be read."""

@@ -5,10 +5,10 @@ from __future__ import annotations
 import time
 
 import pytest
-from PySide6.QtCore import QMimeData, QPoint, QPointF, Qt, QUrl
+from PySide6.QtCore import QMimeData, QPoint, QPointF, Qt, QTimer, QUrl
 from PySide6.QtGui import QDragEnterEvent, QDragLeaveEvent, QDragMoveEvent, QDropEvent, QImage
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication, QDialog, QPushButton
+from PySide6.QtWidgets import QApplication, QDialog, QFileDialog, QLineEdit, QPushButton
 
 from app.document.model import Document, make_curve
 from app.document.storage import save
@@ -289,3 +289,24 @@ def test_the_rest_of_a_drop_is_skipped_or_given_up_with_its_document(editor, tmp
     press(editor, only_dialog(editor), "importTable")
     assert [curve.name for curve in editor.session.document.curves] == ["a", "b"]
     editor.session.give_up_changes()
+
+
+def test_several_files_chosen_to_be_imported_come_as_those_of_a_drop(editor, tmp_path):
+    """Of three names the dialog gave one, and nothing was said of the others."""
+    paths = tables(tmp_path, "a.csv", "b.csv", "c.csv")
+    editor.window.preferences.last_folder = tmp_path
+
+    def choose():
+        dialog = editor.window.findChild(QFileDialog)
+        dialog.findChild(QLineEdit).setText(" ".join(f'"{path.name}"' for path in paths))
+        dialog.accept()
+        if dialog.isVisible():
+            dialog.reject()
+
+    QTimer.singleShot(0, choose)
+    editor.trigger("importFile")
+    for place, path in enumerate(paths, 1):
+        dialog = only_dialog(editor)
+        assert dialog.windowTitle() == f"Import {path.name} ({place} of 3)"
+        press(editor, dialog, "cancelImport")
+    assert dialogs(editor) == []

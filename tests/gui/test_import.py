@@ -207,7 +207,7 @@ def test_as_a_new_document(editor, tmp_path):
 
 def test_with_the_keyboard_alone(editor, tmp_path, monkeypatch):
     path = write(tmp_path / "a.csv", "1,2\n3,4\n5,9\n")
-    monkeypatch.setattr(QFileDialog, "getOpenFileName", lambda *_: (str(path), ""))
+    monkeypatch.setattr(QFileDialog, "getOpenFileNames", lambda *_: ([str(path)], ""))
     QTest.keyClick(editor.window, Qt.Key.Key_I, Qt.KeyboardModifier.ControlModifier)
     editor.wait_for_work()
     dialog = dialog_of(editor, "importTableDialog")
