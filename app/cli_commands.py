@@ -34,9 +34,11 @@ from app.exchange import (
     export_with,
     import_file,
 )
+from app.exchange.formats import can_import
 from app.exchange.progress import Report, part
 
 if TYPE_CHECKING:
+    from app.document.model import Document
     from app.exchange.cubics_in import Imported
     from app.exchange.facts import CurveFacts, Growth
 
@@ -115,6 +117,17 @@ def _command_parser() -> argparse.ArgumentParser:
     return parser
 
 
+def _document_of(options: argparse.Namespace) -> Document:
+    """Return the document that a command is about, or say which command takes files of other formats."""
+    try:
+        return load_document(options.file)
+    except RefusalError:
+        if not can_import(Path(options.file)):
+            raise
+        reads = f"“curvebench {options.command}” reads documents, “curvebench convert” other formats, too"
+        raise RefusalError(f"“{options.file}” is no document (*.curve.json): {reads}.") from None
+
+
 def _render(options: argparse.Namespace) -> int:
     is_film = options.output.lower().endswith(FILMS)
     if is_film or (options.motion and options.output.lower().endswith(".png")):
@@ -125,7 +138,7 @@ def _render(options: argparse.Namespace) -> int:
         endings = SUFFIXES + FILMS
         known = f"{', '.join(endings[:-1])} or {endings[-1]}"
         raise RefusalError(f"“{options.output}” does not end in a known format for pictures; use {known}.")
-    document = load_document(options.file)
+    document = _document_of(options)
     with _told_on_terminals() as report:
         export_with(document, options.output, picture_options(options, document).reporting(report))
     return 0
@@ -136,7 +149,7 @@ def _render_film(options: argparse.Namespace) -> int:
     from app.exchange.animation import Film, first_round, write_film  # noqa: PLC0415
     from app.view_model.motion import Pace, Repeat  # noqa: PLC0415
 
-    document, repeat = load_document(options.file), Repeat(options.motion or "loop")
+    document, repeat = _document_of(options), Repeat(options.motion or "loop")
     film = Film(
         width=options.width or Film.width,
         fps=options.fps,
@@ -193,7 +206,7 @@ def _info(options: argparse.Namespace) -> int:
     # Takes modules along that the editor does without.
     from app.exchange.facts import facts_of  # noqa: PLC0415
 
-    document = load_document(options.file)
+    document = _document_of(options)
     with _told_on_terminals() as report:
         facts = facts_of(document, report)
     if options.json:

@@ -148,6 +148,21 @@ def test_bad_files_are_refused_in_one_line(tmp_path, capsys):
     assert list(tmp_path.iterdir()) == [bad]
 
 
+def test_what_is_no_document_is_sent_to_convert(tmp_path, capsys):
+    """It was said of a table that it is not JSON."""
+    reads = "reads documents, “curvebench convert” other formats, too."
+    for name, text in (("a.csv", "0,0\n1,1\n"), ("a.json", "[[0, 0], [1, 1]]")):
+        path = tmp_path / name
+        path.write_text(text, encoding="utf-8")
+        for command in (["info"], ["render", "-o", "a.svg"], ["render", "-o", "a.gif"]):
+            line = refusal(capsys, *command, str(path))
+            assert line == f"“{path}” is no document (*.curve.json): “curvebench {command[0]}” {reads}"
+    assert refusal(capsys, "info", str(tmp_path / "gone.csv")).startswith("There is no file “")
+    broken = tmp_path / "a.json"
+    broken.write_text('{"format": "curvebench", "version": 1, "curves": 3}', encoding="utf-8")
+    assert refusal(capsys, "info", str(broken)).endswith("curves must be a list, not a whole number")
+
+
 def test_a_folder_is_refused_as_one(tmp_path, capsys):
     """`convert . x.json` said that the name “” does not end in a known format."""
     table = tmp_path / "a.csv"

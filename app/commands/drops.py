@@ -9,11 +9,11 @@ from pathlib import Path
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QDropEvent
 
-from app.commands.exchange_commands import can_import
 from app.commands.image_commands import PICTURE_SUFFIXES
 from app.commands.parts import Parts
 from app.document.format import FormatError
 from app.document.storage import StorageError
+from app.exchange.formats import can_import
 from app.panels.words import count_of, listed, names_of
 
 MOST_WINDOWS = 12

@@ -18,10 +18,10 @@ from app.commands.parts import Handlers, Parts
 from app.document.import_edits import add_imported
 from app.document.model import Document
 from app.document.storage import StorageError, read
-from app.exchange import READABLE, Exported, Options, export_with, import_file
+from app.exchange import Exported, Options, export_with, import_file
 from app.exchange.formats import IMPORTS, Kind, ending_of, import_format, is_document
 from app.exchange.progress import Report, part
-from app.file_commands import SUFFIX, file_stem
+from app.file_commands import file_stem
 from app.panels.words import count_of, listed
 from app.view_model.curve_view import CurveView
 
@@ -40,7 +40,6 @@ if TYPE_CHECKING:
 
 _SVG_TYPE = "image/svg+xml"
 _COPY_WIDTH = 1600
-_HEAD = 4096
 _MOST_REMARKS = 3
 
 
@@ -322,22 +321,6 @@ class ExchangeCommands:
             self._warn_of(written.remarks)
 
         self._work.start("Writing path data", work, done, Path("The path data"), "copied")
-
-
-def can_import(path: Path) -> bool:
-    """Whether a file that is dropped is to be imported; documents are opened."""
-    name = path.name.lower()
-    if name.endswith(".json") and not name.endswith(SUFFIX):
-        return path.is_file() and not _looks_like_document(path)
-    return name.endswith(READABLE) and not name.endswith(SUFFIX)
-
-
-def _looks_like_document(path: Path) -> bool:
-    try:
-        with path.open("rb") as file:
-            return is_document(file.read(_HEAD))
-    except OSError:
-        return True  # whoever opens it says what is wrong with it
 
 
 @dataclass(frozen=True)

@@ -135,6 +135,23 @@ _DOCUMENT_MARK = re.compile(rb'"format"\s*:\s*"curvebench"')
 _MARK_WITHIN = 4096
 """Bytes in which a document says what it is."""
 
+
+def can_import(path: Path) -> bool:
+    """Whether a file that somebody hands over is to be imported; documents are opened."""
+    name = path.name.lower()
+    if not name.endswith(READABLE) or import_format(path).kind is Kind.DOCUMENT:
+        return False
+    return not name.endswith(".json") or (path.is_file() and not _looks_like_document(path))
+
+
+def _looks_like_document(path: Path) -> bool:
+    try:
+        with path.open("rb") as file:
+            return is_document(file.read(_MARK_WITHIN))
+    except OSError:
+        return True  # whoever opens it says what is wrong with it
+
+
 SAMPLES = 201
 """Rows of a table of samples, unless asked otherwise."""
 
