@@ -27,7 +27,7 @@ _COMMANDS = ("render", "convert", "info", "lesson")
 _DESCRIPTION = """\
 Sketch parametric polynomial curves and see why they go where they go.
 
-  curvebench [FILE ...]            open the editor, one window for each file
+  curvebench [FILE ...]            open the editor, one window for each document
   curvebench render FILE -o OUT    write a picture of FILE, without a display
   curvebench convert IN OUT        read and write tables, drawings, code and formulas
   curvebench info FILE             print facts about the curves in FILE
@@ -98,21 +98,26 @@ def _editor_parser() -> argparse.ArgumentParser:
         formatter_class=argparse.RawDescriptionHelpFormatter,
     )
     parser.add_argument("--version", action="version", version=f"curvebench {__version__}")
-    parser.add_argument("files", nargs="*", metavar="FILE", help="documents to open (*.curve.json)")
+    parser.add_argument("files", nargs="*", metavar="FILE", help="documents (*.curve.json), files to import")
     return parser
 
 
 def _edit(files: Sequence[str], lesson: str = "") -> int:
-    """Open a window for every file, or one with the first sketch; return when the last is closed."""
-    for path in files:
-        load_document(path)  # Says what is wrong before any window opens.
+    """Open a window for every document, or one with the first sketch; return when the last is closed.
+
+    What is no document is imported or traced in the first window, which also says what cannot be read.
+    """
+    problems = _problems_of(files)
+    able = [path for path in files if path not in problems]
+    if problems and not able:
+        raise next(iter(problems.values()))  # before any window opens
     if not has_display():
         raise RefusalError(f"There is no display to open a window on. {_WITHOUT}")
     from app.start import no_garbage_sought, open_windows  # noqa: PLC0415
 
     with no_garbage_sought():
         application = _application()
-        windows = open_windows(files)
+        windows = open_windows(able, [f"{str(each).removesuffix('.')}." for each in problems.values()])
         if lesson:
             windows[0].open_lesson(lesson)
     from app.lifecycle import Lifecycle  # noqa: PLC0415
@@ -123,6 +128,22 @@ def _edit(files: Sequence[str], lesson: str = "") -> int:
     code = int(application.exec())
     lifecycle.stop()
     return code
+
+
+def _problems_of(files: Sequence[str]) -> dict[str, RefusalError | StorageError]:
+    """Return why files cannot be opened, imported or traced; those that can be are left out."""
+    # The list of formats: `--version` does without.
+    from app.commands.given import given  # noqa: PLC0415
+
+    documents = given(map(Path, files)).documents
+    problems: dict[str, RefusalError | StorageError] = {}
+    for path in files:
+        if Path(path) in documents or not Path(path).is_file():
+            try:
+                load_document(path)
+            except (RefusalError, StorageError) as problem:
+                problems[path] = problem
+    return problems
 
 
 def _application() -> QApplication:

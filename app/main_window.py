@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from pathlib import Path
 
 from PySide6.QtCore import QEvent, Qt, QTimer, Signal
@@ -29,6 +30,7 @@ from app.autosave import Autosave
 from app.canvas.canvas import Canvas
 from app.commands.connect import Commands
 from app.commands.drops import OpenWindow, accepted
+from app.commands.given import Given
 from app.commands.parts import Parts
 from app.commands.recovery_commands import OpenBeside
 from app.docks import Docks
@@ -320,6 +322,10 @@ class MainWindow(Guarded, QMainWindow):
     def open_file(self, path: Path) -> None:
         """Open a document, or say why not."""
         self._files.open(path)
+
+    def take_files(self, files: Given, problems: Iterable[str] = ()) -> None:
+        """Do with files what a drop does, and say what was wrong with others."""
+        self._commands.drops.take(files, problems)
 
     def keep_with(self, autosave: Autosave, open_beside: OpenBeside) -> None:
         """Keep with `autosave` what is restored in this window; where it is in use, open another."""

@@ -6,6 +6,7 @@ import gc
 import sys
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -31,16 +32,24 @@ def no_garbage_sought() -> Iterator[None]:
         gc.enable()
 
 
-def open_windows(files: Sequence[str]) -> list[MainWindow]:
-    """Show a window for every file, or one with the first sketch."""
+def open_windows(files: Sequence[str], problems: Sequence[str] = ()) -> list[MainWindow]:
+    """Show a window for every document, or one with the first sketch.
+
+    The first one takes what else there is as it takes a drop, and says what was wrong with other files, as
+    sentences in `problems`.
+    """
     # The editor and Qt take a while to import, and the other commands do without.
+    from app.commands.given import given  # noqa: PLC0415
     from app.main_window import MainWindow  # noqa: PLC0415
     from app.session import Session  # noqa: PLC0415
 
-    sessions = [Session() for _ in files or [""]]
-    for session, path in zip(sessions, files, strict=False):
-        session.open(Path(path))
+    others = given(map(Path, files))
+    documents = [Path(path) for path in files if Path(path) in others.documents]
+    sessions = [Session() for _ in documents] or [Session()]
+    for session, path in zip(sessions, documents, strict=False):
+        session.open(path)
     windows = [MainWindow(session) for session in sessions]
     for window in windows:
         window.show()
+    windows[0].take_files(replace(others, documents=()), problems)
     return windows

@@ -10,12 +10,14 @@ from pathlib import Path
 import pytest
 from PIL import Image
 from PySide6.QtCore import QTimer
-from PySide6.QtWidgets import QMainWindow
+from PySide6.QtWidgets import QApplication, QDialog, QMainWindow
 
 from app import __version__
 from app.cli import main
 from app.document.model import Document, make_curve
 from app.document.storage import load, save
+from app.start import open_windows
+from app.testing import Editor
 
 ROOT = Path(__file__).parents[1]
 EXAMPLES = ROOT / "resources" / "examples"
@@ -426,6 +428,55 @@ def test_the_editor_opens_a_window_for_every_file(qapp, capsys):
     assert main([LETTER, str(EXAMPLES / "robot_move.curve.json")]) == 0
     assert sorted(seen) == [("Letter S", True), ("Robot move", True)]
     assert capsys.readouterr() == ("", "")
+
+
+def test_one_file_that_is_no_document_does_not_keep_the_others_from_opening(qtbot, tmp_path, capsys):
+    """One line on stderr, “a.csv cannot be read: it is not JSON”, and no window for the document either."""
+    table, bad, picture = tmp_path / "a.csv", tmp_path / "bad.curve.json", tmp_path / "a.png"
+    table.write_text("0,0\n1,1\n", encoding="utf-8")
+    bad.write_text("{", encoding="utf-8")
+    Image.new("RGB", (4, 4)).save(picture)
+    document = tmp_path / "good.curve.json"
+    save(document, load(LETTER))
+    seen = []
+
+    def look_and_close(window):
+        dialog = window.findChild(QDialog, "importTableDialog")
+        if dialog is None:
+            return
+        timer.stop()
+        editor = Editor.on(window)
+        seen.append((window.session.path, dialog.windowTitle(), editor.message))
+        seen.append(window.session.document.image.path)
+        window.asks_before_closing = False
+        window.close()
+
+    def look():
+        for window in QApplication.topLevelWidgets():
+            if isinstance(window, QMainWindow) and window.isVisible():
+                look_and_close(window)
+
+    timer = QTimer(interval=5, timeout=look)
+    timer.start()
+    limit = QTimer(interval=20_000, timeout=lambda: QApplication.exit(3))  # or it would wait for ever
+    limit.start()
+    gone = tmp_path / "gone.csv"
+    assert main([str(each) for each in (bad, table, document, picture, gone)]) == 0
+    assert capsys.readouterr().err == ""
+    (path, title, message), image = seen
+    assert (path, title, image) == (document, "Import a.csv", str(picture))
+    assert message.startswith(
+        f"“{bad}” cannot be read: it is not JSON; the file ends too early. There is no file “{gone}”"
+    )
+
+
+def test_a_table_alone_comes_to_the_first_sketch(qtbot, tmp_path):
+    table = tmp_path / "a.csv"
+    table.write_text("0,0\n1,1\n", encoding="utf-8")
+    (window,) = open_windows([str(table)])
+    qtbot.addWidget(window)
+    qtbot.waitUntil(lambda: window.findChild(QDialog, "importTableDialog") is not None)
+    assert window.session.path is None
 
 
 # What goes into a picture

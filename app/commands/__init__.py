@@ -22,5 +22,5 @@
 - ``rail_commands``: the menu of the t-rail.
 - ``tool_commands``, ``help_commands``: palette, preferences, shortcuts; keys and mouse, about.
 - ``messages``, ``fresh_hints``: the line on the canvas; the hint in the status line.
-- ``drops``: files dragged over the window.
+- ``given``, ``drops``: files by what is done with them; those dragged over the window.
 """

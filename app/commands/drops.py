@@ -1,19 +1,17 @@
-"""Files dragged over the window: what a drop would do with them, and what it does; it only reads them."""
+"""Files dragged over the window, or named at the start: what becomes of them; they are only read."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable
-from dataclasses import dataclass
 from pathlib import Path
 
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QDropEvent
 
-from app.commands.image_commands import PICTURE_SUFFIXES
+from app.commands.given import Given, given
 from app.commands.parts import Parts
 from app.document.format import FormatError
 from app.document.storage import StorageError
-from app.exchange.formats import can_import
 from app.panels.words import count_of, listed, names_of
 
 MOST_WINDOWS = 12
@@ -22,48 +20,14 @@ MOST_WINDOWS = 12
 OpenWindow = Callable[[Path], None]
 
 
-@dataclass(frozen=True)
-class Dropped:
-    """Files that are dragged, by what a drop would do with them.
-
-    Attributes
-    ----------
-    documents, imports, pictures
-        To be opened, imported and traced.
-    elsewhere
-        How many addresses there are of what is not on this machine's disk.
-    """
-
-    documents: tuple[Path, ...] = ()
-    imports: tuple[Path, ...] = ()
-    pictures: tuple[Path, ...] = ()
-    elsewhere: int = 0
-
-    @property
-    def invitation(self) -> str:
-        """What a drop would do."""
-        kinds = (
-            ("open", "document", self.documents),
-            ("import", "file", self.imports),
-            ("trace", "picture", self.pictures[:1]),
-        )
-        there = [kind for kind in kinds if kind[2]]
-        if len(there) == 1 and len(there[0][2]) == 1:
-            return f"Drop to {there[0][0]} {there[0][2][0].name}"
-        return f"Drop to {', '.join(f'{verb} {count_of(len(paths), what)}' for verb, what, paths in there)}"
-
-
-def dropped(event: QDropEvent) -> Dropped:
+def dropped(event: QDropEvent) -> Given:
     """Return what is dragged."""
     urls = event.mimeData().urls()
-    paths = list(dict.fromkeys(Path(url.toLocalFile()) for url in urls if url.isLocalFile()))
-    pictures = tuple(path for path in paths if path.suffix.lower() in PICTURE_SUFFIXES)
-    imports = tuple(path for path in paths if can_import(path))
-    documents = tuple(path for path in paths if path not in (*pictures, *imports))
-    return Dropped(documents, imports, pictures, sum(not url.isLocalFile() for url in urls))
+    paths = (Path(url.toLocalFile()) for url in urls if url.isLocalFile())
+    return given(paths, elsewhere=sum(not url.isLocalFile() for url in urls))
 
 
-def accepted(event: QDropEvent) -> Dropped | None:
+def accepted(event: QDropEvent) -> Given | None:
     """Accept a drag of files as a copy and return them; None where there are none or they must be moved.
 
     Whoever answers "move" makes the file manager delete what was dragged.
@@ -94,9 +58,12 @@ class Drops:
         self._import, self._trace = import_files, trace
         self.open_window: OpenWindow | None = None
 
-    def take(self, files: Dropped) -> None:
-        """Open the documents, import what is to be imported, one after the other, and trace a picture."""
-        left = self._open(files.documents)
+    def take(self, files: Given, problems: Iterable[str] = ()) -> None:
+        """Open the documents, import what is to be imported, one after the other, and trace a picture.
+
+        What was wrong with other files, `problems`, is said together with what is left out.
+        """
+        left = [*problems, *self._open(files.documents)]
         for path in files.pictures[:1]:
             self._trace(str(path.absolute()))
         if len(files.pictures) > 1:

@@ -16,9 +16,6 @@ from app.document.model import ReferenceImage
 from app.gestures.image_tool import ImageTool
 from app.view_model.curve_view import CurveView
 
-PICTURE_SUFFIXES = (".png", ".jpg", ".jpeg")
-"""How the names of files end that are pictures to trace."""
-
 _PICTURES = "Pictures (*.png *.jpg *.jpeg);;All files (*)"
 _MISSING = "The reference image is not shown. {}"
 _SHARE = 0.8

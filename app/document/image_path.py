@@ -13,6 +13,9 @@ from msgspec.structs import replace
 
 from app.document.model import Document
 
+PICTURE_SUFFIXES = (".png", ".jpg", ".jpeg")
+"""How the names of files end that are pictures to trace."""
+
 
 def resolved(document: Document, folder: str) -> Document:
     """Return `document`, read from a file in `folder`, with the absolute path of its image."""

@@ -1,0 +1,51 @@
+"""Files that somebody hands over, dropped or on the command line, by what is done with them. No Qt."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+from pathlib import Path
+
+from app.document.image_path import PICTURE_SUFFIXES
+from app.exchange.formats import can_import
+from app.panels.words import count_of
+
+
+@dataclass(frozen=True)
+class Given:
+    """Files, by what is done with them.
+
+    Attributes
+    ----------
+    documents, imports, pictures
+        To be opened, imported and traced.
+    elsewhere
+        How many addresses there are of what is not on this machine's disk.
+    """
+
+    documents: tuple[Path, ...] = ()
+    imports: tuple[Path, ...] = ()
+    pictures: tuple[Path, ...] = ()
+    elsewhere: int = 0
+
+    @property
+    def invitation(self) -> str:
+        """What a drop would do."""
+        kinds = (
+            ("open", "document", self.documents),
+            ("import", "file", self.imports),
+            ("trace", "picture", self.pictures[:1]),
+        )
+        there = [kind for kind in kinds if kind[2]]
+        if len(there) == 1 and len(there[0][2]) == 1:
+            return f"Drop to {there[0][0]} {there[0][2][0].name}"
+        return f"Drop to {', '.join(f'{verb} {count_of(len(paths), what)}' for verb, what, paths in there)}"
+
+
+def given(paths: Iterable[Path], *, elsewhere: int = 0) -> Given:
+    """Return files by what is done with them; what is neither imported nor traced is to be a document."""
+    paths = list(dict.fromkeys(paths))
+    pictures = tuple(path for path in paths if path.suffix.lower() in PICTURE_SUFFIXES)
+    imports = tuple(path for path in paths if can_import(path))
+    documents = tuple(path for path in paths if path not in (*pictures, *imports))
+    return Given(documents, imports, pictures, elsewhere)
