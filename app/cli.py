@@ -131,14 +131,19 @@ def _edit(files: Sequence[str], lesson: str = "") -> int:
 
 
 def _problems_of(files: Sequence[str]) -> dict[str, RefusalError | StorageError]:
-    """Return why files cannot be opened, imported or traced; those that can be are left out."""
+    """Return why files cannot be opened, imported or traced; those that can be are left out.
+
+    A large document is read once, beside its window, which says what is wrong with it.
+    """
     # The list of formats: `--version` does without.
     from app.commands.given import given  # noqa: PLC0415
+    from app.document.open_file import is_large  # noqa: PLC0415
 
     documents = given(map(Path, files)).documents
     problems: dict[str, RefusalError | StorageError] = {}
     for path in files:
-        if Path(path) in documents or not Path(path).is_file():
+        is_document = Path(path) in documents and not is_large(Path(path))
+        if is_document or not Path(path).is_file():
             try:
                 load_document(path)
             except (RefusalError, StorageError) as problem:

@@ -13,7 +13,7 @@ from PySide6.QtWidgets import QFileDialog, QMessageBox, QWidget
 
 from app.document.format import FormatError
 from app.document.model import empty_document
-from app.document.open_file import Reading, Sight
+from app.document.open_file import Reading, Sight, is_large
 from app.document.storage import StorageError, load
 from app.exchange.progress import Report, part
 from app.labels import breakable
@@ -28,11 +28,11 @@ SUFFIX = ".curve.json"
 NEW_NAME = empty_document().curves[0].name
 """The name that a curve has before anyone gives it one."""
 
-StartWork = Callable[[str, Work, Callable[[Any], object], Path, str], None]
-"""Takes a title, work, who gets its result, the file, and what is done with it."""
+StartWork = Callable[[str, Work, Callable[[Any], object], Path, str, Callable[[str], object]], bool]
+"""Takes a title, work, who gets its result, the file, what is done with it, and who hears why it was not.
 
-_LARGE = 50_000
-"""Bytes from which a document is opened beside the window: about a hundred curves, a tenth of a second."""
+Returns whether the work has begun.
+"""
 
 _READ = 0.1
 """Share of opening that is reading the file."""
@@ -61,6 +61,7 @@ class FileCommands:
         """Says why a document was not saved, and what can be done about it."""
         self.beside: StartWork | None = None
         """Does work beside the window; without it every document is opened at once."""
+        self._after_opening: list[Callable[[str], object]] | None = None
 
     def new(self) -> None:
         """Start an empty document, after asking about unsaved changes."""
@@ -76,7 +77,7 @@ class FileCommands:
 
     def open(self, path: Path) -> None:
         """Open the document at `path`, after asking about unsaved changes; a large one beside the window."""
-        if self.beside is not None and _is_large(path) and not is_resource(path):
+        if self.beside is not None and is_large(path) and not is_resource(path):
             self._open_large(path, self.beside)
         else:
             self._open(path, self._session.open, remember=not is_resource(path))
@@ -93,18 +94,41 @@ class FileCommands:
                 reading.document.curves, lambda share: told(share, "Computing curves")
             )
 
+        def end(problem: str = "") -> None:
+            waiting, self._after_opening = self._after_opening or [], None
+            if problem:
+                self._warn(problem)
+            for then in waiting:
+                then(problem)
+
         def done(found: tuple[Reading, list[CurveView]]) -> None:
+            try:
+                take(*found)
+            finally:
+                end()
+
+        def take(reading: Reading, views: list[CurveView]) -> None:
             if self._session.beginning is not begun:
                 self._session.refuse(
                     f"{path.name} was not opened, for another document was opened meanwhile."
                 )
                 return
-            reading, views = found
             self._open(
                 path, partial(self._session.open, reading=reading, views=views), remember=True, looks=False
             )
 
-        beside(f"Opening {path.name}", work, done, path, "opened")
+        if beside(f"Opening {path.name}", work, done, path, "opened", end):
+            self._after_opening = []
+
+    def after_opening(self, then: Callable[[str], object]) -> None:
+        """Do what is meant for the document that is on its way in when it is there; at once where none is.
+
+        `then` hears why it was not opened.
+        """
+        if self._after_opening is None:
+            then("")
+        else:
+            self._after_opening.append(then)
 
     def why_not(self, path: Path) -> str:
         """Return why a document cannot be opened, as a sentence; empty where it can."""
@@ -266,13 +290,6 @@ def file_stem(session: Session) -> str:
     name = "".join(character for character in session.document.curves[0].name if character.isprintable())
     # What some system does not allow in a file's name.
     return re.sub(r'[<>:"/\\|?*]+', " ", name).strip(" .")[:_LONGEST_STEM] or "curve"
-
-
-def _is_large(path: Path) -> bool:
-    try:
-        return path.stat().st_size >= _LARGE
-    except OSError:
-        return False  # whoever opens it says what is wrong with it
 
 
 def _sentence(what: str, problem: Exception) -> str:

@@ -64,6 +64,13 @@ class Drops:
         What was wrong with other files, `problems`, is said together with what is left out.
         """
         left = [*problems, *self._open(files.documents)]
+        # Else a large document, which takes a while, would come in the place of what they were added to.
+        self._parts.files.after_opening(
+            lambda problem: self._add(files, [problem, *left] if problem else left)
+        )
+
+    def _add(self, files: Given, left: list[str]) -> None:
+        """Import and trace what was given, and say what was `left` out, and why."""
         for path in files.pictures[:1]:
             self._trace(str(path.absolute()))
         if len(files.pictures) > 1:

@@ -52,11 +52,12 @@ class FileWork:
         path: Path,
         what: str,
         left: Callable[[str], object] | None = None,
-    ) -> None:
+    ) -> bool:
         """Do work for a file; what it raises is said as “file was not `what`”.
 
         Where nothing comes of it, `left` is called with that sentence, or with an empty one where the person
-        has stopped the work; by default the sentence is shown.
+        has stopped the work; by default the sentence is shown. Returns False, and does nothing but to say so,
+        while there is other work.
         """
         leave = left or self._warn
 
@@ -68,9 +69,9 @@ class FileWork:
             raise problem
 
         if self.refuse_second():
-            return
+            return False
         self._stopped = lambda: leave("")
-        self.jobs.start(title, work, done, failed)
+        return self.jobs.start(title, work, done, failed)
 
     def refuse_second(self) -> bool:
         """Say that one thing is done at a time, and return True, while something is being done."""

@@ -193,6 +193,17 @@ def test_a_mixed_drop_takes_all_it_can(editor, files):
     )
 
 
+def test_a_drop_adds_to_its_document_although_that_takes_a_while(editor, files, monkeypatch):
+    """The picture went with the document before, and the table was not imported, for another was opened."""
+    monkeypatch.setattr("app.document.open_file._LARGE", 1)
+    drop(editor, files / "a.curve.json", files / "a.csv", files / "a.png")
+    press(editor, only_dialog(editor), "importTable")
+    session = editor.session
+    assert session.path == files / "a.curve.json"
+    assert len(session.document.curves) == 2
+    assert session.document.image is not None
+
+
 # Imports of a drop, one after the other
 
 

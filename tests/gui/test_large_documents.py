@@ -3,9 +3,12 @@
 from __future__ import annotations
 
 import pytest
+from PySide6.QtWidgets import QDialog
 
 from app.document import storage
 from app.document.model import Document, Family, make_curve
+from app.start import open_windows
+from app.testing import Editor
 from tests.effort import calls_of
 
 COUNT = 450
@@ -53,6 +56,37 @@ def test_a_large_document_is_opened_beside_the_window(editor, large, qtbot):
     assert calls < 500 * COUNT
     assert [share for share, _ in told] == sorted(share for share, _ in told)
     assert {word for _, word in told} <= {"Reading", "Computing curves"}
+
+
+def test_a_large_document_named_at_the_start_is_read_beside_its_window(large, tmp_path, qtbot):
+    """There was no window for the 17 s that 20,000 curves take."""
+    table = tmp_path / "a.csv"
+    table.write_text("0,0\n1,1\n", encoding="utf-8")
+    cut = tmp_path / "cut.curve.json"
+    cut.write_bytes(large.read_bytes()[:-9])
+    windows = open_windows([str(large), str(cut), str(table)])
+    for window in windows:
+        qtbot.addWidget(window)
+        assert window.isVisible()
+        assert window.jobs.is_busy
+        assert window.session.path is None
+    first, second = map(Editor.on, windows)
+    second.wait_for_work()
+    assert "cut.curve.json was not opened" in second.message
+    # It waits for its document, and is not lost with the sketch that is shown before.
+    qtbot.waitUntil(lambda: first.window.findChild(QDialog, "importTableDialog") is not None)
+    assert first.session.path == large
+
+
+def test_what_is_wrong_with_a_large_file_and_others_is_said_together(large, tmp_path, qtbot):
+    path = tmp_path / "cut.curve.json"
+    path.write_bytes(large.read_bytes()[:-9])
+    (window,) = open_windows([str(path)], ["b.csv is gone."])
+    qtbot.addWidget(window)
+    editor = Editor.on(window)
+    editor.wait_for_work()
+    assert editor.message.startswith("cut.curve.json was not opened. ")
+    assert editor.message.endswith(" b.csv is gone.")
 
 
 def test_another_document_that_was_opened_meanwhile_stays(editor, large):
