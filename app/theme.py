@@ -297,6 +297,8 @@ QPushButton:default, QPushButton:focus, QComboBox:focus, QToolButton[autoRaise="
 QCommandLinkButton, QCommandLinkButton:default { background: none; border-color: transparent }
 QCommandLinkButton:hover { background: $hover }
 QCommandLinkButton:focus { border-color: $accent }
+QTextBrowser { border: 1px solid transparent }
+QTextBrowser:focus { border-color: $accent }
 QComboBox { border-color: $rim; padding: 2px 4px 2px 6px }
 QComboBox:editable { background: $paper; padding-left: 1px }
 QComboBox::drop-down { border: none; width: 18px }

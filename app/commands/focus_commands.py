@@ -16,6 +16,7 @@ class FocusCommands:
 
     def __init__(self, parts: Parts) -> None:
         self._parts = parts
+        self._named = ""
 
     def handlers(self) -> Handlers:
         """Return what each action does."""
@@ -35,6 +36,7 @@ class FocusCommands:
         if here is None or not any(panel.isAncestorOf(here) for panel in panels):
             return False
         parts.canvas.setFocus(Qt.FocusReason.ShortcutFocusReason)
+        parts.status_line.unsay(self._named)
         return True
 
     def _walk(self, step: int) -> None:
@@ -44,7 +46,8 @@ class FocusCommands:
         start = places[0] if places else -1 if step > 0 else 0
         panel, target = stops[(start + step) % len(stops)]
         target.setFocus(Qt.FocusReason.TabFocusReason if step > 0 else Qt.FocusReason.BacktabFocusReason)
-        self._parts.session.say(f"{_title_of(panel)}.")
+        self._named = f"{_title_of(panel)}."
+        self._parts.session.say(self._named)
 
     def _stops(self) -> Iterator[tuple[QWidget, QWidget]]:
         """Yield every panel in sight and what in it takes the focus."""

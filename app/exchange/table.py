@@ -32,6 +32,8 @@ class Preview:
         Of the columns; "Column 1" and so on without a header.
     cells
         The first rows, as text.
+    numbers
+        Of these rows, as problems and remarks name them: from 1, of the lines of a text, else of the rows.
     guess
         What the columns seem to be.
     said
@@ -43,6 +45,7 @@ class Preview:
     layout: Layout
     titles: tuple[str, ...]
     cells: tuple[tuple[str, ...], ...]
+    numbers: tuple[int, ...]
     guess: Guess
     said: str = ""
     is_text: bool = True
@@ -154,16 +157,20 @@ def table_of(
 def preview_of(table: Table) -> Preview:
     """Return the first rows of a table that was no text."""
     shown = min(PREVIEW_ROWS, len(table.values))
-    columns = [
-        table.words[column][:shown]
-        if column in table.words
-        else [format_number(value) for value in table.values[:shown, column].tolist()]
-        for column in range(len(table.titles))
-    ]
-    cells = tuple(zip(*columns, strict=True))
+    cells = tuple(cells_at(table, row) for row in range(shown))
+    numbers = tuple(map(table.line_of, range(shown)))
     are_numbers = [column not in table.words for column in range(len(table.titles))]
     found = guess(table.titles, cells, are_numbers)
-    return Preview(NO_TEXT, table.titles, cells, found, table.said, is_text=False)
+    return Preview(NO_TEXT, table.titles, cells, numbers, found, table.said, is_text=False)
+
+
+def cells_at(table: Table, row: int) -> tuple[str, ...]:
+    """Return the cells of a row, from 0, of a table that was no text, as text."""
+    numbers = table.values[row].tolist()
+    return tuple(
+        table.words[column][row] if column in table.words else format_number(numbers[column])
+        for column in range(len(table.titles))
+    )
 
 
 def format_number(value: float) -> str:

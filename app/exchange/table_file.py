@@ -23,7 +23,7 @@ from app.exchange.table_layout import (
     sniffed,
     titles_of,
 )
-from app.exchange.table_lines import first_lines, is_data, parts_of, plain_utf_8
+from app.exchange.table_lines import first_lines, is_data, numbered_first_lines, parts_of, plain_utf_8
 
 _FORMULA = ("=", "@")
 
@@ -36,13 +36,16 @@ def preview_table(data: bytes, layout: Layout | None = None) -> Preview:
     ExchangeError
         If the bytes are no text.
     """
-    lines = first_lines(plain_utf_8(data))
+    numbered = numbered_first_lines(plain_utf_8(data))
+    lines = [line for _number, line in numbered]
     layout = layout or sniffed(lines)
     rows = _rows(lines, layout)
     titles = titles_of(rows, layout)
     shown = rows[layout.header + layout.units :]
     found = guess(titles, shown, _are_numbers(shown, len(titles), layout))
-    return Preview(layout, titles, tuple(map(tuple, shown[:PREVIEW_ROWS])), found, _said(lines, layout))
+    cells = tuple(map(tuple, shown[:PREVIEW_ROWS]))
+    numbers = tuple(number for number, _line in numbered[layout.above :][:PREVIEW_ROWS])
+    return Preview(layout, titles, cells, numbers, found, _said(lines, layout))
 
 
 def read_table(

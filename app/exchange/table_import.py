@@ -12,7 +12,7 @@ from app.exchange.progress import Report, part, silent
 from app.exchange.table import Table
 from app.exchange.table_columns import Mapping
 from app.exchange.table_curve import Missing, document_of_table
-from app.exchange.table_layout import Layout, MissingNumber, RowProblem, cells_of_row
+from app.exchange.table_layout import Layout, MissingNumber, RowProblem
 from app.exchange.table_source import TableSource
 from app.exchange.thinning import MOST_KEPT, Thinning, TooManyLeftError
 
@@ -121,7 +121,7 @@ def prepare_table(source: TableSource, choice: TableChoice, report: Report = sil
             problem=str(problem),
             bad_row=problem.row,
             bad_column=problem.column or 0,
-            bad_cells=cells_of_row(source.data, choice.layout, problem.row),
+            bad_cells=source.cells(choice.layout, problem.row),
             lacks_numbers=isinstance(problem, MissingNumber),
         )
     except ExchangeError as problem:

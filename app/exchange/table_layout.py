@@ -166,8 +166,8 @@ def titles_of(rows: list[list[str]], layout: Layout) -> tuple[str, ...]:
 
 
 def cells_of_row(data: bytes, layout: Layout, row: int) -> tuple[str, ...]:
-    """Return the cells of a line of the file, counted from 1, none beyond its end."""
-    lines = data.split(b"\n", row)
+    """Return the cells of a line of plain UTF-8, counted from 1, none beyond its end."""
+    lines = (data if b"\n" in data else data.replace(b"\r", b"\n")).split(b"\n", row)
     if not 1 <= row <= len(lines):
         return ()
     text = lines[row - 1][:_LONGEST_SHOWN].decode("utf-8", "replace")

@@ -56,7 +56,12 @@ def parts_of(data: bytes, size: int = BLOCK) -> Iterator[tuple[int, list[str], i
 
 
 def first_lines(data: bytes) -> list[str]:
-    """Return the first lines that hold data.
+    """Return the first lines that hold data."""
+    return [line for _number, line in numbered_first_lines(data)]
+
+
+def numbered_first_lines(data: bytes) -> list[tuple[int, str]]:
+    """Return the first lines that hold data, each after its number, from 1, in an editor of text.
 
     Raises
     ------
@@ -64,8 +69,8 @@ def first_lines(data: bytes) -> list[str]:
         If there is none.
     """
     for size in (*_HEADS, len(data)):
-        found = [line for line in _head(data, size) if is_data(line)]
-        is_enough = len(found) > 1 or size >= len(data) or (found and len(found[0]) >= _HEADS[0])
+        found = [(number, line) for number, line in enumerate(_head(data, size), start=1) if is_data(line)]
+        is_enough = len(found) > 1 or size >= len(data) or (found and len(found[0][1]) >= _HEADS[0])
         if found and is_enough:
             return found[:SNIFFED_LINES]
     raise ExchangeError("The table has no rows of numbers.")

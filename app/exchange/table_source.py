@@ -4,11 +4,12 @@ from __future__ import annotations
 
 from app.exchange.formats import import_format
 from app.exchange.progress import Report, silent
-from app.exchange.table import Preview, Table, preview_of
+from app.exchange.table import Preview, Table, cells_at, preview_of
 from app.exchange.table_columns import Mapping
 from app.exchange.table_curve import Missing
 from app.exchange.table_file import preview_table, read_table
-from app.exchange.table_layout import Layout
+from app.exchange.table_layout import Layout, cells_of_row
+from app.exchange.table_lines import plain_utf_8
 
 
 class TableSource:
@@ -65,6 +66,14 @@ class TableSource:
         table = read_table(self.data, layout, mapping, allows_missing=allows_missing, report=report)
         self._read = (layout, mapping, allows_missing, table)
         return table
+
+    def cells(self, layout: Layout, number: int) -> tuple[str, ...]:
+        """Return the cells of the row that a problem names by this number; none where there is none."""
+        if self._is_text:
+            return cells_of_row(plain_utf_8(self.data), layout, number)
+        whole = self._all()
+        place = number - whole.first_row
+        return cells_at(whole, place) if 0 <= place < len(whole.values) else ()
 
     def _all(self) -> Table:
         if self._whole is None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from enum import Enum, auto
 
 import numpy as np
@@ -14,6 +15,12 @@ from app.view_model.basis_view import BasisView
 
 _MOST_EACH = 64
 _LIMIT = 1e4
+_MOST_CHORDS = 256
+"""Of a segment, however far the values are zoomed."""
+
+_OFF = 0.25
+"""Pixels that the chords of a segment may leave its functions."""
+
 _THINNED = 0.05
 """Pixels that a wide line may leave the samples: it costs by the vertex."""
 
@@ -62,9 +69,30 @@ class FunctionLines:
             before._made if before is not None else {}
         )
         self._strokes: dict[tuple[int, int], Stroke] = before._strokes if before is not None else {}
+        self._refined = self._refine() if way_to_draw(basis) is Drawing.SPANS else {}
         self._fine: dict[int, tuple[Floats, Floats]] = {}
         self._spans: dict[int, Segments] = {}
         self._envelopes: dict[int, tuple[Floats, Floats, Floats]] = {}
+
+    def _refine(self) -> dict[int, tuple[Floats, Floats]]:
+        """Return x (m,) and y (m, 2, R) of each segment in sight that its samples would show as a polygon.
+
+        All segments have the same number of samples, though one may be a hundred times as long as another.
+        """
+        basis, shown = self._basis, self._shown
+        assert basis.first is not None
+        knots = shown.x(basis.curve.parameters)
+        chords = math.ceil(math.sqrt(basis.most_bent * shown.sy / (8 * _OFF)))
+        each = basis.first[1] - basis.first[0] - 1
+        # Where there is a chord for every pixel, more of them would show nothing.
+        is_coarse = np.diff(knots) > each if chords > each else np.zeros(len(knots) - 1, dtype=bool)
+        wide = np.flatnonzero(is_coarse & (knots[1:] >= 0) & (knots[:-1] <= shown.width))
+        if not len(wide):
+            return {}
+        t, values = basis.fine_segments(wide, min(chords, _MOST_CHORDS))
+        x = np.clip(shown.x(t), -_LIMIT, _LIMIT)
+        y = np.clip(shown.y(values), -_LIMIT, _LIMIT)
+        return {int(segment): (x[place], y[place]) for place, segment in enumerate(wide)}
 
     def are_of(self, basis: BasisView, shown: PixelMap) -> bool:
         """Tell whether these are the lines of `basis` as `shown`."""
@@ -86,6 +114,8 @@ class FunctionLines:
             view[:, 0] = self._x
             view[:, 1] = self._y[:, index, kind]
             return result
+        if index - 1 in self._refined or index in self._refined:
+            return self._make_refined(index, kind)
         here = first[index]
         start, end = first[max(index - 1, 0)], first[min(index + 1, self._basis.count - 1)]
         result, view = self._empty(index, kind, int(end - start))
@@ -93,6 +123,24 @@ class FunctionLines:
         view[: here - start, 1] = self._y[start:here, 1, kind]
         view[here - start :, 1] = self._y[here:end, 0, kind]
         return result
+
+    def _make_refined(self, index: int, kind: int) -> QPolygonF:
+        """Return one function of which a piece is drawn with more chords than it has samples."""
+        sides = [(index - 1, 1), (index, 0)]
+        pieces = [self._piece(*side, kind) for side in sides if 0 <= side[0] < self._basis.count - 1]
+        points = np.concatenate(pieces)
+        result, view = self._empty(index, kind, len(points))
+        view[:] = points
+        return result
+
+    def _piece(self, segment: int, side: int, kind: int) -> Floats:
+        """Return the points (m, 2) of the function of the node before (0) or after (1) a segment."""
+        if segment in self._refined:
+            x, y = self._refined[segment]
+            return np.column_stack([x, y[:, side, kind]])
+        assert self._basis.first is not None
+        here = slice(*self._basis.first[segment : segment + 2])
+        return np.column_stack([self._x[here], self._y[here, side, kind]])
 
     def _empty(self, index: int, kind: int, size: int) -> tuple[QPolygonF, Floats]:
         """Return a polygon to fill, and its points (size, 2) as an array."""
@@ -134,11 +182,14 @@ class FunctionLines:
         count = self._basis.count - 1
         x = self._x.reshape(count, -1)
         y = self._y[:, :, kind].reshape(count, -1, 2)
-        ends = np.empty((count, x.shape[1] - 1, 2, 4))
-        ends[..., 0], ends[..., 2] = x[:, :-1, None], x[:, 1:, None]
-        ends[..., 1], ends[..., 3] = y[:, :-1], y[:, 1:]
         seen = (x[:, -1] >= 0) & (x[:, 0] <= self._shown.width)
-        return ends[seen].reshape(-1, 4)
+        seen[list(self._refined)] = False
+        chords = _chords(x, y)[seen].reshape(-1, 4)
+        if not self._refined:
+            return chords
+        fine_x, fine_y = zip(*self._refined.values(), strict=True)
+        fine = _chords(np.stack(fine_x), np.stack(fine_y)[..., kind])
+        return np.concatenate([chords, fine.reshape(-1, 4)])
 
     def edge(self, kind: int, *, upper: bool) -> QPolygonF:
         """Return the upper or the lower edge of the envelope of one kind."""
@@ -165,6 +216,14 @@ class FunctionLines:
             ]
             self._envelopes[kind] = (columns, edges[0], edges[1])
         return self._envelopes[kind]
+
+
+def _chords(x: Floats, y: Floats) -> Floats:
+    """Return the chords (k, m − 1, 2, 4) between samples: x (k, m) and y (k, m, 2)."""
+    ends = np.empty((len(x), x.shape[1] - 1, 2, 4))
+    ends[..., 0], ends[..., 2] = x[:, :-1, None], x[:, 1:, None]
+    ends[..., 1], ends[..., 3] = y[:, :-1], y[:, 1:]
+    return ends
 
 
 def _needs_all(basis: BasisView) -> bool:

@@ -272,7 +272,7 @@ class ImportTableDialog(WorkDialog):
         roles = [IGNORE] * len(preview.titles)
         for role, column in columns.items():
             roles[column] = role
-        self.preview.show_table(preview.titles, preview.cells, roles)
+        self.preview.show_table(preview.titles, preview.cells, preview.numbers, roles)
         # The boxes are made late; without this the keyboard would reach them last.
         chain = [self.header_check, *self.preview.head.boxes, self.preview, self.thinning_box]
         for before, after in pairwise(chain):

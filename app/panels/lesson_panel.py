@@ -94,6 +94,8 @@ class LessonPanel(QWidget):
         gallery.setFrameShape(QFrame.Shape.NoFrame)
         gallery.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         gallery.setWidgetResizable(True)
+        # The keyboard goes to its cards, which show that they have the focus.
+        gallery.setFocusPolicy(Qt.FocusPolicy.NoFocus)
         gallery.setWidget(cards)
         return gallery
 

@@ -16,6 +16,9 @@ NEGLIGIBLE = 1e-12
 
 _WHOLE_DIGITS = 4
 
+_ROUNDED_UP = 2e-4
+"""In powers of ten: 9.996 may be written 10.00."""
+
 
 def decimal_mark() -> str:
     """Return the decimal mark of the person's locale: a comma, or else a point."""
@@ -66,6 +69,22 @@ def column_text(value: float, decimals: int, digits: int, mark: str = ".", *, ne
     elif (value != 0 and float(fixed) == 0) or abs(value) >= 10.0 ** max(digits, _WHOLE_DIGITS):
         return _polished(f"{value:.{max(digits - 3, 1)}g}", mark)
     return _polished(fixed, mark)
+
+
+def widest_texts(values: npt.NDArray[np.float64], digits: int) -> set[str]:
+    """Return texts of which one is as wide as any that `column_text` writes of a column at most.
+
+    How many characters a number takes is a matter of its sign and its power of ten: one for each is enough.
+    """
+    finite = values[np.isfinite(values) & (values != 0)]
+    negligible, decimals = NEGLIGIBLE * greatest_of(values), most_decimals(values, digits)
+    seen = finite[np.abs(finite) >= negligible]
+    decades = np.unique(
+        np.column_stack([np.sign(seen), np.floor(np.log10(np.abs(seen)) + _ROUNDED_UP)]), axis=0
+    )
+    # No digit of these is a 0 that is left out at the end.
+    numbers = [sign * float(f"1.111111e{decade:.0f}") for sign, decade in decades.tolist()]
+    return {column_text(number, decimals, digits, negligible=negligible) for number in numbers}
 
 
 def greatest_of(values: npt.NDArray[np.float64]) -> float:

@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 import msgspec
+import numpy as np
+import numpy.typing as npt
 from PySide6.QtCore import (
     QAbstractItemModel,
     QEvent,
@@ -35,6 +37,7 @@ from app.panels.number_text import (
     exact_text,
     greatest_of,
     most_decimals,
+    widest_texts,
 )
 from app.panels.point_table_model import PointTableModel
 from app.theme import LIGHT, Theme, mix
@@ -64,6 +67,16 @@ class ColumnFormat(msgspec.Struct, frozen=True):
     digits: int
     decimals: int
     negligible: float
+
+
+def width_for(values: npt.NDArray[np.float64], digits: int, metrics: QFontMetrics) -> int:
+    """Return how wide a column is at least that writes these values with so many digits, gap included.
+
+    Also of a number that takes more than a sign, a point and `digits`: −1043 or 0.001 with three.
+    """
+    sign = "−" if (values < 0).any() else ""
+    texts = {sign + "0" * digits + ".", *widest_texts(values, digits)}
+    return max(map(metrics.horizontalAdvance, texts)) + PADDING + LEFT_PADDING
 
 
 class CellEditor(QLineEdit):
@@ -179,8 +192,7 @@ class PointTableDelegate(Guarded, QStyledItemDelegate):
         self, column: int, width: int, metrics: QFontMetrics, before: Sequence[ColumnFormat]
     ) -> ColumnFormat:
         values = self._model.values[:, column]
-        signs, room = "−." if (values < 0).any() else ".", width - PADDING - LEFT_PADDING
-        fitting = (each for each in _DIGITS if metrics.horizontalAdvance(signs + "0" * each) <= room)
+        fitting = (each for each in _DIGITS if width_for(values, each, metrics) <= width)
         digits = next(fitting, _DIGITS[-1])
         if not self._streaming:
             return ColumnFormat(digits, column_decimals(values, digits), NEGLIGIBLE * greatest_of(values))

@@ -17,7 +17,7 @@ from PySide6.QtGui import QFont, QKeyEvent, QKeySequence, QResizeEvent
 from PySide6.QtWidgets import QAbstractButton, QAbstractItemView, QHeaderView, QTableView, QWidget
 
 from app.overrides import Guarded
-from app.panels.point_table_delegate import COMPACT_DIGITS, LEFT_PADDING, PADDING, PointTableDelegate
+from app.panels.point_table_delegate import COMPACT_DIGITS, PADDING, PointTableDelegate, width_for
 from app.panels.point_table_model import PointTableModel
 
 _ENTER = (Qt.Key.Key_Return, Qt.Key.Key_Enter)
@@ -92,10 +92,11 @@ class PointTableView(Guarded, QTableView):
     def fit_columns(self, *, streaming: bool) -> None:
         """Give the columns of the numbers shown now their widths and formats.
 
-        While previews are `streaming` the widths stay; what changes is seen in every row at once.
+        While previews are `streaming` the widths stay, for what changes is seen in every row at once; only a
+        number that would run into its neighbour, as one that gets a sign, has them shared anew.
         """
         self._streaming = streaming
-        if not streaming:
+        if not streaming or self._outgrows():
             self._share_width()
         across = self.horizontalHeader()
         widths = [across.sectionSize(column) for column in range(across.count())]
@@ -115,15 +116,20 @@ class PointTableView(Guarded, QTableView):
             self.horizontalHeader().resizeSection(column, width + spare + (1 if column < rest else 0))
 
     def _needed(self, digits: int, of_derivatives: int) -> list[int]:
-        """Return how wide the columns are at least that hold so many digits, a point and a sign."""
-        metrics, minus = self.fontMetrics(), self.fontMetrics().horizontalAdvance("−")
+        """Return how wide the columns are at least that hold so many digits."""
+        metrics = self.fontMetrics()
         return [
-            metrics.horizontalAdvance("0" * (of_derivatives if column.is_derivative else digits) + ".")
-            + minus * bool((values < 0).any())
-            + PADDING
-            + LEFT_PADDING
+            width_for(values, of_derivatives if column.is_derivative else digits, metrics)
             for column, values in zip(self.numbers.columns, self.numbers.values.T, strict=True)
         ]
+
+    def _outgrows(self) -> bool:
+        """Whether some number takes more than its column has, however few digits it is written with."""
+        across = self.horizontalHeader()
+        return any(
+            across.sectionSize(column) < width
+            for column, width in enumerate(self._needed(*COMPACT_DIGITS[-1]))
+        )
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         super().resizeEvent(event)

@@ -138,6 +138,11 @@ class StatusLine(QStatusBar):
         self._timer.stop()
         self._render()
 
+    def unsay(self, text: str) -> None:
+        """Put a sentence away before its time, if it still stands: it is true no longer."""
+        if text and self._said == text:
+            self.forget_said()
+
     def forget(self) -> None:
         """Put away all sentences: they were about a document that is another one now."""
         self._progress = self._tip = self._hint = ""

@@ -39,35 +39,57 @@ class TablePreview(QTableWidget):
         self.setHorizontalHeader(self.head)
         self.setCornerButtonEnabled(False)
         self.verticalHeader().setDefaultSectionSize(24)
-        self._shown = 0
+        self._numbers: Sequence[int] = ()
 
-    def show_table(self, titles: Sequence[str], cells: Sequence[Sequence[str]], roles: Sequence[str]) -> None:
-        """Show rows under their titles, with a role for each column."""
-        self._shown = len(cells)
+    def show_table(
+        self,
+        titles: Sequence[str],
+        cells: Sequence[Sequence[str]],
+        numbers: Sequence[int],
+        roles: Sequence[str],
+    ) -> None:
+        """Show rows with their numbers in the file under their titles, with a role for each column."""
+        self._numbers = numbers
         self.setColumnCount(len(titles))
         self.setRowCount(len(cells))
         self.setHorizontalHeaderLabels(list(titles))
-        self.setVerticalHeaderLabels([str(number) for number in range(1, len(cells) + 1)])
+        self.setVerticalHeaderLabels([str(number) for number in numbers])
         for row, line in enumerate(cells):
-            for column in range(len(titles)):
-                self.setItem(row, column, _item(line[column] if column < len(line) else ""))
+            self._fill(row, line)
         self.head.show_roles(roles)
 
-    def mark(self, line: int, column: int, cells: Sequence[str]) -> None:
-        """Show the line of the file that is wrong, counted from 1, below the others; 0 for none."""
-        self.setRowCount(self._shown)
-        if not line:
+    def _fill(self, row: int, cells: Sequence[str]) -> None:
+        for column in range(self.columnCount()):
+            self.setItem(row, column, _item(cells[column] if column < len(cells) else ""))
+
+    def mark(self, number: int, column: int, cells: Sequence[str]) -> None:
+        """Mark what is wrong: a column, from 1, or all of the row with this number; 0 for no row.
+
+        A row that is none of the first ones is shown below them.
+        """
+        self.setRowCount(len(self._numbers))
+        for row in range(self.rowCount()):
+            self._colour(row, 0, QBrush())
+        if not number:
             return
-        self.setRowCount(self._shown + 1)
-        self.setVerticalHeaderItem(self._shown, QTableWidgetItem(f"line {line}"))
+        if number in self._numbers:
+            row = self._numbers.index(number)
+        else:
+            row = len(self._numbers)
+            self.setRowCount(row + 1)
+            self.setVerticalHeaderItem(row, QTableWidgetItem(str(number)))
+            self._fill(row, cells)
         theme = theme_of(self.palette())
-        colour = QBrush(mix(theme.warning, QColor(theme.paper), 0.25))
-        for place in range(self.columnCount()):
-            item = _item(cells[place] if place < len(cells) else "")
-            if column in (0, place + 1):
-                item.setBackground(colour)
-            self.setItem(self._shown, place, item)
-        self.scrollToBottom()
+        self._colour(row, column, QBrush(mix(theme.warning, QColor(theme.paper), 0.25)))
+        self.scrollTo(self.model().index(row, max(column - 1, 0)))
+
+    def _colour(self, row: int, column: int, brush: QBrush) -> None:
+        """Fill a cell, its column counted from 1, or the whole row for column 0."""
+        places = [column - 1] if 0 < column <= self.columnCount() else range(self.columnCount())
+        for place in places:
+            item = self.item(row, place)
+            if item is not None:
+                item.setBackground(brush)
 
 
 def _item(text: str) -> QTableWidgetItem:

@@ -40,6 +40,10 @@ _PEAK = (1.0, 2.5, 25.0)
 """What makes B_1/h and B_2/h², which peak at 0.20 and 0.017, reach almost one half."""
 
 
+_MOST_BENT = {HermiteCurve: 10.0, QuinticHermiteCurve: 25.0}
+"""What the second derivatives of the scaled functions reach at most where a segment has the length 1."""
+
+
 class BasisView(msgspec.Struct, frozen=True, eq=False, dict=True):
     """Basis functions B_ir(t) as the panel draws them.
 
@@ -115,6 +119,24 @@ class BasisView(msgspec.Struct, frozen=True, eq=False, dict=True):
         # The right end of the support counts to the segment after it, where the function is zero.
         values[local.segment > index] = 0.0
         return t, values
+
+    @property
+    def most_bent(self) -> float:
+        """What |d²B ∕ ds²| of no scaled function of a piecewise curve exceeds, s in 0 … 1 over a segment."""
+        return _MOST_BENT[type(self.curve)]
+
+    def fine_segments(self, segments: Integers, chords: int) -> tuple[Floats, Floats]:
+        """Return (t, scaled B) over segments of a piecewise curve, each in so many steps, ends included.
+
+        t is (k, chords + 1); the values are (k, chords + 1, 2, R), of the node before and the node after.
+        """
+        assert not isinstance(self.curve, LagrangeCurve)
+        start, end = self.curve.parameters[segments], self.curve.parameters[segments + 1]
+        # The last one lies a hair before the joint, so that it is counted to this segment.
+        t: Floats = np.linspace(start, np.nextafter(end, start), chords + 1, axis=1)
+        found = self.curve.local_basis(t.ravel()).values
+        scales = np.stack([self.scales[segments], self.scales[segments + 1]], axis=1)
+        return t, found.reshape(*t.shape, 2, self.kinds) * scales[:, None]
 
     def envelope(self, kind: int) -> tuple[Floats, Floats, Floats]:
         """Return (t, least, greatest value of all functions of one kind there); per segment if coarse."""

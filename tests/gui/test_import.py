@@ -296,12 +296,57 @@ def test_a_bad_row_is_shown_where_it_stands(editor, tmp_path):
     assert not dialog.ok.isEnabled()
     table = dialog.preview
     last = table.rowCount() - 1
-    assert table.verticalHeaderItem(last).text() == "line 152"
+    assert table.verticalHeaderItem(last).text() == "152"
     assert table.item(last, 1).text() == "=cmd"
     assert table.item(last, 1).background().color() != table.item(last, 0).background().color()
     QTest.keyClick(dialog, Qt.Key.Key_Return)
     assert dialog.isVisible(), "there is nothing to import"
     dialog.close()
+
+
+def row_numbers(table):
+    return [table.verticalHeaderItem(row).text() for row in range(table.rowCount())]
+
+
+def marked(table):
+    """Return the numbers of the rows with a coloured cell."""
+    return [
+        number
+        for row, number in enumerate(row_numbers(table))
+        if any(
+            table.item(row, column).background().style() != Qt.BrushStyle.NoBrush
+            for column in range(table.columnCount())
+        )
+    ]
+
+
+def test_a_row_has_one_number_in_the_table_and_in_what_is_said_of_it(editor, tmp_path):
+    """Row 4 of the message was row 3 of the table, uncoloured, and once more "line 4" at its end."""
+    text = "# made by hand\nx,y\n0,1\n\n1,2\nnan,3\n4,4\n4,4\n"
+    dialog = opened(editor, write(tmp_path / "gap.csv", text))
+    table = dialog.preview
+    assert dialog.problem.text().startswith("⚠ Row 6, column 1: “nan”")
+    assert row_numbers(table) == ["3", "5", "6", "7", "8"]
+    assert marked(table) == ["6"]
+    choose(dialog.missing_box, "Leave them out")
+    settle(editor, dialog)
+    assert dialog.problem.text().startswith("Row 8 repeats the point of the row before")
+    assert row_numbers(table) == ["3", "5", "6", "7", "8"]
+    assert marked(table) == []
+    dialog.close()
+    # Where the file has no lines, the rows of the table are counted.
+    values = np.arange(200.0).reshape(100, 2)
+    values[2, 1] = values[80, 1] = np.nan
+    for first, shown in ((2, 50), (80, 51)):
+        values[:first, 1] = 1.0
+        np.save(tmp_path / "array.npy", values)
+        dialog = opened(editor, tmp_path / "array.npy")
+        table = dialog.preview
+        assert dialog.problem.text().startswith(f"⚠ Row {first + 1}, column 2 is empty")
+        assert table.rowCount() == shown
+        assert marked(table) == [str(first + 1)]
+        assert table.item(row_numbers(table).index(str(first + 1)), 0).text() == str(2 * first)
+        dialog.close()
 
 
 def test_a_lagrange_curve_through_thousands_of_rows_is_refused(editor, tmp_path):

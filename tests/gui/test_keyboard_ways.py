@@ -11,6 +11,7 @@ from shiboken6 import Shiboken
 
 from app.commands.focus_commands import first_in
 from app.mnemonics import plain, with_mnemonics
+from app.panels.lesson_panel import LessonPanel
 from app.theme import theme_of
 
 
@@ -97,6 +98,40 @@ def test_f6_walks_every_panel_in_sight_and_back(editor):
     editor.click(editor.point(0))
     QTest.keyClick(window.canvas, Qt.Key.Key_F6)
     assert QColor(window.canvas.viewport().grab().toImage().pixel(1, 40)) != accent
+
+
+def accent_around(widget):
+    """Return how many pixels of a widget's left and right edges have the colour of the focus."""
+    image, accent = widget.grab().toImage(), theme_of(widget.palette()).accent
+    edges = (0, image.width() - 1)
+    return sum(image.pixelColor(x, y) == accent for x in edges for y in range(image.height()))
+
+
+def test_f6_to_the_lessons_shows_a_frame_and_escape_clears_the_word(editor):
+    """The list of lessons took the focus and showed nothing; its word stayed when Escape had left it."""
+    window = editor.window
+    window.activateWindow()
+    editor.trigger("toggleLessons")
+    panel = window.findChild(LessonPanel)
+    for _ in range(2):
+        window.canvas.setFocus()
+        while not has_focus(panel):
+            QTest.keyClick(QApplication.focusWidget(), Qt.Key.Key_F6)
+        editor.settle()
+        assert editor.status == "Lessons."
+        here = QApplication.focusWidget()
+        assert accent_around(here) > here.height(), here
+        QTest.keyClick(here, Qt.Key.Key_Escape)
+        editor.settle()
+        assert window.canvas.hasFocus()
+        assert editor.status != "Lessons."
+        assert accent_around(here) == 0
+        panel.lesson_chosen.emit(0)
+        editor.settle()
+    panel.text.setFocus()
+    assert accent_around(panel.text) > panel.text.height()
+    window.canvas.setFocus()
+    assert accent_around(panel.text) == 0
 
 
 def test_escape_leaves_a_panel_for_the_canvas_and_then_steps_back(editor):

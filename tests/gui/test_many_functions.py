@@ -17,6 +17,7 @@ from app.testing import Editor
 from app.theme import LIGHT
 from app.view_model.basis_view import basis_view
 from app.view_model.curve_view import view_of
+from curvecore.flatten import segment_distance
 
 CHEBYSHEV, UNIFORM = ParametrizationKind.CHEBYSHEV, ParametrizationKind.UNIFORM
 SHOWN = PixelMap.of_ranges((-0.05, 1.05), (-0.6, 1.3), 880, 200)
@@ -81,6 +82,55 @@ def open_wave(qtbot):
         return editor
 
     return open_wave
+
+
+def distance_from(chords, points):
+    """Return how far the worst of some points is from the nearest of chords (m, 4)."""
+    away = segment_distance(points[:, None], chords[None, :, :2], chords[None, :, 2:])
+    return away.min(axis=1).max()
+
+
+def exact_pixels(basis, shown, knot, kind):
+    """Return points of a function in pixels where it is not zero, close together."""
+    reach = basis.curve.parameters[[max(knot - 1, 0), min(knot + 1, basis.count - 1)]]
+    t = np.linspace(*reach, 301)
+    values = basis.curve.basis(t)[:, knot, kind] * basis.scales[knot, kind]
+    return np.column_stack([shown.x(t), shown.y(values)])
+
+
+@pytest.mark.parametrize("family", [Family.HERMITE, Family.QUINTIC_HERMITE])
+def test_wide_functions_among_many_narrow_ones_are_smooth(open_wave, family):
+    """Two pieces of two hundred took a fifth of the panel, with eight chords each: 0.8 pixels off."""
+    editor = open_wave(200, family)
+    nodes = tuple(Node(4.0 * k / 199, 0.0) for k in range(200))
+    editor.session.commit(Document((Curve("Line", family, Parametrization(), nodes),)), "Open")
+    editor.drag_point(99, to=(editor.point(99)[0], 0.5))
+    assert editor.parameters[98:101:2] == pytest.approx([0.4, 0.6], abs=0.01)
+    editor.screenshot()
+    panel = editor.window.basis_panel
+    basis, shown, lines = panel.basis, panel.pixel_map, panel._functions._lines
+    assert lines.are_of(basis, shown)
+    assert way_to_draw(basis) is Drawing.SPANS
+    # Of a quintic needle three pixels wide, eight chords cut off the tip.
+    narrow = (0, 50, 97, 101, 199) if family is Family.HERMITE else ()
+    for kind in range(basis.kinds):
+        spans = lines.spans(kind)._lines.ndarray()
+        spans = spans[(spans[:, 2] > shown.x(0.35)) & (spans[:, 0] < shown.x(0.65))]
+        for knot in (*narrow, 98, 99, 100):
+            exact = exact_pixels(basis, shown, knot, kind)
+            points = np.array([(p.x(), p.y()) for p in lines.function(knot, kind)])
+            assert distance_from(np.column_stack([points[:-1], points[1:]]), exact) < 0.5
+            if knot not in narrow:
+                assert distance_from(spans, exact) < 0.5
+
+
+def test_a_curve_with_pieces_alike_is_drawn_with_its_samples_alone():
+    """Chords are added where a piece is wide only: a drag of many points must stay as fast as it is."""
+    for n in (70, 200, 390):
+        for family in (Family.HERMITE, Family.QUINTIC_HERMITE):
+            basis = basis_view(view_of(wave(n, family)))
+            chords = len(FunctionLines(basis, SHOWN).spans(0)._lines)
+            assert chords == 2 * (len(basis.t) - (basis.count - 1))
 
 
 @pytest.mark.parametrize("family", [Family.LAGRANGE, Family.HERMITE])

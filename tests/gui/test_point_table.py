@@ -11,7 +11,7 @@ from app.colours import point_colours
 from app.document import edits
 from app.document.model import Family, ParametrizationKind, VelocityRule, make_curve
 from app.panels.point_table import PointTable
-from app.panels.point_table_delegate import CellEditor
+from app.panels.point_table_delegate import LEFT_PADDING, PADDING, CellEditor
 from app.session import Session
 from app.testing_hand import wait_for_rest
 from app.theme import DARK, LIGHT, ThemeMode, apply_theme
@@ -1023,3 +1023,29 @@ def test_a_corner_at_the_first_point_has_what_is_after_it(hermite):
     assert (hermite.value(0, VX), hermite.value(0, VY)) == (3.0, 4.0)
     hermite.type(0, VX, "5")
     assert hermite.session.active_view.curve.jets[0, 1].tolist() == [5.0, 4.0]
+
+
+@pytest.mark.parametrize("scale", [1.0, 100.0, 0.01])
+def test_neighbouring_numbers_of_a_quintic_table_never_touch(qtbot, scale):
+    """Where 9 pixels are promised, 6 were left before a dragged x that got its minus, and 5 before −1043."""
+    table = Table(qtbot, Family.QUINTIC_HERMITE, [(x * scale, y * scale - 0.001) for x, y in POINTS])
+    session, view, before = table.session, table.view, table.session.document
+    metrics, across = view.fontMetrics(), view.horizontalHeader()
+
+    def least_gap():
+        """Between the beginning of any number and the end of the one before it."""
+        rows, columns = range(view.model().rowCount()), range(across.count())
+        texts = [[view.cell_delegate.text(row, column) for column in columns] for row in rows]
+        return min(
+            across.sectionSize(c) - metrics.horizontalAdvance(line[c]) for line in texts for c in columns
+        )
+
+    promised = PADDING + LEFT_PADDING
+    assert least_gap() >= promised
+    for x in (-1.59, -159.0, 1.59):
+        session.preview(edits.set_position(before, 0, 3, (x * scale, 1.1 * scale)))
+        wait_for_rest(table.window)
+        assert least_gap() >= promised
+    session.cancel()
+    wait_for_rest(table.window)
+    assert least_gap() >= promised
