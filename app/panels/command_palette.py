@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from functools import partial
 
 import msgspec
 from PySide6.QtCore import (
@@ -77,6 +78,8 @@ class CommandPalette(Guarded, QFrame):
         self.setAccessibleName("Command palette")
         self._below, self._commands_now = below, commands
         self._commands: Sequence[Command] = ()
+        # By their ids, while they live.
+        self._heard: set[int] = set()
         self._focus_before: QWidget | None = None
         self.search = _SearchField(self)
         self.list = _command_list()
@@ -102,11 +105,28 @@ class CommandPalette(Guarded, QFrame):
         """Show everything that can be done, and wait for letters."""
         self._focus_before = QApplication.focusWidget()
         self._commands = self._commands_now()
+        self._hear_of_ends()
         self.search.clear()
         self._look_up("")
         self.show()
         self.raise_()
         self.search.setFocus(Qt.FocusReason.PopupFocusReason)
+
+    def _hear_of_ends(self) -> None:
+        """Hear of each action that goes while it is listed: a menu that opens may fill itself anew."""
+        for action in (command.action for command in self._commands):
+            if id(action) not in self._heard:
+                self._heard.add(id(action))
+                action.destroyed.connect(partial(self._drop, action))
+
+    def _drop(self, action: QAction, *_: object) -> None:
+        if not isValid(self):
+            return
+        self._heard.discard(id(action))
+        self._commands = [command for command in self._commands if command.action is not action]
+        left = [command for command in self._model.commands if command.action is not action]
+        if len(left) < self._model.rowCount():
+            self._model.show(left)
 
     def close_and_return(self) -> None:
         """Close and give the focus back to where it was."""

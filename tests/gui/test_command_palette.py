@@ -139,3 +139,17 @@ def test_actions_that_only_show_submenus_are_not_listed(editor):
     assert "Open Recent" not in found
     assert "File" not in found
     assert isinstance(editor.action("undo"), QAction)
+
+
+def test_what_goes_while_it_is_listed_is_listed_no_longer(editor, palette, tmp_path):
+    """File > Open Recent fills itself anew when it opens: the palette painted actions that were gone."""
+    recent = editor.window.menus.recent
+    editor.window.preferences.add_recent_file(tmp_path / "a.curve.json")
+    recent.aboutToShow.emit()
+    editor.trigger("commandPalette")
+    listed = len(palette.found)
+    recent.aboutToShow.emit()
+    palette.list.viewport().repaint()
+    assert len(palette.found) == listed - 1
+    palette.search.setText("a")
+    palette.close_and_return()
