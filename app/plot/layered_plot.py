@@ -23,8 +23,8 @@ from app.theme import LIGHT, Theme, theme_of
 _AXIS_WIDTH = 46
 _FOCUS_WIDTH = 2
 
-_INSET = 3
-"""Pixels by which layers stay inside the plot area: nearer to its edge, Qt repaints the axes every frame."""
+_INSET = 2
+"""Pixels by which layers stay inside the plot area: what is nearer to its edge belongs to the axes."""
 
 _LEAST_SPAN = 1e-9
 
