@@ -14,7 +14,7 @@ import pyqtgraph as pg
 from pyqtgraph.graphicsItems.ViewBox.ViewBox import ChildGroup
 from PySide6.QtCore import QPoint, QPointF, QRect, QRectF, QSizeF, Qt, Signal
 from PySide6.QtGui import QColor, QFont, QPainter, QPaintEvent, QPen, QPixmap, QResizeEvent
-from PySide6.QtWidgets import QWidget
+from PySide6.QtWidgets import QGraphicsView, QWidget
 
 from app.overrides import Guarded, guard_library, report
 from app.plot.pixel_map import PixelMap
@@ -138,6 +138,8 @@ class LayeredPlot(Guarded, pg.PlotWidget):  # type: ignore[misc]  # pyqtgraph ha
         self._ground: QPixmap | None = None
         self._shows_focus = False
         self._set_up_plot()
+        # The paper is in the picture of what is still; Qt need not keep another one of it.
+        self.setCacheMode(QGraphicsView.CacheModeFlag.CacheNone)
         # Every pixel is painted here: Qt need not paint paper below.
         self.viewport().setAttribute(Qt.WidgetAttribute.WA_OpaquePaintEvent)
         # A dropped file is the window's business.
