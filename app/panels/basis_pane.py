@@ -109,9 +109,9 @@ class BasisPane(Guarded, QWidget):
         return button
 
     def _lay_out(self) -> None:
-        holder = QWidget()
-        holder.setObjectName("basisHeader")
-        header = QHBoxLayout(holder)
+        row = _row_that_scrolls(self)
+        row.content.setObjectName("basisHeader")
+        header = QHBoxLayout(row.content)
         header.setContentsMargins(10, 4, 8, 2)
         header.setSpacing(6)
         header.addWidget(self._title)
@@ -130,7 +130,7 @@ class BasisPane(Guarded, QWidget):
         layout = QVBoxLayout(self)
         layout.setContentsMargins(0, 0, 0, 0)
         layout.setSpacing(0)
-        layout.addWidget(_row_that_scrolls(holder))
+        layout.addWidget(row)
         layout.addWidget(self._panel, 1)
 
     def render_view(self, view: CurveView) -> None:
@@ -235,9 +235,9 @@ def _reach_text(reach: tuple[float, float] | None, *, brief: bool = False) -> st
     return f"⚠ {span}" if brief else f"⚠ The functions reach from {span}"
 
 
-def _row_that_scrolls(row: QWidget) -> QWidget:
+def _row_that_scrolls(parent: QWidget) -> Scrolled[QWidget]:
     """Return a row that scrolls by wheel and Tab where it is too long, without a bar: that would cover it."""
-    area = Scrolled(row, _LEAST_HEADER)
+    area = Scrolled(QWidget, _LEAST_HEADER, parent)
     area.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
     area.setVerticalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
     area.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Fixed)
