@@ -284,7 +284,9 @@ class MainWindow(Guarded, QMainWindow):
         self.setWindowFilePath(str(path) if path is not None else "")
         read_only = " (read-only)" if self.session.is_read_only else ""
         self.setWindowTitle(f"{name}[*]{read_only} – Curvebench")
-        self.setWindowModified(self.session.is_modified)
+        if self.isWindowModified() != self.session.is_modified:
+            # Qt writes the title anew, whatever is there.
+            self.setWindowModified(self.session.is_modified)
 
     def _offer(self, text: str, action: str) -> None:
         self._commands.render(self.session.active_view)
