@@ -95,7 +95,7 @@ def run(folder: Path, old: bytes, *, while_opening: bool) -> list[dict[str, obje
 
 if __name__ == "__main__":
     target = Path(sys.argv[1])
-    # What is imported when it is first wanted every child would import again, in steps that have no part in it.
+    # What is imported when it is first wanted, each child would import again, in steps of no interest.
     warm = target / "warm.curve.json"
     warm.write_bytes(encode(OLD))
     OpenFile.saved(warm, NEW, OpenFile.open(warm).file).close()
