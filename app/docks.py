@@ -35,6 +35,7 @@ _ASKED_FOR = ("laboratoryDock", "wiggleDock", "hodographDock")
 
 
 _Dock = TypeVar("_Dock", bound=QDockWidget)
+_Panel = TypeVar("_Panel", bound=QWidget)
 
 
 class Docks:
@@ -56,18 +57,13 @@ class Docks:
     def __init__(
         self, window: QMainWindow, session: Session, actions: Actions, build: Callable[[str], QWidget]
     ) -> None:
-        self._window, self._build = window, build
-        self.table_panel = PointTable(session)
-        self.curve_settings = CurveSettings(session)
-        self.history = HistoryPanel(session)
-        self.curve_list = CurveList(session)
+        self._window, self._session, self._build = window, session, build
+        points, self.table_panel = self._add("pointsDock", "Points", PointTable)
+        curve, self.curve_settings = self._add("curveDock", "Curve", CurveSettings)
+        curves, self.curve_list = self._add("curvesDock", "Curves", CurveList)
         self.curve_list.add_buttons([actions[name] for name in CURVE_LIST_BUTTONS])
-        self.image_panel = ImagePanel(session)
-        points = self._add("pointsDock", "Points", self.table_panel)
-        curve = self._add("curveDock", "Curve", self.curve_settings)
-        curves = self._add("curvesDock", "Curves", self.curve_list)
-        history = self._add("historyDock", "History", self.history)
-        self.image = self._add("imageDock", "Image", self.image_panel)
+        history, self.history = self._add("historyDock", "History", HistoryPanel)
+        self.image, self.image_panel = self._add("imageDock", "Image", ImagePanel)
         late = [self._add_late(name, title) for name, title in _LATE.items()]
         self.lessons = self._add_late("lessonsDock", "Lessons", _LEFT)
         self._stack(points, [curves, history])
@@ -79,10 +75,13 @@ class Docks:
         window.resizeDocks([points], [360], Qt.Orientation.Horizontal)
         window.resizeDocks([points, curve], [480, 300], Qt.Orientation.Vertical)
 
-    def _add(self, name: str, title: str, content: QWidget) -> QDockWidget:
+    def _add(
+        self, name: str, title: str, panel: Callable[[Session, QWidget], _Panel]
+    ) -> tuple[QDockWidget, _Panel]:
         dock = QDockWidget(title, self._window)
-        dock.setWidget(Scrolled(content, IN_DOCK))
-        return self._place(dock, name, _RIGHT)
+        area = Scrolled(lambda parent: panel(self._session, parent), IN_DOCK, dock)
+        dock.setWidget(area)
+        return self._place(dock, name, _RIGHT), area.content
 
     def _add_late(self, name: str, title: str, area: Qt.DockWidgetArea = _RIGHT) -> LateDock:
         return self._place(LateDock(title, lambda: self._build(name), self._window), name, area)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from functools import cached_property, lru_cache
+from functools import cache, cached_property, lru_cache
 from pathlib import Path
 from typing import Final
 
@@ -96,8 +96,9 @@ class _IconEngine(Guarded, QIconEngine):
         return _IconEngine(self._path, self._theme)
 
 
+@cache
 def app_icon() -> QIcon:
-    """Return the program's own icon, for windows and the task bar; it has its own colours."""
+    """Return the program's own icon, for windows and the task bar: one for all; it has its own colours."""
     result = QIcon()
     drawing = resource("icons", "app.svg").read_text(encoding="utf-8")
     for pixels in (*_PIXELS, 128, 256):

@@ -121,29 +121,27 @@ class MainWindow(Guarded, QMainWindow):
     # Building
 
     def _build_plots(self) -> None:
-        self.canvas = Canvas(CanvasTool(self.session))
-        self.basis_panel = BasisPanel(RailTool(self.session))
-        self.basis_pane = BasisPane(self.basis_panel)
+        # Each in its parent from the start: what is moved gets its style anew, with all that is in it.
+        self.splitter = QSplitter(Qt.Orientation.Vertical, self)
+        self.setCentralWidget(self.splitter)
+        self.splitter.setObjectName("drawingSplitter")
+        drawing = QWidget(self.splitter)
+        self.canvas = Canvas(CanvasTool(self.session), drawing)
         self.message_bar = MessageBar(self.canvas.viewport())
         self.canvas.covered_top = lambda: self.message_bar.covered
-        self.splitter = QSplitter(Qt.Orientation.Vertical)
-        self.splitter.setObjectName("drawingSplitter")
-        drawing = QWidget()
+        self.basis_panel = BasisPanel(RailTool(self.session))
+        self.basis_pane = BasisPane(self.basis_panel, self.splitter)
         self.under_canvas = QVBoxLayout(drawing)
         self.under_canvas.setContentsMargins(0, 0, 0, 0)
         self.under_canvas.setSpacing(0)
         self.under_canvas.addWidget(self.canvas, 1)
-        self.splitter.addWidget(drawing)
-        self.splitter.addWidget(self.basis_pane)
-        self.plot_panel = PlotPanel()
-        self.splitter.addWidget(self.plot_panel)
+        self.plot_panel = PlotPanel(self.splitter)
         self.splitter.setStretchFactor(0, 2)
         self.splitter.setStretchFactor(1, 1)
         self.splitter.setSizes([560, 280])
         self.splitter.setChildrenCollapsible(False)
         # Else what lies behind the window's middle is seen beside the thin line of a handle.
         self.splitter.setAutoFillBackground(True)
-        self.setCentralWidget(self.splitter)
 
     def _build_docks(self) -> None:
         docks = Docks(self, self.session, self.actions_by_name, self._build_dock)
@@ -286,7 +284,9 @@ class MainWindow(Guarded, QMainWindow):
         self.setWindowFilePath(str(path) if path is not None else "")
         read_only = " (read-only)" if self.session.is_read_only else ""
         self.setWindowTitle(f"{name}[*]{read_only} – Curvebench")
-        self.setWindowModified(self.session.is_modified)
+        if self.isWindowModified() != self.session.is_modified:
+            # Qt writes the title anew, whatever is there.
+            self.setWindowModified(self.session.is_modified)
 
     def _offer(self, text: str, action: str) -> None:
         self._commands.render(self.session.active_view)

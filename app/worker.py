@@ -161,6 +161,8 @@ class _Keeper(QObject):
         super().__init__()
         self.running: set[Task] = set()
         self._collects = False
+        # How often the middle generation had been collected since the oldest was.
+        self._count_before = 0
         self._timer = QTimer(self, interval=_TICK_MS)
         self._timer.timeout.connect(self._tick)
         self.reported.connect(self._pass_on, Qt.ConnectionType.QueuedConnection)
@@ -171,6 +173,7 @@ class _Keeper(QObject):
         if not self.running:
             self._collects = gc.isenabled()
             gc.disable()
+            self._count_before = gc.get_count()[2]
             self._timer.start()
         self.running.add(task)
 
@@ -192,20 +195,21 @@ class _Keeper(QObject):
 
     def _tick(self) -> None:
         if self._collects:
-            _collect()
+            self._collect()
         for task in tuple(self.running):
             task.end_overdue()
             if not task.thread.is_alive():  # one that was ended from outside sends no signal
                 self._end(task)
 
-
-def _collect() -> None:
-    """Collect the oldest generation that is due, as the interpreter would."""
-    counts, thresholds = gc.get_count(), gc.get_threshold()
-    for generation in (2, 1, 0):
-        if 0 < thresholds[generation] < counts[generation]:
-            gc.collect(generation)
-            return
+    def _collect(self) -> None:
+        """Collect the oldest generation that is due."""
+        young, middle, oldest = gc.get_count()
+        self._count_before = min(self._count_before, oldest)
+        counts, thresholds = (young, middle, oldest - self._count_before), gc.get_threshold()
+        for generation in (2, 1, 0):
+            if 0 < thresholds[generation] < counts[generation]:
+                gc.collect(generation)
+                return
 
 
 _keepers: list[_Keeper] = []

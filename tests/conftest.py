@@ -49,6 +49,25 @@ def own_home(_homes, monkeypatch):
     return home
 
 
+@pytest.fixture
+def drawings_read_here(monkeypatch):
+    """Read drawings in this process: to start one of its own takes longer than reading most of them.
+
+    For questions about what is read. That a process reads it, and what its limits do, others ask.
+    """
+    from app.exchange import child
+
+    def read(reader, data, tolerance, *, report, **_limits):
+        report(0.0, "Reading")
+        answer = child.answer_to(child._Request(reader, tolerance, data), child.MEMORY)
+        if answer.result is None:
+            raise child.ExchangeError(answer.problem)
+        return answer.result
+
+    monkeypatch.setattr(child, "_limit_memory", lambda _extra: None)
+    monkeypatch.setattr(child, "limited", read)
+
+
 @pytest.fixture(autouse=True)
 def _no_window_left_over():
     """Fail a test that leaves a window, shown or hidden; the next one would find it there."""

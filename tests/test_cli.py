@@ -177,6 +177,7 @@ def test_a_folder_is_refused_as_one(tmp_path, capsys):
         assert refusal(capsys, *words) == f"“{tmp_path}” is a folder. Choose a file."
 
 
+@pytest.mark.usefixtures("drawings_read_here")
 def test_convert_takes_groups_of_a_drawing_by_name(tmp_path, capsys):
     """All 167 curves of a plot came in, glyphs and ticks and all, with no choice."""
     line = '<g id="line2d_{0}"><path d="M0 {0}H9"/></g>'
@@ -249,6 +250,7 @@ def test_convert_there_and_back(tmp_path, capsys):
     assert "length           about 23.0" in capsys.readouterr().out
 
 
+@pytest.mark.usefixtures("drawings_read_here")
 def test_convert_says_what_it_leaves_out(tmp_path, capsys):
     path = tmp_path / "a.svg"
     path.write_text('<svg><text/><path d="M0 0L1 1"/></svg>', encoding="utf-8")
@@ -549,26 +551,6 @@ def test_convert_puts_points_into_a_dxf(capsys, tmp_path):
     assert not drawing.audit().errors
     assert main(["convert", str(EXAMPLES / "robot_move.curve.json"), str(out), "--cubic"]) == 0
     assert [spline.dxf.degree for spline in ezdxf.readfile(out).modelspace()] == [3]
-
-
-def test_the_start_takes_no_readers_writers_or_dialogs_along():
-    code = "import sys, app.main_window, app.cli; print(*sys.modules)"
-    names = set(run(code=code, env={"QT_QPA_PLATFORM": "offscreen"}).stdout.split())
-    light = {"drawing", "formats", "progress", "reading", "svg", "table_text", "units", "writing"}
-    found = {name.removeprefix("app.exchange.") for name in names if name.startswith("app.exchange.")}
-    assert found == light
-    heavy = {
-        "ezdxf",
-        "defusedxml",
-        "simpleeval",
-        "fractions",
-        "PySide6.QtPrintSupport",
-    }
-    assert not heavy & names
-    dialogs = {
-        name for name in names if name.startswith("app.panels.") and ("import_" in name or "export_" in name)
-    }
-    assert not dialogs
 
 
 def test_render_writes_a_motion(tmp_path, capsys):

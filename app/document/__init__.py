@@ -11,6 +11,7 @@
 - ``expression``: numbers as people type them.
 - ``format``: documents to and from bytes, strictly.  ``image_path``: where the file of a picture lies.
 - ``migration``: older versions of the format, step by step.  ``all_within``: a quick look at many numbers.
+  ``repeated_keys``: what typed decoding passes over.
 - ``storage``: bytes to and from disk, so that nothing is ever half written; ``file_access``: who may read
   them; ``leftovers``: temporary files, and sweeping them.
 - ``lock``: whose a document is while it is open; ``processes``, ``turns``, ``claim``: who else is at work.

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
+from itertools import chain
+from operator import attrgetter
 
 from app.document.model import MAX_MAGNITUDE, Node
 
@@ -14,16 +16,12 @@ def all_within(nodes: tuple[Node, ...]) -> bool:
 
 
 def _columns(nodes: tuple[Node, ...]) -> Iterator[list[float]]:
-    yield [node.x for node in nodes]
-    yield [node.y for node in nodes]
-    yield [node.t for node in nodes if node.t is not None]
-    for vectors in (
-        (node.velocity for node in nodes),
-        (node.acceleration for node in nodes),
-        (node.velocity_after for node in nodes),
-        (node.acceleration_after for node in nodes),
-    ):
-        yield [value for vector in vectors if vector is not None for value in vector]
+    yield list(map(attrgetter("x"), nodes))
+    yield list(map(attrgetter("y"), nodes))
+    yield [t for t in map(attrgetter("t"), nodes) if t is not None]
+    for name in ("velocity", "acceleration", "velocity_after", "acceleration_after"):
+        # A vector of two numbers is true, whatever they are.
+        yield list(chain.from_iterable(filter(None, map(attrgetter(name), nodes))))
 
 
 def _are_plain(values: list[float]) -> bool:

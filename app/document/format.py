@@ -27,6 +27,7 @@ from app.document.model import (
     Value,
     Vector,
 )
+from app.document.repeated_keys import repeated_key
 
 FORMAT = "curvebench"
 VERSION = 1
@@ -58,10 +59,6 @@ class _File(Value, frozen=True):
     version: Literal[1]
     curves: tuple[Curve, ...]
     image: ReferenceImage | None = None
-
-
-class _Place(str):
-    """Where in an object a key is repeated, such as ``.points[3].x``."""
 
 
 _HEADER_DECODER = msgspec.json.Decoder(_Header)
@@ -157,7 +154,7 @@ def decode(data: bytes) -> Document:
         raise FormatError(not_json(str(problem), data)) from None
     except RecursionError:
         raise FormatError("it is not a Curvebench document; it is nested too deeply") from None
-    _refuse_repeated_keys(data)
+    _refuse_repeated_keys(data, file.curves if header.version == VERSION else ())
     document = Document(file.curves, file.image)
     validate(document)
     return document
@@ -213,29 +210,11 @@ def _check_header(header: _Header) -> None:
         raise FormatError(f"version must be {VERSION}, not {header.version}")
 
 
-def _refuse_repeated_keys(data: bytes) -> None:
-    """Raise FormatError where an object has a key twice; msgspec would silently take the last.
-
-    Runs after the typed decoding, so that nothing here is deep. Numbers become floats because Python
-    refuses to make an int of many digits.
-    """
-    place = json.loads(data, object_pairs_hook=_repeated_key, parse_int=float)
+def _refuse_repeated_keys(data: bytes, curves: tuple[Curve, ...]) -> None:
+    """Raise FormatError where an object has a key twice; msgspec would silently take the last."""
+    place = repeated_key(data, [curve.nodes for curve in curves], _ENCODER.encode)
     if place is not None:
-        raise FormatError(f"{place.removeprefix('.')} appears twice; each key may appear only once")
-
-
-def _repeated_key(members: list[tuple[str, object]]) -> _Place | None:
-    """Return where in this object a key is repeated, or None; nested objects come as their answers."""
-    seen: set[str] = set()
-    for key, value in members:
-        if key in seen:
-            return _Place(f".{key}")
-        seen.add(key)
-        items = enumerate(value) if isinstance(value, list) else [(None, value)]
-        for index, item in items:
-            if isinstance(item, _Place):
-                return _Place(f".{key}{'' if index is None else f'[{index}]'}{item}")
-    return None
+        raise FormatError(f"{place} appears twice; each key may appear only once")
 
 
 def validate(document: Document) -> None:

@@ -65,6 +65,7 @@ def read_path_data(data: str, tolerance: float | None = None) -> list[Subpath]:
     pen = _Pen(tolerance)
     try:
         parse_path(_checked(data), pen)
+        pen.end_line()
     except ValueError as problem:
         if isinstance(problem, ExchangeError):
             raise
@@ -135,33 +136,47 @@ class _Pen:
     def __init__(self, tolerance: float | None) -> None:
         self._tolerance = tolerance
         self.subpaths: list[Subpath] = []
+        # Where a polyline goes from the end of the last piece: arrays of two points each would take most of
+        # the time that a path of very many lines takes.
+        self._corners: list[Pair] = []
 
     @property
     def _current(self) -> Subpath:
+        """The subpath, with all its pieces so far."""
+        self.end_line()
         return self.subpaths[-1]
 
+    def end_line(self) -> None:
+        """Add the polyline that was begun to the subpath."""
+        if self._corners:
+            current = self.subpaths[-1]
+            current.pieces.append(lines(np.array([current.end, *self._corners])))
+            self._corners = []
+
     def moveTo(self, point: Pair) -> None:  # noqa: N802
+        self.end_line()
         self.subpaths.append(Subpath(np.array(point)))
 
     def lineTo(self, point: Pair) -> None:  # noqa: N802
-        self._current.pieces.append(lines(np.array([self._current.end, point])))
+        self._corners.append(point)
 
     def curveTo(self, *points: Pair) -> None:  # noqa: N802
-        self._current.pieces.append(np.array([[self._current.end, *points]]))
+        current = self._current
+        current.pieces.append(np.array([[current.end, *points]]))
 
     def qCurveTo(self, control: Pair, end: Pair) -> None:  # noqa: N802
-        a, b, c = self._current.end, np.array(control), np.array(end)
-        self._current.pieces.append(np.array([[a, a + 2 / 3 * (b - a), c + 2 / 3 * (b - c), c]]))
+        current = self._current
+        a, b, c = current.end, np.array(control), np.array(end)
+        current.pieces.append(np.array([[a, a + 2 / 3 * (b - a), c + 2 / 3 * (b - c), c]]))
 
     def arcTo(self, rx: float, ry: float, rotation: float, large: bool, sweep: bool, end: Pair) -> None:  # noqa: N802
-        piece = arc_between(
-            self._current.end, np.array(end), (rx, ry), rotation, large, sweep, self._tolerance
-        )
+        current = self._current
+        piece = arc_between(current.end, np.array(end), (rx, ry), rotation, large, sweep, self._tolerance)
         if piece is None:
             self.lineTo(end)
             return
-        self._current.pieces.append(piece.pieces)
-        self._current.deviation = max(self._current.deviation, piece.deviation)
+        current.pieces.append(piece.pieces)
+        current.deviation = max(current.deviation, piece.deviation)
 
     def closePath(self) -> None:  # noqa: N802
         self._current.closed = True
@@ -169,4 +184,5 @@ class _Pen:
     def endPath(self) -> None:  # noqa: N802
         # A curve that ends exactly where it begins is meant to be closed; Z is only about line ends.
         current = self._current
-        current.closed = len(current.pieces) > 1 and bool((current.end == current.start).all())
+        pieces = sum(map(len, current.pieces))
+        current.closed = pieces > 1 and bool((current.end == current.start).all())

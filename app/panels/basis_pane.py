@@ -54,6 +54,8 @@ class BasisPane(Guarded, QWidget):
         self._extent.setObjectName("basisExtent")
         self._fit = self._fit_button()
         self._wants_all = False
+        # How many words are left out of the header, from 0 to 2.
+        self._brevity = 0
         self._soon = QTimer(self, singleShot=True, interval=_SOON_MS)
         self._soon.timeout.connect(self._write_reach)
         self._lay_out()
@@ -109,9 +111,9 @@ class BasisPane(Guarded, QWidget):
         return button
 
     def _lay_out(self) -> None:
-        holder = QWidget()
-        holder.setObjectName("basisHeader")
-        header = QHBoxLayout(holder)
+        row = _row_that_scrolls(self)
+        row.content.setObjectName("basisHeader")
+        header = QHBoxLayout(row.content)
         header.setContentsMargins(10, 4, 8, 2)
         header.setSpacing(6)
         header.addWidget(self._title)
@@ -130,7 +132,7 @@ class BasisPane(Guarded, QWidget):
         layout = QVBoxLayout(self)
         layout.setContentsMargins(0, 0, 0, 0)
         layout.setSpacing(0)
-        layout.addWidget(_row_that_scrolls(holder))
+        layout.addWidget(row)
         layout.addWidget(self._panel, 1)
 
     def render_view(self, view: CurveView) -> None:
@@ -158,14 +160,17 @@ class BasisPane(Guarded, QWidget):
         """Write as much as there is room for: first the words beside the formulas go, then the note's own."""
         self._title.setToolTip(_CARDINAL_TIP if self._shows_cardinals else "")
         for brief in range(3):
+            self._brevity = brief
             self._title.setText(_TITLES[self._shows_cardinals][min(brief, 1)])
             for kind, formula in enumerate(self._formulas):
                 # The leading space keeps the words off the line that is their sign.
                 self._kinds[kind].setText(" " + (formula if brief else f"{_NAMES[kind]}  {formula}"))
-            self._extent.setText(_reach_text(self._reach, brief=brief > 1))
-            self._header.invalidate()
+            self._write_extent()
             if self._header.sizeHint().width() <= self.width():
                 break
+
+    def _write_extent(self) -> None:
+        self._extent.setText(_reach_text(self._reach, brief=self._brevity > 1))
         self._extent.setToolTip(_reach_text(self._reach))
 
     @property
@@ -224,7 +229,11 @@ class BasisPane(Guarded, QWidget):
 
     def _write_reach(self) -> None:
         self._fit.setVisible(self._reach is not None or self._fit.isChecked())
-        self._write_header()
+        room = self._extent.sizeHint()
+        self._write_extent()
+        if self._extent.sizeHint() != room:
+            # As above: what the header says besides depends on what this leaves of the room.
+            self._write_header()
 
 
 def _reach_text(reach: tuple[float, float] | None, *, brief: bool = False) -> str:
@@ -235,9 +244,9 @@ def _reach_text(reach: tuple[float, float] | None, *, brief: bool = False) -> st
     return f"⚠ {span}" if brief else f"⚠ The functions reach from {span}"
 
 
-def _row_that_scrolls(row: QWidget) -> QWidget:
+def _row_that_scrolls(parent: QWidget) -> Scrolled[QWidget]:
     """Return a row that scrolls by wheel and Tab where it is too long, without a bar: that would cover it."""
-    area = Scrolled(row, _LEAST_HEADER)
+    area = Scrolled(QWidget, _LEAST_HEADER, parent)
     area.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
     area.setVerticalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
     area.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Fixed)

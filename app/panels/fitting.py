@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from typing import Generic, TypeVar
+
 from PySide6.QtCore import QEvent, QObject, QSize, Qt
 from PySide6.QtGui import QScreen, QShowEvent
 from PySide6.QtWidgets import QDialog, QFrame, QLayout, QScrollArea, QVBoxLayout, QWidget
@@ -15,16 +18,22 @@ _IN_DIALOG = QSize(900, 360)
 """What a dialog may ask for, beside its buttons: it then fits 960 × 540, which is a usual screen at 200 %."""
 
 
+Content = TypeVar("Content", bound=QWidget)
+
+
 def room_on(screen: QScreen) -> QSize:
     """Return how large a window can be, so that it fits the screen with its frame."""
     return screen.availableSize() - FRAME
 
 
-class Scrolled(Guarded, QScrollArea):
+class Scrolled(Guarded, QScrollArea, Generic[Content]):
     """Content that has the size it likes where there is room, and scrolls where there is not.
 
     Parameters
     ----------
+    build
+        Makes what scrolls, in the parent that it is given: made elsewhere and moved here, with all that is
+        in it, everything would get its style anew.
     most
         What the content may ask for at least, whatever it needs.
 
@@ -34,15 +43,17 @@ class Scrolled(Guarded, QScrollArea):
         What scrolls.
     """
 
-    def __init__(self, content: QWidget, most: QSize) -> None:
-        super().__init__()
-        self.content, self._most = content, most
+    def __init__(
+        self, build: Callable[[QWidget], Content], most: QSize, parent: QWidget | None = None
+    ) -> None:
+        super().__init__(parent)
+        self.content, self._most = build(self.viewport()), most
         self.setObjectName("scrolled")
         self.setFrameShape(QFrame.Shape.NoFrame)
         self.setWidgetResizable(True)
         # Tab goes to what is inside, and that comes into sight by itself.
         self.setFocusPolicy(Qt.FocusPolicy.NoFocus)
-        self.setWidget(content)
+        self.setWidget(self.content)
 
     def sizeHint(self) -> QSize:
         return self.content.sizeHint()
@@ -70,8 +81,8 @@ class FittedDialog(Guarded, QDialog):
     def __init__(self, parent: QWidget | None = None) -> None:
         # A tool window would let the keys of the window behind it through.
         super().__init__(parent, Qt.WindowType.Dialog)
-        self.body = QWidget()
-        self._area = Scrolled(self.body, _IN_DIALOG)
+        self._area = Scrolled(QWidget, _IN_DIALOG, self)
+        self.body = self._area.content
         self._wished = QSize()
 
     def hold(self, *feet: QWidget, wished: QSize | None = None) -> None:

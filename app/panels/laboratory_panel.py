@@ -268,7 +268,7 @@ def _label(name: str, *, wraps: bool = True) -> Label:
     return label
 
 
-class _Page(Scrolled):
+class _Page(Scrolled[QWidget]):
     """A page that scrolls up and down.
 
     Nothing is cut off at the side: it asks for the width of its content and of the scroll bar. (Where type is
@@ -276,7 +276,7 @@ class _Page(Scrolled):
     """
 
     def __init__(self, content: QWidget, name: str) -> None:
-        super().__init__(content, _PAGE)
+        super().__init__(lambda _parent: content, _PAGE)
         self.setObjectName(name)
 
     def minimumSizeHint(self) -> QSize:

@@ -30,7 +30,7 @@ class LateDock(QDockWidget):
     def fill(self) -> None:
         """Build the content, if there is none; for who needs it before the dock is on the screen."""
         if self.widget() is None:
-            self.setWidget(Scrolled(self._build(), IN_DOCK))
+            self.setWidget(Scrolled(lambda _parent: self._build(), IN_DOCK, self))
             self._apply_scale()
 
     def set_scale(self, scale: float) -> None:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 
+import msgspec
 import numpy as np
 import numpy.typing as npt
 from PySide6.QtCore import QLocale
@@ -18,6 +19,10 @@ _WHOLE_DIGITS = 4
 
 _ROUNDED_UP = 2e-4
 """In powers of ten: 9.996 may be written 10.00."""
+
+_LEAST_DECADE = -324
+_DECADES = 309 - _LEAST_DECADE
+"""Powers of ten of floats."""
 
 
 def decimal_mark() -> str:
@@ -35,24 +40,87 @@ def rounded_text(value: float, mark: str = ".", digits: int = 6) -> str:
     return _polished(f"{value:.{digits}g}", mark) if math.isfinite(value) else NOTHING
 
 
+class Extent(msgspec.Struct, frozen=True):
+    """The signs and powers of ten of the numbers in a column: all that decides how wide they are written.
+
+    Attributes
+    ----------
+    numbers
+        For each sign and power of ten among them a number as wide as any; 0 for those that are negligible
+        beside the greatest.
+    whole_digits
+        How many digits the greatest has before the decimal mark.
+    is_signed
+        Whether any is negative.
+    """
+
+    numbers: frozenset[float]
+    whole_digits: int
+    is_signed: bool
+
+
+class ColumnNumbers(msgspec.Struct, frozen=True):
+    """What is known of the numbers in a column: the greatest magnitude, 0 where there is none, and extent."""
+
+    greatest: float
+    extent: Extent
+
+    @property
+    def negligible(self) -> float:
+        """What is smaller is shown as 0."""
+        return NEGLIGIBLE * self.greatest
+
+
+def numbers_of_columns(values: npt.NDArray[np.float64]) -> list[ColumnNumbers]:
+    """Return what is known of each column of `values`, (n, columns)."""
+    magnitudes = np.abs(values)
+    magnitudes[~np.isfinite(magnitudes)] = 0.0
+    greatest = magnitudes.max(axis=0, initial=0.0)
+    shown = (magnitudes > 0) & (magnitudes >= NEGLIGIBLE * greatest)
+    rows, columns = np.nonzero(shown)
+    decades = np.floor(np.log10(magnitudes[rows, columns]) + _ROUNDED_UP).astype(np.intp)
+    # Marked in a grid: of ten thousand numbers there are but a few signs and decades.
+    grid = np.zeros((values.shape[1], 2, _DECADES), dtype=bool)
+    grid[columns, (values[rows, columns] < 0).astype(np.intp), decades - _LEAST_DECADE] = True
+    seen: list[list[tuple[int, int]]] = [[] for _ in greatest]
+    for column, sign, place in zip(*(each.tolist() for each in np.nonzero(grid)), strict=True):
+        seen[column].append((-1 if sign else 1, place + _LEAST_DECADE))
+    is_signed = np.atleast_1d(np.any(values < 0, axis=0))
+    return [
+        ColumnNumbers(most, _extent_of(seen[column], most, is_signed=bool(is_signed[column])))
+        for column, most in enumerate(greatest.tolist())
+    ]
+
+
+def _extent_of(seen: list[tuple[int, int]], greatest: float, *, is_signed: bool) -> Extent:
+    """Return the extent of numbers with these signs and powers of ten."""
+    # No digit of these is a 0 that is left out at the end.
+    numbers = [sign * float(f"1.111111e{decade}") for sign, decade in seen]
+    kept = (0.0 if abs(each) < NEGLIGIBLE * greatest else each for each in numbers)
+    return Extent(frozenset(kept), _whole_digits(greatest), is_signed)
+
+
 def column_decimals(values: npt.NDArray[np.float64], digits: int) -> int:
     """Return how many decimals a column shows, so that its numbers are as short as they can be.
 
     Enough for every number to be shown exactly if `digits` digits of the greatest one allow it.
     """
-    finite, most = values[np.isfinite(values)], most_decimals(values, digits)
-    slack = NEGLIGIBLE * greatest_of(values)
-    for decimals in range(most):
-        if bool((np.abs(np.round(finite, decimals) - finite) <= slack).all()):
-            return decimals
-    return most
+    finite = values[np.isfinite(values)]
+    greatest = float(np.abs(finite).max(initial=0.0))
+    most, slack = most_decimals(_whole_digits(greatest), digits), NEGLIGIBLE * greatest
+    # As np.round does it, for all decimals at once.
+    tens = 10.0 ** np.arange(most)[:, np.newaxis]
+    are_exact = (np.abs(np.rint(finite * tens) / tens - finite) <= slack).all(axis=1)
+    return next((decimals for decimals, is_exact in enumerate(are_exact.tolist()) if is_exact), most)
 
 
-def most_decimals(values: npt.NDArray[np.float64], digits: int) -> int:
-    """Return how many decimals there is room for if `digits` digits hold the greatest number."""
-    greatest = greatest_of(values)
-    whole = math.floor(math.log10(greatest)) + 1 if greatest >= 1 else 1
-    return max(digits - whole, 0)
+def most_decimals(whole_digits: int, digits: int) -> int:
+    """Return how many decimals there is room for if `digits` digits hold a number with so many whole ones."""
+    return max(digits - whole_digits, 0)
+
+
+def _whole_digits(greatest: float) -> int:
+    return math.floor(math.log10(greatest)) + 1 if greatest >= 1 else 1
 
 
 def column_text(value: float, decimals: int, digits: int, mark: str = ".", *, negligible: float = 0.0) -> str:
@@ -71,25 +139,13 @@ def column_text(value: float, decimals: int, digits: int, mark: str = ".", *, ne
     return _polished(fixed, mark)
 
 
-def widest_texts(values: npt.NDArray[np.float64], digits: int) -> set[str]:
+def widest_texts(extent: Extent, digits: int) -> set[str]:
     """Return texts of which one is as wide as any that `column_text` writes of a column at most.
 
     How many characters a number takes is a matter of its sign and its power of ten: one for each is enough.
     """
-    finite = values[np.isfinite(values) & (values != 0)]
-    negligible, decimals = NEGLIGIBLE * greatest_of(values), most_decimals(values, digits)
-    seen = finite[np.abs(finite) >= negligible]
-    decades = np.unique(
-        np.column_stack([np.sign(seen), np.floor(np.log10(np.abs(seen)) + _ROUNDED_UP)]), axis=0
-    )
-    # No digit of these is a 0 that is left out at the end.
-    numbers = [sign * float(f"1.111111e{decade:.0f}") for sign, decade in decades.tolist()]
-    return {column_text(number, decimals, digits, negligible=negligible) for number in numbers}
-
-
-def greatest_of(values: npt.NDArray[np.float64]) -> float:
-    """Return the greatest magnitude in a column, 0 where it holds no number."""
-    return float(np.abs(values[np.isfinite(values)]).max(initial=0.0))
+    decimals = most_decimals(extent.whole_digits, digits)
+    return {column_text(number, decimals, digits) for number in extent.numbers}
 
 
 def _polished(text: str, mark: str) -> str:

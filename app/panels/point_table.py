@@ -63,7 +63,8 @@ class PointTable(Guarded, QWidget):
         self._session = session
         self._pending: CurveView | None = None
         self._rendering = False
-        self._settled = session.document
+        # The view shown last, and whether it was one of a gesture.
+        self._fitted: tuple[CurveView, bool] | None = None
         self._to_reset: tuple[list[int], set[int]] = ([], set())
         self.model = PointTableModel(session, self)
         self.view = PointTableView(self.model, self)
@@ -168,18 +169,23 @@ class PointTable(Guarded, QWidget):
 
     def _show_committed(self) -> None:
         # A step of the history is no stream: who reads the table after it finds the present numbers.
-        self._settled = self._session.document
         self._show_now(self._session.active_view)
 
     def _show_now(self, view: CurveView) -> None:
         self._pending = None
         self._rendering = True
         self.model.show_view(view)
-        self.view.fit_columns(streaming=self._session.document is not self._settled)
+        self._fit_columns(view)
         self.view.select_rows(self._session.selection)
         self._rendering = False
         self._forget_message()
         self._render_footer()
+
+    def _fit_columns(self, view: CurveView) -> None:
+        fitted = view, self._session.is_previewing
+        if fitted != self._fitted:
+            self._fitted = fitted
+            self.view.fit_columns(streaming=self._session.is_previewing)
 
     def set_selection(self, selection: frozenset[int]) -> None:
         """Select the rows of these points."""

@@ -5,8 +5,6 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 import msgspec
-import numpy as np
-import numpy.typing as npt
 from PySide6.QtCore import (
     QAbstractItemModel,
     QEvent,
@@ -30,12 +28,11 @@ from PySide6.QtWidgets import (
 
 from app.overrides import Guarded
 from app.panels.number_text import (
-    NEGLIGIBLE,
+    Extent,
     column_decimals,
     column_text,
     decimal_mark,
     exact_text,
-    greatest_of,
     most_decimals,
     widest_texts,
 )
@@ -55,6 +52,10 @@ Numbers that almost touch are read as one; before that a derivative is shown wit
 """
 
 _DIGITS = (6, 5, 4, 3)
+
+_MOST_KNOWN = 1000
+"""Widths that are kept: of the columns as they have been of late."""
+
 _ENTER = (Qt.Key.Key_Return, Qt.Key.Key_Enter)
 _LEAVING = (*_ENTER, Qt.Key.Key_Tab, Qt.Key.Key_Backtab)
 # Whoever looks up a number in another window, or in the editor's own menu, comes back to go on typing.
@@ -69,14 +70,31 @@ class ColumnFormat(msgspec.Struct, frozen=True):
     negligible: float
 
 
-def width_for(values: npt.NDArray[np.float64], digits: int, metrics: QFontMetrics) -> int:
-    """Return how wide a column is at least that writes these values with so many digits, gap included.
+def width_for(extent: Extent, digits: int, metrics: QFontMetrics) -> int:
+    """Return how wide a column is at least that writes such numbers with so many digits, gap included.
 
     Also of a number that takes more than a sign, a point and `digits`: −1043 or 0.001 with three.
     """
-    sign = "−" if (values < 0).any() else ""
-    texts = {sign + "0" * digits + ".", *widest_texts(values, digits)}
+    sign = "−" if extent.is_signed else ""
+    texts = {sign + "0" * digits + ".", *widest_texts(extent, digits)}
     return max(map(metrics.horizontalAdvance, texts)) + PADDING + LEFT_PADDING
+
+
+class ColumnWidths:
+    """The widths of columns in one font: numbers of the same extent are measured once."""
+
+    def __init__(self) -> None:
+        self._metrics: QFontMetrics | None = None
+        self._known: dict[tuple[Extent, int], int] = {}
+
+    def of(self, extent: Extent, digits: int, metrics: QFontMetrics) -> int:
+        """Return what `width_for` returns."""
+        if metrics != self._metrics or len(self._known) > _MOST_KNOWN:
+            self._metrics, self._known = metrics, {}
+        width = self._known.get((extent, digits))
+        if width is None:
+            width = self._known[extent, digits] = width_for(extent, digits, metrics)
+        return width
 
 
 class CellEditor(QLineEdit):
@@ -126,6 +144,7 @@ class PointTableDelegate(Guarded, QStyledItemDelegate):
         self._streaming = False
         self._formats: list[ColumnFormat] = []
         self._upright, self._italic = QFont(), QFont()
+        self._widths = ColumnWidths()
 
     def set_theme(self, theme: Theme) -> None:
         """Take the colours of `theme`."""
@@ -173,6 +192,13 @@ class PointTableDelegate(Guarded, QStyledItemDelegate):
         value = float(self._model.values[row, column])
         return column_text(value, look.decimals, look.digits, decimal_mark(), negligible=look.negligible)
 
+    def needed_widths(self, digits: int, of_derivatives: int, metrics: QFontMetrics) -> list[int]:
+        """Return how wide the columns are at least that hold so many digits."""
+        return [
+            self._widths.of(numbers.extent, of_derivatives if column.is_derivative else digits, metrics)
+            for column, numbers in zip(self._model.columns, self._model.numbers_of_columns, strict=True)
+        ]
+
     def update_formats(self, widths: Sequence[int], metrics: QFontMetrics, *, streaming: bool) -> bool:
         """Fit the formats to columns of these widths; return whether any is another one now.
 
@@ -191,13 +217,14 @@ class PointTableDelegate(Guarded, QStyledItemDelegate):
     def _format(
         self, column: int, width: int, metrics: QFontMetrics, before: Sequence[ColumnFormat]
     ) -> ColumnFormat:
-        values = self._model.values[:, column]
-        fitting = (each for each in _DIGITS if width_for(values, each, metrics) <= width)
+        numbers = self._model.numbers_of_columns[column]
+        fitting = (each for each in _DIGITS if self._widths.of(numbers.extent, each, metrics) <= width)
         digits = next(fitting, _DIGITS[-1])
         if not self._streaming:
-            return ColumnFormat(digits, column_decimals(values, digits), NEGLIGIBLE * greatest_of(values))
+            decimals = column_decimals(self._model.values[:, column], digits)
+            return ColumnFormat(digits, decimals, numbers.negligible)
         known = before[column] if column < len(before) else None
-        decimals, negligible = most_decimals(values, digits), NEGLIGIBLE * greatest_of(values)
+        decimals, negligible = most_decimals(numbers.extent.whole_digits, digits), numbers.negligible
         if known is None:
             return ColumnFormat(digits, decimals, negligible)
         return ColumnFormat(min(digits, known.digits), min(decimals, known.decimals), known.negligible)

@@ -22,7 +22,13 @@ from app.document.edits import EditError
 from app.document.expression import ExpressionError, parse_number
 from app.document.model import Family
 from app.overrides import Guarded
-from app.panels.number_text import NEGLIGIBLE, decimal_mark, exact_text, greatest_of, rounded_text
+from app.panels.number_text import (
+    ColumnNumbers,
+    decimal_mark,
+    exact_text,
+    numbers_of_columns,
+    rounded_text,
+)
 from app.panels.point_table_edits import Column, TableValues, columns_of, set_cell, table_values
 from app.panels.words import ACCELERATION_ESTIMATES, VELOCITY_ESTIMATES
 from app.session import Session
@@ -63,6 +69,7 @@ class PointTableModel(Guarded, QAbstractTableModel):
         self._session = session
         self._view: CurveView | None = None
         self._shown = _EMPTY
+        self._numbers: tuple[TableValues, list[ColumnNumbers]] | None = None
         self.columns: tuple[Column, ...] = columns_of(Family.LAGRANGE)
         self._corners: frozenset[int] = frozenset()
         self._theme = LIGHT
@@ -82,6 +89,13 @@ class PointTableModel(Guarded, QAbstractTableModel):
     @property
     def estimated(self) -> np.ndarray:
         return self._shown.estimated
+
+    @property
+    def numbers_of_columns(self) -> list[ColumnNumbers]:
+        """What is known of the numbers in each column; found once for all that are shown."""
+        if self._numbers is None or self._numbers[0] is not self._shown:
+            self._numbers = self._shown, numbers_of_columns(self.values)
+        return self._numbers[1]
 
     # What is shown
 
@@ -222,7 +236,7 @@ class PointTableModel(Guarded, QAbstractTableModel):
 
     def _rounded(self, row: int, column: int) -> str:
         value = float(self.values[row, column])
-        if abs(value) < NEGLIGIBLE * greatest_of(self.values[:, column]):
+        if abs(value) < self.numbers_of_columns[column].negligible:
             value = 0.0
         return rounded_text(value, decimal_mark())
 

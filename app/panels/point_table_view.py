@@ -17,7 +17,7 @@ from PySide6.QtGui import QFont, QKeyEvent, QKeySequence, QResizeEvent
 from PySide6.QtWidgets import QAbstractButton, QAbstractItemView, QHeaderView, QTableView, QWidget
 
 from app.overrides import Guarded
-from app.panels.point_table_delegate import COMPACT_DIGITS, PADDING, PointTableDelegate, width_for
+from app.panels.point_table_delegate import COMPACT_DIGITS, PADDING, PointTableDelegate
 from app.panels.point_table_model import PointTableModel
 
 _ENTER = (Qt.Key.Key_Return, Qt.Key.Key_Enter)
@@ -98,10 +98,13 @@ class PointTableView(Guarded, QTableView):
         self._streaming = streaming
         if not streaming or self._outgrows():
             self._share_width()
-        across = self.horizontalHeader()
+        self._fit_formats()
+
+    def _fit_formats(self) -> None:
+        """Write the numbers as the columns have room for them."""
+        across, metrics = self.horizontalHeader(), self.fontMetrics()
         widths = [across.sectionSize(column) for column in range(across.count())]
-        metrics = self.fontMetrics()
-        if self.cell_delegate.update_formats(widths, metrics, streaming=streaming):
+        if self.cell_delegate.update_formats(widths, metrics, streaming=self._streaming):
             self.viewport().update()
 
     def _share_width(self) -> None:
@@ -116,12 +119,7 @@ class PointTableView(Guarded, QTableView):
             self.horizontalHeader().resizeSection(column, width + spare + (1 if column < rest else 0))
 
     def _needed(self, digits: int, of_derivatives: int) -> list[int]:
-        """Return how wide the columns are at least that hold so many digits."""
-        metrics = self.fontMetrics()
-        return [
-            width_for(values, of_derivatives if column.is_derivative else digits, metrics)
-            for column, values in zip(self.numbers.columns, self.numbers.values.T, strict=True)
-        ]
+        return self.cell_delegate.needed_widths(digits, of_derivatives, self.fontMetrics())
 
     def _outgrows(self) -> bool:
         """Whether some number takes more than its column has, however few digits it is written with."""
@@ -134,7 +132,7 @@ class PointTableView(Guarded, QTableView):
     def resizeEvent(self, event: QResizeEvent) -> None:
         super().resizeEvent(event)
         self._share_width()
-        self.fit_columns(streaming=self._streaming)
+        self._fit_formats()
 
     # What is selected
 

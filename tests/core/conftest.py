@@ -21,22 +21,27 @@ def rational(x):
 def lagrange_terms(t, parameters, order):
     """The exact order-th derivatives of all L_i at t."""
     differences = [t - node for node in parameters]
+    # As whole numbers of their common unit: products and sums of fractions would each be reduced.
+    unit = math.lcm(*(int(each.q) for each in differences))
+    whole = [each.p * (unit // int(each.q)) for each in differences]
 
     def times_factor(series, factor):
         return [a * factor + (series[k - 1] if k else 0) for k, a in enumerate(series)]
 
-    one = [fmpq(1)] + [fmpq(0)] * order
+    one = [fmpz(1)] + [fmpz(0)] * order
     left, right = [one], [one]
-    for factor in differences[:-1]:
+    for factor in whole[:-1]:
         left.append(times_factor(left[-1], factor))
-    for factor in differences[:0:-1]:
+    for factor in whole[:0:-1]:
         right.append(times_factor(right[-1], factor))
     right.reverse()
     coefficients = [
-        sum((a[k] * b[order - k] for k in range(order + 1)), fmpq(0))
+        sum((a[k] * b[order - k] for k in range(order + 1)), fmpz(0))
         for a, b in zip(left, right, strict=True)
     ]
-    return [c * math.factorial(order) for c in coefficients]
+    # Every one is a sum of products of all factors but one and `order` more.
+    scale = fmpq(math.factorial(order), unit ** max(len(whole) - 1 - order, 0))
+    return [c * scale for c in coefficients]
 
 
 def lagrange_weights(parameters):
@@ -80,11 +85,23 @@ def hermite_terms(t, parameters, width, order):
     return segment, values
 
 
+def enclosed(numbers):
+    """Intervals of some 2^-512 of their size around exact numbers, to multiply without long fractions."""
+    with ctx.workprec(_BITS):
+        return [arb(x) for x in numbers]
+
+
+def products(first, second):
+    """The products of intervals in pairs, enclosed."""
+    with ctx.workprec(_BITS):
+        return [a * b for a, b in zip(first, second, strict=True)]
+
+
 def worst_constant(computed, terms):
     """|computed - sum of terms| in units of u times the sum of their sizes; None if out of range.
 
-    The terms are exact. Their sums, whose common denominators are longer by far than all of them, lie in
-    intervals of some 2^-500 of their size; the upper end counts.
+    The terms are exact, or intervals of the precision below. Their sums, whose common denominators are longer
+    by far than all of them, lie in intervals of some 2^-500 of their size; the upper end counts.
     """
     if not any(terms):
         return 0.0 if computed == 0 else math.inf
@@ -137,6 +154,8 @@ def exact():
         lagrange_terms=lagrange_terms,
         lagrange_weights=lagrange_weights,
         hermite_terms=hermite_terms,
+        enclosed=enclosed,
+        products=products,
         worst_constant=worst_constant,
         parameter_sets=parameter_sets,
         probes=probes,

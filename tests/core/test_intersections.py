@@ -21,13 +21,11 @@ from curvecore import (
 def crossings_of_chords(curve, count):
     """The pairs of crossing chords of a fine polyline, not neighbours."""
     points = curve.evaluate(np.linspace(*curve.domain, count))
-    a, b = points[:-1], points[1:]
-
-    def cross(u, v):
-        return u[..., 0] * v[..., 1] - u[..., 1] * v[..., 0]
-
-    chord = (b - a)[:, None]
-    apart = cross(chord, a[None] - a[:, None]) * cross(chord, b[None] - a[:, None]) < 0.0
+    (x, y), (from_x, from_y) = points.T, points[:-1].T[:, :, None]
+    along_x, along_y = np.diff(points, axis=0).T[:, :, None]
+    # On which side of every chord every vertex lies.
+    side = along_x * (y - from_y) - along_y * (x - from_x)
+    apart = side[:, :-1] * side[:, 1:] < 0.0
     return np.argwhere(np.triu(apart & apart.T, 2)) / (count - 1.0)
 
 

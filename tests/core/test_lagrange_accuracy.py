@@ -20,20 +20,18 @@ LIMIT = 50.0
 
 def worst(exact, curve, t, order):
     nodes = [exact.rational(x) for x in curve.parameters]
-    weights = exact.lagrange_weights(nodes)
-    points = [[exact.rational(x) for x in row] for row in curve.points]
+    weights = exact.enclosed(exact.lagrange_weights(nodes))
+    points = [exact.enclosed(map(exact.rational, column)) for column in curve.points.T]
     values = curve.evaluate(t, order)
     basis = curve.basis(t, order)[:, :, 0]
     assert np.isfinite(values).all()
     assert np.isfinite(basis).all()
     found = [0.0]
     for k, x in enumerate(t):
-        terms = exact.lagrange_terms(exact.rational(x), nodes, order)
-        terms = [a * w for a, w in zip(terms, weights, strict=True)]
-        for d in range(curve.points.shape[1]):
-            constant = exact.worst_constant(
-                values[k, d], [a * p[d] for a, p in zip(terms, points, strict=True)]
-            )
+        terms = exact.enclosed(exact.lagrange_terms(exact.rational(x), nodes, order))
+        terms = exact.products(terms, weights)
+        for d, coordinates in enumerate(points):
+            constant = exact.worst_constant(values[k, d], exact.products(terms, coordinates))
             if constant is not None:
                 found.append(constant)
         if order == 0:

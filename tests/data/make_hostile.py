@@ -190,7 +190,7 @@ SVG: dict[str, Callable[[], bytes]] = {
     "many_elements": lambda: svg("<g/>" * 10_001),
     "deep": lambda: svg("<g>" * 100_000),
     "million_digits": lambda: svg(f'<path d="M0 0L1 {"1" * 1_000_000}"/>'),
-    "many_pieces": lambda: svg('<path d="M0 0' + "L1 1 0 0" * 75_000 + '"/>'),
+    "many_pieces": lambda: svg('<path d="M0 0' + "L1 1 0 0" * 50_001 + '"/>'),
     "wide_attributes": lambda: svg("<g " + " ".join(f'a{i}=""' for i in range(100_000)) + "/>"),
 }
 

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from app.document.model import Family
+from app.document.model import Document, Family, make_curve
 from app.exchange import ENDINGS, ExchangeError, export, import_file
 from app.exchange.child import limited, seconds_for
 from app.exchange.progress import Cancelled
@@ -17,6 +17,20 @@ ROOT = Path(__file__).parents[2]
 BUSY = b'<svg xmlns="http://www.w3.org/2000/svg"><path d="M0 0' + b"C1 1 2 2 3 3" * 90_000 + b'"/></svg>'
 
 
+@pytest.fixture
+def children(monkeypatch):
+    """The processes that read."""
+    started, start = [], subprocess.Popen
+
+    def note(*arguments, **options):
+        started.append(start(*arguments, **options))
+        return started[-1]
+
+    monkeypatch.setattr("app.exchange.child.subprocess.Popen", note)
+    return started
+
+
+@pytest.mark.usefixtures("drawings_read_here")
 @pytest.mark.parametrize("ending", [".curve.json", ".svg", ".dxf", ".csv", ".TSV"])
 def test_what_goes_out_comes_in(ending, sketch, tmp_path):
     path = tmp_path / f"a{ending}"
@@ -26,6 +40,15 @@ def test_what_goes_out_comes_in(ending, sketch, tmp_path):
     assert curve.evaluate(curve.domain[1]) == pytest.approx(
         view_of(sketch.curves[0]).curve.evaluate(1.0), abs=1e-9
     )
+
+
+@pytest.mark.parametrize("ending", [".svg", ".dxf"])
+def test_a_process_reads_drawings(ending, tmp_path, children):
+    path = tmp_path / f"a{ending}"
+    document = Document((make_curve([(0.0, 0.0), (1.0, 2.0), (3.0, 1.0)]),))
+    export(document, path)
+    assert len(import_file(path).document.curves) == 1
+    assert [each.returncode for each in children] == [0]
 
 
 def test_a_table_is_named_after_its_file(tmp_path):
@@ -48,19 +71,6 @@ def test_the_reason_names_the_file(tmp_path):
         import_file(path)
     said = str(refusal.value)
     assert said == "“bad.svg” cannot be read: Element 2 (<path>): its data must begin with M."
-
-
-@pytest.fixture
-def children(monkeypatch):
-    """The processes that read."""
-    started, start = [], subprocess.Popen
-
-    def note(*arguments, **options):
-        started.append(start(*arguments, **options))
-        return started[-1]
-
-    monkeypatch.setattr("app.exchange.child.subprocess.Popen", note)
-    return started
 
 
 def test_what_takes_too_long_is_stopped(children):

@@ -109,6 +109,7 @@ def test_a_dxf_names_the_unit(tmp_path):
         assert ezdxf.readfile(tmp_path / "a.dxf").units == code
 
 
+@pytest.mark.usefixtures("drawings_read_here")
 def test_true_size_comes_back_with_the_same_coordinates(tmp_path):
     export(SEVENTY, tmp_path / "a.svg", unit="mm")
     (back,) = import_file(tmp_path / "a.svg").document.curves

@@ -211,9 +211,9 @@ def test_neither_a_large_document_nor_a_slow_disk_holds_up_the_window(kept, qtbo
 
     monkeypatch.setattr(os, "fsync", fsync)
     monkeypatch.setattr("app.document.recovery.encode", encode_aside)
-    points = [(i / 3, (i % 17) / 7) for i in range(10_000)]
+    points = [(i / 3, (i % 17) / 7) for i in range(500)]
     large = Document((make_curve(points, family=Family.HERMITE),))
-    kept.session.commit(large, "Ten thousand points")
+    kept.session.commit(large, "Many points")
     qtbot.waitUntil(reached.is_set, timeout=WAIT_MS)
     # The disk does not answer; the window does.
     assert not files()
@@ -266,9 +266,9 @@ def test_a_full_disk_keeps_the_old_snapshot_and_is_said(kept, qtbot):
     sentences = []
     kept.session.refused.connect(sentences.append)
     limits = resource.getrlimit(resource.RLIMIT_FSIZE)
-    resource.setrlimit(resource.RLIMIT_FSIZE, (100_000, limits[1]))
+    resource.setrlimit(resource.RLIMIT_FSIZE, (10_000, limits[1]))
     try:
-        points = [(i / 3, (i % 17) / 7) for i in range(10_000)]
+        points = [(i / 3, (i % 17) / 7) for i in range(500)]
         kept.session.commit(Document((make_curve(points, family=Family.HERMITE),)), "Large")
         qtbot.waitUntil(lambda: any("backed up" in each for each in sentences), timeout=WAIT_MS)
     finally:

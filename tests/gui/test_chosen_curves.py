@@ -697,6 +697,7 @@ def test_what_is_no_curve_on_the_clipboard_is_told(five):
     assert five.session.document is document
 
 
+@pytest.mark.usefixtures("drawings_read_here")
 def test_curves_that_are_imported_to_others_are_chosen(five, tmp_path):
     path = tmp_path / "drawing.svg"
     path.write_text('<svg xmlns="http://www.w3.org/2000/svg"><path d="M0 0L9 9"/><path d="M0 9L9 0"/></svg>')

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import faulthandler
-import gc
 import json
 import shutil
 import sys
@@ -225,7 +224,6 @@ def test_what_fails_while_it_is_thrown_away_is_no_matter_for_a_dialog(guarded, c
             raise RuntimeError("thrown away")
 
     Bad()
-    gc.collect()
     assert has_told(guarded.lifecycle.crashes)
     assert dialogs() == []
     assert "thrown away" in capsys.readouterr().err

@@ -7,6 +7,7 @@ import re
 import numpy as np
 import pytest
 from msgspec.structs import replace
+from pixels import is_colour
 from PySide6.QtGui import QColor
 from PySide6.QtWidgets import QApplication
 
@@ -90,8 +91,7 @@ def covered(colour, theme):
 
 def has(image, colour):
     """Whether a line of at least 30 pixels has exactly this colour."""
-    wanted = QColor(colour).rgb()
-    return sum(image.pixel(x, y) == wanted for x in range(image.width()) for y in range(image.height())) > 30
+    return is_colour(image, QColor(colour)).sum() > 30
 
 
 def test_the_screen_shows_what_the_picture_shows(editor, dressed):

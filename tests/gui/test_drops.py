@@ -242,6 +242,7 @@ def tables(folder, *names):
     return [folder / name for name in names]
 
 
+@pytest.mark.usefixtures("drawings_read_here")
 def test_tables_dropped_at_once_are_asked_about_one_after_the_other(editor, tmp_path):
     """Three dialogs lay on top of each other."""
     first, second = tables(tmp_path, "a.csv", "b.csv")

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import pytest
-from kept_window import Fingerprint, differences
+from fingerprint import Fingerprint, differences
 from PySide6.QtWidgets import QLabel
 
 from app.document.model import Family

@@ -157,6 +157,18 @@ def test_escape_leaves_a_panel_for_the_canvas_and_then_steps_back(editor):
     assert window.canvas.hasFocus()
 
 
+def test_tab_goes_from_the_points_to_the_message_over_them_and_on_to_the_functions(editor):
+    window = editor.window
+    editor.session.offer("It may be undone.", "fitView")
+    window.canvas.setFocus()
+    editor.select([len(editor.curve.nodes) - 1])
+    passed = []
+    for _ in range(3):
+        QTest.keyClick(QApplication.focusWidget(), Qt.Key.Key_Tab)
+        passed.append(QApplication.focusWidget().objectName())
+    assert passed == ["offeredAction", "closeMessage", "basisPanel"]
+
+
 def test_f11_twice_leaves_a_maximised_window_maximised(editor):
     window = editor.window
     window.showMaximized()

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+from pixels import is_colour
 from PySide6.QtCore import QEvent, QPoint, Qt
 from PySide6.QtWidgets import QApplication
 
@@ -49,8 +50,7 @@ def ghost_pixels(editor):
     """How many pixels of the canvas have the colour of the line ahead."""
     editor.settle()
     image = editor.window.canvas.grab().toImage()
-    wanted = LIGHT.ghost.rgb()
-    return sum(image.pixel(x, y) == wanted for x in range(0, image.width(), 2) for y in range(image.height()))
+    return int(is_colour(image, LIGHT.ghost)[:, ::2].sum())
 
 
 @pytest.mark.parametrize("kind", [ParametrizationKind.CHORD_LENGTH, ParametrizationKind.MANUAL])

@@ -160,6 +160,7 @@ def test_what_was_not_saved_is_named_as_it_is(planted, tmp_path):
     check("Label recoveryNote", "ElidedLabel recoveryTold")
 
 
+@pytest.mark.usefixtures("drawings_read_here")
 def test_the_dialogs_of_an_import_show_what_the_file_says(planted, tmp_path):
     """A remark that began with "<style>" used to be invisible: the label took it for a style sheet."""
     drawing = tmp_path / f"{FILE}.svg"

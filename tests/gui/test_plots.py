@@ -297,6 +297,7 @@ def test_a_polynomial_of_many_points_is_plotted_once_it_rests(editor, qtbot):
     nodes = tuple(Node(float(a), float(np.sin(5 * a))) for a in x)
     many = Curve("Many", Family.LAGRANGE, Parametrization(ParametrizationKind.CHEBYSHEV), nodes)
     editor.session.commit(Document((many,)), "Many")
+    editor.settle()
     assert editor.session.document is not document
     editor.trigger("plotSpeed")
     assert not canvas(editor).plots

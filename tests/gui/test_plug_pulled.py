@@ -63,7 +63,7 @@ def step():
     tell_document("shown")
     editor.move((1 + t, 2 + t * t))
     tell_document("shown")
-    QTimer.singleShot(10, step)
+    QTimer.singleShot(100, step)
 """
 
 EDIT_AND_WAIT = """

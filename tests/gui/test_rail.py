@@ -9,8 +9,9 @@ from PySide6.QtGui import QContextMenuEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QMenu, QSlider
 
-from app.document.edits import set_closed
+from app.document.edits import set_closed, set_parameter
 from app.document.model import Family, ParametrizationKind
+from app.testing import Editor
 from curvecore import centripetal, chebyshev, chord_length, uniform
 
 SHIFT, CTRL = Qt.KeyboardModifier.ShiftModifier, Qt.KeyboardModifier.ControlModifier
@@ -369,3 +370,21 @@ def test_a_drag_does_not_lay_the_window_out_at_every_move(new_editor, family):
         QApplication.processEvents()
     editor.send(panel, QEvent.Type.MouseButtonRelease, start, held=False)
     assert layouts.count <= 4
+
+
+@pytest.mark.parametrize("width", [1200, 760])
+def test_other_digits_of_a_note_lay_nothing_out(qtbot, width):
+    """Whenever the note on the functions was written, the window was laid out: in a drag all the time."""
+    editor = Editor(qtbot, size=(width, 800))
+    pane, before = editor.window.basis_pane, editor.parameters
+    notes = []
+    for step in range(4):
+        t = before[4] - 0.02 - 1e-3 * step
+        editor.session.preview(set_parameter(editor.session.committed, 0, 3, t, before))
+        editor.wait_for_rest()
+        if not notes:
+            layouts = Layouts(editor.window)
+        notes.append(pane.extent_text)
+    assert len(set(notes)) == 4
+    assert layouts.count == 0
+    editor.session.cancel()

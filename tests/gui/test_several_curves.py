@@ -612,6 +612,7 @@ def test_the_others_are_drawn_in_their_colours_and_repainted_only_when_something
 def test_many_curves_are_moved_along_while_the_view_moves_and_painted_when_it_rests(three, qtbot):
     canvas = three.window.canvas
     layer = canvas._other_curves
+    three.settle()
     layer._seconds = 1.0  # as if painting had taken a second
     picture = layer._picture
     canvas.zoom(1.2, canvas.centre())

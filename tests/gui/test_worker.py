@@ -241,6 +241,25 @@ def test_garbage_is_collected_in_the_windows_thread_while_work_runs(quick_keeper
     until(gc.isenabled)
 
 
+def test_the_oldest_generation_waits_for_what_comes_while_work_runs(quick_keeper):
+    """A twentieth of a second it took at the beginning of nearly every task, and the window stood still."""
+    collected, release = [], threading.Event()
+
+    def note(phase, info):
+        if phase == "start":
+            collected.append(info["generation"])
+
+    for _ in range(3):
+        gc.collect(1)
+    assert gc.get_count()[2] > gc.get_threshold()[2]
+    gc.callbacks.append(note)
+    Task(lambda _task: churn(release.is_set))
+    until(lambda: 2 in collected)
+    gc.callbacks.remove(note)
+    release.set()
+    assert collected[: collected.index(2)].count(1) > gc.get_threshold()[2]
+
+
 def test_what_a_task_refers_to_goes_in_the_windows_thread(qapp):
     threads = []
     widget = QWidget()

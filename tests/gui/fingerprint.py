@@ -1,0 +1,197 @@
+"""What can be told of a window: whether it is as a new one is asked of this."""
+
+from __future__ import annotations
+
+import enum
+import sys
+from collections.abc import Mapping
+from pathlib import PurePath
+from types import BuiltinFunctionType, FunctionType, MethodType
+
+import msgspec
+from PySide6.QtCore import QRegularExpression
+from PySide6.QtGui import QAction
+from PySide6.QtWidgets import QAbstractButton, QDockWidget, QLabel, QWidget
+
+_FUNCTIONS = (FunctionType, BuiltinFunctionType, MethodType)
+"""What tests replace: a clock, a question to the person."""
+
+_PLAIN = (bool, int, float, str, bytes, type(None), enum.Enum, PurePath)
+
+_ABSENT = object()
+
+_OUR_NAMES = QRegularExpression("^(?!qt_|_q_).")
+
+_LIBRARIES = {*sys.stdlib_module_names, "curvecore", "numpy", "pyqtgraph", "PySide6", "shiboken6", "Shiboken"}
+
+PASSING = {
+    # What was drawn last, and what is kept so that it need not be made again.
+    *("_asked", "_costed", "_cost", "_discs_asked", "_dressed", "_drawn", "_extents", "_ghost"),
+    *("_ghost_drawn", "Curve.has_derivatives"),
+    *("_frozen", "_ghost_stroke", "_is_resting", "_italic", "_known", "_made", "_made_for", "_origin"),
+    *("_painted", "_pause", "_pens", "_pixels_of", "_room", "_upright"),
+    *("_seconds", "_stamps", "_stroke", "_strokes", "_watcher", "__dict__", "FunctionLines._shown"),
+    *("CrestNames._crests_of", "CrestNames._made_of", "CurveLayer.error", "FunctionLines._basis"),
+    *("FunctionLines._envelopes", "FunctionLines._polygons", "GridLayer._shown", "MotionLayer._written"),
+    *("PlotLayer._strokes_of", "PointLayer._discs_now", "PointLayer.numbers"),
+    *("DiskCommands._shown", "MotionStage._courses", "MotionStage._rivals", "MotionStage._rivals_of"),
+    *("MotionStage._scales", "PlotCommands._own", "PlotCommands._plotted", "PlotCommands._was_calm"),
+    *("TickEdit._knot", "TraceLayer._lines", "WiggleCommands._cures"),
+    # Where the pointer was last, before it left, and with which button.
+    *("_hand", "_last", "_menu_refused", "_modal", "_place_now", "_pointer", "_button", "Scrolling._zooms"),
+    *(
+        "CanvasTool.grid",
+        "Choosing.entered",
+        "Magnets._hovered",
+        "RailTool._function",
+        "RailTool._scrubbing_from",
+    ),
+    # Where a motion was stopped, what a panel showed that is closed; both begin anew.
+    *("LessonPanel._step", "Player._course", "Player._ran_on", "Player._scrub_before", "Player.seconds"),
+    *("ViewCommands._before_folding", "ViewCommands._before_presentation"),
+    # What was to be done had the work been stopped that has ended.
+    "FileWork._stopped",
+    # How often something has happened.
+    *("_documents", "_meant_for"),
+    # What belongs to a document that is open no more, by the place where it began.
+    *("LessonCommands._visits", "LessonCommands._given"),
+}
+"""Names of attributes that may differ, some of one class only."""
+
+RENDERED_ANEW = {
+    *("CommandPalette", "DigitsTable", "FileBar", "JobBar", "Legend", "MotionBar", "MotionDialog"),
+    *("PlotPane", "PreferencesDialog", "RecoveryBar", "ShortcutSheet", "WeightBars"),
+}
+"""Widgets that are made when they are first wanted, and filled whenever they are shown."""
+
+
+class _Kind:
+    """How objects of a type are told.
+
+    Attributes
+    ----------
+    is_opaque
+        There is nothing to tell of them: what is the library's.
+    names
+        The attributes that all objects of the type have.
+    """
+
+    def __init__(self, kind: type) -> None:
+        self.is_plain = issubclass(kind, _PLAIN)
+        self.is_function = issubclass(kind, _FUNCTIONS)
+        self.is_set = issubclass(kind, set | frozenset)
+        self.is_dict = issubclass(kind, dict)
+        self.is_rendered_anew = kind.__name__ in RENDERED_ANEW
+        package = kind.__module__.partition(".")[0]
+        is_known = issubclass(kind, (*_PLAIN, *_FUNCTIONS, set, frozenset, dict, list, tuple))
+        self.is_ours = not is_known and package == "app"
+        self.is_of_tests = not is_known and package not in {*_LIBRARIES, "app"}
+        self.is_opaque = not (is_known or self.is_ours or self.is_of_tests)
+        names = set(kind.__struct_fields__ if issubclass(kind, msgspec.Struct) else ())
+        for base in kind.__mro__:
+            slots = vars(base).get("__slots__", ())
+            names.update((slots,) if isinstance(slots, str) else slots)
+        self.name, self.type = kind.__name__, kind
+        self.passing = {name.removeprefix(f"{kind.__name__}.") for name in PASSING}
+        self.names = sorted(names - self.passing)
+
+    def said_of_all(self, name: str) -> object:
+        return getattr(self.type, name, _ABSENT)
+
+
+_kinds: dict[type, _Kind] = {}
+
+
+def _kind_of(value: object) -> _Kind:
+    kind = _kinds.get(type(value))
+    if kind is None:
+        kind = _kinds[type(value)] = _Kind(type(value))
+    return kind
+
+
+class Fingerprint:
+    """What can be told of a window: the plain values of all objects of ours that it reaches, and its widgets.
+
+    Attributes
+    ----------
+    told
+        What was found, by where it was found.
+    """
+
+    def __init__(self, window: QWidget) -> None:
+        self.told: dict[str, object] = {}
+        # Objects, not their ids alone: an id is free for another one as soon as its owner has gone.
+        self._seen: dict[int, object] = {}
+        self._window = window
+        self._walk("window", window, _kind_of(window))
+        for action in named_actions(window):
+            self.told[f"action {action.objectName()}"] = (
+                action.isChecked(),
+                action.isEnabled(),
+                action.isVisible(),
+                # The letters that are underlined are given out when a menu opens.
+                action.text().replace("&", ""),
+                action.shortcut().toString(),
+            )
+        for dock in window.findChildren(QDockWidget):
+            self.told[f"dock {dock.objectName()}"] = bool(dock.property("hadRoom"))
+        for widget in window.findChildren(QWidget, _OUR_NAMES):
+            # What is out of sight is told what to say before it is shown.
+            if widget.isVisibleTo(window):
+                self.told[f"widget {widget.objectName()}"] = self._told_of(widget)
+
+    def _walk(self, place: str, value: object, kind: _Kind) -> None:
+        if kind.is_plain:
+            self.told[place] = value
+        elif kind.is_function:
+            self.told[place] = value.__qualname__
+        elif kind.is_set:
+            self.told[place] = len(value)
+        elif kind.is_of_tests:
+            # In place of something of ours, or of the library's: a clock, for one.
+            self.told[place] = kind.name
+        elif id(value) not in self._seen:
+            self._seen[id(value)] = value
+            if kind.is_ours:
+                self._walk_ours(place, value, kind)
+            else:
+                self.told[f"{place}.count"] = len(value)
+                items = value.items() if kind.is_dict else enumerate(value)
+                for key, each in items:
+                    known = _kind_of(each)
+                    if not known.is_opaque and (not kind.is_dict or isinstance(key, _PLAIN)):
+                        self._walk(f"{place}.{key}", each, known)
+
+    def _walk_ours(self, place: str, value: object, kind: _Kind) -> None:
+        if kind.is_rendered_anew and not value.isVisibleTo(self._window):
+            # As if it were not there yet.
+            self.told[place] = None
+            return
+        self.told[f"{place}.type"] = kind.name
+        for name in kind.names:
+            each = getattr(value, name, None)
+            known = _kind_of(each)
+            if not known.is_opaque:
+                self._walk(f"{place}.{name}", each, known)
+        for name, each in getattr(value, "__dict__", {}).items():
+            known = _kind_of(each)
+            # What the class says of all is not told of each.
+            if not known.is_opaque and name not in kind.passing and each is not kind.said_of_all(name):
+                self._walk(f"{place}.{name}", each, known)
+
+    @staticmethod
+    def _told_of(widget: QWidget) -> tuple[object, ...]:
+        text = widget.text() if isinstance(widget, QLabel | QAbstractButton) else ""
+        return widget.isEnabled(), text, widget.toolTip()
+
+
+def named_actions(window: QWidget) -> list[QAction]:
+    return window.findChildren(QAction, _OUR_NAMES)
+
+
+def differences(told: Mapping[str, object], *known: Mapping[str, object]) -> dict[str, object]:
+    """Return what is in none of the `known` fingerprints as it is in `told`, by its place."""
+    places = set(told).union(*known)
+    for each in known:
+        places = {place for place in places if told.get(place, _ABSENT) != each.get(place, _ABSENT)}
+    return {place: told.get(place, _ABSENT) for place in places}
