@@ -44,7 +44,7 @@ class CurveLayer:
         self._view: CurveView | None = None
         self._font = QFont(plot.font())
         self._stroke, self._ghost_stroke = Stroke(), Stroke()
-        self._pen_for: tuple[object, ...] = ()
+        self._made_for: tuple[object, ...] = ()
         self._pen_now = QPen()
         self._drawn: tuple[CurveView | None, PixelMap | None] = (None, None)
         self._ghost_drawn: tuple[Floats | None, PixelMap | None] = (None, None)
@@ -141,8 +141,8 @@ class CurveLayer:
         # The last good curve, of nodes or rules that are no more, and a hidden one that is edited.
         is_faint = view is not None and not (view.is_current and view.source.visible)
         asked = (colour, is_faint, self.theme, self.scale)
-        if asked != self._pen_for:
-            self._pen_for = asked
+        if asked != self._made_for:
+            self._made_for = asked
             self._pen_now = self._line(self.theme.curve, _WIDTH)
             if is_faint:
                 self._pen_now = self._line(self.theme.handle, FAINT_WIDTH)

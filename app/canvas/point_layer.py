@@ -65,7 +65,7 @@ class PointLayer:
         self._pixels_of: tuple[Floats | None, PixelMap | None] = (None, None)
         self._pixels: Floats = np.empty((0, 2))
         self._visible: Integers = np.empty(0, dtype=np.intp)
-        self._apart_for: tuple[object, ...] = ()
+        self._made_for: tuple[object, ...] = ()
         self._apart_of = self._visible
         self._apart: tuple[Integers, list[int], list[int]] = (self._visible, [], [])
 
@@ -139,7 +139,7 @@ class PointLayer:
     ) -> tuple[Integers, list[int], list[int]]:
         """Return which visible points are drawn like any other, which as hovered, and which as selected."""
         asked = (count, crowded, self.selection, self.hovered)
-        if asked != self._apart_for or visible is not self._apart_of:
+        if asked != self._made_for or visible is not self._apart_of:
             chosen = [index for index in self.selection if index < count]
             is_calm = np.ones(count, dtype=bool)
             is_calm[chosen] = False
@@ -147,7 +147,7 @@ class PointLayer:
             hovered = calm[calm == self.hovered].tolist()
             if crowded:
                 calm = with_neighbours([*chosen, *hovered], calm)
-            self._apart_for, self._apart_of = asked, visible
+            self._made_for, self._apart_of = asked, visible
             self._apart = (calm, hovered, visible[~is_calm[visible]].tolist())
         return self._apart
 
