@@ -91,7 +91,7 @@ def _guard(method: FunctionType) -> Callable[..., object]:
         try:
             return method(*arguments)
         except Exception as problem:
-            _report(problem)
+            report(problem)
             _keep_open(arguments)
             return empty_result(method)
         except BaseException:
@@ -101,7 +101,8 @@ def _guard(method: FunctionType) -> Callable[..., object]:
     return guarded
 
 
-def _report(problem: Exception) -> None:
+def report(problem: Exception) -> None:
+    """Tell of an exception that ends here, as of one that nobody caught."""
     with suppress(Exception):
         sys.excepthook(type(problem), problem, problem.__traceback__)
     # A painter that the method left open must end before Qt goes on with what it paints on.

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 import numpy as np
 from msgspec.structs import replace
-from PySide6.QtCore import QEvent, QPoint, QPointF, QRectF, Qt, Signal
+from PySide6.QtCore import QEvent, QPoint, QPointF, QRectF, Qt, QTimer, Signal
 from PySide6.QtGui import QContextMenuEvent, QFocusEvent, QKeyEvent
 from PySide6.QtWidgets import QWidget
 
@@ -56,6 +56,8 @@ class Canvas(CanvasView):
         self._overlay_layer.around = self._surroundings_of
         self._pen_layer = self.dress(PenLayer(self, LIGHT))
         self._pointer: Pointer | None = None
+        self._words_due = QTimer(self, singleShot=True, interval=0)
+        self._words_due.timeout.connect(self._tell)
         self.map_changed.connect(self.hover_again)
 
     # What is shown
@@ -191,11 +193,19 @@ class Canvas(CanvasView):
         self._pointer = pointer
         self._tool.grid = self.grid_spacing
         self._active_tool.move(pointer)
-        self._show_progress()
-        # Of a point that snaps or keeps to an axis, where it is and not the hand.
-        self.pointed_at.emit(self._tool.place() or pointer.position)
+        self._show_overlay()
+        # The eye is on the curve: words come once that has been painted.
+        self._words_due.start()
+
+    def _tell(self) -> None:
+        """Say how far the gesture has come, and where the pointer is."""
+        self.progress_changed.emit(self._tool.progress())
+        if self._pointer is not None:
+            # Of a point that snaps or keeps to an axis, where it is and not the hand.
+            self.pointed_at.emit(self._tool.place() or self._pointer.position)
 
     def released(self, pointer: Pointer) -> None:
+        self._words_due.stop()
         self._active_tool.release(pointer)
         self.progress_changed.emit("")
         self.hovered_at(pointer)

@@ -30,8 +30,8 @@ class CornerLayer:
         """Draw the corners of `view` from the next paint on."""
         self._view = view
         self._corners = view.corners
-        self._layer.setOpacity(opacity_of(view))
-        self._layer.setVisible(bool(self._corners))
+        self._layer.set_opacity(opacity_of(view))
+        self._layer.set_visible(bool(self._corners))
         self._layer.update()
 
     def paint(self, painter: QPainter, shown: PixelMap) -> None:

@@ -44,6 +44,8 @@ class CurveLayer:
         self._view: CurveView | None = None
         self._font = QFont(plot.font())
         self._stroke, self._ghost_stroke = Stroke(), Stroke()
+        self._made_for: tuple[object, ...] = ()
+        self._pen_now = QPen()
         self._drawn: tuple[CurveView | None, PixelMap | None] = (None, None)
         self._ghost_drawn: tuple[Floats | None, PixelMap | None] = (None, None)
         self._ghost: Floats | None = None
@@ -134,14 +136,19 @@ class CurveLayer:
         self._drawn = (self._view, shown)
 
     def _pen(self) -> QPen:
-        pen = self._line(self.theme.curve, _WIDTH)
-        if self._view is not None:
-            source = self._view.source
-            pen.setColor(curve_colour(source.colour, self.theme))
-            if not (self._view.is_current and source.visible):
-                # The last good curve, of nodes or rules that are no more, and a hidden one that is edited.
-                pen = self._line(self.theme.handle, FAINT_WIDTH)
-        return pen
+        view = self._view
+        colour = view.source.colour if view is not None else None
+        # The last good curve, of nodes or rules that are no more, and a hidden one that is edited.
+        is_faint = view is not None and not (view.is_current and view.source.visible)
+        asked = (colour, is_faint, self.theme, self.scale)
+        if asked != self._made_for:
+            self._made_for = asked
+            self._pen_now = self._line(self.theme.curve, _WIDTH)
+            if is_faint:
+                self._pen_now = self._line(self.theme.handle, FAINT_WIDTH)
+            elif colour is not None:
+                self._pen_now.setColor(curve_colour(colour, self.theme))
+        return self._pen_now
 
     def _line(self, colour: QColor, width: float) -> QPen:
         pen = QPen(colour, width * self.scale)

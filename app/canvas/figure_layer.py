@@ -53,14 +53,14 @@ class FigureLayer:
         self._layers = [plot.add_layer(self._paint_below, z=z), plot.add_layer(self._paint_above, z=0.5)]
         for layer in self._layers:
             # Even a layer that draws nothing costs every frame its share.
-            layer.hide()
+            layer.set_visible(False)
 
     def render(self, figures: Sequence[Figure], ghosts: Sequence[GhostView]) -> None:
         """Draw `figures` and `ghosts` from the next paint on."""
         if figures or ghosts or self.figures or self.ghosts:
             self.figures, self.ghosts = figures, ghosts
             for layer in self._layers:
-                layer.setVisible(bool(figures or ghosts))
+                layer.set_visible(bool(figures or ghosts))
                 layer.update()
 
     def _paint_below(self, painter: QPainter, shown: PixelMap) -> None:

@@ -28,7 +28,7 @@ class FileLayer:
         self._picture: QPixmap | None = None
         self._key: tuple[object, ...] = ()
         self._layer = plot.add_layer(self.paint, z=-2)
-        self._layer.hide()
+        self._layer.set_visible(False)
 
     @property
     def name(self) -> str:
@@ -39,7 +39,7 @@ class FileLayer:
         """Draw these curves from the next paint on; none: nothing."""
         self._views = [view for view in views if view.source.visible and view.curve is not None]
         self._name, self._picture = name, None
-        self._layer.setVisible(bool(self._views))
+        self._layer.set_visible(bool(self._views))
         self._layer.update()
 
     def paint(self, painter: QPainter, shown: PixelMap) -> None:

@@ -35,7 +35,7 @@ class GridLayer:
         self._fine, self._coarse = Bars(), Bars()
         self._fixed = 0.0
         self._steps = (0.0, 0.0)
-        self._layer = plot.add_layer(self.paint, z=-10)
+        self._layer = plot.add_layer(self.paint, z=-10, is_still=True)
         plot.map_changed.connect(self._tune_axes)
         self.set_spacing(0.0)
 

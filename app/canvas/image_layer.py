@@ -39,8 +39,8 @@ class ImageLayer:
         self._is_page: bool | None = None
         # A level for dark paper, and what it was made of.
         self._dark: tuple[QImage, QImage] | None = None
-        self._layer = plot.add_layer(self.paint, z=-6)
-        self._layer.hide()
+        self._layer = plot.add_layer(self.paint, z=-6, is_still=True)
+        self._layer.set_visible(False)
         # The grips lie over curves and points: the mouse is theirs while they show.
         self._grips = plot.add_layer(self._paint_grips, z=20)
 
@@ -52,7 +52,7 @@ class ImageLayer:
             self._image, self._pixels = image, pixels
             if pixels is None:
                 self._shot, self._levels, self._dark = None, [], None
-            self._layer.setVisible(image is not None)
+            self._layer.set_visible(image is not None)
             self._layer.update()
             self._grips.update()
 

@@ -54,7 +54,7 @@ class OtherCurvesLayer:
         self._next.timeout.connect(self._update)
         self._outline: _Outline | None = None
         self._layer = plot.add_layer(self.paint, z=-1)
-        self._layer.hide()
+        self._layer.set_visible(False)
 
     def render(self, views: Sequence[CurveView], places: Sequence[int]) -> None:
         """Draw those of `views` at these places from the next paint on."""
@@ -67,7 +67,7 @@ class OtherCurvesLayer:
             return
         self._views = shown
         self._picture = self._outline = None
-        self._layer.setVisible(bool(shown))
+        self._layer.set_visible(bool(shown))
         self._layer.update()
 
     def set_cased(self, cased: bool) -> None:

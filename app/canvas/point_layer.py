@@ -65,11 +65,14 @@ class PointLayer:
         self._pixels_of: tuple[Floats | None, PixelMap | None] = (None, None)
         self._pixels: Floats = np.empty((0, 2))
         self._visible: Integers = np.empty(0, dtype=np.intp)
+        self._made_for: tuple[object, ...] = ()
+        self._apart_of = self._visible
+        self._apart: tuple[Integers, list[int], list[int]] = (self._visible, [], [])
 
     def render(self, view: CurveView) -> None:
         """Draw `view` from the next paint on."""
         self._view = view
-        self._layer.setOpacity(opacity_of(view))
+        self._layer.set_opacity(opacity_of(view))
         self._handles = self._handles_now()
         self._layer.update()
 
@@ -111,7 +114,9 @@ class PointLayer:
             return
         self._pixels_of = (points, shown)
         self._pixels = shown.points(points)
-        self._visible = np.flatnonzero(_is_near(self._pixels, shown))
+        visible = np.flatnonzero(_is_near(self._pixels, shown))
+        if not np.array_equal(visible, self._visible):
+            self._visible = visible
 
     # Points
 
@@ -119,21 +124,32 @@ class PointLayer:
         self, painter: QPainter, pixels: Floats, visible: Integers, colours: Sequence[QColor]
     ) -> None:
         discs = self._discs_of(pixels, visible)
-        chosen = [index for index in self.selection if index < len(pixels)]
-        is_calm = np.ones(len(pixels), dtype=bool)
-        is_calm[chosen] = False
-        calm = visible[is_calm[visible]]
-        hovered = calm[calm == self.hovered]
-        if discs.crowded:
-            calm = with_neighbours([*chosen, *hovered.tolist()], calm)
+        calm, hovered, chosen = self._told_apart(len(pixels), visible, crowded=discs.crowded)
         self._stamps.draw(painter, pixels[calm], calm, len(pixels), self.theme, discs.radius, discs.rim)
         self._paint_discs(
-            painter, pixels, hovered.tolist(), colours, (RADIUS + _GROWTH) * self.scale, 1.5 * self.scale
+            painter, pixels, hovered, colours, (RADIUS + _GROWTH) * self.scale, 1.5 * self.scale
         )
-        for index in visible[~is_calm[visible]].tolist():
+        for index in chosen:
             self._paint_selected(painter, QPointF(*pixels[index]), colours[index])
         if discs.crowded:
             self._paint_note(painter, shown=painter.clipBoundingRect())
+
+    def _told_apart(
+        self, count: int, visible: Integers, *, crowded: bool
+    ) -> tuple[Integers, list[int], list[int]]:
+        """Return which visible points are drawn like any other, which as hovered, and which as selected."""
+        asked = (count, crowded, self.selection, self.hovered)
+        if asked != self._made_for or visible is not self._apart_of:
+            chosen = [index for index in self.selection if index < count]
+            is_calm = np.ones(count, dtype=bool)
+            is_calm[chosen] = False
+            calm = visible[is_calm[visible]]
+            hovered = calm[calm == self.hovered].tolist()
+            if crowded:
+                calm = with_neighbours([*chosen, *hovered], calm)
+            self._made_for, self._apart_of = asked, visible
+            self._apart = (calm, hovered, visible[~is_calm[visible]].tolist())
+        return self._apart
 
     def _discs_of(self, pixels: Floats, visible: Integers) -> Discs:
         """Return how discs are drawn; under a drag that hardly changes, and is not asked every frame."""
@@ -189,13 +205,7 @@ class PointLayer:
 
     def _paint_numbers(self, painter: QPainter, pixels: Floats, visible: Integers) -> None:
         self.numbers = []
-        if len(pixels) > _LABELLED_UP_TO:
-            # Many numbers at once would cover each other and the curve.
-            named = self.selection if len(self.selection) <= _LABELLED_UP_TO else frozenset[int]()
-            wanted = np.zeros(len(pixels), dtype=bool)
-            wanted[[index for index in (*named, self.hovered) if 0 <= index < len(pixels)]] = True
-            visible = visible[wanted[visible] | self._has_weight_text(len(pixels))[visible]]
-        chosen: list[int] = visible.tolist()
+        chosen = self._numbered(pixels, visible)
         if not chosen:
             return
         painter.setFont(self._fonts.times(0.95 * self.scale))
@@ -216,6 +226,16 @@ class PointLayer:
             box = QRectF(centre.x() - 60, centre.y() - 12, 120, 24)
             painter.setPen(colour)
             painter.drawText(box, int(Qt.AlignmentFlag.AlignCenter), text)
+
+    def _numbered(self, pixels: Floats, visible: Integers) -> list[int]:
+        """Return which points have their numbers beside them: many at once would cover each other."""
+        if len(pixels) <= _LABELLED_UP_TO:
+            every: list[int] = visible.tolist()
+            return every
+        named = self.selection if len(self.selection) <= _LABELLED_UP_TO else frozenset[int]()
+        wanted = {index for index in (*named, self.hovered) if 0 <= index < len(pixels)}
+        wanted.update(np.flatnonzero(self._has_weight_text(len(pixels))).tolist())
+        return [index for index in sorted(wanted) if _holds(visible, index)]
 
     def _paint_plate(self, painter: QPainter, centre: QPointF, text: str) -> None:
         """Lay a piece of paper under a number."""
@@ -333,6 +353,12 @@ def _is_near(pixels: Floats, shown: PixelMap) -> Flags:
     margin = 60.0
     x, y = pixels[:, 0], pixels[:, 1]
     return (x > -margin) & (x < shown.width + margin) & (y > -margin) & (y < shown.height + margin)
+
+
+def _holds(ascending: Integers, index: int) -> bool:
+    """Whether `index` is one of ascending ones."""
+    place = int(ascending.searchsorted(index))
+    return place < len(ascending) and int(ascending[place]) == index
 
 
 def _number_place(pixels: Floats, index: int, distance: float, beyond: float) -> QPointF:

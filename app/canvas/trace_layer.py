@@ -36,7 +36,7 @@ class TraceLayer:
         self._lines: list[tuple[Look, bool, Stroke | Segments]] = []
         self._drawn_at: tuple[PixelMap, float] | None = None
         self._layer = plot.add_layer(self.paint, z=0.5)
-        self._layer.hide()
+        self._layer.set_visible(False)
 
     def render(self, group: str, traces: Sequence[Trace], *, faded: bool) -> None:
         """Draw the traces of a group from the next paint on; none take the group away."""
@@ -46,7 +46,7 @@ class TraceLayer:
         if traces:
             self.groups[group] = (traces, faded)
         self._drawn_at = None
-        self._layer.setVisible(bool(self.groups))
+        self._layer.set_visible(bool(self.groups))
         self._layer.update()
 
     def paint(self, painter: QPainter, shown: PixelMap) -> None:

@@ -18,8 +18,8 @@ class UnitLayer:
         self._unit = ""
         self._font = QFont(plot.font())
         self._font.setPointSizeF(max(self._font.pointSizeF() - 1.5, 7.0))
-        self._layer = plot.add_layer(self.paint, z=-5)
-        self._layer.hide()
+        self._layer = plot.add_layer(self.paint, z=-5, is_still=True)
+        self._layer.set_visible(False)
 
     @property
     def unit(self) -> str:
@@ -29,7 +29,7 @@ class UnitLayer:
     @unit.setter
     def unit(self, unit: str) -> None:
         self._unit = unit
-        self._layer.setVisible(bool(unit))
+        self._layer.set_visible(bool(unit))
         self._layer.update()
 
     def paint(self, painter: QPainter, shown: PixelMap) -> None:

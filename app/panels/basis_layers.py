@@ -56,7 +56,7 @@ class FunctionLayer:
         self.emphasised: frozenset[int] = frozenset()
         self._basis: BasisView | None = None
         self._lines: FunctionLines | None = None
-        self._names = CrestNames(plot.font())
+        self._names = CrestNames(plot, self.refresh)
         self._layer = plot.add_layer(self.paint, z=0)
 
     def render(self, basis: BasisView | None) -> None:

@@ -3,16 +3,18 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from typing import NamedTuple
 
 import numpy as np
 import numpy.typing as npt
 from pyqtgraph.Qt.internals import PrimitiveArray
-from PySide6.QtCore import QPointF, QRectF, QSizeF, Qt
+from PySide6.QtCore import QPointF, QRectF, QSizeF, Qt, QTimer
 from PySide6.QtGui import QFont, QFontMetricsF, QPainter, QPixmap
 
 from app.plot.colours import colours_of
 from app.plot.halo import Halo
+from app.plot.layered_plot import LayeredPlot
 from app.plot.pixel_map import Floats, PixelMap
 from app.theme import Theme
 from app.view_model.basis_view import BasisView
@@ -28,6 +30,9 @@ _GAP = 1.0
 
 _RIM = 2.0
 """Pixels of paper around a number."""
+
+_HELD_MS = 200
+"""How long a number keeps its side of a crest that moves."""
 
 
 class Crest(NamedTuple):
@@ -55,16 +60,30 @@ def crests_of(basis: BasisView, kinds: list[int]) -> list[Crest]:
 
 
 class CrestNames:
-    """Writes the numbers; a sheet with pictures of them is kept, and stamped in one call."""
+    """Writes the numbers; a sheet with pictures of them is kept, and stamped in one call.
 
-    def __init__(self, font: QFont) -> None:
-        self._font = QFont(font)
+    Parameters
+    ----------
+    plot
+        Where they are written.
+    again
+        Has them written once more, when functions that changed have come to rest.
+    """
+
+    def __init__(self, plot: LayeredPlot, again: Callable[[], None]) -> None:
+        self._font = QFont(plot.font())
         self._made_of: tuple[object, ...] = ()
         self._sheet = QPixmap()
         self._cell = QSizeF()
         self._fragments = PrimitiveArray(QPainter.PixmapFragment, 10)
         self._crests_of: tuple[BasisView, list[int]] | None = None
         self._owners, self._places = np.empty(0, dtype=np.intp), np.empty((0, 2))
+        # On which side of their crests the numbers stand, in pixels, and which of them there are.
+        self._asides, self._is_clear = np.empty((0, 2)), np.empty(0, dtype=np.bool_)
+        self._asked: tuple[object, ...] = ()
+        self._made_for: BasisView | None = None
+        self._soon = QTimer(plot, singleShot=True, interval=_HELD_MS)
+        self._soon.timeout.connect(again)
 
     def paint(
         self,
@@ -82,8 +101,9 @@ class CrestNames:
         device = painter.device()
         ratio = device.devicePixelRatioF() if device is not None else 1.0
         self._draw_sheet(basis.node_count, theme, scale, ratio)
-        places, is_clear = self._boxes(shown, basis, kinds, painter.clipBoundingRect().bottom(), scale)
-        clear = np.flatnonzero(is_clear)
+        crests = np.column_stack([shown.x(self._places[:, 0]), shown.y(self._places[:, 1])])
+        self._choose_sides(crests, shown, basis, kinds, painter.clipBoundingRect().bottom(), scale)
+        places, clear = crests + self._asides, np.flatnonzero(self._is_clear)
         kept = clear[apart(places[clear], self._cell)]
         self._fragments.resize(len(kept))
         data = self._fragments.ndarray()
@@ -103,14 +123,39 @@ class CrestNames:
             self._owners = np.array([each.owner for each in crests], dtype=np.intp)
             self._places = np.array([(each.t, each.value) for each in crests])
 
+    def _choose_sides(
+        self,
+        crests: Floats,
+        shown: PixelMap,
+        basis: BasisView,
+        kinds: list[int],
+        floor: float,
+        scale: float,
+    ) -> None:
+        """Choose on which side of its crest each number stands; while functions move it keeps it."""
+        asked = (basis.count, tuple(kinds), shown, floor, scale)
+        if asked == self._asked and self._soon.isActive():
+            return
+        if basis is not self._made_for:
+            self._soon.start()
+        self._asked, self._made_for = asked, basis
+        places, self._is_clear = self._boxes(crests, shown, basis, kinds, floor, scale)
+        self._asides = places - crests
+
     def _boxes(
-        self, shown: PixelMap, basis: BasisView, kinds: list[int], floor: float, scale: float
+        self,
+        crests: Floats,
+        shown: PixelMap,
+        basis: BasisView,
+        kinds: list[int],
+        floor: float,
+        scale: float,
     ) -> tuple[Floats, Bools]:
         """Return the middles of the numbers in pixels, and for which of them there is one.
 
         Beyond the crest, where no function crosses the number; else on its other side, or a little aside.
         """
-        x, y = shown.x(self._places[:, 0]), shown.y(self._places[:, 1])
+        x, y = crests.T
         width, height = self._cell.width(), self._cell.height()
         half = height / 2
         above, below = y - half - _GAP, y + half + _GAP

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import numpy as np
-from PySide6.QtCore import QEvent, QPointF, Qt, Signal
+from PySide6.QtCore import QEvent, QPointF, QRectF, Qt, Signal
 from PySide6.QtGui import QFont, QKeyEvent, QPainter, QPen, QShowEvent
 from PySide6.QtWidgets import QButtonGroup, QHBoxLayout, QSizePolicy, QToolButton, QVBoxLayout, QWidget
 
@@ -136,7 +136,8 @@ class HodographPlot(PlotWidget):
         if self.hodograph is None:
             painter.setPen(theme.muted)
             flags = int(Qt.AlignmentFlag.AlignCenter | Qt.TextFlag.TextWordWrap)
-            painter.drawText(self._layer.boundingRect().adjusted(12, 0, -12, 0), flags, self.note)
+            area = QRectF(0, 0, shown.width, shown.height)
+            painter.drawText(area.adjusted(15, 3, -15, -3), flags, self.note)
             return
         self._paint_origin(painter, shown)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing, True)

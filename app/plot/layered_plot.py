@@ -1,7 +1,8 @@
 """A pyqtgraph plot that we paint ourselves: layers, the pixel map, and which part of the plane is seen.
 
 pyqtgraph supplies the view box, the axes and the ranges. All drawing is done by layers that paint in pixels
-of the plot area.
+of the plot area. They are no items of its scene: where the area alone has changed, as under every drag,
+neither Qt's graphics view nor pyqtgraph is asked to paint.
 """
 
 from __future__ import annotations
@@ -11,19 +12,19 @@ from typing import Protocol, TypeVar, runtime_checkable
 
 import pyqtgraph as pg
 from pyqtgraph.graphicsItems.ViewBox.ViewBox import ChildGroup
-from PySide6.QtCore import QPoint, QPointF, QRectF, Signal
-from PySide6.QtGui import QColor, QFont, QPainter, QPaintEvent, QPen, QResizeEvent
-from PySide6.QtWidgets import QGraphicsItem, QGraphicsView, QStyleOptionGraphicsItem, QWidget
+from PySide6.QtCore import QPoint, QPointF, QRect, QRectF, QSizeF, Qt, Signal
+from PySide6.QtGui import QColor, QFont, QPainter, QPaintEvent, QPen, QPixmap, QResizeEvent
+from PySide6.QtWidgets import QGraphicsView, QWidget
 
-from app.overrides import Guarded, guard_library
+from app.overrides import Guarded, guard_library, report
 from app.plot.pixel_map import PixelMap
 from app.theme import LIGHT, Theme, theme_of
 
 _AXIS_WIDTH = 46
 _FOCUS_WIDTH = 2
 
-_INSET = 3
-"""Pixels by which layers stay inside the plot area: nearer to its edge, Qt repaints the axes every frame."""
+_INSET = 2
+"""Pixels by which layers stay inside the plot area: what is nearer to its edge belongs to the axes."""
 
 _LEAST_SPAN = 1e-9
 
@@ -59,32 +60,47 @@ class Scaled(Protocol):
 
 Dressed = TypeVar("Dressed", bound=Themed)
 
+Painting = Callable[[QPainter, PixelMap], None]
 
-class Layer(Guarded, QGraphicsItem):
+
+class Layer:
     """One layer of the drawing: a function that paints in pixels of the plot area."""
 
-    def __init__(self, plot: LayeredPlot, paint: Callable[[QPainter, PixelMap], None]) -> None:
-        super().__init__(plot.getViewBox())
+    def __init__(self, plot: LayeredPlot, paint: Painting, z: float, *, is_still: bool) -> None:
         self._plot, self._paint = plot, paint
-        self._rect = QRectF()
+        self.z, self.is_still = z, is_still
+        self.is_visible = True
+        self._opacity = 1.0
 
-    def resize(self, rect: QRectF) -> None:
-        """Follow the plot area."""
-        self.prepareGeometryChange()
-        self._rect = rect.adjusted(_INSET, _INSET, -_INSET, -_INSET)
+    def update(self) -> None:
+        """Have it painted anew."""
+        self._plot.update_area(self)
 
-    def boundingRect(self) -> QRectF:
-        return self._rect
+    def set_visible(self, visible: bool) -> None:
+        """Show or hide it."""
+        if visible != self.is_visible:
+            self.is_visible = visible
+            self._plot.update_area(self)
 
-    def paint(
-        self,
-        painter: QPainter,
-        option: QStyleOptionGraphicsItem,
-        widget: QWidget | None = None,
-    ) -> None:
-        """Paint; called by Qt."""
-        painter.setClipRect(self._rect.adjusted(-1, -1, 1, 1))
-        self._paint(painter, self._plot.pixel_map)
+    def set_opacity(self, opacity: float) -> None:
+        """Let what lies below shine through: 1 hides it."""
+        if opacity != self._opacity:
+            self._opacity = opacity
+            self._plot.update_area(self)
+
+    def paint(self, painter: QPainter, shown: PixelMap) -> None:
+        """Paint; the painter is as before when it is done."""
+        if not self.is_visible:
+            return
+        painter.save()
+        try:
+            painter.setOpacity(self._opacity)
+            self._paint(painter, shown)
+        except Exception as problem:
+            # The layers above are painted all the same.
+            report(problem)
+        finally:
+            painter.restore()
 
 
 class _Axis(pg.AxisItem):  # type: ignore[misc]  # pyqtgraph has no types
@@ -118,10 +134,14 @@ class LayeredPlot(Guarded, pg.PlotWidget):  # type: ignore[misc]  # pyqtgraph ha
         self._scale = 1.0
         self._map: PixelMap | None = None
         self._origin: QPointF | None = None
+        self._area = QRect()
+        self._ground: QPixmap | None = None
         self._shows_focus = False
         self._set_up_plot()
-        # With it Qt repaints one pixel around each layer, without it two; see _INSET.
-        self.setOptimizationFlag(QGraphicsView.OptimizationFlag.DontAdjustForAntialiasing, True)
+        # The paper is in the picture of what is still; Qt need not keep another one of it.
+        self.setCacheMode(QGraphicsView.CacheModeFlag.CacheNone)
+        # Every pixel is painted here: Qt need not paint paper below.
+        self.viewport().setAttribute(Qt.WidgetAttribute.WA_OpaquePaintEvent)
         # A dropped file is the window's business.
         self.setAcceptDrops(False)
 
@@ -146,13 +166,22 @@ class LayeredPlot(Guarded, pg.PlotWidget):  # type: ignore[misc]  # pyqtgraph ha
         # The left axes of all plots have one width: they stay aligned, and nothing jumps when numbers grow.
         LayeredPlot.set_scale(self, 1.0)
 
-    def add_layer(self, paint: Callable[[QPainter, PixelMap], None], *, z: float) -> Layer:
-        """Add a layer that `paint` draws; higher `z` is nearer to the eye."""
-        layer = Layer(self, paint)
-        layer.setZValue(z)
-        layer.resize(self.getViewBox().rect())
+    def add_layer(self, paint: Painting, *, z: float, is_still: bool = False) -> Layer:
+        """Add a layer that `paint` draws; higher `z` is nearer to the eye.
+
+        One that `is_still` lies below all others, and is painted only when it or the view has changed.
+        """
+        layer = Layer(self, paint, z, is_still=is_still)
         self._layers.append(layer)
+        self._layers.sort(key=lambda each: (not each.is_still, each.z))
+        self.update_area(layer)
         return layer
+
+    def update_area(self, layer: Layer) -> None:
+        """Have the plot area painted anew, in which `layer` is another one now."""
+        if layer.is_still:
+            self._ground = None
+        self.viewport().update(self._area)
 
     def dress(self, drawing: Dressed) -> Dressed:
         """Keep what is drawn here in the plot's theme and, if it has one, in its scale; return it."""
@@ -172,7 +201,7 @@ class LayeredPlot(Guarded, pg.PlotWidget):  # type: ignore[misc]  # pyqtgraph ha
             axis = self.getAxis(name)
             axis.setPen(QColor(theme.grid_coarse))
             axis.setTextPen(QColor(theme.muted))
-        self.viewport().update()
+        self._repaint_all()
 
     def set_scale(self, scale: float) -> None:
         """Enlarge lines and numbers, for a projector."""
@@ -185,6 +214,10 @@ class LayeredPlot(Guarded, pg.PlotWidget):  # type: ignore[misc]  # pyqtgraph ha
         for name in ("left", "bottom"):
             self.getAxis(name).setTickFont(font)
         self.getAxis("left").setWidth(_AXIS_WIDTH * scale)
+        self._repaint_all()
+
+    def _repaint_all(self) -> None:
+        self._ground = None
         self.viewport().update()
 
     # Plane and pixels
@@ -203,6 +236,8 @@ class LayeredPlot(Guarded, pg.PlotWidget):  # type: ignore[misc]  # pyqtgraph ha
         if self._origin is None:
             box = self.getViewBox()
             self._origin = QPointF(self.viewportTransform().map(box.mapToScene(QPointF(0, 0))))
+            rect = box.rect().translated(self._origin)
+            self._area = rect.adjusted(_INSET, _INSET, -_INSET, -_INSET).toAlignedRect()
         return self._origin
 
     def to_pixel(self, x: float, y: float) -> QPoint:
@@ -231,9 +266,7 @@ class LayeredPlot(Guarded, pg.PlotWidget):  # type: ignore[misc]  # pyqtgraph ha
 
     def _forget_map(self) -> None:
         self._map = self._origin = None
-        rect = self.getViewBox().rect()
-        for layer in self._layers:
-            layer.resize(rect)
+        self._repaint_all()
         self.map_changed.emit()
 
     def show_box(self, x_range: tuple[float, float], y_range: tuple[float, float]) -> None:
@@ -263,13 +296,41 @@ class LayeredPlot(Guarded, pg.PlotWidget):  # type: ignore[misc]  # pyqtgraph ha
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         super().resizeEvent(event)
-        self._origin = None
+        self._origin = self._ground = None
 
     def paintEvent(self, event: QPaintEvent) -> None:
-        super().paintEvent(event)
+        origin = self._area_origin()
+        if not self._area.contains(event.rect()):
+            super().paintEvent(event)
+        with QPainter(self.viewport()) as painter:
+            painter.setClipRect(self._area)
+            self._paint_layers(painter, origin)
         if self._shows_focus:
             self._paint_focus()
         self.painted.emit()
+
+    def _paint_layers(self, painter: QPainter, origin: QPointF) -> None:
+        shown = self.pixel_map
+        if self._ground is None or self._ground.devicePixelRatio() != painter.device().devicePixelRatioF():
+            self._ground = self._paint_ground(painter.device().devicePixelRatioF(), origin)
+        painter.drawPixmap(0, 0, self._ground)
+        painter.translate(origin)
+        for layer in self._layers:
+            if not layer.is_still:
+                layer.paint(painter, shown)
+
+    def _paint_ground(self, ratio: float, origin: QPointF) -> QPixmap:
+        """Paint the paper and the layers that are still: one picture for the frames of a drag."""
+        ground = QPixmap((QSizeF(self.viewport().size()) * ratio).toSize())
+        ground.setDevicePixelRatio(ratio)
+        ground.fill(self._theme.paper)
+        with QPainter(ground) as painter:
+            painter.setClipRect(self._area)
+            painter.translate(origin)
+            for layer in self._layers:
+                if layer.is_still:
+                    layer.paint(painter, self.pixel_map)
+        return ground
 
     def show_focus(self, shown: bool) -> None:
         """Frame the plot while it has the keyboard's focus, or not."""

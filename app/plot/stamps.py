@@ -40,6 +40,8 @@ class Stamps:
         self._sheet = QPixmap()
         self._cell = 0
         self._fragments = PrimitiveArray(QPainter.PixmapFragment, 10)
+        # What the fragments were made for: under a drag most points stay where they are.
+        self._places, self._indices = np.empty((0, 2)), np.empty(0, dtype=np.intp)
 
     def draw(
         self,
@@ -54,7 +56,16 @@ class Stamps:
         """Draw the marks of points `indices` of `count` at `places` (k, 2), in pixels, rimmed like paper."""
         device = painter.device()
         ratio = device.devicePixelRatioF() if device is not None else 1.0
-        self._prepare(min(count, _COLOURS), theme, radius, rim, ratio)
+        is_new = self._prepare(count, theme, radius, rim, ratio)
+        if is_new or not (
+            np.array_equal(indices, self._indices) and places.tobytes() == self._places.tobytes()
+        ):
+            self._places, self._indices = places, indices
+            self._fill(places, indices, count, ratio)
+        fragments, length = self._fragments.drawargs()
+        painter.drawPixmapFragments(fragments, length, self._sheet)
+
+    def _fill(self, places: Floats, indices: npt.NDArray[np.intp], count: int, ratio: float) -> None:
         finer = _places_within_a_pixel(count)
         steps = np.floor(places * (ratio * finer) + 0.5).astype(np.intp)
         whole, within = np.divmod(steps, finer)
@@ -68,14 +79,17 @@ class Stamps:
         data[:, 6:8] = 1.0 / ratio
         data[:, 8] = 0.0
         data[:, 9] = 1.0
-        fragments, length = self._fragments.drawargs()
-        painter.drawPixmapFragments(fragments, length, self._sheet)
 
-    def _prepare(self, colours: int, theme: Theme, radius: float, rim: float, ratio: float) -> None:
-        wanted = (colours, theme, radius, rim, ratio)
+    def _prepare(self, count: int, theme: Theme, radius: float, rim: float, ratio: float) -> bool:
+        """Have a sheet of the marks; return whether it is another one than before."""
+        wanted = (count, theme, radius, rim, ratio)
         if wanted == self._made_of:
-            return
+            return False
         self._made_of = wanted
+        self._draw_sheet(min(count, _COLOURS), theme, radius, rim, ratio)
+        return True
+
+    def _draw_sheet(self, colours: int, theme: Theme, radius: float, rim: float, ratio: float) -> None:
         finer = _places_within_a_pixel(colours)
         # Even, so that whole pixels lie on whole pixels.
         self._cell = 2 * math.ceil((radius + rim) * ratio) + 4

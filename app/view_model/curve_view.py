@@ -61,6 +61,10 @@ _PARAMETERS: dict[ParametrizationKind, Callable[[Floats, float], Floats]] = {
 }
 
 
+_BY_COUNT = (ParametrizationKind.MANUAL, ParametrizationKind.UNIFORM, ParametrizationKind.CHEBYSHEV)
+"""Rules that do not ask where the points are."""
+
+
 class CurveView(msgspec.Struct, frozen=True, eq=False, dict=True):
     """One curve of the document with everything that a canvas or panel draws of it.
 
@@ -255,10 +259,12 @@ def view_of(curve: Curve, previous: CurveView | None = None) -> CurveView:
 def _good_view(curve: Curve, arrays: NodeArrays, previous: CurveView | None) -> CurveView:
     points = arrays.points
     at_knots = np.vstack([points, points[:1]]) if curve.is_closed else points
-    parameters = parameters_of(curve, at_knots, arrays.times)
-    if not (np.diff(parameters) > 0.0).all():
-        # Refused as a whole: a piece between two corners would count from its own beginning.
-        LagrangeCurve(at_knots, parameters)
+    parameters = _known_parameters(curve, arrays, previous)
+    if parameters is None:
+        parameters = parameters_of(curve, at_knots, arrays.times)
+        if not (np.diff(parameters) > 0.0).all():
+            # Refused as a whole: a piece between two corners would count from its own beginning.
+            LagrangeCurve(at_knots, parameters)
     frozen = _same_parameters(curve, parameters, previous)
     flattener = previous._flattener if previous is not None else Flattener()
     cardinals = previous._cardinals if previous is not None else Cardinals()
@@ -274,14 +280,25 @@ def _lagrange(points: Floats, parameters: Floats, frozen: SimpleCurve | None) ->
     return LagrangeCurve(points, parameters) if frozen is None else frozen.with_jets(points[:, None])
 
 
+def _known_parameters(curve: Curve, arrays: NodeArrays, previous: CurveView | None) -> Floats | None:
+    """Return the parameters of the curve before where they cannot be other ones: no rule moves them."""
+    if previous is None or not previous.is_current or len(previous.points) != len(arrays.points):
+        return None
+    old, rule = previous.source, curve.parametrization
+    if rule.kind not in _BY_COUNT or rule is not old.parametrization or old.is_closed is not curve.is_closed:
+        return None
+    return previous.parameters if arrays.times is previous.arrays.times else None
+
+
 def _same_parameters(curve: Curve, parameters: Floats, previous: CurveView | None) -> SimpleCurve | None:
     """Return the curve before if it has the same family and parameters: only its data are other ones."""
     if previous is None or not previous.is_current or previous.source.family is not curve.family:
         return None
     old = previous.curve
-    if isinstance(old, Chain) or old is None or not np.array_equal(old.parameters, parameters):
+    if isinstance(old, Chain) or old is None:
         return None
-    return old
+    is_same = old.parameters is parameters or np.array_equal(old.parameters, parameters)
+    return old if is_same else None
 
 
 def _hermite(

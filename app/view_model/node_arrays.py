@@ -10,6 +10,7 @@ import msgspec
 import numpy as np
 import numpy.typing as npt
 
+from app.document.kept_handles import DERIVATIVES
 from app.document.model import Node, Vector
 
 Floats = npt.NDArray[np.float64]
@@ -18,6 +19,8 @@ Flags = npt.NDArray[np.bool_]
 Column = TypeVar("Column", Floats, Flags)
 
 _NONE = (np.nan, np.nan)
+
+_beside_place = operator.attrgetter("t", "corner", *(name for _, name in DERIVATIVES))
 
 
 class NodeArrays(msgspec.Struct, frozen=True, eq=False):
@@ -54,7 +57,10 @@ def arrays_of(nodes: tuple[Node, ...], previous: NodeArrays | None = None) -> No
     old = (previous.points, previous.times, previous.corners, previous.given)
     if not len(rows):
         return NodeArrays(nodes, *old)
-    fresh = _columns([nodes[row] for row in rows.tolist()])
+    changed = [(nodes[row], previous.nodes[row]) for row in rows.tolist()]
+    if all(_moved_alone(node, before) for node, before in changed):
+        return NodeArrays(nodes, _with_rows(old[0], rows, _places([node for node, _ in changed])), *old[1:])
+    fresh = _columns([node for node, _ in changed])
     return NodeArrays(
         nodes,
         _with_rows(old[0], rows, fresh[0]),
@@ -64,8 +70,13 @@ def arrays_of(nodes: tuple[Node, ...], previous: NodeArrays | None = None) -> No
     )
 
 
+def _moved_alone(node: Node, before: Node) -> bool:
+    """Whether all that two nodes hold is the same object but for their places: as in a drag."""
+    return all(map(operator.is_, _beside_place(node), _beside_place(before)))
+
+
 def _columns(nodes: Sequence[Node]) -> tuple[Floats, Floats, Flags, Floats]:
-    points = np.array([(node.x, node.y) for node in nodes], dtype=float).reshape(-1, 2)
+    points = _places(nodes)
     times = np.array([np.nan if node.t is None else node.t for node in nodes], dtype=float)
     corners = np.array([node.corner for node in nodes], dtype=bool)
     given = np.array([_given(node) for node in nodes], dtype=float).reshape(-1, 2, 2, 2)
@@ -73,6 +84,10 @@ def _columns(nodes: Sequence[Node]) -> tuple[Floats, Floats, Flags, Floats]:
         # Views of one curve after the other share what did not change.
         column.setflags(write=False)
     return points, times, corners, given
+
+
+def _places(nodes: Sequence[Node]) -> Floats:
+    return np.array([(node.x, node.y) for node in nodes], dtype=float).reshape(-1, 2)
 
 
 def _given(node: Node) -> tuple[Vector, Vector, Vector, Vector]:

@@ -87,3 +87,22 @@ def test_tips_that_move_along_their_own_line_are_followed_or_refused(n):
                 followed += 1
                 assert worst_distance(moved, pieces, (-np.inf, -np.inf, np.inf, np.inf)) <= tolerance
     assert followed >= 40
+
+
+@pytest.mark.parametrize("seed", range(8))
+def test_the_estimate_for_calm_curves_is_the_greatest_of_those_piece_by_piece(seed):
+    rng = np.random.default_rng(seed)
+    answers = 0
+    for size in 10.0 ** rng.uniform(-12, 12, 20):
+        t = chebyshev(int(rng.integers(2, 25)))
+        curve = LagrangeCurve(size * rng.normal(size=(len(t), 2)).cumsum(axis=0), t)
+        frozen = FrozenFlattening(curve, 1e-3 * np.ptp(curve.points))
+        points = np.array(curve.points)
+        points[rng.integers(len(t))] += 0.05 * np.ptp(points) * rng.normal(size=2)
+        samples = frozen._samples(curve.with_jets(points[:, None]))
+        with np.errstate(all="ignore"):
+            calm, each = frozen._calm_deviation(samples), frozen._deviation(samples)
+        if calm < np.inf:
+            answers += 1
+            assert calm == pytest.approx(each.max(), rel=1e-9, abs=1e-12 * np.ptp(points))
+    assert answers >= 3

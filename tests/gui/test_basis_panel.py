@@ -82,7 +82,7 @@ def test_a_drag_inside_the_interval_leaves_the_part_of_t_that_is_shown(editor, p
 def test_functions_are_told_apart_by_numbers_at_their_crests(editor, panel):
     """By colour alone functions 2 and 3 are the same grey to a deuteranope."""
     editor.choose_family(Family.HERMITE)
-    editor.settle()
+    editor.wait_for_rest()
     basis, shown = panel.basis, panel.pixel_map
     found = crests_of(basis, [0, 1])
     for owner, kind, t, value in found:
@@ -118,8 +118,7 @@ def test_no_function_crosses_the_number_of_another(editor, panel, family, count,
     points = [(float(i), float(i * i % 5)) for i in range(count)]
     editor.session.commit(Document((make_curve(points, family=family),)), "Begin")
     editor.fit()
-    editor.settle()
-    panel.viewport().grab()
+    editor.wait_for_rest()
     names, shown, basis = panel._functions._names, panel.pixel_map, panel.basis
     cell = names._cell
     boxes = names._fragments.ndarray()[:, :2]
@@ -132,6 +131,28 @@ def test_no_function_crosses_the_number_of_another(editor, panel, family, count,
         heights = np.abs(shown.y(np.concatenate(functions, axis=1)) - y)
         inside = (t >= 0) & (t <= 1)
         assert (heights[inside] >= cell.height() / 2 - 3).all(), (x, y)
+
+
+def test_numbers_keep_their_sides_of_moving_crests_until_these_rest(editor, panel):
+    """They went from one side to the other with every line that came by."""
+    editor.wait_for_rest()
+    names, start = panel._functions._names, panel.rail_pixel(editor.parameters[3])
+    editor.send(panel, QEvent.Type.MouseButtonPress, start)
+    before, crests = names._asides, names._places
+    usual = names._soon.interval()
+    names._soon.start(60_000)
+    for step in range(1, 6):
+        editor.send(panel, QEvent.Type.MouseMove, start + QPointF(4 * step, 0))
+        panel.viewport().repaint()
+        assert names._asides is before
+    assert not np.array_equal(names._places, crests)
+    editor.send(panel, QEvent.Type.MouseButtonRelease, start + QPointF(20, 0), held=False)
+    names._soon.start(usual)
+    editor.wait_for_rest()
+    at_rest = names._asides.copy()
+    names._asked = ()
+    panel.viewport().repaint()
+    assert np.array_equal(names._asides, at_rest)
 
 
 def test_numbers_at_crests_do_not_meet():

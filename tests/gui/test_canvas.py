@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import numpy as np
+import pyqtgraph as pg
 import pytest
 from PySide6.QtCore import QEvent, QPoint, Qt
 
@@ -37,6 +38,36 @@ def test_the_add_tool_draws_many_points_in_a_row_even_by_double_clicks(editor):
         for kind in (QEvent.Type.MouseButtonDblClick, QEvent.Type.MouseButtonRelease):
             editor.send(editor.window.canvas, kind, pixel, held=kind != QEvent.Type.MouseButtonRelease)
     assert len(editor.curve.nodes) == 4
+
+
+def test_a_drag_repaints_the_curve_and_neither_axes_nor_grid(arch, monkeypatch):
+    """Through the graphics view, with its axes and all its items, a frame took half as long again."""
+    canvas, of_all = arch.window.canvas, pg.GraphicsView.paintEvent
+    painted: list[str] = []
+
+    def paint_all(view, event):
+        painted.append("all")
+        of_all(view, event)
+
+    def paint_area():
+        painted.append("area")
+
+    arch.wait_for_rest()
+    monkeypatch.setattr(pg.GraphicsView, "paintEvent", paint_all)
+    ground = canvas._ground
+    canvas.painted.connect(paint_area)
+    arch.press(arch.point(1))
+    for step in range(1, 4):
+        arch.move((1, 2 + 0.2 * step))
+    assert painted.count("area") >= 3
+    assert "all" not in painted
+    assert canvas._ground is ground
+    arch.release((1, 2.6))
+    canvas.pan(10, 0)
+    arch.settle()
+    canvas.painted.disconnect(paint_area)
+    assert "all" in painted
+    assert canvas._ground is not ground
 
 
 def test_press_and_drag_sets_the_velocity_of_a_new_point(editor):
