@@ -287,7 +287,7 @@ def test_with_a_shift_allowed_the_change_is_the_least_that_can_be():
     centre, best = np.zeros(2), np.inf
     for half in (0.6, 0.06):
         grid = np.linspace(-half, half, 21)
-        ways = [centre + (x, y) for x in grid for y in grid]
+        ways = [centre + np.array([x, y]) for x in grid for y in grid]
         sizes = [float(np.linalg.norm(change(way))) for way in ways]
         centre, best = ways[int(np.argmin(sizes))], min(best, *sizes)
     assert np.linalg.norm(after) <= best * 1.02
