@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import functools
+import gc
 import math
 import os
 import sys
@@ -87,6 +88,16 @@ def _no_window_left_over():
         widget.hide()
         widget.deleteLater()
     assert not left, f"left over: {left} (give windows to qtbot.addWidget)"
+
+
+@pytest.hookimpl(wrapper=True)
+def pytest_collection():
+    """Collect tests, but no garbage: to look for it takes as long as all else, and there is next to none."""
+    gc.disable()
+    try:
+        return (yield)
+    finally:
+        gc.enable()
 
 
 @pytest.hookimpl(optionalhook=True)

@@ -364,26 +364,31 @@ def test_ctrl_c_is_quiet(monkeypatch, capsys):
     assert capsys.readouterr() == ("", "")
 
 
-WITHOUT_QT = """
+# Does one command after the other: to start a process takes longer than most of them.
+COMMANDS = """
 import sys
 from app.cli import main
-code = main()
+codes = [main(words.splitlines()) for words in sys.argv[1:]]
+"""
+
+WITHOUT_QT = """
 assert not [name for name in sys.modules if name.startswith(("PySide6", "pyqtgraph"))]
-sys.exit(code)
 """
 
 
 def test_info_and_svg_do_without_qt(tmp_path):
-    for words in (["info", LETTER], ["render", LETTER, "-o", str(tmp_path / "a.svg")]):
-        done = run(*words, code=WITHOUT_QT)
-        assert (done.returncode, done.stderr) == (0, "")
+    words = (f"info\n{LETTER}", f"render\n{LETTER}\n-o\n{tmp_path / 'a.svg'}")
+    done = run(*words, code=f"{COMMANDS}{WITHOUT_QT}assert codes == [0, 0]")
+    assert (done.returncode, done.stderr) == (0, "")
+    assert (tmp_path / "a.svg").stat().st_size > 1000
 
 
 def test_pictures_need_no_display(tmp_path):
-    for name in ("a.png", "a.pdf"):
-        done = run("render", LETTER, "-o", str(tmp_path / name), "--width", "200")
-        assert (done.returncode, done.stdout, done.stderr) == (0, "", "")
-        assert (tmp_path / name).stat().st_size > 1000
+    targets = [tmp_path / name for name in ("a.png", "a.pdf")]
+    words = [f"render\n{LETTER}\n-o\n{target}\n--width\n200" for target in targets]
+    done = run(*words, code=f"{COMMANDS}assert codes == [0, 0]")
+    assert (done.returncode, done.stdout, done.stderr) == (0, "", "")
+    assert all(target.stat().st_size > 1000 for target in targets)
 
 
 @pytest.mark.skipif(sys.platform != "linux", reason="elsewhere there is always a display")

@@ -46,11 +46,19 @@ def is_within(module: str, packages) -> bool:
     return any(module == package or module.startswith(f"{package}.") for package in packages)
 
 
+def statements(node: ast.AST):
+    """All statements in a node, at any depth; expressions, of which there are far more, hold none."""
+    for part in ("body", "orelse", "finalbody", "handlers", "cases"):
+        for each in getattr(node, part, ()):
+            yield each
+            yield from statements(each)
+
+
 def imports(name: str, path: Path, known) -> set[str]:
     """Every module that a file imports, at any depth of its code, under its absolute name."""
     package = name if path.name == "__init__.py" else name.rpartition(".")[0]
     found = set()
-    for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+    for node in statements(ast.parse(path.read_text(encoding="utf-8"))):
         if isinstance(node, ast.Import):
             found.update(alias.name for alias in node.names)
         elif isinstance(node, ast.ImportFrom):

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import random
 from collections import deque
+from functools import partial
 from pathlib import Path
 
 from PySide6.QtCore import QEvent, QMimeData, QPoint, QPointF, Qt, QTimer, QUrl
@@ -123,7 +124,7 @@ class RandomPerson:
             (1, self.drop_a_file),
             (1, self.resize),
         ]
-        self._is_at_work = False
+        self._is_at_work, self._step = False, 0
 
     def note(self, what: str) -> None:
         """Take down what is about to be done."""
@@ -137,8 +138,8 @@ class RandomPerson:
         deed = self.choose.choices(deeds, weights)[0]
         if QApplication.activeWindow() is None:
             self.window.activateWindow()  # no window manager does it where there is no screen
-        self._is_at_work = True
-        QTimer.singleShot(_PAUSE_MS, self._answer_from_within)
+        self._is_at_work, self._step = True, self._step + 1
+        QTimer.singleShot(_PAUSE_MS, partial(self._answer_from_within, self._step))
         try:
             deed()
             self.editor.settle()
@@ -146,11 +147,11 @@ class RandomPerson:
         finally:
             self._is_at_work = False
 
-    def _answer_from_within(self) -> None:
-        """Answer what waits in an event loop of its own."""
+    def _answer_from_within(self, step: int) -> None:
+        """Answer what waits in an event loop of its own, for as long as the step takes."""
         # A new timer each time: one does not fire again while what it has called goes on.
-        if self._is_at_work:
-            QTimer.singleShot(_PAUSE_MS, self._answer_from_within)
+        if self._is_at_work and step == self._step:
+            QTimer.singleShot(_PAUSE_MS, partial(self._answer_from_within, step))
             self._answer_what_waits()
 
     # What asks back

@@ -213,18 +213,23 @@ WRONG = {
 }
 
 
+def values_of(preferences):
+    return {name: getattr(preferences, name) for name in NAMES}
+
+
 @pytest.mark.parametrize("value", WRONG.values(), ids=WRONG)
 def test_no_key_of_a_wrong_type_stops_a_start(qtbot, store, tmp_path, value):
-    defaults = {name: getattr(Preferences(tmp_path / "none.ini"), name) for name in NAMES}
+    defaults = values_of(Preferences(tmp_path / "none.ini"))
+    kinds = {name: type(each) for name, each in defaults.items()}
     keys = every_key(tmp_path)
     for key in keys:
         settings = QSettings(str(tmp_path / f"{key.replace('/', ' ')}.ini"), QSettings.Format.IniFormat)
         settings.setValue(key, value)
         preferences = Preferences(settings)
-        for name in NAMES:
-            assert type(getattr(preferences, name)) is type(defaults[name]), key
+        values = values_of(preferences)
+        assert {name: type(each) for name, each in values.items()} == kinds, key
         if isinstance(value, QPoint | dict):
-            assert {name: getattr(preferences, name) for name in NAMES} == defaults
+            assert values == defaults
             assert key in preferences.complaint
     settings = QSettings(str(store), QSettings.Format.IniFormat)
     for key in keys:

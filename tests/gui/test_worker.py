@@ -203,7 +203,7 @@ def churn(ends):
 
 
 @pytest.fixture
-def quick_keeper(qapp, monkeypatch):
+def quick_keeper(qapp, monkeypatch, only_new_garbage):
     """Look for garbage often, in generations that are soon due."""
     monkeypatch.setattr(worker, "_TICK_MS", 5)
     monkeypatch.setattr(worker, "_keepers", [])
