@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from functools import cache
 
 from PySide6.QtGui import QAction, QActionGroup, QKeySequence
 from PySide6.QtWidgets import QWidget
@@ -22,7 +23,7 @@ class Actions:
         self.keymap = Keymap(window)
         for spec in SPECS:
             action = self._actions[spec.name] = self._make(spec, window)
-            keys = tuple(_sequences(spec.shortcut))
+            keys = _sequences(spec.shortcut)
             self.keymap.add(Binding(action, name_alone(action).removesuffix("…"), spec.menu, keys))
 
     def _make(self, spec: ActionSpec, window: QWidget) -> QAction:
@@ -36,8 +37,9 @@ class Actions:
         action.setStatusTip(spec.tip or spec.text)
         action.setCheckable(spec.checkable or bool(spec.group))
         if spec.group:
-            group = self._groups.setdefault(spec.group, QActionGroup(window))
-            group.addAction(action)
+            if spec.group not in self._groups:
+                self._groups[spec.group] = QActionGroup(window)
+            self._groups[spec.group].addAction(action)
         return action
 
     def attach(self, window: QWidget) -> None:
@@ -75,5 +77,6 @@ class Actions:
                 self._actions[spec.name].setIcon(icon(spec.icon, theme))
 
 
-def _sequences(shortcut: str) -> list[QKeySequence]:
-    return [QKeySequence(part) for part in shortcut.split(", ")] if shortcut else []
+@cache
+def _sequences(shortcut: str) -> tuple[QKeySequence, ...]:
+    return tuple(QKeySequence(part) for part in shortcut.split(", ")) if shortcut else ()

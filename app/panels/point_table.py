@@ -251,7 +251,7 @@ class PointTable(Guarded, QWidget):
 
         Those whose cells are selected; both where none is.
         """
-        rows, columns = self.view.selected_rows(), {column for _, column in self.view.selected_cells()}
+        rows, columns = self.view.selected_rows(), self.view.selected_columns()
         shown = self.model.columns
         orders = {shown[column].order for column in columns if shown[column].is_derivative}
         orders = orders or {column.order for column in shown if column.is_derivative}

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import lru_cache
 
 import numpy as np
 from PySide6.QtCore import (
@@ -16,7 +17,6 @@ from PySide6.QtCore import (
 )
 from PySide6.QtGui import QColor, QFont, QPainter, QPixmap
 
-from app.colours import point_colours
 from app.document import edits
 from app.document.edits import EditError
 from app.document.expression import ExpressionError, parse_number
@@ -31,6 +31,7 @@ from app.panels.number_text import (
 )
 from app.panels.point_table_edits import Column, TableValues, columns_of, set_cell, table_values
 from app.panels.words import ACCELERATION_ESTIMATES, VELOCITY_ESTIMATES
+from app.plot.colours import colours_of
 from app.session import Session
 from app.theme import LIGHT, Theme
 from app.view_model.curve_view import CurveView
@@ -73,7 +74,6 @@ class PointTableModel(Guarded, QAbstractTableModel):
         self.columns: tuple[Column, ...] = columns_of(Family.LAGRANGE)
         self._corners: frozenset[int] = frozenset()
         self._theme = LIGHT
-        self._swatches: list[QPixmap] = []
         self._answers: dict[int, Callable[[int, int], object]] = {
             Qt.ItemDataRole.DisplayRole: self._rounded,
             Qt.ItemDataRole.EditRole: lambda row, column: float(self.values[row, column]),
@@ -107,7 +107,7 @@ class PointTableModel(Guarded, QAbstractTableModel):
         columns, new = columns_of(view.source.family), table_values(view)
         if columns != self.columns:
             self.beginResetModel()
-            self._corners, self._swatches = frozenset(view.corners), []
+            self._corners = frozenset(view.corners)
             self.columns, self._shown = columns, new
             self.endResetModel()
             return
@@ -132,7 +132,6 @@ class PointTableModel(Guarded, QAbstractTableModel):
             self._shown = TableValues(self.values[:count], self.estimated[:count])
             self.endRemoveRows()
         if count != old_count:
-            self._swatches = []
             self.headerDataChanged.emit(Qt.Orientation.Vertical, 0, max(count - 1, 0))
 
     def _rows_with_other_corners(self, view: CurveView) -> np.ndarray:
@@ -141,7 +140,6 @@ class PointTableModel(Guarded, QAbstractTableModel):
         rows = np.zeros(len(view.source.nodes), dtype=bool)
         rows[[row for row in old ^ self._corners if row < len(rows)]] = True
         if rows.any():
-            self._swatches = []
             self.headerDataChanged.emit(Qt.Orientation.Vertical, 0, len(rows) - 1)
         return rows
 
@@ -156,7 +154,6 @@ class PointTableModel(Guarded, QAbstractTableModel):
     def set_theme(self, theme: Theme) -> None:
         """Take the colours of `theme`."""
         self._theme = theme
-        self._swatches = []
         if self.rowCount():
             self.headerDataChanged.emit(Qt.Orientation.Vertical, 0, self.rowCount() - 1)
 
@@ -264,12 +261,10 @@ class PointTableModel(Guarded, QAbstractTableModel):
         return ACCELERATION_ESTIMATES[curve.acceleration_rule]
 
     def _swatch(self, row: int) -> QPixmap | None:
-        if len(self._swatches) != len(self.values):
-            colours = point_colours(len(self.values), self._theme)
-            self._swatches = [
-                _swatch_of(colour, square=index in self._corners) for index, colour in enumerate(colours)
-            ]
-        return self._swatches[row] if row < len(self._swatches) else None
+        if row >= len(self.values):
+            return None
+        colour = colours_of(len(self.values), self._theme)[row]
+        return _swatch_of(colour.name(), square=row in self._corners)
 
     # Edits
 
@@ -293,7 +288,8 @@ def _number(given: object) -> float:
     raise ExpressionError("This is not a number.")
 
 
-def _swatch_of(colour: QColor, *, square: bool) -> QPixmap:
+@lru_cache(maxsize=512)
+def _swatch_of(colour: str, *, square: bool) -> QPixmap:
     """Return a small disc, for a corner a square as on the canvas.
 
     The header scales what is smaller than its icons are.
@@ -304,7 +300,7 @@ def _swatch_of(colour: QColor, *, square: bool) -> QPixmap:
     painter = QPainter(pixmap)
     painter.setRenderHint(QPainter.RenderHint.Antialiasing)
     painter.setPen(Qt.PenStyle.NoPen)
-    painter.setBrush(colour)
+    painter.setBrush(QColor(colour))
     margin = (_SWATCH_CANVAS - _SWATCH) / 2
     box = QRectF(margin, margin, _SWATCH, _SWATCH)
     if square:

@@ -8,6 +8,7 @@ from PySide6.QtCore import (
     QEvent,
     QItemSelection,
     QItemSelectionModel,
+    QItemSelectionRange,
     QModelIndex,
     Qt,
     Signal,
@@ -142,9 +143,16 @@ class PointTableView(Guarded, QTableView):
 
     def selected_rows(self) -> frozenset[int]:
         """Return the rows that have a selected cell."""
+        return frozenset(row for span in self._spans() for row in range(span.top(), span.bottom() + 1))
+
+    def selected_columns(self) -> frozenset[int]:
+        """Return the columns that have a selected cell."""
+        return frozenset(place for span in self._spans() for place in range(span.left(), span.right() + 1))
+
+    def _spans(self) -> list[QItemSelectionRange]:
+        """Return the rectangles of cells that are selected: few, where the cells may be many."""
         ranges = self.selectionModel().selection()
-        spans = (ranges.at(each) for each in range(ranges.count()))
-        return frozenset(row for span in spans for row in range(span.top(), span.bottom() + 1))
+        return [ranges.at(each) for each in range(ranges.count())]
 
     def select_rows(self, rows: Collection[int]) -> None:
         """Select these rows, and no others; cells selected by hand in just these rows stay."""
@@ -164,8 +172,8 @@ class PointTableView(Guarded, QTableView):
 
     def only_derivatives_selected(self) -> bool:
         """Whether the selected cells are velocities and accelerations and nothing else."""
-        cells = self.selected_cells()
-        return bool(cells) and all(self.numbers.columns[column].is_derivative for _, column in cells)
+        columns = self.selected_columns()
+        return bool(columns) and all(self.numbers.columns[column].is_derivative for column in columns)
 
     # Keys
 

@@ -51,9 +51,9 @@ OURS = (
 import app.cli, app.start
 app.cli.has_display = lambda: True
 open_windows = app.start.open_windows
-def open_and_watch(files):
+def open_and_watch(*what):
     from PySide6.QtCore import QTimer
-    (window,) = open_windows(files)
+    (window,) = open_windows(*what)
     window.canvas.painted.connect(lambda: QTimer.singleShot(0, done))
     return [window]
 app.start.open_windows = open_and_watch

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from PySide6.QtGui import QActionGroup
 from PySide6.QtWidgets import QMenu, QToolBar, QToolButton
 
 from app.action_specs import SPECS
@@ -30,6 +31,18 @@ def test_every_action_says_what_it_does(editor):
         assert action.text(), spec.name
         assert action.toolTip() not in {"", action.text()}, spec.name
         assert action.statusTip() == spec.tip, spec.name
+
+
+def test_actions_of_which_one_is_checked_are_in_one_group(editor):
+    """Of the groups that were made for them most were empty."""
+    groups = {
+        frozenset(action.objectName() for action in group.actions())
+        for group in editor.window.findChildren(QActionGroup)
+    }
+    wanted = {
+        spec.group: frozenset(each.name for each in SPECS if each.group == spec.group) for spec in SPECS
+    }
+    assert groups == {names for group, names in wanted.items() if group}
 
 
 def test_what_stands_in_a_toolbar_has_an_icon(editor):

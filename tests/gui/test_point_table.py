@@ -468,6 +468,16 @@ def test_cells_chosen_by_hand_stay_chosen(table):
     assert table.view.selected_cells() == {(2, X)}
 
 
+def test_rows_and_columns_are_those_of_the_cells(hermite):
+    for row, column in ((1, T), (4, VX), (6, VX)):
+        hermite.click(row, column, Qt.KeyboardModifier.ControlModifier)
+        cells = hermite.view.selected_cells()
+        assert (row, column) in cells
+        assert hermite.view.selected_rows() == {row for row, _ in cells}
+        assert hermite.view.selected_columns() == {column for _, column in cells}
+    assert hermite.view.selected_columns() == {T, VX}
+
+
 def test_a_new_selected_point_is_selected_as_soon_as_its_row_is_there(table):
     document = edits.insert_nodes(table.session.document, 0, 8, [make_curve([(5.0, 5.0)]).nodes[0]])
     table.session.select([8])
