@@ -8,13 +8,13 @@ neither Qt's graphics view nor pyqtgraph is asked to paint.
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import Protocol, TypeVar, runtime_checkable
+from typing import Any, Protocol, TypeVar, runtime_checkable
 
 import pyqtgraph as pg
 from pyqtgraph.graphicsItems.ViewBox.ViewBox import ChildGroup
 from PySide6.QtCore import QPoint, QPointF, QRect, QRectF, QSizeF, Qt, Signal
 from PySide6.QtGui import QColor, QFont, QPainter, QPaintEvent, QPen, QPixmap, QResizeEvent
-from PySide6.QtWidgets import QGraphicsView, QWidget
+from PySide6.QtWidgets import QGraphicsGridLayout, QGraphicsView, QGraphicsWidget, QSizePolicy, QWidget
 
 from app.overrides import Guarded, guard_library, report
 from app.plot.pixel_map import PixelMap
@@ -33,16 +33,7 @@ GREATEST_SPAN = 1e13
 
 
 # Whatever a plot is made of: Qt calls their overrides as it calls ours.
-guard_library(
-    pg.PlotWidget,
-    pg.GraphicsScene,
-    pg.PlotItem,
-    pg.ViewBox,
-    ChildGroup,
-    pg.AxisItem,
-    pg.ButtonItem,
-    pg.LabelItem,
-)
+guard_library(pg.GraphicsView, pg.GraphicsScene, pg.ViewBox, ChildGroup, pg.AxisItem)
 
 
 class Themed(Protocol):
@@ -110,7 +101,7 @@ class _Axis(pg.AxisItem):  # type: ignore[misc]  # pyqtgraph has no types
         return ""
 
 
-class LayeredPlot(Guarded, pg.PlotWidget):  # type: ignore[misc]  # pyqtgraph has no types
+class LayeredPlot(Guarded, pg.GraphicsView):  # type: ignore[misc]  # pyqtgraph has no types
     """A plot with layers, exact pixel mapping, and ranges that zoom and pan.
 
     Signals
@@ -125,9 +116,9 @@ class LayeredPlot(Guarded, pg.PlotWidget):  # type: ignore[misc]  # pyqtgraph ha
     map_changed = Signal()
 
     def __init__(self, parent: QWidget | None = None) -> None:
-        # Menus of its own that are never shown take pyqtgraph a tenth of the start to build.
-        axes = {side: _Axis(side) for side in ("left", "bottom")}
-        super().__init__(parent, enableMenu=False, axisItems=axes)
+        super().__init__(parent)
+        self._box = pg.ViewBox(enableMenu=False)
+        self._axes = {side: _Axis(side) for side in ("left", "bottom")}
         self._layers: list[Layer] = []
         self._dressed: list[Themed] = []
         self._theme = LIGHT
@@ -146,11 +137,10 @@ class LayeredPlot(Guarded, pg.PlotWidget):  # type: ignore[misc]  # pyqtgraph ha
         self.setAcceptDrops(False)
 
     def _set_up_plot(self) -> None:
-        self.setMenuEnabled(False)
-        # pyqtgraph builds this menu even so, without a parent; left alone it would keep the whole window.
-        self.destroyed.connect(self.plotItem.ctrlMenu.deleteLater)
-        self.hideButtons()
-        box = self.getViewBox()
+        self._lay_out()
+        self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
+        self.enableMouse(False)
+        box = self._box
         box.setMouseEnabled(x=False, y=False)
         box.disableAutoRange()
         box.setLimits(
@@ -158,13 +148,41 @@ class LayeredPlot(Guarded, pg.PlotWidget):  # type: ignore[misc]  # pyqtgraph ha
         )
         box.sigRangeChanged.connect(self._forget_map)
         box.sigResized.connect(self._forget_map)
-        for name in ("left", "bottom", "top", "right"):
+        for axis in self._axes.values():
             # There is no unit to put a prefix to, but pyqtgraph would lay its label out at every new range.
-            self.getAxis(name).enableAutoSIPrefix(False)
-        for name in ("left", "bottom"):
-            self.getAxis(name).setStyle(tickLength=5, tickTextOffset=4, hideOverlappingLabels=True)
+            axis.enableAutoSIPrefix(False)
+            axis.setStyle(tickLength=5, tickTextOffset=4, hideOverlappingLabels=True)
         # The left axes of all plots have one width: they stay aligned, and nothing jumps when numbers grow.
         LayeredPlot.set_scale(self, 1.0)
+
+    def _lay_out(self) -> None:
+        """Put the axes beside the view box.
+
+        pyqtgraph's PlotItem does that too, and half of the time it takes to build goes into menus, a title
+        and two more axes that are never shown.
+        """
+        whole = QGraphicsWidget()
+        grid = QGraphicsGridLayout(whole)
+        grid.setContentsMargins(1, 1, 1, 1)
+        grid.setSpacing(0)
+        grid.addItem(self._axes["left"], 0, 0)
+        grid.addItem(self._box, 0, 1)
+        grid.addItem(self._axes["bottom"], 1, 1)
+        grid.setRowStretchFactor(0, 1)
+        grid.setColumnStretchFactor(1, 1)
+        for axis in self._axes.values():
+            axis.linkToView(self._box)
+            # Above what the view box paints.
+            axis.setZValue(0.5)
+        self.setCentralItem(whole)
+
+    def getViewBox(self) -> Any:  # noqa: ANN401, N802 - as in pyqtgraph's PlotWidget
+        """Return the view box."""
+        return self._box
+
+    def getAxis(self, side: str) -> Any:  # noqa: ANN401, N802 - as in pyqtgraph's PlotWidget
+        """Return the axis "left" or "bottom"."""
+        return self._axes[side]
 
     def add_layer(self, paint: Painting, *, z: float, is_still: bool = False) -> Layer:
         """Add a layer that `paint` draws; higher `z` is nearer to the eye.
@@ -197,8 +215,7 @@ class LayeredPlot(Guarded, pg.PlotWidget):  # type: ignore[misc]  # pyqtgraph ha
         for drawing in self._dressed:
             drawing.theme = theme
         self.setBackground(theme.paper)
-        for name in ("left", "bottom"):
-            axis = self.getAxis(name)
+        for axis in self._axes.values():
             axis.setPen(QColor(theme.grid_coarse))
             axis.setTextPen(QColor(theme.muted))
         self._repaint_all()
@@ -211,9 +228,9 @@ class LayeredPlot(Guarded, pg.PlotWidget):  # type: ignore[misc]  # pyqtgraph ha
                 drawing.scale = scale
         font = QFont(self.font())
         font.setPointSizeF(max(self.font().pointSizeF() - 1.5, 7.0) * scale)
-        for name in ("left", "bottom"):
-            self.getAxis(name).setTickFont(font)
-        self.getAxis("left").setWidth(_AXIS_WIDTH * scale)
+        for axis in self._axes.values():
+            axis.setTickFont(font)
+        self._axes["left"].setWidth(_AXIS_WIDTH * scale)
         self._repaint_all()
 
     def _repaint_all(self) -> None:
@@ -226,7 +243,7 @@ class LayeredPlot(Guarded, pg.PlotWidget):  # type: ignore[misc]  # pyqtgraph ha
     def pixel_map(self) -> PixelMap:
         """The present map from the plane to the pixels of the plot area."""
         if self._map is None:
-            box = self.getViewBox()
+            box = self._box
             (x_range, y_range), rect = box.viewRange(), box.rect()
             self._map = PixelMap.of_ranges(tuple(x_range), tuple(y_range), rect.width(), rect.height())
         return self._map
@@ -234,7 +251,7 @@ class LayeredPlot(Guarded, pg.PlotWidget):  # type: ignore[misc]  # pyqtgraph ha
     def _area_origin(self) -> QPointF:
         """Return where in the viewport the plot area begins: as long as it is as large, at the same place."""
         if self._origin is None:
-            box = self.getViewBox()
+            box = self._box
             self._origin = QPointF(self.viewportTransform().map(box.mapToScene(QPointF(0, 0))))
             rect = box.rect().translated(self._origin)
             self._area = rect.adjusted(_INSET, _INSET, -_INSET, -_INSET).toAlignedRect()
@@ -271,7 +288,7 @@ class LayeredPlot(Guarded, pg.PlotWidget):  # type: ignore[misc]  # pyqtgraph ha
 
     def show_box(self, x_range: tuple[float, float], y_range: tuple[float, float]) -> None:
         """Show this part of the plane."""
-        self.getViewBox().setRange(xRange=x_range, yRange=y_range, padding=0)
+        self._box.setRange(xRange=x_range, yRange=y_range, padding=0)
 
     def zoom(self, factor: float, pixel: QPointF) -> None:
         """Zoom in by `factor` (out where it is below one), keeping what lies under the pixel there."""
