@@ -40,12 +40,12 @@ class KeptEditor:
             self._build(qtbot)
             open_everything(self._editor)
             self._reset()
-            self._opened = Fingerprint(self._editor.window).told
+            self._opened = self._painted()
             self.drop()
         if self._editor is None:
             self._build(qtbot)
             self._reset()
-            self._new = Fingerprint(self._editor.window).told
+            self._new = self._painted()
         return self._editor
 
     def _build(self, qtbot) -> None:
@@ -75,7 +75,16 @@ class KeptEditor:
 
     def differences(self) -> dict[str, object]:
         """Return what is told of the window, and neither of a new one nor of one that was used and reset."""
-        return differences(Fingerprint(self._editor.window).told, self._new, self._opened)
+        found = differences(Fingerprint(self._editor.window).told, self._new, self._opened)
+        # Some of it may be what was drawn last.
+        return found and differences(self._painted(), self._new, self._opened)
+
+    def _painted(self) -> Mapping[str, object]:
+        """Paint the window as it is, and return what is told of it then."""
+        self._curtain.open()
+        self._editor.settle()
+        self._curtain.close()
+        return Fingerprint(self._editor.window).told
 
     def _reset(self) -> None:
         editor, window, session = self._editor, self._editor.window, self._editor.session
@@ -100,6 +109,9 @@ class KeptEditor:
         window.canvas.setFocus()
         editor.settle()
         window.status_line.forget()
+        for plot in (window.canvas, window.basis_panel):
+            # Found out when it is first asked for.
+            _ = plot.pixel_map
 
     def _put_away(self) -> None:
         """End what is going on, and close what lies over the window."""
