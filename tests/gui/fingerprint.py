@@ -44,7 +44,7 @@ PASSING = {
     *("MotionStage._scales", "PlotCommands._own", "PlotCommands._plotted", "PlotCommands._was_calm"),
     *("TickEdit._knot", "TraceLayer._lines", "WiggleCommands._cures"),
     # Where the pointer was last, before it left, and with which button.
-    *("_hand", "_last", "_menu_refused", "_modal", "_place_now", "_pointer", "_button", "Scrolling._zooms"),
+    *("_hand", "_last", "_modal", "_place_now", "_pointer", "_button", "Scrolling._zooms"),
     *(
         "CanvasTool.grid",
         "Choosing.entered",
