@@ -6,6 +6,9 @@ otherwise it is thrown away. A test that makes windows of its own begins without
 
 Some parts of a window are made when they are first asked for: docks, bars, the stage of a motion. Such a part
 may be there already, put away, as it is in a window in which a person has opened and closed everything.
+
+It is painted from the call of a test on, not while it is reset and fixtures prepare it: a test that asks what
+was drawn settles first.
 """
 
 from __future__ import annotations
