@@ -23,6 +23,12 @@ def pytest_configure(config):
     config.pluginmanager.register(_kept)
 
 
+@pytest.hookimpl(trylast=True)
+def pytest_collection_modifyitems(items):
+    """Have tests first that make windows of their own: each of them puts an end to the one that is kept."""
+    items.sort(key=lambda item: "editor" in getattr(item, "fixturenames", ()))
+
+
 @pytest.fixture
 def editor(qtbot):
     yield _kept.get(qtbot)

@@ -27,18 +27,24 @@ _LIBRARIES = {*sys.stdlib_module_names, "curvecore", "numpy", "pyqtgraph", "PySi
 PASSING = {
     # What was drawn last, and what is kept so that it need not be made again.
     *("_asked", "_costed", "_cost", "_discs_asked", "_dressed", "_drawn", "_extents", "_ghost"),
-    *("_ghost_drawn", "_ground", "Curve.has_derivatives"),
+    *("_ghost_drawn", "_ground", "Curve.has_derivatives", "CurveLayer._pen_for"),
     *("_frozen", "_ghost_stroke", "_is_resting", "_italic", "_known", "_made", "_made_for", "_origin"),
     *("_painted", "_pause", "_pens", "_pixels_of", "_room", "_upright"),
     *("_seconds", "_stamps", "_stroke", "_strokes", "_watcher", "__dict__", "FunctionLines._shown"),
     *("CrestNames._crests_of", "CrestNames._made_of", "CurveLayer.error", "FunctionLines._basis"),
     *("FunctionLines._envelopes", "FunctionLines._polygons", "GridLayer._shown", "MotionLayer._written"),
-    *("PlotLayer._strokes_of", "PointLayer._discs_now", "PointLayer.numbers"),
+    *(
+        "PlotLayer._strokes_of",
+        "PointLayer._apart",
+        "PointLayer._apart_for",
+        "PointLayer._discs_now",
+        "PointLayer.numbers",
+    ),
     *("DiskCommands._shown", "MotionStage._courses", "MotionStage._rivals", "MotionStage._rivals_of"),
     *("MotionStage._scales", "PlotCommands._own", "PlotCommands._plotted", "PlotCommands._was_calm"),
     *("TickEdit._knot", "TraceLayer._lines", "WiggleCommands._cures"),
     # Where the pointer was last, before it left, and with which button.
-    *("_hand", "_last", "_menu_refused", "_modal", "_place_now", "_pointer", "_button", "Scrolling._zooms"),
+    *("_hand", "_last", "_modal", "_place_now", "_pointer", "_button", "Scrolling._zooms"),
     *(
         "CanvasTool.grid",
         "Choosing.entered",

@@ -15,10 +15,12 @@ ALT = Qt.KeyboardModifier.AltModifier
 
 @pytest.fixture
 def arch(editor):
-    """Four points of an arch in an empty document."""
+    """Four points of an arch, the last one selected, in the view of an empty document."""
     editor.new()
-    for point in ((0, 0), (1, 2), (3, 2), (4, 0)):
-        editor.add_point(*point)
+    editor.trigger("selectTool")
+    curve = make_curve(((0, 0), (1, 2), (3, 2), (4, 0)), name=editor.curve.name)
+    editor.session.commit(Document((curve,)), "Begin")
+    editor.select([3])
     return editor
 
 

@@ -8,7 +8,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QLabel, QLineEdit
 
-from app.document.model import Family
+from app.document.model import Document, Family, make_curve
 from app.theme import DARK, LIGHT, ThemeMode
 
 CTRL, ALT = Qt.KeyboardModifier.ControlModifier, Qt.KeyboardModifier.AltModifier
@@ -19,10 +19,9 @@ KEYPAD = Qt.KeyboardModifier.KeypadModifier
 def line(editor):
     """Three points of a Lagrange curve."""
     editor.new()
-    for place in ((0, 0), (1, 2), (3, 1)):
-        editor.add_point(*place)
-    editor.choose_family(Family.LAGRANGE)
-    editor.select([])
+    editor.trigger("selectTool")
+    editor.session.commit(Document((make_curve(((0, 0), (1, 2), (3, 1))),)), "Begin")
+    editor.settle()
     return editor
 
 
