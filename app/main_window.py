@@ -88,6 +88,8 @@ class MainWindow(Guarded, QMainWindow):
         self.asks_before_closing = True
         self.preferences = preferences or Preferences()
         self._theme: Theme | None = None
+        # What the panels show; behind the session while it tells that what was selected is there no more.
+        self._rendered: CurveView | None = None
         # First of all: panels read the palette when they are built.
         self._dress()
         self.setWindowIcon(app_icon())
@@ -229,7 +231,7 @@ class MainWindow(Guarded, QMainWindow):
     # Rendering: from values to widgets, never back
 
     def _render_document(self) -> None:
-        view = self.session.active_view
+        view = self._rendered = self.session.active_view
         self.canvas.render_view(view)
         self.canvas.render_others(self.session.views, self.session.active_index, self.session.chosen_curves)
         self.basis_pane.render_view(view)
@@ -263,14 +265,20 @@ class MainWindow(Guarded, QMainWindow):
         self.canvas.set_selection(selection)
         self.basis_panel.set_selection(selection)
         self.table_panel.set_selection(selection)
-        self._commands.render(self.session.active_view)
+        self._render_commands()
 
     def _render_chosen(self, chosen: frozenset[int]) -> None:
         session = self.session
         self.canvas.render_others(session.views, session.active_index, chosen)
         self.canvas.hover_again()
         self.curve_list.render_document(session.document, session.active_index, chosen)
-        self._commands.render(session.active_view)
+        self._render_commands()
+
+    def _render_commands(self) -> None:
+        """Check and enable actions; those of a document that the panels do not show yet, together with it."""
+        view = self.session.active_view
+        if view is self._rendered:
+            self._commands.render(view)
 
     def _render_scrub(self, t: float | None) -> None:
         self.canvas.set_scrub(t)
@@ -289,7 +297,7 @@ class MainWindow(Guarded, QMainWindow):
             self.setWindowModified(self.session.is_modified)
 
     def _offer(self, text: str, action: str) -> None:
-        self._commands.render(self.session.active_view)
+        self._render_commands()
         self.status_line.forget_said()
         self._commands.messages.offer(text, self.actions_by_name[action])
 

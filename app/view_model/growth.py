@@ -10,9 +10,11 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 
+import numpy as np
+
 from app.view_model.basis_view import BasisView
 from app.view_model.curve_view import CurveView, Floats
-from curvecore import lebesgue_constant
+from curvecore import LagrangeCurve, lebesgue_constant
 from curvecore.scaling import LARGEST
 from curvecore.stability import lebesgue_constants
 
@@ -26,13 +28,11 @@ def growth_of_points(view: CurveView, basis: BasisView | None = None) -> float:
     """Return the Lebesgue constant Λ of the points of a curve; infinite where it is beyond all floats.
 
     `basis` lends the functions of a Lagrange curve, of which many take long: the largest of their samples is
-    as much of the constant as can be drawn.
+    as much of the constant as can be drawn. What is on screen may still be the functions of another curve.
     """
     if not view.is_current or view.skeleton is None:
         return math.nan
-    if basis is not None and not view.source.family.derivatives:
-        return basis.lebesgue_constant
-    return view.growth
+    return basis.lebesgue_constant if basis is not None and _lends(basis, view) else view.growth
 
 
 def growth_of_data(view: CurveView, basis: BasisView | None = None) -> float:
@@ -41,7 +41,15 @@ def growth_of_data(view: CurveView, basis: BasisView | None = None) -> float:
         return math.nan
     if view.source.family.derivatives:
         return 1.0
-    return basis.lebesgue_constant if basis is not None else lebesgue_constant(view.skeleton)
+    if basis is not None and _lends(basis, view):
+        return basis.lebesgue_constant
+    return lebesgue_constant(view.skeleton)
+
+
+def _lends(basis: BasisView, view: CurveView) -> bool:
+    """Whether these are the functions of a Lagrange curve, and of this one: its parameters decide."""
+    is_lagrange = isinstance(basis.curve, LagrangeCurve) and not view.source.family.derivatives
+    return is_lagrange and bool(np.array_equal(basis.curve.parameters, view.parameters))
 
 
 def growths_of_points(views: Sequence[CurveView]) -> list[float]:

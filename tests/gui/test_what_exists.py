@@ -8,9 +8,10 @@ import pytest
 from msgspec.structs import replace
 from PySide6.QtCore import QPointF, Qt
 from PySide6.QtGui import QGuiApplication
+from PySide6.QtWidgets import QLabel
 
 from app.document import edits
-from app.document.model import Document, Node, make_curve
+from app.document.model import Document, Family, Node, make_curve
 from app.gestures.machine import DragMachine
 from app.gestures.pointer import Pointer
 from app.session import Session
@@ -204,3 +205,28 @@ def test_the_scrub_line_stands_where_it_was_put_as_far_as_the_curve_goes():
     assert session.scrub is None
     session.undo_stack.undo()
     assert session.scrub == 3.0
+
+
+def test_actions_are_checked_by_the_document_that_the_panels_show(editor):
+    """Undo told of a selection that is there no more while the panels still showed the other family."""
+    few = make_curve([(0.0, 0.0), (1.0, 2.0), (3.0, 1.0)], family=Family.LAGRANGE)
+    many = make_curve([(float(i), float(i % 2)) for i in range(6)], family=Family.HERMITE)
+    editor.session.commit(Document((few,)), "Few")
+    editor.session.commit(Document((many,)), "Many")
+    editor.select([5])
+    seen = []
+    render = editor.window._commands.render
+
+    def noted(view):
+        seen.append(view.source.family is editor.window.basis_panel._view.source.family)
+        render(view)
+
+    editor.window._commands.render = noted
+    try:
+        editor.trigger("undo")
+    finally:
+        del editor.window._commands.render
+    assert editor.session.active_curve == few
+    assert seen
+    assert all(seen)
+    assert "Λ 1.25" in {label.text() for label in editor.window.status_line.findChildren(QLabel)}

@@ -246,3 +246,11 @@ def test_a_warning_of_a_hermite_curve_gives_advice_for_one():
     assert view.growth > 100
     assert "estimated velocities carry it along" in found.sentence
     assert "use a Hermite curve" not in found.sentence
+
+
+def test_functions_of_another_curve_lend_nothing():
+    lagrange, hermite = (view_of(seven(family=family)) for family in (Family.LAGRANGE, Family.HERMITE))
+    spread = view_of(seven(ParametrizationKind.UNIFORM, Family.LAGRANGE))
+    for other in (hermite, spread):
+        assert growth_of_points(lagrange, basis_view(other)) == growth_of_points(lagrange)
+        assert growth_of_data(lagrange, basis_view(other)) == growth_of_data(lagrange)
