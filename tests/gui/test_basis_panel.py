@@ -14,7 +14,6 @@ from app.document.model import Document, Family, ParametrizationKind, make_curve
 from app.panels.basis_layers import rail_height
 from app.panels.crest_names import apart, crests_of
 from app.plot.colours import colours_of
-from app.testing import Editor
 from app.theme import LIGHT
 
 
@@ -343,8 +342,8 @@ def test_functions_are_sampled_densely_enough_in_a_long_segment(editor, panel):
 
 @pytest.mark.parametrize("width", [1024, 1280])
 @pytest.mark.parametrize("family", list(Family))
-def test_the_header_fits_whatever_it_has_to_say(qtbot, width, family):
-    editor = Editor(qtbot, size=(width, 700))
+def test_the_header_fits_whatever_it_has_to_say(editor, width, family):
+    editor.window.resize(width, 700)
     editor.choose_family(family)
     editor.drag_parameter(3, to=editor.parameters[4] - 0.02)
     pane = editor.window.basis_pane

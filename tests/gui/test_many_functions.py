@@ -12,7 +12,6 @@ from app.document.parameter_edits import set_parameters
 from app.panels.function_lines import Drawing, FunctionLines, way_to_draw
 from app.plot.pixel_map import PixelMap
 from app.plot.stamps import cells_of
-from app.session import Session
 from app.testing import Editor
 from app.theme import LIGHT
 from app.view_model.basis_view import basis_view
@@ -73,11 +72,9 @@ def test_the_spans_are_the_functions():
 
 
 @pytest.fixture
-def open_wave(qtbot):
+def open_wave(editor):
     def open_wave(n: int, family: Family) -> Editor:
-        session = Session()
-        editor = Editor(qtbot, session)
-        session.commit(Document((wave(n, family),)), "Open")
+        editor.session.commit(Document((wave(n, family),)), "Open")
         editor.fit()
         return editor
 

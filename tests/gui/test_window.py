@@ -611,9 +611,9 @@ def test_the_numbers_of_the_table_stay_off_its_edge(editor):
     assert table.horizontalHeader().length() == table.viewport().width() - 8
 
 
+@pytest.mark.usefixtures("only_new_garbage")
 def test_a_closed_window_leaves_nothing_behind(qapp, tmp_path):
     """pyqtgraph's menus and three lambdas on the session's signals used to keep every window alive."""
-    gc.collect()
     before = len(qapp.allWidgets())
     window = MainWindow(Session(), Preferences(tmp_path / "settings.ini"))
     window.show()
