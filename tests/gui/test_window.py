@@ -60,6 +60,7 @@ def test_a_document_is_opened_without_a_greeting(qtbot, tmp_path):
     assert Editor(qtbot, session).message == ""
 
 
+@pytest.mark.usefixtures("unpainted")
 def test_switching_families_brings_the_same_curve_back(editor):
     editor.choose_family(Family.HERMITE)
     editor.session.commit(set_velocity(editor.session.document, 0, 2, (3.0, -1.0)), "Set velocity")
@@ -71,6 +72,7 @@ def test_switching_families_brings_the_same_curve_back(editor):
     assert np.array_equal(editor.session.active_view.curve.jets, jets)
 
 
+@pytest.mark.usefixtures("unpainted")
 def test_switching_parametrizations_brings_the_same_curve_back(editor):
     editor.drag_parameter(3, to=0.5)
     manual, nodes = editor.parameters, editor.curve.nodes
@@ -122,6 +124,7 @@ def test_the_alpha_slider_is_live_one_step_and_cancellable(editor):
     assert editor.session.undo_stack.undoText() == "Set α to 0.30"
 
 
+@pytest.mark.usefixtures("unpainted")
 def test_undo_and_redo_go_through_every_state(editor):
     states = [editor.session.document]
     editor.drag_point(2, to=(0.5, 4.2))
@@ -268,13 +271,32 @@ def test_an_export_that_cannot_be_written_is_explained(editor, tmp_path):
     assert "was not written" in editor.message
 
 
+@pytest.mark.qt_log_ignore("grabbing the (keyboard|mouse)")
 def test_light_and_dark(editor):
     for mode, dark in ((ThemeMode.DARK, True), (ThemeMode.LIGHT, False)):
         editor.window.set_theme_mode(mode)
         image = editor.screenshot()
         corner = editor.window.canvas.mapTo(editor.window, editor.window.canvas.to_pixel(-1, 4))
-        assert (image.pixelColor(corner).lightnessF() < 0.5) is dark
+        assert (image.pixelColor(corner).lightnessF() < 0.5) is dark, mode
+        the_entry_under_the_pointer_stands_out(editor, mode)
     editor.window.set_theme_mode(ThemeMode.SYSTEM)
+
+
+def the_entry_under_the_pointer_stands_out(editor, mode):
+    """Ask that of a menu: the text used to vanish, white on white without a highlight."""
+    menu = next(entry.menu() for entry in editor.window.menuBar().actions() if plain(entry.text()) == "Edit")
+    menu.popup(QPoint(20, 20))
+    entry = menu.actions()[3]
+    menu.setActiveAction(entry)
+    editor.settle()
+    image = menu.grab().toImage()
+    row = menu.actionGeometry(entry).center().y()
+    other = menu.actionGeometry(menu.actions()[4]).center().y()
+    right = menu.actionGeometry(entry).right() - 12
+    assert image.pixelColor(right, row) != image.pixelColor(right, other), mode
+    colours = {image.pixelColor(x, row).lightness() for x in range(30, right)}
+    assert max(colours) - min(colours) > 90, mode
+    menu.close()
 
 
 def test_presentation_hides_everything_but_the_drawing(editor):
@@ -541,27 +563,6 @@ def test_save_writes_what_is_committed_not_a_preview(editor, tmp_path):
     editor.session.save(tmp_path / "a.curve.json")
     assert load(tmp_path / "a.curve.json") == document
     editor.release((0.2, 4))
-
-
-@pytest.mark.qt_log_ignore("grabbing the (keyboard|mouse)")
-@pytest.mark.parametrize("mode", [ThemeMode.LIGHT, ThemeMode.DARK])
-def test_the_entry_under_the_pointer_stands_out_in_menus(editor, mode):
-    """The text used to vanish: white on white without a highlight."""
-    editor.window.set_theme_mode(mode)
-    menu = next(entry.menu() for entry in editor.window.menuBar().actions() if plain(entry.text()) == "Edit")
-    menu.popup(QPoint(20, 20))
-    entry = menu.actions()[3]
-    menu.setActiveAction(entry)
-    editor.settle()
-    image = menu.grab().toImage()
-    row = menu.actionGeometry(entry).center().y()
-    other = menu.actionGeometry(menu.actions()[4]).center().y()
-    right = menu.actionGeometry(entry).right() - 12
-    assert image.pixelColor(right, row) != image.pixelColor(right, other)
-    colours = {image.pixelColor(x, row).lightness() for x in range(30, right)}
-    assert max(colours) - min(colours) > 90
-    menu.close()
-    editor.window.set_theme_mode(ThemeMode.SYSTEM)
 
 
 def test_a_start_in_dark_is_dark_everywhere(qtbot, tmp_path):
