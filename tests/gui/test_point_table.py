@@ -10,7 +10,7 @@ from PySide6.QtWidgets import QApplication, QLabel, QLineEdit, QMainWindow, QToo
 from app.colours import point_colours
 from app.document import edits
 from app.document.model import Family, ParametrizationKind, VelocityRule, make_curve
-from app.panels.point_table import PointTable
+from app.panels.point_table import INTERVAL_MS, PointTable
 from app.panels.point_table_delegate import LEFT_PADDING, PADDING, CellEditor
 from app.session import Session
 from app.testing_hand import wait_for_rest
@@ -78,6 +78,12 @@ class Table:
         self.qtbot.mouseClick(self.view.viewport(), Qt.MouseButton.LeftButton, modifier, place)
         if double:
             self.qtbot.mouseDClick(self.view.viewport(), Qt.MouseButton.LeftButton, modifier, place)
+
+    def rest(self):
+        """Have the table follow what is shown at once, not at its pace."""
+        self.panel._timer.setInterval(0)
+        wait_for_rest(self.window)
+        self.panel._timer.setInterval(INTERVAL_MS)
 
     def edit(self, row, column):
         self.click(row, column)
@@ -672,7 +678,7 @@ def test_a_thousand_rows_are_updated_and_not_reset(qtbot):
 
 def test_a_stream_of_previews_is_followed_at_a_pace_and_ends_on_the_last(qtbot):
     table = Table(qtbot)
-    wait_for_rest(table.window)
+    table.rest()
     changes = QSignalSpy(table.model.dataChanged)
     before = table.session.document
     for step in range(1, 51):
@@ -707,7 +713,7 @@ def test_rendering_commits_nothing(quintic):
     steps = quintic.session.undo_stack.count()
     for family in Family:
         quintic.session.preview(edits.set_family(quintic.session.document, 0, family))
-        wait_for_rest(quintic.window)
+        quintic.rest()
     quintic.session.cancel()
     assert quintic.session.undo_stack.count() == steps
 
@@ -804,12 +810,12 @@ def test_a_column_keeps_its_decimals_while_previews_stream(table):
     before, seen = table.session.document, []
     for step in range(1, 6):
         table.session.preview(edits.move_nodes(before, 0, [3], (0.5 * step + 0.1 ** (step % 3 + 1), 0.0)))
-        wait_for_rest(table.window)
+        table.rest()
         assert len(decimals(table, X)) == 1
         seen.append(decimals(table, X))
     assert seen == [seen[0]] * 5
     table.session.cancel()
-    wait_for_rest(table.window)
+    table.rest()
     assert decimals(table, X) == {2}
 
 
@@ -818,14 +824,14 @@ def test_a_number_that_outgrows_its_column_takes_decimals_once(table):
     counts = []
     for x in (0.123, 5000.123, 0.123):
         table.session.preview(edits.set_position(before, 0, 3, (x, 0.0)))
-        wait_for_rest(table.window)
+        table.rest()
         counts.append(decimals(table, X))
     assert max(counts[1]) < max(counts[0])
     assert counts[1] == counts[2]
 
 
 def test_a_change_of_decimals_is_painted_in_every_row(table):
-    wait_for_rest(table.window)
+    table.rest()
     painted = []
     paint = table.view.cell_delegate.paint
     table.view.cell_delegate.paint = lambda painter, option, index: (
@@ -833,7 +839,7 @@ def test_a_change_of_decimals_is_painted_in_every_row(table):
         paint(painter, option, index),
     )
     table.session.preview(edits.set_position(table.session.document, 0, 3, (1 / 3, 2.5)))
-    wait_for_rest(table.window)
+    table.rest()
     assert set(painted) == set(range(8))
 
 
@@ -1054,8 +1060,8 @@ def test_neighbouring_numbers_of_a_quintic_table_never_touch(qtbot, scale):
     assert least_gap() >= promised
     for x in (-1.59, -159.0, 1.59):
         session.preview(edits.set_position(before, 0, 3, (x * scale, 1.1 * scale)))
-        wait_for_rest(table.window)
+        table.rest()
         assert least_gap() >= promised
     session.cancel()
-    wait_for_rest(table.window)
+    table.rest()
     assert least_gap() >= promised
