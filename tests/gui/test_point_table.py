@@ -50,6 +50,8 @@ class Table:
         with qtbot.waitActive(self.window):
             self.window.show()
             self.window.activateWindow()
+            # Else it is asked ten milliseconds later for the first time.
+            QApplication.processEvents()
         self.view.setFocus()
 
     @property
