@@ -62,6 +62,8 @@ def test_the_switch_shows_what_each_point_does_and_says_so(uneven):
     assert not switch(uneven).isVisible()
     assert not uneven.action("toggleEstimates").isEnabled()
     assert "Basis Functions with Estimates" in uneven.find_command("with estimates")
+    uneven.trigger("undo")
+    uneven.trigger("toggleEstimates")
 
 
 def test_the_functions_follow_a_drag_and_a_handle_and_stay_where_nothing_changes(uneven):
@@ -85,6 +87,8 @@ def test_the_functions_follow_a_drag_and_a_handle_and_stay_where_nothing_changes
     QTest.mouseClick(uneven.window.findChild(QToolButton, "positionFunctions"), Qt.MouseButton.LeftButton)
     uneven.trigger("toggleEstimates")
     assert panel.basis.shown_of(panel.kinds) == [0]
+    uneven.trigger("toggleEstimates")
+    QTest.mouseClick(uneven.window.findChild(QToolButton, "positionFunctions"), Qt.MouseButton.LeftButton)
 
 
 def test_the_constant_on_screen_is_that_of_the_points(uneven):

@@ -81,6 +81,8 @@ def test_everything_in_the_registry_and_in_the_menus_is_found(editor, palette, t
             assert name_alone(editor.action(spec.name)) in found
     assert "of yesterday.curve.json" in found
     assert {"Centripetal Parameters", "Letter S", "Points Panel"} <= found
+    editor.window.preferences.clear_recent_files()
+    editor.window.menus.recent.aboutToShow.emit()
 
 
 def test_a_dynamic_action_is_done(editor):

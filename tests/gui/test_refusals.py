@@ -70,6 +70,7 @@ def test_keys_that_a_person_chose_say_it(line):
     keymap.assign("joinCurve", [key])
     line.key(Qt.Key.Key_K, CTRL)
     assert line.status.startswith("“Join Curve End to Start” needs")
+    keymap.reset_all()
 
 
 def test_the_same_keys_work_where_they_can(line):
@@ -110,6 +111,7 @@ def test_what_has_no_need_says_a_plain_sentence(line):
     action.setEnabled(False)
     line.key(Qt.Key.Key_F)
     assert line.status == "“Fit View” is not possible here."
+    action.setEnabled(True)
 
 
 # Refusals

@@ -254,6 +254,8 @@ def test_recent_files_are_listed(editor, tmp_path):
     editor.window.open_file(path)
     editor.window.menus.recent.aboutToShow.emit()
     assert editor.window.menus.recent.actions()[0].text() == "&mine && yours.curve.json"
+    editor.window.preferences.clear_recent_files()
+    editor.window.menus.recent.aboutToShow.emit()
 
 
 @pytest.mark.parametrize("suffix", [".png", ".svg", ".pdf", ".dxf", ".py", ".tex", ".tikz", ".csv"])
