@@ -26,13 +26,25 @@ from PySide6.QtWidgets import (
 
 from app.document.model import Document, Family, Parametrization, ParametrizationKind, make_curve
 from app.view_model.analysis.laboratory_settings import Calculation
+from app.worker import SETTLE_MS
 
 LEFT = Qt.MouseButton.LeftButton
 POINTS = ((0.0, 0.0), (1.0, 2.0), (2.5, 1.0), (4.0, 3.0), (5.0, 0.5), (6.0, 2.0))
 
 
 @pytest.fixture
-def lab(editor, qtbot):
+def quick(editor):
+    """Have the laboratory compute at once: that it waits for the hand to rest is one question of all."""
+    settlers = commands(editor)._settler, commands(editor)._cost_settler
+    for settler in settlers:
+        settler._timer.setInterval(0)
+    yield
+    for settler in settlers:
+        settler._timer.setInterval(SETTLE_MS)
+
+
+@pytest.fixture
+def lab(editor, quick, qtbot):
     """The editor with six points and the laboratory open."""
     editor.session.commit(Document((make_curve(POINTS),)), "Begin")
     editor.fit()
@@ -271,6 +283,7 @@ def test_what_is_rounded_can_be_chosen(lab, qtbot):
 
 
 def test_a_drag_keeps_the_old_curves_faded_until_it_rests(lab, qtbot):
+    commands(lab)._settler._timer.setInterval(SETTLE_MS)
     trace = shown(lab)["Lagrange"]
     x, y = lab.point(2)
     lab.press((x, y))
@@ -393,6 +406,7 @@ def test_sixteen_digits_fit_the_dock(lab, qtbot):
 
 
 @pytest.mark.parametrize("family", [Family.LAGRANGE, Family.QUINTIC_HERMITE])
+@pytest.mark.usefixtures("quick")
 def test_the_dock_is_as_wide_as_the_laboratory(editor, qtbot, family):
     """In a window 1280 pixels wide it was 4 pixels wider than its dock, and scrolled sideways by them."""
     editor.window.resize(1280, 860)
