@@ -20,17 +20,36 @@ HERMITE = [Family.HERMITE, Family.QUINTIC_HERMITE]
 def pen(editor):
     """An empty Hermite curve, and the pen in hand."""
     editor.new()
-    editor.choose_family(Family.HERMITE)
+    begin(editor, edits.set_family(editor.session.document, 0, Family.HERMITE))
     editor.trigger("addTool")
     return editor
+
+
+def begin(editor, document):
+    """Go on with a document that is there at once: how it is made is not the question."""
+    editor.session.commit(document, "Begin")
+
+
+def lay(editor, *places):
+    """Lay points at the end of the curve, as clicks with the pen do."""
+    nodes = (*editor.curve.nodes, *(Node(*place) for place in places))
+    begin(editor, edits.set_nodes(editor.session.document, 0, nodes))
+    editor.session.select([len(nodes) - 1])
 
 
 @pytest.fixture
 def ring(pen):
     """A closed curve of three points, and the pen in hand."""
-    for point in ((0, 0), (2, 0), (1, 2)):
-        pen.click(point)
-    pen.trigger("closeCurve")
+    lay(pen, (0, 0), (2, 0), (1, 2))
+    begin(pen, edits.set_closed(pen.session.document, 0, True))
+    return pen
+
+
+@pytest.fixture
+def ruled(pen, family, kind):
+    """An empty curve of the test's family and rule, and the pen in hand."""
+    document = edits.set_family(pen.session.document, 0, family)
+    begin(pen, edits.set_parametrization(document, 0, kind, []))
     return pen
 
 
@@ -50,25 +69,23 @@ def lengths(editor, index, kind=1):
 
 @pytest.mark.parametrize("kind", [*ParametrizationKind])
 @pytest.mark.parametrize("family", HERMITE)
-def test_no_handle_gets_longer_than_it_was_drawn(pen, family, kind):
+def test_no_handle_gets_longer_than_it_was_drawn(ruled):
     """340 px on, a handle of 45 px used to become one of 510."""
-    pen.choose_family(family)
-    pen.choose_parametrization(kind)
     for x in (0, 30):
-        pen.click(at(pen, x, 0))
-    pen.press(at(pen, 60, 0))
-    pen.move(at(pen, 60, 45))
-    assert "handles stay at most this long" in pen.status
-    pen.release(at(pen, 60, 45))
-    drawn = lengths(pen, 2)[False]
+        ruled.click(at(ruled, x, 0))
+    ruled.press(at(ruled, 60, 0))
+    ruled.move(at(ruled, 60, 45))
+    assert "handles stay at most this long" in ruled.status
+    ruled.release(at(ruled, 60, 45))
+    drawn = lengths(ruled, 2)[False]
     assert drawn == pytest.approx(45, abs=1.5)
-    pen.click(at(pen, 400, 0))
-    after = lengths(pen, 2)
+    ruled.click(at(ruled, 400, 0))
+    after = lengths(ruled, 2)
     assert max(after.values()) == pytest.approx(drawn, rel=1e-9)
-    pen.trigger("undo")
-    assert lengths(pen, 2)[False] == drawn
-    pen.click(at(pen, 75, 0))
-    assert max(lengths(pen, 2).values()) == pytest.approx(drawn, rel=1e-9)
+    ruled.trigger("undo")
+    assert lengths(ruled, 2)[False] == drawn
+    ruled.click(at(ruled, 75, 0))
+    assert max(lengths(ruled, 2).values()) == pytest.approx(drawn, rel=1e-9)
 
 
 def test_the_handle_behind_stays_where_it_was_drawn_before_a_short_segment(pen):
@@ -81,7 +98,7 @@ def test_the_handle_behind_stays_where_it_was_drawn_before_a_short_segment(pen):
 
 
 def test_an_acceleration_goes_along_by_the_square(pen):
-    pen.choose_family(Family.QUINTIC_HERMITE)
+    begin(pen, edits.set_family(pen.session.document, 0, Family.QUINTIC_HERMITE))
     pen.click(at(pen, 0, 0))
     pen.drag(at(pen, 30, 0), at(pen, 60, 0))
     document = edits.set_acceleration(pen.session.document, 0, 1, (3.0, -4.0))
@@ -97,19 +114,17 @@ def test_an_acceleration_goes_along_by_the_square(pen):
 @pytest.mark.parametrize("span", [1.0, 2.5])
 @pytest.mark.parametrize("kind", [ParametrizationKind.CHORD_LENGTH, ParametrizationKind.MANUAL])
 @pytest.mark.parametrize("family", HERMITE)
-def test_the_handle_of_the_first_point_stays(pen, family, kind, span):
-    pen.choose_family(family)
-    pen.choose_parametrization(kind)
-    pen.session.commit(edits.set_interval(pen.session.document, 0, 0.0, span), "Span")
-    tip = at(pen, 45, 30)
-    pen.press(at(pen, 0, 0))
-    pen.move(tip)
-    assert pen.status.partition(" · ")[2].startswith("the handle stays here")
-    assert pen.handle().position == pytest.approx(tip, abs=2 * pen.pixel)
-    pen.release(tip)
-    drawn = pen.handle().position
-    pen.click(at(pen, 400, 0))
-    (handle,) = (each for each in handles_of(pen.session.active_view, 0) if each.kind == 1)
+def test_the_handle_of_the_first_point_stays(ruled, span):
+    ruled.session.commit(edits.set_interval(ruled.session.document, 0, 0.0, span), "Span")
+    tip = at(ruled, 45, 30)
+    ruled.press(at(ruled, 0, 0))
+    ruled.move(tip)
+    assert ruled.status.partition(" · ")[2].startswith("the handle stays here")
+    assert ruled.handle().position == pytest.approx(tip, abs=2 * ruled.pixel)
+    ruled.release(tip)
+    drawn = ruled.handle().position
+    ruled.click(at(ruled, 400, 0))
+    (handle,) = (each for each in handles_of(ruled.session.active_view, 0) if each.kind == 1)
     assert handle.ahead
     assert handle.position == pytest.approx(drawn, rel=1e-12)
 
@@ -145,8 +160,7 @@ def test_escape_takes_back_the_point_and_what_it_did_to_the_one_before(pen):
 
 
 def test_shift_adds_at_the_end_near_the_curve(pen):
-    for x in (0, 100, 200):
-        pen.click(at(pen, x, 0))
+    lay(pen, *(at(pen, x, 0) for x in (0, 100, 200)))
     near = at(pen, 50, 4)
     pen.hover(near)
     assert pen.window.status_line.hint == "Click to insert a point here · Shift: add at the end"
@@ -162,8 +176,7 @@ def test_shift_adds_at_the_end_near_the_curve(pen):
 
 
 def test_escape_takes_back_a_point_added_near_the_curve(pen):
-    for x in (0, 100, 200):
-        pen.click(at(pen, x, 0))
+    lay(pen, *(at(pen, x, 0) for x in (0, 100, 200)))
     document = pen.session.document
     pen.press(at(pen, 50, 4), keys=SHIFT)
     pen.move(at(pen, 80, 40), keys=SHIFT)
@@ -176,7 +189,7 @@ def test_escape_takes_back_a_point_added_near_the_curve(pen):
 
 
 def test_beside_a_closed_curve_the_pen_begins_a_new_one(ring):
-    ring.choose_parametrization(ParametrizationKind.CENTRIPETAL)
+    begin(ring, edits.set_parametrization(ring.session.document, 0, ParametrizationKind.CENTRIPETAL, []))
     old, steps = ring.curve, ring.session.undo_stack.count()
     ring.hover((4, 1))
     assert ring.window.status_line.hint.startswith("Click to begin another curve")
@@ -272,7 +285,7 @@ def test_the_sheet_tells_what_the_pen_does(ring):
 @pytest.mark.parametrize("kind", [ParametrizationKind.UNIFORM, ParametrizationKind.CHORD_LENGTH])
 def test_a_point_inserted_and_dragged_a_little_changes_the_curve_a_little(pen, kind):
     """Past the threshold all handles used to jump: the parameters move, and nothing was rescaled."""
-    pen.choose_parametrization(kind)
+    begin(pen, edits.set_parametrization(pen.session.document, 0, kind, []))
     nodes = [Node(x, y, velocity=(12.0, 0.0)) for x, y in ((0.0, 0.0), (4.0, 3.0), (8.0, 0.0), (12.0, 3.0))]
     pen.session.commit(edits.set_nodes(pen.session.document, 0, nodes), "Begin")
     pen.fit()

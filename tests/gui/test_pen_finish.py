@@ -7,7 +7,8 @@ import math
 import pytest
 from PySide6.QtCore import QPoint, Qt
 
-from app.document.model import Family
+from app.document import edits
+from app.document.model import Family, Node
 
 SHIFT = Qt.KeyboardModifier.ShiftModifier
 CTRL = Qt.KeyboardModifier.ControlModifier
@@ -17,10 +18,12 @@ CTRL = Qt.KeyboardModifier.ControlModifier
 def pen(editor):
     """An open Hermite curve of three points, and the pen in hand."""
     editor.new()
-    editor.choose_family(Family.HERMITE)
+    places = [at(editor, x, y) for x, y in ((0, 0), (100, 60), (200, 0))]
+    document = edits.set_family(editor.session.document, 0, Family.HERMITE)
+    document = edits.set_nodes(document, 0, [Node(*place) for place in places])
+    editor.session.commit(document, "Begin")
+    editor.session.select([2])
     editor.trigger("addTool")
-    for x, y in ((0, 0), (100, 60), (200, 0)):
-        editor.click(at(editor, x, y))
     return editor
 
 
