@@ -27,6 +27,7 @@ from app.document.model import Document, Family, make_curve
 from app.document.storage import save
 from app.exchange import Options, export
 from app.panels.field_edit import FieldEdit
+from app.testing_hand import spin
 from app.view_model.curve_view import view_of
 
 SVG = (
@@ -72,7 +73,7 @@ def settle(editor, dialog, seconds=30):
     deadline = time.monotonic() + seconds
     while dialog.jobs.is_busy or dialog._soon.isActive():
         assert time.monotonic() < deadline
-        QTest.qWait(5)
+        spin(5)
     editor.settle()
 
 
@@ -627,7 +628,7 @@ def shown_bar(editor):
     deadline = time.monotonic() + 10
     while (bar := editor.window.findChild(object, "jobBar")) is None or not bar.isVisible():
         assert time.monotonic() < deadline
-        QTest.qWait(5)
+        spin(5)
     return bar
 
 
@@ -636,7 +637,7 @@ def until_collected():
     deadline = time.monotonic() + 20
     while not gc.isenabled():
         assert time.monotonic() < deadline
-        QTest.qWait(10)
+        spin(10)
 
 
 def test_long_work_shows_how_far_it_is_and_can_be_stopped(editor, busy):
@@ -651,7 +652,7 @@ def test_long_work_shows_how_far_it_is_and_can_be_stopped(editor, busy):
     deadline = time.monotonic() + 10
     while bar.bar.value() == 0:
         assert time.monotonic() < deadline
-        QTest.qWait(5)
+        spin(5)
     # Meanwhile the window works on.
     editor.select_point(0)
     assert editor.session.selected == 0

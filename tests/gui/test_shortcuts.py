@@ -84,9 +84,7 @@ def test_a_conflict_is_named_and_waits_for_an_answer(editor, keys):
     assert editor.action("saveDocument").shortcuts() == []
     assert editor.action("saveDocument").toolTip() == "Save the document"
     assert shown(keys, "saveDocument") == ""
-
-
-def test_only_the_key_in_conflict_is_taken(editor, keys):
+    # Only the key in conflict is taken.
     record(keys, "fitView", Qt.Key.Key_Y, CTRL)
     keys.take.click()
     assert editor.action("redo").shortcuts() == [QKeySequence("Ctrl+Shift+Z")]
