@@ -60,7 +60,8 @@ def test_the_python_code_takes_scalars_and_any_shape(sketch):
     assert function(np.zeros((2, 3))).shape == (2, 3, 2)
 
 
-@pytest.mark.parametrize("count", [100, 600])
+# Of 560 the product of all differences is no number that can be told from 0.
+@pytest.mark.parametrize("count", [100, 560])
 def test_many_chebyshev_points(count):
     rule = Parametrization(ParametrizationKind.CHEBYSHEV)
     points = np.column_stack([np.linspace(0, 1, count), np.sin(np.linspace(0, 20, count))])

@@ -16,7 +16,7 @@ from PySide6.QtGui import QGuiApplication, QImage
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QDialog, QFileDialog, QPushButton
 
-from app.document.model import Family, make_curve
+from app.document.model import Document, Family, make_curve
 from app.exchange.choice import FORMATS, ExportChoice, choice_from, text_of
 from app.exchange.formats import with_ending
 from app.preferences import Preferences
@@ -269,10 +269,11 @@ def shape_of_pdf(path):
 
 
 def test_handles_lie_inside_the_picture_and_above_the_functions(editor, tmp_path, monkeypatch):
-    editor.new()
-    editor.choose_family(Family.HERMITE)
-    for x in (0, 2, 4):
-        editor.add_point(x, 0, velocity_handle=(x + 0.2, -3))
+    curve = make_curve([(0, 0), (2, 0), (4, 0)], family=Family.HERMITE)
+    # Of which a sixth is a handle that reaches far below.
+    nodes = tuple(replace(node, velocity=(1.2, -18.0)) for node in curve.nodes)
+    editor.session.commit(Document((replace(curve, nodes=nodes),)), "Begin")
+    editor.fit()
     shapes = []
     for ending in (".svg", ".png", ".pdf"):
         editor.trigger("exportPicture")

@@ -12,6 +12,7 @@ from pathlib import Path
 
 import msgspec
 import pytest
+import shiboken6
 from PySide6.QtCore import QEvent, QFileSystemWatcher, Qt, QTimer
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QFileDialog, QMessageBox, QToolButton
@@ -20,7 +21,7 @@ from app.commands.disk_commands import DiskCommands
 from app.commands.disk_notices import Standing, about_lock
 from app.disk_watch import DiskWatch
 from app.document import storage
-from app.document.edits import move_nodes
+from app.document.edits import move_nodes, set_position
 from app.document.format import encode
 from app.document.lock import OLD, Owner, lock_place
 from app.document.migration import MIGRATIONS
@@ -34,6 +35,7 @@ from app.theme import ThemeMode
 
 THEIRS = Document((make_curve([(0.0, 0.0), (1.0, 2.0), (3.0, 1.0)]),))
 WAIT_MS = 20_000
+SOON_MS = 10
 OTHERS = Document((make_curve([(0.0, 0.0), (5.0, 5.0)]),))
 
 
@@ -49,10 +51,33 @@ def saved(editor, path):
     return editor
 
 
+@pytest.fixture(autouse=True)
+def look_soon(monkeypatch):
+    """Have what watches files look soon after a sign: how long it waits for others is not the question."""
+    monkeypatch.setattr("app.disk_watch._SETTLE_MS", SOON_MS)
+    changed = {}
+
+    def look_soon():
+        for window in QApplication.topLevelWidgets():
+            for watch in window.findChildren(DiskWatch):
+                changed.setdefault(watch, watch._soon.interval())
+                watch._soon.setInterval(SOON_MS)
+
+    yield look_soon
+    for watch, interval in changed.items():
+        if shiboken6.isValid(watch):
+            watch._soon.setInterval(interval)
+
+
 @pytest.fixture
-def until(qtbot):
+def until(qtbot, look_soon):
     """Wait until something is so."""
-    return lambda condition: qtbot.waitUntil(lambda: bool(condition()), timeout=WAIT_MS)
+
+    def wait(condition):
+        look_soon()
+        qtbot.waitUntil(lambda: bool(condition()), timeout=WAIT_MS)
+
+    return wait
 
 
 @pytest.fixture
@@ -74,7 +99,8 @@ def looks(editor):
 
 def edit(editor):
     """Make a step."""
-    editor.drag_point(2, to=(0.5, 4.2))
+    editor.session.commit(set_position(editor.session.document, 0, 2, (0.5, 4.2)), "Move point 2")
+    editor.settle()
     assert editor.session.is_modified
     return editor.session.document
 
@@ -312,6 +338,7 @@ def test_closing_asks_about_a_document_that_is_in_its_file_no_longer(saved, path
 
 def test_a_file_that_is_whole_again_is_nobodys_loss(saved, path, until, monkeypatch):
     monkeypatch.setattr("app.commands.disk_commands._LOOKS", 1)
+    monkeypatch.setattr("app.commands.disk_commands._AGAIN_MS", SOON_MS)
     content = path.read_bytes()
     path.write_bytes(b"")
     until(lambda: saved.session.is_modified)
@@ -342,6 +369,7 @@ def test_half_a_file_is_waited_for(saved, path, until):
 
 def test_a_file_that_stays_broken_is_said(saved, path, until, monkeypatch):
     monkeypatch.setattr("app.commands.disk_commands._LOOKS", 2)
+    monkeypatch.setattr("app.commands.disk_commands._AGAIN_MS", SOON_MS)
     mine = saved.session.document
     path.write_bytes(b"not ours")
     until(lambda: saved.file_message)
@@ -354,6 +382,7 @@ def test_a_file_that_stays_broken_is_said(saved, path, until, monkeypatch):
 
 def test_a_file_that_is_gone_leaves_a_modified_document(saved, path, until, monkeypatch):
     monkeypatch.setattr("app.commands.disk_commands._LOOKS", 2)
+    monkeypatch.setattr("app.commands.disk_commands._AGAIN_MS", SOON_MS)
     path.rename(path.with_name("elsewhere"))
     until(lambda: saved.file_message)
     assert "is gone from its folder" in saved.file_message
@@ -367,6 +396,7 @@ def test_a_file_that_is_gone_leaves_a_modified_document(saved, path, until, monk
 @pytest.mark.parametrize("tries_to_save", [False, True])
 def test_a_file_that_was_changed_and_is_then_deleted_is_gone(saved, path, until, monkeypatch, tries_to_save):
     monkeypatch.setattr("app.commands.disk_commands._LOOKS", 2)
+    monkeypatch.setattr("app.commands.disk_commands._AGAIN_MS", SOON_MS)
     mine = edit(saved)
     save(path, THEIRS)
     until(lambda: saved.file_message)
@@ -391,8 +421,9 @@ def test_a_file_put_back_at_once_was_never_gone(saved, path, until):
     assert not saved.session.is_modified
 
 
-def test_own_saves_are_no_news(saved, qtbot):
+def test_own_saves_are_no_news(saved, qtbot, look_soon):
     edit(saved)
+    look_soon()
     watch = saved.window.findChild(DiskWatch)
     for _ in range(3):
         with qtbot.waitSignal(watch.stirred, timeout=WAIT_MS):

@@ -378,7 +378,7 @@ def test_the_window_goes_on_while_a_film_is_written(editor, motion, qtbot, tmp_p
     timer = QTimer(editor.window, interval=1)
     timer.timeout.connect(beat.set)
     timer.start()
-    export(editor, motion, tmp_path / "film.apng", filmWidth=320, filmSeconds=2)
+    export(editor, motion, tmp_path / "film.apng", filmWidth=64, filmSeconds=1)
     qtbot.waitUntil(lambda: not editor.window.jobs.is_busy, timeout=60_000)
     timer.stop()
     assert len(frames) > 10
@@ -386,7 +386,7 @@ def test_the_window_goes_on_while_a_film_is_written(editor, motion, qtbot, tmp_p
 
 
 def test_a_cancelled_export_leaves_no_file(editor, motion, qtbot, tmp_path):
-    export(editor, motion, tmp_path / "film.gif", filmWidth=1000, filmSeconds=8)
+    export(editor, motion, tmp_path / "film.gif", filmWidth=200, filmSeconds=40)
     qtbot.waitUntil(lambda: editor.window.findChild(QToolButton, "cancelJobButton") is not None)
     stop = editor.window.findChild(QToolButton, "cancelJobButton")
     QTest.mouseClick(stop, LEFT)
@@ -403,7 +403,7 @@ def test_a_failed_export_says_why(editor, motion, qtbot, tmp_path):
 
 
 def test_closing_the_window_ends_the_export(editor, motion, tmp_path):
-    export(editor, motion, tmp_path / "film.gif", filmWidth=1000, filmSeconds=8)
+    export(editor, motion, tmp_path / "film.gif", filmWidth=200, filmSeconds=40)
     editor.session.give_up_changes()
     editor.window.close()
     assert list(tmp_path.iterdir()) == []

