@@ -517,12 +517,13 @@ def test_copied_points_are_text_too(wave):
     assert float(rows[1].split("\t")[0]) == 1.0
 
 
-@pytest.mark.parametrize("text", ["4 0\n5 1", "4\t0\n5\t1\n", "x;y\n4;0\n5;1", "4,0;0,0\n5,0;1,0"], ids=repr)
-def test_two_columns_of_text_are_appended(wave, text):
-    wave.paste_text(text)
-    wave.key(Qt.Key.Key_V, CTRL)
-    assert [node.position for node in wave.curve.nodes[4:]] == [(4, 0), (5, 1)]
-    assert not wave.curve.is_manual
+def test_two_columns_of_text_are_appended(wave):
+    for text in ("4 0\n5 1", "4\t0\n5\t1\n", "x;y\n4;0\n5;1", "4,0;0,0\n5,0;1,0"):
+        wave.paste_text(text)
+        wave.key(Qt.Key.Key_V, CTRL)
+        assert [node.position for node in wave.curve.nodes[4:]] == [(4, 0), (5, 1)], text
+        assert not wave.curve.is_manual, text
+        wave.trigger("undo")
 
 
 def test_decimal_commas_of_the_locale_are_read(wave):
@@ -542,25 +543,25 @@ def test_three_columns_bring_their_parameters(wave):
     assert wave.parameters[-3:] == [1.0, 1.5, 2.0]
 
 
-@pytest.mark.parametrize(
-    ("text", "reason"),
-    [
-        ("0.5 4 0", "Row 1: t must be greater than 1, the t of the last point, not 0.5."),
-        ("t x y\n2 4 0\n2 5 1", "Row 3: t must be greater than 2, the t of the row before it, not 2."),
-        ("4 0\n5 abc", "Row 2, column 2: “abc” is not a number."),
-        ("4 0\n5", "The rows differ in length: row 2 has 1, the first 2."),
-        ("1 2 3 4", "Points are two columns, x y, or three, t x y; these are 4 columns."),
-        ("7", "Points are two columns, x y, or three, t x y; this is one column."),
-        ("", "There are no numbers on the clipboard."),
-        ("1e13 0", "Row 1, column 1: A number here must lie between −1e12 and 1e12."),
-    ],
+NO_POINTS = (
+    ("0.5 4 0", "Row 1: t must be greater than 1, the t of the last point, not 0.5."),
+    ("t x y\n2 4 0\n2 5 1", "Row 3: t must be greater than 2, the t of the row before it, not 2."),
+    ("4 0\n5 abc", "Row 2, column 2: “abc” is not a number."),
+    ("4 0\n5", "The rows differ in length: row 2 has 1, the first 2."),
+    ("1 2 3 4", "Points are two columns, x y, or three, t x y; these are 4 columns."),
+    ("7", "Points are two columns, x y, or three, t x y; this is one column."),
+    ("", "There are no numbers on the clipboard."),
+    ("1e13 0", "Row 1, column 1: A number here must lie between −1e12 and 1e12."),
 )
-def test_text_that_is_no_points_is_refused_with_its_row(wave, text, reason):
+
+
+def test_text_that_is_no_points_is_refused_with_its_row(wave):
     document = wave.session.document
-    wave.paste_text(text)
-    wave.key(Qt.Key.Key_V, CTRL)
-    assert wave.status.startswith(reason)
-    assert wave.session.document is document
+    for text, reason in NO_POINTS:
+        wave.paste_text(text)
+        wave.key(Qt.Key.Key_V, CTRL)
+        assert wave.status.startswith(reason)
+        assert wave.session.document is document, text
 
 
 def test_text_makes_a_curve_of_its_own(wave):

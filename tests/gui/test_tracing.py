@@ -6,7 +6,7 @@ import math
 
 import numpy as np
 import pytest
-from PySide6.QtCore import QPointF, Qt
+from PySide6.QtCore import QPointF, QRect, Qt
 from PySide6.QtGui import QColor, QImage, QPainter, QPen
 
 from app.document.model import Family
@@ -88,9 +88,10 @@ def test_handles_and_numbers_stand_out_on_the_ink(traced, theme):
     traced.select([0])
     canvas = traced.window.canvas
     handle = canvas.to_pixel(*traced.handle(1).position)
-    shot = traced.screenshot()
+    traced.settle()
     origin = canvas.viewport().mapTo(traced.window, handle)
-    column = [shot.pixelColor(origin.x() + 1, origin.y() + dy).lightness() for dy in range(3, 30)]
+    shot = traced.window.grab(QRect(origin.x() + 1, origin.y() + 3, 1, 27)).toImage()
+    column = [shot.pixelColor(0, y).lightness() for y in range(27)]
     mark, ink = column[0], column[-1]
     paper = theme_of(traced.window.palette()).paper.lightness()
     assert 100 < ink < 160
