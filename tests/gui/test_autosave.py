@@ -15,7 +15,7 @@ from PySide6.QtWidgets import QAbstractButton, QLabel, QMessageBox, QPushButton,
 
 from app.autosave import DELAY_MS, Autosave, snapshot_folder, state_folder
 from app.document import storage
-from app.document.edits import move_nodes
+from app.document.edits import move_nodes, set_position
 from app.document.format import encode
 from app.document.model import Document, Family, make_curve
 from app.document.recovery import SUFFIX, Origin, SnapshotFile, list_snapshots
@@ -79,6 +79,11 @@ def document_kept():
     (snapshot,) = list_snapshots(storage_of).snapshots
     snapshot.discard()
     return snapshot.document
+
+
+def move_point(editor, place):
+    """Make a step."""
+    editor.session.commit(set_position(editor.session.document, 0, 1, place), "Move point 1")
 
 
 def leave_behind(document=SKETCH, origin=None):
@@ -159,7 +164,7 @@ def test_what_is_saved_given_up_or_undone_is_not_kept(kept, qtbot, tmp_path, mon
     answer(monkeypatch, QMessageBox.StandardButton.Discard)
     other = tmp_path / "other.curve.json"
     storage.save(other, SKETCH)
-    kept.drag_point(1, to=(2, 3))
+    move_point(kept, (2.0, 3.0))
     qtbot.waitUntil(is_kept, timeout=WAIT_MS)
     if how == "save":
         kept.session.save(tmp_path / "mine.curve.json")
@@ -187,7 +192,7 @@ def test_what_another_program_has_emptied_is_kept(kept, qtbot, tmp_path, monkeyp
 def test_the_snapshot_says_which_file_and_that_it_changed(kept, qtbot, tmp_path):
     path = tmp_path / "mine.curve.json"
     kept.session.save(path)
-    kept.drag_point(1, to=(2, 3))
+    move_point(kept, (2.0, 3.0))
     qtbot.waitUntil(is_kept, timeout=WAIT_MS)
     record = files()[0].read_bytes()
     (snapshot_folder() / "copy").mkdir()
@@ -233,15 +238,15 @@ def test_a_folder_that_cannot_be_made_is_said_once_and_editing_goes_on(kept, qtb
     state_folder().write_text("in the way")
     sentences = []
     kept.session.refused.connect(sentences.append)
-    for place in ((2, 3), (1, 3)):
-        kept.drag_point(1, to=place)
+    for place in ((2.0, 3.0), (1.0, 3.0)):
+        move_point(kept, place)
         wait_until_idle(kept, qtbot)
     backups = [each for each in sentences if "backed up" in each]
     assert len(backups) == 1
     assert "save often" in backups[0]
     assert kept.point(1) == pytest.approx((1, 3), abs=kept.pixel)
     state_folder().unlink()
-    kept.drag_point(1, to=(2, 2))
+    move_point(kept, (2.0, 2.0))
     qtbot.waitUntil(is_kept, timeout=WAIT_MS)
 
 
@@ -249,7 +254,7 @@ def test_what_a_disk_refused_is_tried_again_without_another_change(editor, qtbot
     state_folder().parent.mkdir(parents=True, exist_ok=True)
     state_folder().write_text("in the way")
     autosave = Autosave(editor.session, snapshot_folder(), delay=10, retry=50)
-    editor.drag_point(1, to=(2, 3))
+    move_point(editor, (2.0, 3.0))
     qtbot.waitUntil(lambda: "backed up" in editor.status, timeout=WAIT_MS)
     state_folder().unlink()
     qtbot.waitUntil(is_kept, timeout=WAIT_MS)
@@ -260,7 +265,7 @@ def test_what_a_disk_refused_is_tried_again_without_another_change(editor, qtbot
 def test_a_full_disk_keeps_the_old_snapshot_and_is_said(kept, qtbot):
     import resource
 
-    kept.drag_point(1, to=(2, 3))
+    move_point(kept, (2.0, 3.0))
     qtbot.waitUntil(is_kept, timeout=WAIT_MS)
     before = document_kept()
     sentences = []
@@ -281,14 +286,14 @@ def test_closing_after_a_question_leaves_nothing(editor, qtbot, monkeypatch):
     answer(monkeypatch, QMessageBox.StandardButton.Discard)
     autosave = Autosave(editor.session, snapshot_folder(), delay=SOON_MS)
     editor.window.closed.connect(autosave.finish)
-    editor.drag_point(1, to=(2, 3))
+    move_point(editor, (2.0, 3.0))
     qtbot.waitUntil(is_kept, timeout=WAIT_MS)
     editor.window.close()
     assert list(snapshot_folder().iterdir()) == []
 
 
 def test_two_editors_do_not_offer_each_other_s_work(kept, qtbot, tmp_path):
-    kept.drag_point(1, to=(2, 3))
+    move_point(kept, (2.0, 3.0))
     qtbot.waitUntil(is_kept, timeout=WAIT_MS)
     second = Editor(qtbot, Session(), Preferences(tmp_path / "settings.ini"))
     second.window.offer_unsaved_work()
@@ -412,7 +417,7 @@ def test_the_keyboard_is_enough(editor):
 
 def test_restoring_asks_about_the_present_document_first(editor, monkeypatch):
     leave_behind()
-    editor.drag_point(1, to=(2, 3))
+    move_point(editor, (2.0, 3.0))
     present = editor.session.document
     editor.window.offer_unsaved_work()
     answer(monkeypatch, QMessageBox.StandardButton.Cancel)
@@ -425,7 +430,7 @@ def test_restoring_asks_about_the_present_document_first(editor, monkeypatch):
 def test_with_work_in_the_window_another_one_is_opened_and_nothing_asked(kept, qtbot):
     leave_behind()
     leave_behind(Document((make_curve([(5, 5), (6, 6)]),)))
-    kept.drag_point(1, to=(2, 3))
+    move_point(kept, (2.0, 3.0))
     present = kept.session.document
     kept.window.offer_unsaved_work()
     press(kept, "restoreWork1")
@@ -451,7 +456,7 @@ def test_a_damaged_one_is_a_sentence_and_no_more(editor):
     editor.window.offer_unsaved_work()
     assert "set aside as x.snapshot.json.damaged" in bar(editor).text
     press(editor, "closeRecovery")
-    editor.drag_point(1, to=(2, 3))
+    move_point(editor, (2.0, 3.0))
     assert editor.point(1) == pytest.approx((2, 3), abs=editor.pixel)
 
 

@@ -207,7 +207,8 @@ def test_every_goal_is_reached_by_who_does_what_each_step_says(editor, qtbot, na
     for number, step in enumerate(load_lesson(name).steps):
         if number:
             click(qtbot, find(editor, QPushButton, "lessonNext"))
-        editor.fit()
+        if any((name, number) in asked for asked in (MOVES, WAYS_BACK, WAYS)):
+            editor.fit()
         for asked in (MOVES, WAYS_BACK):
             words, act = asked.get((name, number), ("", lambda _editor: None))
             assert words in step.text

@@ -215,7 +215,7 @@ def test_document_and_history_agree_after_a_step_that_failed(editor, faults, mon
     session, stack = editor.session, editor.session.undo_stack
     states = [session.document]
     for step in range(3):
-        editor.drag_point(1, to=(1.0 + step, 3.0))
+        session.commit(set_position(session.document, 0, 1, (1.0 + step, 3.0)), "Move point 1")
         states.append(session.document)
     editor.select_point(2)
 
