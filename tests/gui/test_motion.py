@@ -385,7 +385,17 @@ def test_the_window_goes_on_while_a_film_is_written(editor, motion, qtbot, tmp_p
     assert (tmp_path / "film.apng").exists()
 
 
-def test_a_cancelled_export_leaves_no_file(editor, motion, qtbot, tmp_path):
+@pytest.fixture
+def shown_at_once(editor):
+    """Have the window show at once what takes long: while it waits the film is written in vain."""
+    patience = editor.window.jobs._patience
+    usual = patience.interval()
+    patience.setInterval(0)
+    yield
+    patience.setInterval(usual)
+
+
+def test_a_cancelled_export_leaves_no_file(editor, motion, shown_at_once, qtbot, tmp_path):
     export(editor, motion, tmp_path / "film.gif", filmWidth=200, filmSeconds=40)
     qtbot.waitUntil(lambda: editor.window.findChild(QToolButton, "cancelJobButton") is not None)
     stop = editor.window.findChild(QToolButton, "cancelJobButton")
