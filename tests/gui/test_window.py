@@ -60,7 +60,6 @@ def test_a_document_is_opened_without_a_greeting(qtbot, tmp_path):
     assert Editor(qtbot, session).message == ""
 
 
-@pytest.mark.usefixtures("unpainted")
 def test_switching_families_brings_the_same_curve_back(editor):
     editor.choose_family(Family.HERMITE)
     editor.session.commit(set_velocity(editor.session.document, 0, 2, (3.0, -1.0)), "Set velocity")
@@ -72,7 +71,6 @@ def test_switching_families_brings_the_same_curve_back(editor):
     assert np.array_equal(editor.session.active_view.curve.jets, jets)
 
 
-@pytest.mark.usefixtures("unpainted")
 def test_switching_parametrizations_brings_the_same_curve_back(editor):
     editor.drag_parameter(3, to=0.5)
     manual, nodes = editor.parameters, editor.curve.nodes
@@ -124,7 +122,6 @@ def test_the_alpha_slider_is_live_one_step_and_cancellable(editor):
     assert editor.session.undo_stack.undoText() == "Set α to 0.30"
 
 
-@pytest.mark.usefixtures("unpainted")
 def test_undo_and_redo_go_through_every_state(editor):
     states = [editor.session.document]
     editor.drag_point(2, to=(0.5, 4.2))
