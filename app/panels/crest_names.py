@@ -59,6 +59,16 @@ def crests_of(basis: BasisView, kinds: list[int]) -> list[Crest]:
     return found
 
 
+class Room(NamedTuple):
+    """What decides where numbers have room; below `floor`, in pixels, there is none."""
+
+    shown: PixelMap
+    basis: BasisView
+    kinds: list[int]
+    floor: float
+    scale: float
+
+
 class CrestNames:
     """Writes the numbers; a sheet with pictures of them is kept, and stamped in one call.
 
@@ -102,7 +112,7 @@ class CrestNames:
         ratio = device.devicePixelRatioF() if device is not None else 1.0
         self._draw_sheet(basis.node_count, theme, scale, ratio)
         crests = np.column_stack([shown.x(self._places[:, 0]), shown.y(self._places[:, 1])])
-        self._choose_sides(crests, shown, basis, kinds, painter.clipBoundingRect().bottom(), scale)
+        self._choose_sides(crests, Room(shown, basis, kinds, painter.clipBoundingRect().bottom(), scale))
         places, clear = crests + self._asides, np.flatnonzero(self._is_clear)
         kept = clear[apart(places[clear], self._cell)]
         self._fragments.resize(len(kept))
@@ -123,38 +133,23 @@ class CrestNames:
             self._owners = np.array([each.owner for each in crests], dtype=np.intp)
             self._places = np.array([(each.t, each.value) for each in crests])
 
-    def _choose_sides(
-        self,
-        crests: Floats,
-        shown: PixelMap,
-        basis: BasisView,
-        kinds: list[int],
-        floor: float,
-        scale: float,
-    ) -> None:
+    def _choose_sides(self, crests: Floats, room: Room) -> None:
         """Choose on which side of its crest each number stands; while functions move it keeps it."""
-        asked = (basis.count, tuple(kinds), shown, floor, scale)
+        asked = (room.basis.count, tuple(room.kinds), room.shown, room.floor, room.scale)
         if asked == self._asked and self._soon.isActive():
             return
-        if basis is not self._made_for:
+        if room.basis is not self._made_for:
             self._soon.start()
-        self._asked, self._made_for = asked, basis
-        places, self._is_clear = self._boxes(crests, shown, basis, kinds, floor, scale)
+        self._asked, self._made_for = asked, room.basis
+        places, self._is_clear = self._boxes(crests, room)
         self._asides = places - crests
 
-    def _boxes(
-        self,
-        crests: Floats,
-        shown: PixelMap,
-        basis: BasisView,
-        kinds: list[int],
-        floor: float,
-        scale: float,
-    ) -> tuple[Floats, Bools]:
+    def _boxes(self, crests: Floats, room: Room) -> tuple[Floats, Bools]:
         """Return the middles of the numbers in pixels, and for which of them there is one.
 
         Beyond the crest, where no function crosses the number; else on its other side, or a little aside.
         """
+        shown, basis, kinds, floor, scale = room
         x, y = crests.T
         width, height = self._cell.width(), self._cell.height()
         half = height / 2

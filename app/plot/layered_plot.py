@@ -7,7 +7,7 @@ neither Qt's graphics view nor pyqtgraph is asked to paint.
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from typing import Any, Protocol, TypeVar, runtime_checkable
 
 import pyqtgraph as pg
@@ -74,7 +74,7 @@ class Layer:
             self._plot.update_area(self)
 
     def set_opacity(self, opacity: float) -> None:
-        """Let what lies below shine through: 1 hides it."""
+        """Paint it with this opacity, from 0 to 1, from the next paint on."""
         if opacity != self._opacity:
             self._opacity = opacity
             self._plot.update_area(self)
@@ -95,10 +95,13 @@ class Layer:
 
 
 class _Axis(pg.AxisItem):  # type: ignore[misc]  # pyqtgraph has no types
-    """An axis without a label, which pyqtgraph would lay out again for every pen and range it is given."""
+    """An axis with a true minus, and without a label: pyqtgraph would lay it out for every pen and range."""
 
     def labelString(self) -> str:  # noqa: N802
         return ""
+
+    def tickStrings(self, values: Sequence[float], scale: float, spacing: float) -> list[str]:  # noqa: N802
+        return [text.replace("-", "−") for text in super().tickStrings(values, scale, spacing)]
 
 
 class LayeredPlot(Guarded, pg.GraphicsView):  # type: ignore[misc]  # pyqtgraph has no types

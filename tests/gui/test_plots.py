@@ -399,3 +399,11 @@ def test_lines_that_others_add_follow_a_drag_without_a_jump_of_the_scale(editor)
     show(1.0)
     assert canvas(editor).scale_of(title).high == pytest.approx(rest)
     panel.hide_lines(title)
+
+
+def test_axes_write_the_minus_that_the_canvas_writes(editor):
+    """The basis panel wrote "-0.5" beside the canvas' "−0.5"."""
+    window = editor.window
+    for plot in (window.canvas, window.basis_panel):
+        for side in ("left", "bottom"):
+            assert plot.getAxis(side).tickStrings([-0.5, 0.0, 0.5], 1.0, 0.5) == ["−0.5", "0", "0.5"]
