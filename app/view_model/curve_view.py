@@ -14,7 +14,7 @@ from msgspec.structs import replace
 
 from app.document.model import Curve, Family, Node, Parametrization, ParametrizationKind, Vector
 from app.view_model.cardinals import Cardinals
-from app.view_model.flattener import Box, CoreCurve, Flattener, FlatteningKey, Polyline, SimpleCurve
+from app.view_model.flattener import Box, Flattener, FlatteningKey, Polyline
 from app.view_model.jets import Sides, corner_knots, explicit_sides, sides_of
 from app.view_model.node_arrays import NodeArrays, arrays_of
 from app.view_model.refusals import refusal_of
@@ -31,6 +31,7 @@ from curvecore import (
     power,
     uniform,
 )
+from curvecore import Curve as CoreCurve
 
 Floats = npt.NDArray[np.float64]
 Integers = npt.NDArray[np.intp]
@@ -43,7 +44,6 @@ __all__ = [
     "Floats",
     "Integers",
     "Polyline",
-    "SimpleCurve",
     "appended_parameter",
     "appended_squeeze",
     "parameters_of",
@@ -117,21 +117,17 @@ class CurveView(msgspec.Struct, frozen=True, eq=False, dict=True):
         return self.curve.parameters if self.curve is not None else np.empty(0)
 
     @property
-    def pieces(self) -> tuple[SimpleCurve, ...]:
+    def pieces(self) -> tuple[CoreCurve, ...]:
         """The curves that `curve` is a chain of; one, unless it has corners."""
-        if isinstance(self.curve, Chain):
-            return self.curve.pieces  # type: ignore[return-value]
-        return (self.curve,) if self.curve is not None else ()
+        return self.curve.pieces if self.curve is not None else ()
 
     @cached_property
-    def skeleton(self) -> SimpleCurve | None:
+    def skeleton(self) -> CoreCurve | None:
         """A curve with the basis functions of `curve`, one set for each knot: corners do not change them."""
-        if not isinstance(self.curve, Chain):
+        if self.curve is None or len(self.pieces) == 1:
             return self.curve
-        nothing = np.zeros((len(self.parameters), 2))
-        if self.source.family is Family.HERMITE:
-            return HermiteCurve(nothing, nothing, self.parameters)
-        return QuinticHermiteCurve(nothing, nothing, nothing, self.parameters)
+        nothing = np.zeros((len(self.parameters), self.curve.jets.shape[1], 2))
+        return self.pieces[0].with_data(nothing, self.parameters)
 
     @cached_property
     def cardinal(self) -> CardinalBasis | None:
@@ -276,7 +272,7 @@ def _good_view(curve: Curve, arrays: NodeArrays, previous: CurveView | None) -> 
     return CurveView(curve, points, arrays, core, sides=sides, _flattener=flattener, _cardinals=cardinals)
 
 
-def _lagrange(points: Floats, parameters: Floats, frozen: SimpleCurve | None) -> CoreCurve:
+def _lagrange(points: Floats, parameters: Floats, frozen: CoreCurve | None) -> CoreCurve:
     return LagrangeCurve(points, parameters) if frozen is None else frozen.with_jets(points[:, None])
 
 
@@ -290,19 +286,19 @@ def _known_parameters(curve: Curve, arrays: NodeArrays, previous: CurveView | No
     return previous.parameters if arrays.times is previous.arrays.times else None
 
 
-def _same_parameters(curve: Curve, parameters: Floats, previous: CurveView | None) -> SimpleCurve | None:
+def _same_parameters(curve: Curve, parameters: Floats, previous: CurveView | None) -> CoreCurve | None:
     """Return the curve before if it has the same family and parameters: only its data are other ones."""
     if previous is None or not previous.is_current or previous.source.family is not curve.family:
         return None
     old = previous.curve
-    if isinstance(old, Chain) or old is None:
+    if old is None or len(old.pieces) > 1:
         return None
     is_same = old.parameters is parameters or np.array_equal(old.parameters, parameters)
     return old if is_same else None
 
 
 def _hermite(
-    curve: Curve, sides: Sides, parameters: Floats, arrays: NodeArrays, frozen: SimpleCurve | None
+    curve: Curve, sides: Sides, parameters: Floats, arrays: NodeArrays, frozen: CoreCurve | None
 ) -> CoreCurve:
     last = len(parameters) - 1
     corners = [index for index in corner_knots(arrays, last + 1) if 0 < index < last]
@@ -319,7 +315,7 @@ def _piece_jets(sides: Sides, start: int, end: int) -> Floats:
     return jets
 
 
-def _piece(family: Family, sides: Sides, parameters: Floats, start: int, end: int) -> SimpleCurve:
+def _piece(family: Family, sides: Sides, parameters: Floats, start: int, end: int) -> CoreCurve:
     jets = _piece_jets(sides, start, end)
     t = parameters[start : end + 1]
     if family is Family.HERMITE:

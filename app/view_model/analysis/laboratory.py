@@ -14,7 +14,7 @@ import numpy as np
 import numpy.typing as npt
 
 from app.view_model.analysis.laboratory_settings import Calculation, LaboratorySettings, Rounding
-from app.view_model.curve_view import CurveView, SimpleCurve
+from app.view_model.curve_view import CoreCurve, CurveView
 from app.view_model.refusals import in_words
 from curvecore import (
     CurveError,
@@ -214,7 +214,7 @@ def digits_at(view: CurveView, settings: LaboratorySettings, t: float) -> Digits
 class _Experiment:
     """One piece of the curve with the data that the computation is given."""
 
-    def __init__(self, piece: SimpleCurve, settings: LaboratorySettings) -> None:
+    def __init__(self, piece: CoreCurve, settings: LaboratorySettings) -> None:
         self._piece, self._settings = piece, settings
         self._shifted = piece.parameters + settings.shift
         jets, parameters = piece.jets, self._shifted
@@ -276,7 +276,7 @@ class _Experiment:
         return monomial_condition(_curve(self._parameters, self._jets))
 
 
-def _curve(parameters: Floats, jets: Floats) -> SimpleCurve:
+def _curve(parameters: Floats, jets: Floats) -> CoreCurve:
     if jets.shape[1] == 1:
         return LagrangeCurve(jets[:, 0], parameters)
     if jets.shape[1] == 2:

@@ -19,7 +19,6 @@ from app.view_model.analysis.settings import AnalysisSettings, Overlay
 from app.view_model.analysis.ticks import ticks
 from app.view_model.analysis.vectors import vectors
 from app.view_model.curve_view import CurveView
-from curvecore import LagrangeCurve
 
 Described = tuple[list[Figure], str]
 
@@ -57,7 +56,7 @@ def settles(view: CurveView, settings: AnalysisSettings) -> frozenset[Overlay]:
     if not view.is_current:
         return frozenset()
     slow = {Overlay.MARKS, Overlay.ENSEMBLE}
-    if isinstance(view.curve, LagrangeCurve):
+    if view.curve is not None and view.curve.is_interpolating_polynomial:
         slow.add(Overlay.BEZIER)
     return settings.overlays if not is_quick(view) else settings.overlays & slow
 

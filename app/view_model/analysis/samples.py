@@ -9,7 +9,6 @@ import numpy.typing as npt
 
 from app.document.model import Family
 from app.view_model.curve_view import CurveView
-from curvecore.derivatives import derivatives_at
 
 Floats = npt.NDArray[np.float64]
 
@@ -42,7 +41,7 @@ def samples_of(view: CurveView) -> list[Samples]:
     segments = len(view.parameters) - 1
     least = _FEW if view.source.family is Family.LAGRANGE and segments > _LONG else LEAST_A_SEGMENT
     return [
-        Samples(t, *derivatives_at(piece, t, (0, 1, 2)))
+        Samples(t, *piece.derivatives_at(t, (0, 1, 2)))
         for piece in view.pieces
         for t in [_parameters(piece.parameters, max(least, min(MOST // segments, 60)))]
     ]

@@ -32,7 +32,7 @@ from typing import NamedTuple
 import numpy as np
 
 from curvecore.arrays import FloatArray, IntArray
-from curvecore.product_series import leave_one_out
+from curvecore.families.product_series import leave_one_out
 from curvecore.scaling import ExponentArray, Scaled
 
 __all__ = ["BasisPart", "Hits", "Nodes"]

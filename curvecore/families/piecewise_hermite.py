@@ -1,8 +1,8 @@
-"""Cubic and quintic Hermite curves: piecewise, with given derivatives at the joints."""
+"""Piecewise polynomials with given derivatives at the joints: what the Hermite families share."""
 
 from __future__ import annotations
 
-from typing import ClassVar, NamedTuple, Self
+from typing import ClassVar, Self
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -10,76 +10,49 @@ from numpy.typing import ArrayLike
 from curvecore.arrays import (
     FloatArray,
     IntArray,
-    data_array,
     integer,
     jet_array,
     parameter_array,
     parameter_values,
-    point_array,
     read_only,
     unit_values,
 )
 from curvecore.bernstein import bernstein_weights, control_points, evaluate_inside, weighted_columns
-from curvecore.hermite_basis import CUBIC, QUINTIC, LeftFunctions, local_coordinates
-from curvecore.immutable import Immutable
+from curvecore.families.curve import Curve, Interpolant, LocalBasis, Slopes
+from curvecore.families.hermite_basis import LeftFunctions, local_coordinates
+from curvecore.families.hermite_ends import next_derivative, slopes_of
 from curvecore.scaling import LARGEST
 
-__all__ = ["HermiteCurve", "LocalBasis", "QuinticHermiteCurve"]
+__all__ = ["PiecewiseHermite"]
 
 _SAFE = 1e300
 _MANY = 10_000  # parameters from which on it pays to ask whether they ascend
 
 
-class LocalBasis(NamedTuple):
-    """The basis functions that are not zero by construction.
-
-    Attributes
-    ----------
-    segment : ndarray of int, shape (m,)
-        Index i of the segment from joint i to joint i + 1 that holds t.
-    values : ndarray, shape (m, 2, R)
-        ``[k, 0, r]`` is B_ir(t_k) and ``[k, 1, r]`` is B_(i+1)r(t_k).
-    """
-
-    segment: IntArray
-    values: FloatArray
-
-
-class _PiecewiseHermite(Immutable):
-    """What the Hermite families share; R and the functions differ.
+class PiecewiseHermite(Curve):
+    """Base of the Hermite families; R and the functions differ.
 
     On a segment of length h, with r + s = 1 the relative distances to its
     ends, B_ik = h**k f_k(s, r), and each derivative divides by h once more.
     """
 
-    __slots__ = ("_columns", "_jets", "_parameters")
+    __slots__ = ("_columns",)
     _caches = ("_columns",)
 
+    is_local = True
     _functions: ClassVar[tuple[LeftFunctions, ...]]
 
-    _jets: FloatArray
-    _parameters: FloatArray
     _columns: FloatArray | None  # weighted control points, made when first needed
 
     @property
-    def points(self) -> FloatArray:
-        """The points, shape (n, dim)."""
-        return self._jets[:, 0]
-
-    @property
-    def parameters(self) -> FloatArray:
-        """The parameters, shape (n,)."""
+    def breaks(self) -> FloatArray:
+        """The parameters: the derivatives that are not given may jump at any joint."""
         return self._parameters
 
     @property
-    def jets(self) -> FloatArray:
-        """Points and derivatives per unit of t, shape (n, R, dim)."""
-        return self._jets
-
-    @property
-    def domain(self) -> tuple[float, float]:
-        """The first and the last parameter."""
-        return float(self._parameters[0]), float(self._parameters[-1])
+    def is_positive(self) -> bool:
+        """True: B_i0 and B_(i+1)0 are positive on their segment, and add up to 1."""
+        return True
 
     @property
     def degree(self) -> int:
@@ -171,24 +144,55 @@ class _PiecewiseHermite(Immutable):
             result[first + column] = values
         return result.reshape(m, n, width)
 
-    def with_jets(self, jets: ArrayLike) -> Self:
-        """Return the curve with the same parameters and other data.
-
-        Parameters
-        ----------
-        jets : array_like, shape (n, R, dim)
-            Finite numbers.
-
-        Returns
-        -------
-        same type as the curve
-            The parameters are neither copied nor checked again.
-        """
+    def with_data(self, jets: ArrayLike, parameters: ArrayLike) -> Self:
+        """Return a curve of the same family, of jets (k, R, dim) and parameters (k,)."""
         curve = object.__new__(type(self))
-        curve._jets = read_only(jet_array(jets, self._jets.shape[:2]))
-        curve._parameters = self._parameters
-        curve._columns = None
+        curve._set(jet_array(jets, (len(np.asarray(jets)), self._jets.shape[1])), parameters)
         return curve
+
+    def _set(self, jets: FloatArray, parameters: ArrayLike) -> None:
+        self._parameters = read_only(parameter_array(parameters, len(jets)))
+        self._jets = read_only(jets)
+        self._columns = None
+
+    def bezier_pieces(self) -> FloatArray:
+        """Return the Bezier control points of all segments, shape (n - 1, 2 R, dim).
+
+        Cubic: p, p + h v / 3; quintic: p, p + h v / 5, p + 2 h v / 5 + h**2 a / 20 ahead of a joint, and the
+        mirror image behind it.
+        """
+        return np.nan_to_num(control_points(self._jets, self._parameters))
+
+    def bezier_slopes(self, exponent: int) -> Slopes | None:
+        """Return the control points of the derivatives, from the data; see `Curve.bezier_slopes`."""
+        return slopes_of(np.ldexp(self._jets, -exponent), np.diff(self._parameters)[:, None])
+
+    def interpolants(self) -> list[Interpolant]:
+        """Return the data of both ends of each segment."""
+        t, jets = self._parameters, self._jets
+        return [Interpolant(t[i : i + 2], jets[i : i + 2]) for i in range(len(t) - 1)]
+
+    def parameter_derivatives(self, t: ArrayLike) -> FloatArray:
+        """Return dc(t)/dt_i at fixed data, - sum over r of B_ir(t) c^(r+1)(t_i), shape (m, n, dim)."""
+        at = parameter_values(t).values
+        segment, moves = self.local_parameter_derivatives(at)
+        result = np.zeros((len(at), *self.points.shape))
+        rows = np.arange(len(at))
+        for end in (0, 1):
+            result[rows, segment + end] = moves[:, end]
+        return result
+
+    def local_parameter_derivatives(self, t: FloatArray) -> tuple[IntArray, FloatArray]:
+        """Return the segments of t, and dc(t)/dt_i of their two ends, (m, 2, dim)."""
+        segment, values = self.local_basis(t)
+        moves = np.empty((len(t), 2, self.points.shape[1]))
+        with np.errstate(over="ignore", under="ignore", invalid="ignore"):
+            for end in (0, 1):
+                given = self._jets[segment + end][:, 1:]
+                beyond = next_derivative(self._jets, self._parameters, end)[segment]
+                slopes = np.concatenate([given, beyond[:, None]], axis=1)
+                moves[:, end] = -np.einsum("mr,mrd->md", values[:, end], slopes)
+        return segment, moves
 
     def evaluate_segments(self, s: ArrayLike) -> FloatArray:
         """Return the curve at the same relative places of every segment.
@@ -290,112 +294,3 @@ class _PiecewiseHermite(Immutable):
             for k, function in enumerate(self._functions[order](at.mirrored())):
                 np.multiply(function, (-1.0) ** (k + order), out=values[:, 1, k])
         return LocalBasis(segment, values)
-
-
-class HermiteCurve(_PiecewiseHermite):
-    """The piecewise cubic with given points and velocities at the joints.
-
-    Continuously differentiable; c''(t) may jump at the joints.
-
-    Parameters
-    ----------
-    points : array_like, shape (n, dim)
-        p_i = c(t_i), finite; n >= 2, dim >= 1. Copied.
-    velocities : array_like, shape (n, dim)
-        v_i = c'(t_i), per unit of t. Copied.
-    parameters : array_like, shape (n,)
-        t_i, finite and strictly increasing. Copied.
-
-    Attributes
-    ----------
-    points : ndarray, shape (n, dim)
-        Read-only.
-    parameters : ndarray, shape (n,)
-        Read-only.
-    jets : ndarray, shape (n, 2, dim)
-        Points and velocities; read-only.
-    domain : (float, float)
-        t_0 and t_(n-1).
-    degree : int
-        3.
-
-    Raises
-    ------
-    CurveError
-        If an argument does not have the shape or values above.
-
-    Notes
-    -----
-    Values and derivatives have errors of at most a small multiple of
-    u sum |B_ir^(order)(t) d_ir|, u = 2**-53. Results beyond the floating
-    point range become the largest finite number.
-    """
-
-    __slots__ = ()
-
-    _functions = CUBIC
-
-    def __init__(self, points: ArrayLike, velocities: ArrayLike, parameters: ArrayLike) -> None:
-        position = point_array(points)
-        velocity = data_array(velocities, "velocities", position.shape)
-        self._parameters = read_only(parameter_array(parameters, len(position)))
-        self._jets = read_only(np.stack((position, velocity), axis=1))
-        self._columns = None
-
-
-class QuinticHermiteCurve(_PiecewiseHermite):
-    """The piecewise quintic with given points, velocities and accelerations.
-
-    Twice continuously differentiable; c'''(t) may jump at the joints.
-
-    Parameters
-    ----------
-    points : array_like, shape (n, dim)
-        p_i = c(t_i), finite; n >= 2, dim >= 1. Copied.
-    velocities : array_like, shape (n, dim)
-        v_i = c'(t_i), per unit of t. Copied.
-    accelerations : array_like, shape (n, dim)
-        a_i = c''(t_i), per unit of t squared. Copied.
-    parameters : array_like, shape (n,)
-        t_i, finite and strictly increasing. Copied.
-
-    Attributes
-    ----------
-    points : ndarray, shape (n, dim)
-        Read-only.
-    parameters : ndarray, shape (n,)
-        Read-only.
-    jets : ndarray, shape (n, 3, dim)
-        Points, velocities and accelerations; read-only.
-    domain : (float, float)
-        t_0 and t_(n-1).
-    degree : int
-        5.
-
-    Raises
-    ------
-    CurveError
-        If an argument does not have the shape or values above.
-
-    Notes
-    -----
-    Accuracy and limits are those of `HermiteCurve`.
-    """
-
-    __slots__ = ()
-
-    _functions = QUINTIC
-
-    def __init__(
-        self,
-        points: ArrayLike,
-        velocities: ArrayLike,
-        accelerations: ArrayLike,
-        parameters: ArrayLike,
-    ) -> None:
-        position = point_array(points)
-        velocity = data_array(velocities, "velocities", position.shape)
-        acceleration = data_array(accelerations, "accelerations", position.shape)
-        self._parameters = read_only(parameter_array(parameters, len(position)))
-        self._jets = read_only(np.stack((position, velocity, acceleration), axis=1))
-        self._columns = None

@@ -14,14 +14,15 @@ from curvecore.arrays import (
     point_array,
     read_only,
 )
-from curvecore.immutable import Immutable
-from curvecore.product_form import Nodes
+from curvecore.families.curve import Curve, Interpolant
+from curvecore.families.nodal_derivatives import derivatives_at_nodes, nodes_serve
+from curvecore.families.product_form import Nodes
 from curvecore.scaling import Scaled, normalise, scale_by_power
 
 __all__ = ["LagrangeCurve"]
 
 
-class LagrangeCurve(Immutable):
+class LagrangeCurve(Curve):
     """The polynomial of degree n - 1 through n points at n parameters.
 
     c(t) = sum over i of L_i(t) p_i with L_i(t_j) = 1 for i = j, else 0.
@@ -68,8 +69,11 @@ class LagrangeCurve(Immutable):
     become the largest finite number of their sign.
     """
 
-    __slots__ = ("_jets", "_parameters", "_prepared")
+    __slots__ = ("_prepared",)
     _caches = ("_prepared",)
+
+    name = "lagrange"
+    title = "Lagrange"
 
     def __init__(self, points: ArrayLike, parameters: ArrayLike) -> None:
         data = point_array(points)
@@ -104,29 +108,42 @@ class LagrangeCurve(Immutable):
             return np.asarray(np.ldexp(mantissa, exponent.astype(np.intc)))
 
     @property
-    def points(self) -> FloatArray:
-        """The points, shape (n, dim)."""
-        return self._jets[:, 0]
-
-    @property
-    def parameters(self) -> FloatArray:
-        """The parameters, shape (n,)."""
-        return self._parameters
-
-    @property
-    def jets(self) -> FloatArray:
-        """The points as jets, shape (n, 1, dim)."""
-        return self._jets
-
-    @property
-    def domain(self) -> tuple[float, float]:
-        """The first and the last parameter."""
-        return float(self._parameters[0]), float(self._parameters[-1])
-
-    @property
     def degree(self) -> int:
         """The degree n - 1."""
         return len(self._parameters) - 1
+
+    @property
+    def is_positive(self) -> bool:
+        """Whether no L_i is negative in the domain: only those of a straight line are not."""
+        return len(self._parameters) == 2
+
+    def interpolants(self) -> list[Interpolant]:
+        """Return the one polynomial: all points."""
+        return [Interpolant(self._parameters, self._jets)]
+
+    def with_data(self, jets: ArrayLike, parameters: ArrayLike) -> LagrangeCurve:
+        """Return another polynomial, shapes (k, 1, dim) and (k,)."""
+        return LagrangeCurve(jet_array(jets, (len(np.asarray(jets)), 1))[:, 0], parameters)
+
+    def derivatives_at(self, t: FloatArray, orders: tuple[int, ...]) -> list[FloatArray]:
+        """Return derivatives of several orders at many places.
+
+        Of many t by a short cut: derivatives at the t_i, and interpolation of these. The errors are then up
+        to max sum |L_i(t)| <= 1e5 times larger than those of `evaluate`.
+        """
+        if nodes_serve(self._parameters, self.points, t, orders):
+            basis = self.basis(t)[:, :, 0]
+            nodal = derivatives_at_nodes(self._parameters, self.points, basis, orders)
+            if nodal is not None:
+                return nodal
+        return super().derivatives_at(t, orders)
+
+    def parameter_derivatives(self, t: ArrayLike) -> FloatArray:
+        """Return dc(t)/dt_i = -L_i(t) c'(t_i), shape (m, n, dim)."""
+        (velocity,) = self.derivatives_at(self._parameters, (1,))
+        with np.errstate(over="ignore", under="ignore", invalid="ignore"):
+            moves: FloatArray = -self.basis(t)[:, :, 0, None] * velocity
+        return moves
 
     def evaluate(self, t: ArrayLike, order: int = 0) -> FloatArray:
         """Return the curve, or a derivative with respect to t.
