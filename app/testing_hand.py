@@ -11,7 +11,7 @@ from PySide6.QtWidgets import QApplication, QMenu, QWidget
 
 from app.document.model import Vector
 from app.main_window import MainWindow
-from app.plot.plot_widget import PlotWidget
+from app.plotting.plot_widget import PlotWidget
 from app.testing_reach import require_enabled, require_reachable, require_under_mouse
 
 _STEPS = 6

@@ -10,7 +10,7 @@ import msgspec
 
 from app.document.edits import EditError
 from app.document.model import Document, Vector
-from app.gestures.pointer import Pointer
+from app.tools.pointer import Pointer
 from app.view_model.curve_view import CurveView
 
 THRESHOLD = 3.0

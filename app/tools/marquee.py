@@ -8,9 +8,9 @@ from collections.abc import Callable
 import numpy as np
 
 from app.document.model import Vector
-from app.gestures import words
-from app.gestures.machine import CANCELLED, THRESHOLD, Host
-from app.gestures.pointer import Pointer
+from app.tools import words
+from app.tools.machine import CANCELLED, THRESHOLD, Host
+from app.tools.pointer import Pointer
 
 
 class Marquee:

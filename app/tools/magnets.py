@@ -6,9 +6,9 @@ from collections.abc import Callable, Collection
 
 from app.document.model import Document, Vector
 from app.document.several_curves import NodeGroup
-from app.gestures.machine import Host
-from app.gestures.pointer import Pointer
-from app.gestures.snapping import (
+from app.tools.machine import Host
+from app.tools.pointer import Pointer
+from app.tools.snapping import (
     Magnet,
     SnapKind,
     Snapping,
@@ -17,7 +17,7 @@ from app.gestures.snapping import (
     targets_of_handle,
     targets_of_side,
 )
-from app.gestures.transform_box import Grip
+from app.tools.transform_box import Grip
 from app.view_model.curve_view import CurveView
 
 

@@ -10,22 +10,22 @@ from msgspec.structs import replace
 
 from app.document.model import Vector
 from app.document.several_curves import nodes_of
-from app.gestures import hints, words
-from app.gestures.bend_drag import BendCurve
-from app.gestures.choosing import Choosing
-from app.gestures.closing import can_end_at, closer
-from app.gestures.drags import DragHandle, MovePoints, PullVelocity, Refuse
-from app.gestures.machine import Drag, DragMachine, Host
-from app.gestures.magnets import Magnets
-from app.gestures.marquee import Marquee
-from app.gestures.measure import KEYS, Measure
-from app.gestures.overlay import Note, Overlay
-from app.gestures.pen import Pen
-from app.gestures.pointer import Hint, Hit, Part, Pointer
-from app.gestures.snapping import Magnet, SnapKind, Snapping
-from app.gestures.subject import Subject
-from app.gestures.transform import ModalTransform, TransformKind
-from app.gestures.transform_box import Grip, TransformBox
+from app.tools import hints, words
+from app.tools.bend_drag import BendCurve
+from app.tools.choosing import Choosing
+from app.tools.closing import can_end_at, closer
+from app.tools.drags import DragHandle, MovePoints, PullVelocity, Refuse
+from app.tools.machine import Drag, DragMachine, Host
+from app.tools.magnets import Magnets
+from app.tools.marquee import Marquee
+from app.tools.measure import KEYS, Measure
+from app.tools.overlay import Note, Overlay
+from app.tools.pen import Pen
+from app.tools.pointer import Hint, Hit, Part, Pointer
+from app.tools.snapping import Magnet, SnapKind, Snapping
+from app.tools.subject import Subject
+from app.tools.transform import ModalTransform, TransformKind
+from app.tools.transform_box import Grip, TransformBox
 
 _KEYS = {TransformKind.MOVE: "g", TransformKind.SCALE: "s", TransformKind.ROTATE: "r"}
 """What begins each transform goes on with it where another one is in flight."""

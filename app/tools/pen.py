@@ -6,12 +6,12 @@ import math
 
 from app.document.curve_edits import add_curve, fresh_curve
 from app.document.model import Vector
-from app.gestures import hints
-from app.gestures.machine import DragMachine, Host
-from app.gestures.magnets import Magnets
-from app.gestures.pen_drags import AppendPoint, BeginCurve, InsertPoint, PenAct, pen_act
-from app.gestures.pointer import Hit, Pointer
-from app.gestures.snapping import Magnet
+from app.tools import hints
+from app.tools.machine import DragMachine, Host
+from app.tools.magnets import Magnets
+from app.tools.pen_drags import AppendPoint, BeginCurve, InsertPoint, PenAct, pen_act
+from app.tools.pointer import Hit, Pointer
+from app.tools.snapping import Magnet
 from app.view_model.curve_view import CurveView, view_of
 from app.view_model.pen_preview import view_with_point
 

@@ -6,9 +6,9 @@ from PySide6.QtCore import QPointF, QRectF, QSize, Qt
 from PySide6.QtGui import QColor, QPainter, QPen, QPixmap, QPolygonF
 
 from app.colours import look_colour
-from app.plot.dashes import dashed
-from app.plot.drawing import Floats, Segments, Stroke, visible_segments
-from app.plot.pixel_map import PixelMap
+from app.plotting.dashes import dashed
+from app.plotting.drawing import Floats, Segments, Stroke, visible_segments
+from app.plotting.pixel_map import PixelMap
 from app.theme import Theme, mix
 from app.view_model.analysis.figures import Style
 from app.view_model.analysis.settings import Ghost

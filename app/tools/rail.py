@@ -5,9 +5,9 @@ from __future__ import annotations
 import math
 
 from app.document.edits import freeze_parameters, set_parameter
-from app.gestures.machine import CANCELLED, THRESHOLD, DragMachine, Host
-from app.gestures.pointer import Hint, Hit, Part, Pointer
-from app.gestures.rail_drags import DragTicks
+from app.tools.machine import CANCELLED, THRESHOLD, DragMachine, Host
+from app.tools.pointer import Hint, Hit, Part, Pointer
+from app.tools.rail_drags import DragTicks
 
 
 class RailTool:

@@ -9,8 +9,8 @@ import msgspec
 from app.document.edits import EditError
 from app.document.image_edits import move_image, scale_image
 from app.document.model import Document, ReferenceImage, Vector
-from app.gestures.machine import DragMachine, Host
-from app.gestures.pointer import Hint, Hit, Part, Pointer
+from app.tools.machine import DragMachine, Host
+from app.tools.pointer import Hint, Hit, Part, Pointer
 
 CORNERS = ((0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0))
 """The corners of a picture as shares of its width and height, counterclockwise from the lower left."""

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from app.document.several_curves import named
-from app.gestures.machine import DragMachine, Host
-from app.gestures.pointer import Hint, Hit, Part, Pointer
-from app.gestures.subject import Subject
+from app.tools.machine import DragMachine, Host
+from app.tools.pointer import Hint, Hit, Part, Pointer
+from app.tools.subject import Subject
 
 
 class Choosing:

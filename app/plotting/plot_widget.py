@@ -18,10 +18,10 @@ from PySide6.QtGui import (
 )
 from PySide6.QtWidgets import QWidget
 
-from app.gestures.pointer import Pointer
-from app.plot.layered_plot import LayeredPlot
-from app.plot.panning import Panning
-from app.plot.scrolling import Scrolling
+from app.plotting.layered_plot import LayeredPlot
+from app.plotting.panning import Panning
+from app.plotting.scrolling import Scrolling
+from app.tools.pointer import Pointer
 
 _MODIFIERS = {Qt.Key.Key_Shift: "shift", Qt.Key.Key_Control: "ctrl", Qt.Key.Key_Alt: "alt"}
 """Keys that change what a gesture does, and which part of a pointer tells."""

@@ -12,12 +12,12 @@ from msgspec.structs import replace
 from app.document.model import Document, Vector
 from app.document.several_curves import NodeGroup, mapped, moved
 from app.document.transforms import rotation, scaling
-from app.gestures import words
-from app.gestures.drags import MovePoints
-from app.gestures.machine import DragMachine, Host
-from app.gestures.pointer import Pointer
-from app.gestures.snapping import Magnet
-from app.gestures.typed_amount import TypedAmount
+from app.tools import words
+from app.tools.drags import MovePoints
+from app.tools.machine import DragMachine, Host
+from app.tools.pointer import Pointer
+from app.tools.snapping import Magnet
+from app.tools.typed_amount import TypedAmount
 
 _LEAST_ARM = 20.0
 """Pixels: begun closer to the centre, a scale would jump at the first move."""

@@ -12,10 +12,10 @@ from msgspec.structs import replace
 from app.document import edits
 from app.document.curve_edits import replace_curve
 from app.document.model import Document, Vector
-from app.gestures import words
-from app.gestures.drags import in_steps, pulled
-from app.gestures.pointer import Hit, Part, Pointer
-from app.gestures.snapping import Magnet
+from app.tools import words
+from app.tools.drags import in_steps, pulled
+from app.tools.pointer import Hit, Part, Pointer
+from app.tools.snapping import Magnet
 from app.view_model.appending import with_point_appended
 from app.view_model.curve_view import CurveView, view_of
 from app.view_model.handles import velocity_from_handle

@@ -5,8 +5,8 @@ from __future__ import annotations
 import msgspec
 
 from app.document.model import Vector
-from app.gestures.snapping import Snap
-from app.gestures.transform_box import TransformBox
+from app.tools.snapping import Snap
+from app.tools.transform_box import TransformBox
 from app.view_model.curve_view import CurveView
 
 

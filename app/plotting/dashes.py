@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from app.plot.drawing import Floats
+from app.plotting.drawing import Floats
 
 
 def dashed(segments: Floats, pattern: Sequence[float]) -> Floats:

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from app.document.edits import LEAST_TO_CLOSE, EditError
-from app.gestures.machine import Host
-from app.gestures.pointer import Hit, Part
+from app.tools.machine import Host
+from app.tools.pointer import Hit, Part
 from app.view_model.appending import closed_by_pen
 from app.view_model.curve_view import CurveView
 

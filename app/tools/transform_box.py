@@ -11,9 +11,9 @@ import numpy as np
 from app.document.model import Document, Vector
 from app.document.several_curves import NodeGroup, mapped
 from app.document.transforms import scaling, with_coordinates
-from app.gestures import words
-from app.gestures.pointer import Cursor, Pointer
-from app.gestures.snapping import Magnet
+from app.tools import words
+from app.tools.pointer import Cursor, Pointer
+from app.tools.snapping import Magnet
 from app.view_model.curve_view import CurveView
 
 PADDING = 16.0

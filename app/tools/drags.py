@@ -10,9 +10,9 @@ from app.document import edits
 from app.document.model import Document, Vector
 from app.document.several_curves import NodeGroup, moved
 from app.document.transforms import decimal_product, step_nodes
-from app.gestures import words
-from app.gestures.pointer import Hit, Part, Pointer
-from app.gestures.snapping import Magnet
+from app.tools import words
+from app.tools.pointer import Hit, Part, Pointer
+from app.tools.snapping import Magnet
 from app.view_model.curve_view import CurveView
 from app.view_model.handles import acceleration_from_handle, velocity_from_handle
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from PySide6.QtCore import QPointF, Qt
 from PySide6.QtGui import QInputDevice, QNativeGestureEvent, QWheelEvent
 
-from app.plot.layered_plot import LayeredPlot
+from app.plotting.layered_plot import LayeredPlot
 
 ZOOM_STEP = 1.2
 """Zoom factor of one notch of the wheel."""

@@ -10,7 +10,7 @@ import msgspec
 import numpy as np
 
 from app.document.model import Vector
-from app.gestures.pointer import Pointer
+from app.tools.pointer import Pointer
 from app.view_model.curve_view import CurveView, Floats, Integers
 from app.view_model.nearest import NearestPoint
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from PySide6.QtCore import QPointF, Qt
 from PySide6.QtGui import QKeyEvent, QMouseEvent
 
-from app.plot.layered_plot import LayeredPlot
+from app.plotting.layered_plot import LayeredPlot
 
 
 class Panning:

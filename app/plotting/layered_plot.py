@@ -17,7 +17,7 @@ from PySide6.QtGui import QColor, QFont, QPainter, QPaintEvent, QPen, QPixmap, Q
 from PySide6.QtWidgets import QGraphicsGridLayout, QGraphicsView, QGraphicsWidget, QSizePolicy, QWidget
 
 from app.overrides import Guarded, guard_library, report
-from app.plot.pixel_map import PixelMap
+from app.plotting.pixel_map import PixelMap
 from app.theme import LIGHT, Theme, theme_of
 
 _AXIS_WIDTH = 46

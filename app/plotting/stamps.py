@@ -12,7 +12,7 @@ from PySide6.QtCore import QPointF, Qt
 from PySide6.QtGui import QPainter, QPen, QPixmap
 
 from app.colours import point_colours
-from app.plot.pixel_map import Floats
+from app.plotting.pixel_map import Floats
 from app.theme import Theme
 
 _COLOURS = 256

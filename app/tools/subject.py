@@ -8,12 +8,12 @@ from collections.abc import Sequence
 from app.document.edits import EditError
 from app.document.model import Vector
 from app.document.several_curves import NodeGroup, nodes_of, whole_curves
-from app.gestures.drags import MovePoints, NudgePoints, StepPoints
-from app.gestures.machine import Host
-from app.gestures.magnets import Magnets
-from app.gestures.pointer import Pointer
-from app.gestures.transform import Transform, TransformKind
-from app.gestures.transform_box import Grip, ScaleBox, TransformBox, box_of
+from app.tools.drags import MovePoints, NudgePoints, StepPoints
+from app.tools.machine import Host
+from app.tools.magnets import Magnets
+from app.tools.pointer import Pointer
+from app.tools.transform import Transform, TransformKind
+from app.tools.transform_box import Grip, ScaleBox, TransformBox, box_of
 from app.view_model.curve_view import CurveView
 
 

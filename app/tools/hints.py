@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from app.document.several_curves import NodeGroup
-from app.gestures import words
-from app.gestures.bend_drag import bend_keys
-from app.gestures.closing import can_end_at
-from app.gestures.drags import what_handle_sets
-from app.gestures.pen_drags import PenAct, pen_act
-from app.gestures.pointer import Cursor, Hint, Hit, Part
-from app.gestures.transform_box import Grip, ScaleBox
+from app.tools import words
+from app.tools.bend_drag import bend_keys
+from app.tools.closing import can_end_at
+from app.tools.drags import what_handle_sets
+from app.tools.pen_drags import PenAct, pen_act
+from app.tools.pointer import Cursor, Hint, Hit, Part
+from app.tools.transform_box import Grip, ScaleBox
 from app.view_model.curve_view import CurveView
 
 _ENTER = "Enter: finish the curve"

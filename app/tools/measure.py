@@ -5,11 +5,11 @@ from __future__ import annotations
 import math
 
 from app.document.model import Vector
-from app.gestures import words
-from app.gestures.drags import in_steps
-from app.gestures.overlay import Ruler
-from app.gestures.pointer import Pointer
-from app.gestures.snapping import Magnet
+from app.tools import words
+from app.tools.drags import in_steps
+from app.tools.overlay import Ruler
+from app.tools.pointer import Pointer
+from app.tools.snapping import Magnet
 
 KEYS = "Shift: steps of 15° · Ctrl: snap, or not"
 """What each modifier key changes while something is measured."""

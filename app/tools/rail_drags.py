@@ -8,8 +8,8 @@ import msgspec
 
 from app.document.model import Document
 from app.document.parameter_edits import set_parameters
-from app.gestures import words
-from app.gestures.pointer import Pointer
+from app.tools import words
+from app.tools.pointer import Pointer
 
 _LEAST_GAP = 1e-3
 """Part of the whole interval that stays between two ticks: it can be seen, and the curve be computed."""
