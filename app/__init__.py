@@ -26,7 +26,7 @@ The layers, top to bottom; a module imports only from its own layer and those ab
 - ``start``: windows on the screen, soon.  ``display``: whether there is a screen for them.
 - ``crash_report``, ``crash_handler``, ``lifecycle``: what surrounds the windows from start to end.
 - ``cli``, ``cli_commands``, ``cli_options``, ``cli_refusals``: the command line.
-- ``testing``, ``testing_hand``, ``testing_reach``: a driver for pytest-qt.
+- ``testing``: a driver for pytest-qt.
 """
 
 __version__ = "0.1.0"

@@ -1,23 +1,4 @@
-"""A driver for pytest-qt: real mouse and key events on a real window, and the waiting that goes with them.
-
-A stranger's ``conftest.py`` needs three lines::
-
-    @pytest.fixture
-    def editor(qtbot):
-        return Editor(qtbot)
-
-and a test reads as what a person does::
-
-    def test_dragging_moves_the_point(editor):
-        editor.new()
-        editor.add_point(0, 0)
-        editor.add_point(2, 1)
-        editor.drag_point(1, to=(3, 2))
-        assert editor.point(1) == pytest.approx((3, 2), abs=editor.pixel)
-
-It does what a person can do, and raises `ImpossibleError`, with the reason, where there is no such thing: an
-action is disabled, a panel is hidden, a place lies outside the plot or under something, a dialog waits.
-"""
+"""One window of the editor, driven by real events."""
 
 from __future__ import annotations
 
@@ -40,9 +21,8 @@ from app.panels.curve_list_view import Spot, spot_rect
 from app.panels.file_bar import FileBar
 from app.preferences import Preferences
 from app.session import Session
-from app.testing_hand import Hand, spin
-from app.testing_reach import ImpossibleError as ImpossibleError  # noqa: PLC0414
-from app.testing_reach import require_enabled, require_reachable, require_under_mouse
+from app.testing.input_driver import InputDriver, spin
+from app.testing.reach import require_enabled, require_reachable, require_under_mouse
 from app.view_model.handles import Handle
 
 _FAMILY_ACTIONS = {
@@ -71,7 +51,7 @@ class QtBot(Protocol):
         """Wait until the window is shown."""
 
 
-class Editor(Hand):
+class Editor(InputDriver):
     """One window of the editor, driven by real events.
 
     Parameters

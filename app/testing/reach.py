@@ -1,4 +1,4 @@
-"""What a person can do in the window as it is: the test driver asks before it sends an event.
+"""Checks that a person could do something in the window as it is, made before an event is sent.
 
 Qt delivers an event to whatever widget it is sent to, hidden or not; a test that relies on it shows nothing
 of what a person can do.

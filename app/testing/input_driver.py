@@ -1,4 +1,4 @@
-"""The hand of the test driver: mouse, wheel and keys on the canvas of a window, as real events."""
+"""Mouse, wheel and keys on the canvas of a window, as real events."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from PySide6.QtWidgets import QApplication, QMenu, QWidget
 from app.document.model import Vector
 from app.main_window import MainWindow
 from app.plotting.plot_widget import PlotWidget
-from app.testing_reach import require_enabled, require_reachable, require_under_mouse
+from app.testing.reach import require_enabled, require_reachable, require_under_mouse
 
 _STEPS = 6
 _NO_KEYS = Qt.KeyboardModifier.NoModifier
@@ -55,7 +55,7 @@ def spin(milliseconds: int) -> None:
     loop.exec()
 
 
-class Hand:
+class InputDriver:
     """Moves the mouse over a window and presses keys."""
 
     window: MainWindow
