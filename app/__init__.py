@@ -4,7 +4,7 @@ The layers, top to bottom; a module imports only from its own layer and those ab
 
 - ``document``: immutable values, edits, the file format. No Qt, no arrays inside the values.
 - ``view_model``: a document's curve turned into arrays to draw. No Qt; calls ``curvecore``.
-- ``gestures``: press, move and release turned into edits. No Qt.
+- ``tools``: press, move and release turned into edits. No Qt.
 - ``exchange``: files in and out. Qt only in ``image`` and ``motion_frames``.
 - ``overrides``: exceptions end in the method that Qt called.
 - ``worker``: all work beside the window's thread: progress, cancelling, debouncing, garbage collection.
@@ -19,14 +19,14 @@ The layers, top to bottom; a module imports only from its own layer and those ab
   their ini file.
 - ``keymap``: which keys do what.  ``mnemonics``: the letters of menus.
 - ``disk_watch``: notices when a file may have changed.
-- ``plot``: what canvas and basis panel share: a pixel map, fast drawing, pan and zoom.
+- ``plotting``: what canvas and basis panel share: a pixel map, fast drawing, pan and zoom.
 - ``canvas``, ``panels``: draw a value and report what the person did. They never call each other.
 - ``action_specs``, ``actions``, ``file_commands``, ``commands``: what can be done, and what it does.
 - ``toolbar``, ``menus``, ``docks``, ``window_layout``, ``main_window``: build, dock, connect.
 - ``start``: windows on the screen, soon.  ``display``: whether there is a screen for them.
 - ``crash_report``, ``crash_handler``, ``lifecycle``: what surrounds the windows from start to end.
 - ``cli``, ``cli_commands``, ``cli_options``, ``cli_refusals``: the command line.
-- ``testing``, ``testing_hand``, ``testing_reach``: a driver for pytest-qt.
+- ``testing``: a driver for pytest-qt.
 """
 
 __version__ = "0.1.0"

@@ -35,8 +35,6 @@ from app.commands.parts import Parts
 from app.commands.recovery_commands import OpenBeside
 from app.docks import Docks
 from app.file_commands import FileCommands, title_of
-from app.gestures.rail import RailTool
-from app.gestures.tools import CanvasTool
 from app.icons import app_icon
 from app.menus import Menus
 from app.overrides import Guarded
@@ -50,6 +48,8 @@ from app.preferences import Preferences
 from app.session import Session
 from app.theme import Theme, ThemeMode, apply_theme, theme_of
 from app.toolbar import Toolbar
+from app.tools.rail import RailTool
+from app.tools.tools import CanvasTool
 from app.view_model.curve_view import CurveView
 from app.view_model.growth import growth_of_points
 from app.window_layout import put_away_floating, restore_layout, when_first_shown

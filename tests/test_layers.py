@@ -12,7 +12,7 @@ import pytest
 
 ROOT = Path(__file__).resolve().parent.parent
 QT = {"PySide6", "shiboken6", "pyqtgraph"}
-WITHOUT_QT = ("curvecore", "app.document", "app.view_model", "app.gestures", "app.exchange")
+WITHOUT_QT = ("curvecore", "app.document", "app.view_model", "app.tools", "app.exchange")
 WITH_QT = ("app.exchange.image", "app.exchange.motion_frames")
 CALLS_THE_CORE = ("app.view_model", "app.exchange", "app.cli")
 STRANGERS = {("app.canvas", "app.panels"), ("app.panels", "app.canvas")}
@@ -109,7 +109,7 @@ def violations(root: Path) -> list[str]:
 def test_the_docstring_of_app_gives_the_layers():
     order = layers(ROOT)
     assert order["app.document"] == 0
-    above = ["document", "view_model", "gestures", "session", "canvas", "main_window", "cli"]
+    above = ["document", "view_model", "tools", "session", "canvas", "main_window", "cli"]
     numbers = [order[f"app.{name}"] for name in above]
     assert numbers == sorted(numbers)
     assert order["app.canvas"] == order["app.panels"]
@@ -149,7 +149,7 @@ MAP = '''"""Layers.
 
 - ``document``: values.
 - ``view_model``: arrays.
-- ``gestures``: press.
+- ``tools``: press.
 - ``exchange``: files.
 - ``session``: owner.
 - ``canvas``, ``panels``: widgets. They use ``session``.
@@ -169,7 +169,7 @@ MAP = '''"""Layers.
         ("app/document/model.py", "from ..session import Session", "imports app.session"),
         ("app/document/model.py", "import curvecore", "imports curvecore"),
         ("app/document/__init__.py", "from .. import session", "app.document imports app.session"),
-        ("app/gestures/drags.py", "import pyqtgraph as pg", "imports pyqtgraph"),
+        ("app/tools/drags.py", "import pyqtgraph as pg", "imports pyqtgraph"),
         ("app/exchange/svg.py", "from PySide6.QtSvg import QSvgGenerator", "imports PySide6.QtSvg"),
         ("app/canvas/canvas.py", "from app.panels import Table", "canvas and panels"),
         ("app/panels/__init__.py", "import app.canvas.canvas", "canvas and panels"),
@@ -205,9 +205,7 @@ def test_what_is_allowed_is_not_reported(tmp_path):
 
 def plant(root: Path, files: dict[str, str]) -> None:
     """A small tree with the packages that the planted imports name."""
-    packages = [
-        f"app/{name}" for name in ("document", "view_model", "gestures", "exchange", "canvas", "panels")
-    ]
+    packages = [f"app/{name}" for name in ("document", "view_model", "tools", "exchange", "canvas", "panels")]
     empty = [f"{package}/__init__.py" for package in ("curvecore", *packages)]
     empty += ["app/session.py", "app/main_window.py", "app/cli.py", "curvecore/errors.py"]
     for name, text in ({"app/__init__.py": MAP} | dict.fromkeys(empty, "") | files).items():
@@ -216,7 +214,7 @@ def plant(root: Path, files: dict[str, str]) -> None:
         path.write_text(text, encoding="utf-8")
 
 
-@pytest.mark.parametrize("package", ["curvecore", "app.document", "app.view_model", "app.gestures"])
+@pytest.mark.parametrize("package", ["curvecore", "app.document", "app.view_model", "app.tools"])
 def test_it_imports_where_there_is_no_qt(package):
     names = [name for name in modules(ROOT) if is_within(name, [package])]
     code = f"import sys; sys.modules.update(dict.fromkeys({sorted(QT)!r}))\n"

@@ -11,12 +11,12 @@ from PySide6.QtCore import QRectF, QSizeF, Qt
 from PySide6.QtGui import QColor, QFont, QFontMetricsF, QPainter
 
 from app.canvas.curve_layer import TOLERANCE
-from app.plot.area import AreaFill
-from app.plot.drawing import MARGIN, Floats, Segments, cut_segments
-from app.plot.layered_plot import LayeredPlot
-from app.plot.pens import draw_line, draw_mark, pen_of
-from app.plot.pixel_map import PixelMap
-from app.plot.plates import inside, write_on_plate
+from app.plotting.area import AreaFill
+from app.plotting.drawing import MARGIN, Floats, Segments, cut_segments
+from app.plotting.layered_plot import LayeredPlot
+from app.plotting.pens import draw_line, draw_mark, pen_of
+from app.plotting.pixel_map import PixelMap
+from app.plotting.plates import inside, write_on_plate
 from app.theme import Theme
 from app.view_model.analysis.figures import Figure, Shape
 from app.view_model.looks import GHOST_LOOKS, LOOKS, Look

@@ -11,7 +11,7 @@ from PySide6.QtWidgets import QFrame, QGridLayout, QToolButton, QWidget
 from app.icons import icon
 from app.labels import Label, tip_of
 from app.overrides import Guarded
-from app.plot.pens import sign_pixmap
+from app.plotting.pens import sign_pixmap
 from app.theme import Theme, mix
 from app.view_model.analysis.legend import LegendRow
 from app.view_model.analysis.settings import Ghost

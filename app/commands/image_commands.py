@@ -13,7 +13,7 @@ from app.commands.messages import Messages
 from app.commands.parts import Handlers, Parts
 from app.document.image_edits import set_image, set_image_file
 from app.document.model import ReferenceImage
-from app.gestures.image_tool import ImageTool
+from app.tools.image_tool import ImageTool
 from app.view_model.curve_view import CurveView
 
 _PICTURES = "Pictures (*.png *.jpg *.jpeg);;All files (*)"

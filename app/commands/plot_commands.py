@@ -123,9 +123,9 @@ class PlotCommands:
 
     def _build(self) -> PlotPane:
         # Imported when there is something to plot: nobody waits for it at the start.
-        from app.gestures.rail import RailTool  # noqa: PLC0415
         from app.panels.plot_canvas import PlotCanvas  # noqa: PLC0415
         from app.panels.plot_pane import PlotPane  # noqa: PLC0415
+        from app.tools.rail import RailTool  # noqa: PLC0415
         from app.view_model.analysis.plots import SYMBOLS  # noqa: PLC0415
 
         parts = self._parts

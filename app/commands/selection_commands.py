@@ -6,8 +6,8 @@ from functools import partial
 
 from app.commands.parts import Handlers, Parts
 from app.document.transforms import Edge, align_nodes, distribute_nodes
-from app.gestures import words
-from app.gestures.transform import TransformKind
+from app.tools import words
+from app.tools.transform import TransformKind
 from app.view_model.curve_view import CurveView
 
 _TRANSFORMS = {

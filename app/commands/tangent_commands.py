@@ -10,8 +10,8 @@ from app.document.curve_edits import replace_curve
 from app.document.edits import EditError
 from app.document.model import Curve, Document, Family, Node
 from app.document.straight_edits import ONE_POLYNOMIAL, corners_of, ends_of
-from app.gestures import words
 from app.keymap import tool_tip
+from app.tools import words
 from app.view_model.curve_view import CurveView
 from app.view_model.handles import with_velocities_pulled
 from app.view_model.smoothness import ENDS_STAY, inner_nodes, made_smooth, with_corners

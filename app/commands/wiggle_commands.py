@@ -11,7 +11,7 @@ from app.canvas.trace_layer import Trace
 from app.commands.dock_room import make_room_once
 from app.commands.parts import Handlers, Parts
 from app.document.model import Document
-from app.gestures.tools import ToolKind
+from app.tools.tools import ToolKind
 from app.view_model.curve_view import CurveView
 from app.view_model.looks import CURE_LOOK
 from app.worker import IsStale, Settler

@@ -25,7 +25,7 @@ from app.overrides import Guarded
 from app.panels.field_edit import FieldEdit
 from app.panels.number_text import decimal_mark, exact_text, rounded_text
 from app.panels.setting_slider import SettingSlider, count_slider, scale_slider
-from app.plot.pens import SIGN, sign_pixmap
+from app.plotting.pens import SIGN, sign_pixmap
 from app.theme import theme_of
 from app.view_model.analysis.settings import Ghost, Overlay
 

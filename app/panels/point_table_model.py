@@ -31,7 +31,7 @@ from app.panels.number_text import (
 )
 from app.panels.point_table_edits import Column, TableValues, columns_of, set_cell, table_values
 from app.panels.words import ACCELERATION_ESTIMATES, VELOCITY_ESTIMATES
-from app.plot.colours import colours_of
+from app.plotting.colours import colours_of
 from app.session import Session
 from app.theme import LIGHT, Theme
 from app.view_model.curve_view import CurveView

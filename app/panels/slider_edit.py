@@ -8,9 +8,9 @@ from PySide6.QtCore import QObject, Signal
 from PySide6.QtWidgets import QAbstractSlider
 
 from app.document.model import Document
-from app.gestures.machine import CANCELLED
 from app.panels.live_slider import LiveSlider
 from app.session import Session
+from app.tools.machine import CANCELLED
 
 
 class SliderEdit(QObject):

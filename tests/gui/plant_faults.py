@@ -35,8 +35,8 @@ from app.panels.point_table_model import PointTableModel
 from app.panels.point_table_view import PointTableView
 from app.panels.preferences_dialog import PreferencesDialog
 from app.panels.weight_bars import WeightBars
-from app.plot.layered_plot import Layer, LayeredPlot
-from app.plot.plot_widget import PlotWidget
+from app.plotting.layered_plot import Layer, LayeredPlot
+from app.plotting.plot_widget import PlotWidget
 from app.start import open_windows
 from app.testing import Editor
 from app.toolbar import Toolbar

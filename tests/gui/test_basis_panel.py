@@ -13,7 +13,7 @@ from app.document.edits import set_position
 from app.document.model import Document, Family, ParametrizationKind, make_curve
 from app.panels.basis_layers import rail_height
 from app.panels.crest_names import apart, crests_of
-from app.plot.colours import colours_of
+from app.plotting.colours import colours_of
 from app.theme import LIGHT
 
 

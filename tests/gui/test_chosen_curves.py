@@ -12,8 +12,8 @@ from PySide6.QtWidgets import QApplication, QLabel, QPushButton
 
 from app.commands.curve_clipboard import CURVES
 from app.document.model import Document, Family, Node, Parametrization, ParametrizationKind, make_curve
-from app.gestures.snapping import SnapKind, Snapping
 from app.panels.curve_list_view import Spot, spot_rect
+from app.tools.snapping import SnapKind, Snapping
 
 CTRL = Qt.KeyboardModifier.ControlModifier
 SHIFT = Qt.KeyboardModifier.ShiftModifier

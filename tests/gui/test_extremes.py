@@ -13,8 +13,8 @@ from app.canvas.hit_test import Segments
 from app.document.edits import EditError
 from app.document.kept_handles import stretched
 from app.document.model import Curve, Document, Family, Node, Parametrization, ParametrizationKind, make_curve
-from app.plot.layered_plot import GREATEST_SPAN
-from app.plot.pixel_map import PixelMap
+from app.plotting.layered_plot import GREATEST_SPAN
+from app.plotting.pixel_map import PixelMap
 from app.view_model.curve_view import squeeze_of, view_of
 
 

@@ -9,8 +9,8 @@ from PySide6.QtWidgets import QCheckBox, QToolButton
 
 from app.document.edits import set_position
 from app.document.model import Curve, Document, Family, Node, Parametrization, ParametrizationKind
-from app.plot.dashes import dashed
-from app.plot.pens import colour_of
+from app.plotting.dashes import dashed
+from app.plotting.pens import colour_of
 from app.theme import theme_of
 from app.view_model.analysis.settings import Ghost
 from app.view_model.looks import GHOST_LOOKS

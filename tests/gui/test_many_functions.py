@@ -10,8 +10,8 @@ from PySide6.QtWidgets import QLabel
 from app.document.model import Curve, Document, Family, Node, Parametrization, ParametrizationKind
 from app.document.parameter_edits import set_parameters
 from app.panels.function_lines import Drawing, FunctionLines, way_to_draw
-from app.plot.pixel_map import PixelMap
-from app.plot.stamps import cells_of
+from app.plotting.pixel_map import PixelMap
+from app.plotting.stamps import cells_of
 from app.testing import Editor
 from app.theme import LIGHT
 from app.view_model.basis_view import basis_view

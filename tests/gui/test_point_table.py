@@ -13,7 +13,7 @@ from app.document.model import Family, ParametrizationKind, VelocityRule, make_c
 from app.panels.point_table import INTERVAL_MS, PointTable
 from app.panels.point_table_delegate import LEFT_PADDING, PADDING, CellEditor
 from app.session import Session
-from app.testing_hand import wait_for_rest
+from app.testing import wait_for_rest
 from app.theme import DARK, LIGHT, ThemeMode, apply_theme
 
 Role = Qt.ItemDataRole

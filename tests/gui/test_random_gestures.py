@@ -16,13 +16,13 @@ from app.document.edits import EditError
 from app.document.format import decode, encode, validate
 from app.document.model import Document, Family, Node, ParametrizationKind, make_curve
 from app.document.transforms import Edge, align_nodes, distribute_nodes
-from app.gestures.pointer import Hit, Part, Pointer
-from app.gestures.rail import RailTool
-from app.gestures.snapping import Snapping
-from app.gestures.tools import CanvasTool, ToolKind
-from app.gestures.transform import TransformKind
-from app.plot.pixel_map import PixelMap
+from app.plotting.pixel_map import PixelMap
 from app.session import Session
+from app.tools.pointer import Hit, Part, Pointer
+from app.tools.rail import RailTool
+from app.tools.snapping import Snapping
+from app.tools.tools import CanvasTool, ToolKind
+from app.tools.transform import TransformKind
 from app.view_model.handles import handles_of
 
 SHOWN = PixelMap(-3.0, 5.0, 100.0, 100.0, 1000.0, 800.0)

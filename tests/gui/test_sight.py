@@ -14,7 +14,7 @@ from app.document.model import Document, Family, make_curve
 from app.main_window import MainWindow
 from app.preferences import Preferences
 from app.session import Session
-from app.testing_hand import wait_for_rest
+from app.testing import wait_for_rest
 
 
 @pytest.fixture

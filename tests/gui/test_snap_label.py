@@ -8,7 +8,7 @@ from PySide6.QtCore import QPointF, QRectF, QSizeF, Qt
 
 from app.canvas.label_place import NOTHING, Surroundings, covered_lengths, free_corner
 from app.document.model import Document, Family, make_curve
-from app.plot.pixel_map import PixelMap
+from app.plotting.pixel_map import PixelMap
 from app.theme import LIGHT
 
 SHIFT = Qt.KeyboardModifier.ShiftModifier

@@ -10,10 +10,10 @@ from PySide6.QtCore import Qt
 
 from app.document import edits
 from app.document.model import Document, Family, ParametrizationKind, make_curve
-from app.gestures.pointer import Pointer
-from app.gestures.snapping import Magnet, SnapKind, Snapping, grid_value, targets_of
 from app.preferences import Preferences
 from app.testing import Editor
+from app.tools.pointer import Pointer
+from app.tools.snapping import Magnet, SnapKind, Snapping, grid_value, targets_of
 from app.view_model.curve_view import view_of
 from app.view_model.nearest import NearestPoint
 

@@ -12,9 +12,9 @@ from PySide6.QtWidgets import QLabel
 
 from app.document import edits
 from app.document.model import Document, Family, Node, make_curve
-from app.gestures.machine import DragMachine
-from app.gestures.pointer import Pointer
 from app.session import Session
+from app.tools.machine import DragMachine
+from app.tools.pointer import Pointer
 
 EDGE = 1e12
 
