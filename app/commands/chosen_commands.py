@@ -59,9 +59,9 @@ class ChosenCommands:
         document, order = session.document, sorted(chosen)
         colours = self._next_colours([document.curves[place].colour for place in order])
         first, active = order[-1] + 1, order.index(session.active_index)
-        if not self._parts.change(
+        if not session.change(
             f"Duplicate {named(document, chosen)}",
-            lambda: add_copies(document, order, colours),
+            lambda document: add_copies(document, order, colours),
             active=first + active,
         ):
             return
@@ -91,8 +91,8 @@ class ChosenCommands:
     def _delete(self) -> None:
         session, chosen = self._session, self._session.chosen_curves
         document = session.document
-        self._parts.change(
+        session.change(
             f"Delete {named(document, chosen)}",
-            lambda: remove_curves(document, chosen),
+            lambda document: remove_curves(document, chosen),
             active=active_after_removal(document, chosen, session.active_index),
         )

@@ -112,9 +112,9 @@ class EditCommands:
     def _use_family(self, family: Family) -> None:
         session = self._session
         was_closed = session.active_curve.is_closed
-        self._parts.change(
+        session.change(
             f"Switch to {_FAMILY_NAMES[family]}",
-            lambda: edits.set_family(session.document, session.active_index, family),
+            lambda document: edits.set_family(document, session.active_index, family),
         )
         if was_closed and not session.active_curve.is_closed:
             session.say(_SHOWN_OPEN)
@@ -127,19 +127,19 @@ class EditCommands:
         if kind is ParametrizationKind.MANUAL and not view.is_current:
             session.refuse("There are no parameters to start from; mend the points first.")
             return
-        self._parts.change(
+        session.change(
             f"Use {KIND_NAMES[kind].lower()} parameters",
-            lambda: edits.set_parametrization(
-                session.document, session.active_index, kind, view.parameters.tolist()
+            lambda document: edits.set_parametrization(
+                document, session.active_index, kind, view.parameters.tolist()
             ),
         )
 
     def _freeze_parameters(self) -> None:
         session = self._session
         parameters = session.active_view.parameters.tolist()
-        self._parts.change(
+        session.change(
             "Freeze parameters",
-            lambda: edits.freeze_parameters(session.document, session.active_index, parameters),
+            lambda document: edits.freeze_parameters(document, session.active_index, parameters),
         )
 
     def _select_all(self) -> None:
@@ -152,14 +152,14 @@ class EditCommands:
                 self._actions["deleteCurve"].trigger()
             return
         what = f"point {next(iter(chosen))}" if len(chosen) == 1 else f"{len(chosen)} points"
-        if self._parts.change(
-            f"Delete {what}", lambda: edits.delete_nodes(session.document, session.active_index, chosen)
+        if session.change(
+            f"Delete {what}", lambda document: edits.delete_nodes(document, session.active_index, chosen)
         ):
             session.select([])
 
     def _reset_derivatives(self) -> None:
         session, chosen = self._session, self._session.selection
-        self._parts.change(
+        session.change(
             "Reset derivatives",
-            lambda: edits.estimate_derivatives(session.document, session.active_index, chosen),
+            lambda document: edits.estimate_derivatives(document, session.active_index, chosen),
         )
