@@ -5,6 +5,7 @@ from __future__ import annotations
 from PySide6.QtGui import QAction
 
 from app.commands.parts import Handlers, Parts
+from app.controllers.parametrization import use_parametrization
 from app.document import edits
 from app.document.model import Family, ParametrizationKind
 from app.keymap import call_alone
@@ -48,7 +49,7 @@ class EditCommands:
             "familyHermite": lambda: self._use_family(Family.HERMITE),
             "familyQuinticHermite": lambda: self._use_family(Family.QUINTIC_HERMITE),
             "freezeParameters": self._freeze_parameters,
-            "useUniform": lambda: self._use_parametrization(ParametrizationKind.UNIFORM),
+            "useUniform": lambda: use_parametrization(self._session, ParametrizationKind.UNIFORM),
             "resetVelocities": self._reset_derivatives,
         }
 
@@ -77,7 +78,9 @@ class EditCommands:
             action.setObjectName(f"parameters_{kind}")
             call_alone(action, f"{name} Parameters")
             menu.insertAction(below, action)
-            action.triggered.connect(lambda _checked=False, kind=kind: self._use_parametrization(kind))
+            action.triggered.connect(
+                lambda _checked=False, kind=kind: use_parametrization(self._session, kind)
+            )
 
     def _render_history(self) -> None:
         stack = self._session.undo_stack
@@ -120,19 +123,6 @@ class EditCommands:
             session.say(_SHOWN_OPEN)
         # The toggle shows what is, also where nothing changed.
         self.render(session.active_view)
-
-    def _use_parametrization(self, kind: ParametrizationKind) -> None:
-        self._parts.cancel_gesture()  # the menu's entries are no commands of their own
-        session, view = self._session, self._session.active_view
-        if kind is ParametrizationKind.MANUAL and not view.is_current:
-            session.refuse("There are no parameters to start from; mend the points first.")
-            return
-        session.change(
-            f"Use {KIND_NAMES[kind].lower()} parameters",
-            lambda document: edits.set_parametrization(
-                document, session.active_index, kind, view.parameters.tolist()
-            ),
-        )
 
     def _freeze_parameters(self) -> None:
         session = self._session

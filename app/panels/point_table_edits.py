@@ -42,6 +42,10 @@ class Column(msgspec.Struct, frozen=True):
         """Whether a rule may estimate it."""
         return self.order > 0
 
+    def at(self, index: int) -> str:
+        """Return what it holds of a point, as "x of point 3"."""
+        return f"{self.name} of point {index}"
+
 
 COLUMNS = (
     Column("t", -1, 0, "Parameter: the curve passes the point at this t"),

@@ -17,10 +17,9 @@ from PySide6.QtCore import (
 )
 from PySide6.QtGui import QColor, QFont, QPainter, QPixmap
 
-from app.document import edits
-from app.document.edits import EditError
+from app.document.edits import EditError, checked
 from app.document.expression import ExpressionError, parse_number
-from app.document.model import Family
+from app.document.model import Family, Node
 from app.overrides import Guarded
 from app.panels.number_text import (
     ColumnNumbers,
@@ -29,10 +28,9 @@ from app.panels.number_text import (
     numbers_of_columns,
     rounded_text,
 )
-from app.panels.point_table_edits import Column, TableValues, columns_of, set_cell, table_values
+from app.panels.point_table_edits import Column, TableValues, columns_of, table_values
 from app.panels.words import ACCELERATION_ESTIMATES, VELOCITY_ESTIMATES
 from app.plot.colours import colours_of
-from app.session import Session
 from app.theme import LIGHT, Theme
 from app.view_model.curve_view import CurveView
 
@@ -51,8 +49,10 @@ class PointTableModel(Guarded, QAbstractTableModel):
 
     Signals
     -------
+    number_entered
+        Another number was given: (row, column, number). Who cannot use it calls `refuse`.
     refused
-        Why a number was not taken, as a sentence.
+        Why what was given is no number, as a sentence.
 
     Attributes
     ----------
@@ -62,17 +62,18 @@ class PointTableModel(Guarded, QAbstractTableModel):
         Which of them a rule estimates.
     """
 
+    number_entered = Signal(int, object, float)
     refused = Signal(str)
 
-    def __init__(self, session: Session, parent: QObject | None = None) -> None:
+    def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self.setObjectName("pointTableModel")
-        self._session = session
         self._view: CurveView | None = None
         self._shown = _EMPTY
         self._numbers: tuple[TableValues, list[ColumnNumbers]] | None = None
         self.columns: tuple[Column, ...] = columns_of(Family.LAGRANGE)
         self._corners: frozenset[int] = frozenset()
+        self._is_refused = False
         self._theme = LIGHT
         self._answers: dict[int, Callable[[int, int], object]] = {
             Qt.ItemDataRole.DisplayRole: self._rounded,
@@ -89,6 +90,11 @@ class PointTableModel(Guarded, QAbstractTableModel):
     @property
     def estimated(self) -> np.ndarray:
         return self._shown.estimated
+
+    @property
+    def nodes(self) -> tuple[Node, ...]:
+        """The points that are shown."""
+        return () if self._view is None else self._view.source.nodes
 
     @property
     def numbers_of_columns(self) -> list[ColumnNumbers]:
@@ -217,19 +223,27 @@ class PointTableModel(Guarded, QAbstractTableModel):
     def setData(self, index: Index, value: object, role: int = Qt.ItemDataRole.EditRole) -> bool:
         if role != Qt.ItemDataRole.EditRole or not index.isValid():
             return False
+        row, column = index.row(), index.column()
         try:
-            self._set_number(index.row(), index.column(), value)
+            number = _number(value)
         except (EditError, ExpressionError) as reason:
-            label, text = self.label(index.row(), index.column()), str(reason)
-            self.refused.emit(text if label in text else f"{label}: {text}")
+            self.refused.emit(f"{self.label(row, column)}: {reason}")
             return False
-        return True
+        if number == self.values[row, column] and not self.estimated[row, column]:
+            return True
+        self._is_refused = False
+        self.number_entered.emit(row, self.columns[column], number)
+        return not self._is_refused
+
+    def refuse(self) -> None:
+        """Say that the number entered last cannot be taken."""
+        self._is_refused = True
 
     # Words and colours
 
     def label(self, row: int, column: int) -> str:
         """Return what a cell holds, as "x of point 3"."""
-        return f"{self.columns[column].name} of point {row}"
+        return self.columns[column].at(row)
 
     def _rounded(self, row: int, column: int) -> str:
         value = float(self.values[row, column])
@@ -255,7 +269,8 @@ class PointTableModel(Guarded, QAbstractTableModel):
         return f", before the corner; {exact_text(ahead, decimal_mark()).replace('-', '−')} after it"
 
     def _estimate(self, column: int) -> str:
-        curve = self._session.active_curve
+        assert self._view is not None
+        curve = self._view.source
         if self.columns[column].order == 1:
             return VELOCITY_ESTIMATES[curve.velocity_rule]
         return ACCELERATION_ESTIMATES[curve.acceleration_rule]
@@ -266,25 +281,12 @@ class PointTableModel(Guarded, QAbstractTableModel):
         colour = colours_of(len(self.values), self._theme)[row]
         return _swatch_of(colour.name(), square=row in self._corners)
 
-    # Edits
-
-    def _set_number(self, row: int, column: int, given: object) -> None:
-        number = _number(given)
-        if number == self.values[row, column] and not self.estimated[row, column]:
-            return
-        session = self._session
-        session.interrupt()
-        document = set_cell(
-            session.document, session.active_index, session.active_view, row, self.columns[column], number
-        )
-        session.commit(document, f"Set {self.label(row, column)}")
-
 
 def _number(given: object) -> float:
     if isinstance(given, str):
         return parse_number(given, decimal_mark())
     if isinstance(given, int | float | np.floating | np.integer) and not isinstance(given, bool):
-        return edits.checked(float(given), "It")
+        return checked(float(given), "It")
     raise ExpressionError("This is not a number.")
 
 

@@ -152,7 +152,7 @@ def test_del_in_the_list_takes_no_preview_along(two):
 
 def press_alpha(editor):
     """Take hold of the handle of the α slider and drag it to its middle."""
-    slider = editor.window.parametrization_bar._slider
+    slider = editor.window.parametrization_bar.slider
     option = QStyleOptionSlider()
     slider.initStyleOption(option)
     handle = slider.style().subControlRect(
