@@ -17,6 +17,7 @@ from app.document.format import FormatError, decode, encode
 from app.document.model import Curve, Document, Node
 from app.exchange.table_text import Block, TableTextError, read_titled_block, write_block
 from app.panels.number_text import decimal_mark, exact_text
+from app.panels.point_columns import known_titles
 from app.panels.words import count_of
 from app.view_model.curve_view import CurveView
 from app.view_model.pasting import (
@@ -247,7 +248,7 @@ def _on_clipboard() -> _Pasted:
         if curve.nodes:
             return _Pasted(curve.nodes, curve)
     text = data.text() if data.hasText() else ""
-    block = read_titled_block(text, decimal_mark())
+    block = read_titled_block(text, decimal_mark(), known_titles())
     # A row of titles was skipped.
     first_row = 1 + len(text.rstrip().splitlines()) - len(block.rows)
     note = "; the row of titles was skipped" if block.titles else ""

@@ -9,8 +9,9 @@ import numpy as np
 from app.document import edits
 from app.document.edits import EditError
 from app.document.model import Document
+from app.panels.point_columns import POSITION, Column
 from app.panels.point_table import PointTable
-from app.panels.point_table_edits import Column, fill_cells, keepers, paste_block, reset_name, set_cell
+from app.panels.point_table_edits import fill_cells, keepers, paste_block, reset_name
 from app.panels.words import count_of
 from app.session import Session
 
@@ -41,11 +42,12 @@ class PointTableController:
         self._panel.show_now(self._session.active_view, streaming=self._session.is_previewing)
 
     def _set_number(self, row: int, column: Column, number: float) -> None:
-        session, label = self._session, column.at(row)
+        session, label, set_number = self._session, column.at(row), column.set
+        assert set_number is not None
 
         def edit(document: Document) -> Document:
             try:
-                return set_cell(document, session.active_index, session.active_view, row, column, number)
+                return set_number(document, session.active_index, session.active_view, row, number)
             except EditError as reason:
                 text = str(reason)
                 raise EditError(text if label in text else f"{label}: {text}") from reason
@@ -57,8 +59,8 @@ class PointTableController:
             self._panel.refuse(refusal)
         return bool(refusal)
 
-    def _fill(self, cells: Mapping[int, Sequence[Column]], value: float) -> None:
-        """Put one number into cells, those of each row."""
+    def _fill(self, cells: Mapping[Column, Sequence[int]], value: float) -> None:
+        """Put one number into cells, the rows of each column."""
         session = self._session
         what = count_of(sum(map(len, cells.values())), "cell")
         change = session.change(
@@ -73,7 +75,7 @@ class PointTableController:
         """Put a block of numbers into the rows from `top` on."""
         session, view = self._session, self._session.active_view
         height, width = numbers.shape
-        whole = {(0, 0), (0, 1)} <= {(column.order, column.component) for column in columns}
+        whole = [column.order for column in columns].count(POSITION) == 2
         what = count_of(height, "point") if whole else count_of(height * width, "value")
         change = session.change(
             f"Paste {what}",

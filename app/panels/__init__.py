@@ -11,8 +11,8 @@ Beside the canvas:
 
 In docks:
 
-- ``point_table`` with ``point_table_view``, ``point_table_model``, ``point_table_delegate`` and
-  ``point_table_edits``: the numbers.
+- ``point_table`` with ``point_table_view``, ``point_table_model`` and ``point_table_delegate``: the numbers.
+  ``point_columns``: a record for each column.  ``point_table_edits``: filling, pasting and resetting.
 - ``curve_list``, ``curve_list_view``, ``curve_list_model``: the curves.
   ``curve_settings``: interval and tangent rules.
 - ``history``: undo, as a list.  ``image_panel``: the picture to trace.

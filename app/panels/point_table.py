@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 
 import numpy as np
 from PySide6.QtCore import QSize, Qt, QTimer, Signal
@@ -15,13 +15,8 @@ from app.icons import icon
 from app.labels import Label, html_of
 from app.overrides import Guarded
 from app.panels.number_text import decimal_mark, exact_text
-from app.panels.point_table_edits import (
-    Column,
-    T,
-    X,
-    explicit_orders,
-    keeping_sentence,
-)
+from app.panels.point_columns import POSITION, Column, known_titles
+from app.panels.point_table_edits import explicit_orders, keeping_sentence
 from app.panels.point_table_model import PointTableModel
 from app.panels.point_table_view import PointTableView
 from app.panels.words import count_of
@@ -40,7 +35,7 @@ class PointTable(Guarded, QWidget):
     rows_selected
         The person has selected other rows.
     fill_requested
-        One number is to be put into cells: (columns by row, number). Who cannot do it calls `refuse`.
+        One number is to be put into cells: (rows by column, number). Who cannot do it calls `refuse`.
     paste_requested
         A block of numbers is to be put into the table: (row, columns, numbers).
     reset_requested
@@ -262,8 +257,7 @@ class PointTable(Guarded, QWidget):
         """
         rows, columns = self.view.selected_rows(), self.view.selected_columns()
         shown = self.model.columns
-        orders = {shown[column].order for column in columns if shown[column].is_derivative}
-        orders = orders or {column.order for column in shown if column.is_derivative}
+        orders = _derivatives_of(shown[column] for column in columns) or _derivatives_of(shown)
         return explicit_orders(self.model.nodes, rows, orders)
 
     def reset_to_estimated(self) -> None:
@@ -288,7 +282,7 @@ class PointTable(Guarded, QWidget):
     def paste(self) -> None:
         """Ask for the numbers on the clipboard in the cells from the current one on; all or none."""
         try:
-            block = read_titled_block(QGuiApplication.clipboard().text(), decimal_mark())
+            block = read_titled_block(QGuiApplication.clipboard().text(), decimal_mark(), known_titles())
             cells = self.view.selected_cells()
             if len(cells) > 1 and len(block.rows) == len(block.rows[0]) == 1:
                 self._request_fill(cells, block.rows[0][0])
@@ -298,10 +292,10 @@ class PointTable(Guarded, QWidget):
             self._report_refusal(str(reason))
 
     def _request_fill(self, cells: set[tuple[int, int]], value: float) -> None:
-        columns: dict[int, list[Column]] = {}
+        rows: dict[Column, list[int]] = {}
         for row, column in sorted(cells):
-            columns.setdefault(row, []).append(self.model.columns[column])
-        self.fill_requested.emit(columns, value)
+            rows.setdefault(self.model.columns[column], []).append(row)
+        self.fill_requested.emit(rows, value)
 
     def _columns_of(self, block: Block) -> tuple[list[Column], np.ndarray]:
         """Return which columns a block covers, in the table's order, and its numbers.
@@ -321,13 +315,13 @@ class PointTable(Guarded, QWidget):
         titled = {name: place for place, name in enumerate(block.titles) if name != "#"}
         if len(titled) + block.titles.count("#") < width:
             raise EditError("A title stands twice.")
-        columns = [column for column in shown if column.name in titled]
-        missing = [name for name in titled if name not in {column.name for column in columns}]
+        columns = [column for column in shown if column.title in titled]
+        missing = [name for name in titled if name not in {column.title for column in columns}]
         if missing:
             raise EditError(f"A curve of this family has no {missing[0]}.")
         if not columns:
             raise EditError("There is no column of the table in what was copied.")
-        return columns, numbers[:, [titled[column.name] for column in columns]]
+        return columns, numbers[:, [titled[column.title] for column in columns]]
 
     def _paste_row(self) -> int:
         current = self.view.currentIndex()
@@ -335,7 +329,11 @@ class PointTable(Guarded, QWidget):
 
     def _paste_column(self, width: int) -> int:
         current = self.view.currentIndex()
-        return current.column() if current.isValid() else (X if width == 2 else T)
+        if current.isValid():
+            return current.column()
+        # Two columns of numbers are places.
+        orders = [column.order for column in self.model.columns]
+        return orders.index(POSITION) if width == 2 else 0
 
     def tell_who_kept(self, indices: list[int], orders: set[int]) -> None:
         """Say whose velocities are still those of the old places, and offer to have them estimated."""
@@ -348,3 +346,8 @@ class PointTable(Guarded, QWidget):
 
     def _reset_kept(self) -> None:
         self.reset_requested.emit(*self._to_reset)
+
+
+def _derivatives_of(columns: Iterable[Column]) -> set[int]:
+    """Return which derivatives some columns hold."""
+    return {column.order for column in columns if column.order is not None and column.is_derivative}

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from functools import lru_cache
 
+import msgspec
 import numpy as np
 from PySide6.QtCore import (
     QAbstractTableModel,
@@ -19,7 +20,7 @@ from PySide6.QtGui import QColor, QFont, QPainter, QPixmap
 
 from app.document.edits import EditError, checked
 from app.document.expression import ExpressionError, parse_number
-from app.document.model import Family, Node
+from app.document.model import Node
 from app.overrides import Guarded
 from app.panels.number_text import (
     ColumnNumbers,
@@ -28,17 +29,32 @@ from app.panels.number_text import (
     numbers_of_columns,
     rounded_text,
 )
-from app.panels.point_table_edits import Column, TableValues, columns_of, table_values
-from app.panels.words import ACCELERATION_ESTIMATES, VELOCITY_ESTIMATES
+from app.panels.point_columns import Column, columns_of
 from app.plot.colours import colours_of
 from app.theme import LIGHT, Theme
-from app.view_model.curve_view import CurveView
+from app.view_model.curve_view import CurveView, Floats
 
 Index = QModelIndex | QPersistentModelIndex
 _NO_INDEX = QModelIndex()
 _SWATCH, _SWATCH_CANVAS = 9, 16
 _RIGHT = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
-_EMPTY = TableValues(np.empty((0, 3)), np.empty((0, 3), dtype=bool))
+
+
+class TableValues(msgspec.Struct, frozen=True):
+    """What the table shows: numbers (n, columns), NaN where there is none, and which are estimated."""
+
+    values: Floats
+    estimated: np.ndarray
+
+
+def table_values(view: CurveView, columns: Sequence[Column]) -> TableValues:
+    """Return the numbers of `view`; where the rules give no curve, only what the person set."""
+    values = np.column_stack([column.get(view) for column in columns])
+    return TableValues(values, np.column_stack([column.is_estimated(view) for column in columns]))
+
+
+def _no_values(columns: Sequence[Column]) -> TableValues:
+    return TableValues(np.empty((0, len(columns))), np.empty((0, len(columns)), dtype=bool))
 
 
 class PointTableModel(Guarded, QAbstractTableModel):
@@ -69,9 +85,9 @@ class PointTableModel(Guarded, QAbstractTableModel):
         super().__init__(parent)
         self.setObjectName("pointTableModel")
         self._view: CurveView | None = None
-        self._shown = _EMPTY
+        self.columns = columns_of(derivatives=0)
+        self._shown = _no_values(self.columns)
         self._numbers: tuple[TableValues, list[ColumnNumbers]] | None = None
-        self.columns: tuple[Column, ...] = columns_of(Family.LAGRANGE)
         self._corners: frozenset[int] = frozenset()
         self._is_refused = False
         self._theme = LIGHT
@@ -110,7 +126,8 @@ class PointTableModel(Guarded, QAbstractTableModel):
         if view is self._view:
             return
         self._view = view
-        columns, new = columns_of(view.source.family), table_values(view)
+        columns = columns_of(view.source.family.derivatives)
+        new = table_values(view, columns)
         if columns != self.columns:
             self.beginResetModel()
             self._corners = frozenset(view.corners)
@@ -150,8 +167,8 @@ class PointTableModel(Guarded, QAbstractTableModel):
         return rows
 
     def shows_one_side(self, row: int, column: int) -> bool:
-        """Whether the point has two of these derivatives, of which the cell shows one."""
-        return row in self._corners and self.columns[column].is_derivative
+        """Whether the point has two of these numbers, of which the cell shows one."""
+        return row in self._corners and self.columns[column].after is not None
 
     def _changed_rows(self, new: TableValues) -> np.ndarray:
         same = (self.values == new.values) | (np.isnan(self.values) & np.isnan(new.values))
@@ -172,7 +189,9 @@ class PointTableModel(Guarded, QAbstractTableModel):
         return 0 if parent.isValid() else len(self.columns)
 
     def flags(self, index: Index) -> Qt.ItemFlag:
-        return super().flags(index) | Qt.ItemFlag.ItemIsEditable if index.isValid() else super().flags(index)
+        flags = super().flags(index)
+        is_set = index.isValid() and self.columns[index.column()].set is not None
+        return flags | Qt.ItemFlag.ItemIsEditable if is_set else flags
 
     def data(self, index: Index, role: int = Qt.ItemDataRole.DisplayRole) -> object:
         if not index.isValid():
@@ -217,7 +236,7 @@ class PointTableModel(Guarded, QAbstractTableModel):
             case Qt.ItemDataRole.TextAlignmentRole:
                 return _RIGHT
             case Qt.ItemDataRole.ToolTipRole:
-                return column.meaning
+                return column.tip
         return None
 
     def setData(self, index: Index, value: object, role: int = Qt.ItemDataRole.EditRole) -> bool:
@@ -261,19 +280,16 @@ class PointTableModel(Guarded, QAbstractTableModel):
         return f"{text}\n{self._estimate(column)}" if self.estimated[row, column] else text
 
     def _corner_note(self, row: int, column: int) -> str:
-        """Return what the tooltip adds where a point has two derivatives, of which the table shows one."""
-        what, view = self.columns[column], self._view
-        if view is None or view.sides is None or not self.shows_one_side(row, column):
+        """Return what the tooltip adds where a point has two numbers, of which the table shows one."""
+        after, view = self.columns[column].after, self._view
+        if view is None or after is None or view.sides is None or row not in self._corners:
             return ""
-        ahead = float(view.sides.after[row, what.order, what.component])
-        return f", before the corner; {exact_text(ahead, decimal_mark()).replace('-', '−')} after it"
+        ahead = exact_text(after(view, row), decimal_mark()).replace("-", "−")
+        return f", before the corner; {ahead} after it"
 
     def _estimate(self, column: int) -> str:
-        assert self._view is not None
-        curve = self._view.source
-        if self.columns[column].order == 1:
-            return VELOCITY_ESTIMATES[curve.velocity_rule]
-        return ACCELERATION_ESTIMATES[curve.acceleration_rule]
+        estimate = self.columns[column].estimate
+        return "estimated" if estimate is None or self._view is None else estimate(self._view.source)
 
     def _swatch(self, row: int) -> QPixmap | None:
         if row >= len(self.values):
