@@ -21,6 +21,7 @@ The layers, top to bottom; a module imports only from its own layer and those ab
 - ``disk_watch``: notices when a file may have changed.
 - ``plotting``: what canvas and basis panel share: a pixel map, fast drawing, pan and zoom.
 - ``canvas``, ``panels``: draw a value and report what the person did. They never call each other.
+- ``controllers``: what the person did in a panel becomes a change of the document.
 - ``action_specs``, ``actions``, ``file_commands``, ``commands``: what can be done, and what it does.
 - ``toolbar``, ``menus``, ``docks``, ``window_layout``, ``main_window``: build, dock, connect.
 - ``start``: windows on the screen, soon.  ``display``: whether there is a screen for them.

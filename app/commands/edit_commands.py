@@ -5,6 +5,7 @@ from __future__ import annotations
 from PySide6.QtGui import QAction
 
 from app.commands.parts import Handlers, Parts
+from app.controllers.parametrization import use_parametrization
 from app.document import edits
 from app.document.model import Family, ParametrizationKind
 from app.keymap import call_alone
@@ -48,7 +49,7 @@ class EditCommands:
             "familyHermite": lambda: self._use_family(Family.HERMITE),
             "familyQuinticHermite": lambda: self._use_family(Family.QUINTIC_HERMITE),
             "freezeParameters": self._freeze_parameters,
-            "useUniform": lambda: self._use_parametrization(ParametrizationKind.UNIFORM),
+            "useUniform": lambda: use_parametrization(self._session, ParametrizationKind.UNIFORM),
             "resetVelocities": self._reset_derivatives,
         }
 
@@ -77,7 +78,9 @@ class EditCommands:
             action.setObjectName(f"parameters_{kind}")
             call_alone(action, f"{name} Parameters")
             menu.insertAction(below, action)
-            action.triggered.connect(lambda _checked=False, kind=kind: self._use_parametrization(kind))
+            action.triggered.connect(
+                lambda _checked=False, kind=kind: use_parametrization(self._session, kind)
+            )
 
     def _render_history(self) -> None:
         stack = self._session.undo_stack
@@ -112,34 +115,21 @@ class EditCommands:
     def _use_family(self, family: Family) -> None:
         session = self._session
         was_closed = session.active_curve.is_closed
-        self._parts.change(
+        session.change(
             f"Switch to {_FAMILY_NAMES[family]}",
-            lambda: edits.set_family(session.document, session.active_index, family),
+            lambda document: edits.set_family(document, session.active_index, family),
         )
         if was_closed and not session.active_curve.is_closed:
             session.say(_SHOWN_OPEN)
         # The toggle shows what is, also where nothing changed.
         self.render(session.active_view)
 
-    def _use_parametrization(self, kind: ParametrizationKind) -> None:
-        self._parts.cancel_gesture()  # the menu's entries are no commands of their own
-        session, view = self._session, self._session.active_view
-        if kind is ParametrizationKind.MANUAL and not view.is_current:
-            session.refuse("There are no parameters to start from; mend the points first.")
-            return
-        self._parts.change(
-            f"Use {KIND_NAMES[kind].lower()} parameters",
-            lambda: edits.set_parametrization(
-                session.document, session.active_index, kind, view.parameters.tolist()
-            ),
-        )
-
     def _freeze_parameters(self) -> None:
         session = self._session
         parameters = session.active_view.parameters.tolist()
-        self._parts.change(
+        session.change(
             "Freeze parameters",
-            lambda: edits.freeze_parameters(session.document, session.active_index, parameters),
+            lambda document: edits.freeze_parameters(document, session.active_index, parameters),
         )
 
     def _select_all(self) -> None:
@@ -152,14 +142,14 @@ class EditCommands:
                 self._actions["deleteCurve"].trigger()
             return
         what = f"point {next(iter(chosen))}" if len(chosen) == 1 else f"{len(chosen)} points"
-        if self._parts.change(
-            f"Delete {what}", lambda: edits.delete_nodes(session.document, session.active_index, chosen)
+        if session.change(
+            f"Delete {what}", lambda document: edits.delete_nodes(document, session.active_index, chosen)
         ):
             session.select([])
 
     def _reset_derivatives(self) -> None:
         session, chosen = self._session, self._session.selection
-        self._parts.change(
+        session.change(
             "Reset derivatives",
-            lambda: edits.estimate_derivatives(session.document, session.active_index, chosen),
+            lambda document: edits.estimate_derivatives(document, session.active_index, chosen),
         )

@@ -192,7 +192,7 @@ class ExchangeCommands:
                 return
             self._session.new()
         document, first = add_imported(self._session.document, new)
-        if not self._parts.change(f"Import {path.name}", lambda: document, active=first):
+        if not self._session.change(f"Import {path.name}", lambda _: document, active=first):
             return
         if first > 0:
             # What came to others is put in its place as a whole.

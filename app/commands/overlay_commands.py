@@ -189,4 +189,4 @@ class OverlayCommands:
         session = self._parts.session
         name = NAMES[ghost]
         text = f"Switch to {name}" if ghost in FAMILIES else f"Use {name.lower()} parameters"
-        self._parts.change(text, lambda: with_ghost_real(session.document, session.active_index, ghost))
+        session.change(text, lambda document: with_ghost_real(document, session.active_index, ghost))

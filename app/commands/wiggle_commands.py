@@ -156,7 +156,7 @@ class WiggleCommands(QObject):
             document = cure.document
             knot = self._cures.knot if self._cures is not None else 0
             self._preview("")
-            if self._parts.change(cure.step, lambda: document):
+            if self._session.change(cure.step, lambda _: document):
                 self._stay_in(knot)
 
     def _stay_in(self, knot: int) -> None:

@@ -313,7 +313,10 @@ def refuse_equal_parameters(curve: Curve, reason: str) -> None:
 
 
 def rename_curve(document: Document, curve: int, name: str) -> Document:
-    """Give the curve a name."""
+    """Give the curve a name, without the blanks around it."""
+    name = name.strip()
+    if not name:
+        raise EditError("A curve needs a name.")
     return document.with_curve(curve, replace(document.curves[curve], name=name))
 
 

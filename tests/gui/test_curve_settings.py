@@ -7,6 +7,7 @@ from PySide6.QtGui import QFocusEvent
 from PySide6.QtTest import QSignalSpy
 from PySide6.QtWidgets import QApplication, QComboBox, QLabel, QLineEdit, QToolButton, QWidget
 
+from app.controllers.curve_settings import CurveSettingsController
 from app.document import edits
 from app.document.model import AccelerationRule, Family, ParametrizationKind, VelocityRule, make_curve
 from app.panels.curve_settings import CurveSettings
@@ -24,7 +25,8 @@ class Form:
         self.session = Session()
         curve = make_curve(points, name="Letter", family=family)
         self.session.commit(self.session.document.with_curve(0, curve), "Curve")
-        self.panel = CurveSettings(self.session)
+        self.panel = CurveSettings(self.session.active_view)
+        self.controller = CurveSettingsController(self.session, self.panel)
         self.session.document_changed.connect(
             lambda _document: self.panel.render_view(self.session.active_view)
         )

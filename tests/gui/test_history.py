@@ -3,6 +3,7 @@
 import pytest
 from PySide6.QtCore import Qt
 
+from app.controllers.history import HistoryController
 from app.document import edits, storage
 from app.document.model import make_curve
 from app.panels.history import HistoryPanel
@@ -13,7 +14,8 @@ from app.theme import ThemeMode, apply_theme
 @pytest.fixture
 def history(qtbot):
     session = Session()
-    panel = HistoryPanel(session)
+    panel = HistoryPanel(session.undo_stack)
+    panel.controller = HistoryController(session, panel)
     qtbot.addWidget(panel)
     for index in (1, 2, 3):
         document = edits.move_nodes(session.document, 0, [index], (0.5, 0.0))

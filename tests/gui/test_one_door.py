@@ -20,6 +20,7 @@ from app.document.model import (
     ReferenceImage,
     make_curve,
 )
+from app.document.several_curves import with_looks
 from app.panels.curve_list_view import Spot
 from app.view_model.curve_view import view_of
 
@@ -151,7 +152,7 @@ def test_del_in_the_list_takes_no_preview_along(two):
 
 def press_alpha(editor):
     """Take hold of the handle of the α slider and drag it to its middle."""
-    slider = editor.window.parametrization_bar._slider
+    slider = editor.window.parametrization_bar.slider
     option = QStyleOptionSlider()
     slider.initStyleOption(option)
     handle = slider.style().subControlRect(
@@ -332,3 +333,57 @@ def test_what_no_file_can_hold_is_not_committed(editor):
     assert not editor.session.commit(Document((wild,)), "Wild")
     assert editor.session.document is before
     assert editor.status.startswith("This cannot be kept: curves[0].points[")
+
+
+def test_an_edit_finds_the_document_without_a_gesture_in_flight(two):
+    """What a gesture showed is gone before the edit is asked for the document."""
+    session, found = two.session, []
+    two.press(two.point(1))
+    two.move((9.0, 9.0))
+    assert session.is_previewing
+
+    def edit(document):
+        found.append(document)
+        return edits.rename_curve(document, 0, "Named")
+
+    committed = session.committed
+    change = session.change("Rename curve", edit)
+    assert change.is_done
+    assert change
+    assert found == [committed]
+    assert session.document.curves == (replace(committed.curves[0], name="Named"), committed.curves[1])
+    assert session.undo_stack.undoText() == "Rename curve"
+    two.release((9.0, 9.0))
+    assert session.undo_stack.undoText() == "Rename curve"
+
+
+def test_an_edit_that_refuses_changes_nothing_and_is_heard(two):
+    session = two.session
+    before, steps = session.document, session.undo_stack.count()
+
+    def edit(_document):
+        raise edits.EditError("There is no other way.")
+
+    change = session.change("Never", edit)
+    assert not change
+    assert change.refusal == two.status == "There is no other way."
+    assert session.document is before
+    assert session.undo_stack.count() == steps
+    assert session.selection == {1, 2}
+
+
+def test_a_change_that_is_none_is_no_step_and_no_refusal(two):
+    session, steps = two.session, two.session.undo_stack.count()
+    change = session.change("Nothing", lambda document: document)
+    assert not change
+    assert not change.refusal
+    assert session.undo_stack.count() == steps
+
+
+def test_why_a_locked_curve_stays_is_told_to_who_asked_too(two):
+    session = two.session
+    session.change("Lock", lambda document: with_looks(document, [1], locked=True))
+    change = session.change("Move", lambda document: edits.set_position(document, 1, 0, (9.0, 9.0)))
+    assert not change
+    assert change.refusal == two.status
+    assert "locked" in change.refusal

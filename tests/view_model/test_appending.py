@@ -9,7 +9,8 @@ import pytest
 
 from app.document import edits
 from app.document.model import Document, Family, Node, ParametrizationKind, make_curve
-from app.panels.point_table_edits import COLUMNS, X, paste_block
+from app.panels.point_columns import COLUMNS, POSITION
+from app.panels.point_table_edits import paste_block
 from app.view_model.appending import with_point_appended
 from app.view_model.curve_view import view_of
 from app.view_model.handles import handles_of
@@ -27,7 +28,8 @@ def by_paste(document, view):
 
 
 def by_table(document, view):
-    return paste_block(document, 0, view, 3, COLUMNS[X : X + 2], np.array([FAR]))
+    columns = [column for column in COLUMNS if column.order == POSITION]
+    return paste_block(document, 0, view, 3, columns, np.array([FAR]))
 
 
 def longest(document):
