@@ -2,7 +2,8 @@
 
 The layers, top to bottom; a module imports only from its own layer and those above it:
 
-- ``document``: immutable values, edits, the file format. No Qt, no arrays inside the values.
+- ``document``: immutable values and edits. No Qt, no arrays inside the values.
+- ``storage``: documents on disk: format, migration, atomic write, locks, snapshots. No Qt.
 - ``view_model``: a document's curve turned into arrays to draw. No Qt; calls ``curvecore``.
 - ``gestures``: press, move and release turned into edits. No Qt.
 - ``exchange``: files in and out. Qt only in ``image`` and ``motion_frames``.

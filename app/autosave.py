@@ -8,8 +8,8 @@ from pathlib import Path
 from PySide6.QtCore import QObject, QStandardPaths, QTimer
 
 from app.document.model import Document
-from app.document.recovery import Origin, SnapshotFile
 from app.session import Session
+from app.storage.recovery import Origin, SnapshotFile
 from app.worker import Task
 
 DELAY_MS = 1000

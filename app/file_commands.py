@@ -11,15 +11,15 @@ from typing import Any
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QFileDialog, QMessageBox, QWidget
 
-from app.document.format import FormatError
 from app.document.model import empty_document
-from app.document.open_file import Reading, Sight, is_large
-from app.document.storage import StorageError, load
 from app.exchange.progress import Report, part
 from app.labels import breakable
 from app.preferences import Preferences
 from app.resources import is_resource
 from app.session import Session
+from app.storage.files import StorageError, load
+from app.storage.format import FormatError
+from app.storage.open_file import Reading, Sight, is_large
 from app.view_model.curve_view import CurveView
 from app.view_model.views_ahead import views_ahead
 from app.worker import Work

@@ -10,16 +10,16 @@ import msgspec
 from PySide6.QtCore import QObject, Signal
 from PySide6.QtGui import QUndoStack
 
-from app.document import storage
 from app.document.choice import followed_curves, followed_nodes, returned_curves, returned_nodes
 from app.document.curve_edits import refuse_locked
 from app.document.edits import EditError
-from app.document.format import FormatError, validate_changes
 from app.document.model import Curve, Document, empty_document
-from app.document.open_file import OpenFile, Reading, Sight
 from app.document.plain import plain
 from app.examples import first_sketch, template_title
 from app.resources import is_resource
+from app.storage import files
+from app.storage.format import FormatError, validate_changes
+from app.storage.open_file import OpenFile, Reading, Sight
 from app.undo_step import Beginning, State, UndoStep, state_at_index
 from app.view_model.curve_view import CurveView, view_of
 
@@ -498,7 +498,7 @@ class Session(QObject):
         `text`, and undo goes back.
         """
         path = Path(path)
-        document = plain(storage.load(path))
+        document = plain(files.load(path))
         title = template_title(path, document)
         self.cancel()
         if self.path is not None or not (self.undo_stack.count() or self.is_modified):

@@ -9,11 +9,11 @@ from PySide6.QtCore import QObject, QTimer
 from app.commands.disk_notices import Notice, Standing, about_content, about_lock, about_refusal
 from app.commands.parts import Handlers, Parts
 from app.disk_watch import DiskWatch
-from app.document.format import FormatError
 from app.document.model import Document
-from app.document.open_file import OpenFile, Sight
-from app.document.storage import Stamp, StorageError
 from app.panels.file_bar import FileBar
+from app.storage.files import Stamp, StorageError
+from app.storage.format import FormatError
+from app.storage.open_file import OpenFile, Sight
 from app.view_model.curve_view import CurveView, view_of
 
 _AGAIN_MS = 100

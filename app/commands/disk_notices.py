@@ -7,9 +7,9 @@ from enum import Enum, auto
 
 import msgspec
 
-from app.document.lock import Owner
-from app.document.open_file import LockedError, Sight
-from app.document.storage import ChangedOnDiskError, StorageError
+from app.storage.files import ChangedOnDiskError, StorageError
+from app.storage.lock import Owner
+from app.storage.open_file import LockedError, Sight
 
 
 class Notice(msgspec.Struct, frozen=True):

@@ -10,7 +10,6 @@ from enum import StrEnum
 import numpy as np
 import numpy.typing as npt
 
-from app.document.format import FormatError, validate
 from app.document.model import (
     Curve,
     Document,
@@ -27,6 +26,7 @@ from app.exchange.table import Table
 from app.exchange.table_columns import AFTER, ROLES, Mapping, guessed
 from app.exchange.table_layout import MissingNumber, RowProblem
 from app.exchange.thinning import Thinning, thinned
+from app.storage.format import FormatError, validate
 
 MOST_CURVES = 1_000
 

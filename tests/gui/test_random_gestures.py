@@ -13,7 +13,6 @@ from hypothesis.stateful import RuleBasedStateMachine, initialize, invariant, pr
 from app.canvas.hit_test import hit_test
 from app.document import edits
 from app.document.edits import EditError
-from app.document.format import decode, encode, validate
 from app.document.model import Document, Family, Node, ParametrizationKind, make_curve
 from app.document.transforms import Edge, align_nodes, distribute_nodes
 from app.gestures.pointer import Hit, Part, Pointer
@@ -23,6 +22,7 @@ from app.gestures.tools import CanvasTool, ToolKind
 from app.gestures.transform import TransformKind
 from app.plot.pixel_map import PixelMap
 from app.session import Session
+from app.storage.format import decode, encode, validate
 from app.view_model.handles import handles_of
 
 SHOWN = PixelMap(-3.0, 5.0, 100.0, 100.0, 1000.0, 800.0)

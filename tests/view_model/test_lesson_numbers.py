@@ -17,8 +17,8 @@ from msgspec.structs import replace
 
 from app.action_specs import SPECS
 from app.document.model import Family, ParametrizationKind
-from app.document.storage import load
 from app.lessons import lesson_names, load_lesson
+from app.storage.files import load
 from app.view_model.analysis.laboratory import try_methods
 from app.view_model.analysis.laboratory_settings import (
     USUAL_SHIFT,

@@ -7,8 +7,8 @@ import pytest
 from msgspec.structs import replace
 
 from app.document.model import Document, Family, Parametrization, ParametrizationKind, make_curve
-from app.document.storage import load
 from app.lessons import load_lesson
+from app.storage.files import load
 from app.view_model.analysis.cost import cost_chart, cost_of
 from app.view_model.analysis.cures import CURES, cures_of
 from app.view_model.analysis.laboratory import Refused, digits_at, try_methods

@@ -8,13 +8,13 @@ from pathlib import Path
 
 import msgspec
 
-from app.document import storage
-from app.document.format import VERSION, FormatError, version_of
-from app.document.leftovers import sweep
-from app.document.lock import Attempt, Lock, Owner, acquire, owner_of, take_over
 from app.document.model import Document
 from app.document.plain import plain
-from app.document.storage import MissingError, Stamp, StorageError, UnconfirmedError
+from app.storage import files
+from app.storage.files import MissingError, Stamp, StorageError, UnconfirmedError
+from app.storage.format import VERSION, FormatError, version_of
+from app.storage.leftovers import sweep
+from app.storage.lock import Attempt, Lock, Owner, acquire, owner_of, take_over
 
 _LARGE = 50_000
 """Bytes from which a document is opened beside the window: about a hundred curves, a tenth of a second."""
@@ -63,9 +63,9 @@ class Reading(msgspec.Struct, frozen=True):
 
     @classmethod
     def of(cls, path: Path) -> Reading:
-        """Read the file at `path`; see `storage.load` for what may be wrong."""
-        content = storage.read_content(path)
-        return cls(plain(storage.document_in(content.data, path)), content.stamp, _version(content.data))
+        """Read the file at `path`; see `files.load` for what may be wrong."""
+        content = files.read_content(path)
+        return cls(plain(files.document_in(content.data, path)), content.stamp, _version(content.data))
 
 
 class OpenFile:
@@ -101,7 +101,7 @@ class OpenFile:
 
     @classmethod
     def open(cls, path: Path, previous: OpenFile | None = None, reading: Reading | None = None) -> Opened:
-        """Read the document at `path` and mark it as open; see `storage.load` for what may be wrong.
+        """Read the document at `path` and mark it as open; see `files.load` for what may be wrong.
 
         `previous` is the file that was open in this window until now; its lock goes on where it is the same.
         Where the file was read before, `reading` is what it held.
@@ -119,7 +119,7 @@ class OpenFile:
         What it holds now counts as seen. `previous` is as with `open`.
         """
         try:
-            stamp = storage.read_content(path).stamp
+            stamp = files.read_content(path).stamp
         except StorageError:
             stamp = None
         return cls(path, stamp, _lock_for(path, previous))
@@ -140,7 +140,7 @@ class OpenFile:
         LockedError
             If somebody else has that file open.
         StorageError, FormatError
-            As `storage.save`; `previous` then still is the file of the document.
+            As `files.save`; `previous` then still is the file of the document.
         """
         if previous is not None and previous.is_at(path):
             previous._save(document, overwrite=overwrite)
@@ -157,7 +157,7 @@ class OpenFile:
     def _save(self, document: Document, *, overwrite: bool) -> None:
         self._refuse_if_not_ours()
         try:
-            self.stamp = storage.save(self.path, document, seen=None if overwrite else self.stamp)
+            self.stamp = files.save(self.path, document, seen=None if overwrite else self.stamp)
         except UnconfirmedError as problem:
             self.stamp, self.sight = problem.stamp, Sight.SAME
             raise
@@ -229,7 +229,7 @@ class OpenFile:
 
     def _read_again(self) -> Sight:
         try:
-            content = storage.read_content(self.path)
+            content = files.read_content(self.path)
         except MissingError:
             return Sight.GONE
         except StorageError:
@@ -240,7 +240,7 @@ class OpenFile:
             return Sight.SAME
         document = None
         try:
-            document = storage.document_in(content.data, self.path)
+            document = files.document_in(content.data, self.path)
         except FormatError:
             sight = Sight.UNREADABLE
         else:
@@ -269,9 +269,9 @@ class OpenFile:
         self.sight, self._seen = Sight.SAME, None
 
     def read_again(self) -> Document:
-        """Return the document that the file holds now, and take it as seen; see `storage.load`."""
-        content = storage.read_content(self.path)
-        document = storage.document_in(content.data, self.path)
+        """Return the document that the file holds now, and take it as seen; see `files.load`."""
+        content = files.read_content(self.path)
+        document = files.document_in(content.data, self.path)
         self.stamp, self._seen, self.sight = content.stamp, None, Sight.SAME
         self.version = _version(content.data)
         return document

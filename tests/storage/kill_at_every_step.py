@@ -15,12 +15,12 @@ import signal
 import sys
 from pathlib import Path
 
-from app.document.format import encode
-from app.document.leftovers import TEMPORARY_PREFIX, sweep
-from app.document.lock import lock_place
-from app.document.migration import MIGRATIONS
 from app.document.model import Document, make_curve
-from app.document.open_file import OpenFile
+from app.storage.format import encode
+from app.storage.leftovers import TEMPORARY_PREFIX, sweep
+from app.storage.lock import lock_place
+from app.storage.migration import MIGRATIONS
+from app.storage.open_file import OpenFile
 
 OLD, NEW = (Document((make_curve([(x, 0.0)] * 4),)) for x in (1.0, 2.0))
 WRITTEN = encode(NEW)

@@ -12,11 +12,11 @@ from pathlib import Path
 import pytest
 from msgspec.structs import replace
 
-from app.document.claim import Claim
-from app.document.format import FormatError, encode
 from app.document.model import Document, Node, ReferenceImage, make_curve
-from app.document.recovery import DAMAGED, SUFFIX, Origin, SnapshotFile, list_snapshots
-from app.document.storage import TEMPORARY_PREFIX, save
+from app.storage.claim import Claim
+from app.storage.files import TEMPORARY_PREFIX, save
+from app.storage.format import FormatError, encode
+from app.storage.recovery import DAMAGED, SUFFIX, Origin, SnapshotFile, list_snapshots
 
 ROOT = Path(__file__).resolve().parents[2]
 THIRDS = Document((make_curve([(1 / 3, 2 / 3), (1e-300, -0.0), (1e12, 5.0)], name="Ü, “S”"),))
@@ -73,7 +73,7 @@ def test_the_latest_comes_first(tmp_path, monkeypatch):
     began = time.time()
     for second, name in enumerate(("one", "two", "three")):
         with monkeypatch.context() as patch:
-            patch.setattr("app.document.recovery.time.time", lambda now=began + second: now)
+            patch.setattr("app.storage.recovery.time.time", lambda now=began + second: now)
             left_behind(tmp_path, Document((make_curve([(0, 0)], name=name),)))
     names = [each.document.curves[0].name for each in list_snapshots(tmp_path).snapshots]
     assert names == ["three", "two", "one"]
@@ -226,7 +226,7 @@ def test_a_claim_is_one_holder_s_until_it_is_released(tmp_path):
 @pytest.mark.skipif(not hasattr(os, "fork"), reason="needs fork")
 def test_a_claim_ends_with_its_process(tmp_path):
     path = tmp_path / "claim"
-    code = "from app.document.claim import Claim; from pathlib import Path; import os\n"
+    code = "from app.storage.claim import Claim; from pathlib import Path; import os\n"
     code += f"assert Claim.take(Path({str(path)!r})); os.kill(os.getpid(), 9)"
     done = subprocess.run([sys.executable, "-c", code], cwd=ROOT, check=False)
     assert done.returncode == -9
@@ -239,12 +239,12 @@ def test_a_claim_ends_with_its_process(tmp_path):
 KILLED_AT_EVERY_STEP = """
 import os, signal, sys
 from pathlib import Path
-from app.document.format import encode
+from app.storage.format import encode
 from app.document.model import Document, make_curve
-from app.document.recovery import Origin, SnapshotFile, list_snapshots
+from app.storage.recovery import Origin, SnapshotFile, list_snapshots
 
 old, new = (Document((make_curve([(i, k / 3) for i in range(3)]),)) for k in (1, 2))
-watched = ("recovery.py", "storage.py", "claim.py")
+watched = ("recovery.py", "files.py", "claim.py")
 
 def run(folder, last, begin):
     seen = 0

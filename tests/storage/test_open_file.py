@@ -7,14 +7,10 @@ import time
 
 import pytest
 
-from app.document import format as format_module
-from app.document import storage
-from app.document.format import FormatError, decode, encode
-from app.document.lock import lock_place
-from app.document.migration import MIGRATIONS
 from app.document.model import Document, make_curve
-from app.document.open_file import LockedError, OpenFile, Sight
-from app.document.storage import (
+from app.storage import files
+from app.storage import format as format_module
+from app.storage.files import (
     ChangedOnDiskError,
     NewerVersionError,
     StorageError,
@@ -23,6 +19,10 @@ from app.document.storage import (
     save,
     write,
 )
+from app.storage.format import FormatError, decode, encode
+from app.storage.lock import lock_place
+from app.storage.migration import MIGRATIONS
+from app.storage.open_file import LockedError, OpenFile, Sight
 
 
 def sketch(x):
@@ -145,7 +145,7 @@ def test_what_the_disk_did_not_confirm_is_still_ours(path, file, monkeypatch):
         raise UnconfirmedError("not confirmed", written)
 
     with monkeypatch.context() as faulty:
-        faulty.setattr(storage, "_confirm", fail)
+        faulty.setattr(files, "_confirm", fail)
         with pytest.raises(UnconfirmedError):
             OpenFile.saved(path, THEIRS, file)
     assert file.stamp != stamp
@@ -240,7 +240,7 @@ def test_a_recovered_document_counts_what_is_there_as_seen(path):
 
 
 def test_leftovers_go_when_a_document_is_opened(path, tmp_path, monkeypatch):
-    from app.document import leftovers
+    from app.storage import leftovers
 
     left = tmp_path / leftovers.temporary_name()
     left.write_bytes(b"half")
@@ -348,14 +348,14 @@ def test_a_backup_works_without_hard_links(draft, monkeypatch):
 
 
 def test_without_a_backup_nothing_is_replaced(draft, monkeypatch):
-    real = storage._write_temporary
+    real = files._write_temporary
 
     def fail_for_the_backup(folder, data, like):
         if data == old_content():
             raise OSError(28, "No space left on device")
         return real(folder, data, like)
 
-    monkeypatch.setattr(storage, "_write_temporary", fail_for_the_backup)
+    monkeypatch.setattr(files, "_write_temporary", fail_for_the_backup)
     with pytest.raises(StorageError, match="The disk is full"):
         save(draft, MINE)
     assert draft.read_bytes() == old_content()

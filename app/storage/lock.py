@@ -21,9 +21,9 @@ from pathlib import Path
 
 import msgspec
 
-from app.document.leftovers import temporary_name
-from app.document.processes import Process, is_alive, this_process
-from app.document.turns import taking_turns
+from app.storage.leftovers import temporary_name
+from app.storage.processes import Process, is_alive, this_process
+from app.storage.turns import taking_turns
 
 try:
     import fcntl

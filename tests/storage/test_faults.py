@@ -18,11 +18,11 @@ from pathlib import Path
 
 import pytest
 
-from app.document import turns
-from app.document.format import encode
 from app.document.model import Document, make_curve
-from app.document.open_file import OpenFile
-from app.document.storage import ChangedOnDiskError, StorageError, load, save
+from app.storage import turns
+from app.storage.files import ChangedOnDiskError, StorageError, load, save
+from app.storage.format import encode
+from app.storage.open_file import OpenFile
 
 pytestmark = [
     pytest.mark.skipif(os.name == "nt", reason="signals, limits and permissions of POSIX"),

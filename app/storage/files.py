@@ -16,12 +16,12 @@ from pathlib import Path
 
 import msgspec
 
-from app.document.file_access import keep_access
-from app.document.format import VERSION, decode, encode, version_of
-from app.document.image_path import relative_to, resolved
-from app.document.leftovers import TEMPORARY_PREFIX, temporary_name
 from app.document.model import Document
-from app.document.turns import taking_turns
+from app.storage.file_access import keep_access
+from app.storage.format import VERSION, decode, encode, version_of
+from app.storage.image_path import relative_to, resolved
+from app.storage.leftovers import TEMPORARY_PREFIX, temporary_name
+from app.storage.turns import taking_turns
 
 __all__ = [
     "MAX_BYTES",

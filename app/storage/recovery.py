@@ -15,10 +15,10 @@ from typing import Literal
 
 import msgspec
 
-from app.document.claim import Claim
-from app.document.format import FormatError, decode, encode
 from app.document.model import Document
-from app.document.storage import TEMPORARY_PREFIX, Stamp, StorageError, load, read, read_content, write
+from app.storage.claim import Claim
+from app.storage.files import TEMPORARY_PREFIX, Stamp, StorageError, load, read, read_content, write
+from app.storage.format import FormatError, decode, encode
 
 SUFFIX = ".snapshot.json"
 DAMAGED = ".damaged"

@@ -15,11 +15,11 @@ from pathlib import Path
 import msgspec
 import pytest
 
-from app.document import lock as lock_module
-from app.document import processes
-from app.document.leftovers import sweep, temporary_name
-from app.document.lock import OLD, Owner, acquire, lock_place, owner_of, take_over
-from app.document.processes import Process, is_alive, is_number_alive, machine, this_process
+from app.storage import lock as lock_module
+from app.storage import processes
+from app.storage.leftovers import sweep, temporary_name
+from app.storage.lock import OLD, Owner, acquire, lock_place, owner_of, take_over
+from app.storage.processes import Process, is_alive, is_number_alive, machine, this_process
 
 ROOT = Path(__file__).parents[2]
 posix_only = pytest.mark.skipif(os.name == "nt", reason="processes are told apart on POSIX")
@@ -135,9 +135,9 @@ def test_the_system_tells_of_an_owner_that_cannot_be_asked(target):
     code = """\
         import sys
         from pathlib import Path
-        from app.document import processes
+        from app.storage import processes
         processes._numbering = lambda: "another container"
-        from app.document.lock import acquire
+        from app.storage.lock import acquire
         attempt = acquire(Path(sys.argv[1]))
         print(attempt.lock is not None, flush=True)
         sys.stdin.read()
@@ -290,7 +290,7 @@ def test_a_new_lock_is_put_back_by_one_who_thought_it_stale(target, monkeypatch)
 RACE = """
 import os, sys, time
 from pathlib import Path
-from app.document.lock import acquire
+from app.storage.lock import acquire
 print("ready", flush=True)
 while not Path(sys.argv[2]).exists():
     time.sleep(0.001)
@@ -325,7 +325,7 @@ def test_of_several_at_once_one_gets_a_stale_lock(target, tmp_path):
 
 @posix_only
 def test_a_process_that_ends_gives_its_locks_up(target):
-    code = "import sys; from pathlib import Path; from app.document.lock import acquire\n"
+    code = "import sys; from pathlib import Path; from app.storage.lock import acquire\n"
     code += "kept = acquire(Path(sys.argv[1])); print(kept.lock.place.exists())"
     environment = {**os.environ, "PYTHONPATH": str(ROOT)}
     done = subprocess.run(
