@@ -1,12 +1,12 @@
-"""Whose a document is while it is open: a small file beside it that names its owner.
+"""Advisory lock files: a file that names its owner, locked by the system while the owner runs.
 
-The lock of ``name.curve.json`` is ``.name.curve.json.lock``. It is made by the system in one step, so that of
-two who come at once one gets it; one whose owner has died is taken over. It is a courtesy between people, not
-what keeps files whole: where no lock can be made, work goes on without.
+The lock of ``name.curve.json`` is ``.name.curve.json.lock``; snapshots have one too. It is made by the system
+in one step, so that of two who come at once one gets it; one whose owner has ended is taken over. It is a
+courtesy between people, not what keeps files whole: where no lock can be made, work goes on without.
 
-Whether an owner still runs is told by its process. Where that cannot be asked (each start in a container of
-its own, as Flatpak does it), a lock of the system tells, which the owner holds on the lock file and the
-system lets go of with the process.
+Whether an owner still runs is told by the lock of the system that it holds on the file: it means the same in
+every container, and a later process with the same number has it not. Where the file system knows no such
+locks, the process that the file names is asked for.
 """
 
 from __future__ import annotations
@@ -21,29 +21,25 @@ from pathlib import Path
 
 import msgspec
 
-from app.storage.leftovers import temporary_name
 from app.storage.processes import Process, is_alive, this_process
-from app.storage.turns import taking_turns
-
-try:
-    import fcntl
-except ImportError:  # Windows, where a file that is held could not be taken over
-    fcntl = None  # type: ignore[assignment]
+from app.storage.system_lock import folder_lock, try_lock
 
 OLD = 24 * 3600.0
 """Seconds after which an owner who cannot be asked may have forgotten the document."""
 
+_READING = (
+    os.O_RDONLY | getattr(os, "O_NONBLOCK", 0) | getattr(os, "O_NOFOLLOW", 0) | getattr(os, "O_BINARY", 0)
+)
+"""A pipe or a link in the place of a lock is nothing to wait for or to follow."""
+
 _LONGEST = 4096
 _LONGEST_NAME = 60
 _BEING_WRITTEN = 10.0
-"""Seconds that an empty lock file is taken for one that is just being written."""
-
-_held: set[str] = set()
-"""The marks of the locks that this process has now; one of its own that is not here is a leftover."""
+"""Seconds that an empty lock file is taken for one that is just being written, where nobody can lock it."""
 
 
 class Owner(msgspec.Struct, frozen=True):
-    """Who has a document open.
+    """The process that has a document open, and whose it is.
 
     Attributes
     ----------
@@ -89,14 +85,16 @@ class Owner(msgspec.Struct, frozen=True):
         return time.time() - self.since > OLD
 
 
-class Lock:
-    """A lock that is held; `release` gives it up, and so does the end of the process."""
+class ProcessLock:
+    """A lock file of this process; `release` gives it up, and so does the end of the process.
 
-    def __init__(self, place: Path, owner: Owner, descriptor: int | None) -> None:
-        self.place, self._owner = place, owner
-        _held.add(owner.mark)
-        self._descriptors = [descriptor]
-        self._finalizer = weakref.finalize(self, _release, place, owner, self._descriptors)
+    Raises FileExistsError where there is one, OSError where none can be made.
+    """
+
+    def __init__(self, place: Path) -> None:
+        self.place, self._owner = place, _new_owner()
+        self._descriptors = [_create(place, self._owner)]
+        self._finalizer = weakref.finalize(self, _release, place, self._owner, self._descriptors)
 
     def lost_to(self) -> Owner | None:
         """Return who has taken it over meanwhile; None while it is ours.
@@ -106,17 +104,18 @@ class Lock:
         with suppress(OSError):
             found = _read(self.place)
             if found is None:
-                self._descriptors.append(_create(self.place, self._owner))
+                with folder_lock(self.place.parent):  # not while somebody takes it over
+                    self._descriptors.append(_create(self.place, self._owner))
             elif found.mark != self._owner.mark:
                 return found
         return None
 
     def release(self) -> None:
-        """Give it up."""
+        """Give it up; the file goes."""
         self._finalizer()
 
 
-class Attempt(msgspec.Struct, frozen=True):
+class LockResult(msgspec.Struct, frozen=True):
     """What came of asking for a lock: one of the three is there.
 
     Attributes
@@ -129,118 +128,98 @@ class Attempt(msgspec.Struct, frozen=True):
         Why there can be no lock in this folder; empty where there can.
     """
 
-    lock: Lock | None = None
+    lock: ProcessLock | None = None
     owner: Owner | None = None
     problem: str = ""
 
 
 def lock_place(target: Path) -> Path:
-    """Return where the lock of the file `target` lies."""
+    """Return where the lock of the file `target`, whose links are resolved, lies."""
     return target.with_name(f".{target.name}.lock")
 
 
-def acquire(target: Path) -> Attempt:
-    """Ask for the lock of the file `target`, whose links are resolved."""
-    place = lock_place(target)
+def acquire(place: Path, *, is_private: bool = False) -> LockResult:
+    """Ask for the lock whose file is `place`.
+
+    Parameters
+    ----------
+    is_private
+        Only this person's programs on this computer come there: where it cannot be told whether the owner
+        still runs, the lock is given. (A computer may have had another name, a power cut may have torn the
+        file.) By default it is not.
+    """
     try:
-        with taking_turns(place.parent):
+        with folder_lock(place.parent):
             found = _read(place)
-            if found is not None and not (_is_stale(found, place) and _set_aside(place, found)):
-                return Attempt(owner=_read(place) or found)
-            mine = _new_owner()
-            return Attempt(lock=Lock(place, mine, _create(place, mine)))
+            if found is not None:
+                is_stale = _is_stale(place, found, is_private=is_private)
+                if not is_stale or not _remove(place, found):
+                    return LockResult(owner=_read(place) or found)
+            return LockResult(lock=ProcessLock(place))
     except FileExistsError:
-        # Somebody was quicker, in a folder where turns cannot be taken.
-        return Attempt(owner=owner_of(target), problem="it is being opened elsewhere")
+        # Somebody was quicker, in a folder that cannot be locked.
+        return LockResult(owner=owner_of(place), problem="it is being opened elsewhere")
     except (OSError, ValueError) as problem:
-        return Attempt(problem=getattr(problem, "strerror", None) or str(problem))
+        return LockResult(problem=_reason(problem))
 
 
-def take_over(target: Path) -> Attempt:
-    """Take the lock of the file `target`, whoever has it; they will notice."""
-    place = lock_place(target)
-    mine = _new_owner()
-    aside = place.with_name(temporary_name())
+def take_over(place: Path) -> LockResult:
+    """Take the lock whose file is `place`, whoever has it; they will notice.
+
+    Windows removes no file that a running process holds: there that is the problem.
+    """
     try:
-        with taking_turns(place.parent):
-            descriptor = _create(aside, mine)
-            try:
-                aside.replace(place)
-            except BaseException:
-                _let_go(descriptor)
-                aside.unlink(missing_ok=True)
-                raise
+        with folder_lock(place.parent):
+            place.unlink(missing_ok=True)
+            return LockResult(lock=ProcessLock(place))
     except (OSError, ValueError) as problem:
-        return Attempt(problem=getattr(problem, "strerror", None) or str(problem))
-    return Attempt(lock=Lock(place, mine, descriptor))
+        return LockResult(problem=_reason(problem))
 
 
-def owner_of(target: Path) -> Owner | None:
-    """Return who has the file `target` open; None where nobody has, or nobody who still runs."""
-    place = lock_place(target)
+def owner_of(place: Path) -> Owner | None:
+    """Return whom the lock file at `place` names; None where nobody, or nobody who still runs."""
     try:
         found = _read(place)
+        return None if found is None or _is_stale(place, found) else found
     except (OSError, ValueError):
         return None
-    return None if found is None or _is_stale(found, place) else found
 
 
-def _is_stale(owner: Owner, place: Path) -> bool:
+def _is_stale(place: Path, owner: Owner, *, is_private: bool = False) -> bool:
     """Whether the owner of the lock at `place` has certainly ended."""
+    is_free = _is_free(place)
+    if is_free is False:
+        return False
+    if is_private:
+        return bool(is_free and owner.is_held) or not is_alive(owner.process)
     if not owner.mark:
-        # A process that was killed between making and writing it; a fresh one is being written.
-        return owner.pid == 0 and time.time() - owner.since > _BEING_WRITTEN
-    if owner.is_this_process:
-        return owner.mark not in _held
-    runs = is_alive(owner.process)
-    if runs is None and owner.is_held and owner.machine == this_process().machine:
-        return _is_free(place)
-    return runs is False
+        # A process was killed between making and writing it, or is doing that right now.
+        return owner.pid == 0 and (is_free is True or time.time() - owner.since > _BEING_WRITTEN)
+    if is_free and owner.is_held and owner.machine == this_process().machine:
+        return True
+    return is_alive(owner.process) is False
 
 
-def _is_free(place: Path) -> bool:
-    """Whether nobody holds the lock file at `place`, as far as this computer's system knows."""
-    with suppress(OSError):
-        descriptor = os.open(place, os.O_RDONLY)
-        try:
-            return _hold(descriptor)
-        finally:
-            os.close(descriptor)
-    return False
-
-
-def _hold(descriptor: int) -> bool:
-    """Hold the open file until it is closed; return whether that is possible."""
-    if fcntl is None:
-        return False
+def _is_free(place: Path) -> bool | None:
+    """Whether nobody holds the file at `place`, as far as this computer's system knows."""
+    descriptor = os.open(place, _READING)
     try:
-        fcntl.flock(descriptor, fcntl.LOCK_EX | fcntl.LOCK_NB)
-    except OSError:
-        return False
-    return True
-
-
-def _let_go(descriptor: int | None) -> None:
-    if descriptor is not None:
+        return try_lock(descriptor, shared=True)
+    finally:
         os.close(descriptor)
 
 
-def _set_aside(place: Path, stale: Owner) -> bool:
-    """Remove the lock `stale`; return False if by now there is another one, which stays."""
-    aside = place.with_name(temporary_name())
-    try:
-        place.rename(aside)
-    except FileNotFoundError:
-        return True
-    # Only one process gets a file by renaming it; but it may be a new lock that was made since the look.
-    found = _read(aside)
-    if found is not None and found.mark != stale.mark:
-        with suppress(FileExistsError):
-            os.link(aside, place)
-        aside.unlink(missing_ok=True)
+def _remove(place: Path, stale: Owner) -> bool:
+    """Remove the lock of `stale`; return False if by now there is another one, which stays."""
+    found = _read(place)
+    if found is not None and (found.mark, found.since) != (stale.mark, stale.since):
         return False
-    aside.unlink(missing_ok=True)
+    place.unlink(missing_ok=True)
     return True
+
+
+def _reason(problem: Exception) -> str:
+    return getattr(problem, "strerror", None) or str(problem)
 
 
 def _new_owner() -> Owner:
@@ -264,7 +243,7 @@ def _create(place: Path, owner: Owner) -> int | None:
     flags = os.O_WRONLY | os.O_CREAT | os.O_EXCL | getattr(os, "O_BINARY", 0)
     descriptor = os.open(place, flags, 0o644)
     try:
-        held = msgspec.structs.replace(owner, is_held=_hold(descriptor))
+        held = msgspec.structs.replace(owner, is_held=try_lock(descriptor) is True)
         os.write(descriptor, msgspec.json.encode(held))
     except BaseException:
         os.close(descriptor)
@@ -278,10 +257,8 @@ def _create(place: Path, owner: Owner) -> int | None:
 
 def _read(place: Path) -> Owner | None:
     """Return whom the lock file names, None where there is none; raises OSError where it cannot be read."""
-    # A pipe or a link in its place is nothing to wait for or to follow.
-    flags = os.O_RDONLY | getattr(os, "O_NONBLOCK", 0) | getattr(os, "O_NOFOLLOW", 0)
     try:
-        descriptor = os.open(place, flags | getattr(os, "O_BINARY", 0))
+        descriptor = os.open(place, _READING)
     except FileNotFoundError:
         return None
     try:
@@ -315,13 +292,11 @@ def _user() -> str:
 
 def _release(place: Path, owner: Owner, descriptors: list[int | None]) -> None:
     """Remove the lock file if it is still the one of `owner`, and this the process that made it."""
-    _held.discard(owner.mark)
     for descriptor in descriptors:
-        with suppress(OSError):
-            _let_go(descriptor)
+        if descriptor is not None:
+            with suppress(OSError):
+                os.close(descriptor)
     if owner.pid != os.getpid():
         return  # A fork that ends; the lock is its parent's.
-    with suppress(OSError), taking_turns(place.parent):
-        found = _read(place)
-        if found is not None and found.mark == owner.mark:
-            place.unlink()
+    with suppress(OSError), folder_lock(place.parent):
+        _remove(place, owner)

@@ -13,8 +13,8 @@ from app.document.plain import plain
 from app.storage import files
 from app.storage.files import MissingError, Stamp, StorageError, UnconfirmedError
 from app.storage.format import VERSION, FormatError, version_of
-from app.storage.leftovers import sweep
-from app.storage.lock import Attempt, Lock, Owner, acquire, owner_of, take_over
+from app.storage.lock import LockResult, Owner, ProcessLock, acquire, lock_place, owner_of, take_over
+from app.storage.temporary import remove_stale
 
 _LARGE = 50_000
 """Bytes from which a document is opened beside the window: about a hundred curves, a tenth of a second."""
@@ -87,15 +87,15 @@ class OpenFile:
         What it holds, as far as the window has taken note of it.
     """
 
-    def __init__(self, path: Path, stamp: Stamp | None, attempt: Attempt, version: int = VERSION) -> None:
+    def __init__(self, path: Path, stamp: Stamp | None, result: LockResult, version: int = VERSION) -> None:
         self.path, self.stamp, self.version = path, stamp, version
         self.sight = Sight.SAME
-        self._lock: Lock | None = None
+        self._lock: ProcessLock | None = None
         self._seen: tuple[Stamp, Sight, Document | None] | None = None
-        self._take(attempt)
+        self._take(result)
 
-    def _take(self, attempt: Attempt) -> None:
-        self._lock, self.owner, self.lock_problem = attempt.lock, attempt.owner, attempt.problem
+    def _take(self, result: LockResult) -> None:
+        self._lock, self.owner, self.lock_problem = result.lock, result.owner, result.problem
 
     # Opening and saving
 
@@ -108,9 +108,9 @@ class OpenFile:
         """
         found = reading or Reading.of(path)
         # What somebody writes between the reading and the lock is noticed like any later change.
-        attempt = _lock_for(path, previous)
-        sweep(_target(path).parent)
-        return Opened(found.document, cls(path, found.stamp, attempt, found.version))
+        result = _lock_for(path, previous)
+        remove_stale(_target(path).parent)
+        return Opened(found.document, cls(path, found.stamp, result, found.version))
 
     @classmethod
     def adopt(cls, path: Path, previous: OpenFile | None = None) -> OpenFile:
@@ -146,7 +146,7 @@ class OpenFile:
             previous._save(document, overwrite=overwrite)
             previous.path = path
             return previous
-        file = cls(path, None, acquire(_target(path)))
+        file = cls(path, None, acquire(_lock_place(path)))
         try:
             file._save(document, overwrite=True)
         except BaseException:
@@ -162,7 +162,7 @@ class OpenFile:
             self.stamp, self.sight = problem.stamp, Sight.SAME
             raise
         self.version, self.sight = VERSION, Sight.SAME
-        sweep(_target(self.path).parent)
+        remove_stale(_target(self.path).parent)
 
     def _refuse_if_not_ours(self) -> None:
         if self.owner is None and self._lock is not None and (owner := self._lock.lost_to()) is not None:
@@ -172,11 +172,11 @@ class OpenFile:
 
     def take_if_free(self) -> bool:
         """Make the file ours if nobody else has it open by now; return whether it is ours."""
-        attempt = acquire(_target(self.path))
-        if attempt.owner is not None:
-            self.owner = attempt.owner
+        result = acquire(_lock_place(self.path))
+        if result.owner is not None:
+            self.owner = result.owner
             return False
-        self._take(attempt)
+        self._take(result)
         return True
 
     def is_at(self, path: Path) -> bool:
@@ -194,7 +194,7 @@ class OpenFile:
         """Return who has the file open now; None where it is ours or free. `owner` stays as it was."""
         if self._lock is not None:
             return self._lock.lost_to()
-        return owner_of(_target(self.path)) if self.owner is not None else None
+        return owner_of(_lock_place(self.path)) if self.owner is not None else None
 
     def lose_to(self, owner: Owner) -> None:
         """Take note that somebody else has the file now."""
@@ -203,7 +203,7 @@ class OpenFile:
     def take_over(self) -> None:
         """Make the file ours, whoever has it open."""
         if not self.take_if_free():
-            self._take(take_over(_target(self.path)))
+            self._take(take_over(_lock_place(self.path)))
 
     def close(self) -> None:
         """Tell the others that the file is open here no longer."""
@@ -277,15 +277,19 @@ class OpenFile:
         return document
 
 
-def _lock_for(path: Path, previous: OpenFile | None) -> Attempt:
+def _lock_for(path: Path, previous: OpenFile | None) -> LockResult:
     """Return the lock of the file at `path`, from `previous` where that has it."""
     if previous is None or previous._lock is None or not previous.is_at(path):
-        return acquire(_target(path))
+        return acquire(_lock_place(path))
     owner = previous._lock.lost_to()
     if owner is not None:
-        return Attempt(owner=owner)
+        return LockResult(owner=owner)
     lock, previous._lock = previous._lock, None
-    return Attempt(lock=lock)
+    return LockResult(lock=lock)
+
+
+def _lock_place(path: Path) -> Path:
+    return lock_place(_target(path))
 
 
 def _version(data: bytes) -> int:

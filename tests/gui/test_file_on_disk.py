@@ -538,8 +538,8 @@ def test_an_owner_who_crashed_is_noticed(editor, path, until, monkeypatch):
     """A process that is killed removes no lock, so nothing tells; the reader looks from time to time."""
     monkeypatch.setattr("app.commands.disk_commands._OWNER_MS", 50)
     save(path, THEIRS)
-    code = "import sys; from pathlib import Path; from app.storage.lock import acquire\n"
-    code += "kept = acquire(Path(sys.argv[1])); print(1, flush=True); sys.stdin.read()"
+    code = "import sys; from pathlib import Path; from app.storage.lock import acquire, lock_place\n"
+    code += "kept = acquire(lock_place(Path(sys.argv[1]))); print(1, flush=True); sys.stdin.read()"
     environment = {**os.environ, "PYTHONPATH": str(Path(__file__).parents[2])}
     owner = subprocess.Popen(
         [sys.executable, "-c", code, str(path)],

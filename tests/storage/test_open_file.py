@@ -240,12 +240,12 @@ def test_a_recovered_document_counts_what_is_there_as_seen(path):
 
 
 def test_leftovers_go_when_a_document_is_opened(path, tmp_path, monkeypatch):
-    from app.storage import leftovers
+    from app.storage import temporary
 
-    left = tmp_path / leftovers.temporary_name()
+    left = tmp_path / temporary.temporary_name()
     left.write_bytes(b"half")
     os.utime(left, (time.time() - 3600, time.time() - 3600))
-    monkeypatch.setattr(leftovers, "is_number_alive", lambda _pid: False)
+    monkeypatch.setattr(temporary, "is_number_alive", lambda _pid: False)
     OpenFile.open(path).file.close()
     assert not left.exists()
 
