@@ -19,7 +19,7 @@ from app.examples import first_sketch, template_title
 from app.resources import is_resource
 from app.storage import files
 from app.storage.format import FormatError, validate_changes
-from app.storage.open_file import OpenFile, Reading, Sight
+from app.storage.open_file import FileChange, OpenFile, Reading
 from app.undo_step import Beginning, State, UndoStep, state_at_index
 from app.view_model.curve_view import CurveView, view_of
 
@@ -535,7 +535,7 @@ class Session(QObject):
     def look_at_file(self) -> None:
         """Take note of what the file holds at this moment; before the document goes, for one."""
         if self.file is not None:
-            self.note_sight(self.file.look())
+            self.note_file_change(self.file.check())
 
     def give_up_changes(self) -> None:
         """Let the document go as it is, unsaved: nobody is asked about it."""
@@ -544,10 +544,10 @@ class Session(QObject):
             self.file.accept()
             self.file_changed.emit()
 
-    def note_sight(self, sight: Sight) -> None:
+    def note_file_change(self, change: FileChange) -> None:
         """Take note of what the file holds."""
-        if self.file is not None and sight is not self.file.sight:
-            self.file.sight = sight
+        if self.file is not None and change is not self.file.change:
+            self.file.change = change
             self.file_changed.emit()
 
     @property

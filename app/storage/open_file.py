@@ -1,9 +1,9 @@
-"""The file behind an open document: what was seen of it last, and whose it is."""
+"""The file of an open document: its lock, what was seen of it last, and what has become of it since."""
 
 from __future__ import annotations
 
 import os
-from enum import Enum, auto
+from enum import Enum
 from pathlib import Path
 
 import msgspec
@@ -36,15 +36,15 @@ class LockedError(StorageError):
         self.owner = owner
 
 
-class Sight(Enum):
-    """What a look at the file gives."""
+class FileChange(Enum):
+    """What has become of a file since it was seen last; the value says it in words."""
 
-    SAME = auto()
-    CHANGED = auto()
+    SAME = ""
+    CHANGED = "Another program has changed the file."
     """It holds another document than was seen last."""
-    UNREADABLE = auto()
+    UNREADABLE = "Another program has emptied or damaged the file."
     """It holds no document, perhaps because another program is just writing it."""
-    GONE = auto()
+    GONE = "The file is gone from its folder."
 
 
 class Opened(msgspec.Struct, frozen=True):
@@ -83,15 +83,15 @@ class OpenFile:
         Who else has it open, so that it is not saved from here; None where it is ours.
     lock_problem
         Why nobody can be told that it is open here; empty where they are.
-    sight
+    change
         What it holds, as far as the window has taken note of it.
     """
 
     def __init__(self, path: Path, stamp: Stamp | None, result: LockResult, version: int = VERSION) -> None:
         self.path, self.stamp, self.version = path, stamp, version
-        self.sight = Sight.SAME
+        self.change = FileChange.SAME
         self._lock: ProcessLock | None = None
-        self._seen: tuple[Stamp, Sight, Document | None] | None = None
+        self._seen: tuple[Stamp, FileChange, Document | None] | None = None
         self._take(result)
 
     def _take(self, result: LockResult) -> None:
@@ -159,9 +159,9 @@ class OpenFile:
         try:
             self.stamp = files.save(self.path, document, seen=None if overwrite else self.stamp)
         except UnconfirmedError as problem:
-            self.stamp, self.sight = problem.stamp, Sight.SAME
+            self.stamp, self.change = problem.stamp, FileChange.SAME
             raise
-        self.version, self.sight = VERSION, Sight.SAME
+        self.version, self.change = VERSION, FileChange.SAME
         remove_stale(_target(self.path).parent)
 
     def _refuse_if_not_ours(self) -> None:
@@ -190,7 +190,7 @@ class OpenFile:
 
     # Whose it is
 
-    def look_at_lock(self) -> Owner | None:
+    def check_lock(self) -> Owner | None:
         """Return who has the file open now; None where it is ours or free. `owner` stays as it was."""
         if self._lock is not None:
             return self._lock.lost_to()
@@ -213,46 +213,46 @@ class OpenFile:
 
     # What it holds
 
-    def look(self) -> Sight:
+    def check(self) -> FileChange:
         """Return what has become of the file since it was seen last; quick where nothing has."""
         try:
             status = _target(self.path).stat()
         except FileNotFoundError:
-            return Sight.SAME if self.stamp is None else Sight.GONE
+            return FileChange.SAME if self.stamp is None else FileChange.GONE
         except OSError:
-            return Sight.UNREADABLE
+            return FileChange.UNREADABLE
         if self.stamp is not None and self.stamp.is_of(status):
-            return Sight.SAME
+            return FileChange.SAME
         if self._seen is not None and self._seen[0].is_of(status):
             return self._seen[1]
         return self._read_again()
 
-    def _read_again(self) -> Sight:
+    def _read_again(self) -> FileChange:
         try:
             content = files.read_content(self.path)
         except MissingError:
-            return Sight.GONE
+            return FileChange.GONE
         except StorageError:
-            return Sight.UNREADABLE
+            return FileChange.UNREADABLE
         if self.stamp is not None and content.stamp.digest == self.stamp.digest:
             # Touched, copied or checked out again, with the same content.
             self.stamp = content.stamp
-            return Sight.SAME
+            return FileChange.SAME
         document = None
         try:
             document = files.document_in(content.data, self.path)
         except FormatError:
-            sight = Sight.UNREADABLE
+            change = FileChange.UNREADABLE
         else:
-            sight = Sight.CHANGED
-        self._seen = (content.stamp, sight, document)
-        return sight
+            change = FileChange.CHANGED
+        self._seen = (content.stamp, change, document)
+        return change
 
     @property
     def has_lost_document(self) -> bool:
         """Whether the document that came from it is in it no longer, and nobody else is to care for that."""
-        is_for_owner = self.sight is Sight.CHANGED and self.owner is not None
-        return self.sight is not Sight.SAME and not is_for_owner
+        is_for_owner = self.change is FileChange.CHANGED and self.owner is not None
+        return self.change is not FileChange.SAME and not is_for_owner
 
     @property
     def other_document(self) -> Document | None:
@@ -261,18 +261,18 @@ class OpenFile:
 
     def accept(self) -> None:
         """Take what the file holds now as seen: the next save replaces it."""
-        sight = self.look()
-        if sight is Sight.GONE:
+        change = self.check()
+        if change is FileChange.GONE:
             self.stamp = None
-        elif sight is not Sight.SAME and self._seen is not None:
+        elif change is not FileChange.SAME and self._seen is not None:
             self.stamp = self._seen[0]
-        self.sight, self._seen = Sight.SAME, None
+        self.change, self._seen = FileChange.SAME, None
 
     def read_again(self) -> Document:
         """Return the document that the file holds now, and take it as seen; see `files.load`."""
         content = files.read_content(self.path)
         document = files.document_in(content.data, self.path)
-        self.stamp, self._seen, self.sight = content.stamp, None, Sight.SAME
+        self.stamp, self._seen, self.change = content.stamp, None, FileChange.SAME
         self.version = _version(content.data)
         return document
 
