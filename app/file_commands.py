@@ -12,7 +12,6 @@ from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QFileDialog, QMessageBox, QWidget
 
 from app.document.model import empty_document
-from app.exchange.progress import Report, part
 from app.labels import breakable
 from app.preferences import Preferences
 from app.resources import is_resource
@@ -20,9 +19,10 @@ from app.session import Session
 from app.storage.files import StorageError, load
 from app.storage.format import FormatError
 from app.storage.open_file import Reading, is_large
+from app.tasks.progress import Report, part
+from app.tasks.task import Work
 from app.view_model.curve_view import CurveView
 from app.view_model.views_ahead import views_ahead
-from app.worker import Work
 
 SUFFIX = ".curve.json"
 NEW_NAME = empty_document().curves[0].name

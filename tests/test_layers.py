@@ -248,7 +248,7 @@ def test_the_window_starts_without_what_is_rarely_used():
     names = set(done.stdout.split())
     assert not late & names
     # No readers, writers or dialogs.
-    light = {"drawing", "formats", "progress", "reading", "svg", "table_text", "units", "writing"}
+    light = {"drawing", "formats", "reading", "svg", "table_text", "units", "writing"}
     of_exchange = (name for name in names if name.startswith("app.exchange."))
     assert {name.removeprefix("app.exchange.") for name in of_exchange} == light
     of_panels = (name for name in names if name.startswith("app.panels."))
@@ -256,7 +256,7 @@ def test_the_window_starts_without_what_is_rarely_used():
 
 
 def test_one_module_starts_threads():
-    """Python's collector runs in whatever thread allocates; ``app.worker`` keeps it out of its own."""
+    """Python's collector runs in whatever thread allocates; ``app.tasks.task`` keeps it out of its own."""
     starts = re.compile(r"\bThread\(|QThread|QRunnable|ThreadPool|concurrent\.futures|multiprocessing")
     sources = {name: path.read_text(encoding="utf-8") for name, path in modules(ROOT).items()}
-    assert [name for name, text in sources.items() if starts.search(text)] == ["app.worker"]
+    assert [name for name, text in sources.items() if starts.search(text)] == ["app.tasks.task"]

@@ -11,10 +11,10 @@ from typing import TYPE_CHECKING
 from app.document.model import Family
 from app.exchange.drawing import ExchangeError
 from app.exchange.formats import Kind, ending_of, import_format, is_document
-from app.exchange.progress import Report, part, silent
 from app.storage.files import read
 from app.storage.format import FormatError, decode
 from app.storage.image_path import resolved
+from app.tasks.progress import Report, part, silent
 
 if TYPE_CHECKING:
     from app.exchange.cubics_in import Imported

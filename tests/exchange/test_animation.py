@@ -14,9 +14,9 @@ from app.document.model import Document, Family, make_curve
 from app.examples import first_sketch
 from app.exchange import ExchangeError
 from app.exchange.animation import Film, has_video, write_film
-from app.exchange.progress import FINAL, Cancelled
 from app.exchange.svg import DARK
 from app.storage.files import StorageError
+from app.tasks.progress import FINAL, Cancelled
 from app.view_model.motion import Pace, Repeat
 from app.view_model.palette import ACCENT, PAPER, colour_on
 

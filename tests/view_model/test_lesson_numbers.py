@@ -142,7 +142,7 @@ def constant_with_estimates(which):
 @cache
 def trial(number, digits, shift=0.0, rounding=Rounding.EVERY_STEP, family=None):
     settings = LaboratorySettings(True, rounding, digits, frozenset(Calculation), shift=shift)
-    return try_methods(view_of(curve(number, family=family)), settings, lambda: False)
+    return try_methods(view_of(curve(number, family=family)), settings)
 
 
 def error_at(t, digits=6):
