@@ -2,12 +2,13 @@
 
 The layers, top to bottom; a module imports only from its own layer and those above it:
 
-- ``document``: immutable values, edits, the file format. No Qt, no arrays inside the values.
+- ``document``: immutable values and edits. No Qt, no arrays inside the values.
+- ``storage``: documents on disk: format, migration, atomic write, locks, snapshots. No Qt.
+- ``tasks``: work beside the window's thread: progress, cancelling, debouncing. No Qt in ``progress``.
 - ``view_model``: a document's curve turned into arrays to draw. No Qt; calls ``curvecore``.
 - ``tools``: press, move and release turned into edits. No Qt.
 - ``exchange``: files in and out. Qt only in ``image`` and ``motion_frames``.
 - ``overrides``: exceptions end in the method that Qt called.
-- ``worker``: all work beside the window's thread: progress, cancelling, debouncing, garbage collection.
 - ``resources``, ``examples``, ``lessons``: what comes with the program.
 - ``undo_step``: a step of the history.
 - ``session``: the one mutable owner of the current document, its history and the selection.

@@ -35,7 +35,7 @@ from app.exchange import (
     import_file,
 )
 from app.exchange.formats import can_import
-from app.exchange.progress import Report, part
+from app.tasks.progress import Report, part
 
 if TYPE_CHECKING:
     from app.document.model import Document

@@ -51,6 +51,7 @@ from app.panels.plot_panel import PlotPanel
 from app.panels.status_line import StatusLine
 from app.preferences import Preferences
 from app.session import Session
+from app.tasks.single_task import SingleTask
 from app.theme import Theme, ThemeMode, apply_theme, theme_of
 from app.toolbar import Toolbar
 from app.tools.rail import RailTool
@@ -58,7 +59,6 @@ from app.tools.tools import CanvasTool
 from app.view_model.curve_view import CurveView
 from app.view_model.growth import growth_of_points
 from app.window_layout import put_away_floating, restore_layout, when_first_shown
-from app.worker import Jobs
 
 _PANELS_MS = 100
 """How far the panels may lag behind a drag, in milliseconds; the canvas and the functions never do."""
@@ -375,7 +375,7 @@ class MainWindow(Guarded, QMainWindow):
         self.asks_before_closing = True
 
     @property
-    def jobs(self) -> Jobs:
+    def jobs(self) -> SingleTask:
         """What is being read or written beside the window."""
         return self._commands.work.jobs
 

@@ -10,16 +10,16 @@ import msgspec
 from PySide6.QtCore import QObject, Signal
 from PySide6.QtGui import QUndoStack
 
-from app.document import storage
 from app.document.choice import followed_curves, followed_nodes, returned_curves, returned_nodes
 from app.document.curve_edits import refuse_locked
 from app.document.edits import EditError
-from app.document.format import FormatError, validate_changes
 from app.document.model import Curve, Document, empty_document
-from app.document.open_file import OpenFile, Reading, Sight
 from app.document.plain import plain
 from app.examples import first_sketch, template_title
 from app.resources import is_resource
+from app.storage import files
+from app.storage.format import FormatError, validate_changes
+from app.storage.open_file import FileChange, OpenFile, Reading
 from app.undo_step import Beginning, State, UndoStep, state_at_index
 from app.view_model.curve_view import CurveView, view_of
 
@@ -549,7 +549,7 @@ class Session(QObject):
         `text`, and undo goes back.
         """
         path = Path(path)
-        document = plain(storage.load(path))
+        document = plain(files.load(path))
         title = template_title(path, document)
         self.cancel()
         if self.path is not None or not (self.undo_stack.count() or self.is_modified):
@@ -586,7 +586,7 @@ class Session(QObject):
     def look_at_file(self) -> None:
         """Take note of what the file holds at this moment; before the document goes, for one."""
         if self.file is not None:
-            self.note_sight(self.file.look())
+            self.note_file_change(self.file.check())
 
     def give_up_changes(self) -> None:
         """Let the document go as it is, unsaved: nobody is asked about it."""
@@ -595,10 +595,10 @@ class Session(QObject):
             self.file.accept()
             self.file_changed.emit()
 
-    def note_sight(self, sight: Sight) -> None:
+    def note_file_change(self, change: FileChange) -> None:
         """Take note of what the file holds."""
-        if self.file is not None and sight is not self.file.sight:
-            self.file.sight = sight
+        if self.file is not None and change is not self.file.change:
+            self.file.change = change
             self.file_changed.emit()
 
     @property

@@ -10,11 +10,11 @@ from PySide6.QtGui import QGuiApplication
 
 from app.commands.parts import Parts
 from app.document.edits import EditError
-from app.document.format import FormatError, decode, encode
 from app.document.model import Document
 from app.document.several_curves import active_after_removal, add_curves, named, remove_curves
 from app.exchange.table_text import write_block
 from app.panels.number_text import decimal_mark, exact_text
+from app.storage.format import FormatError, decode, encode
 
 CURVES = "application/x-curvebench-curves"
 """MIME type of several curves: a document of them."""

@@ -6,9 +6,10 @@ from functools import partial
 from typing import TYPE_CHECKING
 
 from app.commands.parts import Handlers, Parts
+from app.tasks.debounced_task import DebouncedTask
+from app.tasks.progress import Report
 from app.view_model.analysis.settings import AnalysisSettings, Ghost, Overlay
 from app.view_model.curve_view import CurveView
-from app.worker import IsStale, Settler
 
 if TYPE_CHECKING:
     from app.view_model.analysis.ghosts import GhostView
@@ -50,8 +51,8 @@ class OverlayCommands:
     def __init__(self, parts: Parts) -> None:
         self._parts = parts
         self._ghosts: dict[Ghost, GhostView] = {}
-        self._settler = Settler(parts.window)
-        self._settler.ready.connect(self._show_settled)
+        self._task = DebouncedTask(parts.window)
+        self._task.ready.connect(self._show_settled)
         self._asked: object = None
         self._settled: Picture | None = None
         self._is_drawn = False
@@ -112,7 +113,7 @@ class OverlayCommands:
             return
         self._is_drawn = False
         self._ghosts, self._asked, self._settled = {}, None, None
-        self._settler.give_up()
+        self._task.give_up()
         self._parts.canvas.annotations.render_figures(())
         self._parts.canvas.annotations.render_legend(_GROUP, ())
         self._parts.analysis.note({})
@@ -121,7 +122,7 @@ class OverlayCommands:
         """Ask for what is too heavy for a frame, unless the answer is there or on its way."""
         if not waits:
             self._asked, self._settled = None, None
-            self._settler.give_up()
+            self._task.give_up()
             return
         from app.view_model.analysis.overlays import settled_picture, settling_key  # noqa: PLC0415
 
@@ -131,10 +132,10 @@ class OverlayCommands:
             return
         self._asked, self._settled = asked, None
 
-        def compute(is_stale: IsStale) -> object:
-            return asked, settled_picture(view, settings, scrub, is_stale)
+        def compute(report: Report) -> object:
+            return asked, settled_picture(view, settings, scrub, report)
 
-        self._settler.ask(compute)
+        self._task.ask(compute)
 
     def _show_settled(self, result: tuple[object, Picture]) -> None:
         asked, picture = result

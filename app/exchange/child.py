@@ -17,12 +17,12 @@ from typing import IO
 
 import msgspec
 
-from app.document.format import FormatError, validate
 from app.exchange import READER_PROCESS
 from app.exchange.cubics_in import Imported
 from app.exchange.drawing import ExchangeError
 from app.exchange.formats import import_format
-from app.exchange.progress import Report, silent
+from app.storage.format import FormatError, validate
+from app.tasks.progress import Report, silent
 
 SECONDS = 5.0
 """The longest that a file of up to `SMALL` bytes may take to be read."""

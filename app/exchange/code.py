@@ -16,7 +16,7 @@ from app.exchange import code_runtime
 from app.exchange.drawing import Floats
 from app.exchange.naming import Names
 from app.exchange.parts import Source, Written, accuracy, bezier_values, measured, one_line, sources_of
-from app.exchange.progress import Report, part, silent, told
+from app.tasks.progress import Report, part, silent, told
 from app.view_model.curve_view import CoreCurve
 from curvecore import bezier_segments
 

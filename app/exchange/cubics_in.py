@@ -17,7 +17,6 @@ from itertools import compress
 import msgspec
 import numpy as np
 
-from app.document.format import FormatError, validate
 from app.document.model import (
     MAX_MAGNITUDE,
     Curve,
@@ -29,6 +28,7 @@ from app.document.model import (
     Vector,
 )
 from app.exchange.drawing import ExchangeError, Floats
+from app.storage.format import FormatError, validate
 
 SMOOTH = 1e-9
 """By how much of the path's size a control point may move to make a joint smooth."""

@@ -11,7 +11,7 @@ import numpy.typing as npt
 from msgspec.structs import replace
 
 from app.document.model import Curve, Document, Family
-from app.exchange.progress import Report, part, silent, told
+from app.tasks.progress import Report, part, silent, told
 from app.view_model.curve_view import CoreCurve, CurveView, view_of
 from app.view_model.refusals import in_words
 from curvecore import CurveError

@@ -32,8 +32,8 @@ from app.exchange.parts import (
     one_line,
     sources_of,
 )
-from app.exchange.progress import Report, part, silent, told
 from app.exchange.units import dxf_code
+from app.tasks.progress import Report, part, silent, told
 from curvecore import Curve as CoreCurve
 from curvecore import LagrangeCurve, chebyshev, cubic_path
 

@@ -23,8 +23,8 @@ from app.exchange.parts import (
     monomials_of,
     sources_of,
 )
-from app.exchange.progress import Report, part, silent, told
 from app.exchange.svg import path_data
+from app.tasks.progress import Report, part, silent, told
 from app.view_model.curve_view import CoreCurve
 from curvecore import bezier_segments
 

@@ -19,8 +19,8 @@ from app.exchange.parts import (
     one_line,
     sources_of,
 )
-from app.exchange.progress import Report, part, silent, told
 from app.exchange.units import MILLIMETRES, known_unit, size_in_words
+from app.tasks.progress import Report, part, silent, told
 from app.view_model.curve_view import CoreCurve
 from app.view_model.refusals import in_words
 from curvecore import CurveError

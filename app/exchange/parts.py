@@ -16,7 +16,7 @@ from app import __version__
 from app.document.model import Curve, Document
 from app.exchange.drawing import RELATIVE_TOLERANCE, ExchangeError, Floats, sort_out
 from app.exchange.naming import Names
-from app.exchange.progress import Report, silent, told
+from app.tasks.progress import Report, silent, told
 from app.view_model.curve_view import CoreCurve
 from app.view_model.refusals import in_words
 from curvecore import CurveError, HermiteCurve, bezier_segments, cubic_path

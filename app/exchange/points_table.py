@@ -7,9 +7,9 @@ from math import isnan, nan
 from app.document.edits import interval
 from app.document.model import Document, Vector
 from app.exchange.parts import Written, cell_of_name, distinct_names, sources_of
-from app.exchange.progress import Report, part, silent, told
 from app.exchange.table_columns import AFTER, ROLES, WORDS
 from app.exchange.table_curve import CLOSED
+from app.tasks.progress import Report, part, silent, told
 from app.view_model.curve_view import CurveView, view_of
 
 _NOTHING = (nan, nan)

@@ -10,7 +10,6 @@ from enum import StrEnum
 import numpy as np
 import numpy.typing as npt
 
-from app.document.format import FormatError, validate
 from app.document.model import (
     Curve,
     Document,
@@ -22,11 +21,12 @@ from app.document.model import (
 )
 from app.exchange.cubics_in import Imported
 from app.exchange.drawing import ExchangeError, Floats
-from app.exchange.progress import Report, part, silent
 from app.exchange.table import Table
 from app.exchange.table_columns import AFTER, ROLES, Mapping, guessed
 from app.exchange.table_layout import MissingNumber, RowProblem
 from app.exchange.thinning import Thinning, thinned
+from app.storage.format import FormatError, validate
+from app.tasks.progress import Report, part, silent
 
 MOST_CURVES = 1_000
 

@@ -8,13 +8,13 @@ import numpy as np
 
 from app.document.model import Document, Family
 from app.exchange.drawing import ExchangeError
-from app.exchange.progress import Report, part, silent
 from app.exchange.table import Table
 from app.exchange.table_columns import Mapping
 from app.exchange.table_curve import Missing, document_of_table
 from app.exchange.table_layout import Layout, MissingNumber, RowProblem
 from app.exchange.table_source import TableSource
 from app.exchange.thinning import MOST_KEPT, Thinning, TooManyLeftError
+from app.tasks.progress import Report, part, silent
 
 MANY_ROWS = 1_000
 """Rows beyond which thinning them out is suggested."""

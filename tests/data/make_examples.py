@@ -8,7 +8,7 @@ import math
 from pathlib import Path
 
 from app.document.model import Curve, Document, Family, Node, Parametrization, ParametrizationKind
-from app.document.storage import save
+from app.storage.files import save
 
 FOLDER = Path(__file__).parents[2] / "resources" / "examples"
 

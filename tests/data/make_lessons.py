@@ -6,7 +6,7 @@ A test compares the files with what this makes, bit for bit.
 from pathlib import Path
 
 from app.document.model import Curve, Document, Family, Node, Parametrization, ParametrizationKind
-from app.document.storage import save
+from app.storage.files import save
 
 FOLDER = Path(__file__).parents[2] / "resources" / "lessons"
 BLUE, ORANGE, VERMILLION = "#0072b2", "#e69f00", "#d55e00"

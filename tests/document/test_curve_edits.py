@@ -7,9 +7,9 @@ from msgspec.structs import replace
 
 from app.document import curve_edits, edits
 from app.document.edits import EditError
-from app.document.format import validate
 from app.document.model import Document, Family, Node, Parametrization, ParametrizationKind, make_curve
 from app.document.several_curves import move_curves
+from app.storage.format import validate
 from app.view_model.curve_view import view_of
 
 SQUARE = ((0.0, 0.0), (2.0, 0.0), (2.0, 2.0), (0.0, 2.0))

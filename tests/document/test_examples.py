@@ -6,9 +6,9 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from app.document.format import encode
 from app.document.model import Family
-from app.document.storage import load
+from app.storage.files import load
+from app.storage.format import encode
 from app.view_model.curve_view import view_of
 
 ROOT = Path(__file__).parents[2]

@@ -9,7 +9,6 @@ from msgspec.structs import replace
 
 from app.document import curve_edits, edits
 from app.document.edits import EditError
-from app.document.format import FormatError, decode, encode
 from app.document.image_edits import (
     move_image,
     place_image,
@@ -20,7 +19,8 @@ from app.document.image_edits import (
 )
 from app.document.model import Document, Family, ReferenceImage, empty_document, make_curve
 from app.document.several_curves import move_curves
-from app.document.storage import load, save
+from app.storage.files import load, save
+from app.storage.format import FormatError, decode, encode
 
 IMAGE = ReferenceImage("letters/s.png", 0.1, -1 / 3, 3.0, 4.0, 0.25, True)
 

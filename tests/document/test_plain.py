@@ -10,9 +10,9 @@ import pytest
 from msgspec.structs import replace
 
 from app.document import edits
-from app.document.format import FormatError, encode, validate
 from app.document.model import Document, Family, Node, Parametrization, ReferenceImage, make_curve
 from app.document.plain import plain
+from app.storage.format import FormatError, encode, validate
 
 WILD = (
     np.float64(1 / 3),

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from app.document.model import Curve, Document, Family, Node, Parametrization, make_curve
-from app.document.storage import load
+from app.storage.files import load
 
 EXAMPLES = sorted((Path(__file__).parents[2] / "resources" / "examples").glob("*.curve.json"))
 

@@ -11,12 +11,12 @@ import pytest
 from PIL import Image, ImageSequence
 
 from app.document.model import Document, Family, make_curve
-from app.document.storage import StorageError
 from app.examples import first_sketch
 from app.exchange import ExchangeError
 from app.exchange.animation import Film, has_video, write_film
-from app.exchange.progress import FINAL, Cancelled
 from app.exchange.svg import DARK
+from app.storage.files import StorageError
+from app.tasks.progress import FINAL, Cancelled
 from app.view_model.motion import Pace, Repeat
 from app.view_model.palette import ACCENT, PAPER, colour_on
 

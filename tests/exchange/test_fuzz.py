@@ -10,7 +10,6 @@ import pytest
 from hypothesis import HealthCheck, example, given, settings
 from hypothesis import strategies as st
 
-from app.document.format import FormatError, decode, encode, validate
 from app.document.model import Document, Family, make_curve
 from app.exchange import ExchangeError, svg_of
 from app.exchange.dxf import dxf_text, read_dxf
@@ -22,6 +21,7 @@ from app.exchange.table_array import read_array
 from app.exchange.table_curve import document_of_table
 from app.exchange.table_file import preview_table, read_table
 from app.exchange.table_json import read_json
+from app.storage.format import FormatError, decode, encode, validate
 
 POINTS = [(0.0, 0.0), (1.0, 2.5), (3.0, -1.0), (4.0, 4.0)]
 SKETCH = Document((make_curve(POINTS, name="Kurve α", family=Family.HERMITE),))

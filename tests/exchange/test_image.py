@@ -6,12 +6,12 @@ import numpy as np
 import pytest
 from PySide6.QtGui import QColor, QImage
 
-from app.document import storage
 from app.document.model import Document, Family, make_curve
-from app.document.storage import StorageError
 from app.exchange import DARK, INK, ExchangeError, export
 from app.exchange.drawing import drawing_of
 from app.exchange.svg import POINT_RADIUS, STROKE
+from app.storage import files
+from app.storage.files import StorageError
 from app.view_model.curve_view import view_of
 from curvecore import arc_length
 
@@ -128,7 +128,7 @@ def test_a_failed_export_leaves_the_old_file(name, sketch, nothing, tmp_path, mo
     def fail(_descriptor):
         raise OSError(28, "No space left on device")
 
-    monkeypatch.setattr(storage.os, "fsync", fail)
+    monkeypatch.setattr(files.os, "fsync", fail)
     with pytest.raises(StorageError, match="The disk is full"):
         export(sketch, path)
     assert path.read_bytes() == b"old"

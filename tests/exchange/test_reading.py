@@ -9,8 +9,8 @@ import pytest
 from app.document.model import Document, Family, make_curve
 from app.exchange import ENDINGS, ExchangeError, export, import_file
 from app.exchange.child import limited, seconds_for
-from app.exchange.progress import Cancelled
 from app.exchange.writers import WRITERS
+from app.tasks.progress import Cancelled
 from app.view_model.curve_view import view_of
 
 ROOT = Path(__file__).parents[2]

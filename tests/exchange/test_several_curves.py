@@ -12,11 +12,11 @@ from msgspec.structs import replace
 from app.cli import main
 from app.document import edits
 from app.document.model import Document, Family, make_curve
-from app.document.storage import save
 from app.exchange import ExchangeError, export, svg_of
 from app.exchange.drawing import drawing_of
 from app.exchange.facts import facts_of
 from app.exchange.naming import Names
+from app.storage.files import save
 from app.view_model.curve_view import view_of
 
 SQUARE = [(0.0, 0.0), (2.0, 0.0), (2.0, 2.0), (0.0, 2.0)]

@@ -6,7 +6,6 @@ import msgspec
 import numpy as np
 import pytest
 
-from app.document.format import encode, validate
 from app.document.model import Document, Family, Node, make_curve
 from app.exchange import ExchangeError
 from app.exchange.sampled import sampled_table
@@ -15,6 +14,7 @@ from app.exchange.table_curve import document_of_table
 from app.exchange.table_file import preview_table, read_table
 from app.exchange.table_layout import Layout
 from app.exchange.thinning import thinned
+from app.storage.format import encode, validate
 from app.view_model.curve_view import view_of
 from tests.effort import calls_of
 

@@ -11,13 +11,13 @@ from PySide6.QtGui import QImage
 
 from app.cli import main
 from app.document.model import Document, Family, make_curve
-from app.document.storage import save
 from app.exchange import ExchangeError, Options, export, import_file
 from app.exchange.choice import ExportChoice
 from app.exchange.drawing import drawing_of
 from app.exchange.image import look
 from app.exchange.svg import svg_of
 from app.exchange.units import MILLIMETRES, known_unit
+from app.storage.files import save
 
 pytestmark = pytest.mark.usefixtures("qapp")
 

@@ -8,7 +8,7 @@ import pytest
 
 from app.document.model import Document, Family, make_curve
 from app.exchange import ENDINGS, Options, export_with
-from app.exchange.progress import FINAL, Cancelled
+from app.tasks.progress import FINAL, Cancelled
 
 COUNT = 12
 # A document is what is there already: it is encoded in one go.

@@ -4,10 +4,11 @@ import pytest
 from PySide6.QtCore import Qt
 
 from app.controllers.history import HistoryController
-from app.document import edits, storage
+from app.document import edits
 from app.document.model import make_curve
 from app.panels.history import HistoryPanel
 from app.session import Session
+from app.storage import files
 from app.theme import ThemeMode, apply_theme
 
 
@@ -96,7 +97,7 @@ def test_the_beginning_is_named_after_what_was_opened(history, tmp_path):
     view = panel.view
     path = tmp_path / "swan.curve.json"
     document = session.document.with_curve(0, make_curve([(0.0, 0.0), (1.0, 1.0)], name="Swan"))
-    storage.save(path, document)
+    files.save(path, document)
     session.open(path)
     assert entries(view) == ["Opened swan.curve.json"]
     session.open_copy(path)

@@ -24,9 +24,9 @@ from PySide6.QtWidgets import (
 )
 
 from app.document.model import Document, Family, make_curve
-from app.document.storage import save
 from app.exchange import Options, export
 from app.panels.field_edit import FieldEdit
+from app.storage.files import save
 from app.testing import spin
 from app.view_model.curve_view import view_of
 

@@ -5,9 +5,9 @@ from __future__ import annotations
 import pytest
 from PySide6.QtWidgets import QDialog
 
-from app.document import storage
 from app.document.model import Document, Family, make_curve
 from app.start import open_windows
+from app.storage import files
 from app.testing import Editor
 from tests.effort import calls_of
 
@@ -25,7 +25,7 @@ def large(tmp_path_factory):
         )
         for k in range(COUNT)
     ]
-    storage.save(path, Document(tuple(curves)))
+    files.save(path, Document(tuple(curves)))
     return path
 
 

@@ -9,7 +9,6 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QStyle, QStyleOptionSlider
 
 from app.document import edits
-from app.document.format import FormatError, validate
 from app.document.model import (
     Curve,
     Document,
@@ -22,6 +21,7 @@ from app.document.model import (
 )
 from app.document.several_curves import with_looks
 from app.panels.curve_list_view import Spot
+from app.storage.format import FormatError, validate
 from app.view_model.curve_view import view_of
 
 LEFT = Qt.MouseButton.LeftButton

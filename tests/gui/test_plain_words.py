@@ -24,9 +24,9 @@ from PySide6.QtWidgets import (
 
 from app.document.edits import rename_curve
 from app.document.model import Document, Family, ReferenceImage, make_curve
-from app.document.storage import save
 from app.mnemonics import plain
 from app.panels.recovery_bar import Offer, RecoveryBar
+from app.storage.files import save
 
 NAME = "<b>x</b> & \"y\" 'z'"
 """As HTML this shows three characters of its markup fewer; with an “&” a menu underlines the blank."""

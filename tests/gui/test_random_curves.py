@@ -6,8 +6,8 @@ import random
 
 import pytest
 
-from app.document.format import decode, encode
 from app.document.model import Family, ParametrizationKind
+from app.storage.format import decode, encode
 from app.view_model.curve_view import TOO_FEW
 
 ACTIONS = (

@@ -13,11 +13,11 @@ from hypothesis.stateful import RuleBasedStateMachine, initialize, invariant, pr
 from app.canvas.hit_test import hit_test
 from app.document import edits
 from app.document.edits import EditError
-from app.document.format import decode, encode, validate
 from app.document.model import Document, Family, Node, ParametrizationKind, make_curve
 from app.document.transforms import Edge, align_nodes, distribute_nodes
 from app.plotting.pixel_map import PixelMap
 from app.session import Session
+from app.storage.format import decode, encode, validate
 from app.tools.pointer import Hit, Part, Pointer
 from app.tools.rail import RailTool
 from app.tools.snapping import Snapping

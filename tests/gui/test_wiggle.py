@@ -43,7 +43,7 @@ def panel(editor):
 
 def settled(editor, qtbot):
     editor.settle()
-    qtbot.waitUntil(lambda: not commands(editor)._settler.is_busy)
+    qtbot.waitUntil(lambda: not commands(editor)._task.is_busy)
     editor.settle()
 
 

@@ -33,9 +33,7 @@ from PySide6.QtWidgets import (
 )
 
 from app.document.edits import rename_curve, set_velocity
-from app.document.format import encode
 from app.document.model import Family, ParametrizationKind
-from app.document.storage import load
 from app.file_commands import file_stem
 from app.main_window import MainWindow
 from app.mnemonics import plain
@@ -43,6 +41,8 @@ from app.preferences import Preferences
 from app.resources import resource
 from app.session import Session
 from app.start import open_windows
+from app.storage.files import load
+from app.storage.format import encode
 from app.testing import Editor
 from app.theme import DARK, ThemeMode
 

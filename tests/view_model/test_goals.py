@@ -9,10 +9,10 @@ import numpy as np
 import pytest
 from msgspec.structs import replace
 
-from app.document.format import encode
 from app.document.model import Curve, Family, Node, Parametrization, ParametrizationKind, make_curve
-from app.document.storage import load
 from app.lessons import LessonError, find_lesson, lesson_names, load_lesson, parse_lesson
+from app.storage.files import load
+from app.storage.format import encode
 from app.view_model.curve_view import view_of
 from app.view_model.goals import GoalError, parse_goal, standing_of
 

@@ -17,8 +17,8 @@ from msgspec.structs import replace
 
 from app.action_specs import SPECS
 from app.document.model import Family, ParametrizationKind
-from app.document.storage import load
 from app.lessons import lesson_names, load_lesson
+from app.storage.files import load
 from app.view_model.analysis.laboratory import try_methods
 from app.view_model.analysis.laboratory_settings import (
     USUAL_SHIFT,
@@ -142,7 +142,7 @@ def constant_with_estimates(which):
 @cache
 def trial(number, digits, shift=0.0, rounding=Rounding.EVERY_STEP, family=None):
     settings = LaboratorySettings(True, rounding, digits, frozenset(Calculation), shift=shift)
-    return try_methods(view_of(curve(number, family=family)), settings, lambda: False)
+    return try_methods(view_of(curve(number, family=family)), settings)
 
 
 def error_at(t, digits=6):

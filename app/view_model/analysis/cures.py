@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
@@ -11,12 +10,12 @@ from msgspec.structs import replace
 
 from app.document import edits
 from app.document.model import Document, Family, ParametrizationKind, VelocityRule
+from app.tasks.progress import Report, silent, told
 from app.view_model.analysis.wiggle import overshoot
 from app.view_model.curve_view import CurveView, view_of
 from app.view_model.growth import growth_of_points
 
 Floats = npt.NDArray[np.float64]
-IsStale = Callable[[], bool]
 
 _IN_USE = "The curve is like that already."
 
@@ -111,12 +110,10 @@ def cured(document: Document, curve: int, key: str, parameters: list[float]) -> 
     return result
 
 
-def cures_of(document: Document, curve: int, view: CurveView, knot: int, is_stale: IsStale) -> Cures | None:
-    """Try all cures for a segment; None if the answer is not wanted any more."""
+def cures_of(document: Document, curve: int, view: CurveView, knot: int, report: Report = silent) -> Cures:
+    """Try all cures for a segment."""
     found = []
-    for key, label, step in CURES:
-        if is_stale():
-            return None
+    for key, label, step in told(CURES, report, "Trying"):
         document_then = cured(document, curve, key, view.parameters.tolist())
         found.append(_tried((key, label, step), document_then, curve, view, knot))
     return Cures(view, knot, overshoot(view, knot)[0], _lebesgue(view), tuple(found))

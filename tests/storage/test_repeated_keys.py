@@ -5,8 +5,8 @@ import json
 import pytest
 from msgspec.structs import replace
 
-from app.document.format import FormatError, decode, encode
 from app.document.model import Document, Node, Parametrization, ParametrizationKind, make_curve
+from app.storage.format import FormatError, decode, encode
 
 NODES = (
     Node(0.0, 1.0, 0.0, velocity=(1.0, 2.0)),

@@ -15,12 +15,11 @@ import signal
 import sys
 from pathlib import Path
 
-from app.document.format import encode
-from app.document.leftovers import TEMPORARY_PREFIX, sweep
-from app.document.lock import lock_place
-from app.document.migration import MIGRATIONS
 from app.document.model import Document, make_curve
-from app.document.open_file import OpenFile
+from app.storage.format import encode
+from app.storage.migration import MIGRATIONS
+from app.storage.open_file import OpenFile
+from app.storage.temporary import TEMPORARY_PREFIX, remove_stale
 
 OLD, NEW = (Document((make_curve([(x, 0.0)] * 4),)) for x in (1.0, 2.0))
 WRITTEN = encode(NEW)
@@ -50,13 +49,6 @@ def save_until(path: Path, steps: int, *, while_opening: bool) -> None:
     sys.setprofile(None)
 
 
-def age_empty_lock(path: Path) -> None:
-    """Let the time pass in which an empty lock may be one that is being written."""
-    place = lock_place(path)
-    if place.exists() and not place.stat().st_size:
-        os.utime(place, (1, 1))
-
-
 def run(folder: Path, old: bytes, *, while_opening: bool) -> list[dict[str, object]]:
     """Return what is left after each number of steps, until a child comes to the end."""
     path = folder / "drawing.curve.json"
@@ -70,7 +62,7 @@ def run(folder: Path, old: bytes, *, while_opening: bool) -> list[dict[str, obje
         _, status = os.waitpid(child, 0)
         content = path.read_bytes()
         temporary = [each.name for each in folder.glob(f"{TEMPORARY_PREFIX}*")]
-        swept = sweep(folder, older_than=-1.0)
+        swept = remove_stale(folder, older_than=-1.0)
         others = sorted(each.name for each in folder.iterdir() if each != path)
         backups = [each for each in others if each.endswith(".bak")]
         results.append(
@@ -87,7 +79,6 @@ def run(folder: Path, old: bytes, *, while_opening: bool) -> list[dict[str, obje
             assert os.WEXITSTATUS(status) == 0
             break
         # The lock stays: the next child has to see that its owner is dead.
-        age_empty_lock(path)
         for each in backups:
             (folder / each).unlink()
     return results

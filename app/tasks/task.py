@@ -1,4 +1,4 @@
-"""Background tasks: threads, progress, cancelling, debouncing; garbage is collected in the window's thread.
+"""A background task in a thread of its own; garbage is collected in the window's thread.
 
 The only module that starts threads. What is to be done sees immutable values and touches no widget; its end
 is told in the window's thread. What parses files of others may hang, or keep the interpreter to itself for
@@ -11,23 +11,14 @@ import gc
 import sys
 import threading
 import time
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from contextlib import suppress
 from typing import Any
 
 from PySide6.QtCore import QObject, Qt, QTimer, Signal
 from shiboken6 import isValid
 
-from app.exchange.progress import FINAL, Cancelled, Report
-
-SHOWN_AFTER_MS = 200
-"""What is done sooner needs no bar."""
-
-SETTLE_MS = 100
-"""How long nothing must have changed before a `Settler` begins, in milliseconds."""
-
-PATIENCE_S = 3.0
-"""How long a window that closes waits until its work has noticed."""
+from app.tasks.progress import FINAL, Cancelled, Report
 
 _GRACE_S = 1.0
 """After this a stopped task that has not noticed is ended from outside."""
@@ -36,8 +27,7 @@ _TELL_EVERY_S = 0.04
 _TICK_MS = 100
 
 Work = Callable[[Report], Any]
-IsStale = Callable[[], bool]
-"""Whether nobody waits for the result any more; long work asks now and then, and returns early."""
+"""What a task does: it reports how far it is, and ends with `Cancelled` when it is not wanted any more."""
 
 
 class Task:
@@ -46,7 +36,7 @@ class Task:
     Parameters
     ----------
     work
-        Called in the thread, with this task: for `report`, `is_stopped`.
+        Called in the thread, with this task's `report`.
     then
         Called in the window's thread when the thread has ended, however it did; by default what was raised
         goes to `sys.excepthook`.
@@ -63,7 +53,7 @@ class Task:
 
     def __init__(
         self,
-        work: Callable[[Task], Any],
+        work: Work,
         then: Callable[[Task], object] | None = None,
         told: Report | None = None,
         after: Task | None = None,
@@ -118,7 +108,7 @@ class Task:
                 raise Cancelled
             self._is_final = self._is_final or share == FINAL
         now = time.monotonic()
-        if not self._is_final and now - self._told_at > _TELL_EVERY_S:
+        if self.told is not None and not self._is_final and now - self._told_at > _TELL_EVERY_S:
             self._told_at = now
             self._keeper.reported.emit(self, share, word)
 
@@ -133,7 +123,7 @@ class Task:
                 if self.after is not None:
                     self.after.thread.join()
                 if not self.is_stopped:
-                    self.result = self._work(self)
+                    self.result = self._work(self.report)
             except Cancelled:
                 self.stop()
             except Exception as problem:
@@ -222,163 +212,6 @@ def _keeper() -> _Keeper:
     return _keepers[0]
 
 
-class Worker(QObject):
-    """Has one task at a time whose end matters; what it has taken back may take a while to notice."""
-
-    _task: Task | None = None
-
-    def give_up(self) -> None:
-        """Take back what is being done."""
-        if self._task is not None:
-            self._task.stop()
-
-    def close(self) -> None:
-        """Take back what is being done and wait until it has noticed, not longer than `PATIENCE_S`."""
-        close_all((self,))
-
-
-def close_all(workers: Sequence[Worker]) -> None:
-    """Take back what all of them do, and wait until it has noticed, not longer than `PATIENCE_S` in all."""
-    until = time.monotonic() + PATIENCE_S
-    tasks = [worker._task for worker in workers if worker._task is not None]
-    for worker in workers:
-        worker.give_up()
-    tasks += [task for keeper in _keepers for task in keeper.running if task.is_stopped]
-    for task in tasks:
-        task.wait(until - time.monotonic())
-
-
-class Jobs(Worker):
-    """Does one thing at a time, as the person asks for it.
-
-    Signals
-    -------
-    shown
-        The work is taking a while; the title is what it is called.
-    progressed
-        The share that is done, 0 to 1, and a word for what is being done.
-    ended
-        There is no work any more: it is done, has failed, or was taken back.
-    """
-
-    shown = Signal(str)
-    progressed = Signal(float, str)
-    ended = Signal()
-
-    def __init__(self, parent: QObject | None = None) -> None:
-        super().__init__(parent)
-        self.title = ""
-        self._patience = QTimer(self, singleShot=True, interval=SHOWN_AFTER_MS)
-        self._patience.timeout.connect(self._show)
-
-    @property
-    def is_busy(self) -> bool:
-        """Whether something is being done."""
-        return self._task is not None
-
-    def start(
-        self, title: str, work: Work, done: Callable[[Any], object], failed: Callable[[Exception], object]
-    ) -> bool:
-        """Do `work` and hand its result to `done`, or what it raised to `failed`, in this thread.
-
-        Neither is called once the work was taken back. Returns False, and does nothing, while there is
-        other work; its name is the `title`.
-        """
-        if self._task is not None:
-            return False
-
-        def end(task: Task) -> None:
-            if task is not self._task:
-                return  # it was taken back
-            self._finish()
-            if task.problem is not None:
-                failed(task.problem)
-            elif not task.is_stopped:
-                done(task.result)
-
-        self.title = title
-        self._patience.start()
-        self._task = Task(lambda task: work(task.report), end, self.progressed.emit)
-        return True
-
-    def cancel(self) -> bool:
-        """Take the work back: nothing comes of it, and other work may begin at once.
-
-        Returns False where it is too late: its last step has begun, and it ends as it would have.
-        """
-        if self._task is not None:
-            if not self._task.stop():
-                return False
-            self._finish()
-        return True
-
-    def give_up(self) -> None:
-        """Take back what is being done; where it is too late for that, its end is not told."""
-        super().give_up()
-        if self._task is not None:
-            self._finish()
-
-    def _show(self) -> None:
-        self.shown.emit(self.title)
-
-    def _finish(self) -> None:
-        self._task, self.title = None, ""
-        self._patience.stop()
-        self.ended.emit()
-
-
-class Settler(Worker):
-    """Computes the last thing it was asked for, once things have settled; what came before is forgotten.
-
-    Signals
-    -------
-    ready
-        The result of what was asked last.
-    busy_changed
-        Whether a result is being waited for.
-    """
-
-    ready = Signal(object)
-    busy_changed = Signal(bool)
-
-    def __init__(self, parent: QObject | None = None, *, settle_ms: int = SETTLE_MS) -> None:
-        super().__init__(parent)
-        self._timer = QTimer(self, singleShot=True, interval=settle_ms)
-        self._timer.timeout.connect(self._begin)
-        self._compute: Callable[[IsStale], object] | None = None
-        self.is_busy = False
-
-    def ask(self, compute: Callable[[IsStale], object]) -> None:
-        """Compute this as soon as nothing else is asked for a while."""
-        super().give_up()
-        self._compute = compute
-        self._set_busy(True)
-        self._timer.start()
-
-    def give_up(self) -> None:
-        """Forget what was asked."""
-        super().give_up()
-        self._compute = None
-        self._timer.stop()
-        self._set_busy(False)
-
-    def _begin(self) -> None:
-        # One at a time: a second one would only take the first one's turn.
-        compute = self._compute
-        if compute is not None and self._task is None and not self._timer.isActive():
-            self._compute = None
-            self._task = Task(lambda task: compute(lambda: task.is_stopped), self._end)
-
-    def _end(self, task: Task) -> None:
-        self._task = None
-        task.raise_problem()
-        if not task.is_stopped:
-            self._set_busy(False)
-            if task.problem is None:
-                self.ready.emit(task.result)
-        self._begin()
-
-    def _set_busy(self, busy: bool) -> None:
-        if busy != self.is_busy:
-            self.is_busy = busy
-            self.busy_changed.emit(busy)
+def stopped_tasks() -> list[Task]:
+    """Return the tasks that were taken back and have not noticed yet."""
+    return [task for keeper in _keepers for task in keeper.running if task.is_stopped]

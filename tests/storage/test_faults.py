@@ -18,11 +18,11 @@ from pathlib import Path
 
 import pytest
 
-from app.document import turns
-from app.document.format import encode
 from app.document.model import Document, make_curve
-from app.document.open_file import OpenFile
-from app.document.storage import ChangedOnDiskError, StorageError, load, save
+from app.storage import system_lock
+from app.storage.files import ChangedOnDiskError, StorageError, load, save
+from app.storage.format import encode
+from app.storage.open_file import OpenFile
 
 pytestmark = [
     pytest.mark.skipif(os.name == "nt", reason="signals, limits and permissions of POSIX"),
@@ -227,9 +227,9 @@ def test_a_file_system_without_locks(path, monkeypatch):
     assert holds_old_alone(path)
 
 
-def test_a_turn_that_never_ends_is_not_waited_for_for_ever(path, monkeypatch):
-    monkeypatch.setattr(turns, "_PATIENCE", 0.05)
-    with turns.taking_turns(path.parent):
+def test_a_folder_that_stays_locked_is_not_waited_for_for_ever(path, monkeypatch):
+    monkeypatch.setattr(system_lock, "_PATIENCE", 0.05)
+    with system_lock.folder_lock(path.parent):
         save(path, LARGE)
     assert load(path) == LARGE
 

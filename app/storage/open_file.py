@@ -1,20 +1,20 @@
-"""The file behind an open document: what was seen of it last, and whose it is."""
+"""The file of an open document: its lock, what was seen of it last, and what has become of it since."""
 
 from __future__ import annotations
 
 import os
-from enum import Enum, auto
+from enum import Enum
 from pathlib import Path
 
 import msgspec
 
-from app.document import storage
-from app.document.format import VERSION, FormatError, version_of
-from app.document.leftovers import sweep
-from app.document.lock import Attempt, Lock, Owner, acquire, owner_of, take_over
 from app.document.model import Document
 from app.document.plain import plain
-from app.document.storage import MissingError, Stamp, StorageError, UnconfirmedError
+from app.storage import files
+from app.storage.files import MissingError, Stamp, StorageError, UnconfirmedError
+from app.storage.format import VERSION, FormatError, version_of
+from app.storage.lock import LockResult, Owner, ProcessLock, acquire, lock_place, owner_of, take_over
+from app.storage.temporary import remove_stale
 
 _LARGE = 50_000
 """Bytes from which a document is opened beside the window: about a hundred curves, a tenth of a second."""
@@ -36,15 +36,15 @@ class LockedError(StorageError):
         self.owner = owner
 
 
-class Sight(Enum):
-    """What a look at the file gives."""
+class FileChange(Enum):
+    """What has become of a file since it was seen last; the value says it in words."""
 
-    SAME = auto()
-    CHANGED = auto()
+    SAME = ""
+    CHANGED = "Another program has changed the file."
     """It holds another document than was seen last."""
-    UNREADABLE = auto()
+    UNREADABLE = "Another program has emptied or damaged the file."
     """It holds no document, perhaps because another program is just writing it."""
-    GONE = auto()
+    GONE = "The file is gone from its folder."
 
 
 class Opened(msgspec.Struct, frozen=True):
@@ -63,9 +63,9 @@ class Reading(msgspec.Struct, frozen=True):
 
     @classmethod
     def of(cls, path: Path) -> Reading:
-        """Read the file at `path`; see `storage.load` for what may be wrong."""
-        content = storage.read_content(path)
-        return cls(plain(storage.document_in(content.data, path)), content.stamp, _version(content.data))
+        """Read the file at `path`; see `files.load` for what may be wrong."""
+        content = files.read_content(path)
+        return cls(plain(files.document_in(content.data, path)), content.stamp, _version(content.data))
 
 
 class OpenFile:
@@ -83,34 +83,34 @@ class OpenFile:
         Who else has it open, so that it is not saved from here; None where it is ours.
     lock_problem
         Why nobody can be told that it is open here; empty where they are.
-    sight
+    change
         What it holds, as far as the window has taken note of it.
     """
 
-    def __init__(self, path: Path, stamp: Stamp | None, attempt: Attempt, version: int = VERSION) -> None:
+    def __init__(self, path: Path, stamp: Stamp | None, result: LockResult, version: int = VERSION) -> None:
         self.path, self.stamp, self.version = path, stamp, version
-        self.sight = Sight.SAME
-        self._lock: Lock | None = None
-        self._seen: tuple[Stamp, Sight, Document | None] | None = None
-        self._take(attempt)
+        self.change = FileChange.SAME
+        self._lock: ProcessLock | None = None
+        self._seen: tuple[Stamp, FileChange, Document | None] | None = None
+        self._take(result)
 
-    def _take(self, attempt: Attempt) -> None:
-        self._lock, self.owner, self.lock_problem = attempt.lock, attempt.owner, attempt.problem
+    def _take(self, result: LockResult) -> None:
+        self._lock, self.owner, self.lock_problem = result.lock, result.owner, result.problem
 
     # Opening and saving
 
     @classmethod
     def open(cls, path: Path, previous: OpenFile | None = None, reading: Reading | None = None) -> Opened:
-        """Read the document at `path` and mark it as open; see `storage.load` for what may be wrong.
+        """Read the document at `path` and mark it as open; see `files.load` for what may be wrong.
 
         `previous` is the file that was open in this window until now; its lock goes on where it is the same.
         Where the file was read before, `reading` is what it held.
         """
         found = reading or Reading.of(path)
         # What somebody writes between the reading and the lock is noticed like any later change.
-        attempt = _lock_for(path, previous)
-        sweep(_target(path).parent)
-        return Opened(found.document, cls(path, found.stamp, attempt, found.version))
+        result = _lock_for(path, previous)
+        remove_stale(_target(path).parent)
+        return Opened(found.document, cls(path, found.stamp, result, found.version))
 
     @classmethod
     def adopt(cls, path: Path, previous: OpenFile | None = None) -> OpenFile:
@@ -119,7 +119,7 @@ class OpenFile:
         What it holds now counts as seen. `previous` is as with `open`.
         """
         try:
-            stamp = storage.read_content(path).stamp
+            stamp = files.read_content(path).stamp
         except StorageError:
             stamp = None
         return cls(path, stamp, _lock_for(path, previous))
@@ -140,13 +140,13 @@ class OpenFile:
         LockedError
             If somebody else has that file open.
         StorageError, FormatError
-            As `storage.save`; `previous` then still is the file of the document.
+            As `files.save`; `previous` then still is the file of the document.
         """
         if previous is not None and previous.is_at(path):
             previous._save(document, overwrite=overwrite)
             previous.path = path
             return previous
-        file = cls(path, None, acquire(_target(path)))
+        file = cls(path, None, acquire(_lock_place(path)))
         try:
             file._save(document, overwrite=True)
         except BaseException:
@@ -157,12 +157,12 @@ class OpenFile:
     def _save(self, document: Document, *, overwrite: bool) -> None:
         self._refuse_if_not_ours()
         try:
-            self.stamp = storage.save(self.path, document, seen=None if overwrite else self.stamp)
+            self.stamp = files.save(self.path, document, seen=None if overwrite else self.stamp)
         except UnconfirmedError as problem:
-            self.stamp, self.sight = problem.stamp, Sight.SAME
+            self.stamp, self.change = problem.stamp, FileChange.SAME
             raise
-        self.version, self.sight = VERSION, Sight.SAME
-        sweep(_target(self.path).parent)
+        self.version, self.change = VERSION, FileChange.SAME
+        remove_stale(_target(self.path).parent)
 
     def _refuse_if_not_ours(self) -> None:
         if self.owner is None and self._lock is not None and (owner := self._lock.lost_to()) is not None:
@@ -172,11 +172,11 @@ class OpenFile:
 
     def take_if_free(self) -> bool:
         """Make the file ours if nobody else has it open by now; return whether it is ours."""
-        attempt = acquire(_target(self.path))
-        if attempt.owner is not None:
-            self.owner = attempt.owner
+        result = acquire(_lock_place(self.path))
+        if result.owner is not None:
+            self.owner = result.owner
             return False
-        self._take(attempt)
+        self._take(result)
         return True
 
     def is_at(self, path: Path) -> bool:
@@ -190,11 +190,11 @@ class OpenFile:
 
     # Whose it is
 
-    def look_at_lock(self) -> Owner | None:
+    def check_lock(self) -> Owner | None:
         """Return who has the file open now; None where it is ours or free. `owner` stays as it was."""
         if self._lock is not None:
             return self._lock.lost_to()
-        return owner_of(_target(self.path)) if self.owner is not None else None
+        return owner_of(_lock_place(self.path)) if self.owner is not None else None
 
     def lose_to(self, owner: Owner) -> None:
         """Take note that somebody else has the file now."""
@@ -203,7 +203,7 @@ class OpenFile:
     def take_over(self) -> None:
         """Make the file ours, whoever has it open."""
         if not self.take_if_free():
-            self._take(take_over(_target(self.path)))
+            self._take(take_over(_lock_place(self.path)))
 
     def close(self) -> None:
         """Tell the others that the file is open here no longer."""
@@ -213,46 +213,46 @@ class OpenFile:
 
     # What it holds
 
-    def look(self) -> Sight:
+    def check(self) -> FileChange:
         """Return what has become of the file since it was seen last; quick where nothing has."""
         try:
             status = _target(self.path).stat()
         except FileNotFoundError:
-            return Sight.SAME if self.stamp is None else Sight.GONE
+            return FileChange.SAME if self.stamp is None else FileChange.GONE
         except OSError:
-            return Sight.UNREADABLE
+            return FileChange.UNREADABLE
         if self.stamp is not None and self.stamp.is_of(status):
-            return Sight.SAME
+            return FileChange.SAME
         if self._seen is not None and self._seen[0].is_of(status):
             return self._seen[1]
         return self._read_again()
 
-    def _read_again(self) -> Sight:
+    def _read_again(self) -> FileChange:
         try:
-            content = storage.read_content(self.path)
+            content = files.read_content(self.path)
         except MissingError:
-            return Sight.GONE
+            return FileChange.GONE
         except StorageError:
-            return Sight.UNREADABLE
+            return FileChange.UNREADABLE
         if self.stamp is not None and content.stamp.digest == self.stamp.digest:
             # Touched, copied or checked out again, with the same content.
             self.stamp = content.stamp
-            return Sight.SAME
+            return FileChange.SAME
         document = None
         try:
-            document = storage.document_in(content.data, self.path)
+            document = files.document_in(content.data, self.path)
         except FormatError:
-            sight = Sight.UNREADABLE
+            change = FileChange.UNREADABLE
         else:
-            sight = Sight.CHANGED
-        self._seen = (content.stamp, sight, document)
-        return sight
+            change = FileChange.CHANGED
+        self._seen = (content.stamp, change, document)
+        return change
 
     @property
     def has_lost_document(self) -> bool:
         """Whether the document that came from it is in it no longer, and nobody else is to care for that."""
-        is_for_owner = self.sight is Sight.CHANGED and self.owner is not None
-        return self.sight is not Sight.SAME and not is_for_owner
+        is_for_owner = self.change is FileChange.CHANGED and self.owner is not None
+        return self.change is not FileChange.SAME and not is_for_owner
 
     @property
     def other_document(self) -> Document | None:
@@ -261,31 +261,35 @@ class OpenFile:
 
     def accept(self) -> None:
         """Take what the file holds now as seen: the next save replaces it."""
-        sight = self.look()
-        if sight is Sight.GONE:
+        change = self.check()
+        if change is FileChange.GONE:
             self.stamp = None
-        elif sight is not Sight.SAME and self._seen is not None:
+        elif change is not FileChange.SAME and self._seen is not None:
             self.stamp = self._seen[0]
-        self.sight, self._seen = Sight.SAME, None
+        self.change, self._seen = FileChange.SAME, None
 
     def read_again(self) -> Document:
-        """Return the document that the file holds now, and take it as seen; see `storage.load`."""
-        content = storage.read_content(self.path)
-        document = storage.document_in(content.data, self.path)
-        self.stamp, self._seen, self.sight = content.stamp, None, Sight.SAME
+        """Return the document that the file holds now, and take it as seen; see `files.load`."""
+        content = files.read_content(self.path)
+        document = files.document_in(content.data, self.path)
+        self.stamp, self._seen, self.change = content.stamp, None, FileChange.SAME
         self.version = _version(content.data)
         return document
 
 
-def _lock_for(path: Path, previous: OpenFile | None) -> Attempt:
+def _lock_for(path: Path, previous: OpenFile | None) -> LockResult:
     """Return the lock of the file at `path`, from `previous` where that has it."""
     if previous is None or previous._lock is None or not previous.is_at(path):
-        return acquire(_target(path))
+        return acquire(_lock_place(path))
     owner = previous._lock.lost_to()
     if owner is not None:
-        return Attempt(owner=owner)
+        return LockResult(owner=owner)
     lock, previous._lock = previous._lock, None
-    return Attempt(lock=lock)
+    return LockResult(lock=lock)
+
+
+def _lock_place(path: Path) -> Path:
+    return lock_place(_target(path))
 
 
 def _version(data: bytes) -> int:

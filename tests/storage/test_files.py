@@ -9,10 +9,10 @@ from pathlib import Path
 
 import pytest
 
-from app.document import storage
-from app.document.format import FormatError
 from app.document.model import Document, empty_document, make_curve
-from app.document.storage import StorageError, load, read, save, write
+from app.storage import files
+from app.storage.files import StorageError, load, read, save, write
+from app.storage.format import FormatError
 
 posix_only = pytest.mark.skipif(os.name == "nt", reason="permissions and pipes of POSIX")
 NOBODY = 65534
@@ -276,14 +276,14 @@ def test_a_file_without_permission_is_refused(ordinary_user):
 
 
 def test_files_beyond_the_limit_are_refused(target, monkeypatch):
-    monkeypatch.setattr(storage, "MAX_BYTES", 2)
+    monkeypatch.setattr(files, "MAX_BYTES", 2)
     with pytest.raises(StorageError, match="is larger than"):
         read(target)
 
 
 def test_a_file_that_lies_about_its_size_is_refused(target, monkeypatch):
-    monkeypatch.setattr(storage, "MAX_BYTES", 2)
-    monkeypatch.setattr(storage, "_refuse_irregular", lambda *_: None)
+    monkeypatch.setattr(files, "MAX_BYTES", 2)
+    monkeypatch.setattr(files, "_refuse_irregular", lambda *_: None)
     with pytest.raises(StorageError, match="is larger than"):
         read(target)
 

@@ -15,8 +15,6 @@ from typing import Literal
 import msgspec
 from msgspec.structs import replace
 
-from app.document.all_within import all_within
-from app.document.migration import can_migrate, migrated
 from app.document.model import (
     MAX_MAGNITUDE,
     Curve,
@@ -27,7 +25,9 @@ from app.document.model import (
     Value,
     Vector,
 )
-from app.document.repeated_keys import repeated_key
+from app.storage.all_within import all_within
+from app.storage.migration import can_migrate, migrated
+from app.storage.repeated_keys import repeated_key
 
 FORMAT = "curvebench"
 VERSION = 1

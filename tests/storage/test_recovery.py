@@ -12,11 +12,12 @@ from pathlib import Path
 import pytest
 from msgspec.structs import replace
 
-from app.document.claim import Claim
-from app.document.format import FormatError, encode
 from app.document.model import Document, Node, ReferenceImage, make_curve
-from app.document.recovery import DAMAGED, SUFFIX, Origin, SnapshotFile, list_snapshots
-from app.document.storage import TEMPORARY_PREFIX, save
+from app.storage.files import save
+from app.storage.format import FormatError, encode
+from app.storage.lock import acquire
+from app.storage.processes import machine
+from app.storage.recovery import DAMAGED, SUFFIX, Origin, SnapshotFile, list_snapshots
 
 ROOT = Path(__file__).resolve().parents[2]
 THIRDS = Document((make_curve([(1 / 3, 2 / 3), (1e-300, -0.0), (1e12, 5.0)], name="Ü, “S”"),))
@@ -73,7 +74,7 @@ def test_the_latest_comes_first(tmp_path, monkeypatch):
     began = time.time()
     for second, name in enumerate(("one", "two", "three")):
         with monkeypatch.context() as patch:
-            patch.setattr("app.document.recovery.time.time", lambda now=began + second: now)
+            patch.setattr("app.storage.recovery.time.time", lambda now=began + second: now)
             left_behind(tmp_path, Document((make_curve([(0, 0)], name=name),)))
     names = [each.document.curves[0].name for each in list_snapshots(tmp_path).snapshots]
     assert names == ["three", "two", "one"]
@@ -200,10 +201,12 @@ def test_a_folder_in_the_place_of_a_snapshot_stops_nothing(tmp_path):
     assert len(found.damaged) == 1
 
 
-def test_what_ended_processes_left_is_swept(tmp_path):
+def test_what_ended_processes_left_is_removed(tmp_path):
     left_behind(tmp_path)
     (tmp_path / f"gone{SUFFIX}.claim").touch()
-    old, new = tmp_path / f"{TEMPORARY_PREFIX}1.tmp", tmp_path / f"{TEMPORARY_PREFIX}2.tmp"
+    child = subprocess.Popen([sys.executable, "-c", ""])
+    child.wait()
+    old, new = (tmp_path / f".curvebench-{machine()[:8]}-{child.pid}-{k * 16}.tmp" for k in "12")
     for path in (old, new):
         path.touch()
     os.utime(old, (0, 0))
@@ -211,40 +214,63 @@ def test_what_ended_processes_left_is_swept(tmp_path):
     assert list(tmp_path.iterdir()) == [new]
 
 
-def test_a_claim_is_one_holder_s_until_it_is_released(tmp_path):
-    path = tmp_path / "claim"
-    first = Claim.take(path)
+def test_a_lock_is_one_holder_s_until_it_is_released(tmp_path):
+    path = tmp_path / "lock"
+    first = acquire(path, is_private=True).lock
     assert first is not None
-    assert Claim.take(path) is None
+    assert acquire(path, is_private=True).lock is None
     first.release()
     assert not path.exists()
-    second = Claim.take(path)
+    second = acquire(path, is_private=True).lock
     assert second is not None
     second.release()
 
 
 @pytest.mark.skipif(not hasattr(os, "fork"), reason="needs fork")
-def test_a_claim_ends_with_its_process(tmp_path):
-    path = tmp_path / "claim"
-    code = "from app.document.claim import Claim; from pathlib import Path; import os\n"
-    code += f"assert Claim.take(Path({str(path)!r})); os.kill(os.getpid(), 9)"
+def test_a_lock_ends_with_its_process(tmp_path):
+    path = tmp_path / "lock"
+    code = "from app.storage.lock import acquire; from pathlib import Path; import os\n"
+    code += f"kept = acquire(Path({str(path)!r})); assert kept.lock; os.kill(os.getpid(), 9)"
     done = subprocess.run([sys.executable, "-c", code], cwd=ROOT, check=False)
     assert done.returncode == -9
-    claim = Claim.take(path)
-    assert claim is not None
-    claim.release()
+    assert path.exists()
+    lock = acquire(path).lock
+    assert lock is not None
+    lock.release()
+
+
+@pytest.mark.skipif(not hasattr(os, "fork"), reason="needs fork")
+def test_the_snapshot_of_a_killed_process_is_offered_and_of_a_running_one_not(tmp_path):
+    code = """
+import sys
+from pathlib import Path
+from app.document.model import Document, make_curve
+from app.storage.recovery import Origin, SnapshotFile
+file = SnapshotFile(Path(sys.argv[1]))
+file.write(Document((make_curve([(0, 0)]),)), Origin())
+print(flush=True)
+sys.stdin.read()
+"""
+    pipes = {"stdin": subprocess.PIPE, "stdout": subprocess.PIPE}
+    with subprocess.Popen([sys.executable, "-c", code, str(tmp_path)], cwd=ROOT, **pipes) as process:
+        process.stdout.readline()
+        assert list_snapshots(tmp_path).snapshots == ()
+        process.kill()
+    assert len(list_snapshots(tmp_path).snapshots) == 1
 
 
 # Kills itself at line k of the modules that write, for every k, in a child of its own.
 KILLED_AT_EVERY_STEP = """
 import os, signal, sys
 from pathlib import Path
-from app.document.format import encode
+from app.storage.format import encode
 from app.document.model import Document, make_curve
-from app.document.recovery import Origin, SnapshotFile, list_snapshots
+from app.storage.lock import acquire
+from app.storage.processes import machine
+from app.storage.recovery import Origin, SnapshotFile, list_snapshots
 
 old, new = (Document((make_curve([(i, k / 3) for i in range(3)]),)) for k in (1, 2))
-watched = ("recovery.py", "storage.py", "claim.py")
+watched = ("recovery.py", "files.py", "lock.py")
 
 def run(folder, last, begin):
     seen = 0

@@ -13,14 +13,17 @@ from PySide6.QtCore import QObject, QTimer
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QWidget
 
-from app import worker
-from app.exchange.progress import FINAL, part
-from app.worker import SHOWN_AFTER_MS, Jobs, Settler, Task, Worker, close_all
+from app.tasks import owner, task
+from app.tasks.debounced_task import DebouncedTask
+from app.tasks.owner import TaskOwner, close_all
+from app.tasks.progress import FINAL, part
+from app.tasks.single_task import SHOWN_AFTER_MS, SingleTask
+from app.tasks.task import Task
 
 
 @pytest.fixture
 def jobs(qtbot):
-    made = Jobs()
+    made = SingleTask()
     yield made
     made.close()
     until(gc.isenabled)
@@ -205,8 +208,8 @@ def churn(ends):
 @pytest.fixture
 def quick_keeper(qapp, monkeypatch, only_new_garbage):
     """Look for garbage often, in generations that are soon due."""
-    monkeypatch.setattr(worker, "_TICK_MS", 5)
-    monkeypatch.setattr(worker, "_keepers", [])
+    monkeypatch.setattr(task, "_TICK_MS", 5)
+    monkeypatch.setattr(task, "_keepers", [])
     before = gc.get_threshold()
     gc.set_threshold(700, 1, 1)
     yield
@@ -214,9 +217,9 @@ def quick_keeper(qapp, monkeypatch, only_new_garbage):
     gc.set_threshold(*before)
 
 
-@pytest.mark.parametrize("kind", ["jobs", "settler", "task"])
+@pytest.mark.parametrize("kind", ["jobs", "debounced", "task"])
 def test_garbage_is_collected_in_the_windows_thread_while_work_runs(quick_keeper, jobs, kind):
-    """Three widgets in cycles were destroyed by the thread of a `Settler`, and of the autosave.
+    """Three widgets in cycles were destroyed by the thread of a `DebouncedTask`, and of the autosave.
 
     Young ones and those of the oldest generation: all go, and while the work goes on.
     """
@@ -226,14 +229,14 @@ def test_garbage_is_collected_in_the_windows_thread_while_work_runs(quick_keeper
     widgets += [Cyclic() for _ in range(3)]
     for each in widgets:
         weakref.finalize(each, lambda: threads.append(threading.current_thread()))
-    settler = Settler(settle_ms=0)
+    debounced = DebouncedTask(settle_ms=0)
     if kind == "jobs":
         jobs.start("Churning", lambda _report: churn(release.is_set), print, print)
-    elif kind == "settler":
-        settler.ask(lambda _stale: churn(release.is_set))
+    elif kind == "debounced":
+        debounced.ask(lambda _report: churn(release.is_set))
         until(lambda: not gc.isenabled())
     else:
-        Task(lambda _task: churn(release.is_set))
+        Task(lambda _report: churn(release.is_set))
     del each, widgets
     until(lambda: len(threads) == 6)
     assert set(threads) == {threading.main_thread()}
@@ -253,7 +256,7 @@ def test_the_oldest_generation_waits_for_what_comes_while_work_runs(quick_keeper
         gc.collect(1)
     assert gc.get_count()[2] > gc.get_threshold()[2]
     gc.callbacks.append(note)
-    Task(lambda _task: churn(release.is_set))
+    Task(lambda _report: churn(release.is_set))
     until(lambda: 2 in collected)
     gc.callbacks.remove(note)
     release.set()
@@ -264,7 +267,7 @@ def test_what_a_task_refers_to_goes_in_the_windows_thread(qapp):
     threads = []
     widget = QWidget()
     weakref.finalize(widget, lambda: threads.append(threading.current_thread()))
-    Task(lambda _task, widget=widget: None)
+    Task(lambda _report, widget=widget: None)
     del widget
     until(lambda: threads)
     assert threads == [threading.main_thread()]
@@ -273,8 +276,8 @@ def test_what_a_task_refers_to_goes_in_the_windows_thread(qapp):
 def test_a_collector_that_was_off_stays_off(qapp):
     gc.disable()
     try:
-        Task(lambda _task: None)
-        until(lambda: not worker._keepers[0].running)
+        Task(lambda _report: None)
+        until(lambda: not task._keepers[0].running)
         assert not gc.isenabled()
     finally:
         gc.enable()
@@ -286,7 +289,7 @@ def work_threads():
 
 def test_stopped_work_that_never_asks_is_ended(jobs, monkeypatch):
     """Stop said "stopped", and the thread went on until the memory was gone."""
-    monkeypatch.setattr(worker, "_GRACE_S", 0.02)
+    monkeypatch.setattr(task, "_GRACE_S", 0.02)
     heard, begun, cleaned = Heard(), threading.Event(), threading.Event()
 
     def work(_report):
@@ -308,31 +311,31 @@ def test_stopped_work_that_never_asks_is_ended(jobs, monkeypatch):
 
 
 def test_closing_ends_what_never_asks_within_its_patience(qapp, monkeypatch):
-    """Work that does not ask kept the window from closing: a `Settler` waited for it without end."""
-    monkeypatch.setattr(worker, "_GRACE_S", 0.02)
+    """Work that does not ask kept the window from closing: a `DebouncedTask` waited for it without end."""
+    monkeypatch.setattr(task, "_GRACE_S", 0.02)
     parent, begun = QObject(), threading.Semaphore(0)
-    settlers = [Settler(parent, settle_ms=0) for _ in range(2)]
-    stubborn = Jobs(parent)
+    debounced = [DebouncedTask(parent, settle_ms=0) for _ in range(2)]
+    stubborn = SingleTask(parent)
 
     def work(_asks):
         begun.release()
         while True:
             sum(range(100))
 
-    for each in settlers:
+    for each in debounced:
         each.ask(work)
     stubborn.start("Endless", work, print, print)
     until(lambda: len(work_threads()) == 3)
     for _ in range(3):
         assert begun.acquire(timeout=10)
-    close_all(parent.findChildren(Worker))
+    close_all(parent.findChildren(TaskOwner))
     assert work_threads() == []
 
 
 def test_closing_does_not_wait_for_what_cannot_be_ended(jobs, monkeypatch):
     """A disk of a network that answers no more, for one."""
-    monkeypatch.setattr(worker, "PATIENCE_S", 0.05)
-    monkeypatch.setattr(worker, "_GRACE_S", 0.01)
+    monkeypatch.setattr(owner, "PATIENCE_S", 0.05)
+    monkeypatch.setattr(task, "_GRACE_S", 0.01)
     release = threading.Lock()
     release.acquire()
     jobs.start("Stuck", lambda _report: release.acquire(timeout=60) and release.release(), print, print)
@@ -344,8 +347,8 @@ def test_closing_does_not_wait_for_what_cannot_be_ended(jobs, monkeypatch):
 
 def test_one_after_the_other(qapp):
     order, release = [], threading.Event()
-    first = Task(lambda _task: (release.wait(10), order.append(1)))
-    last = Task(lambda _task: order.append(2), after=first)
+    first = Task(lambda _report: (release.wait(10), order.append(1)))
+    last = Task(lambda _report: order.append(2), after=first)
     release.set()
     assert last.wait(10)
     assert order == [1, 2]

@@ -7,14 +7,10 @@ import time
 
 import pytest
 
-from app.document import format as format_module
-from app.document import storage
-from app.document.format import FormatError, decode, encode
-from app.document.lock import lock_place
-from app.document.migration import MIGRATIONS
 from app.document.model import Document, make_curve
-from app.document.open_file import LockedError, OpenFile, Sight
-from app.document.storage import (
+from app.storage import files
+from app.storage import format as format_module
+from app.storage.files import (
     ChangedOnDiskError,
     NewerVersionError,
     StorageError,
@@ -23,6 +19,10 @@ from app.document.storage import (
     save,
     write,
 )
+from app.storage.format import FormatError, decode, encode
+from app.storage.lock import lock_place
+from app.storage.migration import MIGRATIONS
+from app.storage.open_file import FileChange, LockedError, OpenFile
 
 
 def sketch(x):
@@ -50,26 +50,26 @@ def file(path):
 
 
 def test_nothing_has_changed(file):
-    assert file.look() is Sight.SAME
+    assert file.check() is FileChange.SAME
     assert file.other_document is None
 
 
 def test_another_document_is_seen(path, file):
     save(path, THEIRS)
-    assert file.look() is Sight.CHANGED
+    assert file.check() is FileChange.CHANGED
     assert file.other_document == THEIRS
 
 
 def test_writing_in_place_is_seen(path, file):
     path.write_bytes(encode(THEIRS))
-    assert file.look() is Sight.CHANGED
+    assert file.check() is FileChange.CHANGED
 
 
 def test_the_same_content_in_another_file_is_no_change(path, file):
     """As after `git checkout`, or a copy put back."""
     write(path, path.read_bytes())
     os.utime(path, (1, 1))
-    assert file.look() is Sight.SAME
+    assert file.check() is FileChange.SAME
     OpenFile.saved(path, THEIRS, file)
     assert load(path) == THEIRS
 
@@ -77,14 +77,14 @@ def test_the_same_content_in_another_file_is_no_change(path, file):
 @pytest.mark.parametrize("content", [b"", b'{"format": "curvebench", "ver', b"\xff"])
 def test_half_a_file_is_no_document(path, file, content):
     path.write_bytes(content)
-    assert file.look() is Sight.UNREADABLE
+    assert file.check() is FileChange.UNREADABLE
 
 
 def test_a_file_that_is_gone(path, file):
     path.rename(path.with_name("moved"))
-    assert file.look() is Sight.GONE
+    assert file.check() is FileChange.GONE
     OpenFile.saved(path, THEIRS, file)
-    assert file.look() is Sight.SAME
+    assert file.check() is FileChange.SAME
 
 
 # Saving
@@ -99,7 +99,7 @@ def test_an_unseen_change_is_not_overwritten(path, file):
     assert load(path) == THEIRS
     OpenFile.saved(path, sketch(3.0), file, overwrite=True)
     assert load(path) == sketch(3.0)
-    assert file.look() is Sight.SAME
+    assert file.check() is FileChange.SAME
 
 
 def test_a_change_of_the_same_size_and_time_is_noticed(path, file):
@@ -109,7 +109,7 @@ def test_a_change_of_the_same_size_and_time_is_noticed(path, file):
     with path.open("r+b") as opened:
         opened.write(content)
     os.utime(path, ns=(status.st_atime_ns, status.st_mtime_ns))
-    assert file.look() is Sight.SAME  # a quick look does not read
+    assert file.check() is FileChange.SAME  # a quick look does not read
     with pytest.raises(ChangedOnDiskError):
         OpenFile.saved(path, THEIRS, file)
     assert path.read_bytes() == content
@@ -118,7 +118,7 @@ def test_a_change_of_the_same_size_and_time_is_noticed(path, file):
 def test_what_was_accepted_may_be_replaced(path, file):
     save(path, THEIRS)
     file.accept()
-    assert file.look() is Sight.SAME
+    assert file.check() is FileChange.SAME
     OpenFile.saved(path, sketch(3.0), file)
     assert load(path) == sketch(3.0)
 
@@ -134,7 +134,7 @@ def test_what_changes_after_it_was_accepted_is_not_replaced(path, file):
 def test_reading_again(path, file):
     save(path, THEIRS)
     assert file.read_again() == THEIRS
-    assert file.look() is Sight.SAME
+    assert file.check() is FileChange.SAME
 
 
 def test_what_the_disk_did_not_confirm_is_still_ours(path, file, monkeypatch):
@@ -145,11 +145,11 @@ def test_what_the_disk_did_not_confirm_is_still_ours(path, file, monkeypatch):
         raise UnconfirmedError("not confirmed", written)
 
     with monkeypatch.context() as faulty:
-        faulty.setattr(storage, "_confirm", fail)
+        faulty.setattr(files, "_confirm", fail)
         with pytest.raises(UnconfirmedError):
             OpenFile.saved(path, THEIRS, file)
     assert file.stamp != stamp
-    assert file.look() is Sight.SAME
+    assert file.check() is FileChange.SAME
     OpenFile.saved(path, MINE, file)
 
 
@@ -173,7 +173,7 @@ def test_saving_onto_a_file_that_is_open_elsewhere(path, file, tmp_path):
     with pytest.raises(LockedError):
         OpenFile.saved(path, THEIRS, other)
     assert load(path) == MINE
-    assert other.look() is Sight.SAME
+    assert other.check() is FileChange.SAME
     other.close()
     assert not lock_place(tmp_path / "other").exists()
 
@@ -187,7 +187,7 @@ def test_a_link_leads_to_the_same_lock(path, file, tmp_path):
 def test_once_the_owner_is_gone_saving_works(path, file):
     second = OpenFile.open(path).file
     file.close()
-    assert second.look_at_lock() is None
+    assert second.check_lock() is None
     OpenFile.saved(path, THEIRS, second)
     assert second.owner is None
     second.close()
@@ -232,20 +232,20 @@ def test_a_failed_save_under_another_name_leaves_no_lock(file, tmp_path):
 def test_a_recovered_document_counts_what_is_there_as_seen(path):
     file = OpenFile.adopt(path)
     save(path, THEIRS)
-    assert file.look() is Sight.CHANGED
+    assert file.check() is FileChange.CHANGED
     file.close()
     missing = OpenFile.adopt(path.with_name("missing"))
-    assert missing.look() is Sight.SAME
+    assert missing.check() is FileChange.SAME
     missing.close()
 
 
 def test_leftovers_go_when_a_document_is_opened(path, tmp_path, monkeypatch):
-    from app.document import leftovers
+    from app.storage import temporary
 
-    left = tmp_path / leftovers.temporary_name()
+    left = tmp_path / temporary.temporary_name()
     left.write_bytes(b"half")
     os.utime(left, (time.time() - 3600, time.time() - 3600))
-    monkeypatch.setattr(leftovers, "is_number_alive", lambda _pid: False)
+    monkeypatch.setattr(temporary, "is_number_alive", lambda _pid: False)
     OpenFile.open(path).file.close()
     assert not left.exists()
 
@@ -348,14 +348,14 @@ def test_a_backup_works_without_hard_links(draft, monkeypatch):
 
 
 def test_without_a_backup_nothing_is_replaced(draft, monkeypatch):
-    real = storage._write_temporary
+    real = files._write_temporary
 
     def fail_for_the_backup(folder, data, like):
         if data == old_content():
             raise OSError(28, "No space left on device")
         return real(folder, data, like)
 
-    monkeypatch.setattr(storage, "_write_temporary", fail_for_the_backup)
+    monkeypatch.setattr(files, "_write_temporary", fail_for_the_backup)
     with pytest.raises(StorageError, match="The disk is full"):
         save(draft, MINE)
     assert draft.read_bytes() == old_content()
@@ -367,7 +367,7 @@ def test_a_newer_version_is_neither_opened_nor_replaced(path, file):
     path.write_bytes(newer)
     with pytest.raises(FormatError, match="newer version of Curvebench"):
         OpenFile.open(path)
-    assert file.look() is Sight.UNREADABLE
+    assert file.check() is FileChange.UNREADABLE
     for overwrite in (False, True):
         with pytest.raises((NewerVersionError, ChangedOnDiskError)):
             OpenFile.saved(path, THEIRS, file, overwrite=overwrite)

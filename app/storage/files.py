@@ -16,12 +16,12 @@ from pathlib import Path
 
 import msgspec
 
-from app.document.file_access import keep_access
-from app.document.format import VERSION, decode, encode, version_of
-from app.document.image_path import relative_to, resolved
-from app.document.leftovers import TEMPORARY_PREFIX, temporary_name
 from app.document.model import Document
-from app.document.turns import taking_turns
+from app.storage.file_access import keep_access
+from app.storage.format import VERSION, decode, encode, version_of
+from app.storage.image_path import relative_to, resolved
+from app.storage.system_lock import folder_lock
+from app.storage.temporary import TEMPORARY_PREFIX, temporary_name
 
 __all__ = [
     "MAX_BYTES",
@@ -266,7 +266,7 @@ def write(
         _refuse_unwritable(path, target)
         temporary, status = _write_temporary(target.parent, data, target)
         try:
-            with taking_turns(target.parent):
+            with folder_lock(target.parent):
                 if before_replacing is not None:
                     before_replacing(target)
                 temporary.replace(target)

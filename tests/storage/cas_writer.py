@@ -10,7 +10,7 @@ import time
 from pathlib import Path
 
 from app.document.model import Document, make_curve
-from app.document.storage import ChangedOnDiskError, document_in, read_content, save
+from app.storage.files import ChangedOnDiskError, document_in, read_content, save
 
 
 def main(path: Path, signal: Path, rounds: int) -> None:

@@ -1,7 +1,7 @@
 """Snapshots of unsaved work: what is left when the program ends before the document is saved.
 
 A snapshot is one file in a folder of the program's own, written as whole as a document. Beside it lies a
-claim: as long as the process runs that writes the snapshot, nobody else is offered it.
+lock: as long as the process runs that writes the snapshot, nobody else is offered it.
 """
 
 from __future__ import annotations
@@ -15,16 +15,15 @@ from typing import Literal
 
 import msgspec
 
-from app.document.claim import Claim
-from app.document.format import FormatError, decode, encode
 from app.document.model import Document
-from app.document.storage import TEMPORARY_PREFIX, Stamp, StorageError, load, read, read_content, write
+from app.storage.files import Stamp, StorageError, load, read, read_content, write
+from app.storage.format import FormatError, decode, encode
+from app.storage.lock import ProcessLock, acquire
+from app.storage.temporary import remove_stale
 
 SUFFIX = ".snapshot.json"
 DAMAGED = ".damaged"
-_CLAIM = ".claim"
-_OLD_TEMPORARY_S = 3600.0
-"""Temporary files of this age belong to no write that is still under way."""
+_LOCK = ".claim"
 
 
 class _Record(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
@@ -86,16 +85,16 @@ class Snapshot(msgspec.Struct, frozen=True):
     origin: Origin
     written: float
     file: Path
-    _claim: Claim
+    _lock: ProcessLock
 
     def discard(self) -> None:
         """Delete it for good."""
         _remove(self.file)
-        self._claim.release()
+        self._lock.release()
 
     def leave(self) -> None:
         """Keep it for the next start."""
-        self._claim.release()
+        self._lock.release()
 
 
 class Found(msgspec.Struct, frozen=True):
@@ -120,7 +119,7 @@ class SnapshotFile:
     def __init__(self, folder: Path) -> None:
         self._folder = folder
         self._file: Path | None = None
-        self._claim: Claim | None = None
+        self._lock: ProcessLock | None = None
 
     def write(self, document: Document, origin: Origin, committed: Document | None = None) -> None:
         """Replace the snapshot by one of `document`, or of `committed` where that cannot be written.
@@ -140,13 +139,14 @@ class SnapshotFile:
             if committed is None:
                 raise
             text = encode(committed)
-        write(self._claimed(), _record_of(text, origin))
+        write(self._locked(), _record_of(text, origin))
 
-    def _claimed(self) -> Path:
+    def _locked(self) -> Path:
         if self._file is None:
             self._folder.mkdir(mode=0o700, parents=True, exist_ok=True)
             file = self._folder / (os.urandom(8).hex() + SUFFIX)
-            self._claim = Claim.take(_claim_of(file))
+            # Without a lock, where none can be made, another start may offer it too.
+            self._lock = acquire(_lock_of(file), is_private=True).lock
             self._file = file
         return self._file
 
@@ -154,42 +154,39 @@ class SnapshotFile:
         """Delete the snapshot, if there is one."""
         if self._file is not None:
             _remove(self._file)
-        if self._claim is not None:
-            self._claim.release()
-        self._file = self._claim = None
+        if self._lock is not None:
+            self._lock.release()
+        self._file = self._lock = None
 
     def leave(self) -> None:
         """Keep the snapshot for the next start."""
-        if self._claim is not None:
-            self._claim.release()
-        self._file = self._claim = None
+        if self._lock is not None:
+            self._lock.release()
+        self._file = self._lock = None
 
 
 def list_snapshots(folder: Path) -> Found:
     """Return what processes that have ended left in `folder`; never raises because of what is in it.
 
-    The snapshots found are claimed: until they are discarded or left, no other process is offered them.
+    The snapshots found are locked: until they are discarded or left, no other process is offered them.
     """
-    _sweep(folder)
+    _remove_orphans(folder)
     snapshots, damaged = [], []
     for file in _files(folder, SUFFIX):
+        lock = acquire(_lock_of(file), is_private=True).lock
+        if lock is None:
+            continue  # a running process has it, or the folder is not ours to write: who may, is offered it
         try:
-            claim = Claim.take(_claim_of(file))
-        except OSError:
-            continue  # the folder is not ours to write; who may, will be offered it
-        if claim is None:
-            continue
-        try:
-            snapshot = _load(file, claim)
+            snapshot = _load(file, lock)
             if _is_saved(snapshot):
                 snapshot.discard()
             else:
                 snapshots.append(snapshot)
         except FileNotFoundError:
-            claim.release()  # another start has just dealt with it
+            lock.release()  # another start has just dealt with it
         except (OSError, ValueError):
             damaged.append(_set_aside(file))
-            claim.release()
+            lock.release()
     snapshots.sort(key=lambda each: -each.written)
     return Found(tuple(snapshots), tuple(damaged))
 
@@ -216,7 +213,7 @@ def _checksum(text: bytes) -> str:
     return hashlib.sha256(text).hexdigest()
 
 
-def _load(file: Path, claim: Claim) -> Snapshot:
+def _load(file: Path, lock: ProcessLock) -> Snapshot:
     """Return the snapshot in `file`; raise ValueError (FormatError among them) if it is damaged."""
     if not file.exists():
         raise FileNotFoundError(file)
@@ -228,7 +225,7 @@ def _load(file: Path, claim: Claim) -> Snapshot:
     if _checksum(text) != record.checksum or not math.isfinite(record.written):
         raise ValueError("the checksum is another one")
     path = Path(os.fsdecode(record.path)) if record.path is not None else None
-    return Snapshot(decode(text), Origin(path, record.stamp), record.written, file, claim)
+    return Snapshot(decode(text), Origin(path, record.stamp), record.written, file, lock)
 
 
 def _is_saved(snapshot: Snapshot) -> bool:
@@ -248,19 +245,14 @@ def _set_aside(file: Path) -> Path:
         return file
 
 
-def _sweep(folder: Path) -> None:
+def _remove_orphans(folder: Path) -> None:
     """Remove what ended processes left beside their snapshots."""
-    for path in _files(folder, _CLAIM):
-        if not path.with_name(path.name.removesuffix(_CLAIM)).exists():
-            with suppress(OSError):
-                claim = Claim.take(path)
-                if claim is not None:
-                    claim.release()
-    for path in _files(folder, ".tmp"):
-        if path.name.startswith(TEMPORARY_PREFIX):
-            with suppress(OSError):
-                if time.time() - path.stat().st_mtime > _OLD_TEMPORARY_S:
-                    path.unlink()
+    for place in _files(folder, _LOCK):
+        if not place.with_name(place.name.removesuffix(_LOCK)).exists():
+            lock = acquire(place, is_private=True).lock
+            if lock is not None:
+                lock.release()
+    remove_stale(folder)
 
 
 def _files(folder: Path, ending: str) -> list[Path]:
@@ -270,8 +262,8 @@ def _files(folder: Path, ending: str) -> list[Path]:
         return []
 
 
-def _claim_of(file: Path) -> Path:
-    return file.with_name(file.name + _CLAIM)
+def _lock_of(file: Path) -> Path:
+    return file.with_name(file.name + _LOCK)
 
 
 def _remove(file: Path) -> None:

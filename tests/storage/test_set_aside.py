@@ -6,11 +6,11 @@ import pytest
 from PySide6.QtCore import QCoreApplication
 
 from app.document.model import Document, make_curve
-from app.document.recovery import list_snapshots
-from app.document.storage import load
 from app.lessons import load_lesson
 from app.session import Session
 from app.set_aside import SetAside
+from app.storage.files import load
+from app.storage.recovery import list_snapshots
 
 POINTS = [(0.0, 0.0), (1.0, 2.0), (2.5, 1.0)]
 LESSONS = [load_lesson(name).document for name in ("03_chord_length", "04_decimal_accuracy")]

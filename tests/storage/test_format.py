@@ -11,8 +11,6 @@ import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
-from app.document import format as file_format
-from app.document.format import FormatError, decode, encode, validate
 from app.document.model import (
     MAX_MAGNITUDE,
     AccelerationRule,
@@ -26,6 +24,8 @@ from app.document.model import (
     empty_document,
     make_curve,
 )
+from app.storage import format as file_format
+from app.storage.format import FormatError, decode, encode, validate
 
 quick = settings(max_examples=60, deadline=None, suppress_health_check=[HealthCheck.too_slow])
 
