@@ -55,6 +55,12 @@ class _PiecewiseHermite(Immutable):
     __slots__ = ("_columns", "_jets", "_parameters")
     _caches = ("_columns",)
 
+    name: ClassVar[str]
+    title: ClassVar[str]
+    derivatives: ClassVar[int]
+    can_close: ClassVar[bool] = True
+    is_local: ClassVar[bool] = True
+
     _functions: ClassVar[tuple[LeftFunctions, ...]]
 
     _jets: FloatArray
@@ -293,7 +299,7 @@ class _PiecewiseHermite(Immutable):
 
 
 class HermiteCurve(_PiecewiseHermite):
-    """The piecewise cubic with given points and velocities at the joints.
+    """Cubic pieces with given velocities.
 
     Continuously differentiable; c''(t) may jump at the joints.
 
@@ -333,7 +339,17 @@ class HermiteCurve(_PiecewiseHermite):
 
     __slots__ = ()
 
+    name = "hermite"
+    title = "Hermite"
+    derivatives = 1
+
     _functions = CUBIC
+
+    @classmethod
+    def from_jets(cls, jets: ArrayLike, parameters: ArrayLike) -> Self:
+        """Return the curve with the data `jets`, shape (n, 2, dim), at `parameters`, shape (n,)."""
+        data = np.asarray(jets)
+        return cls(data[:, 0], data[:, 1], parameters)
 
     def __init__(self, points: ArrayLike, velocities: ArrayLike, parameters: ArrayLike) -> None:
         position = point_array(points)
@@ -344,7 +360,7 @@ class HermiteCurve(_PiecewiseHermite):
 
 
 class QuinticHermiteCurve(_PiecewiseHermite):
-    """The piecewise quintic with given points, velocities and accelerations.
+    """Quintic pieces with given velocities and accelerations.
 
     Twice continuously differentiable; c'''(t) may jump at the joints.
 
@@ -384,7 +400,17 @@ class QuinticHermiteCurve(_PiecewiseHermite):
 
     __slots__ = ()
 
+    name = "quintic_hermite"
+    title = "quintic Hermite"
+    derivatives = 2
+
     _functions = QUINTIC
+
+    @classmethod
+    def from_jets(cls, jets: ArrayLike, parameters: ArrayLike) -> Self:
+        """Return the curve with the data `jets`, shape (n, 3, dim), at `parameters`, shape (n,)."""
+        data = np.asarray(jets)
+        return cls(data[:, 0], data[:, 1], data[:, 2], parameters)
 
     def __init__(
         self,

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import ClassVar, Self
+
 import numpy as np
 from numpy.typing import ArrayLike
 
@@ -22,9 +24,10 @@ __all__ = ["LagrangeCurve"]
 
 
 class LagrangeCurve(Immutable):
-    """The polynomial of degree n - 1 through n points at n parameters.
+    """One polynomial through all points.
 
-    c(t) = sum over i of L_i(t) p_i with L_i(t_j) = 1 for i = j, else 0.
+    Of degree n - 1: c(t) = sum over i of L_i(t) p_i with L_i(t_j) = 1 for
+    i = j, else 0.
 
     Parameters
     ----------
@@ -71,6 +74,12 @@ class LagrangeCurve(Immutable):
     __slots__ = ("_jets", "_parameters", "_prepared")
     _caches = ("_prepared",)
 
+    name: ClassVar[str] = "lagrange"
+    title: ClassVar[str] = "Lagrange"
+    derivatives: ClassVar[int] = 0
+    can_close: ClassVar[bool] = False
+    is_local: ClassVar[bool] = False
+
     def __init__(self, points: ArrayLike, parameters: ArrayLike) -> None:
         data = point_array(points)
         self._jets = read_only(data[:, None, :])
@@ -83,6 +92,11 @@ class LagrangeCurve(Immutable):
         if self._prepared is None:
             self._prepared = Nodes.of(self._parameters)
         return self._prepared
+
+    @classmethod
+    def from_jets(cls, jets: ArrayLike, parameters: ArrayLike) -> Self:
+        """Return the curve with the data `jets`, shape (n, 1, dim), at `parameters`, shape (n,)."""
+        return cls(np.asarray(jets)[:, 0], parameters)
 
     def weight_ratios(self, index: int) -> FloatArray:
         """Return w_i / w_index for all i, with w_i = 1 / prod_(j != i) (t_i - t_j).
