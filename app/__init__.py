@@ -2,6 +2,7 @@
 
 The layers, top to bottom; a module imports only from its own layer and those above it:
 
+- ``families``: the curve families that there are: the registry that all else reads. No Qt.
 - ``document``: immutable values, edits, the file format. No Qt, no arrays inside the values.
 - ``view_model``: a document's curve turned into arrays to draw. No Qt; calls ``curvecore``.
 - ``gestures``: press, move and release turned into edits. No Qt.

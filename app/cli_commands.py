@@ -26,7 +26,6 @@ from app.cli_options import (
     positive_number,
 )
 from app.cli_refusals import RefusalError, load_document, one_line, say
-from app.document.model import Family
 from app.exchange import (
     SUFFIXES,
     ExchangeError,
@@ -36,17 +35,12 @@ from app.exchange import (
 )
 from app.exchange.formats import can_import
 from app.exchange.progress import Report, part
+from app.families import FAMILIES
 
 if TYPE_CHECKING:
     from app.document.model import Document
     from app.exchange.cubics_in import Imported
     from app.exchange.facts import CurveFacts, Growth
-
-FAMILY_NAMES = {
-    Family.LAGRANGE: "Lagrange",
-    Family.HERMITE: "cubic Hermite",
-    Family.QUINTIC_HERMITE: "quintic Hermite",
-}
 
 # A bound that was rounded to the nearest would not be one.
 _ONE_DIGIT_UP = Context(prec=1, rounding=ROUND_UP)
@@ -172,7 +166,7 @@ def _convert(options: argparse.Namespace) -> int:
             tolerance=options.tolerance,
             thin=options.thin,
             corners=options.corners,
-            family=Family(options.family),
+            family=FAMILIES.named(options.family),
             columns=columns_to_read(options),
             missing=options.missing,
             only=options.only,
@@ -259,7 +253,7 @@ def _as_json(facts: CurveFacts) -> dict[str, Any]:
     length = {"about": facts.length.value, "error": facts.length.error} if facts.length else None
     return {
         "name": facts.name,
-        "family": facts.family,
+        "family": facts.family.name,
         "degree": facts.degree,
         "points": facts.points,
         "closed": facts.closed,
@@ -275,7 +269,7 @@ def _as_json(facts: CurveFacts) -> dict[str, Any]:
 
 
 def _as_text(facts: CurveFacts) -> str:
-    rows = [("family", FAMILY_NAMES[facts.family])]
+    rows = [("family", facts.family.full_title)]
     if facts.degree is not None:
         rows.append(("degree", f"{facts.degree}" + (" on every segment" if facts.family.derivatives else "")))
     rows += [("points", _points_text(facts)), ("parametrization", _rule_text(facts))]

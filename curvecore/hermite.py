@@ -341,6 +341,7 @@ class HermiteCurve(_PiecewiseHermite):
 
     name = "hermite"
     title = "Hermite"
+    full_title = "cubic Hermite"
     derivatives = 1
 
     _functions = CUBIC

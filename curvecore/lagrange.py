@@ -79,6 +79,7 @@ class LagrangeCurve(Immutable):
     derivatives: ClassVar[int] = 0
     can_close: ClassVar[bool] = False
     is_local: ClassVar[bool] = False
+    is_one_polynomial: ClassVar[bool] = True
 
     def __init__(self, points: ArrayLike, parameters: ArrayLike) -> None:
         data = point_array(points)

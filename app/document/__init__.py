@@ -9,7 +9,8 @@
 - ``choice``: where chosen curves and selected nodes are after a change.
 - ``image_edits``, ``import_edits``: of the picture to trace; curves from elsewhere.
 - ``expression``: numbers as people type them.
-- ``format``: documents to and from bytes, strictly.  ``image_path``: where the file of a picture lies.
+- ``format``: documents to and from bytes, strictly; ``coding``: families in them, by name.
+  ``image_path``: where the file of a picture lies.
 - ``migration``: older versions of the format, step by step.  ``all_within``: a quick look at many numbers.
   ``repeated_keys``: what typed decoding passes over.
 - ``storage``: bytes to and from disk, so that nothing is ever half written; ``file_access``: who may read

@@ -101,7 +101,9 @@ def _head(deviation: float, remarks: tuple[str, ...], imports: str) -> str:
 
 def _title(source: Source) -> str:
     start, end = source.core.domain
-    return f"{one_line(source.name)}: {source.curve.family.replace('_', ' ')}, t from {start!r} to {end!r}"
+    return (
+        f"{one_line(source.name)}: {source.curve.family.name.replace('_', ' ')}, t from {start!r} to {end!r}"
+    )
 
 
 def _listing(name: str, source: Source) -> str:

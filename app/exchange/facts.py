@@ -8,9 +8,10 @@ from typing import NamedTuple
 
 import numpy as np
 
-from app.document.model import Curve, Document, Family, Parametrization
+from app.document.model import Curve, Document, Parametrization
 from app.exchange.drawing import ExchangeError, frame_around, refuse_wild, too_much
 from app.exchange.progress import Report, silent
+from app.families import Family
 from app.view_model.arc_lengths import lengths_of
 from app.view_model.curve_view import CoreCurve, CurveView, view_of
 from app.view_model.growth import growths_of_points

@@ -11,7 +11,8 @@ from msgspec.structs import replace
 
 from app.document import edits
 from app.document.edits import EditError
-from app.document.model import Document, Family, Node, Vector
+from app.document.model import Document, Node, Vector
+from app.families import Family
 from app.view_model.appending import with_nodes_appended
 from app.view_model.curve_view import CurveView, Floats, appended_parameter, view_of
 from app.view_model.jets import explicit_sides

@@ -20,7 +20,7 @@ from PySide6.QtGui import QColor, QFont, QPainter, QPixmap
 from app.document import edits
 from app.document.edits import EditError
 from app.document.expression import ExpressionError, parse_number
-from app.document.model import Family
+from app.families import LAGRANGE
 from app.overrides import Guarded
 from app.panels.number_text import (
     ColumnNumbers,
@@ -71,7 +71,7 @@ class PointTableModel(Guarded, QAbstractTableModel):
         self._view: CurveView | None = None
         self._shown = _EMPTY
         self._numbers: tuple[TableValues, list[ColumnNumbers]] | None = None
-        self.columns: tuple[Column, ...] = columns_of(Family.LAGRANGE)
+        self.columns: tuple[Column, ...] = columns_of(LAGRANGE)
         self._corners: frozenset[int] = frozenset()
         self._theme = LIGHT
         self._answers: dict[int, Callable[[int, int], object]] = {

@@ -9,7 +9,7 @@ from itertools import pairwise
 import msgspec
 import numpy as np
 
-from app.document.model import Family
+from app.families import Family
 from app.view_model.curve_view import CurveView, Floats, Integers, SimpleCurve
 from curvecore import HermiteCurve, LagrangeCurve, QuinticHermiteCurve
 from curvecore.moved_parameters import MovedParameters
@@ -313,8 +313,8 @@ def basis_scales(curve: SimpleCurve) -> Floats:
 
 def basis_formulas(family: Family) -> tuple[str, ...]:
     """Return what is drawn of each kind, as formulas; h stands for the longer segment beside the point."""
-    if family is Family.LAGRANGE:
-        return ("Lᵢ(t)",)
+    if not family.derivatives:
+        return ("Lᵢ(t)",) if family.is_one_polynomial else ("Bᵢ(t)",)
     return ("B₀", "2.5·B₁ ∕ h", "25·B₂ ∕ h²")[: family.derivatives + 1]
 
 

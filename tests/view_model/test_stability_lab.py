@@ -6,8 +6,9 @@ import numpy as np
 import pytest
 from msgspec.structs import replace
 
-from app.document.model import Document, Family, Parametrization, ParametrizationKind, make_curve
+from app.document.model import Document, Parametrization, ParametrizationKind, make_curve
 from app.document.storage import load
+from app.families import FAMILIES
 from app.lessons import load_lesson
 from app.view_model.analysis.cost import cost_chart, cost_of
 from app.view_model.analysis.cures import CURES, cures_of
@@ -34,7 +35,7 @@ def ring(family):
     return view_of(replace(closed, nodes=tuple(nodes)))
 
 
-@pytest.mark.parametrize("family", list(Family))
+@pytest.mark.parametrize("family", FAMILIES)
 def test_sixteen_digits_are_as_good_as_the_curve(family):
     view = ring(family)
     trial = try_methods(view, replace(ALL, digits=16), wanted)
@@ -47,7 +48,7 @@ def test_sixteen_digits_are_as_good_as_the_curve(family):
         assert outcome.lost < 6
 
 
-@pytest.mark.parametrize("family", list(Family))
+@pytest.mark.parametrize("family", FAMILIES)
 @pytest.mark.parametrize("shift", [100.0, -3.25])
 def test_a_shift_changes_nothing_but_the_powers_of_t(family, shift):
     view = ring(family)
@@ -112,7 +113,7 @@ def test_the_cost_is_that_of_cubic_and_quadratic_work():
     assert np.log(chart.basis[-1] / chart.basis[-5]) / ends == pytest.approx(2, abs=0.02)
 
 
-@pytest.mark.parametrize("family", list(Family))
+@pytest.mark.parametrize("family", FAMILIES)
 def test_the_pulls_make_the_point(family):
     view = view_of(make_curve(POINTS, family=family))
     found = explain(view, 0.37)
