@@ -6,7 +6,7 @@ import argparse
 import json
 import math
 import sys
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import contextmanager
 from decimal import ROUND_UP, Context
 from pathlib import Path
@@ -134,8 +134,15 @@ def _render(options: argparse.Namespace) -> int:
         raise RefusalError(f"“{options.output}” does not end in a known format for pictures; use {known}.")
     document = _document_of(options)
     with _told_on_terminals() as report:
-        export_with(document, options.output, picture_options(options, document).reporting(report))
+        made = export_with(document, options.output, picture_options(options, document).reporting(report))
+    _tell(made.remarks)
     return 0
+
+
+def _tell(remarks: Iterable[str]) -> None:
+    """Print what was left out or is otherwise, line by line, beside the output."""
+    for remark in remarks:
+        print(f"curvebench: {one_line(remark)}", file=sys.stderr)
 
 
 def _render_film(options: argparse.Namespace) -> int:
@@ -181,8 +188,7 @@ def _convert(options: argparse.Namespace) -> int:
             report=part(report, 0.5, 1.0),
         )
         written = export_with(source.document, options.output, wanted)
-    for remark in (*source.remarks, *_on_groups(source, options.only), *written.remarks):
-        print(f"curvebench: {one_line(remark)}", file=sys.stderr)
+    _tell((*source.remarks, *_on_groups(source, options.only), *written.remarks))
     total = rounded_up(source.deviation + written.deviation)
     say(f"{one_line(options.output)}: largest deviation from the true curves {total:g}")
     return 0

@@ -57,7 +57,12 @@ class Family:
     @property
     def problem(self) -> str:
         """What is missing, as a sentence; empty where nothing is."""
-        return f"The family “{self._name}” is not installed." if self.is_missing else ""
+        if not self.is_missing:
+            return ""
+        return (
+            f"The family “{self._name}” is not installed: start with --families and the file that brings it, "
+            "or choose another family."
+        )
 
     @property
     def title(self) -> str:
