@@ -126,7 +126,7 @@ class FrozenFlattening:
 
     def _leave_out(self, curve: Curve) -> LeftOut | None:
         """Leave out what `curve` has elsewhere; None where that is too much."""
-        if len(curve.parameters) != len(self._curve.parameters) or not curve.is_interpolating_polynomial:
+        if len(curve.parameters) != len(self._curve.parameters) or not curve.is_one_polynomial:
             return None
         differs = (curve.parameters != self._curve.parameters) | (curve.points != self._curve.points).any(
             axis=1

@@ -12,9 +12,17 @@ import pytest
 
 ROOT = Path(__file__).resolve().parent.parent
 QT = {"PySide6", "shiboken6", "pyqtgraph"}
-WITHOUT_QT = ("curvecore", "app.document", "app.storage", "app.view_model", "app.tools", "app.exchange")
+WITHOUT_QT = (
+    "curvecore",
+    "app.families",
+    "app.document",
+    "app.storage",
+    "app.view_model",
+    "app.tools",
+    "app.exchange",
+)
 WITH_QT = ("app.exchange.image", "app.exchange.motion_frames")
-CALLS_THE_CORE = ("app.view_model", "app.exchange", "app.cli")
+CALLS_THE_CORE = ("app.families", "app.view_model", "app.exchange", "app.cli")
 STRANGERS = {("app.canvas", "app.panels"), ("app.panels", "app.canvas")}
 
 
@@ -108,8 +116,18 @@ def violations(root: Path) -> list[str]:
 
 def test_the_docstring_of_app_gives_the_layers():
     order = layers(ROOT)
-    assert order["app.document"] == 0
-    above = ["document", "storage", "view_model", "tools", "session", "canvas", "main_window", "cli"]
+    assert order["app.families"] == 0
+    above = [
+        "families",
+        "document",
+        "storage",
+        "view_model",
+        "tools",
+        "session",
+        "canvas",
+        "main_window",
+        "cli",
+    ]
     numbers = [order[f"app.{name}"] for name in above]
     assert numbers == sorted(numbers)
     assert order["app.canvas"] == order["app.panels"]
@@ -215,7 +233,7 @@ def plant(root: Path, files: dict[str, str]) -> None:
 
 
 @pytest.mark.parametrize(
-    "package", ["curvecore", "app.document", "app.storage", "app.view_model", "app.tools"]
+    "package", ["curvecore", "app.families", "app.document", "app.storage", "app.view_model", "app.tools"]
 )
 def test_it_imports_where_there_is_no_qt(package):
     names = [name for name in modules(ROOT) if is_within(name, [package])]

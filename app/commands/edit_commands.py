@@ -2,28 +2,19 @@
 
 from __future__ import annotations
 
+from functools import partial
+
 from PySide6.QtGui import QAction
 
 from app.commands.parts import Handlers, Parts
 from app.controllers.parametrization import use_parametrization
 from app.document import edits
-from app.document.model import Family, ParametrizationKind
+from app.document.model import ParametrizationKind
+from app.families import FAMILIES, Family
 from app.keymap import call_alone
 from app.labels import menu_text
 from app.panels.parametrization_bar import KIND_NAMES
 from app.view_model.curve_view import CurveView
-
-_FAMILY_ACTIONS = {
-    Family.LAGRANGE: "familyLagrange",
-    Family.HERMITE: "familyHermite",
-    Family.QUINTIC_HERMITE: "familyQuinticHermite",
-}
-_FAMILY_NAMES = {
-    Family.LAGRANGE: "Lagrange",
-    Family.HERMITE: "Hermite",
-    Family.QUINTIC_HERMITE: "quintic Hermite",
-}
-_SHOWN_OPEN = "A Lagrange curve cannot close smoothly; it is shown open, and closes again as Hermite."
 
 
 class EditCommands:
@@ -45,9 +36,7 @@ class EditCommands:
             "redo": self._redo,
             "selectAll": self._select_all,
             "deleteSelection": self._delete_selection,
-            "familyLagrange": lambda: self._use_family(Family.LAGRANGE),
-            "familyHermite": lambda: self._use_family(Family.HERMITE),
-            "familyQuinticHermite": lambda: self._use_family(Family.QUINTIC_HERMITE),
+            **{family.action_name: partial(self._use_family, family) for family in FAMILIES},
             "freezeParameters": self._freeze_parameters,
             "useUniform": lambda: use_parametrization(self._session, ParametrizationKind.UNIFORM),
             "resetVelocities": self._reset_derivatives,
@@ -56,7 +45,8 @@ class EditCommands:
     def render(self, view: CurveView) -> None:
         """Check and enable the actions."""
         chosen = self._session.selection
-        self._actions[_FAMILY_ACTIONS[view.source.family]].setChecked(True)
+        for family in FAMILIES:
+            self._actions[family.action_name].setChecked(family == view.source.family)
         has_curves = len(self._session.chosen_curves) > 1
         self._actions["deleteSelection"].setEnabled(bool(chosen) or has_curves)
         has_explicit = any(
@@ -116,11 +106,15 @@ class EditCommands:
         session = self._session
         was_closed = session.active_curve.is_closed
         session.change(
-            f"Switch to {_FAMILY_NAMES[family]}",
+            f"Switch to {family.title}",
             lambda document: edits.set_family(document, session.active_index, family),
         )
         if was_closed and not session.active_curve.is_closed:
-            session.say(_SHOWN_OPEN)
+            closes = next(each.title for each in FAMILIES if each.can_close)
+            session.say(
+                f"A {family.title} curve cannot close smoothly; it is shown open, "
+                f"and closes again as {closes}."
+            )
         # The toggle shows what is, also where nothing changed.
         self.render(session.active_view)
 

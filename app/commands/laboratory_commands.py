@@ -141,7 +141,7 @@ class LaboratoryCommands(Guarded, QObject):
             return
         if self._asked == (view, settings):
             return
-        is_other_kind = self._asked is None or self._asked[0].source.family is not view.source.family
+        is_other_kind = self._asked is None or self._asked[0].source.family != view.source.family
         if self._panel is not None and (is_other_kind or self._asked is None or self._asked[1] != settings):
             self._panel.render_view(view)
         self._asked = (view, settings)

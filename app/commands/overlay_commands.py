@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 from app.commands.parts import Handlers, Parts
 from app.tasks.debounced_task import DebouncedTask
 from app.tasks.progress import Report
-from app.view_model.analysis.settings import AnalysisSettings, Ghost, Overlay
+from app.view_model.analysis.settings import AnalysisSettings, Ghost, Overlay, all_ghosts
 from app.view_model.curve_view import CurveView
 
 if TYPE_CHECKING:
@@ -28,17 +28,6 @@ OVERLAYS = {
     "overlayEnsemble": Overlay.ENSEMBLE,
 }
 """The overlay that each action switches."""
-
-GHOSTS = {
-    "ghostLagrange": Ghost.LAGRANGE,
-    "ghostHermite": Ghost.HERMITE,
-    "ghostQuinticHermite": Ghost.QUINTIC_HERMITE,
-    "ghostUniform": Ghost.UNIFORM,
-    "ghostChordLength": Ghost.CHORD_LENGTH,
-    "ghostCentripetal": Ghost.CENTRIPETAL,
-    "ghostChebyshev": Ghost.CHEBYSHEV,
-}
-"""The variant of the curve that each action switches."""
 
 _GROUP = "overlays"
 _AT_SCRUB = {Overlay.CIRCLE, Overlay.VELOCITIES, Overlay.ACCELERATIONS}
@@ -66,7 +55,7 @@ class OverlayCommands:
         """Return what each action does."""
         return {
             **{name: partial(self._switch, name) for name in OVERLAYS},
-            **{name: partial(self._switch_ghost, name) for name in GHOSTS},
+            **{ghost.action_name: partial(self._switch_ghost, ghost) for ghost in all_ghosts()},
             "newSeed": self._new_seed,
         }
 
@@ -158,8 +147,8 @@ class OverlayCommands:
             return
         for name, overlay in OVERLAYS.items():
             self._parts.actions[name].setChecked(overlay in shown)
-        for name, ghost in GHOSTS.items():
-            self._parts.actions[name].setChecked(ghost in analysis.settings.ghosts)
+        for ghost in all_ghosts():
+            self._parts.actions[ghost.action_name].setChecked(ghost in analysis.settings.ghosts)
         self.follow(session.active_view)
 
     # What the person does
@@ -173,8 +162,8 @@ class OverlayCommands:
             session.set_scrub((start + end) / 2)
         self._parts.analysis.show(overlay, shown)
 
-    def _switch_ghost(self, name: str) -> None:
-        self._parts.analysis.show_ghost(GHOSTS[name], self._parts.actions[name].isChecked())
+    def _switch_ghost(self, ghost: Ghost) -> None:
+        self._parts.analysis.show_ghost(ghost, self._parts.actions[ghost.action_name].isChecked())
 
     def _new_seed(self) -> None:
         analysis = self._parts.analysis
@@ -185,9 +174,9 @@ class OverlayCommands:
 
     def _make_real(self, ghost: Ghost) -> None:
         """Give the curve the rules of a ghost."""
-        from app.view_model.analysis.ghosts import FAMILIES, NAMES, with_ghost_real  # noqa: PLC0415 - as above
+        from app.view_model.analysis.ghosts import with_ghost_real  # noqa: PLC0415 - as above
 
         session = self._parts.session
-        name = NAMES[ghost]
-        text = f"Switch to {name}" if ghost in FAMILIES else f"Use {name.lower()} parameters"
+        is_family = ghost.family is not None
+        text = f"Switch to {ghost.title}" if is_family else f"Use {ghost.title.lower()} parameters"
         session.change(text, lambda document: with_ghost_real(document, session.active_index, ghost))

@@ -73,7 +73,7 @@ class PlotCommands:
         others = self._parts.analysis.settings.plots - {Plot.LEBESGUE}
         if others or self._plotted is None or not view.is_current:
             return False
-        same = view.source.family is self._plotted.source.family
+        same = view.source.family == self._plotted.source.family
         same = same and np.array_equal(view.parameters, self._plotted.parameters)
         return same and (not view.source.family.derivatives or view.cardinal is self._plotted.cardinal)
 

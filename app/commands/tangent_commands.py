@@ -8,8 +8,8 @@ from app.commands.parts import Handlers, Parts
 from app.document import edits
 from app.document.curve_edits import replace_curve
 from app.document.edits import EditError
-from app.document.model import Curve, Document, Family, Node
-from app.document.straight_edits import ONE_POLYNOMIAL, corners_of, ends_of
+from app.document.model import Curve, Document, Node
+from app.document.straight_edits import corners_of, ends_of, why_not_straight
 from app.keymap import tool_tip
 from app.tools import words
 from app.view_model.curve_view import CurveView
@@ -56,9 +56,9 @@ class TangentCommands:
 
     def _render_straight(self, view: CurveView) -> None:
         action = self._parts.actions["straightSegment"]
-        is_polynomial = view.source.family is Family.LAGRANGE
-        action.setEnabled(not is_polynomial and view.is_current)
-        action.setToolTip(ONE_POLYNOMIAL if is_polynomial else tool_tip(action))
+        reason = why_not_straight(view.source.family)
+        action.setEnabled(not reason and view.is_current)
+        action.setToolTip(reason or tool_tip(action))
 
     def _pulled(self, view: CurveView, chosen: Collection[int]) -> Curve:
         pulled = with_velocities_pulled(view, chosen, _VISIBLE * self._parts.canvas.pixel_size)

@@ -101,7 +101,9 @@ def _head(deviation: float, remarks: tuple[str, ...], imports: str) -> str:
 
 def _title(source: Source) -> str:
     start, end = source.core.domain
-    return f"{one_line(source.name)}: {source.curve.family.replace('_', ' ')}, t from {start!r} to {end!r}"
+    return (
+        f"{one_line(source.name)}: {source.curve.family.name.replace('_', ' ')}, t from {start!r} to {end!r}"
+    )
 
 
 def _listing(name: str, source: Source) -> str:
@@ -129,7 +131,7 @@ def _python_deviation(piece: CoreCurve) -> float:
 
 def _scipy_object(name: str, source: Source) -> str:
     first, *others = source.polynomials.pieces
-    if first.is_interpolating_polynomial:
+    if first.is_one_polynomial:
         return (
             f"{name} = interpolate.BarycentricInterpolator(\n    {_array(first.parameters, 4)},\n"
             f"    {_array(first.points, 4)},\n)"
@@ -154,7 +156,7 @@ def _chained(source: Source) -> tuple[Floats, Floats]:
 
 def _scipy_deviation(source: Source) -> float:
     first, *others = source.polynomials.pieces
-    if first.is_interpolating_polynomial:
+    if first.is_one_polynomial:
         own = measured(first, lambda t: _barycentric(t, first.parameters, first.points))
     elif first.derivatives == 1 and not others:
         own = measured(first, lambda t: _local_powers(t, first))

@@ -135,7 +135,7 @@ def _segment(ends: Floats, index: int, rows: Floats) -> dict[str, Any]:
 
 def _coefficients(piece: CoreCurve) -> Floats:
     """Return the coefficients (segments, degree + 1, 2)."""
-    if not piece.is_interpolating_polynomial:
+    if not piece.is_one_polynomial:
         return _from_bernstein(bezier_segments(piece))
     if len(piece.points) > MOST_COEFFICIENTS:
         raise ExchangeError(

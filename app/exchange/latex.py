@@ -123,7 +123,7 @@ def pgfplots_axis(document: Document, tolerance: float | None = None, report: Re
 
 def _formula(source: Source, digits: int) -> str:
     blocks = [
-        _lagrange(piece, digits) if piece.is_interpolating_polynomial else _segments(piece, digits)
+        _lagrange(piece, digits) if piece.is_one_polynomial else _segments(piece, digits)
         for piece in source.polynomials.pieces
     ]
     return "\n".join([rf"\paragraph{{{_text(source.name)}}}", *blocks])
@@ -210,7 +210,7 @@ def _rounded_deviation(piece: CoreCurve, digits: int) -> float:
         raise ExchangeError(
             f"With {digits} digits two parameters would be equal; the formula needs more digits."
         )
-    if piece.is_interpolating_polynomial:
+    if piece.is_one_polynomial:
         try:
             rounded = piece.with_data(_rounded(piece.jets, digits), t)
         except CurveError as problem:

@@ -221,7 +221,7 @@ def beziers_of(piece: CoreCurve, tolerance: float) -> Beziers:
     """
     if piece.bezier_pieces() is not None:
         result = Beziers(bezier_segments(piece), piece.breaks, 0.0)
-    elif piece.is_interpolating_polynomial and len(piece.points) <= HIGHEST_DEGREE + 1:
+    elif piece.is_one_polynomial and len(piece.points) <= HIGHEST_DEGREE + 1:
         controls = _lagrange_controls(piece)
         ends = np.array(piece.domain)
         result = Beziers(controls, ends, measured(piece, lambda t: bezier_values(controls, ends, t)))

@@ -10,18 +10,12 @@ from typing import NamedTuple
 
 from PySide6.QtCore import QAbstractListModel, QModelIndex, QObject, QPersistentModelIndex, Qt, Signal
 
-from app.document.model import Curve, Document, Family
+from app.document.model import Curve, Document
 from app.overrides import Guarded
 from app.panels.words import count_of
 
 Index = QModelIndex | QPersistentModelIndex
 _NO_INDEX = QModelIndex()
-
-_FAMILIES = {
-    Family.LAGRANGE: "Lagrange",
-    Family.HERMITE: "Hermite",
-    Family.QUINTIC_HERMITE: "quintic Hermite",
-}
 
 
 class Row(NamedTuple):
@@ -111,7 +105,8 @@ class CurveListModel(Guarded, QAbstractListModel):
 
 
 def _row(curve: Curve) -> Row:
-    facts = f"{_FAMILIES[curve.family]}, {count_of(len(curve.nodes), 'point')}"
+    family = f"{curve.family.title} (not installed)" if curve.family.is_missing else curve.family.title
+    facts = f"{family}, {count_of(len(curve.nodes), 'point')}"
     if curve.is_closed:
         facts += ", closed"
     return Row(curve.name, curve.colour, curve.visible, curve.locked, facts)

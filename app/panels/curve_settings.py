@@ -12,7 +12,6 @@ from PySide6.QtWidgets import QComboBox, QFormLayout, QHBoxLayout, QToolButton, 
 
 from app.document import edits
 from app.document.expression import ExpressionError, parse_number
-from app.document.model import Family
 from app.icons import icon
 from app.labels import Label
 from app.overrides import Guarded
@@ -213,7 +212,7 @@ def _facts(view: CurveView) -> str:
     facts = [count_of(len(curve.nodes), "point")]
     if view.is_current and view.curve is not None:
         pieces = len(view.parameters) - 1
-        of = "one polynomial" if curve.family is Family.LAGRANGE else count_of(pieces, "piece")
+        of = "one polynomial" if curve.family.is_one_polynomial else count_of(pieces, "piece")
         facts += [f"degree {view.curve.degree}", of, *_shape_facts(view)]
         start, end = (rounded_text(t, decimal_mark()) for t in view.curve.domain)
         facts.append(f"{start} ≤ t ≤ {end}")

@@ -15,6 +15,7 @@ from typing import Literal
 import msgspec
 from msgspec.structs import replace
 
+from app.document.coding import from_plain, to_plain
 from app.document.model import (
     MAX_MAGNITUDE,
     Curve,
@@ -62,9 +63,8 @@ class _File(Value, frozen=True):
 
 
 _HEADER_DECODER = msgspec.json.Decoder(_Header)
-_FILE_DECODER = msgspec.json.Decoder(_File)
-# NumPy's float64 is a float to everyone but msgspec.
-_ENCODER = msgspec.json.Encoder(enc_hook=float)
+_FILE_DECODER = msgspec.json.Decoder(_File, dec_hook=from_plain)
+_ENCODER = msgspec.json.Encoder(enc_hook=to_plain)
 
 
 def encode(document: Document) -> bytes:
@@ -178,7 +178,7 @@ def _raised(data: bytes, version: int) -> _File:
         raise FormatError(
             f"it claims version {version}, but does not hold what that version has"
         ) from problem
-    return msgspec.convert(values, _File)
+    return msgspec.convert(values, _File, dec_hook=from_plain)
 
 
 def _refuse_other_text(data: bytes) -> None:

@@ -9,7 +9,7 @@ from itertools import pairwise
 import msgspec
 import numpy as np
 
-from app.document.model import Family
+from app.families import Family
 from app.view_model.curve_view import CoreCurve, CurveView, Floats, Integers
 from curvecore.moved_parameters import MovedParameters
 
@@ -214,7 +214,7 @@ def basis_view(view: CurveView, previous: BasisView | None = None) -> BasisView 
     owners = tuple(range(count)) if len(curve.parameters) == count else (*range(count), 0)
     if curve.is_local:
         return _piecewise_view(curve, owners, scales)
-    if len(owners) < _MANY or not curve.is_interpolating_polynomial:
+    if len(owners) < _MANY or not curve.is_one_polynomial:
         t = _samples_over(curve)
         return BasisView(curve, owners, t, curve.basis(t), None, scales)
     return _many_functions(curve, owners, scales, previous)
@@ -317,8 +317,8 @@ def basis_scales(curve: CoreCurve) -> Floats:
 
 def basis_formulas(family: Family) -> tuple[str, ...]:
     """Return what is drawn of each kind, as formulas; h stands for the longer segment beside the point."""
-    if family is Family.LAGRANGE:
-        return ("Lᵢ(t)",)
+    if not family.derivatives:
+        return ("Lᵢ(t)",) if family.is_one_polynomial else ("Bᵢ(t)",)
     return ("B₀", "2.5·B₁ ∕ h", "25·B₂ ∕ h²")[: family.derivatives + 1]
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import NamedTuple, Self
+from typing import ClassVar, NamedTuple, Self
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -62,8 +62,8 @@ class BasisCurve(Curve):
         p_i = c(t_i), finite; n >= 2, dim >= 1. Copied.
     parameters : array_like, shape (n,)
         t_i, finite and strictly increasing. Copied.
-    scheme : Scheme
-        The functions. What they are at the parameters is checked.
+    scheme : Scheme, optional
+        The functions; those of the class where it has some. What they are at the parameters is checked.
 
     Raises
     ------
@@ -82,10 +82,14 @@ class BasisCurve(Curve):
 
     title = "Basis functions"
 
+    scheme: ClassVar[Scheme | None] = None
     _breaks: FloatArray
     _scheme: Scheme
 
-    def __init__(self, points: ArrayLike, parameters: ArrayLike, scheme: Scheme) -> None:
+    def __init__(self, points: ArrayLike, parameters: ArrayLike, scheme: Scheme | None = None) -> None:
+        scheme = self.scheme if scheme is None else scheme
+        if scheme is None:
+            raise CurveError("scheme must be given: this class has no basis functions of its own")
         data = point_array(points)
         self._jets = read_only(data[:, None, :])
         self._parameters = read_only(parameter_array(parameters, len(data)))
@@ -94,7 +98,7 @@ class BasisCurve(Curve):
         self._check_cardinal()
 
     @property
-    def name(self) -> str:
+    def name(self) -> str:  # type: ignore[override]
         """That of the scheme."""
         return self._scheme.name
 

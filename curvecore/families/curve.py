@@ -91,29 +91,33 @@ class Curve(Immutable, ABC):
 
     Attributes
     ----------
+    name : str
+        The family's, as files store it: of one name, one set of functions for given parameters.
     title : str
-        The family's name, as people read it.
+        The family's, as people read it.
     derivatives : int
         How many derivatives belong to each point: R - 1.
+    can_close : bool
+        Whether a last segment may lead back to the first point as smoothly as all others.
     is_local : bool
         Whether B_ir is 0 outside of the two segments that meet at t_i; then there is a `local_basis`.
+    is_one_polynomial : bool
+        Whether it is the polynomial of degree n - 1 through its n points.
     """
 
     __slots__ = ("_jets", "_parameters")
 
+    name: ClassVar[str]
     title: ClassVar[str]
     derivatives: ClassVar[int] = 0
+    can_close: ClassVar[bool] = False
     is_local: ClassVar[bool] = False
+    is_one_polynomial: ClassVar[bool] = False
 
     _jets: FloatArray
     _parameters: FloatArray
 
     # What a family says
-
-    @property
-    @abstractmethod
-    def name(self) -> str:
-        """The family's name, as files store it: of one name, one set of functions for given parameters."""
 
     @abstractmethod
     def basis(self, t: ArrayLike, order: int = 0) -> FloatArray:
@@ -131,18 +135,6 @@ class Curve(Immutable, ABC):
         -------
         ndarray, shape (m, n, R)
             ``[k, i, r]`` is B_ir at t_k.
-        """
-
-    @abstractmethod
-    def with_data(self, jets: ArrayLike, parameters: ArrayLike) -> Self:
-        """Return a curve of the same family with other data and other parameters.
-
-        Parameters
-        ----------
-        jets : array_like, shape (k, R, dim)
-            Finite numbers; k >= 2 need not be n.
-        parameters : array_like, shape (k,)
-            Finite and strictly increasing.
         """
 
     @property
@@ -178,12 +170,6 @@ class Curve(Immutable, ABC):
         return None
 
     @property
-    def is_interpolating_polynomial(self) -> bool:
-        """Whether it is the one polynomial of degree n - 1 through its n points, whatever made it."""
-        is_whole = len(self.breaks) == 2 and not self.derivatives
-        return is_whole and self.degree == len(self._parameters) - 1
-
-    @property
     def pieces(self) -> tuple[Curve, ...]:
         """The curves that this one is a chain of: itself, unless it is a `Chain`."""
         return (self,)
@@ -194,6 +180,24 @@ class Curve(Immutable, ABC):
         rows = np.arange(len(self._parameters))
         rows.setflags(write=False)
         return rows
+
+    @classmethod
+    def from_jets(cls, jets: ArrayLike, parameters: ArrayLike) -> Self:
+        """Return a curve of this family.
+
+        Parameters
+        ----------
+        jets : array_like, shape (n, R, dim)
+            Finite numbers; n >= 2.
+        parameters : array_like, shape (n,)
+            Finite and strictly increasing.
+        """
+        data = jet_array(jets, (len(np.asarray(jets)), cls.derivatives + 1))
+        return cls(*data.swapaxes(0, 1), parameters)  # type: ignore[call-arg]
+
+    def with_data(self, jets: ArrayLike, parameters: ArrayLike) -> Self:
+        """Return a curve of the same family with other data and parameters, as many as there may be."""
+        return self.from_jets(jets, parameters)
 
     def with_jets(self, jets: ArrayLike) -> Self:
         """Return the curve with the same parameters and other data.

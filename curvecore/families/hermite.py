@@ -15,7 +15,7 @@ __all__ = ["HermiteCurve"]
 
 
 class HermiteCurve(PiecewiseHermite):
-    """The piecewise cubic with given points and velocities at the joints.
+    """Cubic pieces with given velocities.
 
     Continuously differentiable; c''(t) may jump at the joints.
 
@@ -57,6 +57,7 @@ class HermiteCurve(PiecewiseHermite):
 
     name = "hermite"
     title = "Hermite"
+    full_title = "cubic Hermite"
     derivatives = 1
     _functions = CUBIC
 

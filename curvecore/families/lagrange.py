@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Self
+
 import numpy as np
 from numpy.typing import ArrayLike
 
@@ -23,9 +25,10 @@ __all__ = ["LagrangeCurve"]
 
 
 class LagrangeCurve(Curve):
-    """The polynomial of degree n - 1 through n points at n parameters.
+    """One polynomial through all points.
 
-    c(t) = sum over i of L_i(t) p_i with L_i(t_j) = 1 for i = j, else 0.
+    Of degree n - 1: c(t) = sum over i of L_i(t) p_i with L_i(t_j) = 1 for
+    i = j, else 0.
 
     Parameters
     ----------
@@ -74,6 +77,7 @@ class LagrangeCurve(Curve):
 
     name = "lagrange"
     title = "Lagrange"
+    is_one_polynomial = True
 
     def __init__(self, points: ArrayLike, parameters: ArrayLike) -> None:
         data = point_array(points)
@@ -87,6 +91,11 @@ class LagrangeCurve(Curve):
         if self._prepared is None:
             self._prepared = Nodes.of(self._parameters)
         return self._prepared
+
+    @classmethod
+    def from_jets(cls, jets: ArrayLike, parameters: ArrayLike) -> Self:
+        """Return the curve with the data `jets`, shape (n, 1, dim), at `parameters`, shape (n,)."""
+        return cls(np.asarray(jets)[:, 0], parameters)
 
     def weight_ratios(self, index: int) -> FloatArray:
         """Return w_i / w_index for all i, with w_i = 1 / prod_(j != i) (t_i - t_j).
@@ -120,10 +129,6 @@ class LagrangeCurve(Curve):
     def interpolants(self) -> list[Interpolant]:
         """Return the one polynomial: all points."""
         return [Interpolant(self._parameters, self._jets)]
-
-    def with_data(self, jets: ArrayLike, parameters: ArrayLike) -> LagrangeCurve:
-        """Return another polynomial, shapes (k, 1, dim) and (k,)."""
-        return LagrangeCurve(jet_array(jets, (len(np.asarray(jets)), 1))[:, 0], parameters)
 
     def derivatives_at(self, t: FloatArray, orders: tuple[int, ...]) -> list[FloatArray]:
         """Return derivatives of several orders at many places.

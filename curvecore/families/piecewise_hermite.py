@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import ClassVar, Self
+from typing import ClassVar
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -11,7 +11,6 @@ from curvecore.arrays import (
     FloatArray,
     IntArray,
     integer,
-    jet_array,
     parameter_array,
     parameter_values,
     read_only,
@@ -39,6 +38,7 @@ class PiecewiseHermite(Curve):
     __slots__ = ("_columns",)
     _caches = ("_columns",)
 
+    can_close = True
     is_local = True
     _functions: ClassVar[tuple[LeftFunctions, ...]]
 
@@ -143,12 +143,6 @@ class PiecewiseHermite(Curve):
         for column, values in enumerate(local.values.reshape(m, 2 * width).T):
             result[first + column] = values
         return result.reshape(m, n, width)
-
-    def with_data(self, jets: ArrayLike, parameters: ArrayLike) -> Self:
-        """Return a curve of the same family, of jets (k, R, dim) and parameters (k,)."""
-        curve = object.__new__(type(self))
-        curve._set(jet_array(jets, (len(np.asarray(jets)), self._jets.shape[1])), parameters)
-        return curve
 
     def _set(self, jets: FloatArray, parameters: ArrayLike) -> None:
         self._parameters = read_only(parameter_array(parameters, len(jets)))

@@ -15,7 +15,7 @@ __all__ = ["QuinticHermiteCurve"]
 
 
 class QuinticHermiteCurve(PiecewiseHermite):
-    """The piecewise quintic with given points, velocities and accelerations.
+    """Quintic pieces with given velocities and accelerations.
 
     Twice continuously differentiable; c'''(t) may jump at the joints.
 

@@ -15,7 +15,8 @@ from PySide6.QtWidgets import QAbstractButton, QLabel, QMessageBox, QPushButton,
 
 from app.autosave import DELAY_MS, Autosave, snapshot_folder, state_folder
 from app.document.edits import move_nodes, set_position
-from app.document.model import Document, Family, make_curve
+from app.document.model import Document, make_curve
+from app.families import HERMITE
 from app.panels.recovery_bar import RecoveryBar, age_in_words
 from app.preferences import Preferences
 from app.session import Session
@@ -217,7 +218,7 @@ def test_neither_a_large_document_nor_a_slow_disk_holds_up_the_window(kept, qtbo
     monkeypatch.setattr(os, "fsync", fsync)
     monkeypatch.setattr("app.storage.recovery.encode", encode_aside)
     points = [(i / 3, (i % 17) / 7) for i in range(500)]
-    large = Document((make_curve(points, family=Family.HERMITE),))
+    large = Document((make_curve(points, family=HERMITE),))
     kept.session.commit(large, "Many points")
     qtbot.waitUntil(reached.is_set, timeout=WAIT_MS)
     # The disk does not answer; the window does.
@@ -274,7 +275,7 @@ def test_a_full_disk_keeps_the_old_snapshot_and_is_said(kept, qtbot):
     resource.setrlimit(resource.RLIMIT_FSIZE, (10_000, limits[1]))
     try:
         points = [(i / 3, (i % 17) / 7) for i in range(500)]
-        kept.session.commit(Document((make_curve(points, family=Family.HERMITE),)), "Large")
+        kept.session.commit(Document((make_curve(points, family=HERMITE),)), "Large")
         qtbot.waitUntil(lambda: any("backed up" in each for each in sentences), timeout=WAIT_MS)
     finally:
         resource.setrlimit(resource.RLIMIT_FSIZE, limits)

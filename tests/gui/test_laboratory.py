@@ -24,7 +24,8 @@ from PySide6.QtWidgets import (
     QToolButton,
 )
 
-from app.document.model import Document, Family, Parametrization, ParametrizationKind, make_curve
+from app.document.model import Document, Parametrization, ParametrizationKind, make_curve
+from app.families import HERMITE, LAGRANGE, QUINTIC_HERMITE
 from app.tasks.debounced_task import SETTLE_MS
 from app.view_model.analysis.laboratory_settings import Calculation
 
@@ -220,14 +221,14 @@ def test_methods_are_chosen_by_their_boxes(lab, qtbot):
 
 
 def test_hermite_curves_have_methods_of_their_own(lab, qtbot):
-    lab.choose_family(Family.HERMITE)
+    lab.choose_family(HERMITE)
     settled(lab, qtbot)
     assert set(shown(lab)) == {"Monomials", "Hermite basis"}
     assert not find(lab, QCheckBox, "method_newton").isVisible()
     click(lab, qtbot, find(lab, QCheckBox, "method_monomial"))
     assert set(shown(lab)) == {"Hermite basis"}
     # What was chosen for the other family is still chosen.
-    lab.choose_family(Family.LAGRANGE)
+    lab.choose_family(LAGRANGE)
     settled(lab, qtbot)
     assert set(shown(lab)) == {"Lagrange"}
 
@@ -403,7 +404,7 @@ def test_sixteen_digits_fit_the_dock(lab, qtbot):
     assert page.widget().width() <= page.viewport().width()
 
 
-@pytest.mark.parametrize("family", [Family.LAGRANGE, Family.QUINTIC_HERMITE])
+@pytest.mark.parametrize("family", [LAGRANGE, QUINTIC_HERMITE])
 @pytest.mark.usefixtures("quick")
 def test_the_dock_is_as_wide_as_the_laboratory(editor, qtbot, family):
     """In a window 1280 pixels wide it was 4 pixels wider than its dock, and scrolled sideways by them."""

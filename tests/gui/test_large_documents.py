@@ -5,7 +5,8 @@ from __future__ import annotations
 import pytest
 from PySide6.QtWidgets import QDialog
 
-from app.document.model import Document, Family, make_curve
+from app.document.model import Document, make_curve
+from app.families import HERMITE
 from app.start import open_windows
 from app.storage import files
 from app.testing import Editor
@@ -21,7 +22,7 @@ def large(tmp_path_factory):
         make_curve(
             [(k % 40, k // 40), (k % 40 + 0.4, k // 40 + 0.7), (k % 40 + 0.8, k // 40)],
             name=f"Curve {k}",
-            family=Family.HERMITE,
+            family=HERMITE,
         )
         for k in range(COUNT)
     ]

@@ -6,7 +6,8 @@ import numpy as np
 import pytest
 from msgspec.structs import replace
 
-from app.document.model import Document, Family, Parametrization, ParametrizationKind, make_curve
+from app.document.model import Document, Parametrization, ParametrizationKind, make_curve
+from app.families import FAMILIES
 from app.lessons import load_lesson
 from app.storage.files import load
 from app.tasks.progress import Cancelled
@@ -31,7 +32,7 @@ def ring(family):
     return view_of(replace(closed, nodes=tuple(nodes)))
 
 
-@pytest.mark.parametrize("family", list(Family))
+@pytest.mark.parametrize("family", FAMILIES)
 def test_sixteen_digits_are_as_good_as_the_curve(family):
     view = ring(family)
     trial = try_methods(view, replace(ALL, digits=16))
@@ -44,7 +45,7 @@ def test_sixteen_digits_are_as_good_as_the_curve(family):
         assert outcome.lost < 6
 
 
-@pytest.mark.parametrize("family", list(Family))
+@pytest.mark.parametrize("family", FAMILIES)
 @pytest.mark.parametrize("shift", [100.0, -3.25])
 def test_a_shift_changes_nothing_but_the_powers_of_t(family, shift):
     view = ring(family)
@@ -113,7 +114,7 @@ def test_the_cost_is_that_of_cubic_and_quadratic_work():
     assert np.log(chart.basis[-1] / chart.basis[-5]) / ends == pytest.approx(2, abs=0.02)
 
 
-@pytest.mark.parametrize("family", list(Family))
+@pytest.mark.parametrize("family", FAMILIES)
 def test_the_pulls_make_the_point(family):
     view = view_of(make_curve(POINTS, family=family))
     found = explain(view, 0.37)

@@ -57,7 +57,7 @@ def settles(view: CurveView, settings: AnalysisSettings) -> frozenset[Overlay]:
     if not view.is_current:
         return frozenset()
     slow = {Overlay.MARKS, Overlay.ENSEMBLE}
-    if view.curve is not None and view.curve.is_interpolating_polynomial:
+    if view.curve is not None and view.curve.is_one_polynomial:
         slow.add(Overlay.BEZIER)
     return settings.overlays if not is_quick(view) else settings.overlays & slow
 

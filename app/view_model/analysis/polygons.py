@@ -34,7 +34,7 @@ def bezier_polygons(view: CurveView) -> list[Figure]:
 def bezier_polygon_of_polynomial(scene: Scene) -> tuple[list[Figure], str]:
     """Return the one control polygon of a Lagrange curve, or in words why it is not drawn."""
     curve = scene.view.curve
-    if curve is None or not curve.is_interpolating_polynomial:
+    if curve is None or not curve.is_one_polynomial:
         return [], ""
     count = len(curve.parameters)
     if count > _MOST:
