@@ -27,7 +27,8 @@ The layers, top to bottom; a module imports only from its own layer and those ab
 - ``action_specs``, ``actions``, ``file_commands``, ``commands``: what can be done, and what it does.
 - ``toolbar``, ``menus``, ``docks``, ``window_layout``, ``main_window``: build, dock, connect.
 - ``start``: windows on the screen, soon.  ``display``: whether there is a screen for them.
-- ``crash_report``, ``crash_handler``, ``lifecycle``: what surrounds the windows from start to end.
+- ``diagnostics``: the log, slow frames, reports of crashes.
+- ``lifecycle``: what surrounds the windows from start to end.
 - ``cli``, ``cli_commands``, ``cli_options``, ``cli_refusals``: the command line.
 - ``testing``: a driver for pytest-qt.
 """

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import logging
 from collections.abc import Callable
 from pathlib import Path
 
@@ -11,6 +12,8 @@ from app.document.model import Document
 from app.session import Session
 from app.storage.recovery import Origin, SnapshotFile
 from app.tasks.task import Task
+
+_log = logging.getLogger("curvebench.autosave")
 
 DELAY_MS = 1000
 """A second for the timer leaves one for the disk: nobody shall lose more than two."""
@@ -167,5 +170,6 @@ def _written(file: SnapshotFile, document: Document, origin: Origin, committed: 
         # Whatever it is, editing goes on, and the person gets to know.
         reason = problem.__cause__ if isinstance(problem.__cause__, OSError) else problem
         words = getattr(reason, "strerror", None) or str(reason)
+        _log.warning("no snapshot: %s, error %s", type(reason).__name__, getattr(reason, "errno", None))
         return f"Unsaved work cannot be backed up ({words}); save often."
     return ""

@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING
 
 from app import __version__
 from app.cli_refusals import RefusalError, load_document, one_line, reason_of, say
+from app.diagnostics.log import log_options, logged
 from app.display import has_display, missing_library, why_no_window
 from app.exchange import READER_PROCESS
 from app.storage.files import StorageError
@@ -57,7 +58,9 @@ def main(arguments: Sequence[str] | None = None) -> int:
         # A terminal that knows no α shall still show the rest.
         sys.stdout.reconfigure(errors="backslashreplace")
     try:
-        code = _run(words)
+        options, words = log_options().parse_known_args(words)
+        with logged(options.log):
+            code = _run(words)
         say(end="")  # what was printed by others
     except BrokenPipeError:
         return _leave_closed_pipe()
@@ -96,6 +99,7 @@ def _editor_parser() -> argparse.ArgumentParser:
         description=_DESCRIPTION,
         epilog=_EPILOG,
         formatter_class=argparse.RawDescriptionHelpFormatter,
+        parents=[log_options()],
     )
     parser.add_argument("--version", action="version", version=f"curvebench {__version__}")
     parser.add_argument("files", nargs="*", metavar="FILE", help="documents (*.curve.json), files to import")

@@ -9,6 +9,7 @@ import sys
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import contextmanager
 from decimal import ROUND_UP, Context
+from functools import partial
 from pathlib import Path
 from time import perf_counter
 from typing import TYPE_CHECKING, Any
@@ -26,6 +27,7 @@ from app.cli_options import (
     positive_number,
 )
 from app.cli_refusals import RefusalError, load_document, one_line, say
+from app.diagnostics.log import log_options
 from app.exchange import (
     SUFFIXES,
     ExchangeError,
@@ -77,9 +79,8 @@ def run_command(words: Sequence[str], edit: Callable[[Sequence[str], str], int])
 def _command_parser() -> argparse.ArgumentParser:
     parser = argparse.ArgumentParser("curvebench")
     commands = parser.add_subparsers(dest="command", required=True)
-    render = commands.add_parser(
-        "render", help="write a picture", description="Write a picture of a document."
-    )
+    add = partial(commands.add_parser, parents=[log_options()])
+    render = add("render", help="write a picture", description="Write a picture of a document.")
     render.add_argument("file", metavar="FILE")
     render.add_argument(
         "-o",
@@ -96,15 +97,11 @@ def _command_parser() -> argparse.ArgumentParser:
     )
     add_picture_options(render)
     add_motion_options(render)
-    add_convert_options(
-        commands.add_parser("convert", help="read and write other formats", description=_CONVERT)
-    )
-    info = commands.add_parser(
-        "info", help="print facts", description="Print facts about a document's curves."
-    )
+    add_convert_options(add("convert", help="read and write other formats", description=_CONVERT))
+    info = add("info", help="print facts", description="Print facts about a document's curves.")
     info.add_argument("file", metavar="FILE")
     info.add_argument("--json", action="store_true", help="as JSON")
-    lesson = commands.add_parser(
+    lesson = add(
         "lesson", help="open a lesson", description="Open the editor with a lesson, or list the lessons."
     )
     lesson.add_argument("name", metavar="NAME", nargs="?", help="a lesson's name or number")

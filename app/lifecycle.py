@@ -4,22 +4,30 @@ from __future__ import annotations
 
 import faulthandler
 import gc
+import logging
 import signal
 import socket
 import sys
 from contextlib import suppress
 from pathlib import Path
 from types import FrameType
-from typing import IO, Any
+from typing import IO, TYPE_CHECKING, Any
 
 from PySide6.QtCore import QObject, QSocketNotifier, QTimer
 from PySide6.QtWidgets import QApplication
 
 from app.autosave import Autosave, snapshot_folder, state_folder
-from app.crash_handler import CrashHandler
+from app.diagnostics.crash_handler import CrashHandler
+from app.diagnostics.crash_report import versions
+from app.diagnostics.slow_frames import SlowFrames
 from app.document.model import Document
 from app.main_window import MainWindow
 from app.session import Session
+
+if TYPE_CHECKING:
+    from app.diagnostics.log_file import LogFile
+
+_log = logging.getLogger("curvebench.lifecycle")
 
 _SIGNALS = tuple(
     getattr(signal, name) for name in ("SIGTERM", "SIGHUP", "SIGINT", "SIGBREAK") if hasattr(signal, name)
@@ -45,6 +53,7 @@ class Lifecycle(QObject):
         self._autosaves: dict[MainWindow, Autosave] = {}
         self._signals = SignalWatch(self.end, self)
         self._faults = FaultFile()
+        self._log_file: LogFile | None = None
         self.crashes = CrashHandler(self.write_now, self._private_words, self)
         self.crashes.quit_asked.connect(self._save_and_quit)
         self.crashes.interrupted.connect(lambda: self.end(signal.SIGINT))
@@ -53,6 +62,7 @@ class Lifecycle(QObject):
 
     def _watch(self, window: MainWindow) -> None:
         autosave = self._autosaves[window] = Autosave(window.session, snapshot_folder(), self)
+        SlowFrames(window.session.document_changed, window.canvas.painted, window)
         window.keep_with(autosave, self._open_beside)
         window.open_others_with(self._open_window)
         window.closed.connect(lambda: self._finish(window))
@@ -87,6 +97,12 @@ class Lifecycle(QObject):
         QTimer.singleShot(0, self, self._offer)
 
     def _offer(self) -> None:
+        # Only now: nobody waits for it before the first frame.
+        from app.diagnostics.log_file import LogFile  # noqa: PLC0415
+
+        with suppress(OSError):
+            self._log_file = LogFile(state_folder())
+        _log.info("started: %s", versions().replace("\n", "; "))
         for window in list(self._autosaves)[:1]:
             window.offer_unsaved_work()
 
@@ -97,6 +113,9 @@ class Lifecycle(QObject):
         self.crashes.uninstall()
         self._signals.stop()
         self._faults.close()
+        _log.info("ended")
+        if self._log_file is not None:
+            self._log_file.close()
 
     def write_now(self) -> bool:
         """Write a backup of everything unsaved; return whether that was possible."""
@@ -114,6 +133,7 @@ class Lifecycle(QObject):
 
     def end(self, number: int = 0) -> None:
         """Keep everything unsaved for the next start, and end the program; `number` is that of a signal."""
+        _log.info("asked to end, signal %d", number)
         self.prepare_for_end()
         for window in self._autosaves:
             window.asks_before_closing = False  # nobody may be there to answer

@@ -8,11 +8,13 @@ one (measured with Qt 6.12).
 from __future__ import annotations
 
 import errno
+import logging
 import os
 import stat
-from collections.abc import Callable
-from contextlib import suppress
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager, suppress
 from pathlib import Path
+from time import perf_counter
 
 import msgspec
 
@@ -39,6 +41,8 @@ __all__ = [
     "save",
     "write",
 ]
+
+_log = logging.getLogger("curvebench.storage")
 
 MAX_BYTES = 256 * 2**20
 """Largest file that is read: some four million points; beyond it a file is hardly a drawing."""
@@ -212,6 +216,13 @@ def read(path: str | os.PathLike[str]) -> bytes:
 
 def read_content(path: str | os.PathLike[str]) -> Content:
     """Return what the file at `path` holds, and what it is now; see `read`."""
+    with _logged("read") as size:
+        content = _content(path)
+        size.append(len(content.data))
+    return content
+
+
+def _content(path: str | os.PathLike[str]) -> Content:
     # Without O_NONBLOCK, opening a pipe would wait for a writer.
     flags = os.O_RDONLY | getattr(os, "O_NONBLOCK", 0) | getattr(os, "O_BINARY", 0)
     try:
@@ -232,6 +243,19 @@ def read_content(path: str | os.PathLike[str]) -> Content:
     if len(data) > MAX_BYTES:
         raise StorageError(f"{_name(path)} is larger than {MAX_BYTES // 2**20} MB; open a smaller file.")
     return Content(data, _stamp(status, data))
+
+
+@contextmanager
+def _logged(what: str) -> Iterator[list[int]]:
+    """Log how many bytes were read or written, and how long that took, or the code of the error."""
+    began, size = perf_counter(), list[int]()
+    try:
+        yield size
+    except StorageError as problem:
+        code = getattr(problem.__cause__, "errno", None)
+        _log.info("not %s: %s", what, errno.errorcode.get(code or 0, type(problem).__name__))
+        raise
+    _log.debug("%s %d bytes in %.0f ms", what, *size, 1e3 * (perf_counter() - began))
 
 
 def _stamp(status: os.stat_result, data: bytes) -> Stamp:
@@ -261,6 +285,15 @@ def write(
         If any step fails; the old file is then untouched, except where the disk failed to confirm the
         very last step, which is then said.
     """
+    with _logged("written") as size:
+        stamp = _write(path, data, before_replacing)
+        size.append(len(data))
+    return stamp
+
+
+def _write(
+    path: str | os.PathLike[str], data: bytes, before_replacing: Callable[[Path], None] | None
+) -> Stamp:
     try:
         target = Path(os.path.realpath(path))
         _refuse_unwritable(path, target)

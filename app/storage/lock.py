@@ -132,6 +132,14 @@ class LockResult(msgspec.Struct, frozen=True):
     owner: Owner | None = None
     problem: str = ""
 
+    def __str__(self) -> str:
+        """Return what came of it without anybody's name."""
+        if self.owner is None:
+            return "ours" if self.lock is not None else f"impossible ({self.problem})"
+        if self.owner.is_this_process:
+            return "of another window"
+        return "of another program of this person" if self.owner.is_same_person else "of somebody else"
+
 
 def lock_place(target: Path) -> Path:
     """Return where the lock of the file `target`, whose links are resolved, lies."""

@@ -6,6 +6,7 @@ lock: as long as the process runs that writes the snapshot, nobody else is offer
 
 from __future__ import annotations
 
+import logging
 import math
 import os
 import time
@@ -20,6 +21,8 @@ from app.storage.files import Stamp, StorageError, load, read, read_content, wri
 from app.storage.format import FormatError, decode, encode
 from app.storage.lock import ProcessLock, acquire
 from app.storage.temporary import remove_stale
+
+_log = logging.getLogger("curvebench.storage")
 
 SUFFIX = ".snapshot.json"
 DAMAGED = ".damaged"
@@ -188,6 +191,7 @@ def list_snapshots(folder: Path) -> Found:
             damaged.append(_set_aside(file))
             lock.release()
     snapshots.sort(key=lambda each: -each.written)
+    _log.info("found %d snapshots, and %d damaged ones", len(snapshots), len(damaged))
     return Found(tuple(snapshots), tuple(damaged))
 
 

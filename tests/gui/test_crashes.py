@@ -17,8 +17,8 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QDialog, QLabel, QPlainTextEdit, QPushButton
 
 from app.autosave import snapshot_folder
-from app.crash_handler import CrashHandler
-from app.crash_report import report_of, versions
+from app.diagnostics.crash_handler import CrashHandler
+from app.diagnostics.crash_report import report_of, versions
 from app.lifecycle import FaultFile, Lifecycle
 from app.start import open_windows
 from app.storage import files
@@ -130,8 +130,8 @@ def test_the_work_is_kept_before_anything_is_said(guarded, qtbot):
 
 
 def test_without_a_backup_it_says_what_to_do(guarded, qtbot):
-    snapshot_folder().parent.parent.mkdir(parents=True, exist_ok=True)
-    snapshot_folder().parent.write_text("in the way")
+    snapshot_folder().parent.mkdir(parents=True, exist_ok=True)
+    snapshot_folder().write_text("in the way")
     guarded.drag_point(1, to=(2, 3))
     raise_soon(guarded, qtbot, ZeroDivisionError())
     (dialog,) = dialogs()
@@ -295,8 +295,8 @@ def test_the_end_of_the_system_asks_nothing_and_keeps_the_work(guarded):
 
 
 def test_the_end_of_the_system_still_asks_about_work_that_is_not_safe(guarded):
-    snapshot_folder().parent.parent.mkdir(parents=True, exist_ok=True)
-    snapshot_folder().parent.write_text("in the way")
+    snapshot_folder().parent.mkdir(parents=True, exist_ok=True)
+    snapshot_folder().write_text("in the way")
     guarded.drag_point(1, to=(2, 3))
     guarded.lifecycle.prepare_for_end()
     assert guarded.window.asks_before_closing

@@ -11,6 +11,7 @@ from pathlib import Path
 from types import TracebackType
 
 from app import __version__
+from app.diagnostics.log import last_lines
 
 _LIBRARIES = ("PySide6-Essentials", "pyqtgraph", "numpy", "msgspec")
 _PACKAGES = re.compile(r".*[\\/](?:site-packages|dist-packages|python3\.\d+|Lib)[\\/]")
@@ -19,7 +20,7 @@ _PATH = re.compile(r"(?<![\w.])(?:[A-Za-z]:)?(?:[\\/][^\s\\/'\"“”<>|:]+){2,}
 _QUOTED = re.compile("“[^”]*”")
 """How sentences of this program name files and curves."""
 
-_ROOT = Path(__file__).resolve().parent.parent
+_ROOT = Path(__file__).resolve().parents[2]
 _SHORTEST_NAME = 3
 _LONGEST = 20_000
 
@@ -38,13 +39,21 @@ def report_of(problem: BaseException, private: Collection[str] = ()) -> str:
     text = without_names(shortened(trace), private)
     if len(text) > _LONGEST:  # endless recursion
         text = f"{text[: _LONGEST // 2]}\n…\n{text[-_LONGEST // 2 :]}"
-    return f"{versions()}\n\n{text.rstrip()}\n"
+    lines = without_names("\n".join(last_lines()), private)
+    return f"{versions()}\n\n{text.rstrip()}\n\n{lines}".rstrip() + "\n"
 
 
 def signature_of(problem: BaseException) -> str:
     """Return what two reports about the same fault have in common: what was raised, and where."""
     place = _last_frame(problem.__traceback__)
     return f"{type(problem).__qualname__} {place}"
+
+
+def place_of(problem: BaseException) -> str:
+    """Return where something was raised, the file named from its package on."""
+    place = _last_frame(problem.__traceback__)
+    file, _, line = place.rpartition(":")
+    return f"{_short(file)}:{line}" if place else "nowhere"
 
 
 def _last_frame(trace: TracebackType | None) -> str:

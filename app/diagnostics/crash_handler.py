@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import logging
 import sys
 import threading
 import traceback
@@ -12,7 +13,9 @@ from typing import Any
 from PySide6.QtCore import QObject, QTimer, Signal
 from PySide6.QtWidgets import QApplication, QDialog
 
-from app.crash_report import report_of, signature_of
+from app.diagnostics.crash_report import place_of, report_of, signature_of
+
+_log = logging.getLogger("curvebench.crash")
 
 _MOST_DIALOGS = 5
 """Different faults that are shown in one run; whoever has seen these knows that something is wrong."""
@@ -79,8 +82,9 @@ class CrashHandler(QObject):
             self.interrupted.emit()
             return
         _print(kind, problem, trace)
+        _log.error("%s in %s", kind.__qualname__, place_of(problem.with_traceback(trace)))
         # Into the thread of the window: only there may anybody look at what is open.
-        self._arrived.emit(problem.with_traceback(trace))
+        self._arrived.emit(problem)
 
     def _take_from_thread(self, arguments: threading.ExceptHookArgs) -> None:
         problem = arguments.exc_value
@@ -91,6 +95,7 @@ class CrashHandler(QObject):
         # Raised while something was thrown away: nothing that the person did has failed, so no dialog.
         if arguments.exc_value is not None:
             _print(arguments.exc_type, arguments.exc_value, arguments.exc_traceback)
+            _log.error("%s while something was thrown away", arguments.exc_type.__qualname__)
 
     def _note(self, problem: BaseException) -> None:
         """Queue a report, unless it is known; never raises, for who would catch that."""

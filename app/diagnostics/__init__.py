@@ -1,0 +1,6 @@
+"""What tells afterwards how a failure came about.
+
+- ``log``: the log's levels, and its last lines.  ``log_file``: the log as a rotating file.
+- ``slow_frames``: frames that took long.
+- ``crash_handler``: exceptions that nobody caught.  ``crash_report``: what is told about one.
+"""
