@@ -22,6 +22,7 @@ from pathlib import Path
 import msgspec
 
 from app.storage.processes import Process, is_alive, this_process
+from app.storage.reasons import reason_of
 from app.storage.system_lock import folder_lock, try_lock
 
 OLD = 24 * 3600.0
@@ -168,7 +169,7 @@ def acquire(place: Path, *, is_private: bool = False) -> LockResult:
         # Somebody was quicker, in a folder that cannot be locked.
         return LockResult(owner=owner_of(place), problem="it is being opened elsewhere")
     except (OSError, ValueError) as problem:
-        return LockResult(problem=_reason(problem))
+        return LockResult(problem=reason_of(problem))
 
 
 def take_over(place: Path) -> LockResult:
@@ -181,7 +182,7 @@ def take_over(place: Path) -> LockResult:
             place.unlink(missing_ok=True)
             return LockResult(lock=ProcessLock(place))
     except (OSError, ValueError) as problem:
-        return LockResult(problem=_reason(problem))
+        return LockResult(problem=reason_of(problem))
 
 
 def owner_of(place: Path) -> Owner | None:
@@ -224,10 +225,6 @@ def _remove(place: Path, stale: Owner) -> bool:
         return False
     place.unlink(missing_ok=True)
     return True
-
-
-def _reason(problem: Exception) -> str:
-    return getattr(problem, "strerror", None) or str(problem)
 
 
 def _new_owner() -> Owner:
