@@ -1,4 +1,4 @@
-"""Keeps a snapshot of what is not saved yet, so that a crash costs a second of work and no more."""
+"""Autosave: a snapshot of what is not saved yet, so that a crash costs a second of work and no more."""
 
 from __future__ import annotations
 
@@ -19,10 +19,10 @@ DELAY_MS = 1000
 """A second for the timer leaves one for the disk: nobody shall lose more than two."""
 
 _RETRY_MS = 10_000
-"""When to try again after a disk has refused, should nothing be changed before."""
+"""Milliseconds until the next try after a disk has refused, should nothing be changed before."""
 
 _PATIENCE_S = 10.0
-"""How long the end of the program waits for a disk."""
+"""Seconds that the end of the program waits for a disk."""
 
 
 class Autosave(QObject):

@@ -1,4 +1,4 @@
-"""Whether Qt can open a window here: it ends the process in words of its own where it cannot."""
+"""Check for a display: without one Qt ends the process in words of its own."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ _PACKAGES: Final = {
     "libxcb-shape.so.0": "libxcb-shape0",
     "libxcb-xkb.so.1": "libxcb-xkb1",
 }
-"""What Qt needs of the system, and the packages of Debian and Ubuntu that have it."""
+"""Libraries that Qt needs of the system, and the packages of Debian and Ubuntu that have them."""
 
 _NONE = "There is no display to open a window on."
 

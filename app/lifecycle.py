@@ -1,4 +1,4 @@
-"""What surrounds the windows from start to end: backups, signals, the system's end, crashes."""
+"""Life of the program around its windows: backups, signals, the system's end, crashes."""
 
 from __future__ import annotations
 
@@ -213,7 +213,7 @@ class SignalWatch(QObject):
 
 
 class FaultFile:
-    """Where the interpreter writes its last words when the process itself breaks down.
+    """Output of the fault handler, for when the process itself breaks down.
 
     To the terminal where there is one, else to a file in the folder of the program's state.
     """

@@ -1,4 +1,4 @@
-"""What tells afterwards how a failure came about.
+"""Diagnostics: the log and reports of crashes.
 
 - ``log``: the log's levels, and its last lines.  ``log_file``: the log as a rotating file.
 - ``slow_frames``: frames that took long.

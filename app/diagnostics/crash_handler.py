@@ -22,7 +22,7 @@ _MOST_DIALOGS = 5
 
 
 class CrashHandler(QObject):
-    """What the interpreter calls with an exception that nobody caught.
+    """The interpreter's hooks for exceptions that nobody caught.
 
     The same fault is shown once, however often a paint or a timer runs into it again, and there is one
     dialog at a time. One that keeps a window open is shown each time that the window is asked to close: else

@@ -1,4 +1,4 @@
-"""What to tell the makers when something went wrong inside, without the names of files and folders."""
+"""Crash report for the makers, without the names of files and folders."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ _PACKAGES = re.compile(r".*[\\/](?:site-packages|dist-packages|python3\.\d+|Lib)
 _FILE = re.compile(r'(?<=File ")([^"\n]+)(?=", line)')
 _PATH = re.compile(r"(?<![\w.])(?:[A-Za-z]:)?(?:[\\/][^\s\\/'\"“”<>|:]+){2,}")
 _QUOTED = re.compile("“[^”]*”")
-"""How sentences of this program name files and curves."""
+"""Files and curves as the sentences of this program name them."""
 
 _ROOT = Path(__file__).resolve().parents[2]
 _SHORTEST_NAME = 3

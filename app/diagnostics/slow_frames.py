@@ -8,7 +8,7 @@ from time import thread_time
 from PySide6.QtCore import QObject, SignalInstance
 
 SLOW_S = 0.2
-"""What takes longer is felt as a halt."""
+"""Seconds from which a frame is felt as a halt."""
 
 _log = logging.getLogger("curvebench.frames")
 

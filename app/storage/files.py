@@ -52,7 +52,7 @@ _FOLDER_SYNC_UNSUPPORTED = frozenset({errno.EINVAL, errno.ENOTSUP, errno.EACCES}
 
 
 class Stamp(msgspec.Struct, frozen=True):
-    """What a file was when it was read or written: enough to notice that it is another one now."""
+    """Fingerprint of a file when it was read or written: enough to notice that it is another one now."""
 
     size: int
     modified: int
@@ -70,7 +70,7 @@ class Stamp(msgspec.Struct, frozen=True):
 
 
 class Content(msgspec.Struct, frozen=True):
-    """What a file holds, and what it was at that moment."""
+    """The content of a file, and its stamp at that moment."""
 
     data: bytes
     stamp: Stamp

@@ -47,7 +47,7 @@ class FormatError(ValueError):
 
 
 class _Header(msgspec.Struct):
-    """What every version of the format has; everything else in the file is skipped."""
+    """The head that every version of the format has; everything else in the file is skipped."""
 
     format: str
     version: int

@@ -117,7 +117,7 @@ class ProcessLock:
 
 
 class LockResult(msgspec.Struct, frozen=True):
-    """What came of asking for a lock: one of the three is there.
+    """Result of asking for a lock: one of the three is there.
 
     Attributes
     ----------

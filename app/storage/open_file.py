@@ -40,7 +40,7 @@ class LockedError(StorageError):
 
 
 class FileChange(Enum):
-    """What has become of a file since it was seen last; the value says it in words."""
+    """Change of a file since it was seen last; the value says it in words."""
 
     SAME = ""
     CHANGED = "Another program has changed the file."
@@ -58,7 +58,7 @@ class Opened(msgspec.Struct, frozen=True):
 
 
 class Reading(msgspec.Struct, frozen=True):
-    """What a document's file holds, with plain values alone, and what the file was when it was read."""
+    """Document read from a file, with plain values alone, and the stamp of the file then."""
 
     document: Document
     stamp: Stamp
@@ -72,7 +72,7 @@ class Reading(msgspec.Struct, frozen=True):
 
 
 class OpenFile:
-    """What one window knows of its document's file.
+    """The file of a window's document, as far as the window knows it.
 
     Attributes
     ----------

@@ -1,4 +1,4 @@
-"""Which process this is, and whether another one still runs: for locks and for what a crash left behind."""
+"""Identity of a process, and whether another one still runs: for locks and for what a crash left behind."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ import msgspec
 _PROC = Path("/proc")
 _ENDED = frozenset("ZXx")
 _START_FIELD = 19
-"""Where the start time stands after the name in ``/proc/PID/stat``: field 22 (proc_pid_stat(5))."""
+"""Index of the start time after the name in ``/proc/PID/stat``: field 22 (proc_pid_stat(5))."""
 
 
 class Process(msgspec.Struct, frozen=True):

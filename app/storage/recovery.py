@@ -101,7 +101,7 @@ class Snapshot(msgspec.Struct, frozen=True):
 
 
 class Found(msgspec.Struct, frozen=True):
-    """What a folder holds: snapshots of processes that have ended, latest first, and damaged ones.
+    """Snapshots in a folder: those of processes that have ended, latest first, and damaged ones.
 
     The damaged ones have been set aside under another name; nothing is deleted that might be of use.
     """

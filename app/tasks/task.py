@@ -33,7 +33,7 @@ _LONG_S = 1.0
 _TICK_MS = 100
 
 Work = Callable[[Report], Any]
-"""What a task does: it reports how far it is, and ends with `Cancelled` when it is not wanted any more."""
+"""The work of a task: it reports how far it is, and ends with `Cancelled` when it is not wanted any more."""
 
 
 class Task:
