@@ -32,6 +32,9 @@ _log = logging.getLogger("curvebench.lifecycle")
 _SIGNALS = tuple(
     getattr(signal, name) for name in ("SIGTERM", "SIGHUP", "SIGINT", "SIGBREAK") if hasattr(signal, name)
 )
+_LOG_FILE_MS = 1000
+"""Milliseconds until the log goes to its file, too: until then it is in memory."""
+
 _FIRST_SIGNAL_CODE = 128
 """Added to a signal's number it is what a shell expects of a program that the signal ended."""
 
@@ -54,6 +57,8 @@ class Lifecycle(QObject):
         self._signals = SignalWatch(self.end, self)
         self._faults = FaultFile()
         self._log_file: LogFile | None = None
+        self._log_due = QTimer(self, singleShot=True, interval=_LOG_FILE_MS)
+        self._log_due.timeout.connect(self._open_log_file)
         self.crashes = CrashHandler(self.write_now, self._private_words, self)
         self.crashes.quit_asked.connect(self._save_and_quit)
         self.crashes.interrupted.connect(lambda: self.end(signal.SIGINT))
@@ -89,6 +94,8 @@ class Lifecycle(QObject):
 
     def start(self) -> None:
         """Take signals and crashes from now on, and offer what was not saved last time."""
+        _log.info("started: %s", versions().replace("\n", "; "))
+        self._log_due.start()
         self._faults.open()
         self._signals.start()
         self.crashes.install()
@@ -97,14 +104,15 @@ class Lifecycle(QObject):
         QTimer.singleShot(0, self, self._offer)
 
     def _offer(self) -> None:
+        for window in list(self._autosaves)[:1]:
+            window.offer_unsaved_work()
+
+    def _open_log_file(self) -> None:
         # Only now: nobody waits for it before the first frame.
         from app.diagnostics.log_file import LogFile  # noqa: PLC0415
 
         with suppress(OSError):
             self._log_file = LogFile(state_folder())
-        _log.info("started: %s", versions().replace("\n", "; "))
-        for window in list(self._autosaves)[:1]:
-            window.offer_unsaved_work()
 
     def stop(self) -> None:
         """Give everything back that `start` took."""
@@ -114,6 +122,9 @@ class Lifecycle(QObject):
         self._signals.stop()
         self._faults.close()
         _log.info("ended")
+        if self._log_due.isActive():
+            self._log_due.stop()
+            self._open_log_file()
         if self._log_file is not None:
             self._log_file.close()
 

@@ -13,7 +13,7 @@ from types import TracebackType
 from app import __version__
 from app.diagnostics.log import last_lines
 
-_LIBRARIES = ("PySide6-Essentials", "pyqtgraph", "numpy", "msgspec")
+_LIBRARIES = ("PySide6", "pyqtgraph", "numpy", "msgspec")
 _PACKAGES = re.compile(r".*[\\/](?:site-packages|dist-packages|python3\.\d+|Lib)[\\/]")
 _FILE = re.compile(r'(?<=File ")([^"\n]+)(?=", line)')
 _PATH = re.compile(r"(?<![\w.])(?:[A-Za-z]:)?(?:[\\/][^\s\\/'\"“”<>|:]+){2,}")
@@ -74,13 +74,7 @@ def versions() -> str:
 
 
 def _version(name: str) -> str:
-    # Takes a while to import, and with luck nobody ever needs it.
-    import importlib.metadata  # noqa: PLC0415
-
-    try:
-        return importlib.metadata.version(name)
-    except importlib.metadata.PackageNotFoundError:
-        return "(unknown)"
+    return str(getattr(sys.modules.get(name), "__version__", "(not loaded)"))
 
 
 def _platform_plugin() -> str:
