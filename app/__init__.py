@@ -2,7 +2,7 @@
 
 The layers, top to bottom; a module imports only from its own layer and those above it:
 
-- ``families``: the curve families that there are: the registry that all else reads. No Qt.
+- ``families``: the curve families that there are, in a registry. No Qt.  ``lazy``: modules imported late.
 - ``document``: immutable values and edits. No Qt, no arrays inside the values.
 - ``storage``: documents on disk: format, migration, atomic write, locks, snapshots. No Qt.
 - ``tasks``: work beside the window's thread: progress, cancelling, debouncing. No Qt in ``progress``.

@@ -11,11 +11,12 @@ import sys
 from contextlib import suppress
 from pathlib import Path
 from types import FrameType
-from typing import IO, TYPE_CHECKING, Any
+from typing import IO, Any
 
 from PySide6.QtCore import QObject, QSocketNotifier, QTimer
 from PySide6.QtWidgets import QApplication
 
+from app import diagnostics
 from app.autosave import Autosave, snapshot_folder, state_folder
 from app.diagnostics.crash_handler import CrashHandler
 from app.diagnostics.crash_report import versions
@@ -23,9 +24,6 @@ from app.diagnostics.slow_frames import SlowFrames
 from app.document.model import Document
 from app.main_window import MainWindow
 from app.session import Session
-
-if TYPE_CHECKING:
-    from app.diagnostics.log_file import LogFile
 
 _log = logging.getLogger("curvebench.lifecycle")
 
@@ -56,7 +54,7 @@ class Lifecycle(QObject):
         self._autosaves: dict[MainWindow, Autosave] = {}
         self._signals = SignalWatch(self.end, self)
         self._faults = FaultFile()
-        self._log_file: LogFile | None = None
+        self._log_file: diagnostics.log_file.LogFile | None = None
         self._log_due = QTimer(self, singleShot=True, interval=_LOG_FILE_MS)
         self._log_due.timeout.connect(self._open_log_file)
         self.crashes = CrashHandler(self.write_now, self._private_words, self)
@@ -108,11 +106,8 @@ class Lifecycle(QObject):
             window.offer_unsaved_work()
 
     def _open_log_file(self) -> None:
-        # Only now: nobody waits for it before the first frame.
-        from app.diagnostics.log_file import LogFile  # noqa: PLC0415
-
         with suppress(OSError):
-            self._log_file = LogFile(state_folder())
+            self._log_file = diagnostics.log_file.LogFile(state_folder())
 
     def stop(self) -> None:
         """Give everything back that `start` took."""

@@ -13,6 +13,7 @@ from typing import Any
 from PySide6.QtCore import QObject, QTimer, Signal
 from PySide6.QtWidgets import QApplication, QDialog
 
+from app import panels
 from app.diagnostics.crash_report import place_of, report_of, signature_of
 
 _log = logging.getLogger("curvebench.crash")
@@ -116,11 +117,10 @@ class CrashHandler(QObject):
     def _show_next(self) -> None:
         if self._dialog is not None or not self._waiting:
             return
-        # Only now: nobody waits for it before the program is needed.
-        from app.panels.crash_dialog import CrashDialog  # noqa: PLC0415
-
         is_safe = self._secure()
-        dialog = CrashDialog(QApplication.activeWindow(), self._waiting.pop(0), is_safe=is_safe)
+        dialog = panels.crash_dialog.CrashDialog(
+            QApplication.activeWindow(), self._waiting.pop(0), is_safe=is_safe
+        )
         self._dialog = dialog
         dialog.quit_asked.connect(self.quit_asked)
         dialog.finished.connect(self._shown)

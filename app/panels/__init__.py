@@ -36,3 +36,12 @@ Small parts:
   ``form_parts``, ``fitting``, ``told_spin``, ``work_dialog``, ``choice_style``.
 - ``number_text``, ``words``: numbers and the names of rules, as panels write them.
 """
+
+from typing import TYPE_CHECKING
+
+from app.lazy import lazy_submodules
+
+if TYPE_CHECKING:
+    from app.panels import crash_dialog as crash_dialog
+else:
+    __getattr__ = lazy_submodules(__name__)

@@ -6,7 +6,17 @@
 - ``files``: bytes to and from disk, so that nothing is ever half written; ``file_access``: who may read
   them; ``temporary``: temporary files, and removing stale ones; ``reasons``: why something failed, in words.
 - ``lock``: lock files that name their owner; ``system_lock``: locks of the operating system, on files and
-  folders; ``processes``: whether a process still runs.
+  folders; ``processes``, ``ps``: whether a process still runs.  ``digests``: SHA-256.
 - ``open_file``: the file behind an open document: what was seen of it, and the lock.
 - ``recovery``: snapshots of what is not saved.
 """
+
+from typing import TYPE_CHECKING
+
+from app.lazy import lazy_submodules
+
+if TYPE_CHECKING:
+    from app.storage import digests as digests
+    from app.storage import ps as ps
+else:
+    __getattr__ = lazy_submodules(__name__)

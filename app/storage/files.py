@@ -18,6 +18,7 @@ from time import perf_counter
 
 import msgspec
 
+from app import storage
 from app.document.model import Document
 from app.storage.file_access import keep_access
 from app.storage.format import VERSION, decode, encode, version_of
@@ -259,9 +260,7 @@ def _logged(what: str) -> Iterator[list[int]]:
 
 
 def _stamp(status: os.stat_result, data: bytes) -> Stamp:
-    import hashlib  # noqa: PLC0415 - seven milliseconds that a start without a file does without
-
-    digest = hashlib.sha256(data).digest()
+    digest = storage.digests.sha256(data)
     return Stamp(status.st_size, status.st_mtime_ns, status.st_ino, status.st_dev, digest)
 
 

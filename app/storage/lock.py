@@ -14,6 +14,7 @@ from __future__ import annotations
 import os
 import platform
 import stat
+import sys
 import time
 import weakref
 from contextlib import suppress
@@ -24,6 +25,9 @@ import msgspec
 from app.storage.processes import Process, is_alive, this_process
 from app.storage.reasons import reason_of
 from app.storage.system_lock import folder_lock, try_lock
+
+if sys.platform != "win32":
+    import pwd
 
 OLD = 24 * 3600.0
 """Seconds after which an owner who cannot be asked may have forgotten the document."""
@@ -286,9 +290,7 @@ def _shown(name: str) -> str:
 
 def _user() -> str:
     """Return the name under which the person is logged in."""
-    try:
-        import pwd  # noqa: PLC0415 - not there on Windows
-    except ImportError:
+    if sys.platform == "win32":
         return os.environ.get("USERNAME", "")
     with suppress(KeyError, OSError):
         return pwd.getpwuid(os.geteuid()).pw_name

@@ -16,6 +16,7 @@ from typing import Literal
 
 import msgspec
 
+from app import storage
 from app.document.model import Document
 from app.storage.files import Stamp, StorageError, load, read, read_content, write
 from app.storage.format import FormatError, decode, encode
@@ -211,10 +212,7 @@ def _record_of(text: bytes, origin: Origin) -> bytes:
 
 
 def _checksum(text: bytes) -> str:
-    # Imported with the first snapshot: the start has no need of it.
-    import hashlib  # noqa: PLC0415
-
-    return hashlib.sha256(text).hexdigest()
+    return storage.digests.sha256(text).hex()
 
 
 def _load(file: Path, lock: ProcessLock) -> Snapshot:

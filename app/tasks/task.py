@@ -7,6 +7,7 @@ long, and goes on in a process of its own (``exchange.child``); the thread then 
 
 from __future__ import annotations
 
+import ctypes
 import gc
 import logging
 import sys
@@ -103,8 +104,6 @@ class Task:
         """
         now = time.monotonic()
         if self._stopped_at is not None and now - self._stopped_at >= _GRACE_S and self.thread.is_alive():
-            import ctypes  # noqa: PLC0415 - well-behaved work never needs it
-
             self._stopped_at = now  # what cleans up behind it gets as long
             identity = ctypes.c_ulong(self.thread.ident or 0)
             ctypes.pythonapi.PyThreadState_SetAsyncExc(identity, ctypes.py_object(_Ended))
