@@ -39,12 +39,13 @@ from app.commands.teaching_commands import TeachingCommands
 from app.commands.tool_commands import ToolCommands
 from app.commands.view_commands import ViewCommands
 from app.commands.wiggle_commands import WiggleCommands
+from app.tools.registry import TOOLS
 from app.view_model.curve_view import CurveView
 from app.worker import Worker, close_all
 
 _DURING_A_GESTURE = {
     "undo",  # takes the gesture back, and nothing else
-    "selectTool", "addTool", "measureTool",
+    *(record.action for record in TOOLS),
     "moveSelection", "scaleSelection", "rotateSelection",
     "toggleTransformBox", "commandPalette",
 }  # fmt: skip

@@ -152,7 +152,7 @@ class LaboratoryCommands(Guarded, QObject):
         self._problem = ""
         for settler in (self._settler, self._digits_settler, self._cost_settler):
             settler.give_up()
-        self._parts.canvas.annotations.render_traces(_GROUP, ())
+        self._parts.canvas.drawing.annotations.render_traces(_GROUP, ())
         self.tried.emit(None)
 
     def _take(self, result: object) -> None:
@@ -206,7 +206,7 @@ class LaboratoryCommands(Guarded, QObject):
                 for each in trial.outcomes
             )
             heading = "computing…" if busy else _heading(trial.settings)
-        self._parts.canvas.annotations.render_traces(_GROUP, traces, heading, faded=busy)
+        self._parts.canvas.drawing.annotations.render_traces(_GROUP, traces, heading, faded=busy)
 
     def _show_cost(self) -> None:
         if self._panel is not None:

@@ -11,7 +11,7 @@ from app.canvas.trace_layer import Trace
 from app.commands.dock_room import make_room_once
 from app.commands.parts import Handlers, Parts
 from app.document.model import Document
-from app.tools.tools import ToolKind
+from app.tools.explain import EXPLAIN
 from app.view_model.curve_view import CurveView
 from app.view_model.looks import CURE_LOOK
 from app.worker import IsStale, Settler
@@ -68,8 +68,8 @@ class WiggleCommands(QObject):
 
     def _use_tool(self) -> None:
         """Explain the widest swing at once, and then wherever the person clicks."""
-        self._parts.canvas.set_tool(ToolKind.EXPLAIN)
-        self._parts.status_line.show_hint("Click on the curve where it swings out; V goes back to Select.")
+        self._parts.canvas.choose_tool(EXPLAIN)
+        self._parts.status_line.show_hint(EXPLAIN.hint)
         if self._session.scrub is None:
             self._explain_widest()
         self._open()
@@ -148,7 +148,7 @@ class WiggleCommands(QObject):
     def _preview(self, key: str) -> None:
         cure = self._cure(key)
         traces = (Trace((cure.points,), CURE_LOOK, cure.label),) if cure is not None else ()
-        self._parts.canvas.annotations.render_traces(_GROUP, traces, "Preview")
+        self._parts.canvas.drawing.annotations.render_traces(_GROUP, traces, "Preview")
 
     def _apply(self, key: str) -> None:
         cure = self._cure(key)

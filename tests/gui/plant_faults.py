@@ -16,6 +16,7 @@ from typing import Any
 
 import numpy as np
 import pyqtgraph as pg
+from app.plotting.layered_plot import Layer, LayeredPlot
 from PySide6.QtCore import QEvent, QMimeData, QModelIndex, QPoint, QSize, Qt, QTimer
 from PySide6.QtGui import QCloseEvent, QDragEnterEvent, QStatusTipEvent
 from PySide6.QtTest import QTest
@@ -35,7 +36,6 @@ from app.panels.point_table_model import PointTableModel
 from app.panels.point_table_view import PointTableView
 from app.panels.preferences_dialog import PreferencesDialog
 from app.panels.weight_bars import WeightBars
-from app.plotting.layered_plot import Layer, LayeredPlot
 from app.plotting.plot_widget import PlotWidget
 from app.start import open_windows
 from app.testing import Editor
