@@ -132,3 +132,4 @@ class BasisPanel(BasisPlot):
         if down != was_down and self.is_dragging and self._hand is not None:
             self._hand = replace(self._hand, ripple=down)
             self._move_again()
+            self._tell()
