@@ -5,9 +5,10 @@ from __future__ import annotations
 import argparse
 from typing import TYPE_CHECKING
 
-from app.document.model import Document, Family
+from app.document.model import Document
 from app.exchange import DARK, ENDINGS, LIGHT, READABLE, SAMPLES, ExchangeError, Options, Spacing
 from app.exchange.units import MILLIMETRES, known_unit
+from app.families import FAMILIES, HERMITE
 
 if TYPE_CHECKING:
     from app.exchange.decor import Extras
@@ -147,8 +148,8 @@ def _add_table_options(convert: argparse.ArgumentParser) -> None:
     )
     convert.add_argument(
         "--family",
-        choices=[str(family) for family in Family],
-        default=str(Family.HERMITE),
+        choices=[family.name for family in FAMILIES],
+        default=HERMITE.name,
         help="of a curve through the rows of a table (default: %(default)s)",
     )
     convert.add_argument(

@@ -12,9 +12,17 @@ import pytest
 
 ROOT = Path(__file__).resolve().parent.parent
 QT = {"PySide6", "shiboken6", "pyqtgraph"}
-WITHOUT_QT = ("curvecore", "app.document", "app.view_model", "app.tools", "app.exchange")
+WITHOUT_QT = (
+    "curvecore",
+    "app.families",
+    "app.document",
+    "app.storage",
+    "app.view_model",
+    "app.tools",
+    "app.exchange",
+)
 WITH_QT = ("app.exchange.image", "app.exchange.motion_frames")
-CALLS_THE_CORE = ("app.view_model", "app.exchange", "app.cli")
+CALLS_THE_CORE = ("app.families", "app.view_model", "app.exchange", "app.cli")
 STRANGERS = {("app.canvas", "app.panels"), ("app.panels", "app.canvas")}
 
 
@@ -108,8 +116,18 @@ def violations(root: Path) -> list[str]:
 
 def test_the_docstring_of_app_gives_the_layers():
     order = layers(ROOT)
-    assert order["app.document"] == 0
-    above = ["document", "view_model", "tools", "session", "canvas", "main_window", "cli"]
+    assert order["app.families"] == 0
+    above = [
+        "families",
+        "document",
+        "storage",
+        "view_model",
+        "tools",
+        "session",
+        "canvas",
+        "main_window",
+        "cli",
+    ]
     numbers = [order[f"app.{name}"] for name in above]
     assert numbers == sorted(numbers)
     assert order["app.canvas"] == order["app.panels"]
@@ -214,7 +232,9 @@ def plant(root: Path, files: dict[str, str]) -> None:
         path.write_text(text, encoding="utf-8")
 
 
-@pytest.mark.parametrize("package", ["curvecore", "app.document", "app.view_model", "app.tools"])
+@pytest.mark.parametrize(
+    "package", ["curvecore", "app.families", "app.document", "app.storage", "app.view_model", "app.tools"]
+)
 def test_it_imports_where_there_is_no_qt(package):
     names = [name for name in modules(ROOT) if is_within(name, [package])]
     code = f"import sys; sys.modules.update(dict.fromkeys({sorted(QT)!r}))\n"
@@ -244,7 +264,7 @@ def test_the_window_starts_without_what_is_rarely_used():
     names = set(done.stdout.split())
     assert not late & names
     # No readers, writers or dialogs.
-    light = {"drawing", "formats", "progress", "reading", "svg", "table_text", "units", "writing"}
+    light = {"drawing", "formats", "reading", "svg", "table_text", "units", "writing"}
     of_exchange = (name for name in names if name.startswith("app.exchange."))
     assert {name.removeprefix("app.exchange.") for name in of_exchange} == light
     of_panels = (name for name in names if name.startswith("app.panels."))
@@ -252,7 +272,7 @@ def test_the_window_starts_without_what_is_rarely_used():
 
 
 def test_one_module_starts_threads():
-    """Python's collector runs in whatever thread allocates; ``app.worker`` keeps it out of its own."""
+    """Python's collector runs in whatever thread allocates; ``app.tasks.task`` keeps it out of its own."""
     starts = re.compile(r"\bThread\(|QThread|QRunnable|ThreadPool|concurrent\.futures|multiprocessing")
     sources = {name: path.read_text(encoding="utf-8") for name, path in modules(ROOT).items()}
-    assert [name for name, text in sources.items() if starts.search(text)] == ["app.worker"]
+    assert [name for name, text in sources.items() if starts.search(text)] == ["app.tasks.task"]

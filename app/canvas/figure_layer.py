@@ -19,7 +19,7 @@ from app.plotting.plates import inside, write_on_plate
 from app.plotting.plot_widget import PlotWidget
 from app.theme import Theme
 from app.view_model.analysis.figures import Figure, Shape
-from app.view_model.looks import GHOST_LOOKS, LOOKS, Look
+from app.view_model.looks import LOOKS, Look, ghost_look
 
 if TYPE_CHECKING:
     from app.view_model.analysis.ghosts import GhostView
@@ -100,7 +100,7 @@ class FigureLayer:
     def _paint_ghost(self, painter: QPainter, shown: PixelMap, ghost: GhostView) -> None:
         if not ghost.is_drawn:
             return
-        look = GHOST_LOOKS[ghost.ghost]
+        look = ghost_look(ghost.ghost)
         painter.setPen(pen_of(look, self.theme, self.scale))
         line = ghost.line(TOLERANCE / max(shown.sx, shown.sy), shown.box)
         draw_line(painter, _pixels(line, shown), look.dashes, shown)

@@ -132,8 +132,8 @@ class Legend(Guarded, QFrame):
         choose.clicked.connect(lambda: self.chosen.emit(ghost))
         hide.clicked.connect(lambda: self.hidden.emit(ghost))
         for button, name, words in (
-            (choose, f"legendChoose_{ghost}", row.tip or f"Make this the curve: {row.text}"),
-            (hide, f"legendHide_{ghost}", f"Hide the ghost: {row.text}"),
+            (choose, f"legendChoose_{ghost.name}", row.tip or f"Make this the curve: {row.text}"),
+            (hide, f"legendHide_{ghost.name}", f"Hide the ghost: {row.text}"),
         ):
             button.setObjectName(name)
             button.setToolTip(tip_of(words))

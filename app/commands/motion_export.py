@@ -10,10 +10,10 @@ from PySide6.QtWidgets import QApplication, QFileDialog, QWidget
 from app.commands.file_work import FileWork
 from app.commands.parts import Parts
 from app.exchange.animation import Film, write_film
-from app.exchange.progress import Report
 from app.exchange.svg import DARK, LIGHT
 from app.file_commands import file_stem
 from app.panels.motion_dialog import FORMATS, MotionDialog
+from app.tasks.progress import Report
 from app.theme import theme_of
 from app.view_model.motion import MotionSettings, round_of
 

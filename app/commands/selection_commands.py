@@ -63,16 +63,16 @@ class SelectionCommands:
 
     def _align(self, edge: Edge) -> None:
         session, chosen = self._session, self._session.selection
-        self._parts.change(
+        session.change(
             f"Align {words.points(chosen)} {edge.value}",
-            lambda: align_nodes(session.document, session.active_index, chosen, edge),
+            lambda document: align_nodes(document, session.active_index, chosen, edge),
         )
 
     def _distribute(self, axis: int) -> None:
         session, chosen = self._session, self._session.selection
-        self._parts.change(
+        session.change(
             f"Distribute {words.points(chosen)} {_AXIS_WORDS[axis]}",
-            lambda: distribute_nodes(session.document, session.active_index, chosen, axis),
+            lambda document: distribute_nodes(document, session.active_index, chosen, axis),
         )
 
     def _toggle_box(self) -> None:

@@ -20,7 +20,7 @@
 - ``formats``: the endings.  ``writing``, ``writers``: which ending names which writer.
 - ``units``: how large a length of one is on paper.
 - ``naming``: names made different from each other.
-- ``progress``: how long work says how far it is.  ``choice``: what a person chose for an export.
+- ``choice``: what a person chose for an export.
 - ``facts``: what ``curvebench info`` prints.
 
 `export` chooses the writer by the name of the file.

@@ -13,8 +13,8 @@ import msgspec
 from msgspec.structs import replace
 
 from app.exchange.drawing import ExchangeError
-from app.exchange.progress import Report, silent
 from app.exchange.svg import INK, LIGHT, Style
+from app.tasks.progress import Report, silent
 
 if TYPE_CHECKING:
     from app.exchange.decor import Extras

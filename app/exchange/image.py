@@ -29,9 +29,9 @@ from app import __version__
 from app.document.model import Document
 from app.exchange.drawing import Drawing, ExchangeError, Frame
 from app.exchange.formats import Options
-from app.exchange.progress import Report, part, silent
 from app.exchange.svg import Style, accuracy_of, nominal_width, picture_of, svg_text
 from app.exchange.units import MILLIMETRES, POINTS_PER_MILLIMETRE, known_unit, size_in_words
+from app.tasks.progress import Report, part, silent
 from app.view_model.palette import adjustment_of
 
 DEFAULT_WIDTH = 1600

@@ -8,13 +8,13 @@ from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from app.document.format import FormatError, decode
-from app.document.image_path import resolved
-from app.document.model import Family
-from app.document.storage import read
 from app.exchange.drawing import ExchangeError
 from app.exchange.formats import Kind, ending_of, import_format, is_document
-from app.exchange.progress import Report, part, silent
+from app.families import HERMITE, Family
+from app.storage.files import read
+from app.storage.format import FormatError, decode
+from app.storage.image_path import resolved
+from app.tasks.progress import Report, part, silent
 
 if TYPE_CHECKING:
     from app.exchange.cubics_in import Imported
@@ -26,7 +26,7 @@ def import_file(
     tolerance: float | None = None,
     thin: float | None = None,
     corners: bool = False,
-    family: Family = Family.HERMITE,
+    family: Family = HERMITE,
     columns: str = "",
     missing: str = "refuse",
     only: Sequence[str] = (),

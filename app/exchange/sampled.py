@@ -11,7 +11,7 @@ from app.document.model import Document
 from app.exchange.drawing import ExchangeError, Floats
 from app.exchange.formats import SAMPLES, Spacing
 from app.exchange.parts import Written, cell_of_name, checked_tolerance, distinct_names, sources_of
-from app.exchange.progress import Report, part, silent
+from app.tasks.progress import Report, part, silent
 from app.view_model.arc_lengths import arc_lengths_of
 from app.view_model.curve_view import CoreCurve
 from curvecore import ArcLength, flatten_pieces

@@ -10,7 +10,6 @@ import numpy as np
 
 from app.document.model import MAX_MAGNITUDE
 from app.exchange.drawing import ExchangeError, Floats
-from app.exchange.progress import Report, silent
 from app.exchange.table import MAX_COLUMNS, PREVIEW_ROWS, Preview, Table
 from app.exchange.table_columns import AFTER, ROLES, WORDS, Mapping, guess, role_of
 from app.exchange.table_layout import (
@@ -24,6 +23,7 @@ from app.exchange.table_layout import (
     titles_of,
 )
 from app.exchange.table_lines import first_lines, is_data, numbered_first_lines, parts_of, plain_utf_8
+from app.tasks.progress import Report, silent
 
 _FORMULA = ("=", "@")
 

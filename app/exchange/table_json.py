@@ -10,10 +10,10 @@ from typing import Any
 import msgspec
 import numpy as np
 
-from app.document.format import not_json
 from app.exchange.drawing import ExchangeError, Floats
 from app.exchange.table import Table, table_of
 from app.exchange.table_layout import RowProblem
+from app.storage.format import not_json
 
 MOST_BYTES = 32 * 2**20
 """Of a JSON file: as Python's own numbers it takes several times as much."""

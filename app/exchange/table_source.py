@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from app.exchange.formats import import_format
-from app.exchange.progress import Report, silent
 from app.exchange.table import Preview, Table, cells_at, preview_of
 from app.exchange.table_columns import Mapping
 from app.exchange.table_curve import Missing
 from app.exchange.table_file import preview_table, read_table
 from app.exchange.table_layout import Layout, cells_of_row
 from app.exchange.table_lines import plain_utf_8
+from app.tasks.progress import Report, silent
 
 
 class TableSource:

@@ -10,7 +10,7 @@ import numpy as np
 import numpy.typing as npt
 
 from app.exchange.drawing import ExchangeError, Floats
-from app.exchange.progress import Report, silent
+from app.tasks.progress import Report, silent
 from curvecore import HermiteCurve, natural_spline_velocities
 
 MOST_KEPT = 20_000

@@ -11,9 +11,9 @@ from app.exchange.formulas import coefficients_json, desmos_expressions, svg_pat
 from app.exchange.latex import latex_formula, pgfplots_axis, tikz_picture
 from app.exchange.parts import Written
 from app.exchange.points_table import points_table
-from app.exchange.progress import part
 from app.exchange.sampled import sampled_table
 from app.exchange.svg import picture_of, svg_text
+from app.tasks.progress import part
 
 Writer = Callable[[Document, Options], Written]
 

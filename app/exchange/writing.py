@@ -6,14 +6,14 @@ import os
 import struct
 from typing import TYPE_CHECKING
 
-from app.document.format import FormatError, encode
-from app.document.image_path import relative_to
 from app.document.model import Document
-from app.document.storage import write
 from app.exchange.drawing import ExchangeError
 from app.exchange.formats import ENDINGS, SAMPLES, Exported, Options, Spacing, ending_of
-from app.exchange.progress import FINAL, Report, silent
 from app.exchange.svg import Style
+from app.storage.files import write
+from app.storage.format import FormatError, encode
+from app.storage.image_path import relative_to
+from app.tasks.progress import FINAL, Report, silent
 
 if TYPE_CHECKING:
     from app.exchange.decor import Extras

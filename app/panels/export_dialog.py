@@ -15,11 +15,11 @@ from app.document.model import Document
 from app.exchange import ExchangeError
 from app.exchange.choice import FORMATS, PICTURES, ExportChoice
 from app.exchange.image import Look, look
-from app.exchange.progress import Report
 from app.labels import Label
 from app.panels.export_form import ExportForm
 from app.panels.form_parts import buttons
 from app.panels.work_dialog import WorkDialog
+from app.tasks.progress import Report
 from app.theme import DARK, LIGHT, mix
 
 _SOON_MS = 120

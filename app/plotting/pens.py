@@ -12,7 +12,7 @@ from app.plotting.pixel_map import PixelMap
 from app.theme import Theme, mix
 from app.view_model.analysis.figures import Style
 from app.view_model.analysis.settings import Ghost
-from app.view_model.looks import GHOST_LOOKS, LOOKS, Dashes, Look, Mark
+from app.view_model.looks import LOOKS, Dashes, Look, Mark, ghost_look
 
 SIGN = QSize(30, 14)
 """Size of a sign in pixels."""
@@ -116,4 +116,4 @@ def sign_pixmap(sign: Sign, theme: Theme, ratio: float = 1.0) -> QPixmap:
 def _look(sign: Sign) -> Look:
     if isinstance(sign, Look):
         return sign
-    return GHOST_LOOKS[sign] if isinstance(sign, Ghost) else LOOKS[sign]
+    return ghost_look(sign) if isinstance(sign, Ghost) else LOOKS[sign]

@@ -14,7 +14,8 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QDockWidget, QWidget
 
 from app.display import has_display
-from app.document.model import Curve, Family, ParametrizationKind, Vector
+from app.document.model import Curve, ParametrizationKind, Vector
+from app.families import FAMILIES, Family
 from app.main_window import MainWindow
 from app.panels.command_palette import CommandPalette
 from app.panels.curve_list_view import Spot, spot_rect
@@ -25,11 +26,6 @@ from app.testing.input_driver import InputDriver, spin
 from app.testing.reach import require_enabled, require_reachable, require_under_mouse
 from app.view_model.handles import Handle
 
-_FAMILY_ACTIONS = {
-    Family.LAGRANGE: "familyLagrange",
-    Family.HERMITE: "familyHermite",
-    Family.QUINTIC_HERMITE: "familyQuinticHermite",
-}
 _NO_KEYS = Qt.KeyboardModifier.NoModifier
 _LEFT = Qt.MouseButton.LeftButton
 
@@ -169,9 +165,9 @@ class Editor(InputDriver):
         """Show the whole curve."""
         self.trigger("fitView")
 
-    def choose_family(self, family: Family) -> None:
-        """Switch the family."""
-        self.trigger(_FAMILY_ACTIONS[Family(family)])
+    def choose_family(self, family: Family | str) -> None:
+        """Switch the family, given as a record or by its name."""
+        self.trigger((FAMILIES.named(family) if isinstance(family, str) else family).action_name)
 
     def choose_parametrization(self, kind: ParametrizationKind) -> None:
         """Choose the rule for the parameters in the toolbar's box, by keyboard."""

@@ -48,8 +48,8 @@ class EditingHost(Protocol):
 
     def commit(
         self, document: Document, text: str, *, active: int | None = None, run: Hashable = None
-    ) -> bool:
-        """Make it a step of the history, and return whether it is; quick steps of the same run are one."""
+    ) -> object:
+        """Make it a step of the history; true where it is one. Quick steps of the same run are one."""
 
     def cancel(self) -> None:
         """Drop the preview."""

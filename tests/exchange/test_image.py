@@ -6,12 +6,13 @@ import numpy as np
 import pytest
 from PySide6.QtGui import QColor, QImage
 
-from app.document import storage
-from app.document.model import Document, Family, make_curve
-from app.document.storage import StorageError
+from app.document.model import Document, make_curve
 from app.exchange import DARK, INK, ExchangeError, export
 from app.exchange.drawing import drawing_of
 from app.exchange.svg import POINT_RADIUS, STROKE
+from app.families import HERMITE
+from app.storage import files
+from app.storage.files import StorageError
 from app.view_model.curve_view import view_of
 from curvecore import arc_length
 
@@ -59,7 +60,7 @@ def test_ink_is_where_the_curve_is_and_nowhere_else(example, tmp_path):
 
 
 def test_points_are_discs(tmp_path):
-    document = Document((make_curve([(0, 0), (1, 1), (2, 0)], family=Family.HERMITE),))
+    document = Document((make_curve([(0, 0), (1, 1), (2, 0)], family=HERMITE),))
     inks = []
     for points in (False, True):
         export(document, tmp_path / "a.png", width=800, style=DARK, points=points)
@@ -97,7 +98,7 @@ def test_a_path_of_very_many_pieces_is_drawn_to_its_end(tmp_path):
     # Qt cuts off what it does not trust: a warning, which fails tests, and half a curve.
     x = np.linspace(0, 1, 20_000)
     points = np.stack([x, 0.3 * np.sin(6 * x)], axis=1).tolist()
-    export(Document((make_curve(points, family=Family.HERMITE),)), tmp_path / "a.png", width=200, style=DARK)
+    export(Document((make_curve(points, family=HERMITE),)), tmp_path / "a.png", width=200, style=DARK)
     ink = coverage(pixels(tmp_path / "a.png"), DARK)
     assert (ink[:, 20:180].max(axis=0) > 0.1).all()
 
@@ -128,7 +129,7 @@ def test_a_failed_export_leaves_the_old_file(name, sketch, nothing, tmp_path, mo
     def fail(_descriptor):
         raise OSError(28, "No space left on device")
 
-    monkeypatch.setattr(storage.os, "fsync", fail)
+    monkeypatch.setattr(files.os, "fsync", fail)
     with pytest.raises(StorageError, match="The disk is full"):
         export(sketch, path)
     assert path.read_bytes() == b"old"

@@ -11,19 +11,20 @@ from msgspec.structs import replace
 
 from app.cli import main
 from app.document import edits
-from app.document.model import Document, Family, make_curve
-from app.document.storage import save
+from app.document.model import Document, make_curve
 from app.exchange import ExchangeError, export, svg_of
 from app.exchange.drawing import drawing_of
 from app.exchange.facts import facts_of
 from app.exchange.naming import Names
+from app.families import HERMITE, QUINTIC_HERMITE
+from app.storage.files import save
 from app.view_model.curve_view import view_of
 
 SQUARE = [(0.0, 0.0), (2.0, 0.0), (2.0, 2.0), (0.0, 2.0)]
 SVG = "{http://www.w3.org/2000/svg}"
 
 
-@pytest.fixture(params=[Family.HERMITE, Family.QUINTIC_HERMITE])
+@pytest.fixture(params=[HERMITE, QUINTIC_HERMITE])
 def document(request):
     """A closed blue curve with a corner, a hidden one, and one in ink."""
     closed = replace(make_curve(SQUARE, name="Pond", family=request.param), closed=True, colour="#0072b2")

@@ -6,9 +6,10 @@ from itertools import pairwise
 
 import pytest
 
-from app.document.model import Document, Family, make_curve
+from app.document.model import Document, make_curve
 from app.exchange import ENDINGS, Options, export_with
-from app.exchange.progress import FINAL, Cancelled
+from app.families import FAMILIES
+from app.tasks.progress import FINAL, Cancelled
 
 COUNT = 12
 # A document is what is there already: it is encoded in one go.
@@ -17,7 +18,7 @@ TOLD = [ending for ending in ENDINGS if ending != ".curve.json"]
 
 @pytest.fixture(scope="module")
 def several():
-    families = list(Family)
+    families = FAMILIES
     return Document(
         tuple(
             make_curve([(k, 0.0), (k + 0.5, 1.0), (k + 1.0, 0.3)], name=f"Curve {k}", family=families[k % 3])
