@@ -54,8 +54,9 @@ from app.session import Session
 from app.tasks.single_task import SingleTask
 from app.theme import Theme, ThemeMode, apply_theme, theme_of
 from app.toolbar import Toolbar
-from app.tools.rail import RailTool
-from app.tools.tools import CanvasTool
+from app.tools.rail import RAIL
+from app.tools.select import SELECT
+from app.tools.toolbox import Toolbox
 from app.view_model.curve_view import CurveView
 from app.view_model.growth import growth_of_points
 from app.window_layout import put_away_floating, restore_layout, when_first_shown
@@ -133,10 +134,10 @@ class MainWindow(Guarded, QMainWindow):
         self.setCentralWidget(self.splitter)
         self.splitter.setObjectName("drawingSplitter")
         drawing = QWidget(self.splitter)
-        self.canvas = Canvas(CanvasTool(self.session), drawing)
+        self.canvas = Canvas(Toolbox(self.session, SELECT), drawing)
         self.message_bar = MessageBar(self.canvas.viewport())
-        self.canvas.covered_top = lambda: self.message_bar.covered
-        self.basis_panel = BasisPanel(RailTool(self.session))
+        self.canvas.framing.covered_top = lambda: self.message_bar.covered
+        self.basis_panel = BasisPanel(Toolbox(self.session, RAIL))
         self.basis_pane = BasisPane(self.basis_panel, self.splitter)
         self.under_canvas = QVBoxLayout(drawing)
         self.under_canvas.setContentsMargins(0, 0, 0, 0)
@@ -205,15 +206,15 @@ class MainWindow(Guarded, QMainWindow):
         session.active_changed.connect(self._render_document)
         session.selection_changed.connect(self._render_selection)
         session.chosen_changed.connect(self._render_chosen)
-        session.hovered_changed.connect(self.canvas.set_hovered)
+        session.hovered_changed.connect(self.canvas.drawing.set_hovered)
         session.hovered_changed.connect(self.basis_panel.set_hovered)
         session.scrub_changed.connect(self._render_scrub)
         session.file_changed.connect(self._render_file)
-        session.interrupted.connect(self.canvas.forget_gesture)
-        session.interrupted.connect(self.basis_panel.forget_gesture)
+        session.interrupted.connect(self.canvas.abandon_gesture)
+        session.interrupted.connect(self.basis_panel.abandon_gesture)
         session.interrupted.connect(self.status_line.forget)
         session.opened.connect(self._fit)
-        session.opened.connect(self.canvas.forget_finished)
+        session.opened.connect(self.canvas.tools.reset)
         session.said.connect(self.status_line.say)
         session.refused.connect(self.status_line.refuse)
         session.offered.connect(self._offer)
@@ -221,8 +222,8 @@ class MainWindow(Guarded, QMainWindow):
             plot.hint_changed.connect(self.status_line.show_hint)
             plot.progress_changed.connect(self.status_line.show_progress)
             plot.gesture_began.connect(self.status_line.begin_gesture)
-        self.basis_panel.drag_changed.connect(self.canvas.hold_ghost)
-        self.parametrization_bar.drag_changed.connect(self.canvas.hold_ghost)
+        self.basis_panel.drag_changed.connect(self.canvas.drawing.hold_ghost)
+        self.parametrization_bar.drag_changed.connect(self.canvas.drawing.hold_ghost)
         self.canvas.pointed_at.connect(self.status_line.show_place)
         self.basis_panel.pointed_at.connect(self.status_line.show_t)
         self.menus.fill_with_files(self.preferences, self._files.open, self._files.open_example)
@@ -292,7 +293,7 @@ class MainWindow(Guarded, QMainWindow):
             self._commands.render(view)
 
     def _render_scrub(self, t: float | None) -> None:
-        self.canvas.set_scrub(t)
+        self.canvas.drawing.set_scrub(t)
         self.basis_panel.set_scrub(t)
         self.status_line.show_scrub(t)
         self.actions_by_name["toggleScrub"].setChecked(t is not None)
@@ -313,7 +314,7 @@ class MainWindow(Guarded, QMainWindow):
         self._commands.messages.offer(text, self.actions_by_name[action])
 
     def _fit(self) -> None:
-        self.canvas.fit()
+        self.canvas.framing.fit()
         self.basis_pane.fit()
 
     def _fit_again(self) -> None:
@@ -321,12 +322,12 @@ class MainWindow(Guarded, QMainWindow):
 
         Whoever opens a document says what of it is shown; here nobody chooses anew, for a lesson may be open.
         """
-        self.canvas.fit()
+        self.canvas.framing.fit()
         self.basis_pane.fit_again()
 
     def _show_points(self) -> None:
         """Fit the view where points of the active curve lie outside it."""
-        if not self.canvas.shows_all_points:
+        if not self.canvas.framing.shows_all_points:
             self._fit()
 
     # Theme and layout

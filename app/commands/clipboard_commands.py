@@ -188,7 +188,7 @@ class ClipboardCommands:
 
     def _show_points(self) -> None:
         """Fit the view if points that were pasted lie outside it."""
-        if not self._parts.canvas.shows_all_points:
+        if not self._parts.canvas.framing.shows_all_points:
             self._parts.actions["fitView"].trigger()
 
     # Derivatives

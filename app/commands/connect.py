@@ -40,11 +40,12 @@ from app.commands.tool_commands import ToolCommands
 from app.commands.view_commands import ViewCommands
 from app.commands.wiggle_commands import WiggleCommands
 from app.tasks.owner import TaskOwner, close_all
+from app.tools.registry import TOOLS
 from app.view_model.curve_view import CurveView
 
 _DURING_A_GESTURE = {
     "undo",  # takes the gesture back, and nothing else
-    "selectTool", "addTool", "measureTool",
+    *(record.action for record in TOOLS),
     "moveSelection", "scaleSelection", "rotateSelection",
     "toggleTransformBox", "commandPalette",
 }  # fmt: skip

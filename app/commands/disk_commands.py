@@ -265,11 +265,11 @@ class DiskCommands(QObject):
             self._hide_ghost()
             return
         views = [view_of(curve) for curve in document.curves]
-        self._parts.canvas.annotations.show_file_version(views, f"{self._path.name} on the disk")
+        self._parts.canvas.drawing.annotations.show_file_version(views, f"{self._path.name} on the disk")
 
     def _hide_ghost(self) -> None:
         self._actions["compareWithFile"].setChecked(False)
-        self._parts.canvas.annotations.show_file_version([], "")
+        self._parts.canvas.drawing.annotations.show_file_version([], "")
 
     def _take_over(self) -> None:
         """Make the document ours at once if nobody has it; else ask first."""

@@ -199,7 +199,7 @@ class ExchangeCommands:
             self._session.choose_curves(range(first, first + len(new.curves)))
         self._preferences.last_folder = path.parent
         # What is in sight stays where the person put it, but for a document that holds nothing else.
-        if first == 0 or not self._parts.canvas.shows_curves_from(first):
+        if first == 0 or not self._parts.canvas.framing.shows_curves_from(first):
             self._parts.actions["fitView"].trigger()
         count = sum(len(curve.nodes) for curve in new.curves)
         what = f"{count_of(len(new.curves), 'curve')}, {count_of(count, 'point')}"

@@ -9,6 +9,8 @@ from PySide6.QtWidgets import QDockWidget, QWidget
 
 from app.commands.parts import Handlers, Parts
 from app.tasks.debounced_task import DebouncedTask
+from app.tools.rail import SCRUB_ALONG
+from app.tools.toolbox import Toolbox
 from app.view_model.curve_view import CurveView
 
 if TYPE_CHECKING:
@@ -37,9 +39,8 @@ class HodographCommands:
         """Build the panel; called when its dock is first shown."""
         from app.panels.hodograph_panel import HodographPanel  # noqa: PLC0415
 
-        self._panel = HodographPanel()
+        self._panel = HodographPanel(Toolbox(self._parts.session, SCRUB_ALONG))
         self._panel.changed.connect(lambda: self.follow(self._parts.session.active_view))
-        self._panel.plot.scrub_asked.connect(self._parts.session.set_scrub)
         return self._panel
 
     def _bring_up(self) -> None:

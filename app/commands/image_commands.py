@@ -13,7 +13,7 @@ from app.commands.messages import Messages
 from app.commands.parts import Handlers, Parts
 from app.document.image_edits import set_image, set_image_file
 from app.document.model import ReferenceImage
-from app.tools.image_tool import ImageTool
+from app.tools.move_image import MOVE_IMAGE
 from app.view_model.curve_view import CurveView
 
 _PICTURES = "Pictures (*.png *.jpg *.jpeg);;All files (*)"
@@ -66,7 +66,7 @@ class ImageCommands:
         if image is None:
             self._loaded_path, self._pixels, self._problem = "", None, ""
         had_one, self._shown = self._shown is not None, image
-        self._parts.canvas.set_image(image, self._pixels)
+        self._parts.canvas.drawing.set_image(image, self._pixels)
         self._parts.image_panel.render_image(image)
         self._parts.image_panel.show_problem(self._problem)
         self._messages.set_image_problem(self._problem and _MISSING.format(self._problem))
@@ -127,7 +127,7 @@ class ImageCommands:
         width, height = pixels.width() * scale, pixels.height() * scale
         x, y = (x_min + x_max - width) / 2, (y_min + y_max - height) / 2
         # As many decimals as make a difference on the screen: 0, not −4.4e−16.
-        decimals = ceil(-log10(self._parts.canvas.pixel_size))
+        decimals = ceil(-log10(self._parts.canvas.camera.pixel_size))
         x, y = round(x, decimals) + 0.0, round(y, decimals) + 0.0
         image = ReferenceImage(path, x, y, width, height)
         if self._session.change("Add image", lambda document: set_image(document, image)):
@@ -169,12 +169,10 @@ class ImageCommands:
 
     def _toggle_moving(self) -> None:
         moving = self._actions["moveImage"].isChecked()
-        self._parts.canvas.set_image_tool(ImageTool(self._session) if moving else None)
+        self._parts.canvas.lay_tool_above(MOVE_IMAGE if moving else None)
         self._light_tools(lit=not moving)
         if moving:
-            self._session.say(
-                "Drag the image to move it, a corner to scale it; Escape goes back to the points."
-            )
+            self._session.say(MOVE_IMAGE.hint)
 
     def _light_tools(self, *, lit: bool) -> None:
         """Let no tool for points look as if it were in use while the mouse has the picture."""

@@ -71,6 +71,6 @@ class JointCommands:
         """Look at a joint close up, and select its point."""
         x, y = row.place
         half = max(_CLOSE_UP * row.reach, _LEAST)
-        self._parts.canvas.show_box((x - half, x + half), (y - half, y + half))
+        self._parts.canvas.camera.show_box((x - half, x + half), (y - half, y + half))
         self._parts.session.select([row.joint])
         self._parts.session.say(f"Joint {row.joint} close up; F shows the whole curve again.")

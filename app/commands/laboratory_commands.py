@@ -153,7 +153,7 @@ class LaboratoryCommands(Guarded, QObject):
         self._problem = ""
         for task in (self._task, self._digits_task, self._cost_task):
             task.give_up()
-        self._parts.canvas.annotations.render_traces(_GROUP, ())
+        self._parts.canvas.drawing.annotations.render_traces(_GROUP, ())
         self.tried.emit(None)
 
     def _take(self, result: object) -> None:
@@ -207,7 +207,7 @@ class LaboratoryCommands(Guarded, QObject):
                 for each in trial.outcomes
             )
             heading = "computing…" if busy else _heading(trial.settings)
-        self._parts.canvas.annotations.render_traces(_GROUP, traces, heading, faded=busy)
+        self._parts.canvas.drawing.annotations.render_traces(_GROUP, traces, heading, faded=busy)
 
     def _show_cost(self) -> None:
         if self._panel is not None:

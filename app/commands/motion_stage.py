@@ -103,7 +103,7 @@ class MotionStage(Guarded, QObject):
         player, parts = self.player, self._parts
         course = player.course if player.is_open else None
         if course is None:
-            parts.canvas.render_motion(())
+            parts.canvas.drawing.render_motion(())
             if player.is_open:
                 self._bar.show_dots((), parts.session.active_view.problem)
             return
@@ -111,7 +111,7 @@ class MotionStage(Guarded, QObject):
         if self._scales is None:
             self._scales = scales_of(list(courses.values()))
         dots = dots_at(courses, player.seconds, player.settings.repeat, self._scales)
-        parts.canvas.render_motion(dots, self._lines())
+        parts.canvas.drawing.render_motion(dots, self._lines())
         self._bar.show_dots(dots, "")
 
     def _courses_to_compare(self) -> dict[Role, Course]:
@@ -145,7 +145,7 @@ class MotionStage(Guarded, QObject):
         self._bar.setVisible(player.is_open)
         self.settle(self._parts.session.active_view)
         if not player.is_open:
-            self._parts.canvas.render_motion(())
+            self._parts.canvas.drawing.render_motion(())
 
     def _render_bar(self) -> None:
         theme = theme_of(QApplication.palette())

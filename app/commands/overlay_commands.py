@@ -47,8 +47,10 @@ class OverlayCommands:
         self._is_drawn = False
         parts.analysis.changed.connect(self._render_settings)
         parts.analysis.ghost_chosen.connect(self._make_real)
-        parts.canvas.annotations.ghost_chosen.connect(self._make_real)
-        parts.canvas.annotations.ghost_hidden.connect(lambda ghost: parts.analysis.show_ghost(ghost, False))
+        parts.canvas.drawing.annotations.ghost_chosen.connect(self._make_real)
+        parts.canvas.drawing.annotations.ghost_hidden.connect(
+            lambda ghost: parts.analysis.show_ghost(ghost, False)
+        )
         parts.session.scrub_changed.connect(self._follow_scrub)
 
     def handlers(self) -> Handlers:
@@ -82,9 +84,9 @@ class OverlayCommands:
         figures = [*settled.figures, *live.figures] if settled is not None else live.figures
         ghosts = list(self._ghosts.values())
         busy = waits if settled is None else frozenset()
-        self._parts.canvas.annotations.render_figures(figures, ghosts)
+        self._parts.canvas.drawing.annotations.render_figures(figures, ghosts)
         rows = legend_rows(view, settings, ghosts, figures if settled is not None else (), busy)
-        self._parts.canvas.annotations.render_legend(_GROUP, rows)
+        self._parts.canvas.drawing.annotations.render_legend(_GROUP, rows)
         notes = {**live.notes, **(settled.notes if settled is not None else {})}
         self._parts.analysis.note({**notes, **dict.fromkeys(busy, "…")}, view.problem)
         self._is_drawn = True
@@ -103,8 +105,8 @@ class OverlayCommands:
         self._is_drawn = False
         self._ghosts, self._asked, self._settled = {}, None, None
         self._task.give_up()
-        self._parts.canvas.annotations.render_figures(())
-        self._parts.canvas.annotations.render_legend(_GROUP, ())
+        self._parts.canvas.drawing.annotations.render_figures(())
+        self._parts.canvas.drawing.annotations.render_legend(_GROUP, ())
         self._parts.analysis.note({})
 
     def _settle(self, view: CurveView, settings: AnalysisSettings, waits: frozenset[Overlay]) -> None:

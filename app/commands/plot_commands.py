@@ -10,6 +10,8 @@ from PySide6.QtCore import QTimer
 
 from app.commands.parts import Handlers, Parts
 from app.tasks.debounced_task import DebouncedTask
+from app.tools.rail import SCRUB
+from app.tools.toolbox import Toolbox
 from app.view_model.analysis.settings import Plot
 from app.view_model.curve_view import CurveView
 from app.view_model.growth import growth_of_points
@@ -53,7 +55,7 @@ class PlotCommands:
         parts.plot_panel.changed.connect(self._follow_added)
         parts.session.scrub_changed.connect(self._show_scrub)
         parts.session.interrupted.connect(self._forget_gesture)
-        parts.basis_panel.map_changed.connect(self._follow_range)
+        parts.basis_panel.camera.changed.connect(self._follow_range)
 
     def handlers(self) -> Handlers:
         """Return what each action does."""
@@ -108,7 +110,7 @@ class PlotCommands:
         panel.show()
         count = len(self._parts.analysis.settings.plots) + len(panel.added)
         self._make_room(max(pane.wanted_height(count), kept))
-        pane.canvas.set_t_range(*self._parts.basis_panel.t_range)
+        pane.canvas.camera.show_t(*self._parts.basis_panel.camera.t_range)
         pane.canvas.set_scrub(self._parts.session.scrub)
         self._plot(self._parts.session.active_view, calm=self._parts.session.is_previewing)
 
@@ -125,12 +127,11 @@ class PlotCommands:
         # Imported when there is something to plot: nobody waits for it at the start.
         from app.panels.plot_canvas import PlotCanvas  # noqa: PLC0415
         from app.panels.plot_pane import PlotPane  # noqa: PLC0415
-        from app.tools.rail import RailTool  # noqa: PLC0415
         from app.view_model.analysis.plots import SYMBOLS  # noqa: PLC0415
 
         parts = self._parts
-        canvas = PlotCanvas(RailTool(parts.session))
-        canvas.range_asked.connect(parts.basis_panel.set_t_range)
+        canvas = PlotCanvas(Toolbox(parts.session, SCRUB))
+        canvas.camera.range_asked.connect(parts.basis_panel.camera.show_t)
         canvas.scrub_nudged.connect(self._nudge_scrub)
         canvas.hint_changed.connect(parts.status_line.show_hint)
         canvas.pointed_at.connect(parts.status_line.show_t)
@@ -166,7 +167,7 @@ class PlotCommands:
             return
         basis = self._parts.basis_panel.basis
         constant = growth_of_points(view, basis)
-        compute = partial(plots_of, view, kinds, pane.canvas.t_range, pane.canvas.columns, constant)
+        compute = partial(plots_of, view, kinds, pane.canvas.camera.t_range, pane.canvas.columns, constant)
         if orders_of(kinds) and is_slow(view):
             pane.canvas.set_waiting()
             self._task.ask(lambda _report: compute())
@@ -195,7 +196,7 @@ class PlotCommands:
         if self._is_on:
             pane = self._parts.plot_panel.pane
             assert pane is not None
-            pane.canvas.set_t_range(*self._parts.basis_panel.t_range)
+            pane.canvas.camera.show_t(*self._parts.basis_panel.camera.t_range)
             self._plot(self._parts.session.active_view, calm=True)
             self._calm.start()
 
@@ -214,7 +215,7 @@ class PlotCommands:
         if session.active_view.curve is None or pane is None:
             return
         start, end = session.active_view.curve.domain
-        t = sum(pane.canvas.t_range) / 2 if session.scrub is None else session.scrub + by
+        t = sum(pane.canvas.camera.t_range) / 2 if session.scrub is None else session.scrub + by
         session.set_scrub(min(max(t, start), end))
 
     def _show_values(self) -> None:
@@ -234,4 +235,4 @@ class PlotCommands:
     def _forget_gesture(self) -> None:
         pane = self._parts.plot_panel.pane
         if pane is not None:
-            pane.canvas.forget_gesture()
+            pane.canvas.abandon_gesture()

@@ -36,7 +36,7 @@ class SelectionCommands:
         self._actions = parts.actions
         shows_box = parts.preferences.transform_box
         self._actions["toggleTransformBox"].setChecked(shows_box)
-        parts.canvas.set_box_visible(shows_box)
+        parts.canvas.change_tool_settings(shows_box=shows_box)
 
     def handlers(self) -> Handlers:
         """Return what each action does."""
@@ -56,7 +56,7 @@ class SelectionCommands:
                 self._actions[name].setEnabled(count >= least)
 
     def _begin(self, kind: TransformKind) -> None:
-        if self._parts.canvas.is_moving_image:
+        if self._parts.canvas.tools.tool.finds_image:
             self._session.refuse("The image is being moved now; Escape goes back to the points.")
         else:
             self._parts.canvas.begin_transform(kind)
@@ -78,4 +78,4 @@ class SelectionCommands:
     def _toggle_box(self) -> None:
         shows_box = self._actions["toggleTransformBox"].isChecked()
         self._parts.preferences.transform_box = shows_box
-        self._parts.canvas.set_box_visible(shows_box)
+        self._parts.canvas.change_tool_settings(shows_box=shows_box)

@@ -26,9 +26,9 @@ class SnapCommands:
         preferences, canvas = self._parts.preferences, self._parts.canvas
         snapping = Snapping(preferences.snap_on, preferences.snap_kinds)
         self._parts.actions["toggleSnap"].setChecked(snapping.on)
-        canvas.set_snapping(snapping)
-        canvas.grid.set_spacing(preferences.grid_spacing)
-        canvas.set_unit(preferences.unit_name)
+        canvas.change_tool_settings(snapping=snapping, unit=preferences.unit_name)
+        canvas.drawing.grid.set_spacing(preferences.grid_spacing)
+        canvas.drawing.units.unit = preferences.unit_name
         self._parts.status_line.unit = preferences.unit_name
 
     def _toggle(self) -> None:

@@ -61,7 +61,7 @@ class TangentCommands:
         action.setToolTip(reason or tool_tip(action))
 
     def _pulled(self, view: CurveView, chosen: Collection[int]) -> Curve:
-        pulled = with_velocities_pulled(view, chosen, _VISIBLE * self._parts.canvas.pixel_size)
+        pulled = with_velocities_pulled(view, chosen, _VISIBLE * self._parts.canvas.camera.pixel_size)
         if pulled == view.source:
             what = "velocity stands" if len(chosen) == 1 else "velocities stand"
             raise EditError(f"The {what} out already; drag the square handle.")

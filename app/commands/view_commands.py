@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from functools import partial
+
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QDockWidget
 
@@ -10,14 +12,11 @@ from app.commands.parts import Handlers, Parts
 from app.panels.late_dock import LateDock
 from app.plotting.scrolling import ZOOM_STEP
 from app.theme import ThemeMode
-from app.tools.tools import ToolKind
+from app.tools.registry import TOOLS
+from app.tools.select import SELECT
+from app.tools.tool import ToolRecord
 from app.view_model.curve_view import CurveView
 
-_TOOL_HINTS = {
-    ToolKind.SELECT: "Drag points and handles; P adds points.",
-    ToolKind.ADD: "Click to add points; Enter finishes the curve; V or Escape goes back to selecting.",
-    ToolKind.MEASURE: "Drag to measure; V or Escape goes back to selecting.",
-}
 _SCALES = (0.75, 1.0, 1.25, 1.5, 2.0, 2.5, 3.0)
 
 
@@ -41,9 +40,7 @@ class ViewCommands:
         """Return what each action does."""
         set_mode = self._parts.set_theme_mode
         return {
-            "selectTool": lambda: self._use_tool(ToolKind.SELECT),
-            "addTool": lambda: self._use_tool(ToolKind.ADD),
-            "measureTool": lambda: self._use_tool(ToolKind.MEASURE),
+            **{record.action: partial(self._use_tool, record) for record in TOOLS},
             "fitView": self._fit,
             "zoomIn": lambda: self._zoom(ZOOM_STEP),
             "zoomOut": lambda: self._zoom(1 / ZOOM_STEP),
@@ -69,12 +66,12 @@ class ViewCommands:
     def escape(self) -> None:
         """Step back: gesture in flight, tool, motion, presentation, scrub line, selection, chosen curves."""
         session = self._session
-        if self._parts.cancel_gesture() or self._parts.canvas.put_away():
+        if self._parts.cancel_gesture() or self._parts.canvas.dismiss():
             return
-        if any(self._actions[name].isChecked() for name in ("addTool", "measureTool", "explainWiggle")):
-            self._actions["selectTool"].trigger()
-        elif self._actions["moveImage"].isChecked():
+        if self._actions["moveImage"].isChecked():
             self._actions["moveImage"].trigger()
+        elif self._parts.canvas.tools.record is not SELECT:
+            self._actions[SELECT.action].trigger()
         elif self._actions["stopMotion"].isEnabled():
             self._actions["stopMotion"].trigger()
         elif self._actions["presentation"].isChecked():
@@ -86,20 +83,20 @@ class ViewCommands:
         else:
             session.choose_curves((session.active_index,))
 
-    def _use_tool(self, kind: ToolKind) -> None:
-        self._parts.canvas.set_tool(kind)
-        self._parts.status_line.show_hint(_TOOL_HINTS[kind])
+    def _use_tool(self, record: ToolRecord) -> None:
+        self._parts.canvas.choose_tool(record)
+        self._parts.status_line.show_hint(record.hint)
 
     def _fit(self) -> None:
-        self._parts.canvas.fit()
+        self._parts.canvas.framing.fit()
         self._parts.basis_pane.fit()
 
     def _zoom(self, factor: float) -> None:
-        canvas = self._parts.canvas
-        canvas.zoom(factor, canvas.centre())
+        camera = self._parts.canvas.camera
+        camera.zoom(factor, camera.centre())
 
     def _toggle_grid(self) -> None:
-        self._parts.canvas.grid.set_visible(self._actions["toggleGrid"].isChecked())
+        self._parts.canvas.drawing.grid.set_visible(self._actions["toggleGrid"].isChecked())
 
     def _toggle_scrub(self) -> None:
         session = self._session

@@ -13,7 +13,7 @@ from app.commands.parts import Handlers, Parts
 from app.document.model import Document
 from app.tasks.debounced_task import DebouncedTask
 from app.tasks.progress import Report
-from app.tools.tools import ToolKind
+from app.tools.explain import EXPLAIN
 from app.view_model.curve_view import CurveView
 from app.view_model.looks import CURE_LOOK
 
@@ -69,8 +69,8 @@ class WiggleCommands(QObject):
 
     def _use_tool(self) -> None:
         """Explain the widest swing at once, and then wherever the person clicks."""
-        self._parts.canvas.set_tool(ToolKind.EXPLAIN)
-        self._parts.status_line.show_hint("Click on the curve where it swings out; V goes back to Select.")
+        self._parts.canvas.choose_tool(EXPLAIN)
+        self._parts.status_line.show_hint(EXPLAIN.hint)
         if self._session.scrub is None:
             self._explain_widest()
         self._open()
@@ -149,7 +149,7 @@ class WiggleCommands(QObject):
     def _preview(self, key: str) -> None:
         cure = self._cure(key)
         traces = (Trace((cure.points,), CURE_LOOK, cure.label),) if cure is not None else ()
-        self._parts.canvas.annotations.render_traces(_GROUP, traces, "Preview")
+        self._parts.canvas.drawing.annotations.render_traces(_GROUP, traces, "Preview")
 
     def _apply(self, key: str) -> None:
         cure = self._cure(key)

@@ -101,7 +101,7 @@ class KeptEditor:
         session.clock = time.monotonic
         # With what was computed for it before.
         session._replace(self._sketch, None, views=self._views)
-        fading = window.canvas._curve_layer._fade
+        fading = window.canvas.drawing.curve._fade
         fading.setCurrentTime(fading.duration())
         self._reset_actions()
         self._reset_settings()

@@ -187,7 +187,9 @@ def test_escape_goes_on(guarded, qtbot):
 
 
 def test_a_fault_while_painting_is_told_and_painting_goes_on(guarded, qtbot, monkeypatch):
-    layer = next(layer for layer in guarded.window.canvas._layers if layer.is_visible and not layer.is_still)
+    layer = next(
+        layer for layer in guarded.window.canvas.layers._layers if layer.is_visible and not layer.is_still
+    )
     failed = []
 
     def fail(*_arguments):

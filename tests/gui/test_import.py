@@ -103,7 +103,7 @@ def test_a_table_comes_in_as_one_step(editor, tmp_path):
     assert [node.position for node in curve.nodes] == [(0.5, 1), (2, 3.25), (4, 0)]
     assert len(editor.session.document.curves) == len(before.curves) + 1
     assert editor.status == "Imported pond.csv: 1 curve, 3 points, exact."
-    assert editor.window.canvas.shows_all_points
+    assert editor.window.canvas.framing.shows_all_points
     assert editor.session.undo_stack.undoText() == "Import pond.csv"
     editor.trigger("undo")
     assert editor.session.document == before

@@ -277,7 +277,7 @@ def test_the_next_lesson_is_a_step_that_undo_takes_back(editor, qtbot):
     assert editor.session.is_modified
     assert place(editor) == "5 of 5"
     assert not editor.action("toggleLaboratory").isChecked()
-    assert editor.window.canvas.shows_all_points
+    assert editor.window.canvas.framing.shows_all_points
     click(qtbot, find(editor, QPushButton, "lessonBack"))
     assert "Reached" in find(editor, QLabel, "lessonGoal").text()
     assert editor.session.document is work

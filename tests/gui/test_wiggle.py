@@ -59,7 +59,7 @@ def text(editor, name):
 
 
 def ghosts(editor):
-    return editor.window.canvas.annotations.traces("cure")[0]
+    return editor.window.canvas.drawing.annotations.traces("cure")[0]
 
 
 def hover(widget):

@@ -1,4 +1,4 @@
-"""What the transforms act on: the selected points, or else all of several chosen curves."""
+"""Target of the transforms: the selected points, or else all of several selected curves."""
 
 from __future__ import annotations
 
@@ -8,23 +8,23 @@ from collections.abc import Sequence
 from app.document.edits import EditError
 from app.document.model import Vector
 from app.document.several_curves import NodeGroup, nodes_of, whole_curves
+from app.tools.drag_machine import EditingHost
 from app.tools.drags import MovePoints, NudgePoints, StepPoints
-from app.tools.machine import Host
-from app.tools.magnets import Magnets
 from app.tools.pointer import Pointer
+from app.tools.snappers import Snappers
 from app.tools.transform import Transform, TransformKind
 from app.tools.transform_box import Grip, ScaleBox, TransformBox, box_of
 from app.view_model.curve_view import CurveView
 
 
-class Subject:
+class TransformTarget:
     """The selected points of the active curve; with none and several curves chosen, those curves.
 
     It says what is meant, and makes the drags that transform it.
     """
 
-    def __init__(self, host: Host, magnets: Magnets) -> None:
-        self._host, self._magnets = host, magnets
+    def __init__(self, host: EditingHost, snappers: Snappers) -> None:
+        self._host, self._snappers = host, snappers
         # The last group with its box, and the views and sets of indices they were found for.
         self._known: tuple[Sequence[CurveView], frozenset[int], frozenset[int]] | None = None
         self._found: tuple[NodeGroup | None, TransformBox | None] = (None, None)
@@ -114,14 +114,14 @@ class Subject:
         """Return the transform that begins at `pointer`; with nothing selected, of all points."""
         group = self.for_keys
         grip = self._nearest(group, pointer)
-        magnet = self._magnets.for_group(group, grip[1])
+        snapper = self._snappers.for_group(group, grip[1])
         return Transform(
             kind,
             self._host.document,
             group,
             self.centre,
             pointer.position,
-            magnet,
+            snapper,
             grip,
             everything=self.group is None,
         )
@@ -146,8 +146,8 @@ class Subject:
         """Return the drag of a grip that scales."""
         group = self.group
         assert group is not None
-        magnet = self._magnets.for_grip(grip, group)
-        return ScaleBox(self._host.document, group, box, grip, pointer.position, magnet)
+        snapper = self._snappers.for_grip(grip, group)
+        return ScaleBox(self._host.document, group, box, grip, pointer.position, snapper)
 
     def moving_curves(self, pointer: Pointer) -> MovePoints | None:
         """Return the drag of the chosen curves by one of them, None where only one is chosen."""
@@ -156,7 +156,7 @@ class Subject:
             return None
         grip = self._nearest(group, pointer)
         return MovePoints(
-            self._host.document, group, pointer.position, self._magnets.for_group(group, grip[1]), grip
+            self._host.document, group, pointer.position, self._snappers.for_group(group, grip[1]), grip
         )
 
     def by_key(self, direction: Vector, step: Vector | None, factor: float) -> NudgePoints | StepPoints:

@@ -1,4 +1,4 @@
-"""The state machine that all drags share."""
+"""State machine of all drags: threshold, preview, commit, cancel."""
 
 from __future__ import annotations
 
@@ -20,12 +20,13 @@ CANCELLED = "Cancelled."
 """What is said when Escape has taken a gesture back."""
 
 
-class Host(Protocol):
-    """What a gesture needs of the session."""
+class EditingHost(Protocol):
+    """Document, selection and messages of a session, as the tools use them."""
 
     active_index: int
     selection: frozenset[int]
     chosen_curves: frozenset[int]
+    scrub: float | None
 
     @property
     def document(self) -> Document:
@@ -79,7 +80,7 @@ class Host(Protocol):
 
 
 class Drag(Protocol):
-    """What a drag makes of the document it began with."""
+    """A drag: the document at a place of the pointer."""
 
     @property
     def name(self) -> str:
@@ -90,14 +91,14 @@ class Drag(Protocol):
 
 
 @runtime_checkable
-class Told(Protocol):
+class HasReadout(Protocol):
     """A drag that tells its amount while it goes on."""
 
     @property
     def keys(self) -> str:
         """What each modifier key would change."""
 
-    def note_at(self, pointer: Pointer) -> str:
+    def readout_at(self, pointer: Pointer) -> str:
         """Return the amount, such as "Rotate 30°"."""
 
 
@@ -120,7 +121,7 @@ class DragMachine:
     A press becomes a drag after `THRESHOLD` pixels; before that a release is a click.
     """
 
-    def __init__(self, host: Host) -> None:
+    def __init__(self, host: EditingHost) -> None:
         self._host = host
         self._press: _Press | None = None
 
@@ -197,8 +198,8 @@ class DragMachine:
         except EditError as reason:
             self._host.refuse(str(reason))
             return
-        if is_done and isinstance(drag, Told):
-            self._host.say(drag.note_at(pointer))
+        if is_done and isinstance(drag, HasReadout):
+            self._host.say(drag.readout_at(pointer))
 
     def exchange(self, pointer: Pointer, drag: Drag) -> None:
         """Go on with another drag from the same press: an axis was locked, an amount typed."""
@@ -211,9 +212,9 @@ class DragMachine:
         press = self._press
         if press is None or not press.moving:
             return ""
-        if press.refused or not isinstance(press.drag, Told):
+        if press.refused or not isinstance(press.drag, HasReadout):
             return press.refused
-        parts = (press.drag.note_at(pointer), press.drag.keys, "Escape cancels")
+        parts = (press.drag.readout_at(pointer), press.drag.keys, "Escape cancels")
         return " · ".join(part for part in parts if part)
 
     def place_at(self, pointer: Pointer) -> Vector | None:
@@ -246,7 +247,7 @@ class DragMachine:
     def cancel(self) -> bool:
         """Drop the gesture in flight and everything it showed; return whether there was one."""
         press = self._press
-        self.forget()
+        self.reset()
         if press is None:
             return False
         self._host.cancel()
@@ -256,6 +257,6 @@ class DragMachine:
             self._host.say(CANCELLED)
         return True
 
-    def forget(self) -> None:
+    def reset(self) -> None:
         """Drop the gesture in flight without touching the document: somebody else has replaced it."""
         self._press = None

@@ -1,4 +1,4 @@
-"""What a gesture shows over the drawing: rubber band, box with grips, snaps, a ruler, amounts."""
+"""Marks of a gesture over the drawing: rubber band, box with grips, snaps, a ruler, amounts."""
 
 from __future__ import annotations
 
@@ -7,15 +7,15 @@ from collections.abc import Callable, Sequence
 from PySide6.QtCore import QPointF, QRectF, QSizeF, Qt
 from PySide6.QtGui import QColor, QFontMetricsF, QPainter, QPen
 
-from app.canvas.label_place import NOTHING, Surroundings, free_corner
+from app.canvas.label_place import Surroundings, free_corner
 from app.document.model import Vector
 from app.plotting.fonts import Sizes
 from app.plotting.halo import Halo
-from app.plotting.layered_plot import LayeredPlot
 from app.plotting.pixel_map import PixelMap
 from app.plotting.plates import beyond, write_on_plate
+from app.plotting.plot_widget import PlotWidget
 from app.theme import Theme
-from app.tools.overlay import Note, Overlay, Ruler
+from app.tools.marks import GestureMarks, Note, Ruler
 from app.tools.snapping import Snap
 from app.tools.transform_box import TransformBox
 
@@ -33,50 +33,50 @@ _CLEAR = 18.0
 """Pixels between a readout and its place: a selected point with its ring, or a grip, stays free."""
 
 
-class OverlayLayer:
-    """Draws an `Overlay` on top of everything."""
+class MarksLayer:
+    """Draws `GestureMarks` on top of everything.
 
-    def __init__(self, plot: LayeredPlot, theme: Theme) -> None:
+    Attributes
+    ----------
+    marks
+        What is drawn.
+    readout_rect, snap_label_rect
+        Where the last readout of a gesture stood, and the words about the last snap, in pixels of the area.
+    """
+
+    def __init__(self, plot: PlotWidget, theme: Theme, around: Callable[[Vector], Surroundings]) -> None:
         self.theme = theme
         self.scale = 1.0
-        self._overlay = Overlay()
+        self.marks = GestureMarks()
         # Tells what words beside a pixel should not cover.
-        self.around: Callable[[Vector], Surroundings] = lambda _pixel: NOTHING
-        # Where the last readout stood, in pixels.
-        self.plate = QRectF()
-        # Where the words about the last snap stood.
-        self.label = QRectF()
+        self._around = around
+        self.readout_rect = self.snap_label_rect = QRectF()
         self._halo = Halo()
         self._fonts = Sizes(plot.font())
-        self._layer = plot.add_layer(self.paint, z=20)
+        self._layer = plot.layers.add(self.paint, z=20)
 
-    @property
-    def overlay(self) -> Overlay:
-        """What is shown."""
-        return self._overlay
-
-    def render(self, overlay: Overlay) -> None:
-        """Draw `overlay` from the next paint on."""
-        if overlay != self._overlay:
-            self._overlay = overlay
+    def render(self, marks: GestureMarks) -> None:
+        """Draw `marks` from the next paint on."""
+        if marks != self.marks:
+            self.marks = marks
             self._layer.update()
 
     def paint(self, painter: QPainter, shown: PixelMap) -> None:
         """Draw what there is."""
-        overlay = self._overlay
+        marks = self.marks
         painter.setFont(self._fonts.times(0.95 * self.scale))
-        if overlay.box is not None:
-            self._paint_box(painter, shown, overlay.box)
-        if overlay.band is not None:
-            self._paint_band(painter, shown, *overlay.band)
-        if overlay.axis is not None:
-            self._paint_axis(painter, shown, *overlay.axis)
-        if overlay.ruler is not None:
-            self._paint_ruler(painter, shown, overlay.ruler)
-        if overlay.snap is not None:
-            self._paint_snap(painter, shown, overlay.snap)
-        if overlay.note is not None:
-            self._paint_note(painter, shown, overlay.note)
+        if marks.box is not None:
+            self._paint_box(painter, shown, marks.box)
+        if marks.band is not None:
+            self._paint_band(painter, shown, *marks.band)
+        if marks.axis is not None:
+            self._paint_axis(painter, shown, *marks.axis)
+        if marks.ruler is not None:
+            self._paint_ruler(painter, shown, marks.ruler)
+        if marks.snap is not None:
+            self._paint_snap(painter, shown, marks.snap)
+        if marks.note is not None:
+            self._paint_note(painter, shown, marks.note)
 
     def _pen(self, width: float = 1.0, style: Qt.PenStyle = Qt.PenStyle.SolidLine) -> QPen:
         return QPen(self.theme.accent, width * self.scale, style)
@@ -142,7 +142,7 @@ class OverlayLayer:
             from_ = shown.point(*guide)
             if _is_drawable(*from_):
                 painter.drawLine(QPointF(*from_), pixel)
-        around = self.around(place)
+        around = self._around(place)
         # A caught x is shown by a piece of its vertical, a caught y by one of its horizontal.
         for axis in snap.axes:
             along = QPointF(0, self.scale) if axis == 0 else QPointF(self.scale, 0)
@@ -194,7 +194,7 @@ class OverlayLayer:
         self, painter: QPainter, shown: PixelMap, place: QPointF, ways: Sequence[QPointF], text: str
     ) -> None:
         """Write beside a place, away from what is worked on."""
-        plate = self.plate = beyond(place, ways, _CLEAR * self.scale, self._size(painter, text), shown)
+        plate = self.readout_rect = beyond(place, ways, _CLEAR * self.scale, self._size(painter, text), shown)
         write_on_plate(painter, plate, text, self.theme.paper, self.theme.accent)
 
     @staticmethod
@@ -207,9 +207,9 @@ class OverlayLayer:
     ) -> None:
         """Write beside a point, where it covers least of the curve and no number."""
         size, gap = self._size(painter, text), (_LABEL_GAP[0] * self.scale, _LABEL_GAP[1] * self.scale)
-        self.label = free_corner(pixel, size, gap, around, shown)
+        self.snap_label_rect = free_corner(pixel, size, gap, around, shown)
         theme = self.theme
-        self._halo.write(painter, self.label, text, theme.paper, theme.accent, 2 * self.scale)
+        self._halo.write(painter, self.snap_label_rect, text, theme.paper, theme.accent, 2 * self.scale)
 
 
 def _rectangle(shown: PixelMap, a: Vector, b: Vector) -> QRectF:

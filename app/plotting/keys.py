@@ -1,4 +1,4 @@
-"""What keys mean on the canvas, and what shape the pointer has."""
+"""Keys and shapes of the pointer, as Qt has them."""
 
 from __future__ import annotations
 
@@ -7,8 +7,7 @@ from PySide6.QtGui import QCursor, QKeyEvent
 
 from app.icons import icon
 from app.theme import Theme
-from app.tools.pointer import Cursor, Hint
-from app.tools.tools import ToolKind
+from app.tools.pointer import Cursor
 
 ARROWS = {
     Qt.Key.Key_Left: (-1, 0),
@@ -18,7 +17,7 @@ ARROWS = {
 }
 """Directions in the plane."""
 
-_TRANSFORM_KEYS = {
+_NAMES = {
     **{Qt.Key(Qt.Key.Key_0 + digit): str(digit) for digit in range(10)},
     Qt.Key.Key_Period: ".",
     Qt.Key.Key_Comma: ".",
@@ -31,12 +30,15 @@ _TRANSFORM_KEYS = {
     Qt.Key.Key_Enter: "enter",
     **{Qt.Key(getattr(Qt.Key, f"Key_{name.upper()}")): name for name in "xygsr"},
 }
-"""What a transform in flight understands, and calls it."""
+"""Keys that tools hear of, and their names."""
 
-_WITH_SHIFT = (Qt.Key.Key_Backtab, Qt.Key.Key_Tab, Qt.Key.Key_Semicolon)
+_WITH_SHIFT = {Qt.Key.Key_Backtab, Qt.Key.Key_Tab, Qt.Key.Key_Semicolon, Qt.Key.Key_Return, Qt.Key.Key_Enter}
 """Keys that mean the same with Shift: some keyboards have the semicolon there."""
 
-_CURSORS = {
+_SHAPES = {
+    Cursor.ARROW: Qt.CursorShape.ArrowCursor,
+    Cursor.CROSS: Qt.CursorShape.CrossCursor,
+    Cursor.HAND: Qt.CursorShape.PointingHandCursor,
     Cursor.MOVE: Qt.CursorShape.SizeAllCursor,
     Cursor.WIDER: Qt.CursorShape.SizeHorCursor,
     Cursor.HIGHER: Qt.CursorShape.SizeVerCursor,
@@ -45,21 +47,23 @@ _CURSORS = {
 }
 
 
-def transform_key(event: QKeyEvent) -> str | None:
-    """Return what a key means to a transform in flight, None for nothing."""
+def key_name(event: QKeyEvent) -> str | None:
+    """Return what a tool calls a key, None for one that it never hears of."""
     key, held = Qt.Key(event.key()), event.modifiers() & ~Qt.KeyboardModifier.KeypadModifier
     if key in _WITH_SHIFT:
         held &= ~Qt.KeyboardModifier.ShiftModifier
-    return _TRANSFORM_KEYS.get(key) if not held else None
+    return _NAMES.get(key) if not held else None
 
 
-def cursor_of(hint: Hint, tool: ToolKind, theme: Theme) -> QCursor:
-    """Return the shape of the pointer for what a press would do."""
-    if hint.cursor is Cursor.ROTATE:
+def factor_of(event: QKeyEvent) -> float:
+    """Return how far an arrow key goes: with Shift ten times as far, with Ctrl a tenth."""
+    held = event.modifiers()
+    factor = 10.0 if held & Qt.KeyboardModifier.ShiftModifier else 1.0
+    return factor * 0.1 if held & Qt.KeyboardModifier.ControlModifier else factor
+
+
+def cursor_of(cursor: Cursor, theme: Theme) -> QCursor:
+    """Return the shape of the pointer."""
+    if cursor is Cursor.ROTATE:
         return QCursor(icon("rotate", theme).pixmap(20, 20))
-    if hint.cursor is not None:
-        return QCursor(_CURSORS[hint.cursor])
-    if hint.grab:
-        return QCursor(Qt.CursorShape.PointingHandCursor)
-    idle = Qt.CursorShape.ArrowCursor if tool is ToolKind.SELECT else Qt.CursorShape.CrossCursor
-    return QCursor(idle)
+    return QCursor(_SHAPES[cursor])

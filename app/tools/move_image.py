@@ -1,4 +1,4 @@
-"""Moving and scaling the picture to trace with the mouse."""
+"""The tool that moves and scales the picture to trace."""
 
 from __future__ import annotations
 
@@ -9,8 +9,8 @@ import msgspec
 from app.document.edits import EditError
 from app.document.image_edits import move_image, scale_image
 from app.document.model import Document, ReferenceImage, Vector
-from app.tools.machine import DragMachine, Host
-from app.tools.pointer import Hint, Hit, Part, Pointer
+from app.tools.pointer import Cursor, Hint, Part, Pointer
+from app.tools.tool import Tool, ToolContext, ToolRecord
 
 CORNERS = ((0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0))
 """The corners of a picture as shares of its width and height, counterclockwise from the lower left."""
@@ -61,64 +61,45 @@ class ScaleImage(msgspec.Struct, frozen=True):
         return scale_image(self.document, CORNERS[fixed], max(1 + along, _LEAST_FACTOR))
 
 
-class ImageTool:
-    """The canvas's gestures while the picture is moved: points are out of reach."""
+class MoveImageTool(Tool):
+    """Moves and scales the picture to trace: points are out of reach meanwhile."""
 
-    def __init__(self, host: Host) -> None:
-        self._host = host
-        self._machine = DragMachine(host)
+    cursor = Cursor.ARROW
+    finds_image = True
 
-    @property
-    def is_pressed(self) -> bool:
-        """Whether a gesture is in flight."""
-        return self._machine.is_pressed
-
-    def press(self, pointer: Pointer) -> None:
-        """Begin a gesture."""
-        document, hit = self._host.document, pointer.hit
+    def press(self, context: ToolContext) -> None:
+        """Begin to move the picture, or to scale it by a corner."""
+        document, hit, pointer = context.host.document, context.hit, context.pointer
         if hit is None or document.image is None or document.image.locked:
-            self._machine.press(pointer, None)
+            context.drags.press(pointer, None)
         elif hit.part is Part.IMAGE_CORNER:
-            self._machine.press(pointer, ScaleImage(document, hit.knot, pointer.position))
+            context.drags.press(pointer, ScaleImage(document, hit.knot, pointer.position))
         else:
-            self._machine.press(pointer, MoveImage(document, pointer.position))
+            context.drags.press(pointer, MoveImage(document, pointer.position))
 
-    def move(self, pointer: Pointer) -> None:
-        """Follow the pointer."""
-        self._machine.move(pointer)
-
-    def release(self, pointer: Pointer) -> None:
-        """End the gesture."""
-        self._machine.release(pointer)
-
-    def cancel(self) -> bool:
-        """Drop the gesture in flight; return whether there was one."""
-        return self._machine.cancel()
-
-    def forget(self) -> None:
-        """Drop the gesture in flight; the document is somebody else's now."""
-        self._machine.forget()
-
-    def nudge(self, by: Vector) -> None:
-        """Move the picture by a little."""
-        document = self._host.document
-        if document.image is None or document.image.locked:
-            return
+    def nudge(self, context: ToolContext, direction: Vector, pixel: float, factor: float) -> bool:
+        """Move the picture by a pixel."""
+        host, by = context.host, (direction[0] * factor * pixel, direction[1] * factor * pixel)
+        if host.document.image is None or host.document.image.locked:
+            return True
         try:
-            self._host.commit(move_image(document, by), "Nudge image", run="image")
+            host.commit(move_image(host.document, by), "Nudge image", run="image")
         except EditError as reason:
-            self._host.refuse(str(reason))
+            host.refuse(str(reason))
+        return True
 
-    def hover(self, pointer: Pointer) -> Hint:
+    def hover(self, context: ToolContext) -> Hint:
         """Return what a press here would do."""
-        self._host.set_hovered(-1)
-        hit = pointer.hit
+        hit = context.hit
         if hit is None:
             return Hint("Moving the image · Drag it, or one of its corners to scale it · Escape goes back")
-        return _hint_for(hit)
+        if hit.part is Part.IMAGE_CORNER:
+            return Hint("Drag to scale the image; the opposite corner stays · Escape cancels", grab=True)
+        return Hint("Drag to move the image · Shift: along one axis · Arrows: by a pixel", grab=True)
 
 
-def _hint_for(hit: Hit) -> Hint:
-    if hit.part is Part.IMAGE_CORNER:
-        return Hint("Drag to scale the image; the opposite corner stays · Escape cancels", grab=True)
-    return Hint("Drag to move the image · Shift: along one axis · Arrows: by a pixel", grab=True)
+MOVE_IMAGE = ToolRecord(
+    name="move_image",
+    make=MoveImageTool,
+    hint="Drag the image to move it, a corner to scale it; Escape goes back to the points.",
+)

@@ -1,8 +1,9 @@
-"""What a gesture shows over the drawing: a value that the canvas draws."""
+"""Marks of a gesture over the drawing: a value that the canvas draws."""
 
 from __future__ import annotations
 
 import msgspec
+from msgspec.structs import asdict, replace
 
 from app.document.model import Vector
 from app.tools.snapping import Snap
@@ -32,8 +33,8 @@ class Ruler(msgspec.Struct, frozen=True):
     text: str
 
 
-class Overlay(msgspec.Struct, frozen=True):
-    """Everything at once; None for what is not there.
+class GestureMarks(msgspec.Struct, frozen=True):
+    """All marks at once; None for what is not there.
 
     Attributes
     ----------
@@ -63,3 +64,8 @@ class Overlay(msgspec.Struct, frozen=True):
     axis: tuple[Vector, int] | None = None
     ahead: CurveView | None = None
     spot: Vector | None = None
+
+    def above(self, below: GestureMarks) -> GestureMarks:
+        """Return both; of what both have, this."""
+        own = {name: value for name, value in asdict(self).items() if value is not None}
+        return replace(below, **own)

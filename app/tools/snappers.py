@@ -1,4 +1,4 @@
-"""The magnets of the canvas: what the thing that is dragged, placed or measured now is drawn to."""
+"""The snappers of the canvas: what the thing that is dragged, placed or measured now is drawn to."""
 
 from __future__ import annotations
 
@@ -6,11 +6,12 @@ from collections.abc import Callable, Collection
 
 from app.document.model import Document, Vector
 from app.document.several_curves import NodeGroup
-from app.tools.machine import Host
+from app.tools.drag_machine import EditingHost
 from app.tools.pointer import Pointer
 from app.tools.snapping import (
-    Magnet,
+    Snap,
     SnapKind,
+    Snapper,
     Snapping,
     Targets,
     targets_of,
@@ -21,45 +22,47 @@ from app.tools.transform_box import Grip
 from app.view_model.curve_view import CurveView
 
 
-class Magnets:
-    """Makes the magnet of each gesture.
+class Snappers:
+    """Makes the snapper of each gesture.
 
     Attributes
     ----------
     now
-        The magnet in use, None for none.
+        The snapper in use, None for none.
     """
 
-    def __init__(self, host: Host, settings: Callable[[], Snapping], grid: Callable[[], Vector]) -> None:
+    def __init__(
+        self, host: EditingHost, settings: Callable[[], Snapping], grid: Callable[[], Vector]
+    ) -> None:
         self._host, self._settings, self._grid = host, settings, grid
-        self.now: Magnet | None = None
-        # The magnet of the last hover, and what it was made for.
-        self._hovered: tuple[tuple[Document, int, int, Snapping], Magnet] | None = None
+        self.now: Snapper | None = None
+        # The snapper of the last hover, and what it was made for.
+        self._hovered: tuple[tuple[Document, int, int, Snapping], Snapper] | None = None
 
-    def for_points(self, moving: Collection[int], place: int) -> Magnet:
-        """Return the magnet of a point at `place`, −1 for none in particular, while `moving` points move."""
+    def for_points(self, moving: Collection[int], place: int) -> Snapper:
+        """Return the snapper of a point at `place`, −1 for none in particular, while `moving` points move."""
         host = self._host
         return self._make(lambda: targets_of(host.views, host.active_index, moving, place, self._kinds))
 
-    def for_new(self, place: int) -> Magnet:
-        """Return the magnet of a point that is put at `place`, −1 for the first of another curve."""
+    def for_new(self, place: int) -> Snapper:
+        """Return the snapper of a point that is put at `place`, −1 for the first of another curve."""
         # What there is before the press: later the new point would be drawn to itself.
         views, active = self._host.views, self._host.active_index
         return self._make(lambda: targets_of(views, active, (), place, self._kinds))
 
-    def for_handle(self, node: int) -> Magnet:
-        """Return the magnet of the end of a handle."""
+    def for_handle(self, node: int) -> Snapper:
+        """Return the snapper of the end of a handle."""
         host = self._host
         return self._make(lambda: targets_of_handle(host.views, host.active_index, node, self._kinds))
 
-    def for_group(self, group: NodeGroup, place: int = -1) -> Magnet:
-        """Return the magnet of what moves together: of the point at `place`, where it is of one curve."""
+    def for_group(self, group: NodeGroup, place: int = -1) -> Snapper:
+        """Return the snapper of what moves together: of the point at `place`, where it is of one curve."""
         if not group.is_several:
             return self.for_points(group.parts[0][1], place)
         return self._make(lambda: targets_of(*self._beside(group), -1, self._kinds))
 
-    def for_grip(self, grip: Grip, group: NodeGroup) -> Magnet:
-        """Return the magnet of a corner or a side of the box around a group."""
+    def for_grip(self, grip: Grip, group: NodeGroup) -> Snapper:
+        """Return the snapper of a corner or a side of the box around a group."""
         if grip.x and grip.y:
             return self.for_group(group)
         return self._make(lambda: targets_of_side(*self._beside(group), self._kinds))
@@ -76,8 +79,8 @@ class Magnets:
             moving[host.active_index],
         )
 
-    def _make(self, collect: Callable[[], Targets]) -> Magnet:
-        self.now = Magnet(self._settings, self._grid, collect)
+    def _make(self, collect: Callable[[], Targets]) -> Snapper:
+        self.now = Snapper(self._settings, self._grid, collect)
         return self.now
 
     @property
@@ -91,8 +94,13 @@ class Magnets:
         if self._hovered is None or self._hovered[0] != made_for:
             self._hovered = (made_for, self.for_points((), place))
         self.now = self._hovered[1]
-        self.now.pull(pointer.position, pointer)
+        self.now.snap(pointer.position, pointer)
 
-    def drop(self) -> None:
+    @property
+    def caught(self) -> Snap | None:
+        """What the snapper in use has caught."""
+        return self.now.caught if self.now is not None else None
+
+    def reset(self) -> None:
         """Use none."""
         self.now = None
