@@ -13,19 +13,20 @@ The layers, top to bottom; a module imports only from its own layer and those ab
 - ``resources``, ``examples``, ``lessons``: what comes with the program.
 - ``undo_step``: a step of the history.
 - ``session``: the one mutable owner of the current document, its history and the selection.
-- ``analysis``: what is shown over the curve.
 - ``autosave``: keeps a snapshot of what is not saved yet.  ``set_aside``: of what was left for a lesson.
-- ``player``: a motion, and the clock that drives it.
 - ``theme``, ``colours``, ``icons``: how it looks.  ``labels``: words of others as they are written.
 - ``preferences``: what is remembered between starts.  ``settings``, ``settings_file``: the kinds of settings;
   their ini file.
 - ``keymap``: which keys do what.  ``mnemonics``: the letters of menus.
+- ``window_state``: the window's state as a value.  ``analysis``: what is shown over the curve, a part of it.
+- ``player``: a motion, and the clock that drives it.
 - ``disk_watch``: notices when a file may have changed.
 - ``plotting``: what canvas and basis panel share: a pixel map, fast drawing, pan and zoom.
 - ``canvas``, ``panels``: draw a value and report what the person did. They never call each other.
 - ``controllers``: what the person did in a panel becomes a change of the document.
-- ``action_specs``, ``actions``, ``file_commands``, ``commands``: what can be done, and what it does.
-- ``toolbar``, ``menus``, ``docks``, ``window_layout``, ``main_window``: build, dock, connect.
+- ``actions``, ``commands``, ``file_commands``: what can be done, and what it does.
+  ``central_area``, ``docks``, ``clipboard_watch``: what it acts on.
+- ``toolbar``, ``menus``, ``window_layout``, ``main_window``: build, dock, connect.
 - ``start``: windows on the screen, soon.  ``display``: whether there is a screen for them.
 - ``diagnostics``: the log, slow frames, reports of crashes.
 - ``lifecycle``: what surrounds the windows from start to end.

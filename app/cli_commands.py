@@ -145,7 +145,7 @@ def _tell(remarks: Iterable[str]) -> None:
 def _render_film(options: argparse.Namespace) -> int:
     # Takes modules along that the editor does without at its start.
     from app.exchange.animation import Film, first_round, write_film  # noqa: PLC0415
-    from app.view_model.motion import Pace, Repeat  # noqa: PLC0415
+    from app.view_model.motion_settings import Pace, Repeat  # noqa: PLC0415
 
     document, repeat = _document_of(options), Repeat(options.motion or "loop")
     film = Film(

@@ -23,6 +23,7 @@ from PySide6.QtWidgets import (
     QSpinBox,
 )
 
+from app.commands.exchange_commands import ExchangeCommands
 from app.document.model import Document, make_curve
 from app.exchange import Options, export
 from app.families import HERMITE
@@ -679,7 +680,7 @@ def test_one_thing_at_a_time(editor, busy, tmp_path):
 
 def test_an_export_that_is_stopped_leaves_the_old_file(editor, tmp_path):
     old = write(tmp_path / "out.csv", "mine")
-    editor.window._commands.exchange.export(old, Options(samples=100_000))
+    editor.window._commands[ExchangeCommands].export(old, Options(samples=100_000))
     assert editor.window.jobs.is_busy
     shown_bar(editor)
     editor.trigger("cancelWork")

@@ -24,6 +24,7 @@ from PySide6.QtWidgets import (
     QToolButton,
 )
 
+from app.commands.laboratory_commands import LaboratoryCommands
 from app.document.model import Document, Parametrization, ParametrizationKind, make_curve
 from app.families import HERMITE, LAGRANGE, QUINTIC_HERMITE
 from app.tasks.debounced_task import SETTLE_MS
@@ -55,7 +56,7 @@ def lab(editor, quick, qtbot):
 
 
 def commands(editor):
-    return editor.window._commands.laboratory
+    return editor.window._commands[LaboratoryCommands]
 
 
 def settled(editor, qtbot):

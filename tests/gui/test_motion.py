@@ -21,6 +21,7 @@ from PySide6.QtWidgets import (
     QToolButton,
 )
 
+from app.commands.motion_commands import MotionCommands
 from app.document import edits
 from app.document.model import ParametrizationKind, VelocityRule
 from app.exchange.animation import write_film
@@ -347,7 +348,7 @@ def export(editor, motion, path, **fields):
         box = dialog.findChild(kinds[name], name)
         box.selectAll()
         QTest.keyClicks(box, str(value))
-    stage = editor.window._commands.motion.stage
+    stage = editor.window._commands[MotionCommands].stage
     stage.export.ask_name = lambda _window, _start, _kinds: str(path)
     QTest.mouseClick(dialog.findChild(QPushButton, "filmExport"), LEFT)
 

@@ -8,12 +8,13 @@ from PySide6.QtCore import QPoint, QPointF, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QCheckBox, QLabel, QLineEdit, QSlider, QToolButton
 
-from app.commands.overlay_commands import OVERLAYS
 from app.document.edits import set_position
 from app.document.model import ParametrizationKind
 from app.families import HERMITE
+from app.keymap import action_name
 from app.theme import ThemeMode
 from app.view_model.analysis.figures import Style
+from app.view_model.analysis.settings import Overlay
 
 
 def figures(editor, style):
@@ -121,7 +122,7 @@ def test_the_window_may_close_while_something_is_computed(editor):
 
 def test_switches_of_the_dock_and_actions_agree(dock, qtbot):
     editor = dock
-    for name, overlay in OVERLAYS.items():
+    for name, overlay in ((action_name("overlay", each), each) for each in Overlay):
         switch = panel(editor, QCheckBox, f"{name}Switch")
         qtbot.keyClick(switch, Qt.Key.Key_Space)
         assert editor.action(name).isChecked()

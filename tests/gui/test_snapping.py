@@ -364,7 +364,7 @@ def test_foreign_settings_give_the_default_and_a_sentence(tmp_path, key, value, 
 
 def test_measuring_changes_nothing_and_snaps(pair):
     pair.window.preferences.unit_name = "mm"
-    pair.window._commands.snap.apply_preferences()
+    pair.window.apply_preferences()
     document = pair.session.document
     pair.trigger("measureTool")
     pair.press(near(pair, POINTS[0]))
