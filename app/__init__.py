@@ -24,8 +24,8 @@ The layers, top to bottom; a module imports only from its own layer and those ab
 - ``plotting``: what canvas and basis panel share: a pixel map, fast drawing, pan and zoom.
 - ``canvas``, ``panels``: draw a value and report what the person did. They never call each other.
 - ``controllers``: what the person did in a panel becomes a change of the document.
-- ``actions``, ``commands``, ``file_commands``: what can be done, and what it does.
-  ``central_area``, ``docks``, ``clipboard_watch``: what it acts on.
+- ``central_area``: the plots and what lies over them.  ``clipboard_watch``: what is on the clipboard.
+- ``actions``, ``docks``, ``file_commands``, ``commands``: what can be done, what it acts on, what it does.
 - ``toolbar``, ``menus``, ``window_layout``, ``main_window``: build, dock, connect.
 - ``start``: windows on the screen, soon.  ``display``: whether there is a screen for them.
 - ``diagnostics``: the log, slow frames, reports of crashes.
