@@ -2,7 +2,7 @@
 
 The layers, top to bottom; a module imports only from its own layer and those above it:
 
-- ``families``: the curve families that there are, in a registry. No Qt.  ``lazy``: modules imported late.
+- ``families``: the curve families that there are, in a registry. No Qt.
 - ``document``: immutable values and edits. No Qt, no arrays inside the values.
 - ``storage``: documents on disk: format, migration, atomic write, locks, snapshots. No Qt.
 - ``tasks``: work beside the window's thread: progress, cancelling, debouncing. No Qt in ``progress``.
@@ -27,10 +27,9 @@ The layers, top to bottom; a module imports only from its own layer and those ab
 - ``central_area``: the plots and what lies over them.  ``clipboard_watch``: what is on the clipboard.
 - ``actions``, ``docks``, ``file_commands``, ``commands``: what can be done, what it acts on, what it does.
 - ``toolbar``, ``menus``, ``window_layout``, ``main_window``: build, dock, connect.
-- ``start``: windows on the screen, soon.  ``display``: whether there is a screen for them.
 - ``diagnostics``: the log, slow frames, reports of crashes.
 - ``lifecycle``: what surrounds the windows from start to end.
-- ``cli``, ``cli_commands``, ``cli_options``, ``cli_refusals``: the command line.
+- ``cli``: the command line, and the editor's start.
 - ``testing``: a driver for pytest-qt.
 """
 

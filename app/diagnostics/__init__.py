@@ -5,11 +5,6 @@
 - ``crash_handler``: exceptions that nobody caught.  ``crash_report``: what is told about one.
 """
 
-from typing import TYPE_CHECKING
+import lazy_loader as lazy
 
-from app.lazy import lazy_submodules
-
-if TYPE_CHECKING:
-    from app.diagnostics import log_file as log_file
-else:
-    __getattr__ = lazy_submodules(__name__)
+__getattr__, __dir__, __all__ = lazy.attach_stub(__name__, __file__)

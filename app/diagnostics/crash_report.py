@@ -20,7 +20,8 @@ _PATH = re.compile(r"(?<![\w.])(?:[A-Za-z]:)?(?:[\\/][^\s\\/'\"“”<>|:]+){2,}
 _QUOTED = re.compile("“[^”]*”")
 """Files and curves as the sentences of this program name them."""
 
-_ROOT = Path(__file__).resolve().parents[2]
+_PROGRAM = Path(__file__).resolve().parents[1]
+_ROOT = _PROGRAM.parent
 _SHORTEST_NAME = 3
 _LONGEST = 20_000
 
@@ -50,10 +51,10 @@ def signature_of(problem: BaseException) -> str:
 
 
 def place_of(problem: BaseException) -> str:
-    """Return where something was raised, the file named from its package on."""
-    place = _last_frame(problem.__traceback__)
-    file, _, line = place.rpartition(":")
-    return f"{_short(file)}:{line}" if place else "nowhere"
+    """Return the line of this program in which something was raised; no other file is named."""
+    lines = ((frame.f_code.co_filename, line) for frame, line in traceback.walk_tb(problem.__traceback__))
+    own = [f"{_short(file)}:{line}" for file, line in lines if Path(file).is_relative_to(_PROGRAM)]
+    return own[-1] if own else "no line of its own"
 
 
 def _last_frame(trace: TracebackType | None) -> str:

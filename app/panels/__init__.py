@@ -36,11 +36,6 @@ Small parts:
 - ``number_text``, ``words``: numbers and the names of rules, as panels write them.
 """
 
-from typing import TYPE_CHECKING
+import lazy_loader as lazy
 
-from app.lazy import lazy_submodules
-
-if TYPE_CHECKING:
-    from app.panels import crash_dialog as crash_dialog
-else:
-    __getattr__ = lazy_submodules(__name__)
+__getattr__, __dir__, __all__ = lazy.attach_stub(__name__, __file__)

@@ -11,12 +11,6 @@
 - ``recovery``: snapshots of what is not saved.
 """
 
-from typing import TYPE_CHECKING
+import lazy_loader as lazy
 
-from app.lazy import lazy_submodules
-
-if TYPE_CHECKING:
-    from app.storage import digests as digests
-    from app.storage import ps as ps
-else:
-    __getattr__ = lazy_submodules(__name__)
+__getattr__, __dir__, __all__ = lazy.attach_stub(__name__, __file__)

@@ -13,7 +13,7 @@ from PySide6.QtGui import QAction, QGuiApplication, QImage
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QDockWidget, QWidget
 
-from app.display import has_display
+from app.cli.display import has_display
 from app.document.model import Curve, ParametrizationKind, Vector
 from app.families import FAMILIES, Family
 from app.main_window import MainWindow

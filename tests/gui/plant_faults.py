@@ -22,6 +22,7 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QMessageBox, QPushButton, QVBoxLayout, QWidget
 
 from app.autosave import snapshot_folder
+from app.cli.windows import open_windows
 from app.icons import _IconEngine, icon
 from app.lifecycle import Lifecycle
 from app.main_window import MainWindow
@@ -37,7 +38,6 @@ from app.panels.weight_bars import WeightBars
 from app.plotting.layers import Layer
 from app.plotting.plot_widget import PlotWidget
 from app.plotting.tool_plot import ToolPlot
-from app.start import open_windows
 from app.tasks.debounced_task import DebouncedTask, Task
 from app.testing import Editor
 from app.toolbar import Toolbar

@@ -5,9 +5,9 @@ from __future__ import annotations
 import pytest
 from PySide6.QtWidgets import QDialog
 
+from app.cli.windows import open_windows
 from app.document.model import Document, make_curve
 from app.families import HERMITE
-from app.start import open_windows
 from app.storage import files
 from app.testing import Editor
 from tests.effort import calls_of

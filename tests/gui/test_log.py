@@ -12,12 +12,13 @@ from PySide6.QtCore import QObject, Signal
 from app.autosave import Autosave
 from app.cli import main
 from app.diagnostics.crash_handler import CrashHandler
-from app.diagnostics.crash_report import report_of
+from app.diagnostics.crash_report import place_of, report_of
 from app.diagnostics.log import FORMAT, LAST_LINES, NAME, last_lines, logged
 from app.diagnostics.log_file import FILE_NAME, LogFile
 from app.diagnostics.slow_frames import SlowFrames
 from app.document.model import Document, make_curve
-from app.storage.files import save
+from app.storage.files import load, save
+from app.storage.format import FormatError
 from app.storage.open_file import OpenFile
 from app.tasks.task import Task
 
@@ -97,8 +98,11 @@ def test_nothing_of_the_person_is_in_it(editor, qtbot, folder, debug, monkeypatc
     crashes = CrashHandler(lambda: True, lambda: [], window)
     monkeypatch.setattr(crashes._soon, "start", lambda: None)
     monkeypatch.setattr("app.diagnostics.crash_handler._print", lambda *_: None)
-    problem = ValueError(f"Mallory's {folder}")
-    crashes._take(ValueError, problem, None)
+    try:
+        (folder / "letters.curve.json").write_text("{}")
+        load(folder / "letters.curve.json")
+    except FormatError as problem:
+        crashes._take(FormatError, problem, problem.__traceback__)
     Task(lambda _report: int(f"{folder}"), lambda _task: None)
     qtbot.waitUntil(lambda: any("failed (ValueError)" in line for line in debug), timeout=WAIT_MS)
     text = "\n".join(debug).lower()
@@ -114,7 +118,7 @@ def test_nothing_of_the_person_is_in_it(editor, qtbot, folder, debug, monkeypatc
         "curvebench.storage: written ",
         "not read: enoent",
         "no snapshot: ",
-        "curvebench.crash: valueerror in ",
+        "curvebench.crash: formaterror in app/storage/format.py:",
         "curvebench.tasks: ",
     ):
         assert what in text, what
@@ -194,6 +198,14 @@ def test_a_crash_report_brings_the_last_lines_along(tmp_path):
     text = report_of(ValueError("what it is"))
     assert f"step {LAST_LINES + 4}" in text.splitlines()[-1]
     assert text.index("ValueError: what it is") < text.index("step 50")
+
+
+def test_a_fault_in_a_file_of_the_person_does_not_name_it(tmp_path):
+    """Families come from files of their own."""
+    file = tmp_path / "mallory.py"
+    with pytest.raises(ZeroDivisionError) as raised:
+        exec(compile("1 / 0", file, "exec"), {})
+    assert place_of(raised.value) == "no line of its own"
 
 
 def test_the_log_ends_with_its_block():

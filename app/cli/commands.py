@@ -6,7 +6,7 @@ import argparse
 import json
 import math
 import sys
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from contextlib import contextmanager
 from decimal import ROUND_UP, Context
 from functools import partial
@@ -16,7 +16,8 @@ from typing import TYPE_CHECKING, Any
 
 from msgspec.structs import replace
 
-from app.cli_options import (
+from app import cli
+from app.cli.options import (
     STYLES,
     add_convert_options,
     add_motion_options,
@@ -26,7 +27,7 @@ from app.cli_options import (
     picture_options,
     positive_number,
 )
-from app.cli_refusals import RefusalError, load_document, one_line, say
+from app.cli.refusals import RefusalError, load_document, one_line, say
 from app.diagnostics.log import log_options
 from app.exchange import (
     SUFFIXES,
@@ -37,6 +38,7 @@ from app.exchange import (
 )
 from app.exchange.formats import can_import
 from app.families import FAMILIES
+from app.lessons import LessonError, find_lesson, lesson_names, load_lesson
 from app.tasks.progress import Report, part
 
 if TYPE_CHECKING:
@@ -59,8 +61,8 @@ FILMS = (".gif", ".apng", ".mp4")
 """Endings that mean a motion; the module that writes it is imported when there is one to write."""
 
 
-def run_command(words: Sequence[str], edit: Callable[[Sequence[str], str], int]) -> int:
-    """Run the command that `words` begin with and return the exit code; `edit` opens the editor.
+def run_command(words: Sequence[str]) -> int:
+    """Run the command that `words` begin with and return the exit code.
 
     Raises
     ------
@@ -69,8 +71,6 @@ def run_command(words: Sequence[str], edit: Callable[[Sequence[str], str], int])
     """
     options = _command_parser().parse_args(words)
     try:
-        if options.command == "lesson":
-            return _lesson(options, edit)
         return _COMMAND_OF[options.command](options)
     except ExchangeError as problem:
         raise RefusalError(str(problem)) from None
@@ -233,20 +233,18 @@ def _told_on_terminals() -> Iterator[Report]:
             print("\r\033[K", end="", file=sys.stderr, flush=True)
 
 
-def _lesson(options: argparse.Namespace, edit: Callable[[Sequence[str], str], int]) -> int:
-    from app.lessons import LessonError, find_lesson, lesson_names, load_lesson  # noqa: PLC0415
-
+def _lesson(options: argparse.Namespace) -> int:
     if options.name is None:
         for number, name in enumerate(lesson_names(), start=1):
             say(f"{number:2}  {name.partition('_')[2]:28}{load_lesson(name).title}")
         return 0
     try:
-        return edit((), find_lesson(options.name))
+        return cli.start.edit((), find_lesson(options.name))
     except LessonError as problem:
         raise RefusalError(str(problem)) from None
 
 
-_COMMAND_OF = {"render": _render, "convert": _convert, "info": _info}
+_COMMAND_OF = {"render": _render, "convert": _convert, "info": _info, "lesson": _lesson}
 
 
 def _as_json(facts: CurveFacts) -> dict[str, Any]:

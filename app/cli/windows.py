@@ -1,35 +1,18 @@
-"""The start of the editor: windows on the screen, soon."""
+"""The first windows of the editor, and what surrounds them until the last is closed."""
 
 from __future__ import annotations
 
-import gc
-import sys
-from collections.abc import Iterator, Sequence
-from contextlib import contextmanager
+from collections.abc import Sequence
 from dataclasses import replace
 from pathlib import Path
-from typing import TYPE_CHECKING
 
-if TYPE_CHECKING:
-    from app.main_window import MainWindow
+from PySide6.QtWidgets import QApplication
 
-
-@contextmanager
-def no_garbage_sought() -> Iterator[None]:
-    """Make what the program keeps as long as it runs: no garbage is sought in it, then or later.
-
-    That takes some 8 % off the start, and a while off every later search. Where Qt runs already, this is no
-    start, and nothing happens.
-    """
-    if "PySide6.QtWidgets" in sys.modules:
-        yield
-        return
-    gc.disable()
-    try:
-        yield
-    finally:
-        gc.freeze()
-        gc.enable()
+from app.commands.given import given
+from app.lifecycle import Lifecycle
+from app.main_window import MainWindow
+from app.session import Session
+from app.storage.open_file import is_large
 
 
 def open_windows(files: Sequence[str], problems: Sequence[str] = ()) -> list[MainWindow]:
@@ -38,12 +21,6 @@ def open_windows(files: Sequence[str], problems: Sequence[str] = ()) -> list[Mai
     The first one takes what else there is as it takes a drop, and says what was wrong with other files, as
     sentences in `problems`.
     """
-    # The editor and Qt take a while to import, and the other commands do without.
-    from app.commands.given import given  # noqa: PLC0415
-    from app.main_window import MainWindow  # noqa: PLC0415
-    from app.session import Session  # noqa: PLC0415
-    from app.storage.open_file import is_large  # noqa: PLC0415
-
     others = given(map(Path, files))
     documents = [Path(path) for path in files if Path(path) in others.documents]
     large = {path for path in documents if is_large(path)}
@@ -59,3 +36,13 @@ def open_windows(files: Sequence[str], problems: Sequence[str] = ()) -> list[Mai
             window.open_file(path)
     windows[0].take_files(replace(others, documents=()), problems)
     return windows
+
+
+def run(application: QApplication, windows: list[MainWindow]) -> int:
+    """Keep the work of the windows until the last is closed, and return the exit code."""
+    lifecycle = Lifecycle(application, windows)
+    windows.clear()  # a window that is closed goes
+    lifecycle.start()
+    code = int(application.exec())
+    lifecycle.stop()
+    return code

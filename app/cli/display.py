@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import ctypes
 import os
 import re
 import sys
@@ -70,8 +71,6 @@ def _is_x11() -> bool:
 
 
 def _loading_problem(plugin: Path) -> str:
-    import ctypes  # noqa: PLC0415 - the command line does without
-
     try:
         if plugin.exists():
             ctypes.CDLL(str(plugin))
@@ -93,8 +92,6 @@ def missing_library(problem: str) -> str:
 
 def _also_missing() -> dict[str, str]:
     """Return all that is missing at once: nobody shall install one, to be told of the next."""
-    import ctypes  # noqa: PLC0415 - the command line does without
-
     missing = {}
     for name, package in _PACKAGES.items():
         try:
@@ -107,8 +104,6 @@ def _also_missing() -> dict[str, str]:
 @contextmanager
 def _connected() -> Iterator[bool]:
     """Connect to the X server that DISPLAY names; yield whether it lets us in."""
-    import ctypes  # noqa: PLC0415 - the command line does without
-
     try:
         xcb = ctypes.CDLL("libxcb.so.1")
     except OSError:
