@@ -82,7 +82,7 @@ class EditCommands:
         full_name="Go Back to What Was Before the Lesson",
         needs=Need(
             "work that was left for a lesson or an example",
-            lambda now: now.session.beginning.before is not None,
+            lambda now: now.session.files.beginning.before is not None,
         ),
     )
     def _go_back(self) -> None:

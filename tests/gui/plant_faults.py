@@ -41,7 +41,6 @@ from app.plotting.tool_plot import ToolPlot
 from app.tasks.debounced_task import DebouncedTask, Task
 from app.testing import Editor
 from app.toolbar import Toolbar
-from app.undo_step import UndoStep
 
 FAULTS: tuple[Callable[[], object], ...] = (
     lambda: 1 / 0,

@@ -58,7 +58,7 @@ class Gestures(RuleBasedStateMachine):
         self.tool.hit_test, self.tool.grid = self.hit, lambda: (0.5, 0.5)
         self.rail.hit_test = lambda _pointer, _tool: self.tick
         self.now = 0.0
-        self.session.clock = lambda: self.now
+        self.session.history.clock = lambda: self.now
         # As the window connects them.
         self.session.interrupted.connect(self.tool.abandon)
         self.session.interrupted.connect(self.rail.abandon)

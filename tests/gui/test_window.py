@@ -223,7 +223,7 @@ def test_whatever_way_an_example_is_opened_nothing_is_left_beside_it(editor, qtb
     ):
         editor.window.open_file(path)
         assert editor.session.document == load(path)
-        assert editor.session.path is editor.session.file is None
+        assert editor.session.path is editor.session.files.file is None
         assert editor.window.windowTitle() == f"{title}[*] – Curvebench"
         # There is one already where the window has had a file before.
         watcher = editor.window.findChild(QFileSystemWatcher)
@@ -233,7 +233,7 @@ def test_whatever_way_an_example_is_opened_nothing_is_left_beside_it(editor, qtb
     monkeypatch.chdir(resource().parent)
     (window,) = open_windows(["resources/examples/letter_s.curve.json"])
     qtbot.addWidget(window)
-    assert window.session.path is window.session.file is None
+    assert window.session.path is window.session.files.file is None
     assert window.windowTitle() == "Letter S (example)[*] – Curvebench"
     assert sorted(resource().rglob("*")) == before
     asked = []

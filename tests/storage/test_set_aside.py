@@ -7,7 +7,7 @@ from PySide6.QtCore import QCoreApplication
 
 from app.document.model import Document, make_curve
 from app.lessons import load_lesson
-from app.session import Session
+from app.session import MessageKind, Session
 from app.set_aside import SetAside
 from app.storage.files import load
 from app.storage.recovery import list_snapshots
@@ -86,13 +86,15 @@ def test_a_lesson_that_was_saved_is_never_overwritten_by_what_was_before(session
     # The lock is gone with the file.
     other = Session()
     other.open(file)
-    assert not other.is_read_only
+    assert not other.files.is_read_only
     other.new()
 
 
 def test_a_disk_that_refuses_is_told_of(session, tmp_path):
     said: list[str] = []
-    session.refused.connect(said.append)
+    session.message.connect(
+        lambda message: said.append(message.text) if message.kind is MessageKind.REFUSED else None
+    )
     (tmp_path / "file").write_text("")
     kept = SetAside(session, tmp_path / "file")
     session.commit(Document((make_curve(POINTS),)), "Work")
