@@ -147,7 +147,7 @@ class FileCommands:
         session.cancel()
         leaves_work = session.path is None and session.is_modified
         is_open = self._open(
-            path, partial(session.open_copy, text=text), remember=False, asks=session.path is not None
+            path, partial(session.files.open_copy, text=text), remember=False, asks=session.path is not None
         )
         if is_open and leaves_work:
             session.offer("What you had before is kept.", "goBack")
@@ -228,7 +228,7 @@ class FileCommands:
         """Ask what to do with unsaved changes; return whether the document may be replaced."""
         self._session.cancel()
         # The watch may be waiting whether another program goes on writing.
-        self._session.look_at_file()
+        self._session.files.check()
         if not self._session.is_modified:
             return True
         answer = self._ask_about_changes()

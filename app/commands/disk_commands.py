@@ -132,7 +132,7 @@ class DiskCommands(QObject):
                 self._show_ghost()
         if change in (FileChange.GONE, FileChange.SAME) and self._is_refused_for_other_content:
             self._refusal = None  # what it warns of is there no longer
-        self._session.note_file_change(change)
+        self._session.files.note(change)
 
     def _check_lock(self, file: OpenFile) -> None:
         owner = file.check_lock()
@@ -240,7 +240,7 @@ class DiskCommands(QObject):
             return
         name = self._file.path.name
         try:
-            self._session.reload()
+            self._session.files.reload()
         except (FormatError, StorageError) as problem:
             self._refusal = Notice(f"{name} was not reloaded: {problem}", ("saveDocumentAs",))
             self._show()

@@ -87,7 +87,7 @@ class EditCommands:
     )
     def _go_back(self) -> None:
         """Go back to what was there before this lesson or example; Redo comes here again."""
-        self._session.go_back()
+        self._session.files.go_back()
         self._session.say("This is as you left it; Redo goes on.")
 
     @action(

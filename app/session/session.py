@@ -10,20 +10,17 @@ from PySide6.QtCore import QObject, Signal
 from PySide6.QtGui import QUndoStack
 
 from app.document.choice import returned_curves, returned_nodes
-from app.document.curve_edits import refuse_locked
 from app.document.edits import EditError
-from app.document.model import Curve, Document, empty_document
+from app.document.model import Curve, Document
 from app.document.plain import plain
-from app.examples import first_sketch, template_title
-from app.resources import is_resource
-from app.session.file_state import FileState
+from app.examples import first_sketch
+from app.session.change import Change, why_locked, why_not_kept
+from app.session.files import Files
 from app.session.history import Beginning, History, State
 from app.session.messages import Message, MessageKind
 from app.session.selection import Selection
 from app.session.views import Views
-from app.storage.files import load
-from app.storage.format import FormatError, validate_changes
-from app.storage.open_file import FileChange, OpenFile, Reading
+from app.storage.open_file import Reading
 from app.view_model.curve_view import CurveView
 
 
@@ -33,24 +30,6 @@ class _Home(msgspec.Struct, frozen=True):
     active: int
     points: frozenset[int]
     curves: frozenset[int]
-
-
-class Change(msgspec.Struct, frozen=True):
-    """What became of a change of the document; true where it is a step of the history now.
-
-    Attributes
-    ----------
-    is_done
-        Whether the document is another one.
-    refusal
-        Why it is not, as the status line has it; empty where the change was none.
-    """
-
-    is_done: bool
-    refusal: str = ""
-
-    def __bool__(self) -> bool:
-        return self.is_done
 
 
 class Session(QObject):
@@ -117,7 +96,7 @@ class Session(QObject):
         self.history = History(self, self._restore_step)
         self.undo_stack.cleanChanged.connect(self._report_clean)
         self.undo_stack.indexChanged.connect(self._report_index)
-        self.files = FileState()
+        self.files = Files(self)
         self.active_index = 0
         self.offered_at: float | None = None
         self._selection = Selection()
@@ -169,6 +148,12 @@ class Session(QObject):
     def committed(self) -> Document:
         """The history's last state, whatever a gesture in flight shows."""
         return self._committed
+
+    @property
+    def state(self) -> State:
+        """What undo brings back after a change: the history's last state."""
+        active = self.active_index if self._home is None else self._home.active
+        return State(self._committed, active, self.files.beginning)
 
     @property
     def is_previewing(self) -> bool:
@@ -238,7 +223,7 @@ class Session(QObject):
         document = plain(document, self._shown)
         if document is self._shown:
             return True
-        if reason := self._why_locked(document):
+        if reason := why_locked(self._committed, document):
             self.refuse(reason)
             return False
         if active is not None and self._home is None:
@@ -258,12 +243,12 @@ class Session(QObject):
         if document == self._committed:
             self.cancel()
             return Change(is_done=False)
-        if reason := self._why_locked(document) or self._why_not_kept(document):
+        if reason := why_locked(self._committed, document) or why_not_kept(self._committed, document):
             return self._refused(reason)
-        after = self.active_index if active is None else active
-        home, self._home = self._home, None
-        before = self._state(self._committed, self.active_index if home is None else home.active)
-        self.history.push(before, self._state(document, after), text, run)
+        before = self.state
+        self._home = None
+        after = State(document, self.active_index if active is None else active, self.files.beginning)
+        self.history.push(before, after, text, run)
         return Change(is_done=True)
 
     def cancel(self) -> None:
@@ -291,29 +276,6 @@ class Session(QObject):
         self.cancel()
         return Change(is_done=False, refusal=reason)
 
-    def _why_locked(self, document: Document) -> str:
-        """Return which locked curve is another one in `document`, as a sentence; empty where none is."""
-        try:
-            refuse_locked(self._committed, document)
-        except EditError as reason:
-            return str(reason)
-        return ""
-
-    def _why_not_kept(self, document: Document) -> str:
-        """Return why no file may hold `document`, which no edit should make; empty where one may."""
-        try:
-            validate_changes(self._committed, document)
-        except FormatError as reason:
-            return f"This cannot be kept: {reason}."
-        return ""
-
-    def _state(self, document: Document, active: int) -> State:
-        return State(document, active, self.files.beginning)
-
-    @property
-    def _now(self) -> State:
-        return self._state(self._committed, self.active_index)
-
     # From state to state
 
     def _restore_step(self, state: State) -> None:
@@ -336,7 +298,7 @@ class Session(QObject):
         self.files.beginning = beginning
         if self.path is not None:
             # Its file holds the other document: nothing of this one may go there unasked.
-            self.files.take(None, None)
+            self.files.close()
             self.undo_stack.resetClean()
         self.select([])
         self.choose_curves((self.active_index,))
@@ -495,111 +457,21 @@ class Session(QObject):
 
     def new(self) -> None:
         """Start an empty document."""
-        self._replace(plain(empty_document()), None)
+        self.files.new()
 
     def open(self, path: str | Path, reading: Reading | None = None, views: Sequence[CurveView] = ()) -> None:
-        """Open the document at `path`; when it cannot be read, raise and leave the open one as it was.
-
-        Where the file was read already, `reading` is what it held, and `views` may be those of its curves.
-        What ships with the program opens as a copy: it is everybody's, and a lock has no place beside it.
-        """
-        path = Path(path)
-        if is_resource(path):
-            self.open_copy(path)
-            return
-        opened = OpenFile.open(path, self.files.file, reading)
-        self._replace(opened.document, path, opened.file, views=views)
-
-    def open_copy(self, path: str | Path, text: str = "Open") -> None:
-        """Open the document at `path` as a new one without a file of its own (lessons, examples).
-
-        Work in a document without a file is not lost for it: opening is then one step of the history, called
-        `text`, and undo goes back.
-        """
-        path = Path(path)
-        document = plain(load(path))
-        title = template_title(path, document)
-        self.cancel()
-        if self.path is not None or not (self.undo_stack.count() or self.is_modified):
-            self._replace(document, None, beginning=Beginning(path, title))
-            return
-        after = State(document, 0, Beginning(path, title, self.files.beginning))
-        self.history.push(self._now, after, text)
-        # What is in front now is as it came; the work that was left is told of by `left`.
-        self.undo_stack.setClean()
-        self.file_changed.emit()
-        self.opened.emit()
-
-    def go_back(self) -> None:
-        """Undo to what was there before the document that is open was opened as a step of the history."""
-        here = self.files.beginning
-        while self.files.beginning is here and here.before is not None and self.undo_stack.canUndo():
-            self.undo_stack.undo()
-
-    def reload(self) -> None:
-        """Take over what the file holds now, as a step of the history; raises as `open` does."""
-        if self.files.file is None:
-            return
-        document = plain(self.files.file.read_again())
-        self.cancel()
-        if document != self._committed:
-            stays = self.active_index < len(document.curves)
-            self.history.push(self._now, self._state(document, self.active_index if stays else 0), "Reload")
-        self.undo_stack.setClean()
-        self.file_changed.emit()
-
-    def look_at_file(self) -> None:
-        """Take note of what the file holds at this moment; before the document goes, for one."""
-        if self.files.file is not None:
-            self.note_file_change(self.files.file.check())
-
-    def note_file_change(self, change: FileChange) -> None:
-        """Take note of what the file holds."""
-        if self.files.note(change):
-            self.file_changed.emit()
-
-    def give_up_changes(self) -> None:
-        """Let the document go as it is, unsaved: nobody is asked about it."""
-        self.undo_stack.setClean()
-        if self.files.file is not None:
-            self.files.file.accept()
-            self.file_changed.emit()
+        """Open the document at `path`; see `Files.open`."""
+        self.files.open(path, reading, views)
 
     def save(self, path: str | Path | None = None, *, overwrite: bool = False) -> None:
-        """Write the document to `path`, or to the file it came from.
+        """Write the document to `path`, or to the file it came from; see `Files.save`."""
+        self.files.save(path, overwrite=overwrite)
 
-        A file that was changed since it was seen last is replaced only if `overwrite` says so; see
-        `OpenFile.saved` for what is refused besides.
-        """
-        target = Path(path) if path is not None else self.path
-        if target is None:
-            raise EditError("The document has no file yet; choose one with Save As.")
-        self.cancel()
-        self.files.save(target, self._committed, overwrite=overwrite)
-        self.undo_stack.setClean()
-        self.saved.emit()
-        self.file_changed.emit()
-
-    def restore(self, document: Document, path: Path | None) -> None:
-        """Go on with unsaved work: `document`, with changes that are not in the file at `path`."""
-        self._replace(plain(document), path)
-        self.undo_stack.resetClean()
-
-    def _replace(
-        self,
-        document: Document,
-        path: Path | None,
-        file: OpenFile | None = None,
-        beginning: Beginning | None = None,
-        views: Sequence[CurveView] = (),
-    ) -> None:
-        if file is None and path is not None:
-            file = OpenFile.adopt(path, self.files.file)
-        # The path comes later: what is put away for the other document leaves its file alone.
-        self.files.take(None, file)
-        self._turn_to(beginning or Beginning())
+    def begin(self, state: State, path: Path | None, views: Sequence[CurveView] = ()) -> None:
+        """Go on with another document, whose history begins here; its views may be given."""
+        self._turn_to(state.beginning)
         self.files.path = path
-        self._restore(self._state(document, 0), views)
+        self._restore(state, views)
         self.undo_stack.clear()
         self.undo_stack.setClean()
         self.file_changed.emit()

@@ -39,7 +39,7 @@ def kept(editor, qtbot):
 
     def open_beside(document, path):
         session = Session()
-        session.restore(document, path)
+        session.files.restore(document, path)
         other = Editor(qtbot, session, size=(800, 600))
         opened.append(other)
         other.autosave = Autosave(session, snapshot_folder())

@@ -760,7 +760,7 @@ def test_a_newer_version_on_the_disk_is_never_replaced(saved, path):
     assert saved.session.is_modified
     other = path.with_name("newer.curve.json")
     other.write_bytes(newer)
-    saved.session.give_up_changes()
+    saved.session.files.give_up_changes()
     saved.window.open_file(other)
     assert "newer.curve.json was not opened: it was written by a newer version" in saved.message
     assert saved.session.document is document

@@ -53,7 +53,7 @@ class Gestures(RuleBasedStateMachine):
             make_curve([(0, 0), (1, 2), (3, 2), (4, 0)], family=family),
             make_curve([(0, -1), (2, -0.5), (4, -1)], name="Base", family=HERMITE),
         )
-        self.session._replace(Document(curves), None)
+        self.session.files.replace(Document(curves), None)
         self.tool, self.rail = Toolbox(self.session, SELECT), Toolbox(self.session, RAIL)
         self.tool.hit_test, self.tool.grid = self.hit, lambda: (0.5, 0.5)
         self.rail.hit_test = lambda _pointer, _tool: self.tick

@@ -99,7 +99,7 @@ def test_choosing_what_is_already_chosen_is_no_step(editor):
     editor.choose_family(LAGRANGE)
     editor.choose_parametrization(ParametrizationKind.CHORD_LENGTH)
     assert editor.curve.parametrization.kind is ParametrizationKind.CHORD_LENGTH
-    editor.session.give_up_changes()
+    editor.session.files.give_up_changes()
     count = editor.session.undo_stack.count()
     editor.choose_family(LAGRANGE)
     assert editor.session.undo_stack.count() == count
@@ -170,7 +170,7 @@ def test_a_dropped_file_is_opened(editor, tmp_path):
     path.write_bytes(encode(editor.session.document))
     document = editor.session.document
     editor.trigger("undo")
-    editor.session.give_up_changes()
+    editor.session.files.give_up_changes()
     mime = QMimeData()
     mime.setUrls([QUrl.fromLocalFile(str(path))])
     for kind, place in ((QDragEnterEvent, QPoint(300, 300)), (QDropEvent, QPointF(300, 300))):
