@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import partial
 
 from PySide6.QtCore import QEvent, QSize, Qt, QTimer
 from PySide6.QtGui import QAction, QIcon
@@ -19,10 +20,10 @@ from PySide6.QtWidgets import (
 )
 
 from app.analysis import Analysis
-from app.document.expression import ExpressionError, parse_number
+from app.document.expression import ExpressionError
 from app.labels import Label
 from app.overrides import Guarded
-from app.panels.field_edit import FieldEdit
+from app.panels.field_edit import NumberEdit, read_number
 from app.panels.number_text import decimal_mark, exact_text, rounded_text
 from app.panels.setting_slider import SettingSlider, count_slider, scale_slider
 from app.plotting.pens import SIGN, sign_pixmap
@@ -118,15 +119,17 @@ class AnalysisPanel(Guarded, QScrollArea):
 
     def _make_errors(self) -> QWidget:
         """Return the fields that band and ensemble share, and the button for other random numbers."""
-        self.point_error = FieldEdit(
+        self.point_error = NumberEdit(
             "pointError",
             "Error of the points",
             "Largest error of every point; velocities and accelerations stay (a number or an expression)",
+            _error_size,
         )
-        self.parameter_error = FieldEdit(
+        self.parameter_error = NumberEdit(
             "parameterError",
             "Error of the parameters",
             "Largest error of every t; for the band to first order (a number or an expression)",
+            _error_size,
         )
         seed = QToolButton()
         seed.setDefaultAction(self._actions("newSeed"))
@@ -162,7 +165,8 @@ class AnalysisPanel(Guarded, QScrollArea):
         self._analysis.changed.connect(self._render)
         self._analysis.noted.connect(self._note_soon)
         for edit, field in ((self.point_error, "point_error"), (self.parameter_error, "parameter_error")):
-            edit.committed.connect(lambda text, edit=edit, field=field: self._type(edit, field, text))
+            edit.entered.connect(partial(self._set_error, field))
+            edit.refused.connect(self._refuse)
             edit.left.connect(lambda: self._refuse(""))
 
     # Rendering: nothing here writes back
@@ -209,23 +213,21 @@ class AnalysisPanel(Guarded, QScrollArea):
 
     # What the person did
 
-    def _type(self, edit: FieldEdit, field: str, text: str) -> None:
-        try:
-            value = parse_number(text, decimal_mark())
-        except ExpressionError as reason:
-            self._refuse(str(reason))
-            edit.keep(text)
-            return
-        if value < 0:
-            self._refuse("The size of an error cannot be negative.")
-            edit.keep(text)
-            return
+    def _set_error(self, field: str, value: float) -> None:
         self._analysis.change(**{field: value})
         self._render()
 
     def _refuse(self, reason: str) -> None:
         self._refusal = reason
         self._render_notes()
+
+
+def _error_size(text: str) -> float:
+    """Return the size of an error that was typed."""
+    value = read_number(text)
+    if value < 0:
+        raise ExpressionError("The size of an error cannot be negative.")
+    return value
 
 
 def _note(name: str) -> Label:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from enum import StrEnum
+from functools import partial
 from typing import TypeVar
 
 import numpy as np
@@ -11,11 +12,10 @@ from PySide6.QtGui import QShowEvent
 from PySide6.QtWidgets import QComboBox, QFormLayout, QHBoxLayout, QToolButton, QVBoxLayout, QWidget
 
 from app.document import edits
-from app.document.expression import ExpressionError, parse_number
 from app.icons import icon
 from app.labels import Label
 from app.overrides import Guarded
-from app.panels.field_edit import FieldEdit
+from app.panels.field_edit import FieldEdit, NumberEdit
 from app.panels.number_text import decimal_mark, exact_text, rounded_text
 from app.panels.words import ACCELERATION_RULES, VELOCITY_RULES, count_of
 from app.theme import theme_of
@@ -52,8 +52,8 @@ class CurveSettings(Guarded, QWidget):
         super().__init__(parent)
         self.setObjectName("curveSettings")
         self._view = view
-        # The field that was typed in last, and what was typed there.
-        self._entry: tuple[FieldEdit, str] | None = None
+        # The field that was typed in last.
+        self._entry: FieldEdit | None = None
         self._refusal = ""
         self.name_edit = FieldEdit("curveName", "Name of the curve", "Name of the curve (Enter to set)")
         self.start_edit = self._interval_edit(
@@ -77,9 +77,9 @@ class CurveSettings(Guarded, QWidget):
         self._render()
 
     @staticmethod
-    def _interval_edit(name: str, label: str, what: str) -> FieldEdit:
+    def _interval_edit(name: str, label: str, what: str) -> NumberEdit:
         tip = f"{label}, the {what}; the curve keeps its shape (a number or an expression, Enter to set)"
-        return FieldEdit(name, label, tip)
+        return NumberEdit(name, label, tip)
 
     def _lay_out(self) -> None:
         interval = QHBoxLayout()
@@ -107,10 +107,11 @@ class CurveSettings(Guarded, QWidget):
 
     def _connect(self) -> None:
         self.name_edit.committed.connect(self._rename)
-        self.start_edit.committed.connect(lambda text: self._set_interval(self.start_edit, text))
-        self.end_edit.committed.connect(lambda text: self._set_interval(self.end_edit, text))
-        for edit in (self.name_edit, self.start_edit, self.end_edit):
+        for edit in (self.start_edit, self.end_edit):
+            edit.entered.connect(partial(self._set_interval, edit))
+            edit.refused.connect(partial(self._refuse_text, edit))
             edit.left.connect(self._forget_refusal)
+        self.name_edit.left.connect(self._forget_refusal)
         self.velocity_box.activated.connect(
             lambda row: self.velocity_rule_chosen.emit(list(VELOCITY_RULES)[row])
         )
@@ -168,32 +169,28 @@ class CurveSettings(Guarded, QWidget):
     # What the person did
 
     def _rename(self, text: str) -> None:
-        self._begin_entry(self.name_edit, text)
+        self._entry = self.name_edit
+        self._forget_refusal()
         self.name_edited.emit(text)
         self._render()
 
-    def _set_interval(self, edit: FieldEdit, text: str) -> None:
-        self._begin_entry(edit, text)
+    def _set_interval(self, edit: NumberEdit, value: float) -> None:
+        self._entry = edit
+        self._forget_refusal()
         start, end = edits.interval(self._view.source)
-        try:
-            value = parse_number(text, decimal_mark())
-        except ExpressionError as reason:
-            self.refused.emit(str(reason))
-            self.refuse(str(reason))
-        else:
-            self.interval_edited.emit(*((value, end) if edit is self.start_edit else (start, value)))
+        self.interval_edited.emit(*((value, end) if edit is self.start_edit else (start, value)))
         self._render()
 
-    def _begin_entry(self, edit: FieldEdit, text: str) -> None:
-        self._entry = edit, text
-        self._forget_refusal()
+    def _refuse_text(self, edit: NumberEdit, reason: str) -> None:
+        self._entry = edit
+        self.refuse(reason)
+        self.refused.emit(reason)
 
     def refuse(self, reason: str) -> None:
         """Say why what was typed last cannot be taken, and leave the text to be mended."""
         self._refusal = reason
         if self._entry is not None:
-            edit, typed = self._entry
-            edit.keep(typed)
+            self._entry.keep()
         self._render_problem()
 
     def _forget_refusal(self) -> None:
