@@ -41,6 +41,7 @@ from app.controllers.history import HistoryController
 from app.controllers.image import ImageController
 from app.controllers.parametrization import ParametrizationController
 from app.controllers.point_table import PointTableController
+from app.controllers.rail import RailController
 from app.docks import Docks
 from app.file_commands import FileCommands, title_of
 from app.icons import app_icon
@@ -212,6 +213,7 @@ class MainWindow(Guarded, QMainWindow):
             ImageController(session, self.image_panel),
             HistoryController(session, self.history),
             ParametrizationController(session, self.parametrization_bar),
+            RailController(session, self.basis_panel),
         )
 
     def _connect_end(self) -> None:
