@@ -1,4 +1,4 @@
-"""What can be drawn over the curve: switches, their settings, and what they measure."""
+"""Analysis panel: switches of the overlays, their settings and measurements."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ from app.theme import theme_of
 from app.view_model.analysis.settings import Ghost, Overlay, all_ghosts
 
 _NOTES_MS = 60
-"""How far the words may lag behind a drag, in milliseconds."""
+"""Milliseconds that the words may lag behind a drag."""
 
 
 class AnalysisPanel(Guarded, QScrollArea):

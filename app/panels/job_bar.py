@@ -1,4 +1,4 @@
-"""How far long work has come, and a button to take it back."""
+"""Progress of long work, and a button to take it back."""
 
 from __future__ import annotations
 
@@ -48,7 +48,7 @@ class JobBar(QWidget):
 
     @property
     def text(self) -> str:
-        """What is said of the work."""
+        """Words about the work."""
         return self._word.text()
 
     def begin(self, title: str) -> None:

@@ -163,7 +163,7 @@ class JointsPanel(Guarded, QWidget):
 
     @property
     def rows(self) -> list[JointRow]:
-        """What the table shows."""
+        """Rows of the table."""
         return list(self._model.rows)
 
     def render_certificate(self, certificate: Certificate) -> None:

@@ -43,7 +43,7 @@ from app.view_model.curve_view import CurveView
 
 _LARGEST_SHIFT = 1e9
 _PAGE = QSize(2000, 72)
-"""What a page may ask for: all of its width."""
+"""Largest minimum size of a page: all of its width."""
 
 
 class LaboratoryPanel(QTabWidget):

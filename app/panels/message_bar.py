@@ -70,7 +70,7 @@ class MessageBar(Guarded, QFrame):
 
     @property
     def _below(self) -> QWidget:
-        """What it lies on, asked for anew: for PySide6 a viewport that was kept was once gone."""
+        """Parent widget, asked for anew: for PySide6 a viewport that was kept was once gone."""
         below = self.parentWidget()
         assert below is not None
         return below

@@ -113,12 +113,12 @@ class MotionBar(QWidget):
 
     @property
     def readout(self) -> str:
-        """Where the dot is, and how fast."""
+        """Place and speed of the dot."""
         return self._next
 
     @property
     def words(self) -> str:
-        """What is said about the jumps; empty while nothing is compared."""
+        """Words about the jumps; empty while nothing is compared."""
         return "" if self._words.isHidden() else self._words.text()
 
     def show_settings(self, settings: MotionSettings, theme: Theme, *, playing: bool) -> None:

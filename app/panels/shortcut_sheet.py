@@ -1,4 +1,4 @@
-"""What keys and mouse do, as a sheet over the drawing: first what applies now, then the rest."""
+"""Shortcut sheet over the drawing: keys and mouse, first what applies now, then the rest."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ _WIDEST, _MARGIN, _KEYS_WIDTH = 560, 24, 190
 
 
 class Moment(msgspec.Struct, frozen=True):
-    """What the sheet must know to say what applies now.
+    """Situation by which the sheet tells what applies now.
 
     Attributes
     ----------
@@ -55,7 +55,7 @@ class Moment(msgspec.Struct, frozen=True):
 
     @property
     def title(self) -> str:
-        """What is going on, as a heading."""
+        """Heading for the situation."""
         if self.adding:
             return "Now: adding points"
         if self.has_curves:

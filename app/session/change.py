@@ -1,4 +1,4 @@
-"""What became of a change of the document, and why one is refused."""
+"""Result of a change of the document, and the reasons to refuse one."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from app.storage.format import FormatError, validate_changes
 
 
 class Change(msgspec.Struct, frozen=True):
-    """What became of a change of the document; true where it is a step of the history now.
+    """Result of a change of the document; true where it is a step of the history now.
 
     Attributes
     ----------

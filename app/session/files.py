@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 
 
 class Files:
-    """Where the document is kept, who else has it open, and what its file holds.
+    """File of the document with its lock, and the ways to another document.
 
     Attributes
     ----------

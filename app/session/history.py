@@ -18,7 +18,7 @@ _RUN_SECONDS = 1.0
 
 
 class Beginning(msgspec.Struct, frozen=True, eq=False):
-    """Where a document began: one more of them each time something is opened, or begun again.
+    """Origin of a document: one more of them each time something is opened, or begun again.
 
     Attributes
     ----------
@@ -37,7 +37,7 @@ class Beginning(msgspec.Struct, frozen=True, eq=False):
 
 
 class State(msgspec.Struct, frozen=True):
-    """What undo brings back: a document, which of its curves was edited, and where it began."""
+    """State of the session in the history: a document, the curve that was edited, and its beginning."""
 
     document: Document
     active: int
@@ -130,7 +130,7 @@ class History:
 
     @property
     def state(self) -> State | None:
-        """What the history says is there now: what its last step led to; None where it is empty."""
+        """State that the last step led to, hence the one that is there now; None where there is no step."""
         index = self.stack.index()
         step = self.stack.command(index - 1 if index else 0) if self.stack.count() else None
         if not isinstance(step, UndoStep):

@@ -8,7 +8,7 @@ import msgspec
 
 
 class MessageKind(Enum):
-    """What a sentence is about."""
+    """Kinds of sentences."""
 
     SAID = auto()
     """Something was done, or can be: for the status line."""

@@ -9,7 +9,7 @@ from app.document.model import Curve
 
 
 class Selection:
-    """What is neither saved nor undone. Its methods return whether something is another one now.
+    """Selection and the like, neither saved nor undone. Methods return whether something is another one now.
 
     Attributes
     ----------

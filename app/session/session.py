@@ -25,7 +25,7 @@ from app.view_model.curve_view import CurveView
 
 
 class _Home(msgspec.Struct, frozen=True):
-    """What was edited and selected before a preview began another curve."""
+    """Active curve and selection before a preview began another curve."""
 
     active: int
     points: frozenset[int]
@@ -33,7 +33,7 @@ class _Home(msgspec.Struct, frozen=True):
 
 
 class Session(QObject):
-    """What is open, and everything that may change it.
+    """Owner of the open document; all that changes it goes through `change`, or is a gesture.
 
     Signals
     -------
@@ -151,7 +151,7 @@ class Session(QObject):
 
     @property
     def state(self) -> State:
-        """What undo brings back after a change: the history's last state."""
+        """State that the next step of the history begins with."""
         active = self.active_index if self._home is None else self._home.active
         return State(self._committed, active, self.files.beginning)
 
@@ -182,7 +182,7 @@ class Session(QObject):
 
     @property
     def path(self) -> Path | None:
-        """Where the document is kept; None as long as it has no file."""
+        """Path of the document; None as long as it has no file."""
         return self.files.path
 
     # Changes
