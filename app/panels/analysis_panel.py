@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from functools import partial
 
-from PySide6.QtCore import QEvent, QSize, Qt, QTimer
+from PySide6.QtCore import QEvent, Qt, QTimer
 from PySide6.QtGui import QAction, QIcon
 from PySide6.QtWidgets import (
     QCheckBox,
@@ -14,7 +14,6 @@ from PySide6.QtWidgets import (
     QHBoxLayout,
     QScrollArea,
     QSizePolicy,
-    QToolButton,
     QVBoxLayout,
     QWidget,
 )
@@ -26,6 +25,7 @@ from app.overrides import Guarded
 from app.panels.field_edit import NumberEdit, read_number
 from app.panels.number_text import decimal_mark, exact_text, rounded_text
 from app.panels.setting_slider import SettingSlider, count_slider, scale_slider
+from app.panels.tool_buttons import action_button, tool_button
 from app.plotting.pens import SIGN, sign_pixmap
 from app.theme import theme_of
 from app.view_model.analysis.settings import Ghost, Overlay, all_ghosts
@@ -131,11 +131,7 @@ class AnalysisPanel(Guarded, QScrollArea):
             "Largest error of every t; for the band to first order (a number or an expression)",
             _error_size,
         )
-        seed = QToolButton()
-        seed.setDefaultAction(self._actions("newSeed"))
-        seed.setObjectName("newSeedButton")
-        seed.setAccessibleName("New Seed")
-        seed.setIconSize(QSize(16, 16))
+        seed = action_button(self._actions("newSeed"))
         errors = QWidget()
         layout = QHBoxLayout(errors)
         layout.setContentsMargins(24, 0, 0, 0)
@@ -150,11 +146,8 @@ class AnalysisPanel(Guarded, QScrollArea):
         row = self._rows.rowCount()
         box = self._ghost_boxes[ghost] = self._switch(ghost.action_name)
         box.setIconSize(SIGN)
-        use = QToolButton()
-        use.setText("Use")
-        use.setObjectName(f"use_{ghost.name}")
-        use.setAccessibleName(f"Use {box.text()}")
-        use.setToolTip(f"Make this the curve: {box.text()}")
+        words = box.text()
+        use = tool_button(f"use_{ghost.name}", f"Use {words}", f"Make this the curve: {words}", text="Use")
         use.clicked.connect(lambda: self._analysis.ghost_chosen.emit(ghost))
         self._rows.addWidget(box, row, 0)
         self._rows.addWidget(use, row, 1, Qt.AlignmentFlag.AlignRight)

@@ -7,9 +7,9 @@ from functools import partial
 from typing import TypeVar
 
 import numpy as np
-from PySide6.QtCore import QEvent, QSize, Qt, Signal
+from PySide6.QtCore import QEvent, Qt, Signal
 from PySide6.QtGui import QShowEvent
-from PySide6.QtWidgets import QComboBox, QFormLayout, QHBoxLayout, QToolButton, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QComboBox, QFormLayout, QHBoxLayout, QVBoxLayout, QWidget
 
 from app.document import edits
 from app.icons import icon
@@ -17,6 +17,7 @@ from app.labels import Label
 from app.overrides import Guarded
 from app.panels.field_edit import FieldEdit, NumberEdit
 from app.panels.number_text import decimal_mark, exact_text, rounded_text
+from app.panels.tool_buttons import ICON, tool_button
 from app.panels.words import ACCELERATION_RULES, VELOCITY_RULES, count_of
 from app.theme import theme_of
 from app.view_model.curve_view import CurveView
@@ -68,7 +69,13 @@ class CurveSettings(Guarded, QWidget):
         self.acceleration_box = _rule_box(
             "accelerationRule", "Acceleration rule", list(ACCELERATION_RULES.values())
         )
-        self.reset_button = _reset_button()
+        self.reset_button = tool_button(
+            "resetAllToEstimated",
+            "Reset all velocities and accelerations to estimated",
+            "Let the rules estimate every velocity and acceleration again",
+            text="Reset all to estimated",
+            icon_size=ICON,
+        )
         self._facts = _note("curveFacts")
         self._problem = _note("curveProblem")
         self._lay_out()
@@ -233,17 +240,6 @@ def _rule_box(name: str, label: str, items: list[str]) -> QComboBox:
     box.setMinimumContentsLength(8)
     box.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon)
     return box
-
-
-def _reset_button() -> QToolButton:
-    button = QToolButton()
-    button.setObjectName("resetAllToEstimated")
-    button.setText("Reset all to estimated")
-    button.setAccessibleName("Reset all velocities and accelerations to estimated")
-    button.setToolTip("Let the rules estimate every velocity and acceleration again")
-    button.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
-    button.setIconSize(QSize(16, 16))
-    return button
 
 
 def _note(name: str) -> Label:

@@ -6,14 +6,13 @@ from collections.abc import Sequence
 from functools import partial
 from pathlib import Path
 
-from PySide6.QtCore import QEvent, QSize, Qt, Signal
+from PySide6.QtCore import QEvent, Qt, Signal
 from PySide6.QtGui import QAction
 from PySide6.QtWidgets import (
     QCheckBox,
     QFormLayout,
     QHBoxLayout,
     QSizePolicy,
-    QToolButton,
     QVBoxLayout,
     QWidget,
 )
@@ -24,6 +23,7 @@ from app.overrides import Guarded
 from app.panels.field_edit import NumberEdit
 from app.panels.live_slider import LiveSlider
 from app.panels.number_text import decimal_mark, rounded_text
+from app.panels.tool_buttons import action_button
 from app.theme import theme_of
 
 STEPS = 100
@@ -125,13 +125,7 @@ class ImagePanel(Guarded, QWidget):
     def add_buttons(self, actions: Sequence[QAction]) -> None:
         """Offer these actions, too."""
         for action in actions:
-            button = QToolButton()
-            button.setDefaultAction(action)
-            button.setObjectName(f"{action.objectName()}Button")
-            button.setAccessibleName(action.text())
-            button.setIconSize(QSize(16, 16))
-            button.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
-            self._buttons.addWidget(button)
+            self._buttons.addWidget(action_button(action, beside=True))
         self._buttons.addStretch(1)
 
     # Rendering: nothing here writes back
