@@ -152,7 +152,7 @@ class CurveSettings(Guarded, QWidget):
         derivatives = curve.family.derivatives
         self._form.setRowVisible(self.velocity_box, derivatives > 0)
         self._form.setRowVisible(self.acceleration_box, derivatives > 1)
-        self.reset_button.setVisible(bool(explicit_orders(self._view)))
+        self.reset_button.setVisible(bool(orders_set(self._view)))
         self._facts.setText(_facts(self._view))
         self._render_problem()
 
@@ -205,7 +205,7 @@ class CurveSettings(Guarded, QWidget):
         self._render_problem()
 
 
-def explicit_orders(view: CurveView) -> set[int]:
+def orders_set(view: CurveView) -> set[int]:
     """Return which of the derivatives that the family has were set by the person somewhere."""
     is_set = np.any(~np.isnan(view.arrays.given[..., 0]), axis=(0, 1)).tolist()
     return {order for order in range(1, view.source.family.derivatives + 1) if is_set[order - 1]}
