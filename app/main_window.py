@@ -41,6 +41,7 @@ from app.controllers.history import HistoryController
 from app.controllers.image import ImageController
 from app.controllers.parametrization import ParametrizationController
 from app.controllers.point_table import PointTableController
+from app.controllers.rail import RailController
 from app.docks import Docks
 from app.file_commands import FileCommands, title_of
 from app.icons import app_icon
@@ -49,7 +50,7 @@ from app.overrides import Guarded
 from app.panels.parametrization_bar import ParametrizationBar
 from app.panels.status_line import StatusLine
 from app.preferences import Preferences
-from app.session import Session
+from app.session import Message, MessageKind, Session
 from app.tasks.single_task import SingleTask
 from app.theme import Theme, ThemeMode, apply_theme, theme_of
 from app.toolbar import Toolbar
@@ -122,7 +123,7 @@ class MainWindow(Guarded, QMainWindow):
         self._render_theme()
         self._render_document()
         self._render_file()
-        if self.session.path is None and not self.session.template:
+        if self.session.path is None and not self.session.files.beginning.title:
             # Who opens a document came to work on it.
             self._commands.messages.greet()
         if self.preferences.complaint:
@@ -195,9 +196,7 @@ class MainWindow(Guarded, QMainWindow):
         session.interrupted.connect(self.status_line.forget)
         session.opened.connect(self._fit)
         session.opened.connect(self.canvas.tools.reset)
-        session.said.connect(self.status_line.say)
-        session.refused.connect(self.status_line.refuse)
-        session.offered.connect(self._offer)
+        session.message.connect(self._tell)
         for plot in (self.canvas, self.basis_panel):
             plot.hint_changed.connect(self.status_line.show_hint)
             plot.progress_changed.connect(self.status_line.show_progress)
@@ -214,6 +213,7 @@ class MainWindow(Guarded, QMainWindow):
             ImageController(session, self.image_panel),
             HistoryController(session, self.history),
             ParametrizationController(session, self.parametrization_bar),
+            RailController(session, self.basis_panel),
         )
 
     def _connect_end(self) -> None:
@@ -282,11 +282,20 @@ class MainWindow(Guarded, QMainWindow):
         path = self.session.path
         name = title_of(self.session).replace("[*]", "[*][*]")
         self.setWindowFilePath(str(path) if path is not None else "")
-        read_only = " (read-only)" if self.session.is_read_only else ""
+        read_only = " (read-only)" if self.session.files.is_read_only else ""
         self.setWindowTitle(f"{name}[*]{read_only} – Curvebench")
         if self.isWindowModified() != self.session.is_modified:
             # Qt writes the title anew, whatever is there.
             self.setWindowModified(self.session.is_modified)
+
+    def _tell(self, message: Message) -> None:
+        match message.kind:
+            case MessageKind.SAID:
+                self.status_line.say(message.text)
+            case MessageKind.REFUSED:
+                self.status_line.refuse(message.text)
+            case MessageKind.OFFERED:
+                self._offer(message.text, message.action)
 
     def _offer(self, text: str, action: str) -> None:
         self._render_commands()

@@ -70,7 +70,7 @@ class DiskCommands(QObject):
 
     def _follow(self) -> None:
         """Take note of another file, or of the same one saved."""
-        file = self._session.file
+        file = self._session.files.file
         stamp = file.stamp if file is not None else None
         if file is not self._file or stamp is not self._stamp:
             self._stamp = stamp
@@ -89,7 +89,7 @@ class DiskCommands(QObject):
 
     def _say_what_matters(self) -> None:
         """Say what one should know about a file that was just opened."""
-        file = self._session.file
+        file = self._session.files.file
         if file is None:
             return
         if file.is_older:
@@ -132,7 +132,7 @@ class DiskCommands(QObject):
                 self._show_ghost()
         if change in (FileChange.GONE, FileChange.SAME) and self._is_refused_for_other_content:
             self._refusal = None  # what it warns of is there no longer
-        self._session.note_file_change(change)
+        self._session.files.note(change)
 
     def _check_lock(self, file: OpenFile) -> None:
         owner = file.check_lock()
@@ -152,7 +152,7 @@ class DiskCommands(QObject):
 
     def _show(self) -> None:
         """Show what matters most now."""
-        self._watch.look_every(_OWNER_MS if self._session.is_read_only else 0)
+        self._watch.look_every(_OWNER_MS if self._session.files.is_read_only else 0)
         self._context.store.change(file_actions=self._possible())
         notice = next((each for each in self._notices() if each not in self._put_away), None)
         if notice is not None:
@@ -168,7 +168,7 @@ class DiskCommands(QObject):
             FileAction.KEEP_MINE: self._change in (FileChange.CHANGED, FileChange.UNREADABLE),
             FileAction.COMPARE: self._change is FileChange.CHANGED,
             FileAction.OVERWRITE: self._may_overwrite,
-            FileAction.TAKE_OVER: self._session.is_read_only,
+            FileAction.TAKE_OVER: self._session.files.is_read_only,
             FileAction.EDIT_ANYWAY: self._standing is Standing.ASKED,
         }
         return frozenset(each for each, possible in is_possible.items() if possible)
@@ -183,7 +183,7 @@ class DiskCommands(QObject):
             FileChange.CHANGED,
             FileChange.UNREADABLE,
         )
-        return is_other and not self._session.is_read_only
+        return is_other and not self._session.files.is_read_only
 
     def _notices(self) -> list[Notice]:
         """Return what there is to say, the most urgent first."""
@@ -240,7 +240,7 @@ class DiskCommands(QObject):
             return
         name = self._file.path.name
         try:
-            self._session.reload()
+            self._session.files.reload()
         except (FormatError, StorageError) as problem:
             self._refusal = Notice(f"{name} was not reloaded: {problem}", ("saveDocumentAs",))
             self._show()

@@ -12,8 +12,8 @@ from msgspec.structs import replace
 from app.actions.declaration import action
 from app.actions.sections import HELP_ALL
 from app.commands.context import WindowContext
+from app.session import Beginning
 from app.storage.files import load
-from app.undo_step import Beginning
 from app.view_model.curve_view import CurveView
 
 if TYPE_CHECKING:
@@ -72,7 +72,7 @@ class LessonCommands:
 
     @property
     def _visit(self) -> _Visit:
-        return self._visits.setdefault(self._context.session.beginning, _Visit())
+        return self._visits.setdefault(self._context.session.files.beginning, _Visit())
 
     def open(self, name: str) -> None:
         """Begin the lesson of this name."""
@@ -128,7 +128,7 @@ class LessonCommands:
 
     def _follow_document(self) -> None:
         """Show the lesson whose document is open now, at the step where it was left; else the gallery."""
-        copied = self._context.session.beginning.copied
+        copied = self._context.session.files.beginning.copied
         lesson = next((each for each in self._lessons if each.document == copied), None)
         if lesson is None:
             if self._lesson is not None:
