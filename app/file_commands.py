@@ -234,7 +234,7 @@ class FileCommands:
             return self.save()
         return answer == QMessageBox.StandardButton.Discard
 
-    def let_go(self) -> None:
+    def release(self) -> None:
         """Tell others that the document is open here no longer."""
         if self._session.file is not None:
             self._session.file.close()
