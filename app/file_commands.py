@@ -236,7 +236,7 @@ class FileCommands:
             return self.save()
         return answer == QMessageBox.StandardButton.Discard
 
-    def let_go(self) -> None:
+    def release(self) -> None:
         """Tell others that the document is open here no longer."""
         if self._session.files.file is not None:
             self._session.files.file.close()

@@ -23,9 +23,11 @@ from PySide6.QtWidgets import (
 )
 
 from app.actions.qactions import Actions
+from app.actions.situation import Situation
 from app.analysis import Analysis
 from app.autosave import Autosave
 from app.central_area import CentralArea
+from app.clipboard_watch import ClipboardWatch
 from app.commands.connect import COMMAND_SETS, Commands
 from app.commands.context import WindowContext
 from app.commands.drops import OpenWindow, accepted
@@ -56,7 +58,7 @@ from app.theme import Theme, ThemeMode, apply_theme, theme_of
 from app.toolbar import Toolbar
 from app.view_model.curve_view import CurveView
 from app.view_model.growth import growth_of_points
-from app.window_layout import put_away_floating, restore_layout, when_first_shown
+from app.window_layout import hide_floating, restore_layout, when_first_shown
 from app.window_state import WindowState, WindowStore
 
 _PANELS_MS = 100
@@ -104,7 +106,9 @@ class MainWindow(Guarded, QMainWindow):
         self.setWindowIcon(app_icon())
         self.setAcceptDrops(True)
         self.store = WindowStore(self.preferences, self)
-        self.actions_by_name = Actions(self, command_sets)
+        self._clipboard = ClipboardWatch(self)
+        now = Situation(session, self.store, self._clipboard)
+        self.actions_by_name = Actions(self, command_sets, now)
         self.analysis = Analysis(self.store, self)
         self._build_plots()
         self._build_docks()
@@ -169,6 +173,7 @@ class MainWindow(Guarded, QMainWindow):
             preferences=self.preferences,
             analysis=self.analysis,
             actions=self.actions_by_name,
+            clipboard=self._clipboard,
             files=self._files,
             work=self._work,
             window=self,
@@ -217,7 +222,7 @@ class MainWindow(Guarded, QMainWindow):
         )
 
     def _connect_end(self) -> None:
-        for end in (self._files.let_go, self._commands.close, self._remember_layout, self._close_dialogs):
+        for end in (self._files.release, self._commands.close, self._remember_layout, self._close_dialogs):
             self.closed.connect(end)
 
     # Rendering: from values to widgets, never back
@@ -409,7 +414,7 @@ class MainWindow(Guarded, QMainWindow):
         self.preferences.window_state = self.saveState()
         self.preferences.splitter_state = self.splitter.saveState()
         self.preferences.plot_height = self.plot_panel.kept_height
-        put_away_floating(self)
+        hide_floating(self)
 
     # Qt's events
 

@@ -125,9 +125,8 @@ class TangentCommands:
         self._reshape("Pull out velocity of", self._pulled)
 
     def _pulled(self, view: CurveView, chosen: Collection[int]) -> Curve:
-        pulled = with_velocities_pulled(
-            view, chosen, _VISIBLE * self._context.central.canvas.camera.pixel_size
-        )
+        pixel = self._context.central.canvas.camera.pixel_size
+        pulled = with_velocities_pulled(view, chosen, _VISIBLE * pixel)
         if pulled == view.source:
             what = "velocity stands" if len(chosen) == 1 else "velocities stand"
             raise EditError(f"The {what} out already; drag the square handle.")

@@ -22,6 +22,7 @@ from app.analysis import Analysis
 from app.document.expression import ExpressionError
 from app.labels import Label
 from app.overrides import Guarded
+from app.panels.action_switch import mirror
 from app.panels.field_edit import NumberEdit, read_number
 from app.panels.number_text import decimal_mark, exact_text, rounded_text
 from app.panels.setting_slider import SettingSlider, count_slider, scale_slider
@@ -111,10 +112,7 @@ class AnalysisPanel(Guarded, QScrollArea):
         box = QCheckBox(action.text())
         box.setObjectName(f"{name}Switch")
         box.setAccessibleName(action.text())
-        box.setToolTip(action.toolTip())
-        box.setChecked(action.isChecked())
-        box.clicked.connect(action.trigger)
-        action.toggled.connect(box.setChecked)
+        mirror(box, action)
         return box
 
     def _make_errors(self) -> QWidget:

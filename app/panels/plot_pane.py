@@ -10,6 +10,7 @@ from PySide6.QtWidgets import QHBoxLayout, QSizePolicy, QToolButton, QVBoxLayout
 
 from app.icons import icon
 from app.overrides import Guarded
+from app.panels.action_switch import mirror
 from app.panels.choice_style import choice_style
 from app.panels.elided_label import ElidedLabel
 from app.panels.number_text import decimal_mark, rounded_text
@@ -101,9 +102,5 @@ class PlotPane(Guarded, QWidget):
 
 def _choice(symbol: str, action: QAction) -> QToolButton:
     button = tool_button(f"{action.objectName()}Choice", action.text(), action.toolTip(), text=symbol)
-    button.setCheckable(action.isCheckable())
-    button.setChecked(action.isChecked())
-    button.clicked.connect(action.trigger)
-    if action.isCheckable():
-        action.toggled.connect(button.setChecked)
+    mirror(button, action)
     return button
