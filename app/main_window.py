@@ -24,7 +24,6 @@ from PySide6.QtWidgets import (
 
 from app.actions.qactions import Actions
 from app.analysis import Analysis
-from app.autosave import Autosave
 from app.central_area import CentralArea
 from app.commands.connect import COMMAND_SETS, Commands
 from app.commands.context import WindowContext
@@ -34,7 +33,6 @@ from app.commands.file_work import FileWork
 from app.commands.given import Given
 from app.commands.image_commands import ImageCommands
 from app.commands.lesson_commands import LessonCommands
-from app.commands.recovery_commands import OpenBeside, RecoveryCommands
 from app.commands.view_commands import ViewCommands
 from app.controllers.curve_settings import CurveSettingsController
 from app.controllers.history import HistoryController
@@ -42,6 +40,8 @@ from app.controllers.image import ImageController
 from app.controllers.parametrization import ParametrizationController
 from app.controllers.point_table import PointTableController
 from app.docks import Docks
+from app.features.recovery.autosave import Autosave
+from app.features.recovery.commands import OpenBeside, RecoveryCommands
 from app.file_commands import FileCommands, title_of
 from app.icons import app_icon
 from app.menus import Menus

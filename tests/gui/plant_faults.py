@@ -21,8 +21,8 @@ from PySide6.QtGui import QCloseEvent, QDragEnterEvent, QStatusTipEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QMessageBox, QPushButton, QVBoxLayout, QWidget
 
-from app.autosave import snapshot_folder
 from app.cli.windows import open_windows
+from app.features.recovery.autosave import snapshot_folder
 from app.icons import _IconEngine, icon
 from app.lifecycle import Lifecycle
 from app.main_window import MainWindow
