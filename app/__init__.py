@@ -14,8 +14,7 @@ The layers, top to bottom; a module imports only from its own layer and those ab
 - ``undo_step``: a step of the history.
 - ``session``: the one mutable owner of the current document, its history and the selection.
 - ``theme``, ``colours``, ``icons``: how it looks.  ``labels``: words of others as they are written.
-- ``preferences``: what is remembered between starts.  ``settings``, ``settings_file``: the kinds of settings;
-  their ini file.
+- ``settings``: what is remembered between starts, and the ini file that holds it.
 - ``keymap``: which keys do what.  ``mnemonics``: the letters of menus.
 - ``window_state``: the window's state as a value.  ``analysis``: what is shown over the curve, a part of it.
 - ``player``: a motion, and the clock that drives it.

@@ -48,8 +48,8 @@ from app.menus import Menus
 from app.overrides import Guarded
 from app.panels.parametrization_bar import ParametrizationBar
 from app.panels.status_line import StatusLine
-from app.preferences import Preferences
 from app.session import Session
+from app.settings.preferences import Preferences
 from app.tasks.single_task import SingleTask
 from app.theme import Theme, ThemeMode, apply_theme, theme_of
 from app.toolbar import Toolbar

@@ -8,7 +8,7 @@ import msgspec
 from msgspec.structs import replace
 from PySide6.QtCore import QObject, Signal
 
-from app.preferences import Preferences
+from app.settings.preferences import Preferences
 from app.theme import ThemeMode
 from app.tools.select import SELECT
 from app.tools.snapping import SnapKind

@@ -19,8 +19,8 @@ from app.families import HERMITE
 from app.features.recovery.autosave import DELAY_MS, Autosave, snapshot_folder, state_folder
 from app.features.recovery.bar import RecoveryBar
 from app.features.recovery.offers import age_in_words
-from app.preferences import Preferences
 from app.session import Session
+from app.settings.preferences import Preferences
 from app.storage.files import load, save
 from app.storage.format import encode
 from app.storage.recovery import SUFFIX, Origin, SnapshotFile, list_snapshots
