@@ -25,8 +25,7 @@ The layers, top to bottom; a module imports only from its own layer and those ab
 - ``actions``, ``docks``, ``file_commands``, ``commands``, ``features``: what can be done, and what it does.
 - ``toolbar``, ``menus``, ``window_layout``, ``main_window``: build, dock, connect.
 - ``diagnostics``: the log, slow frames, reports of crashes.
-- ``lifecycle``: what surrounds the windows from start to end.
-- ``cli``: the command line, and the editor's start.
+- ``cli``: the command line, the editor's start, and what surrounds its windows until the end.
 - ``testing``: a driver for pytest-qt.
 """
 
