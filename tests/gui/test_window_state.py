@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 from msgspec.structs import replace
 
-from app.settings import Setting
+from app.settings.kinds import Setting
 from app.settings.preferences import Preferences
 from app.theme import ThemeMode
 from app.tools.add import ADD
