@@ -14,7 +14,8 @@ was drawn settles first.
 from __future__ import annotations
 
 import time
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
 
 import msgspec
 import pytest
@@ -205,6 +206,15 @@ class KeptEditor:
         """Have the window painted from now on: what fixtures prepared is not painted step by step."""
         if self._editor is not None and "editor" in item.fixturenames:
             self._curtain.open()
+
+    @contextmanager
+    def another(self) -> Iterator[None]:
+        """Keep another window for a while: one that is not made as this one."""
+        opened, self._opened = self._opened, None
+        self.drop()
+        yield
+        self.drop()
+        self._opened = opened
 
     def drop(self) -> None:
         if self._editor is not None:
