@@ -271,6 +271,7 @@ def open_everything(editor: Editor) -> None:
         dock.close()
     for menu in window.menuBar().findChildren(QMenu):
         menu.aboutToShow.emit()
-    for name in ("playMotion", "plotCurvature"):
+    # An overlay has a legend; whether what is computed beside the window is in time to have one is luck.
+    for name in ("playMotion", "plotCurvature", "overlayVelocities"):
         editor.trigger(name)
         editor.trigger({"playMotion": "stopMotion"}.get(name, name))
