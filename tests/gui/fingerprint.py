@@ -30,7 +30,8 @@ PASSING = {
     *("_axes", "_ghost_drawn", "_ground", "Curve.has_derivatives"),
     *("_frozen", "_ghost_stroke", "_is_resting", "_italic", "_known", "_made", "_made_for", "_origin"),
     *("_painted", "_pause", "_pens", "_pixels_of", "_room", "_upright"),
-    *("_seconds", "_stamps", "_stroke", "_strokes", "_styled", "_watcher", "__dict__", "FunctionLines._shown"),
+    *("_seconds", "_stamps", "_stroke", "_strokes", "_styled", "_watcher", "__dict__"),
+    *("FunctionLines._shown",),
     *("CrestNames._crests_of", "CrestNames._made_of", "CurveLayer.error", "FunctionLines._basis"),
     *("FunctionLines._envelopes", "FunctionLines._polygons", "GridLayer._shown", "MotionLayer._written"),
     *(
