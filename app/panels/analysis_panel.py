@@ -1,10 +1,11 @@
-"""What can be drawn over the curve: switches, their settings, and what they measure."""
+"""Analysis panel: switches of the overlays, their settings and measurements."""
 
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import partial
 
-from PySide6.QtCore import QEvent, QSize, Qt, QTimer
+from PySide6.QtCore import QEvent, Qt, QTimer
 from PySide6.QtGui import QAction, QIcon
 from PySide6.QtWidgets import (
     QCheckBox,
@@ -13,18 +14,19 @@ from PySide6.QtWidgets import (
     QHBoxLayout,
     QScrollArea,
     QSizePolicy,
-    QToolButton,
     QVBoxLayout,
     QWidget,
 )
 
 from app.analysis import Analysis
-from app.document.expression import ExpressionError, parse_number
+from app.document.expression import ExpressionError
 from app.labels import Label
 from app.overrides import Guarded
-from app.panels.field_edit import FieldEdit
+from app.panels.action_switch import mirror
+from app.panels.field_edit import NumberEdit, read_number
 from app.panels.number_text import decimal_mark, exact_text, rounded_text
 from app.panels.setting_slider import SettingSlider, slider_of
+from app.panels.tool_buttons import action_button, tool_button
 from app.plotting.pens import SIGN, sign_pixmap
 from app.theme import theme_of
 from app.view_model.analysis.ghost import Ghost, all_ghosts
@@ -32,7 +34,7 @@ from app.view_model.analysis.overlay import OVERLAYS, Overlay
 from app.view_model.analysis.settings import Count, ErrorSize, Factor
 
 _NOTES_MS = 60
-"""How far the words may lag behind a drag, in milliseconds."""
+"""Milliseconds that the words may lag behind a drag."""
 
 
 class AnalysisPanel(Guarded, QScrollArea):
@@ -50,7 +52,7 @@ class AnalysisPanel(Guarded, QScrollArea):
         self._refusal = ""
         self._notes: dict[Overlay, Label] = {}
         self._sliders: list[tuple[Overlay, Factor | Count, SettingSlider]] = []
-        self._error_fields: dict[ErrorSize, FieldEdit] = {}
+        self._error_fields: dict[ErrorSize, NumberEdit] = {}
         self._ghost_boxes: dict[Ghost, QCheckBox] = {}
         self._problem = _note("analysisProblem")
         self._rows = QGridLayout()
@@ -104,26 +106,20 @@ class AnalysisPanel(Guarded, QScrollArea):
         box = QCheckBox(action.text())
         box.setObjectName(f"{name}Switch")
         box.setAccessibleName(action.text())
-        box.setToolTip(action.toolTip())
-        box.setChecked(action.isChecked())
-        box.clicked.connect(action.trigger)
-        action.toggled.connect(box.setChecked)
+        mirror(box, action)
         return box
 
     def _make_errors(self) -> QWidget:
         """Return the fields that overlays share, and the button for other random numbers."""
-        seed = QToolButton()
-        seed.setDefaultAction(self._actions("newSeed"))
-        seed.setObjectName("newSeedButton")
-        seed.setAccessibleName("New Seed")
-        seed.setIconSize(QSize(16, 16))
+        seed = action_button(self._actions("newSeed"))
         errors = QWidget()
         layout = QHBoxLayout(errors)
         layout.setContentsMargins(24, 0, 0, 0)
         layout.setSpacing(6)
         for setting in dict.fromkeys(each for overlay in OVERLAYS for each in overlay.settings):
             if isinstance(setting, ErrorSize):
-                field = self._error_fields[setting] = FieldEdit(setting.name, setting.label, setting.tip)
+                field = NumberEdit(setting.name, setting.label, setting.tip, _error_size)
+                self._error_fields[setting] = field
                 layout.addWidget(Label(setting.short))
                 layout.addWidget(field, 1)
         layout.addWidget(seed)
@@ -133,11 +129,8 @@ class AnalysisPanel(Guarded, QScrollArea):
         row = self._rows.rowCount()
         box = self._ghost_boxes[ghost] = self._switch(ghost.action_name)
         box.setIconSize(SIGN)
-        use = QToolButton()
-        use.setText("Use")
-        use.setObjectName(f"use_{ghost.name}")
-        use.setAccessibleName(f"Use {box.text()}")
-        use.setToolTip(f"Make this the curve: {box.text()}")
+        words = box.text()
+        use = tool_button(f"use_{ghost.name}", f"Use {words}", f"Make this the curve: {words}", text="Use")
         use.clicked.connect(lambda: self._analysis.ghost_chosen.emit(ghost))
         self._rows.addWidget(box, row, 0)
         self._rows.addWidget(use, row, 1, Qt.AlignmentFlag.AlignRight)
@@ -148,7 +141,8 @@ class AnalysisPanel(Guarded, QScrollArea):
         self._analysis.changed.connect(self._render)
         self._analysis.noted.connect(self._note_soon)
         for setting, edit in self._error_fields.items():
-            edit.committed.connect(lambda text, setting=setting: self._type(setting, text))
+            edit.entered.connect(partial(self._set_error, setting))
+            edit.refused.connect(self._refuse)
             edit.left.connect(lambda: self._refuse(""))
 
     # Rendering: nothing here writes back
@@ -194,24 +188,21 @@ class AnalysisPanel(Guarded, QScrollArea):
 
     # What the person did
 
-    def _type(self, setting: ErrorSize, text: str) -> None:
-        edit = self._error_fields[setting]
-        try:
-            value = parse_number(text, decimal_mark())
-        except ExpressionError as reason:
-            self._refuse(str(reason))
-            edit.keep(text)
-            return
-        if value < 0:
-            self._refuse("The size of an error cannot be negative.")
-            edit.keep(text)
-            return
+    def _set_error(self, setting: ErrorSize, value: float) -> None:
         self._analysis.set_value(setting, value)
         self._render()
 
     def _refuse(self, reason: str) -> None:
         self._refusal = reason
         self._render_notes()
+
+
+def _error_size(text: str) -> float:
+    """Return the size of an error that was typed."""
+    value = read_number(text)
+    if value < 0:
+        raise ExpressionError("The size of an error cannot be negative.")
+    return value
 
 
 def _note(name: str) -> Label:

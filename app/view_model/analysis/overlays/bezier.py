@@ -26,11 +26,14 @@ def _is_one_polynomial(view: CurveView) -> bool:
 
 
 def _bezier(scene: Scene) -> Drawn:
-    """Return the control polygons of the segments, or the one of a polynomial."""
-    if _is_one_polynomial(scene.view):
+    """Return the control polygons of the segments, or the one of a polynomial, or in words why not."""
+    view = scene.view
+    if _is_one_polynomial(view):
         return _of_polynomial(scene)
+    if view.curve is not None and view.curve.degree is None:
+        return [], f"Not drawn: a {view.source.family.title} curve is made of no polynomials."
     figures = []
-    for piece in scene.view.pieces:
+    for piece in view.pieces:
         if (controls := piece.bezier_pieces()) is not None:
             figures += _polygons(controls)
     return figures, ""
