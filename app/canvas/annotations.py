@@ -11,7 +11,6 @@ from app.canvas.figure_layer import FigureLayer
 from app.canvas.file_layer import FileLayer
 from app.canvas.trace_layer import Trace, TraceLayer
 from app.plotting.plot_widget import PlotWidget
-from app.theme import LIGHT
 from app.view_model.analysis.figures import Figure
 from app.view_model.curve_view import CurveView
 from app.view_model.looks import FILE_LOOK, Look
@@ -42,9 +41,9 @@ class Annotations(QObject):
     def __init__(self, plot: PlotWidget) -> None:
         super().__init__(plot)
         self._plot = plot
-        self._figures = plot.layers.style(FigureLayer(plot, LIGHT, z=-0.5))
-        self._file_layer = plot.layers.style(FileLayer(plot, LIGHT))
-        self._traces = plot.layers.style(TraceLayer(plot, LIGHT))
+        self._figures = FigureLayer(plot)
+        self._file_layer = FileLayer(plot)
+        self._traces = TraceLayer(plot)
         self.legend: Legend | None = None
 
     # Figures and ghosts
@@ -97,7 +96,8 @@ class Annotations(QObject):
             # Built when there is something to explain: nobody waits for it at the start.
             from app.canvas.legend import Legend  # noqa: PLC0415
 
-            self.legend = self._plot.layers.style(Legend(self._plot.viewport(), LIGHT))
+            self.legend = Legend(self._plot.viewport(), self._plot.layers)
+            self._plot.style_changed.connect(self.legend.render_style)
             self.legend.chosen.connect(self.ghost_chosen)
             self.legend.hidden.connect(self.ghost_hidden)
         self.legend.render_rows(group, rows)

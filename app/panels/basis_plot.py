@@ -9,7 +9,6 @@ from PySide6.QtWidgets import QWidget
 from app.panels.basis_layers import FunctionLayer, RailLayer, rail_height
 from app.plotting.camera import GREATEST_SPAN, CameraOverT
 from app.plotting.tool_plot import ToolPlot
-from app.theme import LIGHT
 from app.tools.toolbox import Toolbox
 from app.view_model.basis_view import BasisView, basis_view
 from app.view_model.cardinal_view import CardinalView, cardinal_view
@@ -42,8 +41,8 @@ class BasisPlot(ToolPlot):
         self._values: tuple[float, float] = _CALM_RANGE
         self._held_domain: tuple[float, float] | None = None
         self._with_estimates = False
-        self._functions = self.layers.style(FunctionLayer(self, LIGHT))
-        self._rail = self.layers.style(RailLayer(self, LIGHT))
+        self._functions = FunctionLayer(self)
+        self._rail = RailLayer(self)
         self.getViewBox().sigResized.connect(self._show_values)
         self.set_with_estimates(False)
 
@@ -105,18 +104,18 @@ class BasisPlot(ToolPlot):
     def _emphasise(self) -> None:
         hovered = self._rail.hovered
         self._functions.emphasised = self._rail.selection | ({hovered} if hovered >= 0 else frozenset())
-        self._functions.refresh()
-        self._rail.refresh()
+        self._functions.update()
+        self._rail.update()
 
     def set_scrub(self, t: float | None) -> None:
         """Move the scrub line, or put it away (None)."""
         self._rail.scrub = t
-        self._rail.refresh()
+        self._rail.update()
 
     def set_kinds(self, kinds: frozenset[int]) -> None:
         """Show these kinds of functions: 0 position, 1 velocity, 2 acceleration."""
         self._functions.kinds = kinds
-        self._functions.refresh()
+        self._functions.update()
         self._report_extent()
 
     # Ranges

@@ -26,7 +26,7 @@ _MOST_RINGS = 400
 """Points in sight of one curve above which only as many are ringed: more would be a band."""
 
 
-class ChosenCurvesLayer(OtherCurvesLayer):
+class SelectedCurvesLayer(OtherCurvesLayer):
     """Draws chosen curves as `OtherCurvesLayer` draws the others: from a picture, kept while they stay.
 
     Hidden ones are faint, as the active curve is: they are moved with the others.
