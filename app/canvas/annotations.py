@@ -1,4 +1,4 @@
-"""What is drawn beside the active curve to explain it, and the legend that says what it means."""
+"""Annotations of the active curve: figures, ghosts, other versions, and the legend that explains them."""
 
 from __future__ import annotations
 
@@ -54,7 +54,7 @@ class Annotations(QObject):
 
     @property
     def figures(self) -> Sequence[Figure]:
-        """What is shown beside the curve."""
+        """The figures beside the curve."""
         return self._figures.figures
 
     @property
@@ -71,7 +71,7 @@ class Annotations(QObject):
 
     @property
     def file_version(self) -> str:
-        """What the curves of a file are called in the legend; empty while none are shown."""
+        """The name of a file's curves in the legend; empty while none are shown."""
         return self._file_layer.name
 
     def render_traces(

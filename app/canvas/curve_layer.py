@@ -66,7 +66,7 @@ class CurveLayer(Layer):
 
     @property
     def ghost_opacity(self) -> float:
-        """How much of the ghost is seen, from 0 to 1."""
+        """The opacity of the ghost, from 0 to 1."""
         if self._ghost_held:
             return 1.0
         fading = self._fade.state() == QAbstractAnimation.State.Running
@@ -110,7 +110,7 @@ class CurveLayer(Layer):
 
     @property
     def said(self) -> str:
-        """What the canvas says of a line that is off; empty otherwise."""
+        """The sentence about a line that is off; empty otherwise."""
         return f"Drawn within {self.error:.2g} pixels" if self.error > WORTH_A_WORD else ""
 
     def _paint_word(self, painter: QPainter, shown: PixelMap) -> None:

@@ -1,4 +1,4 @@
-"""What the document's file holds while it differs from what is edited: dashed."""
+"""The curves of the document's file, dashed, while they differ from those that are edited."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ class FileLayer(Layer):
 
     @property
     def name(self) -> str:
-        """What the curves are called; empty while there are none."""
+        """The name of the curves; empty while there are none."""
         return self._name if self._views else ""
 
     def render(self, views: Sequence[CurveView], name: str) -> None:

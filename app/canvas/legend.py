@@ -54,7 +54,7 @@ class Legend(Guarded, QFrame):
 
     @property
     def _below(self) -> QWidget:
-        """What it lies on, asked for anew: for PySide6 a viewport that was kept was once gone."""
+        """The viewport below, asked for anew: for PySide6 a viewport that was kept was once gone."""
         below = self.parentWidget()
         assert below is not None
         return below

@@ -32,7 +32,7 @@ _AT_ONCE = 400
 
 
 class OtherCurvesLayer(Layer):
-    """Draws the visible curves that are neither edited nor chosen, and tells which of them a pixel is on.
+    """Draws the visible curves that are neither edited nor selected, and tells which of them a pixel is on.
 
     While the active curve is dragged the others are the same objects in front of the same part of the plane;
     painting them is then copying one picture, however many they are.

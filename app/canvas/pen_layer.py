@@ -1,4 +1,4 @@
-"""What the pen would make, before it is pressed: the curve with one point more, or the spot to insert at."""
+"""Preview of the pen before it is pressed: the curve with one point more, or the spot to insert at."""
 
 from __future__ import annotations
 
@@ -23,16 +23,16 @@ class PenLayer(Layer):
 
     def __init__(self, plot: PlotWidget) -> None:
         super().__init__(plot)
-        self._ahead: CurveView | None = None
+        self._preview: CurveView | None = None
         self._spot: Vector | None = None
         self._stroke = Stroke()
         self._drawn: tuple[CurveView | None, PixelMap | None] = (None, None)
         self._ring = Layer(plot, self._paint_ring, z=9.5)
 
-    def render(self, ahead: CurveView | None, spot: Vector | None) -> None:
+    def render(self, preview: CurveView | None, spot: Vector | None) -> None:
         """Draw these from the next paint on; None for nothing."""
-        if ahead is not self._ahead:
-            self._ahead = ahead
+        if preview is not self._preview:
+            self._preview = preview
             self.update()
         if spot != self._spot:
             self._spot = spot
@@ -40,7 +40,7 @@ class PenLayer(Layer):
 
     def paint(self, painter: QPainter, shown: PixelMap) -> None:
         """Draw the line."""
-        view = self._ahead
+        view = self._preview
         if view is None:
             return
         if self._drawn[0] is not view or self._drawn[1] is not shown:

@@ -23,7 +23,7 @@ from app.view_model.handles import Handle, handles_of
 _SELECTED_RADIUS, _GROWTH = 5.5, 1.0
 _LABELLED_UP_TO = 12
 _DISCS_MS = 200
-"""How long discs keep their size while points move."""
+"""Milliseconds for which discs keep their size while points move."""
 
 _HALF_NUMBER = 6.0
 """Half of what the number of a point takes, in pixels; what is written beside it makes it longer."""
@@ -164,7 +164,7 @@ class PointLayer(Layer):
 
     @property
     def note(self) -> str:
-        """What is said where points are left away; empty where all are drawn."""
+        """The sentence about points that are left away; empty where all are drawn."""
         if self._view is None or not self._discs_now.crowded:
             return ""
         return f"{len(self._view.points)} points: selection only · zoom in to see all"

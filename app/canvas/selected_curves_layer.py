@@ -1,4 +1,4 @@
-"""The curves that are chosen beside the active one: in full colour, with halos, their points as rings."""
+"""The curves that are selected beside the active one: in full colour, with halos, their points as rings."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ _MOST_RINGS = 400
 
 
 class SelectedCurvesLayer(OtherCurvesLayer):
-    """Draws chosen curves as `OtherCurvesLayer` draws the others: from a picture, kept while they stay.
+    """Draws selected curves as `OtherCurvesLayer` draws the others: from a picture, kept while they stay.
 
     Hidden ones are faint, as the active curve is: they are moved with the others.
     """

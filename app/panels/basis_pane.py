@@ -31,7 +31,7 @@ _SOON_MS = 33
 
 
 _LEAST_HEADER = QSize(260, 100)
-"""What the header may ask for."""
+"""Least size that the header asks for."""
 
 
 class BasisPane(Guarded, QWidget):

@@ -240,7 +240,7 @@ class HodographPanel(Guarded, QWidget):
 
     @property
     def value_text(self) -> str:
-        """What is written about the scrub line."""
+        """The words about the scrub line."""
         return self._value.text()
 
     def show_value(self, t: float | None, value: tuple[float, float] | None) -> None:

@@ -59,12 +59,12 @@ class PlotCanvas(ToolPlot):
 
     @property
     def plots(self) -> Sequence[PlotData]:
-        """What is plotted, from the top down."""
+        """The plots, from the top down."""
         return self._lines.plots
 
     @property
     def note(self) -> str:
-        """What is said in place of plots."""
+        """The sentence in place of plots."""
         return self._lines.note
 
     @property

@@ -70,7 +70,7 @@ class PlotPane(Guarded, QWidget):
 
     @property
     def values_text(self) -> str:
-        """What is written about the scrub line."""
+        """The words about the scrub line."""
         return self._values.text()
 
     def show_values(self, t: float | None, values: Mapping[str, float]) -> None:

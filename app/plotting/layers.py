@@ -58,7 +58,7 @@ class Layer:
 
     @property
     def scale(self) -> float:
-        """How much larger lines and numbers are than usual."""
+        """The size of lines and numbers; 1 as usual."""
         return self._stack.scale
 
     def update(self) -> None:

@@ -17,7 +17,7 @@ THRESHOLD = 3.0
 """Pixels the pointer must travel before a press becomes a drag."""
 
 CANCELLED = "Cancelled."
-"""What is said when Escape has taken a gesture back."""
+"""The sentence when Escape has taken a gesture back."""
 
 
 class EditingHost(Protocol):
@@ -96,7 +96,7 @@ class HasReadout(Protocol):
 
     @property
     def keys(self) -> str:
-        """What each modifier key would change."""
+        """Effects of the modifier keys."""
 
     def readout_at(self, pointer: Pointer) -> str:
         """Return the amount, such as "Rotate 30°"."""
