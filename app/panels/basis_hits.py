@@ -1,4 +1,4 @@
-"""Hit test of the basis panel: the tick, function or scrub line under the pointer."""
+"""Hit test of the basis panel."""
 
 from __future__ import annotations
 

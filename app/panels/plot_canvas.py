@@ -59,12 +59,12 @@ class PlotCanvas(ToolPlot):
 
     @property
     def plots(self) -> Sequence[PlotData]:
-        """The plots, from the top down."""
+        """Plots that are shown, from the top down."""
         return self._lines.plots
 
     @property
     def note(self) -> str:
-        """The sentence in place of plots."""
+        """Sentence in place of plots."""
         return self._lines.note
 
     @property

@@ -35,7 +35,7 @@ _WIDTH = 1.5
 
 @dataclass(frozen=True)
 class Band:
-    """Place of one of the plots, in pixels: its title above, its foot below."""
+    """Band of one of the plots, in pixels: its title above, its foot below."""
 
     top: float
     head: float
