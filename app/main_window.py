@@ -193,7 +193,7 @@ class MainWindow(Guarded, QMainWindow):
         session.selection_changed.connect(self._render_selection)
         session.chosen_changed.connect(self._render_chosen)
         session.hovered_changed.connect(self.canvas.drawing.set_hovered)
-        session.hovered_changed.connect(self.basis_panel.set_hovered)
+        session.hovered_changed.connect(self.basis_panel.drawing.set_hovered)
         session.scrub_changed.connect(self._render_scrub)
         session.file_changed.connect(self._render_file)
         session.interrupted.connect(self.canvas.abandon_gesture)
@@ -256,11 +256,11 @@ class MainWindow(Guarded, QMainWindow):
         if self.session.is_previewing and view.source.family.derivatives and len(view.points) > _MOST_LIVE:
             self.status_line.wait_for_lebesgue()
         else:
-            self.status_line.show_lebesgue(growth_of_points(view, self.basis_panel.basis))
+            self.status_line.show_lebesgue(growth_of_points(view, self.basis_panel.drawing.basis))
 
     def _render_selection(self, selection: frozenset[int]) -> None:
         self.canvas.set_selection(selection)
-        self.basis_panel.set_selection(selection)
+        self.basis_panel.drawing.set_selection(selection)
         self.table_panel.set_selection(selection)
         self._render_commands()
 
@@ -279,7 +279,7 @@ class MainWindow(Guarded, QMainWindow):
 
     def _render_scrub(self, t: float | None) -> None:
         self.canvas.drawing.set_scrub(t)
-        self.basis_panel.set_scrub(t)
+        self.basis_panel.drawing.set_scrub(t)
         self.status_line.show_scrub(t)
         self._commands.follow_scrub(t)
 

@@ -209,7 +209,7 @@ class LaboratoryCommands(Guarded, QObject):
 
     def _show(self) -> None:
         busy, trial = self._task.is_busy, self._trial
-        basis = self._context.central.basis_panel.basis
+        basis = self._context.central.basis_panel.drawing.basis
         if self._panel is not None:
             lebesgue = growth_of_data(self._session.active_view, basis) if basis is not None else None
             self._panel.render_trial(trial, lebesgue, busy=busy, problem=self._problem)

@@ -139,11 +139,6 @@ class DragMachine:
         """Whether a gesture is in flight."""
         return self._press is not None
 
-    @property
-    def is_moving(self) -> bool:
-        """Whether the gesture in flight has become a drag."""
-        return self._press is not None and self._press.moving
-
     def press(self, pointer: Pointer, drag: Drag | None, on_click: Callable[[], None] | None = None) -> None:
         """Begin: `drag` takes over past the threshold, `on_click` is called if there is no drag."""
         self._press = _Press(pointer.pixel, drag, on_click, moving=False)
