@@ -9,6 +9,7 @@ import msgspec
 import numpy as np
 from PySide6.QtGui import QImage
 
+from app import canvas
 from app.canvas.annotations import Annotations
 from app.canvas.corner_layer import CornerLayer
 from app.canvas.curve_layer import CurveLayer
@@ -153,9 +154,8 @@ class CanvasScene:
         """Show dots that run, and the curves that some of them run along."""
         if self._motion is None:
             # Made when something runs: nobody waits for it at the start.
-            from app.canvas.motion_layer import MotionLayer  # noqa: PLC0415
 
-            self._motion = MotionLayer(self._plot)
+            self._motion = canvas.motion_layer.MotionLayer(self._plot)
         had_dots = bool(self.dots)
         self._motion.render(dots, lines)
         if bool(dots) != had_dots:
