@@ -4,7 +4,7 @@
 - ``families``: those of files that were named.  ``commands``: render, convert, info and lesson; ``options``:
   what they take.
 - ``start``: the editor's start.  ``windows``: its first windows.  ``application``: Qt's application.
-- ``display``: whether there is a screen for them.
+  ``lifecycle``: what surrounds them until the end.  ``display``: whether there is a screen for them.
 """
 
 import lazy_loader as lazy

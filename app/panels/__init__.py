@@ -22,8 +22,8 @@ In docks:
 
 Words and dialogs:
 
-- ``status_line``, ``job_bar``, ``teaching_badge``: at the foot.  ``message_bar``, ``file_bar``,
-  ``recovery_bar``: over the canvas.
+- ``status_line``, ``job_bar``, ``teaching_badge``: at the foot.  ``message_bar``: over
+  the canvas.
 - ``command_palette``, ``fuzzy``: type what you want.  ``shortcut_sheet``, ``shortcut_editor``: keys.
 - ``preferences_dialog``, ``motion_dialog``, ``crash_dialog``.  ``export_dialog``, ``export_form``: export.
 - ``import_drawing_dialog``, ``import_table_dialog``, ``table_preview``, ``role_header``,
@@ -31,8 +31,9 @@ Words and dialogs:
 
 Small parts:
 
+- ``action_switch``: buttons that show an action.
 - ``field_edit``, ``live_slider``, ``setting_slider``, ``elided_label``, ``thumbnail``,
-  ``form_parts``, ``fitting``, ``told_spin``, ``work_dialog``, ``choice_style``.
+  ``form_parts``, ``tool_buttons``, ``fitting``, ``told_spin``, ``work_dialog``, ``choice_style``.
 - ``number_text``, ``words``: numbers and the names of rules, as panels write them.
 """
 

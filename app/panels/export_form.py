@@ -235,7 +235,7 @@ class ExportForm(QWidget):
         try:
             tolerance = _tolerance_of(text)
         except ExpressionError:
-            self.tolerance_edit.keep(text)
+            self.tolerance_edit.keep()
             return
         self._shown = replace(self._shown, tolerance=tolerance)
         self.tolerance_edit.show_text(_tolerance_text(tolerance))

@@ -20,7 +20,7 @@ SIGNS = {
     Kind.CORNER: "▲",
     Kind.BREAK: "✕",
 }
-"""What stands before a joint, so that colour is not all that tells joints apart."""
+"""Mark before a joint, so that colour is not all that tells joints apart."""
 
 COLUMNS = ("Joint", "Class", "c", "c′", "c″", "∠", "κ")
 _TIPS = (

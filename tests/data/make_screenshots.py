@@ -16,7 +16,7 @@ from msgspec.structs import replace
 from PySide6.QtWidgets import QApplication
 
 from app.families import HERMITE
-from app.preferences import Preferences
+from app.settings.preferences import Preferences
 from app.testing import Editor
 from app.theme import ThemeMode
 
@@ -42,7 +42,7 @@ def main() -> None:
             preferences = Preferences(Path(folder) / "settings.ini")
             editor = Editor(Bot(), preferences=preferences, size=(1280, 860))
             picture(app, editor)
-            editor.session.give_up_changes()
+            editor.session.files.give_up_changes()
             editor.window.close()
 
 

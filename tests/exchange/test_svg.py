@@ -19,7 +19,7 @@ from app.exchange import DARK, INK, LIGHT, ExchangeError, svg_of
 from app.exchange.drawing import RELATIVE_TOLERANCE
 from app.families import HERMITE
 from app.view_model.curve_view import view_of
-from curvecore.bezier import bezier_segments, cubic_path
+from curvecore.bezier.control_points import bezier_segments, cubic_path
 
 SVG = "{http://www.w3.org/2000/svg}"
 

@@ -24,7 +24,7 @@ from PySide6.QtCore import QCoreApplication, QEvent, QObject, QSettings
 from PySide6.QtWidgets import QApplication, QDockWidget, QMenu, QWidget
 
 from app.commands.motion_commands import MotionCommands
-from app.commands.recovery_commands import RecoveryCommands
+from app.features.recovery.commands import RecoveryCommands
 from app.panels.command_palette import CommandPalette
 from app.panels.late_dock import LateDock
 from app.panels.plot_panel import USUAL_HEIGHT
@@ -101,9 +101,9 @@ class KeptEditor:
         self._curtain.close()
         self._put_away()
         # Before the actions: what they do to some other document may take long.
-        session.clock = time.monotonic
+        session.history.clock = time.monotonic
         # With what was computed for it before.
-        session._replace(self._sketch, None, views=self._views)
+        session.files.replace(self._sketch, None, views=self._views)
         fading = window.canvas.drawing.curve._fade
         fading.setCurrentTime(fading.duration())
         self._reset_actions()
@@ -271,6 +271,7 @@ def open_everything(editor: Editor) -> None:
         dock.close()
     for menu in window.menuBar().findChildren(QMenu):
         menu.aboutToShow.emit()
-    for name in ("playMotion", "plotCurvature"):
+    # An overlay has a legend; whether what is computed beside the window is in time to have one is luck.
+    for name in ("playMotion", "plotCurvature", "overlayVelocities"):
         editor.trigger(name)
         editor.trigger({"playMotion": "stopMotion"}.get(name, name))

@@ -13,13 +13,14 @@ from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QAbstractButton, QLabel, QMessageBox, QPushButton, QToolButton
 
-from app.autosave import DELAY_MS, Autosave, snapshot_folder, state_folder
 from app.document.edits import move_nodes, set_position
 from app.document.model import Document, make_curve
 from app.families import HERMITE
-from app.panels.recovery_bar import RecoveryBar, age_in_words
-from app.preferences import Preferences
-from app.session import Session
+from app.features.recovery.autosave import DELAY_MS, Autosave, snapshot_folder, state_folder
+from app.features.recovery.bar import RecoveryBar
+from app.features.recovery.offers import age_in_words
+from app.session import MessageKind, Session
+from app.settings.preferences import Preferences
 from app.storage.files import load, save
 from app.storage.format import encode
 from app.storage.recovery import SUFFIX, Origin, SnapshotFile, list_snapshots
@@ -39,7 +40,7 @@ def kept(editor, qtbot):
 
     def open_beside(document, path):
         session = Session()
-        session.restore(document, path)
+        session.files.restore(document, path)
         other = Editor(qtbot, session, size=(800, 600))
         opened.append(other)
         other.autosave = Autosave(session, snapshot_folder())
@@ -180,7 +181,7 @@ def test_what_is_saved_given_up_or_undone_is_not_kept(kept, qtbot, tmp_path, mon
 
 def test_what_another_program_has_emptied_is_kept(kept, qtbot, tmp_path, monkeypatch):
     """There was no snapshot: to the program nothing was unsaved."""
-    monkeypatch.setattr("app.commands.disk_commands._LOOKS", 1)
+    monkeypatch.setattr("app.features.file_on_disk.commands._LOOKS", 1)
     path = tmp_path / "mine.curve.json"
     kept.session.save(path)
     path.write_bytes(b"")
@@ -199,7 +200,7 @@ def test_the_snapshot_says_which_file_and_that_it_changed(kept, qtbot, tmp_path)
     (snapshot_folder() / "copy").mkdir()
     (snapshot_folder() / "copy" / files()[0].name).write_bytes(record)
     (snapshot,) = list_snapshots(snapshot_folder() / "copy").snapshots
-    assert snapshot.origin == Origin(path, kept.session.file.stamp)
+    assert snapshot.origin == Origin(path, kept.session.files.file.stamp)
     assert snapshot.origin.is_unchanged
 
 
@@ -238,7 +239,9 @@ def test_a_folder_that_cannot_be_made_is_said_once_and_editing_goes_on(kept, qtb
     state_folder().parent.mkdir(parents=True, exist_ok=True)
     state_folder().write_text("in the way")
     sentences = []
-    kept.session.refused.connect(sentences.append)
+    kept.session.message.connect(
+        lambda message: sentences.append(message.text) if message.kind is MessageKind.REFUSED else None
+    )
     for place in ((2.0, 3.0), (1.0, 3.0)):
         move_point(kept, place)
         wait_until_idle(kept, qtbot)
@@ -270,7 +273,9 @@ def test_a_full_disk_keeps_the_old_snapshot_and_is_said(kept, qtbot):
     qtbot.waitUntil(is_kept, timeout=WAIT_MS)
     before = document_kept()
     sentences = []
-    kept.session.refused.connect(sentences.append)
+    kept.session.message.connect(
+        lambda message: sentences.append(message.text) if message.kind is MessageKind.REFUSED else None
+    )
     limits = resource.getrlimit(resource.RLIMIT_FSIZE)
     resource.setrlimit(resource.RLIMIT_FSIZE, (10_000, limits[1]))
     try:
@@ -335,7 +340,7 @@ def test_restored_into_a_window_that_has_its_file_open_it_can_be_saved(kept, tmp
     kept.window.offer_unsaved_work()
     press(kept, "restoreWork0")
     assert kept.session.document == SKETCH
-    assert not kept.session.is_read_only
+    assert not kept.session.files.is_read_only
     assert kept.file_message == ""
     kept.trigger("saveDocument")
     assert load(path) == SKETCH

@@ -10,8 +10,8 @@ from PySide6.QtGui import QDragEnterEvent, QDragLeaveEvent, QDragMoveEvent, QDro
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QDialog, QFileDialog, QLineEdit, QPushButton
 
+from app.cli.lifecycle import Lifecycle
 from app.document.model import Document, make_curve
-from app.lifecycle import Lifecycle
 from app.main_window import MainWindow
 from app.storage.files import save
 
@@ -300,7 +300,7 @@ def test_the_rest_of_a_drop_is_skipped_or_given_up_with_its_document(editor, tmp
     press(editor, dialog, "importTable")  # its new document is where the others go, too
     press(editor, only_dialog(editor), "importTable")
     assert [curve.name for curve in editor.session.document.curves] == ["a", "b"]
-    editor.session.give_up_changes()
+    editor.session.files.give_up_changes()
 
 
 def test_several_files_chosen_to_be_imported_come_as_those_of_a_drop(editor, tmp_path):

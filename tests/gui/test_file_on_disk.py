@@ -17,12 +17,12 @@ from PySide6.QtCore import QEvent, QFileSystemWatcher, Qt, QTimer
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QFileDialog, QMessageBox, QToolButton
 
-from app.commands.disk_commands import DiskCommands
-from app.commands.disk_notices import Standing, about_lock
-from app.disk_watch import DiskWatch
 from app.document.edits import move_nodes, set_position
 from app.document.model import Document, make_curve
-from app.panels.file_bar import FileBar
+from app.features.file_on_disk.bar import FileBar
+from app.features.file_on_disk.commands import DiskCommands
+from app.features.file_on_disk.notices import Standing, about_lock
+from app.features.file_on_disk.watch import DiskWatch
 from app.session import Session
 from app.storage import files
 from app.storage.files import ChangedOnDiskError, StorageError, load, save
@@ -54,7 +54,7 @@ def saved(editor, path):
 @pytest.fixture(autouse=True)
 def look_soon(monkeypatch):
     """Have what watches files look soon after a sign: how long it waits for others is not the question."""
-    monkeypatch.setattr("app.disk_watch._SETTLE_MS", SOON_MS)
+    monkeypatch.setattr("app.features.file_on_disk.watch._SETTLE_MS", SOON_MS)
     changed = {}
 
     def look_soon():
@@ -337,8 +337,8 @@ def test_closing_asks_about_a_document_that_is_in_its_file_no_longer(saved, path
 
 
 def test_a_file_that_is_whole_again_is_nobodys_loss(saved, path, until, monkeypatch):
-    monkeypatch.setattr("app.commands.disk_commands._LOOKS", 1)
-    monkeypatch.setattr("app.commands.disk_commands._AGAIN_MS", SOON_MS)
+    monkeypatch.setattr("app.features.file_on_disk.commands._LOOKS", 1)
+    monkeypatch.setattr("app.features.file_on_disk.commands._AGAIN_MS", SOON_MS)
     content = path.read_bytes()
     path.write_bytes(b"")
     until(lambda: saved.session.is_modified)
@@ -368,8 +368,8 @@ def test_half_a_file_is_waited_for(saved, path, until):
 
 
 def test_a_file_that_stays_broken_is_said(saved, path, until, monkeypatch):
-    monkeypatch.setattr("app.commands.disk_commands._LOOKS", 2)
-    monkeypatch.setattr("app.commands.disk_commands._AGAIN_MS", SOON_MS)
+    monkeypatch.setattr("app.features.file_on_disk.commands._LOOKS", 2)
+    monkeypatch.setattr("app.features.file_on_disk.commands._AGAIN_MS", SOON_MS)
     mine = saved.session.document
     path.write_bytes(b"not ours")
     until(lambda: saved.file_message)
@@ -381,8 +381,8 @@ def test_a_file_that_stays_broken_is_said(saved, path, until, monkeypatch):
 
 
 def test_a_file_that_is_gone_leaves_a_modified_document(saved, path, until, monkeypatch):
-    monkeypatch.setattr("app.commands.disk_commands._LOOKS", 2)
-    monkeypatch.setattr("app.commands.disk_commands._AGAIN_MS", SOON_MS)
+    monkeypatch.setattr("app.features.file_on_disk.commands._LOOKS", 2)
+    monkeypatch.setattr("app.features.file_on_disk.commands._AGAIN_MS", SOON_MS)
     path.rename(path.with_name("elsewhere"))
     until(lambda: saved.file_message)
     assert "is gone from its folder" in saved.file_message
@@ -395,8 +395,8 @@ def test_a_file_that_is_gone_leaves_a_modified_document(saved, path, until, monk
 
 @pytest.mark.parametrize("tries_to_save", [False, True])
 def test_a_file_that_was_changed_and_is_then_deleted_is_gone(saved, path, until, monkeypatch, tries_to_save):
-    monkeypatch.setattr("app.commands.disk_commands._LOOKS", 2)
-    monkeypatch.setattr("app.commands.disk_commands._AGAIN_MS", SOON_MS)
+    monkeypatch.setattr("app.features.file_on_disk.commands._LOOKS", 2)
+    monkeypatch.setattr("app.features.file_on_disk.commands._AGAIN_MS", SOON_MS)
     mine = edit(saved)
     save(path, THEIRS)
     until(lambda: saved.file_message)
@@ -491,7 +491,7 @@ def foreign_lock(path, *, user="Ada", since=None):
 
 def test_a_second_window_opens_read_only(saved, path, qtbot):
     second = second_window(qtbot, path)
-    assert second.session.is_read_only
+    assert second.session.files.is_read_only
     assert second.window.windowTitle() == "drawing.curve.json[*] (read-only) – Curvebench"
     assert second.file_message.startswith("You have this open in another window, since ")
     assert second.file_message.endswith("; opened read-only.")
@@ -516,7 +516,7 @@ def test_read_only_can_be_edited_and_saved_elsewhere(saved, path, qtbot, tmp_pat
     assert names == ["drawing copy.curve.json"]
     assert load(tmp_path / "copy.curve.json") == changed
     assert load(path) == kept
-    assert not second.session.is_read_only
+    assert not second.session.files.is_read_only
     assert "(read-only)" not in second.window.windowTitle()
     assert second.file_message == ""
 
@@ -536,7 +536,7 @@ def test_the_reader_is_told_when_the_owner_closes(saved, path, qtbot, until):
 
 def test_an_owner_who_crashed_is_noticed(editor, path, until, monkeypatch):
     """A process that is killed removes no lock, so nothing tells; the reader looks from time to time."""
-    monkeypatch.setattr("app.commands.disk_commands._OWNER_MS", 50)
+    monkeypatch.setattr("app.features.file_on_disk.commands._OWNER_MS", 50)
     save(path, THEIRS)
     code = "import sys; from pathlib import Path; from app.storage.lock import acquire, lock_place\n"
     code += "kept = acquire(lock_place(Path(sys.argv[1]))); print(1, flush=True); sys.stdin.read()"
@@ -554,7 +554,7 @@ def test_an_owner_who_crashed_is_noticed(editor, path, until, monkeypatch):
     owner.communicate()
     until(lambda: "is free again" in editor.file_message)
     editor.answer_file_message("takeOver")
-    assert not editor.session.is_read_only
+    assert not editor.session.files.is_read_only
 
 
 def test_two_windows_of_one_start(qtbot, path):
@@ -564,7 +564,7 @@ def test_two_windows_of_one_start(qtbot, path):
     for session in sessions:
         session.open(path)
     editors = [Editor(qtbot, session) for session in sessions]
-    assert [each.session.is_read_only for each in editors] == [False, True]
+    assert [each.session.files.is_read_only for each in editors] == [False, True]
     assert "opened read-only" in editors[1].file_message
 
 
@@ -575,7 +575,7 @@ def test_the_reader_is_told_when_the_owner_saves(saved, path, qtbot, until):
     until(lambda: "You saved changes to “drawing.curve.json” in another" in second.file_message)
     second.answer_file_message("reloadFile")
     assert second.session.document == document
-    assert second.session.is_read_only
+    assert second.session.files.is_read_only
 
 
 def test_taken_over_after_the_owner_saved_nothing_is_lost(saved, path, qtbot, until):
@@ -601,12 +601,12 @@ def test_taking_over_asks_once_and_the_other_is_told(saved, path, qtbot, until):
     changed = edit(second)
     second.answer_file_message("takeOver")
     assert "may still be editing" in second.file_message
-    assert second.session.is_read_only
+    assert second.session.files.is_read_only
     QTest.mouseClick(second.window.findChild(QToolButton, "closeFileBar"), Qt.MouseButton.LeftButton)
-    assert second.session.is_read_only
+    assert second.session.files.is_read_only
     second.answer_file_message("takeOver")
     second.answer_file_message("editAnyway")
-    assert not second.session.is_read_only
+    assert not second.session.files.is_read_only
     until(lambda: "taken “drawing.curve.json” over" in saved.file_message)
     assert saved.window.windowTitle().endswith("[*] (read-only) – Curvebench")
     second.trigger("saveDocument")
@@ -621,7 +621,7 @@ def test_one_who_has_forgotten_it_is_not_asked(editor, path):
     editor.window.open_file(path)
     assert editor.file_message.endswith("opened read-only. Perhaps Ada forgot it.")
     editor.answer_file_message("takeOver")
-    assert not editor.session.is_read_only
+    assert not editor.session.files.is_read_only
 
 
 def test_save_as_onto_a_document_that_is_open_elsewhere(saved, path, qtbot, tmp_path):
@@ -672,7 +672,7 @@ def test_a_lock_that_cannot_be_made_is_said_once(editor, path, monkeypatch):
     monkeypatch.setattr("app.storage.lock._create", fail)
     editor.window.open_file(path)
     assert editor.status.startswith("Others cannot see that drawing.curve.json is open here")
-    assert not editor.session.is_read_only
+    assert not editor.session.files.is_read_only
     edit(editor)
     editor.trigger("saveDocument")
     assert load(path) == editor.session.document
@@ -760,7 +760,7 @@ def test_a_newer_version_on_the_disk_is_never_replaced(saved, path):
     assert saved.session.is_modified
     other = path.with_name("newer.curve.json")
     other.write_bytes(newer)
-    saved.session.give_up_changes()
+    saved.session.files.give_up_changes()
     saved.window.open_file(other)
     assert "newer.curve.json was not opened: it was written by a newer version" in saved.message
     assert saved.session.document is document
@@ -832,4 +832,4 @@ def test_a_session_alone_refuses_too(tmp_path, qapp):
         second.save()
     first.new()
     second.save()
-    second.file.close()
+    second.files.file.close()

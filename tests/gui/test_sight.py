@@ -13,8 +13,8 @@ from PySide6.QtWidgets import QApplication, QToolButton
 from app.document.model import Document, make_curve
 from app.families import HERMITE
 from app.main_window import MainWindow
-from app.preferences import Preferences
 from app.session import Session
+from app.settings.preferences import Preferences
 from app.testing import wait_for_rest
 
 
@@ -171,7 +171,7 @@ def test_the_panel_of_the_picture_does_not_come_back_with_the_layout(qtbot, pict
         first.show()
     first.add_image(picture)
     assert first.image_dock.isVisible()
-    first.session.give_up_changes()
+    first.session.files.give_up_changes()
     first.close()
     second = MainWindow(Session(), Preferences(preferences))
     qtbot.addWidget(second)

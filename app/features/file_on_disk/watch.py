@@ -1,0 +1,87 @@
+"""Notices when a file, or what lies beside it, may have changed."""
+
+from __future__ import annotations
+
+import os
+from pathlib import Path
+
+from PySide6.QtCore import QEvent, QFileSystemWatcher, QObject, QTimer, Signal
+from PySide6.QtWidgets import QWidget
+
+from app.overrides import Guarded
+
+_SETTLE_MS = 100
+"""Milliseconds after the first sign: one writing of a file gives many."""
+
+
+class DiskWatch(Guarded, QObject):
+    """Watches one file and its folder.
+
+    The folder too, because a file that is replaced by another one of its name is watched no longer, and
+    because locks come and go there. Some file systems of a network tell nothing: a look is due also whenever
+    the window comes to the front, and `look_every` asks for one regularly.
+
+    Signals
+    -------
+    stirred
+        Something may have changed; it is worth a look.
+    """
+
+    stirred = Signal()
+
+    def __init__(self, window: QWidget) -> None:
+        super().__init__(window)
+        self._path: Path | None = None
+        self._watcher: QFileSystemWatcher | None = None
+        self._soon = QTimer(self, singleShot=True, interval=_SETTLE_MS)
+        self._soon.timeout.connect(self._stir)
+        self._regularly = QTimer(self)
+        self._regularly.timeout.connect(self.stirred)
+        window.installEventFilter(self)
+
+    def watch(self, path: Path | None) -> None:
+        """Watch the file at `path` instead of the one before; None: nothing."""
+        self._path = path
+        if self._watcher is not None:
+            for known in (*self._watcher.files(), *self._watcher.directories()):
+                self._watcher.removePath(known)
+        self._soon.stop()
+        self._add()
+
+    def look_every(self, milliseconds: int) -> None:
+        """Ask for a look at this interval; 0: only when there is a sign."""
+        if milliseconds == 0:
+            self._regularly.stop()
+        elif not self._regularly.isActive():
+            self._regularly.start(milliseconds)
+
+    def _add(self) -> None:
+        """Watch what is there of the file and its folder."""
+        if self._path is None:
+            return
+        watcher = self._watcher or self._make_watcher()
+        known = {*watcher.files(), *watcher.directories()}
+        # The file itself where the path is a link: the link's folder does not change with it.
+        real = Path(os.path.realpath(self._path))
+        for each in {self._path.absolute().parent, real.parent, real}:
+            if str(each) not in known and each.exists():
+                watcher.addPath(str(each))
+
+    def _make_watcher(self) -> QFileSystemWatcher:
+        self._watcher = QFileSystemWatcher(self)
+        self._watcher.fileChanged.connect(self._wait)
+        self._watcher.directoryChanged.connect(self._wait)
+        return self._watcher
+
+    def _wait(self, _path: str) -> None:
+        if not self._soon.isActive():
+            self._soon.start()
+
+    def _stir(self) -> None:
+        self._add()
+        self.stirred.emit()
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        if event.type() == QEvent.Type.WindowActivate and self._path is not None:
+            self._wait("")
+        return super().eventFilter(watched, event)

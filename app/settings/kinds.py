@@ -1,0 +1,235 @@
+"""The kinds of settings: how the text in the file of settings becomes a value, and is made from one.
+
+A setting is an attribute of a class that has a `SettingsFile`::
+
+    class Preferences:
+        snap_on = Switch("snap/on", default=False)
+
+Reading it never raises because of what is in the file: a value that cannot be used is complained about, and
+the default counts.
+"""
+
+from __future__ import annotations
+
+import json
+import math
+from abc import ABC, abstractmethod
+from collections.abc import Collection, Mapping
+from enum import Enum
+from pathlib import Path
+from typing import Final, Generic, Protocol, TypeVar, overload
+
+from PySide6.QtCore import QByteArray
+
+from app.settings.file import SettingsFile
+
+Value = TypeVar("Value")
+Member = TypeVar("Member", bound=Enum)
+
+_SWITCHES: Final = ("off", "on")
+_LEAST_SPACING, _GREATEST_SPACING = 1e-9, 1e9
+
+
+class Remembering(Protocol):
+    """What can have settings."""
+
+    @property
+    def file(self) -> SettingsFile:
+        """Where they are kept."""
+
+
+class _UnusableError(ValueError):
+    """A text that is no value of a setting; its message says why."""
+
+
+class Setting(ABC, Generic[Value]):
+    """One setting, kept under `key`."""
+
+    def __init__(self, key: str) -> None:
+        self.key = key
+
+    @overload
+    def __get__(self, owner: None, kind: type) -> Setting[Value]: ...
+    @overload
+    def __get__(self, owner: Remembering, kind: type) -> Value: ...
+    def __get__(self, owner: Remembering | None, kind: type) -> Setting[Value] | Value:
+        return self if owner is None else self._read(owner.file)
+
+    def __set__(self, owner: Remembering, value: Value) -> None:
+        owner.file.write(self.key, self._stored(value))
+
+    @abstractmethod
+    def _read(self, file: SettingsFile) -> Value:
+        """Return what the file holds, or the default."""
+
+    def _stored(self, value: Value) -> object:
+        """Return what the file shall hold."""
+        return value
+
+
+class TextSetting(Setting[Value]):
+    """A setting that is a text in the file; an empty one counts as none."""
+
+    def __init__(self, key: str, default: Value) -> None:
+        super().__init__(key)
+        self.default = default
+
+    def _read(self, file: SettingsFile) -> Value:
+        text = file.text(self.key)
+        if not text:
+            return self.default
+        try:
+            return self._parse(text)
+        except _UnusableError as reason:
+            file.complain(self.key, str(reason))
+            return self.default
+
+    @abstractmethod
+    def _parse(self, text: str) -> Value:
+        """Return the value of a text, or raise `_UnusableError`."""
+
+
+class Choice(TextSetting[Member]):
+    """One member of an enumeration whose values are words."""
+
+    def _parse(self, text: str) -> Member:
+        kind = type(self.default)
+        try:
+            return kind(text)
+        except ValueError:
+            *words, last = (member.value for member in kind)
+            raise _UnusableError(f"“{text}” is none of {', '.join(words)} and {last}") from None
+
+    def _stored(self, value: Member) -> object:
+        return value.value
+
+
+class Switch(TextSetting[bool]):
+    """On or off."""
+
+    def __init__(self, key: str, *, default: bool) -> None:
+        super().__init__(key, default)
+
+    def _parse(self, text: str) -> bool:
+        if text not in _SWITCHES:
+            raise _UnusableError(f"“{text}” is neither on nor off")
+        return text == "on"
+
+    def _stored(self, value: bool) -> object:
+        return _SWITCHES[value]
+
+
+class Height(TextSetting[int]):
+    """Pixels; 0 when nothing is remembered."""
+
+    def __init__(self, key: str) -> None:
+        super().__init__(key, 0)
+
+    def _parse(self, text: str) -> int:
+        if not (text.isdecimal() and len(text) < 6):
+            raise _UnusableError(f"“{text}” is no height")
+        return int(text)
+
+    def _stored(self, value: int) -> object:
+        return str(value)
+
+
+class Distance(TextSetting[float]):
+    """Units of the plane; 0 for none."""
+
+    def __init__(self, key: str) -> None:
+        super().__init__(key, 0.0)
+
+    def _parse(self, text: str) -> float:
+        try:
+            distance = float(text)
+        except ValueError:
+            distance = math.nan
+        if distance == 0 or _LEAST_SPACING <= distance <= _GREATEST_SPACING:
+            return distance
+        raise _UnusableError(f"“{text}” is no distance")
+
+    def _stored(self, value: float) -> object:
+        return repr(float(value))
+
+
+class Text(TextSetting[str]):
+    """Any text; of one that was made longer in the file, the beginning."""
+
+    def __init__(self, key: str, *, longest: int | None = None) -> None:
+        super().__init__(key, "")
+        self.longest = longest
+
+    def _parse(self, text: str) -> str:
+        return text[: self.longest]
+
+
+class Keys(Setting[dict[str, str]]):
+    """Keys of the keyboard by the names of actions."""
+
+    def _read(self, file: SettingsFile) -> dict[str, str]:
+        try:
+            found = json.loads(file.text(self.key) or "{}")
+        except ValueError:
+            found = None
+        if isinstance(found, dict) and all(isinstance(keys, str) for keys in found.values()):
+            return found
+        file.complain(self.key, "they are not a list of keys")
+        return {}
+
+    def __set__(self, owner: Remembering, value: Mapping[str, str]) -> None:
+        super().__set__(owner, dict(value))
+
+    def _stored(self, value: dict[str, str]) -> object:
+        return json.dumps(value, sort_keys=True)
+
+
+class Several(Setting[frozenset[Member]]):
+    """Some members of an enumeration whose values are words; all of them when nothing is remembered."""
+
+    def __init__(self, key: str, kind: type[Member]) -> None:
+        super().__init__(key)
+        self.kind = kind
+
+    def _read(self, file: SettingsFile) -> frozenset[Member]:
+        stored = file.value(self.key)
+        if stored is None:
+            return frozenset(self.kind)
+        try:
+            return frozenset(self.kind(word) for word in str(stored).split())
+        except ValueError:
+            words = ", ".join(member.value for member in self.kind)
+            file.complain(self.key, f"“{stored}” names something else than {words}")
+            return frozenset(self.kind)
+
+    def __set__(self, owner: Remembering, value: Collection[Member]) -> None:
+        super().__set__(owner, frozenset(value))
+
+    def _stored(self, value: frozenset[Member]) -> object:
+        return " ".join(member.value for member in self.kind if member in value)
+
+
+class Layout(Setting[QByteArray]):
+    """What Qt saved of a window; empty when nothing is remembered."""
+
+    def _read(self, file: SettingsFile) -> QByteArray:
+        return file.layout(self.key)
+
+
+class Folder(Setting[Path]):
+    """A folder; the home folder when nothing is remembered, or it is no longer there."""
+
+    def _read(self, file: SettingsFile) -> Path:
+        stored = file.text(self.key)
+        folder = Path(stored) if stored else Path.home()
+        return folder if _is_folder(folder) else Path.home()
+
+    def _stored(self, value: Path) -> object:
+        return str(value.absolute())
+
+
+def _is_folder(path: Path) -> bool:
+    try:
+        return path.is_dir()
+    except (OSError, ValueError):  # a drive that is gone, a name with a NUL in it
+        return False

@@ -1,0 +1,128 @@
+"""What the editor remembers from one start to the next, outside any document."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Final
+
+from PySide6.QtCore import QSettings
+
+from app.settings.file import SettingsFile
+from app.settings.kinds import Choice, Distance, Folder, Height, Keys, Layout, Several, Switch, Text
+from app.theme import ThemeMode
+from app.tools.snapping import SnapKind
+
+_MAX_RECENT: Final = 10
+_RECENT: Final = "files/recent"
+
+LONGEST_UNIT: Final = 12
+"""Letters that the name of a unit may have."""
+
+
+class Preferences:
+    """
+    The person's settings, typed, over an ini file in the user's configuration folder.
+
+    A value that cannot be read counts as not set; nothing here raises because of what is in the
+    file, for a broken preference must never keep the editor from opening.
+
+    Parameters
+    ----------
+    store : pathlib.Path or QSettings, optional
+        Where to keep them, for tests and portable use; the user's own place by default.
+
+    Attributes
+    ----------
+    file : SettingsFile
+        Where they are kept.
+    """
+
+    theme_mode = Choice("theme", ThemeMode.SYSTEM)
+    """Light, dark, or as the system has it."""
+
+    window_geometry = Layout("window/geometry")
+    """What ``QWidget.saveGeometry`` gave."""
+
+    window_state = Layout("window/state")
+    """What ``QMainWindow.saveState`` gave."""
+
+    splitter_state = Layout("window/splitter")
+    """What ``QSplitter.saveState`` gave."""
+
+    plot_height = Height("window/plots")
+    """How high the plots below the basis functions are."""
+
+    snap_on = Switch("snap/on", default=False)
+    """Whether dragged and added points snap."""
+
+    snap_kinds = Several("snap/kinds", SnapKind)
+    """What they snap to."""
+
+    grid_spacing = Distance("grid/spacing")
+    """Distance of the grid's lines; 0 where it adapts to the zoom."""
+
+    unit_name = Text("grid/unit", longest=LONGEST_UNIT)
+    """The name of the unit of the plane, such as "mm"; empty for none."""
+
+    transform_box = Switch("view/transform_box", default=True)
+    """Whether two or more selected points get a box with grips."""
+
+    with_estimates = Switch("basis/with_estimates", default=False)
+    """Whether the basis panel shows what each point does with its estimates, not the family's functions."""
+
+    shortcuts = Keys("shortcuts")
+    """The keys that differ from the defaults, by the action's name."""
+
+    export_choice = Text("export/choice")
+    """The options of the last export, as JSON; what cannot be used counts as none."""
+
+    last_folder = Folder("files/folder")
+    """Where a file dialog starts: the folder last used, or the home folder."""
+
+    def __init__(self, store: Path | QSettings | None = None) -> None:
+        self.file = SettingsFile(store)
+
+    @property
+    def complaint(self) -> str:
+        """What was wrong with the stored values, in one sentence; empty when nothing was."""
+        return self.file.complaint
+
+    def refuse(self, key: str, reason: str) -> None:
+        """Say that the value of `key` could be read but not used."""
+        self.file.complain(key, reason)
+
+    @property
+    def recent_files(self) -> list[Path]:
+        """At most ten files, the latest first; those that are no longer there are left out."""
+        return [path for path in self._recent() if _is_file(path)]
+
+    def add_recent_file(self, path: Path) -> None:
+        """Put a file at the head of the recent ones."""
+        path = path.absolute()
+        others = [other for other in self._recent() if other != path]
+        self._set_recent([path, *others])
+
+    def clear_recent_files(self) -> None:
+        """Forget the recent files."""
+        self._set_recent([])
+
+    def _recent(self) -> list[Path]:
+        stored = self.file.value(_RECENT)
+        if stored is None or stored == "":
+            return []
+        # The ini format stores a list of one string as that string.
+        names = [stored] if isinstance(stored, str) else stored
+        if not isinstance(names, list) or not all(isinstance(name, str) and name for name in names):
+            self.file.complain(_RECENT, "it is not a list of file names")
+            return []
+        return [Path(name) for name in names][:_MAX_RECENT]
+
+    def _set_recent(self, paths: list[Path]) -> None:
+        self.file.write(_RECENT, [str(path) for path in paths[:_MAX_RECENT]])
+
+
+def _is_file(path: Path) -> bool:
+    try:
+        return path.is_file()
+    except (OSError, ValueError):  # a drive that is gone, a name with a NUL in it
+        return False

@@ -1,0 +1,241 @@
+"""Pairs of arcs of a plane curve that may meet: the search behind `self_intersections`.
+
+Pairs whose boxes are apart, along the axes or along either chord, are
+dropped; the rest are halved until both arcs are straight within a part of the
+tolerance. An arc whose directions lie in an open half plane does not meet
+itself, and two such neighbours, taken together, meet at their common end
+only; these are dropped as well [1]_.
+
+Boxes along the chord are as thin as the arc is straight: windings of a spiral,
+side by side, come apart at once [2]_. For the same reason arcs that touch need
+not be halved down to the tolerance, only to its square root.
+
+References
+----------
+.. [1] T. W. Sederberg and R. J. Meyers, "Loop detection in surface patch
+   intersections", Computer Aided Geometric Design 5 (1988) 161-171; for a
+   curve with itself: D. Lasser, "Calculating the self-intersections of
+   Bezier curves", Computers in Industry 12 (1989) 259-268.
+.. [2] T. W. Sederberg and T. Nishita, "Curve intersection using Bezier
+   clipping", Computer-Aided Design 22 (1990) 538-549, section 3: fat lines.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+from curvecore.arrays import BoolArray, FloatArray, IntArray
+from curvecore.bezier.bernstein_algebra import derivative, subdivided
+from curvecore.vectors import vector_lengths
+
+__all__ = ["Arcs", "Pairs", "close_pairs", "simple_arcs"]
+
+_ROUNDS = 48
+_ARCS = 1 << 11
+_PAIRS = 1 << 14  # at a time; where a curve runs along itself, no number is enough
+_WORK = 1 << 17  # pairs in all
+_AT_ONCE = 1 << 13  # pairs tested together
+_STRAIGHT = 1 / 8  # of the tolerance
+
+
+class Arcs(NamedTuple):
+    """Stretches of a curve as Bezier arcs.
+
+    Attributes
+    ----------
+    controls : ndarray, shape (k, degree + 1, 2)
+        Control points.
+    start, end : ndarray, shape (k,)
+        In t.
+    """
+
+    controls: FloatArray
+    start: FloatArray
+    end: FloatArray
+
+    def taken(self, chosen: BoolArray | IntArray) -> Arcs:
+        """Return some of the arcs."""
+        return Arcs(self.controls[chosen], self.start[chosen], self.end[chosen])
+
+    def halved(self) -> Arcs:
+        """Return both halves of every arc, one after the other."""
+        middle = 0.5 * self.start + 0.5 * self.end
+        return Arcs(
+            subdivided(self.controls),
+            np.stack((self.start, middle), axis=1).ravel(),
+            np.stack((middle, self.end), axis=1).ravel(),
+        )
+
+
+class Pairs(NamedTuple):
+    """Pairs of arcs; the first comes first in t."""
+
+    first: Arcs
+    second: Arcs
+
+    def taken(self, chosen: BoolArray | IntArray) -> Pairs:
+        """Return some of the pairs."""
+        return Pairs(self.first.taken(chosen), self.second.taken(chosen))
+
+    def __len__(self) -> int:
+        """Return how many pairs there are."""
+        return len(self.first.start)
+
+
+def simple_arcs(arcs: Arcs, small: float) -> tuple[Arcs, bool]:
+    """Halve arcs until each keeps its direction within a half plane, or is small.
+
+    Returns them in order, and whether that was reached within the bounds of the work.
+    """
+    done: list[Arcs] = []
+    count = 0
+    is_complete = True
+    for step in range(_ROUNDS):
+        fine = _within_half_plane(derivative(arcs.controls)) | (_extent(arcs.controls) <= small)
+        count += int(fine.sum())
+        if step == _ROUNDS - 1 or count + 2 * int((~fine).sum()) > max(_ARCS, 4 * len(arcs.start)):
+            is_complete = bool(fine.all())
+            fine[:] = True
+        done.append(arcs.taken(fine))
+        if fine.all():
+            break
+        arcs = arcs.taken(~fine).halved()
+    together = _joined(done)
+    return together.taken(np.argsort(together.start, kind="stable")), is_complete
+
+
+def close_pairs(arcs: Arcs, small: float, margin: float) -> tuple[Pairs, bool]:
+    """Return pairs of straight arcs that may meet, and whether the search ended by itself.
+
+    Parameters
+    ----------
+    arcs
+        All of a curve, in order, from `simple_arcs`.
+    small
+        The tolerance, in the units of the control points.
+    margin
+        What the arcs may be off, each.
+    """
+    pairs, is_complete = _first_pairs(arcs, margin)
+    done: list[Pairs] = []
+    work = 0
+    for _ in range(_ROUNDS):
+        straight = _is_straight(pairs.first, small) & _is_straight(pairs.second, small)
+        adjoining = _adjoining(pairs)
+        # Two straight neighbours may still form the tip of a loop.
+        tiny = np.maximum(_extent(pairs.first.controls), _extent(pairs.second.controls)) <= small
+        fine = np.where(adjoining, tiny, straight)
+        done.append(pairs.taken(fine & ~adjoining))
+        pairs = pairs.taken(~fine)
+        if not len(pairs):
+            return _joined_pairs(done), is_complete
+        work += len(pairs)
+        if len(pairs) > _PAIRS or work > max(_WORK, 64 * len(arcs.start)):
+            break
+        pairs = _quartered(pairs, margin)
+    return _joined_pairs([*done, pairs.taken(~_adjoining(pairs))]), False
+
+
+def _first_pairs(arcs: Arcs, margin: float) -> tuple[Pairs, bool]:
+    """Return the pairs of arcs that may meet."""
+    low, high = arcs.controls.min(axis=1) - margin, arcs.controls.max(axis=1) + margin
+    most = max(_PAIRS, 4 * len(low))
+    found: list[Pairs] = [
+        Pairs(arcs.taken(np.zeros(0, dtype=np.intp)), arcs.taken(np.zeros(0, dtype=np.intp)))
+    ]
+    waiting: list[tuple[IntArray, IntArray]] = []
+    count = total = 0
+    last = len(low) - 2
+    for i in range(last + 1):
+        meet = ((low[i] <= high[i + 1 :]) & (low[i + 1 :] <= high[i])).all(axis=1)
+        others = np.flatnonzero(meet) + (i + 1)
+        waiting.append((np.full(len(others), i), others))
+        count += len(others)
+        if count > _AT_ONCE or i == last:
+            first, second = (np.concatenate(column) for column in zip(*waiting, strict=True))
+            pairs = Pairs(arcs.taken(first), arcs.taken(second))
+            found.append(pairs.taken(_may_meet(pairs, margin)))
+            waiting, count, total = [], 0, total + len(found[-1])
+            if total > most:
+                return _joined_pairs(found), i == last
+    return _joined_pairs(found), True
+
+
+def _quartered(pairs: Pairs, margin: float) -> Pairs:
+    """Return the pairs of halves that may meet."""
+    parts = []
+    for begin in range(0, len(pairs), _AT_ONCE):
+        some = pairs.taken(np.arange(begin, min(begin + _AT_ONCE, len(pairs))))
+        left, right = some.first.halved(), some.second.halved()
+        first_half = 2 * np.repeat(np.arange(len(some)), 4)
+        halves = Pairs(
+            left.taken(first_half + np.tile([0, 0, 1, 1], len(some))),
+            right.taken(first_half + np.tile([0, 1, 0, 1], len(some))),
+        )
+        parts.append(halves.taken(_may_meet(halves, margin)))
+    return _joined_pairs(parts)
+
+
+def _joined(parts: list[Arcs]) -> Arcs:
+    return Arcs(*(np.concatenate(column) for column in zip(*parts, strict=True)))
+
+
+def _joined_pairs(parts: list[Pairs]) -> Pairs:
+    return Pairs(_joined([part.first for part in parts]), _joined([part.second for part in parts]))
+
+
+def _extent(controls: FloatArray) -> FloatArray:
+    extent: FloatArray = np.ptp(controls, axis=1).max(axis=1)
+    return extent
+
+
+def _is_straight(arcs: Arcs, small: float) -> BoolArray:
+    """Tell which arcs are as near as that to their chords, run through evenly."""
+    degree = arcs.controls.shape[1] - 1
+    if degree < 2:
+        return np.ones(len(arcs.start), dtype=bool)
+    bend = vector_lengths(np.diff(arcs.controls, n=2, axis=1)).max(axis=1)
+    straight: BoolArray = bend * (degree * (degree - 1) / 8.0) <= _STRAIGHT * small
+    return straight
+
+
+def _within_half_plane(slopes: FloatArray) -> BoolArray:
+    size = vector_lengths(slopes)
+    mean = (slopes / np.maximum(size, np.finfo(float).tiny)[..., None]).sum(axis=1, keepdims=True)
+    # A slope of 0, at a point at rest, turns nowhere.
+    ahead = ((slopes * mean).sum(axis=2) > 0.0) | (size == 0.0)
+    within: BoolArray = ahead.all(axis=1) & (size > 0.0).any(axis=1)
+    return within
+
+
+def _adjoining(pairs: Pairs) -> BoolArray:
+    touching: BoolArray = (pairs.first.end == pairs.second.start) & (
+        pairs.first.controls[:, -1] == pairs.second.controls[:, 0]
+    ).all(axis=1)
+    return touching
+
+
+def _may_meet(pairs: Pairs, margin: float) -> BoolArray:
+    a, b = pairs.first.controls, pairs.second.controls
+    meet: BoolArray = (
+        (a.min(axis=1) - 2.0 * margin <= b.max(axis=1)) & (b.min(axis=1) - 2.0 * margin <= a.max(axis=1))
+    ).all(axis=1)
+    for controls in (a, b):
+        chord = controls[:, -1] - controls[:, 0]
+        unit = chord / np.maximum(vector_lengths(chord), np.finfo(float).tiny)[:, None]
+        meet &= _overlap(a, b, unit, margin)
+        meet &= _overlap(a, b, np.stack((-unit[:, 1], unit[:, 0]), axis=1), margin)
+    slopes = np.concatenate([derivative(a), derivative(b)], axis=1)
+    return meet & ~(_adjoining(pairs) & _within_half_plane(slopes))
+
+
+def _overlap(a: FloatArray, b: FloatArray, axis: FloatArray, margin: float) -> BoolArray:
+    """Tell which pairs of arcs overlap along an axis; a few roundings apart still counts."""
+    one, other = ((each * axis[:, None]).sum(axis=2) for each in (a, b))
+    room = 2.0 * margin + 2.0**-50 * (np.abs(one).max(axis=1) + np.abs(other).max(axis=1))
+    overlap: BoolArray = (one.min(axis=1) - room <= other.max(axis=1)) & (
+        other.min(axis=1) - room <= one.max(axis=1)
+    )
+    return overlap

@@ -1,0 +1,342 @@
+"""Cardinal functions: what a point does to a curve whose derivatives follow the points.
+
+Rules that estimate velocities and accelerations are linear in the points for given parameters,
+d_r = E_r p. With them a curve is linear in its points alone,
+
+    c(t) = sum over i of C_i(t) p_i + what was set by hand,
+    C_i(t) = B_i0(t) + sum over r >= 1 and j of B_jr(t) (E_r)_ji,
+
+and C_i(t_j) is 1 for i = j, else 0. The B_i0 of a Hermite family say what a point does whose neighbours'
+derivatives stay; the C_i what it does when they are estimated again.
+
+A rule that is not linear has its Jacobian for E_r: then C_i is what a small move does.
+
+References
+----------
+.. [1] C. de Boor, "A Practical Guide to Splines", revised ed., Springer 2001,
+   chapter IV: the rules; chapter XIII, (4) and problem 1: cardinal splines.
+.. [2] A. R. Curtis, M. J. D. Powell and J. K. Reid, "On the estimation of
+   sparse Jacobian matrices", J. Inst. Maths Applics 13 (1974) 117-119: many
+   columns of a banded matrix from one product.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from curvecore.arrays import FloatArray, IntArray, parameter_values, read_only
+from curvecore.bezier.bernstein import controls_between
+from curvecore.errors import CurveError
+from curvecore.families.curve import Curve
+from curvecore.scaling import LARGEST
+
+__all__ = [
+    "CardinalBasis",
+    "Follow",
+    "LocalCardinals",
+    "Rule",
+    "cardinal_basis",
+    "estimation_matrix",
+    "follow_rules",
+]
+
+Rule = Callable[[FloatArray, FloatArray], FloatArray]
+"""Points (n, dim) and parameters (n,) to derivatives (n, dim), linear in the points."""
+
+Follow = Callable[[FloatArray], tuple[FloatArray, FloatArray]]
+"""Moves of the points (n, k) to what they do to the derivatives before and after each joint, each
+(joints, R - 1, k); the two differ at corners, and rows of derivatives that were set by hand are 0."""
+
+REACH = 64
+"""Joints after which an estimate has forgotten a point: a natural spline forgets half at every one."""
+
+_NEGLIGIBLE = 2.0**-60
+_MOST_AT_ONCE = 1 << 18
+
+
+def estimation_matrix(rule: Rule, parameters: ArrayLike) -> FloatArray:
+    """Return the matrix E of a rule: derivatives = E @ points, for all points with these parameters.
+
+    Parameters
+    ----------
+    rule : callable
+        Such as `natural_spline_velocities`; linear in the points. Of `catmull_rom_velocities` the knots
+        must be given.
+    parameters : array_like, shape (n,)
+        t_i, strictly increasing.
+
+    Returns
+    -------
+    ndarray, shape (n, n)
+        ``[j, i]`` is what point i adds to the derivative at joint j.
+    """
+    t = parameter_values(parameters).values
+    return rule(np.eye(len(t)), t)
+
+
+def follow_rules(parameters: ArrayLike, *rules: Rule) -> Follow:
+    """Return the `Follow` of an open curve without corners: one rule for each kind of derivative."""
+    t = parameter_values(parameters).values
+
+    def follow(moves: FloatArray) -> tuple[FloatArray, FloatArray]:
+        derivatives = np.stack([rule(moves, t) for rule in rules], axis=1)
+        return derivatives, derivatives
+
+    return follow
+
+
+def cardinal_basis(curve: Curve, t: ArrayLike, order: int = 0, *, rules: tuple[Rule, ...] = ()) -> FloatArray:
+    """Return the cardinal functions of an open curve all of whose derivatives are estimated.
+
+    Parameters
+    ----------
+    curve : Curve
+        Of any family; only its parameters matter.
+    t : float or array_like, shape (m,)
+        A scalar counts as m = 1.
+    order : int, optional
+        Order of the derivative, at least 0.
+    rules : tuple of callable, optional
+        The rule of the velocities, and for quintics that of the accelerations.
+
+    Returns
+    -------
+    ndarray, shape (m, n)
+        ``cardinal_basis(curve, t, rules=rules) @ points`` is the curve through any points with these
+        parameters. Rows of order 0 add up to 1.
+    """
+    follow = follow_rules(curve.parameters, *rules) if rules else None
+    return CardinalBasis(curve, follow).basis(t, order)
+
+
+class LocalCardinals(NamedTuple):
+    """The cardinal functions that count at each t.
+
+    Attributes
+    ----------
+    points : ndarray of int, shape (m, w)
+        Indices of points, no two the same in a row.
+    values : ndarray, shape (m, w)
+        C_i(t) of these points.
+    """
+
+    points: IntArray
+    values: FloatArray
+
+
+class CardinalBasis:
+    """The cardinal functions C_i of the points of a curve.
+
+    Parameters
+    ----------
+    curve : Curve
+        Of any family, or a `Chain` of Hermite curves; only its parameters matter.
+    follow : Follow, optional
+        How its derivatives follow the points; without it they stay where they are.
+    closed : bool, optional
+        Whether the last joint is the first point again; of local families only.
+    reach : int, optional
+        How many joints away from a point the estimates still depend on it; more than that is left out.
+
+    Attributes
+    ----------
+    curve : Curve
+        As given.
+    parameters : ndarray, shape (joints,)
+        Those of the curve.
+    closed : bool
+        As given.
+    count : int
+        The number n of points.
+
+    Raises
+    ------
+    CurveError
+        If what `follow` returns does not have the shape of the curve's derivatives.
+    """
+
+    __slots__ = ("_columns", "_ends", "_estimates", "closed", "count", "curve", "parameters")
+
+    def __init__(
+        self, curve: Curve, follow: Follow | None = None, *, closed: bool = False, reach: int = REACH
+    ) -> None:
+        self.curve = curve
+        self.closed = closed
+        self.parameters = curve.parameters
+        self.count = len(self.parameters) - closed
+        self._estimates: FloatArray | None = None
+        self._columns: IntArray | None = None
+        self._ends: IntArray | None = None
+        if (closed or follow is not None) and not curve.is_local:
+            raise CurveError("curve must be of a family whose functions are local")
+        if follow is not None:
+            self._fill(follow, reach)
+
+    @property
+    def follows(self) -> bool:
+        """Whether any derivative follows the points."""
+        return self._estimates is not None
+
+    # The estimates, segment by segment
+
+    def _fill(self, follow: Follow, reach: int) -> None:
+        """Store what the points near each segment do to the derivatives at its ends.
+
+        ``_estimates[j, e, r, k]`` belongs to end e of segment j, derivative r + 1 and point _columns[j, k].
+        """
+        segments = len(self.parameters) - 1
+        if self.count <= 2 * reach + 2:
+            estimates = self._ends_of(follow, np.eye(self.count))
+            columns = np.broadcast_to(np.arange(self.count), (segments, self.count))
+        else:
+            columns, estimates = self._trimmed(*self._near(follow, reach))
+        if not estimates.any():
+            return
+        joints = np.arange(segments)[:, None] + np.arange(2)
+        places = joints[:, :, None] % self.count == columns[:, None, :]
+        self._columns, self._ends = columns, np.argmax(places, axis=2)
+        self._estimates = read_only(np.ascontiguousarray(estimates))
+
+    def _near(self, follow: Follow, reach: int) -> tuple[IntArray, FloatArray]:
+        """Return the points up to `reach` joints from each segment, and what they do to its ends.
+
+        Points far enough apart move together [2]_: no segment feels two of one colour.
+        """
+        segments, width = len(self.parameters) - 1, 2 * reach + 2
+        blocks = self.count // width
+        first = np.arange(blocks + 1) * self.count // blocks
+        colour = np.arange(self.count) - np.repeat(first[:-1], np.diff(first))
+        moves = np.zeros((self.count, int(colour.max()) + 1))
+        moves[np.arange(self.count), colour] = 1.0
+        columns = np.arange(segments)[:, None] + np.arange(-reach, reach + 2)
+        outside = (columns < 0) | (columns >= self.count)
+        columns %= self.count
+        found = self._ends_of(follow, moves)
+        estimates = np.take_along_axis(found, colour[columns][:, None, None, :], axis=3)
+        if not self.closed:
+            estimates *= ~outside[:, None, None, :]
+        return columns, estimates
+
+    def _ends_of(self, follow: Follow, moves: FloatArray) -> FloatArray:
+        """Return what moves do to the derivatives at both ends of every segment, (segments, 2, R - 1, k)."""
+        shape = (len(self.parameters), self.curve.jets.shape[1] - 1, moves.shape[1])
+        before, after = follow(moves)
+        if before.shape != shape or after.shape != shape:
+            raise CurveError(f"follow must return two arrays of the shape {shape}, not {before.shape}")
+        return np.stack((after[:-1], before[1:]), axis=1)
+
+    def _trimmed(self, columns: IntArray, estimates: FloatArray) -> tuple[IntArray, FloatArray]:
+        """Leave out points so far away that they count nowhere."""
+        h = np.diff(self.parameters)[:, None]
+        with np.errstate(over="ignore", under="ignore"):
+            sizes = np.stack(
+                [np.abs(estimates[:, :, r]).max(axis=1) * h ** (r + 1) for r in range(estimates.shape[2])]
+            )
+        counts = np.flatnonzero((sizes > _NEGLIGIBLE).any(axis=(0, 1)))
+        middle = columns.shape[1] // 2
+        low = min(int(counts.min(initial=middle)), middle - 1)
+        high = max(int(counts.max(initial=middle)), middle)
+        return columns[:, low : high + 1], estimates[:, :, :, low : high + 1]
+
+    @property
+    def controls(self) -> FloatArray:
+        """The functions on each segment as Bezier control points, (segments, degree + 1, w): of w points."""
+        if self._estimates is None or self._ends is None:
+            raise CurveError("only functions that follow the points have control points of their own")
+        segments, _, orders, width = self._estimates.shape
+        jets = np.zeros((segments, 2, orders + 1, width))
+        jets[:, :, 1:] = self._estimates
+        places = self._ends[:, :, None] == np.arange(width)
+        jets[:, :, 0] = places
+        return controls_between(jets[:, 0], jets[:, 1], np.diff(self.parameters)[:, None])
+
+    # The functions
+
+    def local(self, t: ArrayLike, order: int = 0) -> LocalCardinals:
+        """Return the cardinal functions, or their derivatives, that are not 0 by construction.
+
+        Parameters
+        ----------
+        t : float or array_like, shape (m,)
+            As for `Curve.evaluate`; a scalar counts as m = 1.
+        order : int, optional
+            Order of the derivative, at least 0.
+        """
+        at = parameter_values(t).values
+        if self._estimates is None or self._columns is None or self._ends is None:
+            return self._alone(at, order)
+        segment, basis = self.curve.local_basis(at, order)
+        values = np.empty((len(at), self._columns.shape[1]))
+        flat = self._estimates.reshape(len(self._estimates), -1, values.shape[1])
+        weights = basis[:, :, 1:].reshape(len(at), 1, -1)
+        with np.errstate(over="ignore", under="ignore", invalid="ignore"):
+            step = max(_MOST_AT_ONCE // flat[0].size, 1)
+            for start in range(0, len(at), step):
+                here = slice(start, start + step)
+                values[here] = (weights[here] @ flat[segment[here]])[:, 0]
+            rows = np.arange(len(at))
+            for end in (0, 1):
+                values[rows, self._ends[segment, end]] += basis[:, end, 0]
+        if not np.isfinite(values).all():
+            np.nan_to_num(values, copy=False, nan=LARGEST)
+        return LocalCardinals(self._columns[segment], values)
+
+    def _alone(self, t: FloatArray, order: int) -> LocalCardinals:
+        """Return the functions where no derivative follows: B_i0."""
+        if self.curve.is_local:
+            segment, values = self.curve.local_basis(t, order)
+            return LocalCardinals((segment[:, None] + np.arange(2)) % self.count, values[:, :, 0])
+        basis = self.curve.basis(t, order)[:, :, 0]
+        if len(self.curve.pieces) > 1:
+            # Two rows of data belong to a joint of two pieces.
+            rows = self.curve.row_of_parameter
+            basis = np.add.reduceat(basis, np.flatnonzero(np.diff(rows, prepend=-1)), axis=1)
+        return LocalCardinals(np.broadcast_to(np.arange(self.count), basis.shape), basis)
+
+    def basis(self, t: ArrayLike, order: int = 0) -> FloatArray:
+        """Return all cardinal functions, or their derivatives with respect to t.
+
+        Parameters
+        ----------
+        t : float or array_like, shape (m,)
+            A scalar counts as m = 1.
+        order : int, optional
+            Order of the derivative, at least 0.
+
+        Returns
+        -------
+        ndarray, shape (m, n)
+            ``[k, i]`` is C_i at t_k.
+        """
+        points, values = self.local(t, order)
+        result = np.zeros((len(values), self.count))
+        np.put_along_axis(result, points, values, axis=1)
+        return result
+
+    def sums(self, t: ArrayLike, sizes: ArrayLike = 1.0) -> FloatArray:
+        """Return sum |C_i(t)| e_i: how far errors of the sizes e_i can displace c(t), at worst.
+
+        Parameters
+        ----------
+        t : float or array_like, shape (m,)
+            A scalar counts as m = 1.
+        sizes : float or array_like, shape (n,), optional
+            At least 0; one for all points, or one each.
+
+        Returns
+        -------
+        ndarray, shape (m,)
+            With sizes 1 the Lebesgue function.
+        """
+        points, values = self.local(t)
+        size = np.asarray(sizes, dtype=np.float64)
+        weighted = np.abs(values)
+        if size.ndim:
+            weighted = weighted * size[points]
+        with np.errstate(over="ignore", under="ignore"):
+            result: FloatArray = np.minimum(weighted.sum(axis=1) * (1.0 if size.ndim else size), LARGEST)
+        return result

@@ -1,0 +1,391 @@
+"""Where a curve bends: speed, curvature, box, inflections, extrema of curvature.
+
+Signs and places of these do not depend on how fast t runs: they are roots of
+polynomials in Bernstein form on the pieces of the curve, which are found by
+subdivision, all of them and without starting values.
+
+References
+----------
+.. [1] G. Farin, "Curves and Surfaces for CAGD", 5th ed., Morgan Kaufmann
+   2002, section 11.5: curvature and its sign.
+.. [2] R. Baltensperger and M. R. Trummer, "Spectral differencing with a
+   twist", SIAM J. Sci. Comput. 24 (2003) 1465-1487: the differentiation
+   matrix whose rows sum to 0.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from curvecore.arrays import BoolArray, FloatArray, IntArray, parameter_values
+from curvecore.bezier.bernstein_algebra import derivative, end_signs, product, sign_changes, values
+from curvecore.bezier.pieces import BezierPieces, alike, bezier_pieces, parameters_at
+from curvecore.errors import CurveError
+from curvecore.families.curve import Curve
+from curvecore.scaling import LARGEST, scale_by_power
+from curvecore.vectors import vector_lengths
+
+__all__ = [
+    "Box",
+    "CurvatureExtrema",
+    "bounding_box",
+    "bounding_boxes",
+    "curvature",
+    "curvature_extrema",
+    "curvature_of",
+    "inflections",
+    "pieces_of",
+    "speed",
+]
+
+_UNIT = 2.0**-53
+_FINE = 2.0**-46  # of the size: how closely pieces follow a curve whose shape is asked for
+_KINK = 1e-6  # curvatures at a joint that differ by less, relatively, are one extremum and not a jump
+
+
+class Box(NamedTuple):
+    """The smallest box that holds a curve.
+
+    Attributes
+    ----------
+    minimum, maximum : ndarray, shape (dim,)
+        Values that the curve takes.
+    error : float
+        How far the curve may leave the box: a few roundings for the Hermite
+        families; measured, relative 1e-14 or so, for `LagrangeCurve`.
+    """
+
+    minimum: FloatArray
+    maximum: FloatArray
+    error: float
+
+
+class CurvatureExtrema(NamedTuple):
+    """Local extrema of the curvature of a plane curve.
+
+    Attributes
+    ----------
+    parameters : ndarray, shape (k,)
+        Ascending.
+    curvatures : ndarray, shape (k,)
+        Signed.
+    is_maximum : ndarray of bool, shape (k,)
+        Whether the signed curvature is largest there, not smallest.
+    """
+
+    parameters: FloatArray
+    curvatures: FloatArray
+    is_maximum: BoolArray
+
+
+def speed(curve: Curve, t: ArrayLike) -> FloatArray:
+    """Return |c'(t)|, in units of length per unit of t.
+
+    Parameters
+    ----------
+    curve : Curve
+        Of any family and dim.
+    t : float or array_like, shape (m,)
+        As for `Curve.evaluate`.
+
+    Returns
+    -------
+    ndarray, shape () or (m,)
+        With the accuracy of `curvature`.
+    """
+    at = parameter_values(t)
+    (velocity,) = curve.derivatives_at(at.values, (1,))
+    result = vector_lengths(velocity)
+    return result[0] if at.is_scalar else result
+
+
+def curvature(curve: Curve, t: ArrayLike) -> FloatArray:
+    """Return the curvature, in units of 1 / length.
+
+    Parameters
+    ----------
+    curve : Curve
+        Of dim 2 or more.
+    t : float or array_like, shape (m,)
+        As for `Curve.evaluate`; at a joint the segment to the right counts.
+
+    Returns
+    -------
+    ndarray, shape () or (m,)
+        In the plane signed, positive where the curve turns from x to y; in
+        space not negative. NaN where c'(t) = 0: there is none at a point at
+        rest. Limited to the largest finite number.
+
+    Raises
+    ------
+    CurveError
+        If the curve has dim 1, or t is unusable.
+
+    Notes
+    -----
+    |c' x c''| / |c'|**3. Its relative error is about
+    3 |dc'| / |c'| + (|c'| |dc''| + |c''| |dc'|) / |c' x c''| for errors dc',
+    dc'' of the derivatives, which are those of `Curve.evaluate`. Many
+    parameters of one `LagrangeCurve` take a short cut: derivatives at the t_i
+    and interpolation of these, with errors up to the Lebesgue function
+    times larger, and only where that is below 1e5.
+    """
+    at = parameter_values(t)
+    velocity, acceleration = curve.derivatives_at(at.values, (1, 2))
+    result = curvature_of(velocity, acceleration)
+    return result[0] if at.is_scalar else result
+
+
+def curvature_of(velocities: FloatArray, accelerations: FloatArray) -> FloatArray:
+    """Return curvatures from derivatives that the caller has already.
+
+    Parameters
+    ----------
+    velocities, accelerations : ndarray, shape (m, dim)
+        c' and c'', dim >= 2.
+
+    Returns
+    -------
+    ndarray, shape (m,)
+        As `curvature`.
+    """
+    if velocities.shape[1] < 2:
+        raise CurveError("curve must have dim 2 or more to have a curvature")
+    largest = np.abs(velocities).max(axis=1, keepdims=True)
+    with np.errstate(all="ignore"):
+        # Dividing by the largest entry twice keeps squares in range and cancels in the end.
+        direction, change = velocities / largest, accelerations / largest
+        length = vector_lengths(direction)
+        if velocities.shape[1] == 2:
+            turn = direction[:, 0] * change[:, 1] - direction[:, 1] * change[:, 0]
+        else:
+            unit = direction / length[:, None]
+            across = change - (change * unit).sum(axis=1)[:, None] * unit
+            turn = length * vector_lengths(across)
+        result: FloatArray = turn / length**3 / largest[:, 0]
+    return np.where(largest[:, 0] > 0.0, np.clip(result, -LARGEST, LARGEST), np.nan)
+
+
+def bounding_box(curve: Curve) -> Box:
+    """Return the smallest axis-parallel box that holds the curve over its domain.
+
+    Parameters
+    ----------
+    curve : Curve
+        Of any family and dim.
+
+    Returns
+    -------
+    Box
+        Not the box of the control points, which is larger: extrema are where
+        a coordinate's derivative changes sign.
+    """
+    return bounding_boxes([curve], [pieces_of(curve)])[0]
+
+
+def bounding_boxes(curves: Sequence[Curve], parts: Sequence[BezierPieces]) -> list[Box]:
+    """Return the boxes of many curves, whose pieces are at hand, in a fraction of the time.
+
+    Parameters
+    ----------
+    curves : sequence of Curve
+        Of any families and dims.
+    parts : sequence of BezierPieces
+        Of each curve; their errors are those of the boxes.
+
+    Returns
+    -------
+    list of Box
+        As `bounding_box`.
+    """
+    boxes: dict[int, Box] = {}
+    for same in alike(parts):
+        found = _turning_points([curves[index] for index in same], [parts[index] for index in same])
+        for index, reached in zip(same.tolist(), found, strict=True):
+            points = np.concatenate([*(piece.points for piece in curves[index].pieces), reached])
+            error = float(scale_by_power(parts[index].error.max(keepdims=True), parts[index].exponent)[0])
+            boxes[index] = Box(points.min(axis=0), points.max(axis=0), error)
+    return [boxes[index] for index in range(len(curves))]
+
+
+def pieces_of(curve: Curve) -> BezierPieces:
+    """Return pieces that follow a curve as closely as its shape is asked for."""
+    return bezier_pieces(curve, _FINE)
+
+
+def _turning_points(curves: Sequence[Curve], parts: Sequence[BezierPieces]) -> list[FloatArray]:
+    """Return of each curve the points where a coordinate turns; all pieces have one degree and dim."""
+    controls = np.concatenate([part.controls for part in parts])
+    slopes = np.concatenate([part.slopes for part in parts])
+    after = np.cumsum([len(part.starts) for part in parts])
+    # All coordinates at once.
+    flat = slopes.transpose(2, 0, 1).reshape(-1, slopes.shape[1])
+    roots = sign_changes(flat, np.zeros(len(flat)))
+    piece, place = roots.piece % len(slopes), roots.place
+    owner = np.searchsorted(after, piece, side="right")
+    exponents = np.array([part.exponent for part in parts])
+    points = scale_by_power(values(controls[piece], place), exponents[owner][:, None])
+    order = np.argsort(owner, kind="stable")
+    bounds = np.searchsorted(owner[order], np.arange(len(parts) + 1))
+    found = []
+    for index, (curve, part) in enumerate(zip(curves, parts, strict=True)):
+        here = order[bounds[index] : bounds[index + 1]]
+        if curve.degree == controls.shape[1] - 1:
+            found.append(points[here])
+            continue
+        # Pieces of a lower degree follow the curve, they are not it; and it may turn where two of them meet.
+        t = parameters_at(part, piece[here] - (after[index] - len(part.starts)), place[here])
+        joints = scale_by_power(part.controls[:, 0], part.exponent)
+        found.append(np.concatenate([joints, curve.evaluate(t)]))
+    return found
+
+
+@np.errstate(under="ignore")
+def inflections(curve: Curve) -> FloatArray:
+    """Return the parameters where the curvature changes its sign.
+
+    Parameters
+    ----------
+    curve : Curve
+        Plane (dim 2).
+
+    Returns
+    -------
+    ndarray, shape (k,)
+        Ascending, inside the domain. A joint where the curvature jumps from
+        one sign to the other is one; a straight part between opposite bends
+        counts once, at its end.
+
+    Raises
+    ------
+    CurveError
+        If the curve is not plane.
+
+    Notes
+    -----
+    Roots of c' x c''. Where that is below some 50 roundings of |c'| |c''|
+    the curve counts as straight.
+    """
+    _require_plane(curve, "have inflections")
+    pieces = pieces_of(curve)
+    return _crossings(pieces, *_turn(pieces)).parameters
+
+
+@np.errstate(under="ignore")
+def curvature_extrema(curve: Curve) -> CurvatureExtrema:
+    """Return where the signed curvature has a local maximum or minimum.
+
+    Parameters
+    ----------
+    curve : Curve
+        Plane (dim 2).
+
+    Returns
+    -------
+    CurvatureExtrema
+        Inside the domain. At joints where the curvature jumps there is none,
+        nor on arcs of circles and straight parts.
+
+    Raises
+    ------
+    CurveError
+        If the curve is not plane.
+
+    Notes
+    -----
+    With N = c' x c'' and q = |c'|**2 the curvature is N / q**(3/2), and its
+    derivative has the sign of 2 N' q - 3 N q', a polynomial of degree 14 for
+    a quintic piece.
+    """
+    _require_plane(curve, "have extrema of curvature")
+    pieces = pieces_of(curve)
+    turn, turn_noise = _turn(pieces)
+    square = _square(pieces.slopes)
+    rising, falling = product(derivative(turn), square), product(turn, derivative(square))
+    degree = pieces.controls.shape[1]
+    scale = np.abs(rising).max(axis=1) + np.abs(falling).max(axis=1)
+    noise = 64.0 * _UNIT * scale + 4.0 * degree * turn_noise * square.max(axis=1)
+    found = _crossings(pieces, 2.0 * rising - 3.0 * falling, noise)
+    steady = found.piece < 0
+    ends = np.maximum(found.piece, 1)
+    before, after = (_end_curvatures(pieces, side) for side in (-1, 0))
+    with np.errstate(invalid="ignore"):
+        jump = np.abs(before[ends - 1] - after[ends % len(after)])
+        steady |= jump <= _KINK * np.abs(after[ends % len(after)])
+    t = found.parameters[steady]
+    return CurvatureExtrema(t, curvature(curve, t), ~found.rising[steady])
+
+
+def _require_plane(curve: Curve, what: str) -> None:
+    if curve.points.shape[1] != 2:
+        raise CurveError(f"curve must be plane (dim 2) to {what}, not of dim {curve.points.shape[1]}")
+
+
+def _turn(pieces: BezierPieces) -> tuple[FloatArray, FloatArray]:
+    """Return c' x c'' for every piece, and the size below which it says nothing."""
+    velocity = pieces.slopes
+    acceleration = derivative(velocity)
+    turn = _product_of(velocity, 0, acceleration, 1) - _product_of(velocity, 1, acceleration, 0)
+    degree = velocity.shape[1]
+    fast, bent = (np.abs(each).max(axis=(1, 2)) for each in (velocity, acceleration))
+    # An error of c' grows by twice the degree squared at most when it is differentiated (Markov).
+    noise = pieces.slope_error * (bent + 2.0 * degree**2 * fast)
+    return turn, noise + 8.0 * _UNIT * fast * bent
+
+
+def _square(velocity: FloatArray) -> FloatArray:
+    return _product_of(velocity, 0, velocity, 0) + _product_of(velocity, 1, velocity, 1)
+
+
+def _product_of(first: FloatArray, i: int, second: FloatArray, j: int) -> FloatArray:
+    return product(first[:, :, i], second[:, :, j])
+
+
+def _end_curvatures(pieces: BezierPieces, side: int) -> FloatArray:
+    """Return the curvature at the beginnings (side 0) or ends (side -1) of the pieces."""
+    velocity = pieces.slopes
+    return curvature_of(velocity[:, side], derivative(velocity)[:, side])
+
+
+class _Crossings(NamedTuple):
+    """Where a piecewise polynomial changes sign.
+
+    Attributes
+    ----------
+    parameters : ndarray, shape (k,)
+        Ascending.
+    rising : ndarray of bool, shape (k,)
+        Whether it is positive afterwards.
+    piece : ndarray of int, shape (k,)
+        The piece that begins there, -1 inside a piece.
+    """
+
+    parameters: FloatArray
+    rising: BoolArray
+    piece: IntArray
+
+
+def _crossings(pieces: BezierPieces, coefficients: FloatArray, noise: FloatArray) -> _Crossings:
+    roots = sign_changes(coefficients, noise)
+    inner = parameters_at(pieces, roots.piece, roots.place)
+    first, last = end_signs(coefficients, noise, 1), end_signs(coefficients, noise, -1)
+    found: list[tuple[float, bool, int]] = []
+    bounds = np.searchsorted(roots.piece, np.arange(len(coefficients) + 1))
+    before = 0.0
+    for piece in np.flatnonzero(first):
+        if before * first[piece] < 0.0:
+            found.append((float(pieces.starts[piece]), bool(first[piece] > 0.0), int(piece)))
+        rising = bool(first[piece] > 0.0)
+        for t in inner[bounds[piece] : bounds[piece + 1]]:
+            rising = not rising
+            found.append((float(t), rising, -1))
+        before = last[piece]
+    return _Crossings(
+        np.array([each[0] for each in found]),
+        np.array([each[1] for each in found], dtype=bool),
+        np.array([each[2] for each in found], dtype=np.intp),
+    )

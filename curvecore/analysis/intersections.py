@@ -1,0 +1,300 @@
+"""Where a plane curve crosses itself.
+
+`arc_pairs` finds pairs of straight arcs that may meet. Newton's method on
+(c(b) - c(a)) / (b - a), which is not zero where the curve merely passes once,
+finishes them [1]_; what belongs to one meeting is then one result.
+
+References
+----------
+.. [1] K. M. Brown and W. B. Gearhart, "Deflation techniques for the
+   calculation of further solutions of a nonlinear system", Numerische
+   Mathematik 16 (1971) 334-342.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+from curvecore.analysis.arc_pairs import Arcs, Pairs, close_pairs, simple_arcs
+from curvecore.arrays import BoolArray, FloatArray, IntArray, tolerance_value
+from curvecore.bezier.pieces import bezier_pieces, size_of
+from curvecore.errors import CurveError
+from curvecore.families.curve import Curve
+from curvecore.vectors import vector_lengths
+
+__all__ = ["SelfIntersections", "self_intersections"]
+
+_FINEST = 2.0**-44  # of the size: what roundings leave of a tolerance
+_CUSP = 2.0**-33  # of the size: a cusp whose arms are a rounding apart is as long
+_CANDIDATES = 1 << 12
+_NEWTON = 20
+_ALONG = (np.arange(15) + 0.5) / 15
+
+
+class SelfIntersections(NamedTuple):
+    """Where a curve crosses or touches itself.
+
+    Attributes
+    ----------
+    parameters : ndarray, shape (k, 2)
+        Pairs with c(a) = c(b), a < b, ascending in a. Where m branches go
+        through one point, all m (m - 1) / 2 pairs.
+    points : ndarray, shape (k, 2)
+        c there.
+    is_complete : bool
+        Whether these are all: the search ended by itself, and nowhere does
+        the curve run along itself, which is a stretch of crossings and not
+        one.
+    """
+
+    parameters: FloatArray
+    points: FloatArray
+    is_complete: bool
+
+
+def self_intersections(curve: Curve, tolerance: float) -> SelfIntersections:
+    """Return the pairs of parameters at which a curve meets itself.
+
+    Parameters
+    ----------
+    curve : Curve
+        Plane (dim 2).
+    tolerance : float
+        Largest distance of c(a) and c(b), above 0, in units of the points;
+        2**-44 of the largest coordinate, if that is more. Loops smaller than
+        a few times this, or than 2**-33 of the largest coordinate, may be
+        missed, near misses may be reported.
+
+    Returns
+    -------
+    SelfIntersections
+        The ends of a closed curve, which meet anyway, are left out.
+
+    Raises
+    ------
+    CurveError
+        If the curve is not plane or the tolerance not positive.
+
+    Notes
+    -----
+    The work is bounded: at most 2**14 pairs of arcs at a time, 2**17 in all
+    (or 4 and 64 per arc) are looked at, and 2**12 candidates finished.
+    """
+    limit = tolerance_value(tolerance)
+    if curve.points.shape[1] != 2:
+        raise CurveError(f"curve must be plane (dim 2) to cross itself, not of dim {curve.points.shape[1]}")
+    with np.errstate(over="ignore", under="ignore", invalid="ignore", divide="ignore"):
+        size = max(size_of(curve.points), float(np.finfo(float).tiny))
+        pieces = bezier_pieces(curve, min(1e-3, 0.02 * limit / size))
+        small = max(float(np.ldexp(limit, -pieces.exponent)), _FINEST)
+        margin = float(pieces.error.max())
+        arcs, is_simple = simple_arcs(Arcs(pieces.controls, pieces.starts, pieces.ends), small)
+        pairs, ended = close_pairs(arcs, small, margin)
+        unit = float(np.ldexp(1.0, min(pieces.exponent, 1023)))
+        scale = _Scale(small * unit, max(2.0 * small, _CUSP) * unit)
+        # Arcs that a search left unfinished say little, and are many.
+        most = _CANDIDATES if ended else _CANDIDATES // 8
+        ended &= len(pairs) <= most
+        if len(pairs) > most:
+            pairs = pairs.taken(np.linspace(0, len(pairs) - 1, most).astype(np.intp))
+        found, are_isolated = _meetings(curve, pairs, scale, arcs.start)
+    points = curve.evaluate(found[:, 0]) if len(found) else np.zeros((0, 2))
+    is_complete = is_simple and ended and are_isolated and 4.0 * margin <= max(small, 4.0 * _FINEST)
+    return SelfIntersections(found, points, is_complete)
+
+
+class _Scale(NamedTuple):
+    """Distances in units of the points: what counts as meeting, and the reach of the smallest loop."""
+
+    tolerance: float
+    loop: float
+
+
+class _Found(NamedTuple):
+    """Parameters (k, 2) before and after Newton's method, distances (k,), widths of arcs in t (k, 2)."""
+
+    before: FloatArray
+    parameters: FloatArray
+    gap: FloatArray
+    width: FloatArray
+
+    def taken(self, chosen: BoolArray | IntArray) -> _Found:
+        return _Found(*(each[chosen] for each in self))
+
+
+def _meetings(curve: Curve, pairs: Pairs, scale: _Scale, joints: FloatArray) -> tuple[FloatArray, bool]:
+    """Return one pair of parameters for each meeting, in order, and whether these are single places."""
+    if not len(pairs):
+        return np.zeros((0, 2)), True
+    found = _polished(curve, *_starting_places(pairs))
+    found = found.taken(
+        (found.gap <= scale.tolerance) & _is_loop(curve, found.parameters, scale.loop, joints)
+    )
+    cluster = _clusters(curve, found, scale.tolerance)
+    best, are_isolated = [], True
+    for label in np.unique(cluster):
+        members = np.flatnonzero(cluster == label)
+        if _is_closing(curve, found.taken(members), scale.loop):
+            continue
+        are_isolated &= _is_one_place(curve, found.taken(members), scale)
+        best.append(members[np.argmin(found.gap[members])])
+    result = found.parameters[np.array(best, dtype=np.intp)]
+    return result[np.lexsort((result[:, 1], result[:, 0]))], are_isolated
+
+
+def _starting_places(pairs: Pairs) -> tuple[FloatArray, FloatArray]:
+    """Return parameters (k, 2) where straight arcs cross or are near, and the widths of the arcs (k, 2).
+
+    Arcs side by side are near in many places: each end gives one.
+    """
+    p, q = pairs.first.controls[:, 0], pairs.second.controls[:, 0]
+    u, v = pairs.first.controls[:, -1] - p, pairs.second.controls[:, -1] - q
+    cross = u[:, 0] * v[:, 1] - u[:, 1] * v[:, 0]
+    w = q - p
+    size = vector_lengths(u) * vector_lengths(v)
+    s = np.nan_to_num((w[:, 0] * v[:, 1] - w[:, 1] * v[:, 0]) / cross, posinf=0.5, neginf=0.5)
+    r = np.nan_to_num((w[:, 0] * u[:, 1] - w[:, 1] * u[:, 0]) / cross, posinf=0.5, neginf=0.5)
+    flat = np.abs(cross) <= 1e-2 * size
+    k = np.flatnonzero(flat)
+    zero, one = np.zeros(len(k)), np.ones(len(k))
+    pair = np.concatenate([np.arange(len(s)), k, k, k, k])
+    s = np.concatenate([s, zero, one, _foot(w[k], u[k]), _foot(w[k] + v[k], u[k])])
+    r = np.concatenate([r, _foot(-w[k], v[k]), _foot(u[k] - w[k], v[k]), zero, one])
+    place = np.clip(np.stack((s, r), axis=1), 0.0, 1.0)
+    start = np.stack((pairs.first.start, pairs.second.start), axis=1)[pair]
+    width = np.stack((pairs.first.end, pairs.second.end), axis=1)[pair] - start
+    return start + place * width, width
+
+
+def _foot(offset: FloatArray, along: FloatArray) -> FloatArray:
+    foot: FloatArray = np.nan_to_num((offset * along).sum(axis=1) / np.square(along).sum(axis=1))
+    return foot
+
+
+def _polished(curve: Curve, places: FloatArray, width: FloatArray) -> _Found:
+    """Let Newton's method bring candidates together; each goes on while it gets better."""
+    # A step that leaves the neighbourhood belongs to another crossing, which has a pair of its own.
+    room = 64.0 * width.sum(axis=1)
+    best = places.copy()
+    least = vector_lengths(curve.evaluate(places[:, 1]) - curve.evaluate(places[:, 0]))
+    still, at, idle = np.arange(len(places)), places, np.zeros(len(places))
+    for _ in range(_NEWTON):
+        at = _newton_step(curve, at)
+        distance = vector_lengths(curve.evaluate(at[:, 1]) - curve.evaluate(at[:, 0]))
+        better = (distance < least[still]) & (np.abs(at - places[still]).sum(axis=1) <= room[still])
+        best[still[better]], least[still[better]] = at[better], distance[better]
+        idle = np.where(better, 0, idle + 1)
+        going = idle < 2
+        still, at, idle = still[going], at[going], idle[going]
+        if not len(still):
+            break
+    return _Found(places, np.sort(best, axis=1), least, width)
+
+
+def _newton_step(curve: Curve, at: FloatArray) -> FloatArray:
+    a, b = at.T
+    gap = curve.evaluate(b) - curve.evaluate(a)
+    slope = gap / (b - a)[:, None]
+    forward, backward = curve.evaluate(a, 1) - slope, curve.evaluate(b, 1) - slope
+    cross = forward[:, 0] * backward[:, 1] - forward[:, 1] * backward[:, 0]
+    step_a = (gap[:, 0] * backward[:, 1] - gap[:, 1] * backward[:, 0]) / cross
+    step_b = (gap[:, 0] * forward[:, 1] - gap[:, 1] * forward[:, 0]) / cross
+    step = np.stack((step_a, step_b), axis=1)
+    return np.clip(np.where(np.isfinite(step).all(axis=1, keepdims=True), at + step, at), *curve.domain)
+
+
+def _is_loop(curve: Curve, pairs: FloatArray, reach: float, joints: FloatArray) -> BoolArray:
+    """Tell whether the curve leaves c(a) between a and b: if not, they are one place and no meeting.
+
+    Looked at on samples, and at the first and the last joint of the arcs between: what turns back has one.
+    """
+    if not len(pairs):
+        return np.zeros(0, dtype=bool)
+    a, b = pairs.T
+    inner = a[:, None] + (b - a)[:, None] * _ALONG
+    after = joints[np.minimum(np.searchsorted(joints, a, side="right"), len(joints) - 1)]
+    before = joints[np.maximum(np.searchsorted(joints, b, side="left") - 1, 0)]
+    inner = np.column_stack([inner, np.clip(after, a, b), np.clip(before, a, b)])
+    away = curve.evaluate(inner.ravel()).reshape(*inner.shape, 2) - curve.evaluate(a)[:, None]
+    leaves: BoolArray = vector_lengths(away).max(axis=1) > reach
+    return leaves
+
+
+def _clusters(curve: Curve, found: _Found, tolerance: float) -> IntArray:
+    """Return a label for each candidate, (k,): the same for those of one meeting.
+
+    Two belong together if they are a few arcs apart on either branch, and the branches stay within the
+    tolerance of each other between them.
+    """
+    count = len(found.gap)
+    order = np.argsort(found.parameters[:, 0], kind="stable")
+    places = found.parameters[order]
+    reach = 4.0 * np.maximum(found.width, np.spacing(np.abs(found.parameters)))[order]
+    one, other = _near(places, reach)
+    way = places[other] - places[one]
+    between = places[one] + way * np.array([0.25, 0.5, 0.75])[:, None, None]
+    gap = curve.evaluate(between[:, :, 1].ravel()) - curve.evaluate(between[:, :, 0].ravel())
+    joined = (vector_lengths(gap).reshape(3, -1) <= tolerance).all(axis=0)
+    label = np.empty(count, dtype=np.intp)
+    label[order] = _connected(count, one[joined], other[joined])
+    return label
+
+
+def _near(places: FloatArray, reach: FloatArray) -> tuple[IntArray, IntArray]:
+    """Return the pairs of places (k, 2), ordered by the first parameter, that are within reach in both.
+
+    Every step takes the pairs so many places apart: all pairs at once take many times the memory and time
+    where a curve runs along itself and most of them are near in the first parameter alone.
+    """
+    ends = np.searchsorted(places[:, 0], places[:, 0] + reach[:, 0].max(initial=0.0), side="right")
+    following = ends - np.arange(len(places)) - 1
+    pairs = [np.empty((2, 0), dtype=np.intp)]
+    for step in range(1, following.max(initial=0) + 1):
+        way = np.abs(places[step:] - places[:-step])
+        near = (way <= np.maximum(reach[step:], reach[:-step])).all(axis=1) & (following[:-step] >= step)
+        one = np.flatnonzero(near)
+        pairs.append(np.stack((one, one + step)))
+    one, other = np.concatenate(pairs, axis=1)
+    return one, other
+
+
+def _connected(count: int, one: IntArray, other: IntArray) -> IntArray:
+    """Return a label for each of so many things, the same for those that pairs connect."""
+    # Every label is the number of a thing of the same component. Until none gets smaller, the least label
+    # at either end of a pair goes to both ends and to the things whose numbers they have, and every thing
+    # takes the label of the thing whose number it has.
+    label = np.arange(count)
+    while True:
+        before = label.copy()
+        least = np.minimum(before[one], before[other])
+        for where in (one, other, before[one], before[other]):
+            np.minimum.at(label, where, least)
+        label = label[label]
+        if (label == before).all():
+            return label
+
+
+def _is_closing(curve: Curve, found: _Found, reach: float) -> bool:
+    """Tell whether a meeting is that of the two ends of a closed curve."""
+    first, last = curve.domain
+    ends = curve.evaluate(np.array([first, last]))
+    if vector_lengths(ends[1] - ends[0]) > reach:
+        return False
+    # The way from the beginning to any a, and from any b to the end, must not leave that place.
+    a, b = found.parameters[:, 0].max(), found.parameters[:, 1].min()
+    if a - first > found.width[:, 0].max() * 64.0 or last - b > found.width[:, 1].max() * 64.0:
+        return False
+    way = np.concatenate([first + (a - first) * _ALONG, b + (last - b) * _ALONG, [a, b]])
+    return bool(vector_lengths(curve.evaluate(way) - ends[0]).max() <= reach)
+
+
+def _is_one_place(curve: Curve, found: _Found, scale: _Scale) -> bool:
+    """Tell whether Newton's method drew all candidates of a meeting together.
+
+    Where the curve runs along itself they stay where they are.
+    """
+    after = np.ptp(curve.evaluate(found.parameters[:, 0]), axis=0).max()
+    before = np.ptp(curve.evaluate(found.before[:, 0]), axis=0).max()
+    return bool(after <= max(8.0 * scale.tolerance, before / 8.0))

@@ -1,0 +1,260 @@
+"""What changes of points, velocities, accelerations and parameters do to a curve.
+
+A curve is linear in its jets, so their sensitivities are the basis functions
+themselves; where velocities are estimated from the points, those of the points
+are their cardinal functions. Moving a parameter t_i at fixed data: e = dc/dt_i is a curve of
+the same family that keeps all other conditions, e^(r)(t_j) = 0, and from
+differentiating c^(r)(t_i) = d_ir with respect to t_i, e^(r)(t_i) =
+-c^(r+1)(t_i). Hence
+
+    dc/dt_i (t) = - sum over r of B_ir(t) c^(r+1)(t_i)
+
+with the derivatives of the segment that holds t: -L_i(t) c'(t_i) for a
+`LagrangeCurve`, -B_i0 v_i - B_i1 c''(t_i) for cubics, and so on.
+
+References
+----------
+.. [1] C. de Boor, "A Practical Guide to Splines", revised ed., Springer 2001,
+   chapter I: the interpolant as a function of its nodes (problem 8).
+.. [2] G. M. Ziegler, "Lectures on Polytopes", Springer 1995, section 7.3:
+   zonotopes, which are what errors of several parameters can reach.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from curvecore.analysis.cardinal import CardinalBasis
+from curvecore.arrays import FloatArray, parameter_values
+from curvecore.errors import CurveError
+from curvecore.families.curve import Curve
+from curvecore.vectors import vector_lengths
+
+__all__ = [
+    "Band",
+    "acceleration_sensitivity",
+    "error_sizes",
+    "parameter_sensitivity",
+    "point_sensitivity",
+    "velocity_sensitivity",
+    "worst_case_band",
+]
+
+
+class Band(NamedTuple):
+    """Half-widths of the region that errors of the data can bring c(t) to.
+
+    Attributes
+    ----------
+    distance : ndarray, shape (m,)
+        The largest distance of the disturbed c(t) from c(t).
+    across : ndarray, shape (m,)
+        Its largest component across the curve, square to c'(t); where the
+        curve rests, the distance.
+    """
+
+    distance: FloatArray
+    across: FloatArray
+
+
+def point_sensitivity(curve: Curve | CardinalBasis, t: ArrayLike) -> FloatArray:
+    """Return dc(t)/dp_i, a factor: moving p_i by d moves c(t) by that times d.
+
+    Parameters
+    ----------
+    curve : Curve or CardinalBasis
+        Of a curve, velocities and accelerations stay as they are; of its cardinal basis, those that are
+        estimated follow the points.
+    t : float or array_like, shape (m,)
+        A scalar counts as m = 1.
+
+    Returns
+    -------
+    ndarray, shape (m, n)
+        B_i0(t), or C_i(t). A `Chain` has a column for every row of its jets.
+    """
+    return curve.basis(t) if isinstance(curve, CardinalBasis) else curve.basis(t)[:, :, 0]
+
+
+def velocity_sensitivity(curve: Curve, t: ArrayLike) -> FloatArray:
+    """Return dc(t)/dv_i = B_i1(t), in units of t, shape (m, n); see `point_sensitivity`.
+
+    Raises
+    ------
+    CurveError
+        If the family has no velocities.
+    """
+    return _column(curve, t, 1, "velocities")
+
+
+def acceleration_sensitivity(curve: Curve, t: ArrayLike) -> FloatArray:
+    """Return dc(t)/da_i = B_i2(t), in units of t squared, shape (m, n); see `point_sensitivity`.
+
+    Raises
+    ------
+    CurveError
+        If the family has no accelerations.
+    """
+    return _column(curve, t, 2, "accelerations")
+
+
+def _column(curve: Curve, t: ArrayLike, r: int, name: str) -> FloatArray:
+    if curve.jets.shape[1] <= r:
+        raise CurveError(f"curve must be of a family with {name}")
+    return curve.basis(t)[:, :, r]
+
+
+def parameter_sensitivity(curve: Curve, t: ArrayLike) -> FloatArray:
+    """Return dc(t)/dt_i at fixed t, points, velocities and accelerations.
+
+    Parameters
+    ----------
+    curve : Curve
+        Of any family. Velocities that a rule estimates from the t_i count as given.
+    t : float or array_like, shape (m,)
+        A scalar counts as m = 1. At a joint the segment to the right counts.
+
+    Returns
+    -------
+    ndarray, shape (m, n, dim)
+        Per unit of t; n counts ``curve.parameters``, so a joint of a chain
+        moves the ends of both its pieces.
+    """
+    with np.errstate(over="ignore", under="ignore", invalid="ignore"):
+        return curve.parameter_derivatives(t)
+
+
+def worst_case_band(
+    curve: Curve,
+    t: ArrayLike,
+    point_error: ArrayLike = 0.0,
+    parameter_error: ArrayLike = 0.0,
+    velocity_error: ArrayLike = 0.0,
+    acceleration_error: ArrayLike = 0.0,
+    *,
+    cardinal: CardinalBasis | None = None,
+    sensitivity: ArrayLike | None = None,
+) -> Band:
+    """Return how far errors of the data may displace the curve.
+
+    Parameters
+    ----------
+    curve : Curve
+        Of any family; of any dim, but see below.
+    t : float or array_like, shape (m,)
+        A scalar counts as m = 1.
+    point_error : float or array_like, shape (n,), optional
+        Largest length of the error of every point, at least 0.
+    parameter_error : float or array_like, shape (n,), optional
+        Largest size of the error of every t_i, at least 0.
+    velocity_error, acceleration_error : float or array_like, shape (n,), optional
+        The same for velocities and accelerations, per unit of t.
+    cardinal : CardinalBasis, optional
+        The cardinal functions of the points, where velocities or accelerations are estimated from them; of
+        the whole curve, where `curve` is a piece of it. ``point_error`` counts its points then.
+    sensitivity : array_like, shape (m, n, dim), optional
+        dc/dt_i, where it is not that of `parameter_sensitivity`: where a rule estimates velocities from the
+        parameters, too. ``parameter_error`` counts its n then.
+
+    Returns
+    -------
+    Band
+        Reached by some errors, hence as narrow as can be.
+
+    Raises
+    ------
+    CurveError
+        If an error is negative or of another shape.
+
+    Notes
+    -----
+    Errors of the points and of derivatives enter exactly: they add up to
+    sum_i,r |B_ir(t)| eps_ir in every direction. Errors of the parameters enter
+    to first order; what is left out is about (delta / gap)**2 times the
+    Lebesgue function. Together they reach a sum of segments, a zonotope,
+    whose farthest corner is found exactly in the plane; in space its
+    distance is bounded by the sum of the lengths. `across` is exact always.
+    """
+    at = parameter_values(t).values
+    with np.errstate(over="ignore", under="ignore", invalid="ignore"):
+        ball = _ball(curve, at, (point_error, velocity_error, acceleration_error), cardinal)
+        known = None if sensitivity is None else np.asarray(sensitivity, dtype=np.float64)
+        count = len(curve.parameters) if known is None else known.shape[1]
+        delta = error_sizes(parameter_error, count, "parameter_error")
+        if not delta.any():
+            return Band(ball, ball.copy())
+        moves = _moves(curve, at, delta) if known is None else known * delta[:, None]
+        farthest = _farthest(moves)
+        (velocity,) = curve.derivatives_at(at, (1,))
+        size = vector_lengths(velocity)
+        rests = size == 0.0
+        unit = velocity / np.where(rests, 1.0, size)[:, None]
+        along = np.einsum("mnd,md->mn", moves, unit)
+        if moves.shape[2] == 2:
+            normal = np.abs(moves[:, :, 1] * unit[:, None, 0] - moves[:, :, 0] * unit[:, None, 1]).sum(axis=1)
+        else:
+            normal = _farthest(moves - along[:, :, None] * unit[:, None])
+        return Band(ball + farthest, ball + np.where(rests, farthest, normal))
+
+
+def _ball(
+    curve: Curve, t: FloatArray, errors: tuple[ArrayLike, ...], cardinal: CardinalBasis | None
+) -> FloatArray:
+    """Return the sum of |B_ir| times the sizes of the errors, for points of |C_i| where these are given."""
+    rows, width = curve.jets.shape[:2]
+    names = ("point_error", "velocity_error", "acceleration_error")
+    of_points: ArrayLike = 0.0 if cardinal is not None else errors[0]
+    given = zip((of_points, *errors[1:]), names, strict=True)
+    sizes = np.stack([error_sizes(error, rows, name) for error, name in given][:width], axis=1)
+    ball = np.zeros(len(t)) if cardinal is not None and not sizes.any() else _sum_of_data(curve, t, sizes)
+    if cardinal is not None:
+        ball += cardinal.sums(t, error_sizes(errors[0], cardinal.count, names[0]))
+    return ball
+
+
+def _sum_of_data(curve: Curve, t: FloatArray, sizes: FloatArray) -> FloatArray:
+    if curve.is_local and len(curve.pieces) == 1:
+        local = curve.local_basis(t)
+        both = np.stack((sizes[local.segment], sizes[local.segment + 1]), axis=1)
+        result: FloatArray = (np.abs(local.values) * both).sum(axis=(1, 2))
+        return result
+    basis = np.abs(curve.basis(t))
+    ball: FloatArray = basis.reshape(len(basis), -1) @ sizes.ravel()
+    return ball
+
+
+def _moves(curve: Curve, t: FloatArray, delta: FloatArray) -> FloatArray:
+    """Return what parameters do that change by delta, without those that do nothing by construction."""
+    if curve.is_local:
+        segment, moves = curve.local_parameter_derivatives(t)
+        return moves * np.stack((delta[segment], delta[segment + 1]), axis=1)[:, :, None]
+    return parameter_sensitivity(curve, t) * delta[:, None]
+
+
+def error_sizes(error: ArrayLike, count: int, name: str) -> FloatArray:
+    """Check sizes of errors: one for all or one each, at least 0; return shape (count,)."""
+    sizes = parameter_values(error).values
+    if sizes.size not in (1, count):
+        raise CurveError(f"{name} must be a number or have the shape ({count},), not ({sizes.size},)")
+    if (sizes < 0.0).any():
+        raise CurveError(f"{name} must be at least 0")
+    return np.broadcast_to(sizes, (count,)).astype(np.float64)
+
+
+def _farthest(moves: FloatArray) -> FloatArray:
+    """Return the largest length of a sum of +-moves, shape (m, n, dim) to (m,)."""
+    if moves.shape[2] != 2:
+        total: FloatArray = vector_lengths(moves).sum(axis=1)
+        return total
+    # The corners of the zonotope: all moves turned to point up, then one after the other reversed in
+    # the order of their directions.
+    down = (moves[:, :, 1] < 0.0) | ((moves[:, :, 1] == 0.0) & (moves[:, :, 0] < 0.0))
+    up = np.where(down[:, :, None], -moves, moves)
+    order = np.argsort(np.arctan2(up[:, :, 1], up[:, :, 0]), axis=1)
+    sorted_ = np.take_along_axis(up, order[:, :, None], axis=1)
+    corners = sorted_.sum(axis=1, keepdims=True) - 2.0 * np.cumsum(sorted_, axis=1)
+    result: FloatArray = vector_lengths(corners).max(axis=1)
+    return result

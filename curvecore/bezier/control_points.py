@@ -1,0 +1,209 @@
+"""Bezier control points: exact for the Hermite families, cubic pieces for all.
+
+References
+----------
+.. [1] G. Farin, "Curves and Surfaces for CAGD", 5th ed., Morgan Kaufmann
+   2002, sections 5.1 (derivatives at the ends) and 7.5, 7.6.
+.. [2] C. de Boor, "A Practical Guide to Splines", revised ed., Springer 2001,
+   chapter IV, (6): the error h**4 max |c''''| / 384 of cubic Hermite
+   interpolation.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import NamedTuple
+
+import numpy as np
+
+from curvecore.arrays import FloatArray, IntArray, tolerance_value
+from curvecore.bezier.bernstein import control_points
+from curvecore.bezier.bernstein_algebra import elevated
+from curvecore.errors import CurveError
+from curvecore.families.curve import Curve
+from curvecore.vectors import vector_lengths
+
+__all__ = [
+    "MAX_PIECES",
+    "CubicPath",
+    "all_joints",
+    "bezier_segments",
+    "cubic_path",
+    "drawable_pieces",
+    "spread",
+]
+
+MAX_PIECES = 1 << 12
+"""`cubic_path` never returns more pieces than this, or one a segment if there are more segments."""
+
+_LIMIT = 1e300  # control points beyond are moved here, so that their differences stay finite
+_SAMPLES = np.arange(1, 12) / 12.0  # where a cubic piece is compared with the curve
+_MARGIN = 1.25  # on the measured deviation, for what lies between the samples
+_ROUNDS = 24
+
+
+class CubicPath(NamedTuple):
+    """Cubic Bezier pieces that follow a curve.
+
+    Attributes
+    ----------
+    control_points : ndarray, shape (k, 4, dim)
+        Piece by piece; each begins where the one before ends.
+    parameters : ndarray, shape (k + 1,)
+        The curve's parameters at the ends of the pieces.
+    deviation : float
+        Upper bound of the distance between the pieces and the curve at equal
+        parameters: 0 for cubic pieces; proved for other polynomial pieces;
+        else measured at 11 parameters a piece and enlarged by a
+        quarter. Larger than the tolerance where `MAX_PIECES` did not suffice.
+    """
+
+    control_points: FloatArray
+    parameters: FloatArray
+    deviation: float
+
+
+def bezier_segments(curve: Curve) -> FloatArray:
+    """Return the Bezier control points of every segment.
+
+    Parameters
+    ----------
+    curve : Curve
+        Of a family of piecewise polynomials. A `LagrangeCurve` has no segments; see `cubic_path`.
+
+    Returns
+    -------
+    ndarray, shape (k, degree + 1, dim)
+        Of the pieces between ``curve.breaks``, exact but for rounding; limited to +-1e300.
+
+    Raises
+    ------
+    CurveError
+        For a curve of another family.
+    """
+    controls = drawable_pieces(curve)
+    if controls is None:
+        raise CurveError("curve must be of a family of piecewise polynomials to have Bezier segments")
+    return controls
+
+
+def drawable_pieces(curve: Curve) -> FloatArray | None:
+    """Return the Bezier control points of a curve, limited to +-1e300; None where it has none."""
+    controls = curve.bezier_pieces()
+    return None if controls is None else _limited(controls)
+
+
+def _limited(controls: FloatArray) -> FloatArray:
+    if np.abs(controls).max() <= _LIMIT:
+        return controls
+    np.nan_to_num(controls, copy=False, nan=_LIMIT)
+    return np.clip(controls, -_LIMIT, _LIMIT, out=controls)
+
+
+def cubic_path(curve: Curve, tolerance: float) -> CubicPath:
+    """Return cubic Bezier pieces within a tolerance of the curve.
+
+    Each piece has the curve's points and velocities at its ends, so the path
+    is as smooth in direction as the curve.
+
+    Parameters
+    ----------
+    curve : Curve
+        Of any family and dim.
+    tolerance : float
+        Largest allowed distance at equal parameters, greater than 0.
+
+    Returns
+    -------
+    CubicPath
+        Its `deviation` says what was reached.
+
+    Raises
+    ------
+    CurveError
+        If the tolerance is not a positive number.
+    """
+    limit = tolerance_value(tolerance)
+    if len(curve.pieces) > 1:
+        return _joined([cubic_path(piece, limit) for piece in curve.pieces])
+    controls = drawable_pieces(curve)
+    with np.errstate(over="ignore", under="ignore", invalid="ignore"):
+        if controls is None:
+            return _measured_path(curve, limit)
+        if controls.shape[1] <= 4:
+            return CubicPath(elevated(controls, 4 - controls.shape[1]), curve.breaks.copy(), 0.0)
+        return _proved_path(curve, controls, limit)
+
+
+def _joined(paths: list[CubicPath]) -> CubicPath:
+    parameters = [paths[0].parameters, *(path.parameters[1:] for path in paths[1:])]
+    return CubicPath(
+        np.concatenate([path.control_points for path in paths]),
+        np.concatenate(parameters),
+        max(path.deviation for path in paths),
+    )
+
+
+def _pieces(curve: Curve, parameters: FloatArray) -> FloatArray:
+    """Return the cubic pieces with the curve's points and velocities."""
+    velocities = curve.evaluate(parameters, 1)
+    if not np.isfinite(velocities).all() or np.abs(velocities).max() > 1e300:
+        velocities = np.clip(np.nan_to_num(velocities), -_LIMIT, _LIMIT)
+    controls = control_points(np.stack((curve.evaluate(parameters), velocities), axis=1), parameters)
+    return _limited(controls)
+
+
+def _proved_path(curve: Curve, controls: FloatArray, tolerance: float) -> CubicPath:
+    degree = controls.shape[1] - 1
+    # The fourth differences of the control points, times this, enclose h**4 c'''' on a segment.
+    fourth = math.perm(degree, 4) * np.diff(controls, n=4, axis=1)
+    bound = vector_lengths(fourth).max(axis=1) / 384.0
+    count = np.clip(np.ceil((bound / tolerance) ** 0.25), 1, MAX_PIECES).astype(np.intp)
+    if count.sum() > max(MAX_PIECES, len(count)):
+        count = np.maximum(1, count * (MAX_PIECES - len(count)) // count.sum())
+    parameters = spread(curve.breaks, count)
+    return CubicPath(_pieces(curve, parameters), parameters, float((bound / count**4.0).max()))
+
+
+def all_joints(curve: Curve) -> FloatArray:
+    """Return the parameters and the breaks of a curve, ascending, each once."""
+    t = np.concatenate((curve.parameters, curve.breaks))
+    t.sort()
+    # numpy.unique would import all of numpy.ma.
+    return t[np.diff(t, prepend=-np.inf) > 0.0]
+
+
+def spread(joints: FloatArray, count: IntArray) -> FloatArray:
+    """Divide segment i into count[i] equal pieces; drop what is not distinct."""
+    segment = np.repeat(np.arange(len(count)), count)
+    first = np.cumsum(count) - count
+    step = np.arange(len(segment)) - first[segment]
+    inner = joints[segment] + (joints[segment + 1] - joints[segment]) * (step / count[segment])
+    return np.unique(np.append(np.minimum(inner, joints[-1]), joints[-1]))
+
+
+def _measured_path(curve: Curve, tolerance: float) -> CubicPath:
+    # Two pieces a segment: fewer could step over an oscillation.
+    joints = all_joints(curve)
+    parameters = spread(joints, np.full(len(joints) - 1, 2))
+    for _ in range(_ROUNDS):
+        pieces = _pieces(curve, parameters)
+        deviation = _MARGIN * _measured_deviation(curve, parameters, pieces)
+        count = np.clip(np.ceil((deviation / tolerance) ** 0.25), 1, 16).astype(np.intp)
+        if count.max() == 1 or count.sum() > MAX_PIECES:
+            break
+        finer = spread(parameters, count)
+        if finer.size == parameters.size:
+            break
+        parameters = finer
+    return CubicPath(pieces, parameters, float(deviation.max()))
+
+
+def _measured_deviation(curve: Curve, parameters: FloatArray, pieces: FloatArray) -> FloatArray:
+    s = _SAMPLES
+    weights = np.stack(((1 - s) ** 3, 3 * s * (1 - s) ** 2, 3 * s**2 * (1 - s), s**3))
+    t = parameters[:-1, None] + np.diff(parameters)[:, None] * s
+    exact = curve.evaluate(t.ravel()).reshape(len(pieces), len(s), -1)
+    approximate = np.einsum("ks,pkd->psd", weights, pieces)
+    worst: FloatArray = vector_lengths(approximate - np.clip(exact, -_LIMIT, _LIMIT)).max(axis=1)
+    return worst

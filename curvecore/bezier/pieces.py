@@ -1,0 +1,230 @@
+"""Curves of any family as Bezier pieces of low degree.
+
+The Hermite families have them exactly. One polynomial of high degree gets
+pieces of degree at most 8, by interpolation at Chebyshev points of as many
+intervals as the tolerance asks for; the decay of the Chebyshev coefficients
+says what was left out [1]_. Everything geometric - lengths, distances,
+crossings - then works on pieces, and on all of them at once.
+
+References
+----------
+.. [1] L. N. Trefethen, "Approximation Theory and Approximation Practice",
+   SIAM 2013, chapters 3, 4 and 8.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from functools import cache
+from typing import NamedTuple
+
+import numpy as np
+
+from curvecore.arrays import FloatArray, IntArray, read_only
+from curvecore.bezier.bernstein_algebra import derivative, elevated, weights
+from curvecore.bezier.control_points import all_joints, spread
+from curvecore.families.curve import Curve
+
+__all__ = ["MAX_PIECES", "BezierPieces", "alike", "bezier_pieces", "parameters_at", "size_of"]
+
+MAX_PIECES = 1 << 12
+"""No polynomial is divided into more pieces than this."""
+
+_DEGREE = 8
+_POINTS = 2 * _DEGREE + 1
+_ROUNDS = 12
+_UNIT = 2.0**-53
+
+
+class BezierPieces(NamedTuple):
+    """Bezier pieces that follow a curve at equal parameters.
+
+    Attributes
+    ----------
+    controls : ndarray, shape (k, degree + 1, dim)
+        Control points times 2**-exponent: at most about 1 in size.
+    slopes : ndarray, shape (k, degree, dim)
+        Control points of the derivative with respect to the local s in
+        [0, 1], in the same units; for the Hermite families from the data, so
+        that their errors do not depend on how far away the origin is.
+    starts, ends : ndarray, shape (k,)
+        Where each piece begins and ends in t. Each piece begins where the one
+        before ends.
+    error : ndarray, shape (k,)
+        What each may deviate, in the units of `controls`: rounding for the
+        Hermite families, measured for `LagrangeCurve`.
+    slope_error : ndarray, shape (k,)
+        What `slopes` may be off.
+    exponent : int
+        See `controls`.
+    """
+
+    controls: FloatArray
+    slopes: FloatArray
+    starts: FloatArray
+    ends: FloatArray
+    error: FloatArray
+    slope_error: FloatArray
+    exponent: int
+
+
+def bezier_pieces(curve: Curve, tolerance: float) -> BezierPieces:
+    """Return pieces of a curve.
+
+    Parameters
+    ----------
+    curve : Curve
+        Of any family and dim.
+    tolerance : float
+        The deviation that is aimed at, relative to the curve's size; not
+        reached where rounding or `MAX_PIECES` do not allow it.
+    """
+    with np.errstate(over="ignore", under="ignore", invalid="ignore"):
+        if len(curve.pieces) > 1:
+            return _joined([bezier_pieces(piece, tolerance) for piece in curve.pieces])
+        controls = curve.bezier_pieces()
+        if controls is None:
+            return _sampled(curve, tolerance)
+        exact = np.zeros(len(controls))
+        pieces = _scaled(controls, curve.breaks, exact, exact, 0)
+        slopes = curve.bezier_slopes(pieces.exponent)
+        return pieces if slopes is None else pieces._replace(slopes=slopes.values, slope_error=slopes.error)
+
+
+def alike(parts: Sequence[BezierPieces]) -> list[IntArray]:
+    """Return the indices of curves whose pieces have one degree and dim: their arrays can be joined."""
+    shapes = [part.controls.shape[1:] for part in parts]
+    return [
+        np.array([index for index, shape in enumerate(shapes) if shape == wanted])
+        for wanted in dict.fromkeys(shapes)
+    ]
+
+
+def size_of(controls: FloatArray) -> float:
+    """Return the largest extent of control points along any axis, or the smallest double if it is 0."""
+    flat = controls.reshape(-1, controls.shape[-1])
+    return max(float((flat.max(axis=0) - flat.min(axis=0)).max()), float(np.finfo(float).tiny))
+
+
+def parameters_at(pieces: BezierPieces, piece: np.ndarray, place: FloatArray) -> FloatArray:
+    """Return the parameters t of places in [0, 1] of pieces."""
+    start, end = pieces.starts[piece], pieces.ends[piece]
+    with np.errstate(under="ignore"):
+        result: FloatArray = np.minimum(start + place * (end - start), end)
+    return result
+
+
+def _scaled(
+    controls: FloatArray, parameters: FloatArray, error: FloatArray, slope_error: FloatArray, base: int
+) -> BezierPieces:
+    """Scale pieces, whose controls are in units of 2**base, to a size of about 1."""
+    _, exponent = np.frexp(np.abs(controls).max())
+    scaled = np.ldexp(controls, -exponent)
+    # Each control point is a sum of a few terms of the size of the largest one.
+    noise = 8.0 * _UNIT * np.abs(scaled).max(axis=(1, 2))
+    degree = controls.shape[1] - 1
+    return BezierPieces(
+        scaled,
+        derivative(scaled),
+        parameters[:-1],
+        parameters[1:],
+        np.ldexp(error, -exponent) + noise,
+        np.ldexp(slope_error, -exponent) + 2.0 * degree * noise,
+        int(exponent) + base,
+    )
+
+
+def _joined(parts: list[BezierPieces]) -> BezierPieces:
+    degree = max(part.controls.shape[1] for part in parts)
+    exponent = max(part.exponent for part in parts)
+    shifts = [part.exponent - exponent for part in parts]
+    together = zip(parts, shifts, strict=True)
+    controls = [
+        np.ldexp(elevated(part.controls, degree - part.controls.shape[1]), shift) for part, shift in together
+    ]
+    slopes = [
+        np.ldexp(elevated(part.slopes, degree - part.controls.shape[1]), shift)
+        for part, shift in zip(parts, shifts, strict=True)
+    ]
+    return BezierPieces(
+        np.concatenate(controls),
+        np.concatenate(slopes),
+        np.concatenate([part.starts for part in parts]),
+        np.concatenate([part.ends for part in parts]),
+        np.concatenate([np.ldexp(part.error, shift) for part, shift in zip(parts, shifts, strict=True)]),
+        np.concatenate(
+            [np.ldexp(part.slope_error, shift) for part, shift in zip(parts, shifts, strict=True)]
+        ),
+        exponent,
+    )
+
+
+def _sampled(curve: Curve, tolerance: float) -> BezierPieces:
+    is_low = curve.degree is not None and curve.degree <= _DEGREE
+    degree = min(curve.degree, _DEGREE) if curve.degree is not None else _DEGREE
+    parameters = all_joints(curve)
+    for step in range(_ROUNDS):
+        coefficients, size, base = _chebyshev(curve, parameters)
+        rest = np.linalg.norm(coefficients[:, degree + 1 :], axis=-1)
+        error = rest.sum(axis=1)
+        wanted = max(tolerance, 64.0 * _UNIT) * size
+        # The coefficients of degree above 8 shrink at least as 2**-9 when an interval is halved.
+        poor = (error > wanted) & (np.diff(parameters) > 1e-12 * (parameters[-1] - parameters[0]))
+        if is_low or not poor.any() or step == _ROUNDS - 1:
+            break
+        if len(error) + poor.sum() > MAX_PIECES:
+            break
+        need = np.clip(np.ceil((error / wanted) ** (1.0 / (_DEGREE + 1))), 2, 4)
+        finer = spread(parameters, np.where(poor, need, 1).astype(np.intp))
+        if finer.size == parameters.size:
+            break
+        parameters = finer
+    controls = _to_bernstein(degree) @ coefficients[:, : degree + 1]
+    # Coefficients as small as rounding are none of the polynomial's own.
+    noise = 8.0 * _UNIT * np.abs(coefficients[:, 0]).max(axis=1, initial=0.0)
+    orders = np.arange(degree + 1, _POINTS, dtype=np.float64)
+    # |T_k'| <= k**2 on an interval of length 2.
+    slope_error = 2.0 * (np.maximum(rest - noise[:, None], 0.0) @ np.square(orders) + degree * noise)
+    ends = curve.evaluate(parameters)
+    ends = np.ldexp(ends, -base)
+    controls[:, 0], controls[:, -1] = ends[:-1], ends[1:]
+    return _scaled(controls, parameters, 2.0 * error, 2.0 * slope_error, base)
+
+
+def _chebyshev(curve: Curve, parameters: FloatArray) -> tuple[FloatArray, float, int]:
+    """Return Chebyshev coefficients on every interval, shape (k, 17, dim), and the curve's size.
+
+    Both are in units of a power of two, whose exponent is returned too.
+    """
+    places = _places()
+    t = parameters[:-1, None] + np.diff(parameters)[:, None] * places
+    t = np.minimum(t, parameters[1:, None])
+    sampled = curve.evaluate(t.ravel()).reshape(*t.shape, -1)
+    _, base = np.frexp(np.abs(sampled).max())
+    sampled = np.ldexp(sampled, -base)
+    return _transform() @ sampled, size_of(sampled), int(base)
+
+
+@cache
+def _places() -> FloatArray:
+    k = np.arange(_POINTS)
+    return read_only(np.sin(k * (np.pi / (2 * (_POINTS - 1)))) ** 2)
+
+
+@cache
+def _transform() -> FloatArray:
+    """Return the matrix from values at `_places` to Chebyshev coefficients."""
+    n = _POINTS - 1
+    j, k = np.meshgrid(np.arange(_POINTS), np.arange(_POINTS))
+    matrix = (2.0 / n) * np.cos(np.pi * j * k / n) * (-1.0) ** k
+    matrix[:, [0, n]] *= 0.5
+    matrix[[0, n]] *= 0.5
+    return read_only(matrix)
+
+
+@cache
+def _to_bernstein(degree: int) -> FloatArray:
+    """Return the matrix from Chebyshev to Bernstein coefficients, shape (degree + 1, degree + 1)."""
+    s = np.linspace(0.0, 1.0, degree + 1)
+    chebyshev = np.cos(np.arange(degree + 1) * np.arccos(np.clip(2.0 * s - 1.0, -1.0, 1.0))[:, None])
+    return read_only(np.asarray(np.linalg.solve(weights(s, degree), chebyshev), dtype=np.float64))

@@ -1,0 +1,235 @@
+"""Polylines of a curve without Bezier pieces that changes, as under a hand that drags it.
+
+The curve is linear in its points. While the parameters stay, samples follow
+a moved point by B_i(t) times the way it went: no basis function is evaluated
+again. When parameters move, the curve is evaluated once at the same samples,
+not sampled and refined anew; for a few of them from the curve through the
+other points. Whether the samples still lie close enough is read off the
+samples themselves. They start twice as close as the degree can
+make necessary, which is why nothing can hide between them.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+import numpy.typing as npt
+from numpy.typing import ArrayLike
+
+from curvecore.arrays import FloatArray, box_edges, tolerance_value
+from curvecore.bezier.flatten import Pieces, may_enter, merged_pieces, sampled_pieces, segment_distance
+from curvecore.drag.left_out import LeftOut
+from curvecore.families.curve import Curve
+
+__all__ = ["FrozenFlattening"]
+
+ComplexArray = npt.NDArray[np.complex128]
+
+_FINER = 4.0  # of the tolerance: room for the curve to bend more before new samples are needed
+_MARGIN = 1.6  # on an estimate from one place for the whole of a piece
+_LIMIT = 1e300
+_MOST_MOVED = 4  # points whose parameters move, above which evaluating anew is as fast
+_LEAST_SQUARE = 1e-290  # of lengths, below which products lose digits
+_SHARE = 0.05  # of the tolerance, that roundings may take
+_FEW = 512  # vertices, up to which drawing all takes less time than finding those that need not be
+_MOST_COLUMNS = 16  # moved points, above which evaluating anew is as fast
+
+
+class FrozenFlattening:
+    """Samples of one curve that serve for others over the same interval.
+
+    Parameters
+    ----------
+    curve : Curve
+        Of dim 2.
+    tolerance : float
+        Largest allowed distance from a curve to its polyline, above 0.
+    box : (xmin, ymin, xmax, ymax), optional
+        Where the tolerance matters; see `flatten_parameters`.
+
+    Raises
+    ------
+    CurveError
+        If tolerance or box are unusable.
+    """
+
+    def __init__(self, curve: Curve, tolerance: float, box: ArrayLike | None = None) -> None:
+        self._tolerance = tolerance_value(tolerance)
+        self._edges = None if box is None else box_edges(box)
+        self._curve = curve
+        with np.errstate(over="ignore", under="ignore", invalid="ignore"):
+            pieces = sampled_pieces(curve, self._tolerance / _FINER, self._edges)
+        self._parameters, self._points = pieces.parameters, pieces.points
+        h = np.diff(self._parameters)
+        self._quotient = h[1:] / h[:-1]
+        self._leverage = 0.25 * _MARGIN * np.maximum(self._quotient, 1.0 / self._quotient)
+        self._columns: dict[int, FloatArray] = {}
+        self._left_out: LeftOut | None = None
+
+    def follow(self, curve: Curve) -> Pieces | None:
+        """Return the polyline of another curve.
+
+        Parameters
+        ----------
+        curve : Curve
+            Of dim 2; the fewer of its data differ from those of the curve
+            given first, the sooner it is done.
+
+        Returns
+        -------
+        Pieces or None
+            None where the samples do not serve for this curve any more.
+        """
+        if not self._is_alike(curve):
+            return None
+        with np.errstate(over="ignore", under="ignore", invalid="ignore", divide="ignore"):
+            points = self._samples(curve)
+            bound = self._calm_deviation(points)
+            if bound <= self._tolerance and len(points) <= _FEW:
+                return Pieces(self._parameters, points, np.full(len(points) - 1, bound))
+            deviation = self._deviation(points)
+            if not np.isfinite(points).all() or np.any((deviation > self._tolerance) & (deviation < np.inf)):
+                return None
+            pieces = Pieces(self._parameters, points, deviation)
+            return pieces if points.shape[0] <= _FEW else merged_pieces(pieces, self._tolerance)
+
+    def _is_alike(self, curve: Curve) -> bool:
+        """Whether the samples are close enough together for this curve, and hold its breaks."""
+        old = self._curve
+        if curve.name != old.name or not np.array_equal(curve.breaks, old.breaks):
+            return False
+        if curve.degree is None or old.degree is None:
+            return len(curve.points) == len(old.points) and curve.degree is old.degree
+        return curve.degree <= old.degree
+
+    def _samples(self, curve: Curve) -> FloatArray:
+        """Return the curve at all samples, (m, 2)."""
+        is_same = curve.parameters is self._curve.parameters
+        if not (is_same or np.array_equal(curve.parameters, self._curve.parameters)):
+            return np.clip(self._at_moved_parameters(curve), -_LIMIT, _LIMIT)
+        moved = np.flatnonzero((curve.points != self._curve.points).any(axis=1))
+        if len(moved) > _MOST_COLUMNS:
+            return np.clip(curve.evaluate(self._parameters), -_LIMIT, _LIMIT)
+        if not len(moved):
+            return self._points
+        columns = np.stack([self._column(index) for index in moved.tolist()], axis=1)
+        way = curve.points[moved] - self._curve.points[moved]
+        return np.clip(self._points + columns @ way, -_LIMIT, _LIMIT)
+
+    def _at_moved_parameters(self, curve: Curve) -> FloatArray:
+        if self._left_out is None or not self._left_out.serves(curve):
+            self._left_out = self._leave_out(curve)
+        if self._left_out is not None:
+            known = self._left_out.evaluate(curve)
+            if known.rounding <= _SHARE * self._tolerance:
+                return known.points
+        return curve.evaluate(self._parameters)
+
+    def _leave_out(self, curve: Curve) -> LeftOut | None:
+        """Leave out what `curve` has elsewhere; None where that is too much."""
+        if len(curve.parameters) != len(self._curve.parameters) or not curve.is_one_polynomial:
+            return None
+        differs = (curve.parameters != self._curve.parameters) | (curve.points != self._curve.points).any(
+            axis=1
+        )
+        moved = np.flatnonzero(differs)
+        if len(moved) > min(_MOST_MOVED, len(differs) - 2):
+            return None
+        return LeftOut(self._curve, moved, self._parameters)
+
+    def _column(self, index: int) -> FloatArray:
+        """Return the basis function of a point at all samples, (m,)."""
+        if index not in self._columns:
+            unit = np.zeros((len(self._curve.parameters), 1, 1))
+            unit[index] = 1.0
+            self._columns[index] = self._curve.with_jets(unit).evaluate(self._parameters)[:, 0]
+        return self._columns[index]
+
+    def _calm_deviation(self, points: FloatArray) -> float:
+        """Return the greatest estimate of `_deviation`; infinite where the curve may turn back.
+
+        In a third of the operations: where three samples turn by less than a right angle, the middle one is
+        as far from the chord of the others as from the line through them.
+        """
+        if len(points) < 3:
+            return np.inf
+        at = np.ascontiguousarray(points).view(np.complex128)[:, 0]
+        step = at[1:] - at[:-1]
+        turn = step[1:] * step[:-1].conj()
+        if not turn.real.min() > _LEAST_SQUARE or self._turns_at_ends(step):
+            return np.inf
+        off = np.abs(turn.imag) / np.abs(at[2:] - at[:-2])
+        return float((off * self._leverage).max())
+
+    def _turns_at_ends(self, step: ComplexArray) -> bool:
+        quotient = self._quotient
+        first = _passed_at_end(complex(step[0]), complex(step[1]), float(quotient[0]))
+        last = _passed_at_end(complex(step[-1]), complex(step[-2]), 1.0 / float(quotient[-1]))
+        return bool(first or last)
+
+    def _deviation(self, points: FloatArray) -> FloatArray:
+        """Estimate how far each piece leaves its chord; infinite for what stays outside the box.
+
+        A sample lies |c''| h k / 2 off the chord of its neighbours, h and k away from it in t; a piece of
+        length h leaves its own chord by |c''| h**2 / 8.
+        """
+        h = np.diff(self._parameters)
+        if len(h) < 2:
+            return np.zeros(len(h))
+        off = segment_distance(points[1:-1], points[:-2], points[2:])
+        quotient = h[1:] / h[:-1]
+        deviation = np.zeros(len(h))
+        deviation[:-1] = off / quotient
+        deviation[1:] = np.maximum(deviation[1:], off * quotient)
+        deviation *= 0.25 * _MARGIN
+        passed = _passed(points, quotient)
+        if passed is not None:
+            deviation += _MARGIN * passed
+        if self._edges is not None:
+            reach = np.maximum(np.append(off, 0.0), np.insert(off, 0, 0.0))[:, None]
+            if passed is not None:
+                reach += _MARGIN * passed[:, None]
+            low = np.minimum(points[:-1], points[1:]) - reach
+            high = np.maximum(points[:-1], points[1:]) + reach
+            deviation[~may_enter(np.stack([low, high], axis=1), self._edges)] = np.inf
+        return deviation
+
+
+def _passed(points: FloatArray, quotient: FloatArray) -> FloatArray | None:
+    """Estimate how far each piece passes an end of its chord and comes back; None where none does.
+
+    Samples along the chord show nothing of it. `quotient` says how much longer in t each piece but the first
+    is than the one before it.
+    """
+    # Complex numbers: one operation for both coordinates.
+    at = np.ascontiguousarray(points).view(np.complex128)[:, 0]
+    step = at[1:] - at[:-1]
+    onward = (step[1:] * step[:-1].conj()).real > 0.0
+    first = _passed_at_end(complex(step[0]), complex(step[1]), float(quotient[0]))
+    last = _passed_at_end(complex(step[-1]), complex(step[-2]), 1.0 / float(quotient[-1]))
+    if not (first or last) and onward.all():
+        return None
+    after = step[1:] / quotient
+    bend = (after - step[:-1]) * (2.0 / (1.0 + quotient))
+    way = np.where(onward, 0.0, _way_on((step[:-1] * quotient + after) / (1.0 + quotient), bend))
+    passed = np.zeros(len(step))
+    passed[:-1] = way
+    passed[1:] = np.maximum(passed[1:], way)
+    passed[0], passed[-1] = max(passed[0], first), max(passed[-1], last)
+    return passed
+
+
+def _passed_at_end(step: complex, following: complex, quotient: float) -> float:
+    """Return how far a curve first goes the other way, given the first steps from its end."""
+    change = (following / quotient - step) / (1.0 + quotient)
+    velocity = step - change
+    if (velocity * step.conjugate()).real > 0.0:
+        return 0.0
+    return float(_way_on(np.array([velocity]), np.array([2.0 * change]))[0])
+
+
+def _way_on(velocity: ComplexArray, bend: ComplexArray) -> FloatArray:
+    """Return how far a parabola goes on before it turns: (v . c'')**2 / (2 |c''|**3)."""
+    size = np.abs(bend)
+    along = (velocity * bend.conj()).real / size
+    way: FloatArray = np.where(size > 0.0, 0.5 * along * along / size, 0.0)
+    return way
