@@ -20,7 +20,7 @@ from app.document.model import (
 )
 from app.document.several_curves import with_looks
 from app.families import HERMITE, LAGRANGE
-from app.panels.curve_list_view import Spot
+from app.features.curve_list.view import Spot
 from app.storage.format import FormatError, validate
 from app.view_model.curve_view import view_of
 
