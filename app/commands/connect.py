@@ -21,7 +21,6 @@ from app.commands.focus_commands import FocusCommands
 from app.commands.fresh_hints import FreshHints
 from app.commands.help_commands import HelpCommands
 from app.commands.hodograph_commands import HodographCommands
-from app.commands.image_commands import ImageCommands
 from app.commands.joint_commands import JointCommands
 from app.commands.laboratory_commands import LaboratoryCommands
 from app.commands.lesson_commands import LessonCommands
@@ -42,6 +41,7 @@ from app.docks import late_panels
 from app.document.edits import EditError
 from app.features.file_on_disk.commands import DiskCommands
 from app.features.recovery.commands import RecoveryCommands
+from app.features.reference_image.commands import ImageCommands
 from app.tasks.owner import TaskOwner, close_all
 from app.view_model.curve_view import CurveView
 

@@ -25,7 +25,7 @@ from app.view_model.curve_view import CurveView
 
 
 class _Home(msgspec.Struct, frozen=True):
-    """Active curve and selection before a preview began another curve."""
+    """Active curve and selection before a gesture showed its first preview."""
 
     active: int
     points: frozenset[int]
@@ -226,8 +226,9 @@ class Session(QObject):
         if reason := why_locked(self._committed, document):
             self.refuse(reason)
             return False
-        if active is not None and self._home is None:
+        if self._home is None:
             self._home = _Home(self.active_index, self.selection, self.chosen_curves)
+        if active is not None and active != self.active_index:
             self._enter(active)
         self._show(document)
         return True
@@ -252,16 +253,16 @@ class Session(QObject):
         return Change(is_done=True)
 
     def cancel(self) -> None:
-        """Drop the preview; nothing is left of it."""
-        if not self.is_previewing:
-            return
+        """Drop the preview; nothing is left of it, and what was selected before it is selected again."""
         home, self._home = self._home, None
-        if home is not None:
+        if home is None:
+            return
+        if home.active != self.active_index:
             self._enter(home.active)
-        self._show(self._committed)
-        if home is not None:
-            self.choose_curves(home.curves)
-            self.select(home.points)
+        if self.is_previewing:
+            self._show(self._committed)
+        self.choose_curves(home.curves)
+        self.select(home.points)
 
     def interrupt(self) -> bool:
         """Drop the gesture in flight, wherever it is, with its preview; return whether one was shown."""
