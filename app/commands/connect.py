@@ -7,6 +7,7 @@ from typing import TypeVar
 
 from PySide6.QtWidgets import QWidget
 
+from app import panels
 from app.actions.declaration import Action, all_declared
 from app.commands.chosen_commands import ChosenCommands
 from app.commands.clipboard_commands import ClipboardCommands
@@ -136,9 +137,8 @@ class Commands:
         return self._context.cancel_gesture() or self[FocusCommands].back_to_canvas()
 
     def _build_analysis(self) -> QWidget:
-        from app.panels.analysis_panel import AnalysisPanel  # noqa: PLC0415 - late, as all of them
 
-        return AnalysisPanel(self._context.analysis, self._context.actions.__getitem__)
+        return panels.analysis_panel.AnalysisPanel(self._context.analysis, self._context.actions.__getitem__)
 
     def build_dock(self, name: str) -> QWidget:
         """Return the content of a dock that is shown for the first time."""
