@@ -23,3 +23,7 @@
 - ``messages``, ``fresh_hints``: the line on the canvas; the hint in the status line.
 - ``given``, ``drops``: files by what is done with them; those dragged over the window.
 """
+
+import lazy_loader as lazy
+
+__getattr__, __dir__, __all__ = lazy.attach_stub(__name__, __file__)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import logging
 from collections.abc import Callable, Collection, Hashable, Sequence
 from pathlib import Path
 
@@ -14,7 +15,7 @@ from app.document.edits import EditError
 from app.document.model import Curve, Document
 from app.document.plain import plain
 from app.examples import first_sketch
-from app.session.change import Change, why_locked, why_not_kept
+from app.session.change import Change, raiser_of, why_locked, why_not_kept
 from app.session.files import Files
 from app.session.history import Beginning, History, State
 from app.session.messages import Message, MessageKind
@@ -22,6 +23,8 @@ from app.session.selection import Selection
 from app.session.views import Views
 from app.storage.open_file import Reading
 from app.view_model.curve_view import CurveView
+
+_log = logging.getLogger("curvebench.session")
 
 
 class _Home(msgspec.Struct, frozen=True):
@@ -212,7 +215,7 @@ class Session(QObject):
         try:
             document = edit(self._committed)
         except EditError as reason:
-            return self._refused(str(reason))
+            return self._refused(str(reason), raiser_of(reason))
         return self.commit(document, text, active=active, run=run)
 
     def preview(self, document: Document, *, active: int | None = None) -> bool:
@@ -244,12 +247,15 @@ class Session(QObject):
         if document == self._committed:
             self.cancel()
             return Change(is_done=False)
-        if reason := why_locked(self._committed, document) or why_not_kept(self._committed, document):
-            return self._refused(reason)
+        if reason := why_locked(self._committed, document):
+            return self._refused(reason, "the lock of a curve")
+        if reason := why_not_kept(self._committed, document):
+            return self._refused(reason, "the file format")
         before = self.state
         self._home = None
         after = State(document, self.active_index if active is None else active, self.files.beginning)
         self.history.push(before, after, text, run)
+        _log.debug("a step of the history, now %d", self.undo_stack.count())
         return Change(is_done=True)
 
     def cancel(self) -> None:
@@ -271,8 +277,9 @@ class Session(QObject):
         self.cancel()
         return was_previewing
 
-    def _refused(self, reason: str) -> Change:
-        """Say why nothing changes."""
+    def _refused(self, reason: str, by: str) -> Change:
+        """Say why nothing changes; log `by` what, for the reason may name something."""
+        _log.info("a change was refused by %s", by)
         self.refuse(reason)
         self.cancel()
         return Change(is_done=False, refusal=reason)
