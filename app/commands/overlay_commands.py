@@ -4,11 +4,15 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from PySide6.QtWidgets import QWidget
+
 from app.actions.declaration import Action, action, action_for_each
 from app.actions.sections import GHOSTS_FAMILY, GHOSTS_RULE, OVERLAY_SECTIONS
 from app.commands.context import WindowContext
+from app.docks import LatePanel
 from app.tasks.debounced_task import DebouncedTask
 from app.tasks.progress import Report
+from app.view_model import analysis
 from app.view_model.analysis.ghost import Ghost, all_ghosts
 from app.view_model.analysis.overlay import OVERLAYS, Group, Overlay
 from app.view_model.analysis.overlays.ensemble import ENSEMBLE, SEED
@@ -42,6 +46,14 @@ class OverlayCommands:
         )
         context.session.scrub_changed.connect(self._follow_scrub)
 
+    @LatePanel("analysisDock", "Analysis")
+    def build_panel(self) -> QWidget:
+        """Return the panel; called when its dock is first shown."""
+        # Imported when it is wanted: nobody waits for it at the start.
+        from app.panels.analysis_panel import AnalysisPanel  # noqa: PLC0415
+
+        return AnalysisPanel(self._context.analysis, self._context.actions.__getitem__)
+
     # What is shown
 
     def follow(self, view: CurveView) -> None:
@@ -50,20 +62,18 @@ class OverlayCommands:
         if settings.is_empty:
             self._clear()
             return
-        # Imported when there is something to show: nobody waits for it at the start.
-        from app.view_model.analysis.legend import legend_rows  # noqa: PLC0415
-        from app.view_model.analysis.picture import live_picture, settling  # noqa: PLC0415
-
-        waits = settling(view, settings)
+        waits = analysis.picture.settling(view, settings)
         self._settle(view, settings, waits)
-        live = live_picture(view, settings, self._context.session.scrub)
+        live = analysis.picture.live_picture(view, settings, self._context.session.scrub)
         self._ghosts = self._ghosts_of(view, settings)
         settled = self._settled
         figures = [*settled.figures, *live.figures] if settled is not None else live.figures
         ghosts = list(self._ghosts.values())
         busy = waits if settled is None else frozenset()
         self._context.central.canvas.drawing.annotations.render_figures(figures, ghosts)
-        rows = legend_rows(view, settings, ghosts, figures if settled is not None else (), busy)
+        rows = analysis.legend.legend_rows(
+            view, settings, ghosts, figures if settled is not None else (), busy
+        )
         self._context.central.canvas.drawing.annotations.render_legend(_GROUP, rows)
         notes = {**live.notes, **(settled.notes if settled is not None else {})}
         self._context.analysis.note({**notes, **dict.fromkeys(busy, "…")}, view.problem)
@@ -72,10 +82,9 @@ class OverlayCommands:
     def _ghosts_of(self, view: CurveView, settings: AnalysisSettings) -> dict[Ghost, GhostView]:
         if not (settings.ghosts and view.is_current):
             return {}
-        from app.view_model.analysis.ghosts import ghost_views  # noqa: PLC0415 - as above
 
         in_drag = self._context.session.is_previewing
-        return ghost_views(view, settings.ghosts, self._ghosts, in_drag=in_drag)
+        return analysis.ghosts.ghost_views(view, settings.ghosts, self._ghosts, in_drag=in_drag)
 
     def _clear(self) -> None:
         if not self._is_drawn:
@@ -93,16 +102,15 @@ class OverlayCommands:
             self._asked, self._settled = None, None
             self._task.give_up()
             return
-        from app.view_model.analysis.picture import settled_picture, settling_key  # noqa: PLC0415
 
         scrub = self._context.session.scrub
-        asked = (view, settling_key(view, settings, scrub))
+        asked = (view, analysis.picture.settling_key(view, settings, scrub))
         if asked == self._asked:
             return
         self._asked, self._settled = asked, None
 
         def compute(report: Report) -> object:
-            return asked, settled_picture(view, settings, scrub, report)
+            return asked, analysis.picture.settled_picture(view, settings, scrub, report)
 
         self._task.ask(compute)
 
@@ -179,9 +187,9 @@ class OverlayCommands:
 
     def _make_real(self, ghost: Ghost) -> None:
         """Give the curve the rules of a ghost."""
-        from app.view_model.analysis.ghosts import with_ghost_real  # noqa: PLC0415 - as above
-
         session = self._context.session
         is_family = ghost.family is not None
         text = f"Switch to {ghost.title}" if is_family else f"Use {ghost.title.lower()} parameters"
-        session.change(text, lambda document: with_ghost_real(document, session.active_index, ghost))
+        session.change(
+            text, lambda document: analysis.ghosts.with_ghost_real(document, session.active_index, ghost)
+        )

@@ -21,7 +21,7 @@ from app.exchange.choice import ExportChoice
 from app.exchange.image import png_image
 from app.exchange.motion_frames import FrameMaker
 from app.exchange.svg import INK, svg_of
-from app.panels.curve_list_view import Spot, spot_rect
+from app.features.curve_list.view import Spot, spot_rect
 from app.panels.export_dialog import ExportDialog
 from app.theme import DARK, LIGHT, ThemeMode, apply_theme, mix
 from app.view_model.palette import adjustment_of, colour_on

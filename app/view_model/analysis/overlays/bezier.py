@@ -30,13 +30,13 @@ def _bezier(scene: Scene) -> Drawn:
     view = scene.view
     if _is_one_polynomial(view):
         return _of_polynomial(scene)
-    if view.curve is not None and view.curve.degree is None:
-        return [], f"Not drawn: a {view.source.family.title} curve is made of no polynomials."
     figures = []
     for piece in view.pieces:
         if (controls := piece.bezier_pieces()) is not None:
             figures += _polygons(controls)
-    return figures, ""
+    if figures:
+        return figures, ""
+    return [], f"Not drawn: no control points are known of a {view.source.family.title} curve."
 
 
 def _of_polynomial(scene: Scene) -> Drawn:

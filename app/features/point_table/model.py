@@ -21,6 +21,7 @@ from PySide6.QtGui import QColor, QFont, QPainter, QPixmap
 from app.document.edits import EditError, checked
 from app.document.expression import ExpressionError, parse_number
 from app.document.model import Node
+from app.features.point_table.columns import Column, columns_of
 from app.overrides import Guarded
 from app.panels.number_text import (
     ColumnNumbers,
@@ -29,7 +30,6 @@ from app.panels.number_text import (
     numbers_of_columns,
     rounded_text,
 )
-from app.panels.point_columns import Column, columns_of
 from app.plotting.colours import colours_of
 from app.theme import LIGHT, Theme
 from app.view_model.curve_view import CurveView, Floats
