@@ -9,7 +9,7 @@ from typing import Any
 from app.commands.parts import Handlers, Parts
 from app.document.format import FormatError
 from app.document.storage import StorageError
-from app.exchange import ExchangeError
+from app.exchange.errors import ExchangeError
 from app.panels.job_bar import JobBar
 from app.view_model.curve_view import CurveView
 from app.worker import Jobs, Work

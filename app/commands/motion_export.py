@@ -9,11 +9,11 @@ from PySide6.QtWidgets import QApplication, QFileDialog, QWidget
 
 from app.commands.file_work import FileWork
 from app.commands.parts import Parts
-from app.exchange.animation import Film, write_film
+from app.exchange.animation import Film, FilmFormat, write_film
 from app.exchange.progress import Report
-from app.exchange.svg import DARK, LIGHT
+from app.exchange.styles import DARK, LIGHT
 from app.file_commands import file_stem
-from app.panels.motion_dialog import FORMATS, MotionDialog
+from app.panels.motion_dialog import MotionDialog
 from app.theme import theme_of
 from app.view_model.motion import MotionSettings, round_of
 
@@ -45,10 +45,10 @@ class MotionExport:
         start, end = view.curve.domain
         self._dialog.open_for(round_of(end - start, settings.repeat) / settings.speed)
 
-    def _ask_where(self, ending: str) -> None:
-        parts = self._parts
+    def _ask_where(self, form: FilmFormat) -> None:
+        parts, ending = self._parts, form.ending
         start = parts.preferences.last_folder / f"{file_stem(parts.session)}{ending}"
-        kinds = f"{FORMATS[ending]} (*{ending})"
+        kinds = f"{form.title} (*{ending})"
         name = self.ask_name(parts.window, start, kinds)
         if name:
             path = Path(name)

@@ -12,7 +12,7 @@ import select
 import shutil
 import subprocess
 import tempfile
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from pathlib import Path
 from typing import IO, TYPE_CHECKING, Any
@@ -21,10 +21,10 @@ from msgspec.structs import replace
 
 from app.document.model import Document
 from app.document.storage import write
-from app.exchange.drawing import ExchangeError
-from app.exchange.formats import ending_of
+from app.exchange.errors import ExchangeError
+from app.exchange.formats import format_of
 from app.exchange.progress import FINAL, Report, silent
-from app.exchange.svg import LIGHT, Style
+from app.exchange.styles import LIGHT, Style
 from app.view_model.curve_view import view_of
 from app.view_model.motion import Course, Pace, Repeat, round_of
 from app.view_model.motion_picture import COLOURS, Role, rivals_of
@@ -34,9 +34,6 @@ if TYPE_CHECKING:
 
     from app.exchange.motion_frames import FrameMaker
 
-ANIMATED = (".gif", ".apng", ".png", ".mp4")
-"""Endings of the films that `write_film` can write; a PNG is an APNG."""
-
 LARGEST_WIDTH = 1920
 MOST_FRAMES = 1200
 FASTEST = 50
@@ -44,9 +41,6 @@ FASTEST = 50
 
 _LOOK_S = 0.1
 """How often to ask, in seconds, whether anybody still waits for a program that does nothing."""
-
-_MOST_PIXELS = {".gif": 4e8, ".apng": 1.3e8, ".png": 1.3e8, ".mp4": 4e9}
-"""Of all frames together: Pillow keeps them until the file is written, in one or in three bytes a pixel."""
 
 
 @dataclass(frozen=True)
@@ -121,9 +115,8 @@ def first_round(document: Document, repeat: Repeat) -> float:
     return round_of(Film().courses(document)[Role.OWN].duration, repeat)
 
 
-def has_video() -> bool:
-    """Whether MP4 can be written: ffmpeg is on the PATH."""
-    return shutil.which("ffmpeg") is not None
+def _missing_for_video() -> str:
+    return "" if shutil.which("ffmpeg") else "MP4 is written by ffmpeg, which is not on the PATH"
 
 
 def write_film(
@@ -149,24 +142,19 @@ def write_film(
     Cancelled
         If `report` raised it; an old file stays as it was.
     """
-    ending = ending_of(path, ANIMATED)
+    form = format_of(path, FILMS)
     _refuse_size(film)
     # Qt is slow to import, and a mistake in the name is told without.
     from app.exchange.image import application  # noqa: PLC0415
     from app.exchange.motion_frames import FrameMaker  # noqa: PLC0415
 
     with application():
-        data = _film_bytes(FrameMaker(document, film), film, ending, report)
+        maker = FrameMaker(document, film)
+        if film.frames * maker.width * maker.height > form.most_pixels or maker.height > 2 * LARGEST_WIDTH:
+            raise ExchangeError("The film would be too large; make it smaller, shorter or with fewer frames.")
+        data = form.write(maker, film, report)
     report(FINAL, "Writing")
     write(path, data)
-
-
-def _film_bytes(maker: FrameMaker, film: Film, ending: str, report: Report) -> bytes:
-    if film.frames * maker.width * maker.height > _MOST_PIXELS[ending] or maker.height > 2 * LARGEST_WIDTH:
-        raise ExchangeError("The film would be too large; make it smaller, shorter or with fewer frames.")
-    if ending == ".mp4":
-        return _video(maker, film, report)
-    return _pictures(maker, _watched(maker, film.frames, report), film, ending)
 
 
 def _refuse_size(film: Film) -> None:
@@ -184,7 +172,19 @@ def _watched(maker: FrameMaker, count: int, report: Report) -> Iterator[bytes]:
         report(number / count, "Drawing")
 
 
-def _pictures(maker: FrameMaker, frames: Iterator[bytes], film: Film, ending: str) -> bytes:
+def _gif(maker: FrameMaker, film: Film, report: Report) -> bytes:
+    # Without the entry the film plays once.
+    loop = {} if film.repeat is Repeat.ONCE else {"loop": 0}
+    images = _in_one_palette(_images(maker, film, report))
+    return _saved(images, format="GIF", duration=film.durations(10), **loop)
+
+
+def _apng(maker: FrameMaker, film: Film, report: Report) -> bytes:
+    loop = 1 if film.repeat is Repeat.ONCE else 0
+    return _saved(_images(maker, film, report), format="PNG", duration=film.durations(1), loop=loop)
+
+
+def _images(maker: FrameMaker, film: Film, report: Report) -> Iterator[Image.Image]:
     try:
         from PIL import Image  # noqa: PLC0415 - an extra
     except ImportError:
@@ -192,15 +192,11 @@ def _pictures(maker: FrameMaker, frames: Iterator[bytes], film: Film, ending: st
             "GIF and APNG are written by Pillow, which is not installed: pip install 'curvebench[animation]'."
         ) from None
     size = (maker.width, maker.height)
-    images: Iterator[Image.Image] = (Image.frombytes("RGB", size, frame, "raw", "RGBX") for frame in frames)
-    forever = film.repeat is not Repeat.ONCE
-    options: dict[str, Any]
-    if ending == ".gif":
-        images = _in_one_palette(images)
-        # Without the entry the film plays once.
-        options = {"format": "GIF", "duration": film.durations(10), **({"loop": 0} if forever else {})}
-    else:
-        options = {"format": "PNG", "duration": film.durations(1), "loop": 0 if forever else 1}
+    frames = _watched(maker, film.frames, report)
+    return (Image.frombytes("RGB", size, frame, "raw", "RGBX") for frame in frames)
+
+
+def _saved(images: Iterator[Image.Image], **options: Any) -> bytes:  # noqa: ANN401 - Pillow's
     first, *rest = images
     buffer = io.BytesIO()
     first.save(buffer, save_all=True, append_images=rest, **options)
@@ -288,3 +284,41 @@ def _code_of(process: subprocess.Popen[bytes], report: Report) -> int:
         with contextlib.suppress(subprocess.TimeoutExpired):
             return process.wait(_LOOK_S)
         report(1.0, "Drawing")
+
+
+@dataclass(frozen=True)
+class FilmFormat:
+    """A format of films.
+
+    Attributes
+    ----------
+    endings
+        Of its files; the first is the one that a new file gets.
+    title
+        What people call it.
+    most_pixels
+        Of all frames together: Pillow keeps them until the file is written, in one or in three bytes a pixel.
+    write
+        Returns the content of a file.
+    missing
+        Returns what has to be there to write it and is not; empty where nothing is missing.
+    """
+
+    endings: tuple[str, ...]
+    title: str
+    most_pixels: float
+    write: Callable[[FrameMaker, Film, Report], bytes]
+    missing: Callable[[], str] = lambda: ""
+
+    @property
+    def ending(self) -> str:
+        """The ending that a new file gets."""
+        return self.endings[0]
+
+
+FILMS = (
+    FilmFormat((".gif",), "GIF", 4e8, _gif),
+    FilmFormat((".apng", ".png"), "APNG", 1.3e8, _apng),
+    FilmFormat((".mp4",), "MP4", 4e9, _video, _missing_for_video),
+)
+"""The formats of films."""

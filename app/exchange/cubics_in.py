@@ -28,7 +28,8 @@ from app.document.model import (
     ParametrizationKind,
     Vector,
 )
-from app.exchange.drawing import ExchangeError, Floats
+from app.exchange.drawing import Floats
+from app.exchange.errors import ExchangeError
 
 SMOOTH = 1e-9
 """By how much of the path's size a control point may move to make a joint smooth."""

@@ -4,12 +4,13 @@ from __future__ import annotations
 
 from math import ceil, floor, log10
 
-import msgspec
 import numpy as np
 from msgspec.structs import replace
 
 from app.document.model import Curve, Document
-from app.exchange.drawing import MARGIN, Decor, Drawing, ExchangeError, Floats, Frame, frame_with
+from app.exchange.drawing import MARGIN, Decor, Drawing, Floats, Frame, frame_with
+from app.exchange.errors import ExchangeError
+from app.exchange.options import Extras
 from app.view_model.basis_view import BasisView, basis_view
 from app.view_model.cardinal_view import cardinal_view
 from app.view_model.curve_view import view_of
@@ -29,29 +30,6 @@ _FINE, _COARSE, _AXIS = 0.08, 0.16, 0.4
 _THIN, _USUAL = 0.001, 0.002
 _SQUARE = 0.004
 _DASHES = ((), (0.008, 0.005), (0.002, 0.004))
-
-
-class Extras(msgspec.Struct, frozen=True):
-    """What else to draw.
-
-    Attributes
-    ----------
-    handles, grid
-        Whether to draw the Bézier control points beside the points, and a grid.
-    basis
-        The curve whose basis functions to draw below the picture; None for none.
-    with_estimates
-        Whether to draw what each point does with the estimates that follow it, where there are any, and not
-        the functions of the family.
-    """
-
-    handles: bool = False
-    grid: bool = False
-    basis: int | None = None
-    with_estimates: bool = False
-
-
-PLAIN = Extras()
 
 
 def decorated(drawing: Drawing, document: Document, extras: Extras, theme: str) -> Drawing:

@@ -11,6 +11,7 @@ import numpy.typing as npt
 from msgspec.structs import replace
 
 from app.document.model import Curve, Document, Family
+from app.exchange.errors import ExchangeError
 from app.exchange.progress import Report, part, silent, told
 from app.view_model.curve_view import CoreCurve, CurveView, view_of
 from app.view_model.refusals import in_words
@@ -37,10 +38,6 @@ MOST_POINTS = 10_000
 
 _RESOLUTION = 1e-12
 _SAMPLES = 513
-
-
-class ExchangeError(ValueError):
-    """A document cannot be exported as asked; the message says why."""
 
 
 class Frame(msgspec.Struct, frozen=True):

@@ -27,10 +27,13 @@ from PySide6.QtSvg import QSvgRenderer, QtSvg
 
 from app import __version__
 from app.document.model import Document
-from app.exchange.drawing import Drawing, ExchangeError, Frame
-from app.exchange.formats import Options
+from app.exchange.drawing import Drawing, Frame
+from app.exchange.errors import ExchangeError
+from app.exchange.formats import Written
+from app.exchange.options import Options
 from app.exchange.progress import Report, part, silent
-from app.exchange.svg import Style, accuracy_of, nominal_width, picture_of, svg_text
+from app.exchange.styles import Style
+from app.exchange.svg import accuracy_of, nominal_width, picture_of, svg_text
 from app.exchange.units import MILLIMETRES, POINTS_PER_MILLIMETRE, known_unit, size_in_words
 from app.view_model.palette import adjustment_of
 
@@ -110,23 +113,54 @@ class Look:
     moved: str = ""
 
 
-def look(document: Document, options: Options, ending: str, room: tuple[int, int]) -> Look:
-    """Return what a picture in these options looks like in a file of this ending, in so many pixels at most.
+def png_look(document: Document, options: Options, room: tuple[int, int]) -> Look:
+    """Return what a PNG with these options looks like, in so many pixels at most.
 
     Raises
     ------
     ExchangeError
         As `png_image`.
     """
-    style = options.paper_style if ending == ".png" else options.vector_style
-    drawing = _drawing(document, options, style)
-    if ending == ".pdf":
-        drawing, _ = _on_page(drawing, options)
+    drawing = _drawing(document, options, options.paper_style)
+    width, height = _size(drawing, options)
+    dots = _true_dots_per_metre(drawing, options)
+    density = f", 1 : 1 at {dots * 0.0254:.4g} per inch" if dots else ""
+    return _look(drawing, options, options.paper_style, f"{width} × {height} pixels{density}", room)
+
+
+def svg_look(document: Document, options: Options, room: tuple[int, int]) -> Look:
+    """Return what an SVG looks like; see `png_look`."""
+    drawing = _drawing(document, options, options.vector_style)
+    size = _true_size_text(drawing, options)
+    if not size:
+        frame, across = drawing.frame, nominal_width(drawing, options.width)
+        size = f"{size_in_words(across, across * frame.height / frame.width, 'px')}, not to scale"
+    return _look(drawing, options, options.vector_style, size, room)
+
+
+def pdf_look(document: Document, options: Options, room: tuple[int, int]) -> Look:
+    """Return what a PDF looks like; see `png_look`."""
+    drawing, points = _on_page(_drawing(document, options, options.vector_style), options)
+    size = _true_size_text(drawing, options)
+    if not size:
+        wide, high = (side / POINTS_PER_MILLIMETRE for side in (points.width(), points.height()))
+        size = f"{size_in_words(wide, high, 'mm')}, not to scale"
+    return _look(drawing, options, options.vector_style, f"Page of {size}", room)
+
+
+def _true_size_text(drawing: Drawing, options: Options) -> str:
+    """Return the size and the scale of a drawing at true size; empty where it has none."""
+    frame, unit = drawing.frame, known_unit(options.unit)
+    if not unit or options.width is not None:
+        return ""
+    return f"{size_in_words(frame.width, frame.height, unit)}, 1 : 1 (1 is 1 {unit})"
+
+
+def _look(drawing: Drawing, options: Options, style: Style, size: str, room: tuple[int, int]) -> Look:
     frame = drawing.frame
     scale = min(room[0] / frame.width, room[1] / frame.height)
-    size = (max(round(frame.width * scale), 1), max(round(frame.height * scale), 1))
-    image = _painted(drawing, size, style, options)
-    return Look(image, size_text(drawing, options, ending), _moved_colours(drawing, style))
+    pixels = (max(round(frame.width * scale), 1), max(round(frame.height * scale), 1))
+    return Look(_painted(drawing, pixels, style, options), size, _moved_colours(drawing, style))
 
 
 def _moved_colours(drawing: Drawing, style: Style) -> str:
@@ -168,16 +202,12 @@ def _paint(fitted: Drawing, painter: QPainter, style: Style, options: Options) -
         painter.end()
 
 
-def png_bytes(document: Document, options: Options) -> bytes:
-    """Return the content of a PNG file; see `png_image`."""
-    return png_file(document, options)[0]
-
-
-def png_file(document: Document, options: Options) -> tuple[bytes, Drawing]:
-    """Return the content of a PNG file and what it shows; see `png_image`."""
+def png_file(document: Document, options: Options) -> Written:
+    """Return a PNG file; see `png_image`."""
     drawing = _drawing(document, options, options.paper_style)
     with application():
-        return _encoded(_png(drawing, options)), drawing
+        data = _encoded(_png(drawing, options))
+    return Written(data, drawing.deviation, drawing.remarks, _size(drawing, options))
 
 
 def _encoded(image: QImage) -> bytes:
@@ -188,8 +218,8 @@ def _encoded(image: QImage) -> bytes:
     return bytes(buffer.data().data())
 
 
-def pdf_file(document: Document, options: Options) -> tuple[bytes, Drawing]:
-    """Return a document as a PDF of one page, as outlines, and what that shows.
+def pdf_file(document: Document, options: Options) -> Written:
+    """Return a document as a PDF of one page, as outlines.
 
     `options.width` is in points of 1/72 inch.
 
@@ -203,7 +233,7 @@ def pdf_file(document: Document, options: Options) -> tuple[bytes, Drawing]:
     style = options.vector_style
     drawing = _drawing(document, options, style)
     with application():
-        return _page(drawing, options, style), drawing
+        return Written(_page(drawing, options, style), drawing.deviation, drawing.remarks)
 
 
 def _page(drawing: Drawing, options: Options, style: Style) -> bytes:
@@ -244,25 +274,6 @@ def _on_page(drawing: Drawing, options: Options) -> tuple[Drawing, QSizeF]:
     width, height = wide / scale, high / scale
     left, bottom = frame.left - (width - frame.width) / 2, frame.bottom - (height - frame.height) / 2
     return replace(drawing, frame=Frame(left, bottom, width, height)), QSizeF(wide, high)
-
-
-def size_text(drawing: Drawing, options: Options, ending: str) -> str:
-    """Return what a file of this ending says of its size, its scale and its page, in a line."""
-    if ending == ".png":
-        width, height = _size(drawing, options)
-        pixels = f"{width} × {height} pixels"
-        dots = _true_dots_per_metre(drawing, options)
-        return f"{pixels}, 1 : 1 at {dots * 0.0254:.4g} per inch" if dots else pixels
-    frame, unit = drawing.frame, known_unit(options.unit)
-    if unit and options.width is None:
-        page = "Page of " if ending == ".pdf" else ""
-        return f"{page}{size_in_words(frame.width, frame.height, unit)}, 1 : 1 (1 is 1 {unit})"
-    if ending == ".pdf":
-        _, points = _on_page(drawing, options)
-        wide, high = (side / POINTS_PER_MILLIMETRE for side in (points.width(), points.height()))
-        return f"Page of {size_in_words(wide, high, 'mm')}, not to scale"
-    across = nominal_width(drawing, options.width)
-    return f"{size_in_words(across, across * frame.height / frame.width, 'px')}, not to scale"
 
 
 def _drawing(document: Document, options: Options, style: Style) -> Drawing:

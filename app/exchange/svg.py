@@ -6,17 +6,16 @@ import re
 from decimal import ROUND_UP, Context
 from typing import TYPE_CHECKING
 
-import msgspec
-
 from app import __version__
 from app.document.model import Document
 from app.exchange.drawing import Decor, Drawing, Frame, Outline, drawing_of
 from app.exchange.progress import Report, part, silent, told
+from app.exchange.styles import INK, Style
 from app.exchange.units import css_length, known_unit
 from app.view_model import palette
 
 if TYPE_CHECKING:
-    from app.exchange.decor import Extras
+    from app.exchange.options import Extras
 
 STROKE = 0.003
 """Width of the curve against the picture's longer side."""
@@ -34,22 +33,6 @@ _NOT_IN_XML = "[^\t\n\r\x20-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]"
 
 # A bound that was rounded to the nearest would not be one.
 _ROUNDING_UP = Context(prec=3, rounding=ROUND_UP)
-
-
-class Style(msgspec.Struct, frozen=True):
-    """The colours of a picture; without `paper` its background is transparent.
-
-    `theme`, "light" or "dark", is the paper that the colours of the points are made for.
-    """
-
-    ink: str
-    paper: str | None = None
-    theme: str = "light"
-
-
-INK = Style(palette.INK["light"])
-LIGHT = Style(palette.INK["light"], palette.PAPER["light"])
-DARK = Style(palette.INK["dark"], palette.PAPER["dark"], "dark")
 
 
 def svg_of(

@@ -16,7 +16,8 @@ import numpy as np
 
 from app.exchange.arcs import arc
 from app.exchange.cubics_in import Imported, Path, imported, lines
-from app.exchange.drawing import ExchangeError, Floats
+from app.exchange.drawing import Floats
+from app.exchange.errors import ExchangeError
 from app.exchange.svg_path import Subpath, read_path_data
 from app.exchange.svg_style import AREAS, RULES, colour_of, lost_from, property_of, remark_on
 from app.exchange.svg_xml import MAX_DEPTH, MAX_ELEMENTS, parsed, tag_of

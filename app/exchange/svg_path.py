@@ -11,7 +11,8 @@ from fontTools.svgLib.path.parser import parse_path
 
 from app.exchange.arcs import arc_between
 from app.exchange.cubics_in import lines
-from app.exchange.drawing import ExchangeError, Floats
+from app.exchange.drawing import Floats
+from app.exchange.errors import ExchangeError
 
 Pair = tuple[float, float]
 

@@ -7,7 +7,8 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from app.document.model import MAX_MAGNITUDE
-from app.exchange.drawing import ExchangeError, Floats
+from app.exchange.drawing import Floats
+from app.exchange.errors import ExchangeError
 from app.exchange.table_columns import Guess, Mapping, guess
 from app.exchange.table_layout import Layout, RowProblem
 

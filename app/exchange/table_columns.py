@@ -6,7 +6,7 @@ import re
 from collections.abc import Sequence
 from dataclasses import dataclass, fields
 
-from app.exchange.drawing import ExchangeError
+from app.exchange.errors import ExchangeError
 
 ROLES = ("t", "x", "y", "vx", "vy", "ax", "ay")
 """What a column of numbers can be, for every point."""

@@ -21,7 +21,8 @@ from app.document.model import (
     Vector,
 )
 from app.exchange.cubics_in import Imported
-from app.exchange.drawing import ExchangeError, Floats
+from app.exchange.drawing import Floats
+from app.exchange.errors import ExchangeError
 from app.exchange.progress import Report, part, silent
 from app.exchange.table import Table
 from app.exchange.table_columns import AFTER, ROLES, Mapping, guessed

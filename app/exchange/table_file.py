@@ -9,7 +9,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from app.document.model import MAX_MAGNITUDE
-from app.exchange.drawing import ExchangeError, Floats
+from app.exchange.drawing import Floats
+from app.exchange.errors import ExchangeError
 from app.exchange.progress import Report, silent
 from app.exchange.table import MAX_COLUMNS, PREVIEW_ROWS, Preview, Table
 from app.exchange.table_columns import AFTER, ROLES, WORDS, Mapping, guess, role_of

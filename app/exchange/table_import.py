@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from app.document.model import Document, Family
-from app.exchange.drawing import ExchangeError
+from app.exchange.errors import ExchangeError
 from app.exchange.progress import Report, part, silent
 from app.exchange.table import Table
 from app.exchange.table_columns import Mapping

@@ -11,7 +11,8 @@ import msgspec
 import numpy as np
 
 from app.document.format import not_json
-from app.exchange.drawing import ExchangeError, Floats
+from app.exchange.drawing import Floats
+from app.exchange.errors import ExchangeError
 from app.exchange.table import Table, table_of
 from app.exchange.table_layout import RowProblem
 

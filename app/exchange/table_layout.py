@@ -7,7 +7,7 @@ import re
 from dataclasses import dataclass, replace
 from statistics import mode
 
-from app.exchange.drawing import ExchangeError
+from app.exchange.errors import ExchangeError
 from app.exchange.table_columns import UNITS, role_of
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import codecs
 from collections.abc import Iterator
 
-from app.exchange.drawing import ExchangeError
+from app.exchange.errors import ExchangeError
 from app.exchange.table import MAX_ROWS
 from app.exchange.table_layout import RowProblem
 

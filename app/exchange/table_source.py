@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from app.exchange.formats import import_format
+from app.exchange.formats import FORMATS, format_of
 from app.exchange.progress import Report, silent
 from app.exchange.table import Preview, Table, cells_at, preview_of
 from app.exchange.table_columns import Mapping
@@ -27,8 +27,8 @@ class TableSource:
 
     def __init__(self, data: bytes, ending: str = ".csv") -> None:
         self.data, self.ending = data, ending
-        self._load = import_format(f"a{ending}").load
-        self._is_text = self._load is None
+        self._read_whole = format_of(f"a{ending}", FORMATS.read).read
+        self._is_text = self._read_whole is None
         self._whole: Table | None = None
         self._read: tuple[Layout, Mapping, bool, Table] | None = None
         self.lines = data.count(b"\n") if self._is_text else 0
@@ -77,6 +77,6 @@ class TableSource:
 
     def _all(self) -> Table:
         if self._whole is None:
-            assert self._load is not None
-            self._whole = self._load()(self.data)
+            assert self._read_whole is not None
+            self._whole = self._read_whole(self.data)
         return self._whole

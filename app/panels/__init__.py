@@ -26,7 +26,8 @@ Words and dialogs:
 - ``status_line``, ``job_bar``, ``teaching_badge``: at the foot.  ``message_bar``, ``file_bar``,
   ``recovery_bar``: over the canvas.
 - ``command_palette``, ``fuzzy``: type what you want.  ``shortcut_sheet``, ``shortcut_editor``: keys.
-- ``preferences_dialog``, ``motion_dialog``, ``crash_dialog``.  ``export_dialog``, ``export_form``: export.
+- ``preferences_dialog``, ``motion_dialog``, ``crash_dialog``.  ``export_dialog``, ``export_form``,
+  ``export_fields``: export.
 - ``import_drawing_dialog``, ``import_table_dialog``, ``table_preview``, ``role_header``,
   ``group_tree``, ``import_foot``, ``turn``: import.
 

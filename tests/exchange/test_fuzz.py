@@ -12,10 +12,11 @@ from hypothesis import strategies as st
 
 from app.document.format import FormatError, decode, encode, validate
 from app.document.model import Document, Family, make_curve
-from app.exchange import ExchangeError, svg_of
-from app.exchange.dxf import dxf_text, read_dxf
-from app.exchange.points_table import points_table
-from app.exchange.sampled import sampled_table
+from app.exchange.errors import ExchangeError
+from app.exchange.formats.dxf import dxf_text, read_dxf
+from app.exchange.formats.points import points_table
+from app.exchange.formats.samples import sampled_table
+from app.exchange.svg import svg_of
 from app.exchange.svg_in import read_svg
 from app.exchange.svg_path import read_path_data
 from app.exchange.table_array import read_array

@@ -10,17 +10,20 @@ from msgspec.structs import replace
 
 from app.document import edits
 from app.document.model import Document, Family, Node, make_curve
-from app.exchange import ExchangeError, export, import_file, svg_of
 from app.exchange.cubics_in import Imported
-from app.exchange.decor import Extras
-from app.exchange.points_table import points_table
-from app.exchange.sampled import sampled_table
-from app.exchange.svg import DARK
+from app.exchange.errors import ExchangeError
+from app.exchange.formats.points import points_table
+from app.exchange.formats.samples import sampled_table
+from app.exchange.options import Extras, Options
+from app.exchange.reading import import_file
+from app.exchange.styles import DARK
+from app.exchange.svg import svg_of
 from app.exchange.svg_in import read_svg
 from app.exchange.table_columns import Mapping
 from app.exchange.table_curve import document_of_table
 from app.exchange.table_file import read_table
 from app.exchange.thinning import Thinning, thinned
+from app.exchange.writing import export
 from app.view_model.curve_view import view_of
 
 SQUARE = [(0.0, 0.0), (2.0, 0.0), (2.0, 2.0), (0.0, 2.0)]
@@ -87,7 +90,7 @@ def test_samples_of_several_curves_come_back_as_several(document, tmp_path):
         tuple(curve for curve in document.curves if not any(node.corner for node in curve.nodes))
     )
     path = tmp_path / "a.csv"
-    export(smooth, path, samples=400)
+    export(smooth, path, Options(own={"samples": 400}))
     back = import_file(path).document
     assert len(back.curves) == len(smooth.curves)
     for first, second in zip(curves_of(smooth), curves_of(back), strict=True):

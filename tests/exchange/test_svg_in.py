@@ -10,9 +10,10 @@ import numpy as np
 import pytest
 
 from app.document.model import Document, Family, Node, make_curve
-from app.exchange import ExchangeError, svg_of
 from app.exchange.arcs import arc
-from app.exchange.svg import DARK
+from app.exchange.errors import ExchangeError
+from app.exchange.styles import DARK
+from app.exchange.svg import svg_of
 from app.exchange.svg_in import _Reader, read_svg
 from app.view_model.curve_view import view_of
 from curvecore import bezier_segments, cubic_path

@@ -8,8 +8,8 @@ import pytest
 
 from app.document.format import encode, validate
 from app.document.model import Document, Family, Node, make_curve
-from app.exchange import ExchangeError
-from app.exchange.sampled import sampled_table
+from app.exchange.errors import ExchangeError
+from app.exchange.formats.samples import sampled_table
 from app.exchange.table_columns import Mapping
 from app.exchange.table_curve import document_of_table
 from app.exchange.table_file import preview_table, read_table

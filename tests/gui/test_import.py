@@ -25,7 +25,8 @@ from PySide6.QtWidgets import (
 
 from app.document.model import Document, Family, make_curve
 from app.document.storage import save
-from app.exchange import Options, export
+from app.exchange.options import Options
+from app.exchange.writing import export
 from app.panels.field_edit import FieldEdit
 from app.testing_hand import spin
 from app.view_model.curve_view import view_of
@@ -678,7 +679,7 @@ def test_one_thing_at_a_time(editor, busy, tmp_path):
 
 def test_an_export_that_is_stopped_leaves_the_old_file(editor, tmp_path):
     old = write(tmp_path / "out.csv", "mine")
-    editor.window._commands.exchange.export(old, Options(samples=100_000))
+    editor.window._commands.exchange.export(old, Options(own={"samples": 100_000}))
     assert editor.window.jobs.is_busy
     shown_bar(editor)
     editor.trigger("cancelWork")

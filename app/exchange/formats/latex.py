@@ -8,10 +8,12 @@ from collections.abc import Callable
 import numpy as np
 
 from app.document.model import Document
-from app.exchange.drawing import ExchangeError, Floats, Frame, Outline, drawing_of
+from app.exchange.drawing import Floats, Frame, Outline, drawing_of
+from app.exchange.errors import ExchangeError
+from app.exchange.formats import Format, Written
+from app.exchange.options import TOLERANCE, TRUE_SIZE
 from app.exchange.parts import (
     Source,
-    Written,
     accuracy,
     bezier_values,
     beziers_of,
@@ -256,3 +258,32 @@ def _limits(frame: Frame) -> str:
 
 def _plain(value: float) -> str:
     return repr(value + 0.0)
+
+
+FORMATS = (
+    Format(
+        endings=(".tex",),
+        title="LaTeX formula",
+        description="The polynomials as a formula.",
+        place=100,
+        write=lambda document, options: latex_formula(document, report=options.report),
+    ),
+    Format(
+        endings=(".tikz", ".tikz.tex"),
+        title="TikZ picture",
+        description="Bézier curves for a TeX document.",
+        place=110,
+        options=(TRUE_SIZE, TOLERANCE),
+        write=lambda document, options: tikz_picture(
+            document, options.tolerance, options.unit, options.report
+        ),
+    ),
+    Format(
+        endings=(".pgfplots.tex",),
+        title="PGFPlots axis",
+        description="A plot with axes for a TeX document.",
+        place=120,
+        options=(TOLERANCE,),
+        write=lambda document, options: pgfplots_axis(document, options.tolerance, options.report),
+    ),
+)

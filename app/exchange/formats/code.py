@@ -14,8 +14,9 @@ import numpy as np
 from app.document.model import Document
 from app.exchange import code_runtime
 from app.exchange.drawing import Floats
+from app.exchange.formats import Format, Written
 from app.exchange.naming import Names
-from app.exchange.parts import Source, Written, accuracy, bezier_values, measured, one_line, sources_of
+from app.exchange.parts import Source, accuracy, bezier_values, measured, one_line, sources_of
 from app.exchange.progress import Report, part, silent, told
 from app.view_model.curve_view import SimpleCurve
 from curvecore import HermiteCurve, LagrangeCurve, bezier_segments
@@ -190,3 +191,21 @@ def _local_powers(t: Floats, piece: HermiteCurve) -> Floats:
     i = np.clip(np.searchsorted(x, t, side="right") - 1, 0, len(x) - 2)
     u = (t - x[i])[:, None]
     return np.asarray(((c3[i] * u + c2[i]) * u + v[:-1][i]) * u + y[:-1][i])
+
+
+FORMATS = (
+    Format(
+        endings=(".py",),
+        title="Python with NumPy",
+        description="A program that computes the curves; it needs NumPy alone.",
+        place=80,
+        write=lambda document, options: python_code(document, options.report),
+    ),
+    Format(
+        endings=(".scipy.py",),
+        title="Python with SciPy",
+        description="The curves as objects of scipy.interpolate.",
+        place=90,
+        write=lambda document, options: scipy_code(document, options.report),
+    ),
+)

@@ -13,9 +13,11 @@ import numpy as np
 
 from app import __version__
 from app.document.model import Document
-from app.exchange.drawing import ExchangeError, Floats, drawing_of
+from app.exchange.drawing import Floats, drawing_of
+from app.exchange.errors import ExchangeError
+from app.exchange.formats import Format, Written
+from app.exchange.options import TOLERANCE
 from app.exchange.parts import (
-    Written,
     beziers_of,
     checked_tolerance,
     local_fractions,
@@ -178,3 +180,30 @@ def _horner(coefficients: Floats, ends: Floats, t: Floats) -> Floats:
     for k in range(coefficients.shape[1] - 2, -1, -1):
         result = result * s + coefficients[i, k]
     return np.asarray(result)
+
+
+FORMATS = (
+    Format(
+        endings=(".desmos.txt",),
+        title="Desmos expressions",
+        description="Expressions to paste into Desmos, one a line.",
+        place=130,
+        options=(TOLERANCE,),
+        write=lambda document, options: desmos_expressions(document, options.tolerance, options.report),
+    ),
+    Format(
+        endings=(".path.txt",),
+        title="SVG path data",
+        description="The d attributes of SVG paths.",
+        place=140,
+        options=(TOLERANCE,),
+        write=lambda document, options: svg_path_data(document, options.tolerance, options.report),
+    ),
+    Format(
+        endings=(".coefficients.json",),
+        title="Polynomial coefficients",
+        description="The coefficients of every polynomial piece, with the error that this form brings.",
+        place=150,
+        write=lambda document, options: coefficients_json(document, options.report),
+    ),
+)

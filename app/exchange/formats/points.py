@@ -6,7 +6,9 @@ from math import isnan, nan
 
 from app.document.edits import interval
 from app.document.model import Document, Vector
-from app.exchange.parts import Written, cell_of_name, distinct_names, sources_of
+from app.exchange.formats import Format, Written
+from app.exchange.options import Options
+from app.exchange.parts import cell_of_name, distinct_names, sources_of
 from app.exchange.progress import Report, part, silent, told
 from app.exchange.table_columns import AFTER, ROLES, WORDS
 from app.exchange.table_curve import CLOSED
@@ -68,3 +70,19 @@ def _or_nothing(vector: Vector | None) -> Vector:
 
 def _cell(value: float) -> str:
     return "" if isnan(value) else repr(value + 0.0)
+
+
+def _write(document: Document, options: Options) -> Written:
+    separator = "\t" if options.path.lower().endswith(".tsv") else ","
+    return points_table(document, separator, options.report)
+
+
+FORMATS = (
+    Format(
+        endings=(".points.csv", ".points.tsv"),
+        title="Table of points (CSV)",
+        description="The points with their derivatives. Imported again, they give the same curves.",
+        place=70,
+        write=_write,
+    ),
+)

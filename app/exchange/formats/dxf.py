@@ -18,12 +18,14 @@ import numpy as np
 from app.document.model import Document
 from app.exchange.arcs import PIECES_OF_A_TURN, error_of_arc
 from app.exchange.cubics_in import Imported, Path, PointsAlone, imported, lines
-from app.exchange.drawing import RELATIVE_TOLERANCE, ExchangeError, Floats
+from app.exchange.drawing import RELATIVE_TOLERANCE, Floats
+from app.exchange.errors import ExchangeError
+from app.exchange.formats import Format, Kind, Written
 from app.exchange.naming import Names
+from app.exchange.options import POINTS, TOLERANCE, Check, Options
 from app.exchange.parts import (
     Beziers,
     Source,
-    Written,
     accuracy,
     bezier_values,
     beziers_of,
@@ -418,3 +420,40 @@ def _largest_radius(entity: DXFGraphic) -> float:
         if bulge:
             radius = max(radius, math.hypot(x1 - x0, y1 - y0) * (1 / abs(bulge) + abs(bulge)) / 4)
     return radius
+
+
+# The record
+
+
+def _write(document: Document, options: Options) -> Written:
+    return dxf_text(
+        document,
+        options.tolerance,
+        points=options.points,
+        cubic=options[CUBIC],
+        unit=options.unit,
+        report=options.report,
+    )
+
+
+CUBIC = Check(
+    name="cubic",
+    title="No spline above degree 3",
+    tip="Cubic pieces within the tolerance: LibreCAD, for one, draws no spline of higher degree",
+    help="of a DXF: no spline above degree 3, for programs that draw none, such as LibreCAD",
+    default=False,
+)
+
+FORMATS = (
+    Format(
+        endings=(".dxf",),
+        title="DXF splines",
+        description="SPLINE entities of the true degree with their knots, a layer for each curve.",
+        place=40,
+        options=(POINTS, TOLERANCE, CUBIC),
+        write=_write,
+        kind=Kind.DRAWING,
+        plural="DXF drawings",
+        read=read_dxf,
+    ),
+)

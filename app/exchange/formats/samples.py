@@ -2,15 +2,20 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
+from enum import StrEnum
+from functools import partial
 from math import isnan
+from typing import Any
 
 import numpy as np
 
 from app.document.model import Document
-from app.exchange.drawing import ExchangeError, Floats
-from app.exchange.formats import SAMPLES, Spacing
-from app.exchange.parts import Written, cell_of_name, checked_tolerance, distinct_names, sources_of
+from app.exchange.drawing import Floats
+from app.exchange.errors import ExchangeError
+from app.exchange.formats import Format, Written
+from app.exchange.options import TOLERANCE, OneOf, Option, Options, SomeOf, Whole
+from app.exchange.parts import cell_of_name, checked_tolerance, distinct_names, sources_of
 from app.exchange.progress import Report, part, silent
 from app.view_model.arc_lengths import arc_lengths_of
 from app.view_model.curve_view import CoreCurve
@@ -19,6 +24,47 @@ from curvecore import ArcLength, flatten_pieces
 MOST_SAMPLES = 1_000_000
 
 TITLES = ("t", "x", "y", "vx", "vy", "ax", "ay", "curvature", "length")
+
+
+class Spacing(StrEnum):
+    """How samples are spread along a curve."""
+
+    T = "t"
+    LENGTH = "length"
+    TOLERANCE = "tolerance"
+
+
+SPACING = OneOf(
+    name="spacing",
+    label="Samples",
+    tip="How the rows are spread along each curve",
+    default=Spacing.T,
+    choices={
+        Spacing.T: "equal steps of t",
+        Spacing.LENGTH: "equal arc lengths",
+        Spacing.TOLERANCE: "as the tolerance takes",
+    },
+    flag="--by",
+    help="equal steps of t or of the arc length, or as many rows as the tolerance takes",
+)
+SAMPLES = Whole(
+    name="samples",
+    label="Rows",
+    title="Number of samples",
+    tip="Rows for each curve",
+    default=201,
+    limits=(2, MOST_SAMPLES),
+    help="rows of a table (default: %(default)s)",
+)
+COLUMNS = SomeOf(
+    name="columns",
+    label="Columns",
+    tip="Write the column {}",
+    widget="exportColumn_{}",
+    default=TITLES,
+    choices=TITLES,
+    needed="A table needs at least one column.",
+)
 
 _ROWS_AT_ONCE = 2_000
 _LENGTH = TITLES.index("length")
@@ -29,10 +75,10 @@ def sampled_table(
     document: Document,
     *,
     separator: str = ",",
-    samples: int = SAMPLES,
+    samples: int = SAMPLES.default,
     spacing: Spacing = Spacing.T,
     tolerance: float | None = None,
-    columns: tuple[str, ...] | None = None,
+    columns: tuple[str, ...] = TITLES,
     report: Report = silent,
 ) -> Written:
     """Return the curves as a table; with several, the first column is the curve's name.
@@ -50,7 +96,7 @@ def sampled_table(
     tolerance
         Largest deviation of that polyline, in the document's unit.
     columns
-        Those of `TITLES` that are wanted; by default all.
+        Those of `TITLES` that are wanted.
     report
         Hears how far it has come.
 
@@ -99,12 +145,11 @@ def _in_parts(
         yield _rows_of(core, some, lengths)[1 if first else 0 :], missed
 
 
-def _columns(titles: tuple[str, ...] | None) -> list[int]:
+def _columns(titles: tuple[str, ...]) -> list[int]:
     """Return the places of the columns wanted, in their usual order."""
-    unknown = [title for title in titles or () if title not in TITLES]
-    if unknown or titles == ():
+    if not titles or not set(titles) <= set(TITLES):
         raise ExchangeError(f"A table can have the columns {', '.join(TITLES)}; at least one is needed.")
-    return [place for place, title in enumerate(TITLES) if titles is None or title in titles]
+    return [place for place, title in enumerate(TITLES) if title in titles]
 
 
 def _parameters_of(
@@ -181,3 +226,34 @@ def _by_length(core: CoreCurve, lengths: ArcLength, samples: int, report: Report
 
 def _cell(value: float) -> str:
     return "" if isnan(value) else repr(value + 0.0)
+
+
+def _write(document: Document, options: Options, separator: str) -> Written:
+    return sampled_table(
+        document,
+        separator=separator,
+        samples=options[SAMPLES],
+        spacing=options[SPACING],
+        tolerance=options.tolerance,
+        columns=options[COLUMNS],
+        report=options.report,
+    )
+
+
+def _hidden(values: Mapping[str, Any]) -> tuple[Option[Any]]:
+    """Return the option that does not matter: the count where the tolerance says it, or else that."""
+    return (SAMPLES if values[SPACING.name] is Spacing.TOLERANCE else TOLERANCE,)
+
+
+FORMATS = tuple(
+    Format(
+        endings=(ending,),
+        title=f"Table of samples ({ending[1:].upper()})",
+        description=f"Numbers along each curve, with {words} between them.",
+        place=50,
+        options=(TOLERANCE, SPACING, SAMPLES, COLUMNS),
+        hidden=_hidden,
+        write=partial(_write, separator=separator),
+    )
+    for ending, separator, words in ((".csv", ",", "commas"), (".tsv", "\t", "tabs"))
+)
