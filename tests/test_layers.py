@@ -127,7 +127,7 @@ def test_every_module_has_a_layer():
 
 
 def packages(root: Path) -> list[Path]:
-    """The packages, but for those that find their modules by listing: what is put there needs no other place."""
+    """The packages but those that find their modules by listing: what is put there needs no other place."""
     maps = {path.parent: path.read_text(encoding="utf-8") for path in root.glob("app/**/__init__.py")}
     return sorted(package for package, text in maps.items() if "iter_modules(__path__)" not in text)
 

@@ -1,4 +1,4 @@
-"""A format that only this test knows, one record: it is offered, written, read and dropped like all others."""
+"""A format that only this test knows, one record: offered, written, read and dropped like all others."""
 
 from __future__ import annotations
 
