@@ -2,8 +2,7 @@
 
 A module here defines `FORMATS`, its `Format` records. Nothing else names a format: the dialogs, their
 filters, what is done with dropped files, the command line, the README and the tests read the registry. The
-modules are imported when it is first asked; what takes long to import (Qt, ezdxf, fontTools) they import when
-it is used.
+modules are imported when it is first asked; what takes long to import (Qt, ezdxf) they import when it is used.
 """
 
 from __future__ import annotations
