@@ -27,7 +27,7 @@ from app.cli_options import (
 )
 from app.cli_refusals import RefusalError, load_document, one_line, say
 from app.document.model import Family
-from app.exchange.animation import FILMS
+from app.exchange.drawing.animation import FILMS
 from app.exchange.errors import ExchangeError
 from app.exchange.formats import FORMATS, can_import, endings_of
 from app.exchange.progress import Report, part
@@ -147,7 +147,7 @@ def _picture_endings() -> tuple[str, ...]:
 
 def _render_film(options: argparse.Namespace) -> int:
     # Takes modules along that the editor does without at its start.
-    from app.exchange.animation import Film, first_round, write_film  # noqa: PLC0415
+    from app.exchange.drawing.animation import Film, first_round, write_film  # noqa: PLC0415
     from app.view_model.motion import Pace, Repeat  # noqa: PLC0415
 
     document, repeat = _document_of(options), Repeat(options.motion or "loop")

@@ -6,11 +6,11 @@ import argparse
 from typing import Any
 
 from app.document.model import Document, Family
+from app.exchange.drawing.styles import DARK, LIGHT
 from app.exchange.errors import ExchangeError
 from app.exchange.formats import FORMATS, endings_of
 from app.exchange.formats.samples import COLUMNS
 from app.exchange.options import Check, Extras, OneOf, Option, Options, Whole, all_options
-from app.exchange.styles import DARK, LIGHT
 from app.exchange.units import MILLIMETRES, known_unit
 
 STYLES = {"light": LIGHT, "dark": DARK}

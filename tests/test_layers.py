@@ -13,7 +13,7 @@ import pytest
 ROOT = Path(__file__).resolve().parent.parent
 QT = {"PySide6", "shiboken6", "pyqtgraph"}
 WITHOUT_QT = ("curvecore", "app.document", "app.view_model", "app.gestures", "app.exchange")
-WITH_QT = ("app.exchange.image", "app.exchange.motion_frames")
+WITH_QT = ("app.exchange.drawing.image", "app.exchange.drawing.motion_frames")
 CALLS_THE_CORE = ("app.view_model", "app.exchange", "app.cli")
 STRANGERS = {("app.canvas", "app.panels"), ("app.panels", "app.canvas")}
 
@@ -172,7 +172,7 @@ MAP = '''"""Layers.
         ("app/document/model.py", "import curvecore", "imports curvecore"),
         ("app/document/__init__.py", "from .. import session", "app.document imports app.session"),
         ("app/gestures/drags.py", "import pyqtgraph as pg", "imports pyqtgraph"),
-        ("app/exchange/svg.py", "from PySide6.QtSvg import QSvgGenerator", "imports PySide6.QtSvg"),
+        ("app/exchange/svg/writer.py", "from PySide6.QtSvg import QSvgGenerator", "imports PySide6.QtSvg"),
         ("app/canvas/canvas.py", "from app.panels import Table", "canvas and panels"),
         ("app/panels/__init__.py", "import app.canvas.canvas", "canvas and panels"),
         ("app/panels/basis.py", "from curvecore import uniform", "imports curvecore"),
@@ -195,7 +195,7 @@ def test_what_is_allowed_is_not_reported(tmp_path):
             "curvecore/curve.py": "import math\nimport numpy.linalg\nfrom .errors import E",
             "app/document/model.py": "import msgspec\nfrom app import __version__",
             "app/view_model/basis.py": "import curvecore.curve\nfrom app.document.model import Point",
-            "app/exchange/image.py": "from PySide6.QtGui import QImage\nimport curvecore",
+            "app/exchange/drawing/image.py": "from PySide6.QtGui import QImage\nimport curvecore",
             "app/session.py": "from PySide6.QtCore import QObject\nfrom app import document",
             "app/canvas/canvas.py": "from . import items\nfrom app.session import Session",
             "app/main_window.py": "from app.canvas import canvas\nfrom app import panels",
@@ -247,7 +247,8 @@ def test_the_window_starts_without_what_is_rarely_used():
     names = set(done.stdout.split())
     assert not late & names
     # No readers, writers or dialogs.
-    light = {"errors", "formats", "options", "progress", "reading", "styles", "table_text", "writing"}
+    light = {"drawing", "drawing.styles", "errors", "formats", "options", "progress", "reading"}
+    light |= {"table", "table.clipboard", "writing"}
     of_exchange = (name for name in names if name.startswith("app.exchange."))
     assert {name.removeprefix("app.exchange.") for name in of_exchange} == light
     of_panels = (name for name in names if name.startswith("app.panels."))

@@ -15,7 +15,7 @@ from app.document import curve_edits, edits
 from app.document.edits import EditError
 from app.document.format import FormatError, decode, encode
 from app.document.model import Curve, Document, Node
-from app.exchange.table_text import Block, TableTextError, read_titled_block, write_block
+from app.exchange.table.clipboard import Block, TableTextError, read_titled_block, write_block
 from app.panels.number_text import decimal_mark, exact_text
 from app.panels.words import count_of
 from app.view_model.curve_view import CurveView

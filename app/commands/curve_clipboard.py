@@ -13,7 +13,7 @@ from app.document.edits import EditError
 from app.document.format import FormatError, decode, encode
 from app.document.model import Document
 from app.document.several_curves import active_after_removal, add_curves, named, remove_curves
-from app.exchange.table_text import write_block
+from app.exchange.table.clipboard import write_block
 from app.panels.number_text import decimal_mark, exact_text
 
 CURVES = "application/x-curvebench-curves"

@@ -38,9 +38,9 @@ from app.view_model.curve_view import CurveView
 if TYPE_CHECKING:
     from app.exchange.choice import ExportChoice
     from app.exchange.cubics_in import Imported
-    from app.exchange.table import Preview
-    from app.exchange.table_import import Prepared
-    from app.exchange.table_source import TableSource
+    from app.exchange.table.prepared import Prepared
+    from app.exchange.table.source import TableSource
+    from app.exchange.table.table import Preview
     from app.panels.export_dialog import ExportDialog
     from app.panels.import_drawing_dialog import ImportDrawingDialog
     from app.panels.import_table_dialog import ImportTableDialog
@@ -298,8 +298,8 @@ class ExchangeCommands:
         document, unit = self._session.document, self._preferences.unit_name
 
         def work(report: Report) -> tuple[bytes, bytes]:
-            from app.exchange.image import png_file  # noqa: PLC0415
-            from app.exchange.svg import svg_of  # noqa: PLC0415
+            from app.exchange.drawing.image import png_file  # noqa: PLC0415
+            from app.exchange.svg.writer import svg_of  # noqa: PLC0415
 
             options = Options(width=_COPY_WIDTH, transparent=True, report=part(report, 0.0, 0.5))
             png = png_file(document, options).data
@@ -343,7 +343,7 @@ class _OpenTable:
 
 
 def _opened_table(data: bytes, ending: str) -> _OpenTable:
-    from app.exchange.table_source import TableSource  # noqa: PLC0415
+    from app.exchange.table.source import TableSource  # noqa: PLC0415
 
     source = TableSource(data, ending)
     return _OpenTable(source, source.preview())

@@ -9,9 +9,9 @@ from PySide6.QtWidgets import QApplication, QFileDialog, QWidget
 
 from app.commands.file_work import FileWork
 from app.commands.parts import Parts
-from app.exchange.animation import Film, FilmFormat, write_film
+from app.exchange.drawing.animation import Film, FilmFormat, write_film
+from app.exchange.drawing.styles import DARK, LIGHT
 from app.exchange.progress import Report
-from app.exchange.styles import DARK, LIGHT
 from app.file_commands import file_stem
 from app.panels.motion_dialog import MotionDialog
 from app.theme import theme_of

@@ -14,7 +14,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from app.exchange.drawing import Floats
+from app.exchange.drawing.drawing import Floats
 from app.exchange.errors import ExchangeError
 
 PIECES_OF_A_TURN = 8

@@ -8,6 +8,7 @@ from typing import Any
 
 import msgspec
 
+from app.exchange.drawing.styles import DARK, LIGHT
 from app.exchange.formats import FORMATS, Format
 from app.exchange.options import (
     BASIS,
@@ -21,7 +22,6 @@ from app.exchange.options import (
     Value,
     all_options,
 )
-from app.exchange.styles import DARK, LIGHT
 
 
 @dataclass(frozen=True)

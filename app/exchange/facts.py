@@ -9,7 +9,7 @@ from typing import NamedTuple
 import numpy as np
 
 from app.document.model import Curve, Document, Family, Parametrization
-from app.exchange.drawing import frame_around, refuse_wild, too_much
+from app.exchange.drawing.drawing import frame_around, refuse_wild, too_much
 from app.exchange.errors import ExchangeError
 from app.exchange.progress import Report, silent
 from app.view_model.arc_lengths import lengths_of

@@ -12,8 +12,8 @@ from typing import Any, Generic, TypeVar
 import msgspec
 from msgspec.structs import replace
 
+from app.exchange.drawing.styles import INK, LIGHT, Style
 from app.exchange.progress import Report, silent
-from app.exchange.styles import INK, LIGHT, Style
 
 Value = TypeVar("Value")
 

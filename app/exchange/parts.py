@@ -12,7 +12,7 @@ import numpy as np
 
 from app import __version__
 from app.document.model import Curve, Document
-from app.exchange.drawing import RELATIVE_TOLERANCE, Floats, sort_out
+from app.exchange.drawing.drawing import RELATIVE_TOLERANCE, Floats, sort_out
 from app.exchange.errors import ExchangeError
 from app.exchange.naming import Names
 from app.exchange.progress import Report, silent, told

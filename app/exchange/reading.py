@@ -95,11 +95,11 @@ def _imported(path: Path, form: Format, data: bytes, options: ImportOptions, rep
 
 
 def _table(path: Path, ending: str, data: bytes, options: ImportOptions, report: Report) -> Imported:
-    from app.exchange.table_columns import mapping_of, words_on  # noqa: PLC0415
-    from app.exchange.table_curve import Missing, document_of_table  # noqa: PLC0415
-    from app.exchange.table_layout import MissingNumber  # noqa: PLC0415
-    from app.exchange.table_source import TableSource  # noqa: PLC0415
-    from app.exchange.thinning import Thinning  # noqa: PLC0415
+    from app.exchange.table.columns import mapping_of, words_on  # noqa: PLC0415
+    from app.exchange.table.curves import Missing, document_of_table  # noqa: PLC0415
+    from app.exchange.table.layout import MissingNumber  # noqa: PLC0415
+    from app.exchange.table.source import TableSource  # noqa: PLC0415
+    from app.exchange.table.thinning import Thinning  # noqa: PLC0415
 
     source, missing = TableSource(data, ending), Missing(options.missing)
     preview = source.preview()

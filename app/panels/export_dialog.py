@@ -13,8 +13,8 @@ from PySide6.QtWidgets import (
 from app.document.expression import ExpressionError
 from app.document.model import Document
 from app.exchange.choice import ExportChoice
+from app.exchange.drawing.image import PicturePreview
 from app.exchange.errors import ExchangeError
-from app.exchange.image import Look
 from app.exchange.options import DARK_PAPER
 from app.exchange.progress import Report
 from app.labels import Label
@@ -125,12 +125,12 @@ class ExportDialog(WorkDialog):
         options = choice.options(active, self._unit, with_estimates=self._with_estimates)
         room = (round(_WIDTH * self.devicePixelRatioF()), round(_HEIGHT * self.devicePixelRatioF()))
 
-        def draw(_report: Report) -> Look:
+        def draw(_report: Report) -> PicturePreview:
             return preview(document, options, room)
 
         self.jobs.start("Drawing", draw, self._show_look, self._refuse)
 
-    def _show_look(self, seen: Look) -> None:
+    def _show_look(self, seen: PicturePreview) -> None:
         try:
             choice = self.form.choice()
         except ExpressionError:

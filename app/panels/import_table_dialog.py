@@ -16,13 +16,13 @@ from PySide6.QtWidgets import (
 
 from app.document.expression import ExpressionError, parse_number
 from app.document.model import Family
-from app.exchange.table import Preview
-from app.exchange.table_columns import AFTER, ROLES, WORDS, Mapping, words_on
-from app.exchange.table_curve import Missing
-from app.exchange.table_import import MANY_ROWS, MOST_POINTS, Prepared, TableChoice, prepare_table
-from app.exchange.table_layout import Layout
-from app.exchange.table_source import TableSource
-from app.exchange.thinning import Thinning
+from app.exchange.table.columns import AFTER, ROLES, WORDS, ColumnMapping, words_on
+from app.exchange.table.curves import Missing
+from app.exchange.table.layout import Layout
+from app.exchange.table.prepared import MANY_ROWS, MOST_POINTS, Prepared, TableChoice, prepare_table
+from app.exchange.table.source import TableSource
+from app.exchange.table.table import Preview
+from app.exchange.table.thinning import Thinning
 from app.labels import Label, tip_of
 from app.panels.field_edit import FieldEdit
 from app.panels.form_parts import choice_box, into_box
@@ -212,9 +212,9 @@ class ImportTableDialog(WorkDialog):
             return
         self._prepare()
 
-    def _mapping(self) -> Mapping | None:
+    def _mapping(self) -> ColumnMapping | None:
         roles = {role: column for column, role in enumerate(self.preview.head.roles) if role != IGNORE}
-        return Mapping(**roles) if {"x", "y"} <= set(roles) else None
+        return ColumnMapping(**roles) if {"x", "y"} <= set(roles) else None
 
     def _import(self) -> None:
         if self._prepared is not None and self._prepared.document is not None and not self.jobs.is_busy:
@@ -252,7 +252,7 @@ class ImportTableDialog(WorkDialog):
         source = self._source
         self.jobs.start("Reading", partial(prepare_table, source, choice), self._show, self._fail)
 
-    def _say_columns(self, mapping: Mapping | None) -> None:
+    def _say_columns(self, mapping: ColumnMapping | None) -> None:
         """Say what was taken for what, and where that is no more than a guess."""
         preview = self._preview
         is_guess = mapping is not None and mapping == preview.mapping and not preview.guess.is_certain

@@ -12,7 +12,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from app.exchange.animation import FASTEST, FILMS, LARGEST_WIDTH, MOST_FRAMES
+from app.exchange.drawing.animation import FASTEST, FILMS, LARGEST_WIDTH, MOST_FRAMES
 from app.labels import Label
 from app.panels.fitting import FittedDialog
 from app.panels.told_spin import ToldDoubleSpinBox, ToldSpinBox

@@ -12,7 +12,7 @@ from PySide6.QtWidgets import QApplication, QHBoxLayout, QToolButton, QVBoxLayou
 from app.document import edits
 from app.document.edits import EditError
 from app.document.model import Document
-from app.exchange.table_text import Block, TableTextError, read_titled_block, write_block
+from app.exchange.table.clipboard import Block, TableTextError, read_titled_block, write_block
 from app.icons import icon
 from app.labels import Label, html_of
 from app.overrides import Guarded

@@ -13,10 +13,10 @@ from PIL import Image, ImageSequence
 from app.document.model import Document, Family, make_curve
 from app.document.storage import StorageError
 from app.examples import first_sketch
-from app.exchange.animation import FILMS, Film, write_film
+from app.exchange.drawing.animation import FILMS, Film, write_film
+from app.exchange.drawing.styles import DARK
 from app.exchange.errors import ExchangeError
 from app.exchange.progress import FINAL, Cancelled
-from app.exchange.styles import DARK
 from app.view_model.motion import Pace, Repeat
 from app.view_model.palette import ACCENT, PAPER, colour_on
 

@@ -7,8 +7,8 @@ import numpy as np
 import pytest
 from PySide6.QtGui import QImage
 
+from app.exchange.drawing.styles import LIGHT
 from app.exchange.options import Options
-from app.exchange.styles import LIGHT
 from app.exchange.writing import export
 
 WIDTH = 500

@@ -20,7 +20,7 @@ from app.document.expression import ExpressionError, parse_number
 from app.document.storage import StorageError
 from app.exchange.errors import ExchangeError
 from app.exchange.reading import import_file
-from app.exchange.table_text import TableTextError, read_titled_block
+from app.exchange.table.clipboard import TableTextError, read_titled_block
 
 ROOT = Path(__file__).parents[2]
 SCRIPT = ROOT / "tests" / "data" / "make_hostile.py"

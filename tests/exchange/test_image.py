@@ -9,12 +9,12 @@ from PySide6.QtGui import QColor, QImage
 from app.document import storage
 from app.document.model import Document, Family, make_curve
 from app.document.storage import StorageError
-from app.exchange.drawing import drawing_of
+from app.exchange.drawing.drawing import drawing_of
+from app.exchange.drawing.styles import DARK, INK
 from app.exchange.errors import ExchangeError
 from app.exchange.formats import FORMATS, endings_of
 from app.exchange.options import Options
-from app.exchange.styles import DARK, INK
-from app.exchange.svg import POINT_RADIUS, STROKE
+from app.exchange.svg.writer import POINT_RADIUS, STROKE
 from app.exchange.writing import export
 from app.view_model.curve_view import view_of
 from curvecore import arc_length

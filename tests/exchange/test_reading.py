@@ -13,7 +13,7 @@ from app.exchange.errors import ExchangeError
 from app.exchange.formats import FORMATS, Kind, endings_of, format_of
 from app.exchange.progress import Cancelled
 from app.exchange.reading import ImportOptions, import_file
-from app.exchange.svg_in import read_svg
+from app.exchange.svg.reader import read_svg
 from app.exchange.writing import export
 from app.view_model.curve_view import view_of
 

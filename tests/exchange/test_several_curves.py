@@ -13,12 +13,12 @@ from app.cli import main
 from app.document import edits
 from app.document.model import Document, Family, make_curve
 from app.document.storage import save
-from app.exchange.drawing import drawing_of
+from app.exchange.drawing.drawing import drawing_of
 from app.exchange.errors import ExchangeError
 from app.exchange.facts import facts_of
 from app.exchange.naming import Names
 from app.exchange.options import Options
-from app.exchange.svg import svg_of
+from app.exchange.svg.writer import svg_of
 from app.exchange.writing import export
 from app.view_model.curve_view import view_of
 

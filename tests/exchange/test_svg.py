@@ -16,10 +16,10 @@ from app.document.model import (
     ParametrizationKind,
     make_curve,
 )
-from app.exchange.drawing import RELATIVE_TOLERANCE
+from app.exchange.drawing.drawing import RELATIVE_TOLERANCE
+from app.exchange.drawing.styles import DARK, INK, LIGHT
 from app.exchange.errors import ExchangeError
-from app.exchange.styles import DARK, INK, LIGHT
-from app.exchange.svg import svg_of
+from app.exchange.svg.writer import svg_of
 from app.view_model.curve_view import view_of
 from curvecore.bezier import bezier_segments, cubic_path
 

@@ -11,10 +11,10 @@ import pytest
 
 from app.document.model import Document, Family, Node, make_curve
 from app.exchange.arcs import arc
+from app.exchange.drawing.styles import DARK
 from app.exchange.errors import ExchangeError
-from app.exchange.styles import DARK
-from app.exchange.svg import svg_of
-from app.exchange.svg_in import _Reader, read_svg
+from app.exchange.svg.reader import _Reader, read_svg
+from app.exchange.svg.writer import svg_of
 from app.view_model.curve_view import view_of
 from curvecore import bezier_segments, cubic_path
 from tests.effort import calls_of

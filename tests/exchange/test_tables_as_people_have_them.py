@@ -12,7 +12,7 @@ from app.cli import main
 from app.exchange.errors import ExchangeError
 from app.exchange.formats import FORMATS, Kind
 from app.exchange.reading import ImportOptions, import_file
-from app.exchange.table_columns import guess, role_of, words_on
+from app.exchange.table.columns import guess, role_of, words_on
 
 
 def read(tmp_path, name, content, **options):

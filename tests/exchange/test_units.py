@@ -13,13 +13,13 @@ from app.cli import main
 from app.document.model import Document, Family, make_curve
 from app.document.storage import save
 from app.exchange.choice import ExportChoice
-from app.exchange.drawing import drawing_of
+from app.exchange.drawing.drawing import drawing_of
+from app.exchange.drawing.image import png_preview
 from app.exchange.errors import ExchangeError
 from app.exchange.formats import FORMATS, format_of
-from app.exchange.image import png_look
 from app.exchange.options import Options
 from app.exchange.reading import import_file
-from app.exchange.svg import svg_of
+from app.exchange.svg.writer import svg_of
 from app.exchange.units import MILLIMETRES, known_unit
 from app.exchange.writing import export
 
@@ -156,7 +156,7 @@ def test_a_png_says_its_pixels_per_inch_and_tikz_has_true_size(tmp_path):
     image = QImage(str(png))
     wide = drawing_of(SEVENTY).frame.width
     assert image.dotsPerMeterX() == image.dotsPerMeterY() == round(800 / wide * 1000)
-    seen = png_look(SEVENTY, Options(width=800, unit="mm"), (100, 100))
+    seen = png_preview(SEVENTY, Options(width=800, unit="mm"), (100, 100))
     assert seen.size.endswith(f" pixels, 1 : 1 at {image.dotsPerMeterX() * 0.0254:.4g} per inch")
     export(SEVENTY, png, Options(width=800))
     assert QImage(str(png)).dotsPerMeterX() == round(96 / 0.0254)

@@ -13,15 +13,15 @@ from PySide6.QtWidgets import QApplication
 
 from app.colours import CURVE_COLOURS, curve_colour
 from app.document.model import Document, make_curve
-from app.exchange.animation import Film
 from app.exchange.choice import ExportChoice
-from app.exchange.image import png_image
-from app.exchange.motion_frames import FrameMaker
+from app.exchange.drawing.animation import Film
+from app.exchange.drawing.image import png_image
+from app.exchange.drawing.motion_frames import FrameMaker
+from app.exchange.drawing.styles import DARK as DARK_STYLE
+from app.exchange.drawing.styles import INK
+from app.exchange.drawing.styles import LIGHT as LIGHT_STYLE
 from app.exchange.options import Options
-from app.exchange.styles import DARK as DARK_STYLE
-from app.exchange.styles import INK
-from app.exchange.styles import LIGHT as LIGHT_STYLE
-from app.exchange.svg import svg_of
+from app.exchange.svg.writer import svg_of
 from app.panels.curve_list_view import Spot, spot_rect
 from app.panels.export_dialog import ExportDialog
 from app.theme import DARK, LIGHT, ThemeMode, apply_theme, mix

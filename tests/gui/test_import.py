@@ -398,7 +398,7 @@ def test_many_rows_are_thinned_out_unless_the_person_wants_them_all(editor, tmp_
 
 def test_noisy_rows_get_a_distance_that_leaves_few_enough(editor, tmp_path, monkeypatch):
     # The dialog first: its imports, should they be the first, must find the limit as it is.
-    for name in ("panels.import_table_dialog.MOST_POINTS", "exchange.thinning.MOST_KEPT"):
+    for name in ("panels.import_table_dialog.MOST_POINTS", "exchange.table.thinning.MOST_KEPT"):
         monkeypatch.setattr(f"app.{name}", 400)
     x, y = np.linspace(0, 1, 2_000), np.random.default_rng(3).uniform(-0.02, 0.02, 2_000)
     rows = "\n".join(map("{:.6f},{:.6f}".format, x.tolist(), y.tolist()))

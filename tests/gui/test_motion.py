@@ -23,7 +23,7 @@ from PySide6.QtWidgets import (
 
 from app.document import edits
 from app.document.model import Family, ParametrizationKind, VelocityRule
-from app.exchange.animation import write_film
+from app.exchange.drawing.animation import write_film
 from app.panels.motion_bar import MotionBar
 from app.player import Player
 from app.view_model.motion_picture import Role

@@ -16,8 +16,8 @@ from app.document.storage import save
 from app.exchange.choice import ExportChoice
 from app.exchange.cubics_in import Imported
 from app.exchange.formats import FORMATS
-from app.exchange.table_file import preview_table
-from app.exchange.table_import import TableSource
+from app.exchange.table.prepared import TableSource
+from app.exchange.table.text import preview_table
 from app.panels.crash_dialog import CrashDialog
 from app.panels.export_dialog import ExportDialog
 from app.panels.fitting import FRAME, FittedDialog

@@ -2,7 +2,8 @@
 
 A module here defines `FORMATS`, its `Format` records. Nothing else names a format: the dialogs, their
 filters, what is done with dropped files, the command line, the README and the tests read the registry. The
-modules are imported when it is first asked; what takes long to import (Qt, ezdxf) they import when it is used.
+modules are imported when it is first asked; what takes long to import (Qt, ezdxf) they import when they use
+it.
 """
 
 from __future__ import annotations
@@ -21,7 +22,7 @@ from app.exchange.errors import ExchangeError
 
 if TYPE_CHECKING:
     from app.document.model import Document
-    from app.exchange.image import Look
+    from app.exchange.drawing.image import PicturePreview
     from app.exchange.options import Option, Options
 
 DOCUMENT_ENDING = ".curve.json"
@@ -88,7 +89,7 @@ class Format:
     write
         Returns what to write; None if it is not written. Long work reports to `Options.report`.
     preview
-        Of pictures: shows what they will look like, in so many pixels at most; see `image.Look`.
+        Of pictures: shows what they will look like, in so many pixels at most; see `image.PicturePreview`.
     kind
         What is read from such files; None if they are not read.
     plural
@@ -106,7 +107,7 @@ class Format:
     options: tuple[Option[Any], ...] = ()
     hidden: Callable[[Mapping[str, Any]], Sequence[Option[Any]]] = lambda _values: ()
     write: Callable[[Document, Options], Written] | None = None
-    preview: Callable[[Document, Options, tuple[int, int]], Look] | None = None
+    preview: Callable[[Document, Options, tuple[int, int]], PicturePreview] | None = None
     kind: Kind | None = None
     plural: str = ""
     read: Callable[..., Any] | None = None

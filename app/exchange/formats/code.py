@@ -13,7 +13,7 @@ import numpy as np
 
 from app.document.model import Document
 from app.exchange import code_runtime
-from app.exchange.drawing import Floats
+from app.exchange.drawing.drawing import Floats
 from app.exchange.formats import Format, Written
 from app.exchange.naming import Names
 from app.exchange.parts import Source, accuracy, bezier_values, measured, one_line, sources_of

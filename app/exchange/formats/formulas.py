@@ -13,7 +13,7 @@ import numpy as np
 
 from app import __version__
 from app.document.model import Document
-from app.exchange.drawing import Floats, drawing_of
+from app.exchange.drawing.drawing import Floats, drawing_of
 from app.exchange.errors import ExchangeError
 from app.exchange.formats import Format, Written
 from app.exchange.options import TOLERANCE
@@ -26,7 +26,7 @@ from app.exchange.parts import (
     sources_of,
 )
 from app.exchange.progress import Report, part, silent, told
-from app.exchange.svg import path_data
+from app.exchange.svg.writer import path_data
 from app.view_model.curve_view import SimpleCurve
 from curvecore import LagrangeCurve, bezier_segments
 

@@ -8,7 +8,7 @@ from collections.abc import Callable
 import numpy as np
 
 from app.document.model import Document
-from app.exchange.drawing import Floats, Frame, Outline, drawing_of
+from app.exchange.drawing.drawing import Floats, Frame, Outline, drawing_of
 from app.exchange.errors import ExchangeError
 from app.exchange.formats import Format, Written
 from app.exchange.options import TOLERANCE, TRUE_SIZE

@@ -9,22 +9,22 @@ from app.exchange.formats import Format, Written
 from app.exchange.options import PICTURE, TOLERANCE, Options
 
 if TYPE_CHECKING:
-    from app.exchange.image import Look
+    from app.exchange.drawing.image import PicturePreview
 
 
 # Qt is slow to import, and everything else does without.
 
 
 def _write(document: Document, options: Options) -> Written:
-    from app.exchange.image import pdf_file  # noqa: PLC0415
+    from app.exchange.drawing.image import pdf_file  # noqa: PLC0415
 
     return pdf_file(document, options)
 
 
-def _preview(document: Document, options: Options, room: tuple[int, int]) -> Look:
-    from app.exchange.image import pdf_look  # noqa: PLC0415
+def _preview(document: Document, options: Options, room: tuple[int, int]) -> PicturePreview:
+    from app.exchange.drawing.image import pdf_preview  # noqa: PLC0415
 
-    return pdf_look(document, options, room)
+    return pdf_preview(document, options, room)
 
 
 FORMATS = (

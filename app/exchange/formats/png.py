@@ -9,22 +9,22 @@ from app.exchange.formats import Format, Written
 from app.exchange.options import PICTURE, SCALE, WIDTH, Options
 
 if TYPE_CHECKING:
-    from app.exchange.image import Look
+    from app.exchange.drawing.image import PicturePreview
 
 
 # Qt is slow to import, and everything else does without.
 
 
 def _write(document: Document, options: Options) -> Written:
-    from app.exchange.image import png_file  # noqa: PLC0415
+    from app.exchange.drawing.image import png_file  # noqa: PLC0415
 
     return png_file(document, options)
 
 
-def _preview(document: Document, options: Options, room: tuple[int, int]) -> Look:
-    from app.exchange.image import png_look  # noqa: PLC0415
+def _preview(document: Document, options: Options, room: tuple[int, int]) -> PicturePreview:
+    from app.exchange.drawing.image import png_preview  # noqa: PLC0415
 
-    return png_look(document, options, room)
+    return png_preview(document, options, room)
 
 
 FORMATS = (

@@ -10,8 +10,8 @@ from app.exchange.formats import Format, Written
 from app.exchange.options import Options
 from app.exchange.parts import cell_of_name, distinct_names, sources_of
 from app.exchange.progress import Report, part, silent, told
-from app.exchange.table_columns import AFTER, ROLES, WORDS
-from app.exchange.table_curve import CLOSED
+from app.exchange.table.columns import AFTER, ROLES, WORDS
+from app.exchange.table.curves import CLOSED
 from app.view_model.curve_view import CurveView, view_of
 
 _NOTHING = (nan, nan)

@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 
 from app.document.model import Document
-from app.exchange.drawing import Floats
+from app.exchange.drawing.drawing import Floats
 from app.exchange.errors import ExchangeError
 from app.exchange.formats import Format, Written
 from app.exchange.options import TOLERANCE, OneOf, Option, Options, SomeOf, Whole

@@ -9,10 +9,10 @@ from app.exchange.cubics_in import Imported
 from app.exchange.formats import Format, Kind, Written
 from app.exchange.options import PICTURE, TOLERANCE, Options
 from app.exchange.progress import part
-from app.exchange.svg import picture_of, svg_text
+from app.exchange.svg.writer import picture_of, svg_text
 
 if TYPE_CHECKING:
-    from app.exchange.image import Look
+    from app.exchange.drawing.image import PicturePreview
 
 
 def _write(document: Document, options: Options) -> Written:
@@ -29,15 +29,15 @@ def _write(document: Document, options: Options) -> Written:
     return Written(text, drawing.deviation, drawing.remarks)
 
 
-def _preview(document: Document, options: Options, room: tuple[int, int]) -> Look:
-    from app.exchange.image import svg_look  # noqa: PLC0415 - Qt
+def _preview(document: Document, options: Options, room: tuple[int, int]) -> PicturePreview:
+    from app.exchange.drawing.image import svg_preview  # noqa: PLC0415 - Qt
 
-    return svg_look(document, options, room)
+    return svg_preview(document, options, room)
 
 
 def read(data: bytes, tolerance: float | None) -> Imported:
-    """Return the curves of a drawing; see `svg_in.read_svg`."""
-    from app.exchange.svg_in import read_svg  # noqa: PLC0415 - parsers of XML and of paths
+    """Return the curves of a drawing; see `svg.reader.read_svg`."""
+    from app.exchange.svg.reader import read_svg  # noqa: PLC0415 - parsers of XML and of paths
 
     return read_svg(data, tolerance)
 

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from app.exchange.formats import Format, Kind
-from app.exchange.table_array import read_array
-from app.exchange.table_json import read_json
+from app.exchange.table.json_table import read_json
+from app.exchange.table.numpy_array import read_array
 
 FORMATS = (
     Format(

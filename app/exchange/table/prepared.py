@@ -9,12 +9,12 @@ import numpy as np
 from app.document.model import Document, Family
 from app.exchange.errors import ExchangeError
 from app.exchange.progress import Report, part, silent
-from app.exchange.table import Table
-from app.exchange.table_columns import Mapping
-from app.exchange.table_curve import Missing, document_of_table
-from app.exchange.table_layout import Layout, MissingNumber, RowProblem
-from app.exchange.table_source import TableSource
-from app.exchange.thinning import MOST_KEPT, Thinning, TooManyLeftError
+from app.exchange.table.columns import ColumnMapping
+from app.exchange.table.curves import Missing, document_of_table
+from app.exchange.table.layout import Layout, MissingNumber, RowProblem
+from app.exchange.table.source import TableSource
+from app.exchange.table.table import Table
+from app.exchange.table.thinning import MOST_KEPT, Thinning, TooManyLeftError
 
 MANY_ROWS = 1_000
 """Rows beyond which thinning them out is suggested."""
@@ -51,7 +51,7 @@ class TableChoice:
     """
 
     layout: Layout
-    mapping: Mapping
+    mapping: ColumnMapping
     family: Family = Family.HERMITE
     thinning: Thinning | None = None
     tolerance: float | None = None
@@ -163,7 +163,7 @@ def _made(table: Table, choice: TableChoice, report: Report) -> Prepared:
     raise ExchangeError("The rows are too far apart to be thinned out; choose a distance.")
 
 
-def _suggested(table: Table, mapping: Mapping) -> float:
+def _suggested(table: Table, mapping: ColumnMapping) -> float:
     """Return a thousandth of the table's size with one digit: a number that a person might type."""
     columns = table.values[:, [mapping.x, mapping.y]]
     with np.errstate(all="ignore"):

@@ -60,7 +60,7 @@ _INDEX = re.compile(r"|index|unnamed: ?0|#|nr\.?|no\.?|row|id")
 
 
 @dataclass(frozen=True)
-class Mapping:
+class ColumnMapping:
     """Which column is what, counted from 0; None where there is no such column."""
 
     x: int
@@ -95,7 +95,7 @@ class Guess:
         Whether names, or the lack of any choice, say so; where not, somebody should be asked.
     """
 
-    mapping: Mapping | None
+    mapping: ColumnMapping | None
     is_certain: bool = True
 
     def said(self, titles: Sequence[str]) -> str:
@@ -118,7 +118,7 @@ def role_of(title: str) -> str:
     return next((role for role, pattern in _PATTERNS.items() if pattern.fullmatch(joined)), "")
 
 
-def guessed(titles: Sequence[str], rows: Sequence[Sequence[str]] = ()) -> Mapping | None:
+def guessed(titles: Sequence[str], rows: Sequence[Sequence[str]] = ()) -> ColumnMapping | None:
     """Return what `guess` takes the columns for."""
     return guess(titles, rows).mapping
 
@@ -139,7 +139,7 @@ def guess(
     """
     known = _named(titles)
     if {"x", "y"} <= set(known):
-        return Guess(Mapping(**known))
+        return Guess(ColumnMapping(**known))
     free = [
         column
         for column in range(len(titles))
@@ -155,20 +155,20 @@ def _by_order(known: dict[str, int], free: list[int]) -> Guess:
     """Return what columns are, some of them by name, of which x and y are not both named."""
     if "x" in known or "y" in known:
         missing = "y" if "x" in known else "x"
-        mapping = Mapping(**{**known, missing: free[0]}) if free else None
+        mapping = ColumnMapping(**{**known, missing: free[0]}) if free else None
         return Guess(mapping, is_certain=len(free) == 1)
     if "t" in known and len(free) == 1:
         # A function of time: its graph.
         rest = {role: column for role, column in known.items() if role != "t"}
-        return Guess(Mapping(**{**rest, "x": known["t"], "y": free[0]}))
+        return Guess(ColumnMapping(**{**rest, "x": known["t"], "y": free[0]}))
     if len(free) < 2:
         return Guess(None)
     if len(free) == 3 and not known:
-        return Guess(Mapping(free[1], free[2], t=free[0]), is_certain=False)
-    return Guess(Mapping(**{**known, "x": free[0], "y": free[1]}), len(free) == 2 and "t" not in known)
+        return Guess(ColumnMapping(free[1], free[2], t=free[0]), is_certain=False)
+    return Guess(ColumnMapping(**{**known, "x": free[0], "y": free[1]}), len(free) == 2 and "t" not in known)
 
 
-def mapping_of(text: str, titles: Sequence[str]) -> Mapping:
+def mapping_of(text: str, titles: Sequence[str]) -> ColumnMapping:
     """Return the columns that somebody chose: "t=time,x=pos_x,y=3", by title or number from 1.
 
     Raises
@@ -176,7 +176,7 @@ def mapping_of(text: str, titles: Sequence[str]) -> Mapping:
     ExchangeError
         For a role or column that there is not, or without x or y.
     """
-    roles = [field.name for field in fields(Mapping)]
+    roles = [field.name for field in fields(ColumnMapping)]
     chosen: dict[str, int] = {}
     for item in text.split(","):
         role, _, column = (part.strip() for part in item.partition("="))
@@ -185,12 +185,12 @@ def mapping_of(text: str, titles: Sequence[str]) -> Mapping:
         chosen[role] = _column(column, titles)
     if not {"x", "y"} <= set(chosen):
         raise ExchangeError("A curve needs x and y: --columns x=…,y=…")
-    return Mapping(**chosen)
+    return ColumnMapping(**chosen)
 
 
-def words_on(mapping: Mapping, titles: Sequence[str]) -> str:
+def words_on(mapping: ColumnMapping, titles: Sequence[str]) -> str:
     """Return which columns were taken for what, and which were left out."""
-    columns = mapping.columns([field.name for field in fields(Mapping)])
+    columns = mapping.columns([field.name for field in fields(ColumnMapping)])
     order = sorted(columns, key=[*ROLES, *AFTER, *WORDS].index)
     taken = ", ".join(f"{role} = {_shown(titles, columns[role])}" for role in order)
     left = [_shown(titles, column) for column in range(len(titles)) if column not in columns.values()]

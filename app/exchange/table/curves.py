@@ -21,13 +21,13 @@ from app.document.model import (
     Vector,
 )
 from app.exchange.cubics_in import Imported
-from app.exchange.drawing import Floats
+from app.exchange.drawing.drawing import Floats
 from app.exchange.errors import ExchangeError
 from app.exchange.progress import Report, part, silent
-from app.exchange.table import Table
-from app.exchange.table_columns import AFTER, ROLES, Mapping, guessed
-from app.exchange.table_layout import MissingNumber, RowProblem
-from app.exchange.thinning import Thinning, thinned
+from app.exchange.table.columns import AFTER, ROLES, ColumnMapping, guessed
+from app.exchange.table.layout import MissingNumber, RowProblem
+from app.exchange.table.table import Table
+from app.exchange.table.thinning import Thinning, thinned
 
 MOST_CURVES = 1_000
 
@@ -57,7 +57,7 @@ _PAIRS = {
 
 def document_of_table(
     table: Table,
-    mapping: Mapping | None = None,
+    mapping: ColumnMapping | None = None,
     *,
     family: Family = Family.HERMITE,
     name: str = "Table",
@@ -123,7 +123,7 @@ def document_of_table(
     return Imported(_checked(curves), deviation, (said,) if said else ())
 
 
-def _groups(table: Table, mapping: Mapping, name: str) -> list[Group]:
+def _groups(table: Table, mapping: ColumnMapping, name: str) -> list[Group]:
     """Return the name and the rows of each curve, in the order in which they begin."""
     if mapping.curve is None or mapping.curve not in table.words:
         blocks = np.split(np.arange(len(table.values)), table.blocks)
@@ -171,7 +171,7 @@ def _numbered(groups: list[Group]) -> list[Group]:
 
 
 def _family_of(
-    table: Table, mapping: Mapping, rows: npt.NDArray[np.intp], default: Family
+    table: Table, mapping: ColumnMapping, rows: npt.NDArray[np.intp], default: Family
 ) -> tuple[Family, bool]:
     """Return the family of the curve through some rows, and whether it is closed."""
     if mapping.family is None or mapping.family not in table.words:

@@ -7,10 +7,10 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from app.document.model import MAX_MAGNITUDE
-from app.exchange.drawing import Floats
+from app.exchange.drawing.drawing import Floats
 from app.exchange.errors import ExchangeError
-from app.exchange.table_columns import Guess, Mapping, guess
-from app.exchange.table_layout import Layout, RowProblem
+from app.exchange.table.columns import ColumnMapping, Guess, guess
+from app.exchange.table.layout import Layout, RowProblem
 
 MAX_COLUMNS = 64
 MAX_ROWS = 2_000_000
@@ -52,11 +52,11 @@ class Preview:
     is_text: bool = True
 
     @property
-    def mapping(self) -> Mapping | None:
+    def mapping(self) -> ColumnMapping | None:
         """What the columns seem to be; None with fewer than two of numbers."""
         return self.guess.mapping
 
-    def certain_mapping(self) -> Mapping:
+    def certain_mapping(self) -> ColumnMapping:
         """Return what the columns are, where their titles say so.
 
         Raises

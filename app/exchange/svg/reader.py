@@ -15,12 +15,12 @@ from math import cos, radians, sin, tan, tau
 import numpy as np
 
 from app.exchange.arcs import arc
-from app.exchange.cubics_in import Imported, Path, imported, lines
-from app.exchange.drawing import Floats
+from app.exchange.cubics_in import Imported, ImportedPath, imported, lines
+from app.exchange.drawing.drawing import Floats
 from app.exchange.errors import ExchangeError
-from app.exchange.svg_path import Subpath, read_path_data
-from app.exchange.svg_style import AREAS, RULES, colour_of, lost_from, property_of, remark_on
-from app.exchange.svg_xml import MAX_DEPTH, MAX_ELEMENTS, parsed, tag_of
+from app.exchange.svg.path_data import Subpath, read_path_data
+from app.exchange.svg.properties import AREAS, RULES, colour_of, lost_from, property_of, remark_on
+from app.exchange.svg.xml_tree import MAX_DEPTH, MAX_ELEMENTS, parsed, tag_of
 
 MAX_PATHS = 2_000
 
@@ -109,7 +109,7 @@ class _Reader:
         style = "" if self._ours else remark_on(self._lost_style)
         return (*lost, *([style] if style else []))
 
-    def paths(self, element: ET.Element, state: _State, depth: int) -> Iterator[Path]:
+    def paths(self, element: ET.Element, state: _State, depth: int) -> Iterator[ImportedPath]:
         """Yield the paths of an element and those in it."""
         self._visited += 1
         if self._visited > MAX_ELEMENTS:
@@ -169,7 +169,7 @@ class _Reader:
             shown = f"{name}({arguments})"[:40]
             raise self._broken(element, f"its transform “{shown}” is broken.") from None
 
-    def _used(self, element: ET.Element, state: _State, depth: int) -> Iterator[Path]:
+    def _used(self, element: ET.Element, state: _State, depth: int) -> Iterator[ImportedPath]:
         reference = element.get("href") or element.get("{http://www.w3.org/1999/xlink}href") or ""
         target = self._by_id.get(reference.removeprefix("#"))
         if not reference.startswith("#") or target is None:
@@ -182,7 +182,7 @@ class _Reader:
         state = replace(state, matrix=moved, inside=(*state.inside, reference))
         yield from self.paths(target, state, depth + 1)
 
-    def _shape(self, element: ET.Element, tag: str, state: _State) -> Iterator[Path]:
+    def _shape(self, element: ET.Element, tag: str, state: _State) -> Iterator[ImportedPath]:
         scale = float(np.linalg.norm(state.matrix[:, :2], 2))
         tolerance = self._tolerance / scale if self._tolerance is not None and scale > 0 else None
         try:
@@ -198,7 +198,7 @@ class _Reader:
             self._found += 1
             if self._found > MAX_PATHS:
                 raise ExchangeError(f"The file has more than {MAX_PATHS} paths.")
-            yield Path(
+            yield ImportedPath(
                 name if len(drawn) == 1 else f"{name} ({index})",
                 colour_of(state.stroke) or colour_of(state.fill),
                 _moved(subpath.controls, state.matrix),

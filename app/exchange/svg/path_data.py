@@ -15,7 +15,7 @@ import numpy as np
 
 from app.exchange.arcs import arc_between
 from app.exchange.cubics_in import lines
-from app.exchange.drawing import Floats
+from app.exchange.drawing.drawing import Floats
 from app.exchange.errors import ExchangeError
 
 _NUMBERS = {"M": 2, "L": 2, "H": 1, "V": 1, "C": 6, "S": 4, "Q": 4, "T": 2, "A": 7, "Z": 0}

@@ -10,9 +10,9 @@ from PySide6.QtCore import QLineF, QPointF, Qt
 from PySide6.QtGui import QColor, QImage, QPainter, QPen
 
 from app.document.model import Document
-from app.exchange.animation import Film
-from app.exchange.drawing import Drawing, Frame, drawing_of
-from app.exchange.image import paint_drawing
+from app.exchange.drawing.animation import Film
+from app.exchange.drawing.drawing import Drawing, Frame, drawing_of
+from app.exchange.drawing.image import paint_drawing
 from app.view_model.arrow import arrow_segments
 from app.view_model.curve_view import Floats
 from app.view_model.motion import Repeat, round_of

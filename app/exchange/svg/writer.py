@@ -8,9 +8,9 @@ from typing import TYPE_CHECKING
 
 from app import __version__
 from app.document.model import Document
-from app.exchange.drawing import Decor, Drawing, Frame, Outline, drawing_of
+from app.exchange.drawing.drawing import Annotation, Drawing, Frame, Outline, drawing_of
+from app.exchange.drawing.styles import INK, Style
 from app.exchange.progress import Report, part, silent, told
-from app.exchange.styles import INK, Style
 from app.exchange.units import css_length, known_unit
 from app.view_model import palette
 
@@ -94,9 +94,9 @@ def picture_of(
     if extras is None:
         return drawing
     # Views of basis functions and handles are no business of a plain drawing.
-    from app.exchange.decor import decorated  # noqa: PLC0415
+    from app.exchange.drawing.annotations import annotated  # noqa: PLC0415
 
-    return decorated(drawing, document, extras, style.theme)
+    return annotated(drawing, document, extras, style.theme)
 
 
 def nominal_width(drawing: Drawing, width: float | None) -> float:
@@ -124,11 +124,11 @@ def svg_text(
         f'width="{wide}" height="{high}" viewBox="{box}">',
         f"  <desc>{_text(' '.join([accuracy_of(drawing), *drawing.remarks]))}</desc>",
         *([_paper(frame, style.paper)] if style.paper else []),
-        *_decor(drawing, style, "grid"),
+        *_annotations(drawing, style, "grid"),
         *_curves(drawing, style, report),
-        *_decor(drawing, style, "handles"),
+        *_annotations(drawing, style, "handles"),
         *(_points(drawing, style) if points else []),
-        *_decor(drawing, style, "basis"),
+        *_annotations(drawing, style, "basis"),
         "</svg>",
     ]
     return "\n".join(parts) + "\n"
@@ -208,20 +208,22 @@ def _points(drawing: Drawing, style: Style) -> list[str]:
     return [f'  <g id="points" fill="{style.ink}">', *discs, "  </g>"]
 
 
-def _decor(drawing: Drawing, style: Style, name: str) -> list[str]:
+def _annotations(drawing: Drawing, style: Style, name: str) -> list[str]:
     """Return the group of lines with this name; nothing where there are none."""
-    paths = [_strokes(each, style) for each in drawing.decor if each.name == name]
+    paths = [_strokes(each, style) for each in drawing.annotations if each.name == name]
     return [f'  <g id="{name}" fill="none" stroke-linejoin="round">', *paths, "  </g>"] if paths else []
 
 
-def _strokes(decor: Decor, style: Style) -> str:
-    data = " ".join(f"M {' L '.join(_pair(point) for point in line.tolist())}" for line in decor.lines)
-    colour = _colour(decor.colour, style)
-    opacity = f' opacity="{decor.opacity:g}"' if decor.opacity < 1 else ""
-    if decor.filled:
+def _strokes(annotation: Annotation, style: Style) -> str:
+    data = " ".join(f"M {' L '.join(_pair(point) for point in line.tolist())}" for line in annotation.lines)
+    colour = _colour(annotation.colour, style)
+    opacity = f' opacity="{annotation.opacity:g}"' if annotation.opacity < 1 else ""
+    if annotation.filled:
         return f'    <path d="{data}" fill="{colour}"{opacity}/>'
-    dash = f' stroke-dasharray="{" ".join(map(_number, decor.dash))}"' if decor.dash else ""
-    return f'    <path d="{data}" stroke="{colour}" stroke-width="{_number(decor.width)}"{dash}{opacity}/>'
+    dash = f' stroke-dasharray="{" ".join(map(_number, annotation.dash))}"' if annotation.dash else ""
+    return (
+        f'    <path d="{data}" stroke="{colour}" stroke-width="{_number(annotation.width)}"{dash}{opacity}/>'
+    )
 
 
 def _pair(point: list[float]) -> str:

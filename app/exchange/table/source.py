@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from app.exchange.formats import FORMATS, format_of
 from app.exchange.progress import Report, silent
-from app.exchange.table import Preview, Table, cells_at, preview_of
-from app.exchange.table_columns import Mapping
-from app.exchange.table_curve import Missing
-from app.exchange.table_file import preview_table, read_table
-from app.exchange.table_layout import Layout, cells_of_row
-from app.exchange.table_lines import plain_utf_8
+from app.exchange.table.columns import ColumnMapping
+from app.exchange.table.curves import Missing
+from app.exchange.table.layout import Layout, cells_of_row
+from app.exchange.table.lines import plain_utf_8
+from app.exchange.table.table import Preview, Table, cells_at, preview_of
+from app.exchange.table.text import preview_table, read_table
 
 
 class TableSource:
@@ -30,7 +30,7 @@ class TableSource:
         self._read_whole = format_of(f"a{ending}", FORMATS.read).read
         self._is_text = self._read_whole is None
         self._whole: Table | None = None
-        self._read: tuple[Layout, Mapping, bool, Table] | None = None
+        self._read: tuple[Layout, ColumnMapping, bool, Table] | None = None
         self.lines = data.count(b"\n") if self._is_text else 0
 
     def preview(self, layout: Layout | None = None) -> Preview:
@@ -48,7 +48,11 @@ class TableSource:
         return preview_of(whole)
 
     def table(
-        self, layout: Layout, mapping: Mapping, missing: Missing = Missing.REFUSE, report: Report = silent
+        self,
+        layout: Layout,
+        mapping: ColumnMapping,
+        missing: Missing = Missing.REFUSE,
+        report: Report = silent,
     ) -> Table:
         """Return the numbers in the columns of a mapping.
 

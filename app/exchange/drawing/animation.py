@@ -21,10 +21,10 @@ from msgspec.structs import replace
 
 from app.document.model import Document
 from app.document.storage import write
+from app.exchange.drawing.styles import LIGHT, Style
 from app.exchange.errors import ExchangeError
 from app.exchange.formats import format_of
 from app.exchange.progress import FINAL, Report, silent
-from app.exchange.styles import LIGHT, Style
 from app.view_model.curve_view import view_of
 from app.view_model.motion import Course, Pace, Repeat, round_of
 from app.view_model.motion_picture import COLOURS, Role, rivals_of
@@ -32,7 +32,7 @@ from app.view_model.motion_picture import COLOURS, Role, rivals_of
 if TYPE_CHECKING:
     from PIL import Image
 
-    from app.exchange.motion_frames import FrameMaker
+    from app.exchange.drawing.motion_frames import FrameMaker
 
 LARGEST_WIDTH = 1920
 MOST_FRAMES = 1200
@@ -145,8 +145,8 @@ def write_film(
     form = format_of(path, FILMS)
     _refuse_size(film)
     # Qt is slow to import, and a mistake in the name is told without.
-    from app.exchange.image import application  # noqa: PLC0415
-    from app.exchange.motion_frames import FrameMaker  # noqa: PLC0415
+    from app.exchange.drawing.image import application  # noqa: PLC0415
+    from app.exchange.drawing.motion_frames import FrameMaker  # noqa: PLC0415
 
     with application():
         maker = FrameMaker(document, film)

@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 from statistics import mode
 
 from app.exchange.errors import ExchangeError
-from app.exchange.table_columns import UNITS, role_of
+from app.exchange.table.columns import UNITS, role_of
 
 
 class RowProblem(ExchangeError):  # noqa: N818 - the word for people

@@ -9,7 +9,7 @@ from enum import StrEnum
 import numpy as np
 import numpy.typing as npt
 
-from app.exchange.drawing import Floats
+from app.exchange.drawing.drawing import Floats
 from app.exchange.errors import ExchangeError
 from app.exchange.progress import Report, silent
 from curvecore import HermiteCurve, natural_spline_velocities

@@ -86,7 +86,7 @@ class Outline(msgspec.Struct, frozen=True):
     closed: bool = False
 
 
-class Decor(msgspec.Struct, frozen=True):
+class Annotation(msgspec.Struct, frozen=True):
     """Lines that go with the curves.
 
     Attributes
@@ -129,7 +129,7 @@ class Drawing(msgspec.Struct, frozen=True):
         The deviation that was allowed, in the document's unit.
     remarks
         One sentence for every curve that could not be drawn.
-    decor
+    annotations
         What else is drawn.
     """
 
@@ -137,7 +137,7 @@ class Drawing(msgspec.Struct, frozen=True):
     frame: Frame
     tolerance: float
     remarks: tuple[str, ...] = ()
-    decor: tuple[Decor, ...] = ()
+    annotations: tuple[Annotation, ...] = ()
 
     @property
     def deviation(self) -> float:
@@ -160,16 +160,16 @@ class Drawing(msgspec.Struct, frozen=True):
             replace(outline, control_points=moved(outline.control_points), nodes=moved(outline.nodes))
             for outline in self.outlines
         )
-        decor = tuple(
+        annotations = tuple(
             replace(
                 each,
                 lines=tuple(map(moved, each.lines)),
                 width=each.width * scale,
                 dash=tuple(length * scale for length in each.dash),
             )
-            for each in self.decor
+            for each in self.annotations
         )
-        return replace(self, outlines=outlines, frame=Frame(0.0, 0.0, width, height), decor=decor)
+        return replace(self, outlines=outlines, frame=Frame(0.0, 0.0, width, height), annotations=annotations)
 
 
 def drawing_of(document: Document, tolerance: float | None = None, report: Report = silent) -> Drawing:

@@ -9,12 +9,11 @@ from dataclasses import dataclass
 import numpy as np
 
 from app.document.model import MAX_MAGNITUDE
-from app.exchange.drawing import Floats
+from app.exchange.drawing.drawing import Floats
 from app.exchange.errors import ExchangeError
 from app.exchange.progress import Report, silent
-from app.exchange.table import MAX_COLUMNS, PREVIEW_ROWS, Preview, Table
-from app.exchange.table_columns import AFTER, ROLES, WORDS, Mapping, guess, role_of
-from app.exchange.table_layout import (
+from app.exchange.table.columns import AFTER, ROLES, WORDS, ColumnMapping, guess, role_of
+from app.exchange.table.layout import (
     Layout,
     MissingNumber,
     RowProblem,
@@ -24,7 +23,8 @@ from app.exchange.table_layout import (
     sniffed,
     titles_of,
 )
-from app.exchange.table_lines import first_lines, is_data, numbered_first_lines, parts_of, plain_utf_8
+from app.exchange.table.lines import first_lines, is_data, numbered_first_lines, parts_of, plain_utf_8
+from app.exchange.table.table import MAX_COLUMNS, PREVIEW_ROWS, Preview, Table
 
 _FORMULA = ("=", "@")
 
@@ -52,7 +52,7 @@ def preview_table(data: bytes, layout: Layout | None = None) -> Preview:
 def read_table(
     data: bytes,
     layout: Layout | None = None,
-    mapping: Mapping | None = None,
+    mapping: ColumnMapping | None = None,
     *,
     allows_missing: bool = False,
     report: Report = silent,
@@ -144,7 +144,7 @@ class _Wanted:
         return len(self.numbers) == self.width
 
 
-def _wanted(titles: tuple[str, ...], mapping: Mapping | None, are_numbers: list[bool]) -> _Wanted:
+def _wanted(titles: tuple[str, ...], mapping: ColumnMapping | None, are_numbers: list[bool]) -> _Wanted:
     width = len(titles)
     if mapping is None:
         roles = [role_of(title) for title in titles]

@@ -1,6 +1,6 @@
 """Documents as PNG and PDF; the only module of the exchange that needs Qt. No display is needed.
 
-Both are the SVG of `app.exchange.svg`, moved to the picture's own coordinates in NumPy first: Qt then
+Both are the SVG of `app.exchange.svg.writer`, moved to the picture's own coordinates in NumPy first: Qt then
 never sees the coordinates of the document, however large, small or far away they are.
 """
 
@@ -27,13 +27,13 @@ from PySide6.QtSvg import QSvgRenderer, QtSvg
 
 from app import __version__
 from app.document.model import Document
-from app.exchange.drawing import Drawing, Frame
+from app.exchange.drawing.drawing import Drawing, Frame
+from app.exchange.drawing.styles import Style
 from app.exchange.errors import ExchangeError
 from app.exchange.formats import Written
 from app.exchange.options import Options
 from app.exchange.progress import Report, part, silent
-from app.exchange.styles import Style
-from app.exchange.svg import accuracy_of, nominal_width, picture_of, svg_text
+from app.exchange.svg.writer import accuracy_of, nominal_width, picture_of, svg_text
 from app.exchange.units import MILLIMETRES, POINTS_PER_MILLIMETRE, known_unit, size_in_words
 from app.view_model.palette import adjustment_of
 
@@ -97,7 +97,7 @@ def _true_dots_per_metre(drawing: Drawing, options: Options) -> int:
 
 
 @dataclass(frozen=True)
-class Look:
+class PicturePreview:
     """A small picture of a picture.
 
     Attributes
@@ -113,7 +113,7 @@ class Look:
     moved: str = ""
 
 
-def png_look(document: Document, options: Options, room: tuple[int, int]) -> Look:
+def png_preview(document: Document, options: Options, room: tuple[int, int]) -> PicturePreview:
     """Return what a PNG with these options looks like, in so many pixels at most.
 
     Raises
@@ -125,27 +125,27 @@ def png_look(document: Document, options: Options, room: tuple[int, int]) -> Loo
     width, height = _size(drawing, options)
     dots = _true_dots_per_metre(drawing, options)
     density = f", 1 : 1 at {dots * 0.0254:.4g} per inch" if dots else ""
-    return _look(drawing, options, options.paper_style, f"{width} × {height} pixels{density}", room)
+    return _preview(drawing, options, options.paper_style, f"{width} × {height} pixels{density}", room)
 
 
-def svg_look(document: Document, options: Options, room: tuple[int, int]) -> Look:
-    """Return what an SVG looks like; see `png_look`."""
+def svg_preview(document: Document, options: Options, room: tuple[int, int]) -> PicturePreview:
+    """Return what an SVG looks like; see `png_preview`."""
     drawing = _drawing(document, options, options.vector_style)
     size = _true_size_text(drawing, options)
     if not size:
         frame, across = drawing.frame, nominal_width(drawing, options.width)
         size = f"{size_in_words(across, across * frame.height / frame.width, 'px')}, not to scale"
-    return _look(drawing, options, options.vector_style, size, room)
+    return _preview(drawing, options, options.vector_style, size, room)
 
 
-def pdf_look(document: Document, options: Options, room: tuple[int, int]) -> Look:
-    """Return what a PDF looks like; see `png_look`."""
+def pdf_preview(document: Document, options: Options, room: tuple[int, int]) -> PicturePreview:
+    """Return what a PDF looks like; see `png_preview`."""
     drawing, points = _on_page(_drawing(document, options, options.vector_style), options)
     size = _true_size_text(drawing, options)
     if not size:
         wide, high = (side / POINTS_PER_MILLIMETRE for side in (points.width(), points.height()))
         size = f"{size_in_words(wide, high, 'mm')}, not to scale"
-    return _look(drawing, options, options.vector_style, f"Page of {size}", room)
+    return _preview(drawing, options, options.vector_style, f"Page of {size}", room)
 
 
 def _true_size_text(drawing: Drawing, options: Options) -> str:
@@ -156,11 +156,13 @@ def _true_size_text(drawing: Drawing, options: Options) -> str:
     return f"{size_in_words(frame.width, frame.height, unit)}, 1 : 1 (1 is 1 {unit})"
 
 
-def _look(drawing: Drawing, options: Options, style: Style, size: str, room: tuple[int, int]) -> Look:
+def _preview(
+    drawing: Drawing, options: Options, style: Style, size: str, room: tuple[int, int]
+) -> PicturePreview:
     frame = drawing.frame
     scale = min(room[0] / frame.width, room[1] / frame.height)
     pixels = (max(round(frame.width * scale), 1), max(round(frame.height * scale), 1))
-    return Look(_painted(drawing, pixels, style, options), size, _moved_colours(drawing, style))
+    return PicturePreview(_painted(drawing, pixels, style, options), size, _moved_colours(drawing, style))
 
 
 def _moved_colours(drawing: Drawing, style: Style) -> str:

@@ -8,7 +8,7 @@ import numpy as np
 from msgspec.structs import replace
 
 from app.document.model import Curve, Document
-from app.exchange.drawing import MARGIN, Decor, Drawing, Floats, Frame, frame_with
+from app.exchange.drawing.drawing import MARGIN, Annotation, Drawing, Floats, Frame, frame_with
 from app.exchange.errors import ExchangeError
 from app.exchange.options import Extras
 from app.view_model.basis_view import BasisView, basis_view
@@ -32,7 +32,7 @@ _SQUARE = 0.004
 _DASHES = ((), (0.008, 0.005), (0.002, 0.004))
 
 
-def decorated(drawing: Drawing, document: Document, extras: Extras, theme: str) -> Drawing:
+def annotated(drawing: Drawing, document: Document, extras: Extras, theme: str) -> Drawing:
     """Return the drawing with what else is wanted, on the paper of a theme, "light" or "dark".
 
     Raises
@@ -45,18 +45,18 @@ def decorated(drawing: Drawing, document: Document, extras: Extras, theme: str) 
     if handles:
         ends = np.array([handle.position for each in handles.values() for handle in each])
         frame = frame_with(drawing.outlines, ends)
-    decor = _grid(frame) if extras.grid else []
+    found = _grid(frame) if extras.grid else []
     for curve, each in handles.items():
-        decor += _drawn_handles(document.curves[curve].colour, each, frame.side)
+        found += _drawn_handles(document.curves[curve].colour, each, frame.side)
     if extras.basis is not None:
         view = _functions(document.curves[extras.basis], extras)
         if view is None:
             raise ExchangeError(f"“{document.curves[extras.basis].name}” has no basis functions to draw.")
         height = PANEL * frame.side
         panel = Frame(frame.left, frame.bottom - height, frame.width, height)
-        decor += _basis(view, panel, frame.side, theme)
+        found += _basis(view, panel, frame.side, theme)
         frame = Frame(frame.left, panel.bottom, frame.width, frame.height + height)
-    return replace(drawing, frame=frame, decor=tuple(decor))
+    return replace(drawing, frame=frame, annotations=tuple(found))
 
 
 def _functions(curve: Curve, extras: Extras) -> BasisView | None:
@@ -72,7 +72,7 @@ def grid_step(frame: Frame) -> float:
     return next(step * decade for step in (1, 2, 5, 10) if step * decade >= least * (1 - 1e-9))
 
 
-def _grid(frame: Frame) -> list[Decor]:
+def _grid(frame: Frame) -> list[Annotation]:
     step = grid_step(frame)
     upright = [
         (place, np.array([(place * step, frame.bottom), (place * step, frame.top)]))
@@ -89,7 +89,7 @@ def _grid(frame: Frame) -> list[Decor]:
         (_AXIS, [line for place, line in lines if place == 0]),
     )
     width = _THIN * frame.side
-    return [Decor("grid", tuple(each), width, opacity) for opacity, each in kinds if each]
+    return [Annotation("grid", tuple(each), width, opacity) for opacity, each in kinds if each]
 
 
 def _handles(document: Document) -> dict[int, list[Handle]]:
@@ -107,17 +107,17 @@ def _handles(document: Document) -> dict[int, list[Handle]]:
     return found
 
 
-def _drawn_handles(colour: str, handles: list[Handle], side: float) -> list[Decor]:
+def _drawn_handles(colour: str, handles: list[Handle], side: float) -> list[Annotation]:
     corner = np.array([(-1, -1), (1, -1), (1, 1), (-1, 1), (-1, -1)]) * (_SQUARE * side)
     lines = tuple(np.array([handle.anchor, handle.position]) for handle in handles)
     squares = tuple(np.array(handle.position) + corner for handle in handles)
     return [
-        Decor("handles", lines, _THIN * side, 0.6, colour=colour),
-        Decor("handles", squares, 0.0, 0.8, colour=colour, filled=True),
+        Annotation("handles", lines, _THIN * side, 0.6, colour=colour),
+        Annotation("handles", squares, 0.0, 0.8, colour=colour, filled=True),
     ]
 
 
-def _basis(view: BasisView, panel: Frame, side: float, theme: str) -> list[Decor]:
+def _basis(view: BasisView, panel: Frame, side: float, theme: str) -> list[Annotation]:
     """Return the functions in their panel, with lines at 0 and 1 and at every parameter."""
     low, high = view.extent(range(view.kinds))
     low, high = max(min(low, _CALM[0]), _WILD[0]), min(max(high, _CALM[1]), _WILD[1])
@@ -134,10 +134,10 @@ def _basis(view: BasisView, panel: Frame, side: float, theme: str) -> list[Decor
     ticks = tuple(placed(np.full(2, t), np.array([low, 0.0])) for t in view.curve.parameters.tolist())
     edge = np.array([(panel.left, panel.top), (panel.left + panel.width, panel.top)])
     thin, usual = _THIN * side, _USUAL * side
-    decor = [
-        Decor("basis", (edge, levels[1]), thin, _COARSE),
-        Decor("basis", (levels[0],), thin, _AXIS),
-        Decor("basis", ticks, thin, _COARSE),
+    found = [
+        Annotation("basis", (edge, levels[1]), thin, _COARSE),
+        Annotation("basis", (levels[0],), thin, _AXIS),
+        Annotation("basis", ticks, thin, _COARSE),
     ]
     colours = point_palette(view.node_count, theme, "")
     for kind in range(view.kinds):
@@ -145,9 +145,9 @@ def _basis(view: BasisView, panel: Frame, side: float, theme: str) -> list[Decor
         if view.is_coarse:
             t, least, greatest = view.envelope(kind)
             outline = (placed(t, least), placed(t, greatest))
-            decor.append(Decor("basis", outline, usual, dash=dash))
+            found.append(Annotation("basis", outline, usual, dash=dash))
             continue
         for index, owner in enumerate(view.owners):
             line = placed(*view.function(index, kind))
-            decor.append(Decor("basis", (line,), usual, colour=colours[owner], dash=dash))
-    return decor
+            found.append(Annotation("basis", (line,), usual, colour=colours[owner], dash=dash))
+    return found
