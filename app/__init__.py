@@ -2,12 +2,14 @@
 
 The layers, top to bottom; a module imports only from its own layer and those above it:
 
-- ``document``: immutable values, edits, the file format. No Qt, no arrays inside the values.
+- ``families``: the curve families that there are: the registry that all else reads. No Qt.
+- ``document``: immutable values and edits. No Qt, no arrays inside the values.
+- ``storage``: documents on disk: format, migration, atomic write, locks, snapshots. No Qt.
+- ``tasks``: work beside the window's thread: progress, cancelling, debouncing. No Qt in ``progress``.
 - ``view_model``: a document's curve turned into arrays to draw. No Qt; calls ``curvecore``.
-- ``gestures``: press, move and release turned into edits. No Qt.
+- ``tools``: press, move and release turned into edits. No Qt.
 - ``exchange``: files in and out. Qt only in ``image`` and ``motion_frames``.
 - ``overrides``: exceptions end in the method that Qt called.
-- ``worker``: all work beside the window's thread: progress, cancelling, debouncing, garbage collection.
 - ``resources``, ``examples``, ``lessons``: what comes with the program.
 - ``undo_step``: a step of the history.
 - ``session``: the one mutable owner of the current document, its history and the selection.
@@ -19,14 +21,15 @@ The layers, top to bottom; a module imports only from its own layer and those ab
   their ini file.
 - ``keymap``: which keys do what.  ``mnemonics``: the letters of menus.
 - ``disk_watch``: notices when a file may have changed.
-- ``plot``: what canvas and basis panel share: a pixel map, fast drawing, pan and zoom.
+- ``plotting``: what canvas and basis panel share: a pixel map, fast drawing, pan and zoom.
 - ``canvas``, ``panels``: draw a value and report what the person did. They never call each other.
+- ``controllers``: what the person did in a panel becomes a change of the document.
 - ``action_specs``, ``actions``, ``file_commands``, ``commands``: what can be done, and what it does.
 - ``toolbar``, ``menus``, ``docks``, ``window_layout``, ``main_window``: build, dock, connect.
 - ``start``: windows on the screen, soon.  ``display``: whether there is a screen for them.
 - ``crash_report``, ``crash_handler``, ``lifecycle``: what surrounds the windows from start to end.
 - ``cli``, ``cli_commands``, ``cli_options``, ``cli_refusals``: the command line.
-- ``testing``, ``testing_hand``, ``testing_reach``: a driver for pytest-qt.
+- ``testing``: a driver for pytest-qt.
 """
 
 __version__ = "0.1.0"

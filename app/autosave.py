@@ -8,9 +8,9 @@ from pathlib import Path
 from PySide6.QtCore import QObject, QStandardPaths, QTimer
 
 from app.document.model import Document
-from app.document.recovery import Origin, SnapshotFile
 from app.session import Session
-from app.worker import Task
+from app.storage.recovery import Origin, SnapshotFile
+from app.tasks.task import Task
 
 DELAY_MS = 1000
 """A second for the timer leaves one for the disk: nobody shall lose more than two."""
@@ -99,7 +99,7 @@ class Autosave(QObject):
 
     def _do(self, work: Callable[[], object], then: Callable[[Task], object] | None = None) -> Task:
         """Do this beside the window, after all that was asked for before."""
-        self._last = Task(lambda _task: work(), then, after=self._last)
+        self._last = Task(lambda _report: work(), then, after=self._last)
         return self._last
 
     def _report(self, task: Task) -> None:

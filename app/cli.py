@@ -13,8 +13,8 @@ from typing import TYPE_CHECKING
 from app import __version__
 from app.cli_refusals import RefusalError, load_document, one_line, reason_of, say
 from app.display import has_display, missing_library, why_no_window
-from app.document.storage import StorageError
 from app.exchange import READER_PROCESS
+from app.storage.files import StorageError
 
 if TYPE_CHECKING:
     from PySide6.QtWidgets import QApplication
@@ -137,7 +137,7 @@ def _problems_of(files: Sequence[str]) -> dict[str, RefusalError | StorageError]
     """
     # The list of formats: `--version` does without.
     from app.commands.given import given  # noqa: PLC0415
-    from app.document.open_file import is_large  # noqa: PLC0415
+    from app.storage.open_file import is_large  # noqa: PLC0415
 
     documents = given(map(Path, files)).documents
     problems: dict[str, RefusalError | StorageError] = {}

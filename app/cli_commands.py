@@ -6,7 +6,7 @@ import argparse
 import json
 import math
 import sys
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import contextmanager
 from decimal import ROUND_UP, Context
 from pathlib import Path
@@ -26,24 +26,18 @@ from app.cli_options import (
     positive_number,
 )
 from app.cli_refusals import RefusalError, load_document, one_line, say
-from app.document.model import Family
 from app.exchange.drawing.animation import FILMS
 from app.exchange.errors import ExchangeError
 from app.exchange.formats import FORMATS, can_import, endings_of
-from app.exchange.progress import Report, part
 from app.exchange.reading import ImportOptions, import_file
 from app.exchange.writing import export
+from app.families import FAMILIES
+from app.tasks.progress import Report, part
 
 if TYPE_CHECKING:
     from app.document.model import Document
     from app.exchange.cubics_in import Imported
     from app.exchange.facts import CurveFacts, Growth
-
-FAMILY_NAMES = {
-    Family.LAGRANGE: "Lagrange",
-    Family.HERMITE: "cubic Hermite",
-    Family.QUINTIC_HERMITE: "quintic Hermite",
-}
 
 # A bound that was rounded to the nearest would not be one.
 _ONE_DIGIT_UP = Context(prec=1, rounding=ROUND_UP)
@@ -136,8 +130,15 @@ def _render(options: argparse.Namespace) -> int:
         raise RefusalError(f"“{options.output}” does not end in a known format for pictures; use {known}.")
     document = _document_of(options)
     with _told_on_terminals() as report:
-        export(document, options.output, picture_options(options, document).reporting(report))
+        made = export(document, options.output, picture_options(options, document).reporting(report))
+    _tell(made.remarks)
     return 0
+
+
+def _tell(remarks: Iterable[str]) -> None:
+    """Print what was left out or is otherwise, line by line, beside the output."""
+    for remark in remarks:
+        print(f"curvebench: {one_line(remark)}", file=sys.stderr)
 
 
 def _picture_endings() -> tuple[str, ...]:
@@ -174,7 +175,7 @@ def _convert(options: argparse.Namespace) -> int:
                 tolerance=options.tolerance,
                 thin=options.thin,
                 corners=options.corners,
-                family=Family(options.family),
+                family=FAMILIES.named(options.family),
                 columns=columns_to_read(options),
                 missing=options.missing,
                 only=options.only,
@@ -187,8 +188,7 @@ def _convert(options: argparse.Namespace) -> int:
             report=part(report, 0.5, 1.0),
         )
         written = export(source.document, options.output, wanted)
-    for remark in (*source.remarks, *_on_groups(source, options.only), *written.remarks):
-        print(f"curvebench: {one_line(remark)}", file=sys.stderr)
+    _tell((*source.remarks, *_on_groups(source, options.only), *written.remarks))
     total = rounded_up(source.deviation + written.deviation)
     say(f"{one_line(options.output)}: largest deviation from the true curves {total:g}")
     return 0
@@ -259,7 +259,7 @@ def _as_json(facts: CurveFacts) -> dict[str, Any]:
     length = {"about": facts.length.value, "error": facts.length.error} if facts.length else None
     return {
         "name": facts.name,
-        "family": facts.family,
+        "family": facts.family.name,
         "degree": facts.degree,
         "points": facts.points,
         "closed": facts.closed,
@@ -275,7 +275,7 @@ def _as_json(facts: CurveFacts) -> dict[str, Any]:
 
 
 def _as_text(facts: CurveFacts) -> str:
-    rows = [("family", FAMILY_NAMES[facts.family])]
+    rows = [("family", facts.family.full_title)]
     if facts.degree is not None:
         rows.append(("degree", f"{facts.degree}" + (" on every segment" if facts.family.derivatives else "")))
     rows += [("points", _points_text(facts)), ("parametrization", _rule_text(facts))]

@@ -5,13 +5,14 @@ from __future__ import annotations
 import argparse
 from typing import Any
 
-from app.document.model import Document, Family
+from app.document.model import Document
 from app.exchange.drawing.styles import DARK, LIGHT
 from app.exchange.errors import ExchangeError
 from app.exchange.formats import FORMATS, endings_of
 from app.exchange.formats.samples import COLUMNS
 from app.exchange.options import Check, Extras, OneOf, Option, Options, Whole, all_options
 from app.exchange.units import MILLIMETRES, known_unit
+from app.families import FAMILIES, HERMITE
 
 STYLES = {"light": LIGHT, "dark": DARK}
 
@@ -171,8 +172,8 @@ def _add_table_options(convert: argparse.ArgumentParser) -> None:
     )
     convert.add_argument(
         "--family",
-        choices=[str(family) for family in Family],
-        default=str(Family.HERMITE),
+        choices=[family.name for family in FAMILIES],
+        default=HERMITE.name,
         help="of a curve through the rows of a table (default: %(default)s)",
     )
     convert.add_argument(

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import os
 
-from app.document.format import FormatError
 from app.document.model import Document
-from app.document.storage import load
+from app.storage.files import load
+from app.storage.format import FormatError
 
 
 class RefusalError(Exception):

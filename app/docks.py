@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from functools import partial
 from typing import TypeVar
 
 from PySide6.QtCore import Qt
@@ -57,12 +58,14 @@ class Docks:
     def __init__(
         self, window: QMainWindow, session: Session, actions: Actions, build: Callable[[str], QWidget]
     ) -> None:
-        self._window, self._session, self._build = window, session, build
+        self._window, self._build = window, build
         points, self.table_panel = self._add("pointsDock", "Points", PointTable)
-        curve, self.curve_settings = self._add("curveDock", "Curve", CurveSettings)
+        form = partial(CurveSettings, session.active_view)
+        curve, self.curve_settings = self._add("curveDock", "Curve", form)
         curves, self.curve_list = self._add("curvesDock", "Curves", CurveList)
         self.curve_list.add_buttons([actions[name] for name in CURVE_LIST_BUTTONS])
-        history, self.history = self._add("historyDock", "History", HistoryPanel)
+        steps = partial(HistoryPanel, session.undo_stack)
+        history, self.history = self._add("historyDock", "History", steps)
         self.image, self.image_panel = self._add("imageDock", "Image", ImagePanel)
         late = [self._add_late(name, title) for name, title in _LATE.items()]
         self.lessons = self._add_late("lessonsDock", "Lessons", _LEFT)
@@ -75,11 +78,9 @@ class Docks:
         window.resizeDocks([points], [360], Qt.Orientation.Horizontal)
         window.resizeDocks([points, curve], [480, 300], Qt.Orientation.Vertical)
 
-    def _add(
-        self, name: str, title: str, panel: Callable[[Session, QWidget], _Panel]
-    ) -> tuple[QDockWidget, _Panel]:
+    def _add(self, name: str, title: str, panel: Callable[[QWidget], _Panel]) -> tuple[QDockWidget, _Panel]:
         dock = QDockWidget(title, self._window)
-        area = Scrolled(lambda parent: panel(self._session, parent), IN_DOCK, dock)
+        area = Scrolled(panel, IN_DOCK, dock)
         dock.setWidget(area)
         return self._place(dock, name, _RIGHT), area.content
 

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from app.document.format import FormatError
 from app.document.model import Document, make_curve
-from app.document.storage import StorageError, load
 from app.resources import resource
+from app.storage.files import StorageError, load
+from app.storage.format import FormatError
 
 _S_SKETCH = (
     (3.03, 3.34), (2.65, 3.81), (1.39, 3.83), (1.14, 2.38),

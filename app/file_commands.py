@@ -11,18 +11,18 @@ from typing import Any
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QFileDialog, QMessageBox, QWidget
 
-from app.document.format import FormatError
 from app.document.model import empty_document
-from app.document.open_file import Reading, Sight, is_large
-from app.document.storage import StorageError, load
-from app.exchange.progress import Report, part
 from app.labels import breakable
 from app.preferences import Preferences
 from app.resources import is_resource
 from app.session import Session
+from app.storage.files import StorageError, load
+from app.storage.format import FormatError
+from app.storage.open_file import Reading, is_large
+from app.tasks.progress import Report, part
+from app.tasks.task import Work
 from app.view_model.curve_view import CurveView
 from app.view_model.views_ahead import views_ahead
-from app.worker import Work
 
 SUFFIX = ".curve.json"
 NEW_NAME = empty_document().curves[0].name
@@ -260,13 +260,8 @@ class FileCommands:
 def _question_about(session: Session) -> tuple[str, str]:
     """Return what is asked before a document goes that is not in its file, and why."""
     name = _short(title_of(session)) if session.path is not None else "the sketch"
-    sight = session.file.sight if session.file is not None and session.file.has_lost_document else Sight.SAME
-    why = {
-        Sight.SAME: "",
-        Sight.CHANGED: "Another program has changed the file. ",
-        Sight.UNREADABLE: "Another program has emptied or damaged the file. ",
-        Sight.GONE: "The file is gone from its folder. ",
-    }[sight]
+    file = session.file
+    why = f"{file.change.value} " if file is not None and file.has_lost_document else ""
     if session.has_changes:
         return f"Save the changes to {name}?", f"{why}Without saving they are lost."
     return f"Save {name} as it is shown here?", f"{why}Without saving, what is shown here is lost."

@@ -33,10 +33,13 @@ from app.commands.drops import OpenWindow, accepted
 from app.commands.given import Given
 from app.commands.parts import Parts
 from app.commands.recovery_commands import OpenBeside
+from app.controllers.curve_settings import CurveSettingsController
+from app.controllers.history import HistoryController
+from app.controllers.image import ImageController
+from app.controllers.parametrization import ParametrizationController
+from app.controllers.point_table import PointTableController
 from app.docks import Docks
 from app.file_commands import FileCommands, title_of
-from app.gestures.rail import RailTool
-from app.gestures.tools import CanvasTool
 from app.icons import app_icon
 from app.menus import Menus
 from app.overrides import Guarded
@@ -48,12 +51,14 @@ from app.panels.plot_panel import PlotPanel
 from app.panels.status_line import StatusLine
 from app.preferences import Preferences
 from app.session import Session
+from app.tasks.single_task import SingleTask
 from app.theme import Theme, ThemeMode, apply_theme, theme_of
 from app.toolbar import Toolbar
+from app.tools.rail import RailTool
+from app.tools.tools import CanvasTool
 from app.view_model.curve_view import CurveView
 from app.view_model.growth import growth_of_points
 from app.window_layout import put_away_floating, restore_layout, when_first_shown
-from app.worker import Jobs
 
 _PANELS_MS = 100
 """How far the panels may lag behind a drag, in milliseconds; the canvas and the functions never do."""
@@ -158,7 +163,7 @@ class MainWindow(Guarded, QMainWindow):
         return self._commands.build_dock(name)
 
     def _build_bars(self) -> None:
-        self.parametrization_bar = ParametrizationBar(self.session)
+        self.parametrization_bar = ParametrizationBar()
         self.status_line = StatusLine(self)
         self.setStatusBar(self.status_line)
         self.menus = Menus(self, self.actions_by_name)
@@ -222,7 +227,13 @@ class MainWindow(Guarded, QMainWindow):
         self.basis_panel.pointed_at.connect(self.status_line.show_t)
         self.menus.fill_with_files(self.preferences, self._files.open, self._files.open_example)
         session.history_changed.connect(self._render_file)
-        self.table_panel.pasted.connect(self._show_points)
+        self._controllers = (
+            PointTableController(session, self.table_panel, self._show_points),
+            CurveSettingsController(session, self.curve_settings),
+            ImageController(session, self.image_panel),
+            HistoryController(session, self.history),
+            ParametrizationController(session, self.parametrization_bar),
+        )
 
     def _connect_end(self) -> None:
         for end in (self._files.let_go, self._commands.close, self._remember_layout, self._close_dialogs):
@@ -235,7 +246,7 @@ class MainWindow(Guarded, QMainWindow):
         self.canvas.render_view(view)
         self.canvas.render_others(self.session.views, self.session.active_index, self.session.chosen_curves)
         self.basis_pane.render_view(view)
-        self.table_panel.render_view(view)
+        self.table_panel.render_view(view, streaming=self.session.is_previewing)
         self._commands.follow(view)
         if not self.session.is_previewing:
             self._render_panels()
@@ -364,7 +375,7 @@ class MainWindow(Guarded, QMainWindow):
         self.asks_before_closing = True
 
     @property
-    def jobs(self) -> Jobs:
+    def jobs(self) -> SingleTask:
         """What is being read or written beside the window."""
         return self._commands.work.jobs
 

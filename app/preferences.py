@@ -7,10 +7,10 @@ from typing import Final
 
 from PySide6.QtCore import QSettings
 
-from app.gestures.snapping import SnapKind
 from app.settings import Choice, Distance, Folder, Height, Keys, Layout, Several, Switch, Text
 from app.settings_file import SettingsFile
 from app.theme import ThemeMode
+from app.tools.snapping import SnapKind
 
 _MAX_RECENT: Final = 10
 _RECENT: Final = "files/recent"

@@ -39,6 +39,11 @@ def resource(*parts: str) -> Path:
     raise FileNotFoundError(f"{wanted} is missing from this installation (looked in {places})")
 
 
+def has_resource(*parts: str) -> bool:
+    """Whether there is a file or folder that ships with the program, named as for `resource`."""
+    return any(place.joinpath(*parts).exists() for place in _PLACES)
+
+
 def is_resource(path: Path) -> bool:
     """Whether `path` leads to a file that ships with the program; a link to one counts."""
     try:

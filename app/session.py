@@ -10,16 +10,16 @@ import msgspec
 from PySide6.QtCore import QObject, Signal
 from PySide6.QtGui import QUndoStack
 
-from app.document import storage
 from app.document.choice import followed_curves, followed_nodes, returned_curves, returned_nodes
 from app.document.curve_edits import refuse_locked
 from app.document.edits import EditError
-from app.document.format import FormatError, validate_changes
 from app.document.model import Curve, Document, empty_document
-from app.document.open_file import OpenFile, Reading, Sight
 from app.document.plain import plain
 from app.examples import first_sketch, template_title
 from app.resources import is_resource
+from app.storage import files
+from app.storage.format import FormatError, validate_changes
+from app.storage.open_file import FileChange, OpenFile, Reading
 from app.undo_step import Beginning, State, UndoStep, state_at_index
 from app.view_model.curve_view import CurveView, view_of
 
@@ -33,6 +33,24 @@ class _Home(msgspec.Struct, frozen=True):
     active: int
     selection: frozenset[int]
     chosen: frozenset[int]
+
+
+class Change(msgspec.Struct, frozen=True):
+    """What became of a change of the document; true where it is a step of the history now.
+
+    Attributes
+    ----------
+    is_done
+        Whether the document is another one.
+    refusal
+        Why it is not, as the status line has it; empty where the change was none.
+    """
+
+    is_done: bool
+    refusal: str = ""
+
+    def __bool__(self) -> bool:
+        return self.is_done
 
 
 class Session(QObject):
@@ -264,6 +282,34 @@ class Session(QObject):
 
     # Changes
 
+    def change(
+        self,
+        text: str,
+        edit: Callable[[Document], Document],
+        *,
+        active: int | None = None,
+        run: Hashable = None,
+    ) -> Change:
+        """Make what `edit` returns for the document the current one, as the step `text` of the history.
+
+        A gesture in flight is dropped first, so `edit` gets the history's last state. Where it raises
+        `EditError` nothing changes and the status line says why.
+
+        Parameters
+        ----------
+        active
+            The curve to edit from then on, where that changes.
+        run
+            Changes of the same run that follow each other within a second, with nothing between them, are one
+            step: arrow keys.
+        """
+        self.interrupt()
+        try:
+            document = edit(self._committed)
+        except EditError as reason:
+            return self._refused(str(reason))
+        return self.commit(document, text, active=active, run=run)
+
     def preview(self, document: Document, *, active: int | None = None) -> bool:
         """Show `document` during a gesture; `commit` or `cancel` ends it. Return whether it is shown.
 
@@ -272,7 +318,8 @@ class Session(QObject):
         document = plain(document, self._shown)
         if document is self._shown:
             return True
-        if not self._is_free(document):
+        if reason := self._why_locked(document):
+            self.refuse(reason)
             return False
         if active is not None and self._home is None:
             self._home = _Home(self.active_index, self.selection, self.chosen_curves)
@@ -287,37 +334,35 @@ class Session(QObject):
         self.cancel()
         return was_previewing
 
-    def _is_free(self, document: Document) -> bool:
-        """Whether `document` leaves the locked curves alone; says so if not."""
+    def _why_locked(self, document: Document) -> str:
+        """Return which locked curve is another one in `document`, as a sentence; empty where none is."""
         try:
             refuse_locked(self._committed, document)
         except EditError as reason:
-            self.refuse(str(reason))
-            return False
-        return True
+            return str(reason)
+        return ""
 
-    def _can_be_kept(self, document: Document) -> bool:
-        """Whether a file may hold `document`; says why not. What no edit should make is stopped here."""
+    def _why_not_kept(self, document: Document) -> str:
+        """Return why no file may hold `document`, which no edit should make; empty where one may."""
         try:
             validate_changes(self._committed, document)
         except FormatError as reason:
-            self.refuse(f"This cannot be kept: {reason}.")
-            return False
-        return True
+            return f"This cannot be kept: {reason}."
+        return ""
 
     def commit(
         self, document: Document, text: str, *, active: int | None = None, run: Hashable = None
-    ) -> bool:
-        """Make `document` the current one, as one step of the history called `text`; return whether it is.
+    ) -> Change:
+        """End the gesture in flight with `document`, as the step `text` of the history; see `change`.
 
-        `active` is the curve to edit from then on, where that changes. Changes of the same `run` that follow
-        each other within a second, with nothing between them, are one step: arrow keys. A document in which
-        a locked curve is another one, or that no file could hold, is refused with a sentence.
+        A document in which a locked curve is another one, or that no file could hold, is refused.
         """
         document = plain(document, self._shown)
-        if document == self._committed or not self._is_free(document) or not self._can_be_kept(document):
+        if document == self._committed:
             self.cancel()
-            return False
+            return Change(is_done=False)
+        if reason := self._why_locked(document) or self._why_not_kept(document):
+            return self._refused(reason)
         after = self.active_index if active is None else active
         home, self._home = self._home, None
         before = self._state(self._committed, self.active_index if home is None else home.active)
@@ -326,7 +371,13 @@ class Session(QObject):
         # Where the change has taken its run back, the last step is another one.
         is_there = self.undo_stack.index() >= steps
         self._run = (run, self.clock()) if run is not None and is_there else None
-        return True
+        return Change(is_done=True)
+
+    def _refused(self, reason: str) -> Change:
+        """Say why nothing changes."""
+        self.refuse(reason)
+        self.cancel()
+        return Change(is_done=False, refusal=reason)
 
     def _state(self, document: Document, active: int) -> State:
         return State(document, active, self.beginning)
@@ -498,7 +549,7 @@ class Session(QObject):
         `text`, and undo goes back.
         """
         path = Path(path)
-        document = plain(storage.load(path))
+        document = plain(files.load(path))
         title = template_title(path, document)
         self.cancel()
         if self.path is not None or not (self.undo_stack.count() or self.is_modified):
@@ -535,7 +586,7 @@ class Session(QObject):
     def look_at_file(self) -> None:
         """Take note of what the file holds at this moment; before the document goes, for one."""
         if self.file is not None:
-            self.note_sight(self.file.look())
+            self.note_file_change(self.file.check())
 
     def give_up_changes(self) -> None:
         """Let the document go as it is, unsaved: nobody is asked about it."""
@@ -544,10 +595,10 @@ class Session(QObject):
             self.file.accept()
             self.file_changed.emit()
 
-    def note_sight(self, sight: Sight) -> None:
+    def note_file_change(self, change: FileChange) -> None:
         """Take note of what the file holds."""
-        if self.file is not None and sight is not self.file.sight:
-            self.file.sight = sight
+        if self.file is not None and change is not self.file.change:
+            self.file.change = change
             self.file_changed.emit()
 
     @property

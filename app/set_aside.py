@@ -6,10 +6,10 @@ from pathlib import Path
 
 from PySide6.QtCore import QObject
 
-from app.document.format import FormatError
 from app.document.model import Document
-from app.document.recovery import Origin, SnapshotFile
 from app.session import Session
+from app.storage.format import FormatError
+from app.storage.recovery import Origin, SnapshotFile
 
 
 class SetAside(QObject):

@@ -40,9 +40,9 @@ def open_windows(files: Sequence[str], problems: Sequence[str] = ()) -> list[Mai
     """
     # The editor and Qt take a while to import, and the other commands do without.
     from app.commands.given import given  # noqa: PLC0415
-    from app.document.open_file import is_large  # noqa: PLC0415
     from app.main_window import MainWindow  # noqa: PLC0415
     from app.session import Session  # noqa: PLC0415
+    from app.storage.open_file import is_large  # noqa: PLC0415
 
     others = given(map(Path, files))
     documents = [Path(path) for path in files if Path(path) in others.documents]

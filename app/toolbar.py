@@ -7,24 +7,20 @@ from PySide6.QtGui import QResizeEvent, QShowEvent
 from PySide6.QtWidgets import QToolBar, QToolButton, QWidget
 
 from app.actions import Actions
+from app.families import FAMILIES
 from app.overrides import Guarded
 from app.panels.parametrization_bar import ParametrizationBar
 
-_SEPARATOR, _PARAMETERS = "", "PARAMETERS"
+_SEPARATOR, _FAMILIES, _PARAMETERS = "", "FAMILIES", "PARAMETERS"
 _ORDER = (
     "newDocument", "openDocument", "saveDocument", _SEPARATOR,
     "undo", "redo", _SEPARATOR,
     "selectTool", "addTool", "measureTool", _SEPARATOR,
-    "familyLagrange", "familyHermite", "familyQuinticHermite", _SEPARATOR,
+    _FAMILIES, _SEPARATOR,
     _PARAMETERS, _SEPARATOR,
     "fitView", "toggleGrid", "toggleSnap", "toggleScrub", "playMotion",
 )  # fmt: skip
-_FAMILIES = {
-    "familyLagrange": "Lagrange",
-    "familyHermite": "Hermite",
-    "familyQuinticHermite": "Quintic Hermite",
-}
-_SHORT = {**_FAMILIES, "familyQuinticHermite": "Quintic"}
+_BESIDE = Qt.ToolButtonStyle.ToolButtonTextBesideIcon
 
 
 class Toolbar(Guarded, QToolBar):
@@ -45,10 +41,12 @@ class Toolbar(Guarded, QToolBar):
             self.addSeparator()
         elif name == _PARAMETERS:
             self.addWidget(self._parameters)
+        elif name == _FAMILIES:
+            for family in FAMILIES:
+                self.addAction(self._actions[family.action_name])
+                self._button(family.action_name).setToolButtonStyle(_BESIDE)
         else:
             self.addAction(self._actions[name])
-            if name in _FAMILIES:
-                self._button(name).setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
 
     def _button(self, name: str) -> QToolButton:
         button = self.widgetForAction(self._actions[name])
@@ -69,9 +67,8 @@ class Toolbar(Guarded, QToolBar):
     def _fit_words(self) -> None:
         compact = self._full_width is not None and self.width() < self._full_width
         self._parameters.set_compact(compact)
-        style = Qt.ToolButtonStyle
-        for name, text in (_SHORT if compact else _FAMILIES).items():
-            self._actions[name].setIconText(text)
-            self._button(name).setToolButtonStyle(
-                style.ToolButtonTextOnly if compact else style.ToolButtonTextBesideIcon
+        for family in FAMILIES:
+            self._actions[family.action_name].setIconText(family.short if compact else family.label)
+            self._button(family.action_name).setToolButtonStyle(
+                Qt.ToolButtonStyle.ToolButtonTextOnly if compact else _BESIDE
             )

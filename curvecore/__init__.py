@@ -4,28 +4,23 @@ A tour of the package, one concept a file:
 
 ==================  ======================================================
 errors              `CurveError`, the only exception for unusable input
-immutable           what copies and pickles of curves are
 arrays              validation of every argument, shared array types
 parametrization     rules for the t_i: `uniform`, `chebyshev`,
                     `chord_length`, `centripetal`, `power`
-curve               the protocol `Curve` that all families satisfy
-lagrange            `LagrangeCurve`, one polynomial of degree n - 1
-product_form        the Lagrange basis as products, accurate on any nodes
-product_series      its derivatives, as products of power series
-chain               `Chain`, curves end to end: corners
+families            one file each: `Curve`, the base class; `LagrangeCurve`,
+                    `HermiteCurve`, `QuinticHermiteCurve`; `BasisCurve` of any
+                    basis functions; `Chain`, curves end to end: corners
+vectors             lengths of vectors
 scaling             numbers with separate exponents
 double_double       numbers of 106 bits, where plain ones would cancel
-hermite             `HermiteCurve` and `QuinticHermiteCurve`, piecewise
-hermite_basis       their cardinal polynomials, factored
 bernstein           their control points, and fast evaluation from these
 tangents            velocities and accelerations estimated from points
 bezier              exact and approximate Bezier control points
 flatten             polylines within a tolerance
 frozen              the same while points move and parameters stay
-frozen_segments     the same for Hermite curves, whatever moves
+frozen_segments     the same for curves of Bezier pieces, whatever moves
 moved_parameters    Lagrange functions after a few parameters moved
 left_out            the curve then: some points left out and put back
-derivatives         c', c'' at many parameters, by a short cut
 bernstein_algebra   polynomials in Bernstein form: products, roots
 pieces              any curve as Bezier pieces of low degree
 geometry            curvature, box, inflections, extrema of curvature
@@ -65,9 +60,13 @@ from importlib import import_module
 from typing import TYPE_CHECKING
 
 from curvecore.bezier import CubicPath, bezier_segments, cubic_path
-from curvecore.chain import Chain
-from curvecore.curve import Curve
 from curvecore.errors import CurveError
+from curvecore.families.basis_curve import BasisCurve, Scheme
+from curvecore.families.chain import Chain
+from curvecore.families.curve import Curve, Interpolant, LocalBasis
+from curvecore.families.hermite import HermiteCurve
+from curvecore.families.lagrange import LagrangeCurve
+from curvecore.families.quintic_hermite import QuinticHermiteCurve
 from curvecore.flatten import (
     MAX_VERTICES,
     Pieces,
@@ -78,8 +77,6 @@ from curvecore.flatten import (
 )
 from curvecore.frozen import FrozenFlattening
 from curvecore.frozen_segments import FrozenSegments
-from curvecore.hermite import HermiteCurve, LocalBasis, QuinticHermiteCurve
-from curvecore.lagrange import LagrangeCurve
 from curvecore.parametrization import centripetal, chebyshev, chord_length, power, uniform
 from curvecore.tangents import (
     bessel_velocities,
@@ -182,6 +179,7 @@ __all__ = [
     "MAX_VERTICES",
     "ArcLength",
     "Band",
+    "BasisCurve",
     "Box",
     "CardinalBasis",
     "Chain",
@@ -193,6 +191,7 @@ __all__ = [
     "FrozenFlattening",
     "FrozenSegments",
     "HermiteCurve",
+    "Interpolant",
     "Joint",
     "LagrangeBezier",
     "LagrangeCurve",
@@ -205,6 +204,7 @@ __all__ = [
     "Pieces",
     "QuinticHermiteCurve",
     "Rounding",
+    "Scheme",
     "SelfIntersections",
     "ToleranceWarning",
     "acceleration_sensitivity",

@@ -28,7 +28,7 @@ import numpy as np
 
 from curvecore.arrays import BoolArray, FloatArray, IntArray
 from curvecore.bernstein_algebra import derivative, subdivided
-from curvecore.geometry import lengths
+from curvecore.vectors import vector_lengths
 
 __all__ = ["Arcs", "Pairs", "close_pairs", "simple_arcs"]
 
@@ -196,13 +196,13 @@ def _is_straight(arcs: Arcs, small: float) -> BoolArray:
     degree = arcs.controls.shape[1] - 1
     if degree < 2:
         return np.ones(len(arcs.start), dtype=bool)
-    bend = lengths(np.diff(arcs.controls, n=2, axis=1)).max(axis=1)
+    bend = vector_lengths(np.diff(arcs.controls, n=2, axis=1)).max(axis=1)
     straight: BoolArray = bend * (degree * (degree - 1) / 8.0) <= _STRAIGHT * small
     return straight
 
 
 def _within_half_plane(slopes: FloatArray) -> BoolArray:
-    size = lengths(slopes)
+    size = vector_lengths(slopes)
     mean = (slopes / np.maximum(size, np.finfo(float).tiny)[..., None]).sum(axis=1, keepdims=True)
     # A slope of 0, at a point at rest, turns nowhere.
     ahead = ((slopes * mean).sum(axis=2) > 0.0) | (size == 0.0)
@@ -224,7 +224,7 @@ def _may_meet(pairs: Pairs, margin: float) -> BoolArray:
     ).all(axis=1)
     for controls in (a, b):
         chord = controls[:, -1] - controls[:, 0]
-        unit = chord / np.maximum(lengths(chord), np.finfo(float).tiny)[:, None]
+        unit = chord / np.maximum(vector_lengths(chord), np.finfo(float).tiny)[:, None]
         meet &= _overlap(a, b, unit, margin)
         meet &= _overlap(a, b, np.stack((-unit[:, 1], unit[:, 0]), axis=1), margin)
     slopes = np.concatenate([derivative(a), derivative(b)], axis=1)

@@ -11,18 +11,27 @@ References
 
 from __future__ import annotations
 
+import math
 from typing import NamedTuple
 
 import numpy as np
 
 from curvecore.arrays import FloatArray, IntArray, tolerance_value
 from curvecore.bernstein import control_points
-from curvecore.chain import Chain
-from curvecore.curve import Curve
+from curvecore.bernstein_algebra import elevated
 from curvecore.errors import CurveError
-from curvecore.hermite import HermiteCurve, QuinticHermiteCurve
+from curvecore.families.curve import Curve
+from curvecore.vectors import vector_lengths
 
-__all__ = ["MAX_PIECES", "CubicPath", "bezier_segments", "cubic_path", "spread"]
+__all__ = [
+    "MAX_PIECES",
+    "CubicPath",
+    "all_joints",
+    "bezier_segments",
+    "cubic_path",
+    "drawable_pieces",
+    "spread",
+]
 
 MAX_PIECES = 1 << 12
 """`cubic_path` never returns more pieces than this, or one a segment if there are more segments."""
@@ -44,8 +53,8 @@ class CubicPath(NamedTuple):
         The curve's parameters at the ends of the pieces.
     deviation : float
         Upper bound of the distance between the pieces and the curve at equal
-        parameters: 0 for `HermiteCurve`; proved for `QuinticHermiteCurve`;
-        for others measured at 11 parameters a piece and enlarged by a
+        parameters: 0 for cubic pieces; proved for other polynomial pieces;
+        else measured at 11 parameters a piece and enlarged by a
         quarter. Larger than the tolerance where `MAX_PIECES` did not suffice.
     """
 
@@ -54,30 +63,37 @@ class CubicPath(NamedTuple):
     deviation: float
 
 
-def bezier_segments(curve: HermiteCurve | QuinticHermiteCurve) -> FloatArray:
+def bezier_segments(curve: Curve) -> FloatArray:
     """Return the Bezier control points of every segment.
-
-    Cubic: p, p + h v / 3; quintic: p, p + h v / 5, p + 2 h v / 5 + h**2 a / 20
-    ahead of a joint, and the mirror image behind it.
 
     Parameters
     ----------
-    curve : HermiteCurve or QuinticHermiteCurve
-        A `LagrangeCurve` has no segments; see `cubic_path`.
+    curve : Curve
+        Of a family of piecewise polynomials. A `LagrangeCurve` has no segments; see `cubic_path`.
 
     Returns
     -------
-    ndarray, shape (n - 1, degree + 1, dim)
-        Exact but for rounding; limited to +-1e300.
+    ndarray, shape (k, degree + 1, dim)
+        Of the pieces between ``curve.breaks``, exact but for rounding; limited to +-1e300.
 
     Raises
     ------
     CurveError
         For a curve of another family.
     """
-    if not isinstance(curve, (HermiteCurve, QuinticHermiteCurve)):
-        raise CurveError("curve must be a HermiteCurve or a QuinticHermiteCurve to have Bezier segments")
-    controls = control_points(curve.jets, curve.parameters)
+    controls = drawable_pieces(curve)
+    if controls is None:
+        raise CurveError("curve must be of a family of piecewise polynomials to have Bezier segments")
+    return controls
+
+
+def drawable_pieces(curve: Curve) -> FloatArray | None:
+    """Return the Bezier control points of a curve, limited to +-1e300; None where it has none."""
+    controls = curve.bezier_pieces()
+    return None if controls is None else _limited(controls)
+
+
+def _limited(controls: FloatArray) -> FloatArray:
     if np.abs(controls).max() <= _LIMIT:
         return controls
     np.nan_to_num(controls, copy=False, nan=_LIMIT)
@@ -108,14 +124,15 @@ def cubic_path(curve: Curve, tolerance: float) -> CubicPath:
         If the tolerance is not a positive number.
     """
     limit = tolerance_value(tolerance)
-    if isinstance(curve, Chain):
+    if len(curve.pieces) > 1:
         return _joined([cubic_path(piece, limit) for piece in curve.pieces])
-    if isinstance(curve, HermiteCurve):
-        return CubicPath(bezier_segments(curve), curve.parameters.copy(), 0.0)
+    controls = drawable_pieces(curve)
     with np.errstate(over="ignore", under="ignore", invalid="ignore"):
-        if isinstance(curve, QuinticHermiteCurve):
-            return _quintic_path(curve, limit)
-        return _measured_path(curve, limit)
+        if controls is None:
+            return _measured_path(curve, limit)
+        if controls.shape[1] <= 4:
+            return CubicPath(elevated(controls, 4 - controls.shape[1]), curve.breaks.copy(), 0.0)
+        return _proved_path(curve, controls, limit)
 
 
 def _joined(paths: list[CubicPath]) -> CubicPath:
@@ -132,19 +149,28 @@ def _pieces(curve: Curve, parameters: FloatArray) -> FloatArray:
     velocities = curve.evaluate(parameters, 1)
     if not np.isfinite(velocities).all() or np.abs(velocities).max() > 1e300:
         velocities = np.clip(np.nan_to_num(velocities), -_LIMIT, _LIMIT)
-    return bezier_segments(HermiteCurve(curve.evaluate(parameters), velocities, parameters))
+    controls = control_points(np.stack((curve.evaluate(parameters), velocities), axis=1), parameters)
+    return _limited(controls)
 
 
-def _quintic_path(curve: QuinticHermiteCurve, tolerance: float) -> CubicPath:
-    t = curve.parameters
-    # h**4 c'''' is linear on a segment: 120 times the fourth differences of the control points.
-    fourth = 120.0 * np.diff(bezier_segments(curve), n=4, axis=1)
-    bound = _lengths(fourth).max(axis=1) / 384.0
+def _proved_path(curve: Curve, controls: FloatArray, tolerance: float) -> CubicPath:
+    degree = controls.shape[1] - 1
+    # The fourth differences of the control points, times this, enclose h**4 c'''' on a segment.
+    fourth = math.perm(degree, 4) * np.diff(controls, n=4, axis=1)
+    bound = vector_lengths(fourth).max(axis=1) / 384.0
     count = np.clip(np.ceil((bound / tolerance) ** 0.25), 1, MAX_PIECES).astype(np.intp)
     if count.sum() > max(MAX_PIECES, len(count)):
         count = np.maximum(1, count * (MAX_PIECES - len(count)) // count.sum())
-    parameters = spread(t, count)
+    parameters = spread(curve.breaks, count)
     return CubicPath(_pieces(curve, parameters), parameters, float((bound / count**4.0).max()))
+
+
+def all_joints(curve: Curve) -> FloatArray:
+    """Return the parameters and the breaks of a curve, ascending, each once."""
+    t = np.concatenate((curve.parameters, curve.breaks))
+    t.sort()
+    # numpy.unique would import all of numpy.ma.
+    return t[np.diff(t, prepend=-np.inf) > 0.0]
 
 
 def spread(joints: FloatArray, count: IntArray) -> FloatArray:
@@ -158,7 +184,8 @@ def spread(joints: FloatArray, count: IntArray) -> FloatArray:
 
 def _measured_path(curve: Curve, tolerance: float) -> CubicPath:
     # Two pieces a segment: fewer could step over an oscillation.
-    parameters = spread(curve.parameters, np.full(len(curve.parameters) - 1, 2))
+    joints = all_joints(curve)
+    parameters = spread(joints, np.full(len(joints) - 1, 2))
     for _ in range(_ROUNDS):
         pieces = _pieces(curve, parameters)
         deviation = _MARGIN * _measured_deviation(curve, parameters, pieces)
@@ -178,13 +205,5 @@ def _measured_deviation(curve: Curve, parameters: FloatArray, pieces: FloatArray
     t = parameters[:-1, None] + np.diff(parameters)[:, None] * s
     exact = curve.evaluate(t.ravel()).reshape(len(pieces), len(s), -1)
     approximate = np.einsum("ks,pkd->psd", weights, pieces)
-    worst: FloatArray = _lengths(approximate - np.clip(exact, -_LIMIT, _LIMIT)).max(axis=1)
+    worst: FloatArray = vector_lengths(approximate - np.clip(exact, -_LIMIT, _LIMIT)).max(axis=1)
     return worst
-
-
-def _lengths(vectors: FloatArray) -> FloatArray:
-    """Return Euclidean lengths along the last axis, with no overflow below 1e300."""
-    largest = np.abs(vectors).max(axis=-1)
-    divisor = np.where(largest > 0.0, largest, 1.0)[..., None]
-    lengths: FloatArray = largest * np.sqrt(np.square(vectors / divisor).sum(axis=-1))
-    return np.minimum(lengths, 1e308)

@@ -28,11 +28,9 @@ from numpy.typing import ArrayLike
 
 from curvecore.arrays import FloatArray, data_array, finite_number, integer
 from curvecore.bernstein_algebra import elevated
-from curvecore.chain import Chain
-from curvecore.curve import Curve
 from curvecore.errors import CurveError
 from curvecore.exact import CommonPolynomial, as_float, interpolated, scaled_integers
-from curvecore.lagrange import LagrangeCurve
+from curvecore.families.curve import Curve, Interpolant
 
 __all__ = ["LagrangeBezier", "bezier_stretch", "elevate_degree", "lagrange_to_bezier"]
 
@@ -84,7 +82,7 @@ def elevate_degree(control_points: ArrayLike, by: int = 1) -> FloatArray:
     return result
 
 
-def lagrange_to_bezier(curve: LagrangeCurve) -> LagrangeBezier:
+def lagrange_to_bezier(curve: Curve) -> LagrangeBezier:
     """Return the Bezier form of an interpolating polynomial.
 
     Parameters
@@ -104,7 +102,8 @@ def lagrange_to_bezier(curve: LagrangeCurve) -> LagrangeBezier:
     CurveError
         For another family or too many points.
     """
-    if not isinstance(curve, LagrangeCurve):
+    interpolants = curve.interpolants()
+    if interpolants is None or len(interpolants) > 1 or curve.jets.shape[1] > 1:
         raise CurveError("curve must be a LagrangeCurve; bezier_segments converts the Hermite families")
     controls = bezier_stretch(curve, *curve.domain)
     return LagrangeBezier(controls, _condition(curve.parameters))
@@ -136,14 +135,7 @@ def bezier_stretch(curve: Curve, start: float, end: float) -> FloatArray:
     first, last = curve.domain
     if not first <= low < high <= last:
         raise CurveError(f"start and end must ascend inside the domain, from {first} to {last}")
-    if isinstance(curve, Chain):
-        return bezier_stretch(_piece_with(curve, low, high), low, high)
-    nodes, jets = curve.parameters, curve.jets
-    if jets.shape[1] > 1:
-        i = min(int(np.searchsorted(nodes, low, side="right")) - 1, len(nodes) - 2)
-        if high > nodes[i + 1]:
-            raise CurveError(f"parameters[{i + 1}] is inside the stretch; no joint must be", (i + 1,))
-        nodes, jets = nodes[i : i + 2], jets[i : i + 2]
+    nodes, jets = _interpolant_over(curve, low, high)
     if len(nodes) > MOST:
         raise CurveError(f"curve must have at most {MOST} points to be converted, not {len(nodes)}")
     columns = [
@@ -153,11 +145,16 @@ def bezier_stretch(curve: Curve, start: float, end: float) -> FloatArray:
     return np.array(columns).T.copy()
 
 
-def _piece_with(chain: Chain, low: float, high: float) -> Curve:
-    for piece in chain.pieces:
-        if piece.domain[0] <= low and high <= piece.domain[1]:
-            return piece
-    raise CurveError("there must be no joint inside the stretch")
+def _interpolant_over(curve: Curve, low: float, high: float) -> Interpolant:
+    interpolants = curve.interpolants()
+    if interpolants is None:
+        raise CurveError("curve must be of polynomials whose data are known to be converted exactly")
+    ends = np.array([each.nodes[-1] for each in interpolants[:-1]])
+    found = interpolants[int(np.searchsorted(ends, low, side="right"))]
+    if high > found.nodes[-1]:
+        joint = int(np.searchsorted(curve.parameters, found.nodes[-1]))
+        raise CurveError(f"parameters[{joint}] is inside the stretch; no joint must be", (joint,))
+    return found
 
 
 def _bernstein(polynomial: CommonPolynomial, low: float, high: float) -> list[float]:

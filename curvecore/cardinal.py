@@ -30,10 +30,8 @@ from numpy.typing import ArrayLike
 
 from curvecore.arrays import FloatArray, IntArray, parameter_values, read_only
 from curvecore.bernstein import controls_between
-from curvecore.chain import Chain
-from curvecore.curve import Curve
 from curvecore.errors import CurveError
-from curvecore.hermite import HermiteCurve, QuinticHermiteCurve
+from curvecore.families.curve import Curve
 from curvecore.scaling import LARGEST
 
 __all__ = [
@@ -173,7 +171,7 @@ class CardinalBasis:
         self._estimates: FloatArray | None = None
         self._columns: IntArray | None = None
         self._ends: IntArray | None = None
-        if (closed or follow is not None) and not _is_local(curve):
+        if (closed or follow is not None) and not curve.is_local:
             raise CurveError("curve must be of a family whose functions are local")
         if follow is not None:
             self._fill(follow, reach)
@@ -271,7 +269,7 @@ class CardinalBasis:
         at = parameter_values(t).values
         if self._estimates is None or self._columns is None or self._ends is None:
             return self._alone(at, order)
-        segment, basis = _hermite_basis(self.curve, at, order)
+        segment, basis = self.curve.local_basis(at, order)
         values = np.empty((len(at), self._columns.shape[1]))
         flat = self._estimates.reshape(len(self._estimates), -1, values.shape[1])
         weights = basis[:, :, 1:].reshape(len(at), 1, -1)
@@ -289,11 +287,11 @@ class CardinalBasis:
 
     def _alone(self, t: FloatArray, order: int) -> LocalCardinals:
         """Return the functions where no derivative follows: B_i0."""
-        if _is_local(self.curve):
-            segment, values = _hermite_basis(self.curve, t, order)
+        if self.curve.is_local:
+            segment, values = self.curve.local_basis(t, order)
             return LocalCardinals((segment[:, None] + np.arange(2)) % self.count, values[:, :, 0])
         basis = self.curve.basis(t, order)[:, :, 0]
-        if isinstance(self.curve, Chain):
+        if len(self.curve.pieces) > 1:
             # Two rows of data belong to a joint of two pieces.
             rows = self.curve.row_of_parameter
             basis = np.add.reduceat(basis, np.flatnonzero(np.diff(rows, prepend=-1)), axis=1)
@@ -342,27 +340,3 @@ class CardinalBasis:
         with np.errstate(over="ignore", under="ignore"):
             result: FloatArray = np.minimum(weighted.sum(axis=1) * (1.0 if size.ndim else size), LARGEST)
         return result
-
-
-def _is_local(curve: Curve) -> bool:
-    pieces = curve.pieces if isinstance(curve, Chain) else (curve,)
-    return all(isinstance(piece, (HermiteCurve, QuinticHermiteCurve)) for piece in pieces)
-
-
-def _hermite_basis(curve: Curve, t: FloatArray, order: int) -> tuple[IntArray, FloatArray]:
-    """Return the segment of every t, and the functions of its two ends (m, 2, R)."""
-    if isinstance(curve, (HermiteCurve, QuinticHermiteCurve)):
-        return curve.local_basis(t, order)
-    assert isinstance(curve, Chain)
-    starts = np.array([piece.domain[0] for piece in curve.pieces[1:]])
-    piece_of = np.searchsorted(starts, t, side="right")
-    segment = np.empty(len(t), dtype=np.intp)
-    values = np.empty((len(t), 2, curve.jets.shape[1]))
-    first = 0
-    for index, piece in enumerate(curve.pieces):
-        here = np.flatnonzero(piece_of == index)
-        if here.size:
-            local = _hermite_basis(piece, t[here], order)
-            segment[here], values[here] = local[0] + first, local[1]
-        first += len(piece.parameters) - 1
-    return segment, values

@@ -27,10 +27,9 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from curvecore.arrays import FloatArray, integer, parameter_array
-from curvecore.chain import Chain
-from curvecore.curve import Curve
 from curvecore.errors import CurveError
 from curvecore.exact import as_float, scaled_integers
+from curvecore.families.curve import Curve
 from curvecore.scaling import LARGEST
 
 __all__ = ["monomial_condition", "segment_conditions", "vandermonde_condition"]
@@ -105,17 +104,15 @@ def monomial_condition(curve: Curve, norm: float = 2) -> float:
     Parameters
     ----------
     curve : Curve
-        `vandermonde_condition` of a `LagrangeCurve`, the largest of
-        `segment_conditions` of a Hermite curve, the largest of a `Chain`.
+        The largest `vandermonde_condition` of any of its polynomial pieces.
     norm : {1, 2, inf}, optional
         Which norm.
     """
-    if isinstance(curve, Chain):
-        return max(monomial_condition(piece, norm) for piece in curve.pieces)
+    interpolants = curve.interpolants()
+    if interpolants is None:
+        raise CurveError("curve must be of polynomials whose data are known")
     derivatives = curve.jets.shape[1] - 1
-    if derivatives:
-        return float(segment_conditions(curve.parameters, derivatives, norm).max())
-    return vandermonde_condition(curve.parameters, norm)
+    return max(vandermonde_condition(each.nodes, norm, derivatives) for each in interpolants)
 
 
 def _matrix(t: Sequence[float], width: int) -> FloatArray:

@@ -16,10 +16,9 @@ from typing import NamedTuple
 import numpy as np
 
 from curvecore.arrays import BoolArray, FloatArray, tolerance_value
-from curvecore.chain import Chain
-from curvecore.curve import Curve
-from curvecore.geometry import curvature_of, lengths
-from curvecore.hermite import HermiteCurve, QuinticHermiteCurve
+from curvecore.families.curve import Curve, JointDerivatives
+from curvecore.geometry import curvature_of
+from curvecore.vectors import vector_lengths
 
 __all__ = ["Joint", "joint_report"]
 
@@ -77,21 +76,6 @@ class Joint(NamedTuple):
         return f"C{self.parametric}{more}"
 
 
-class _Sides(NamedTuple):
-    """Derivatives on one side of joints, and the sizes of the terms they are sums of.
-
-    Attributes
-    ----------
-    values : ndarray, shape (k, 3, dim)
-        c, c', c''.
-    scale : ndarray, shape (k, 3)
-        What their roundings are relative to.
-    """
-
-    values: FloatArray
-    scale: FloatArray
-
-
 def joint_report(curve: Curve, tolerance: float = 1e-9, closed: bool = False) -> list[Joint]:
     """Measure the jumps at every joint and say how smooth the curve is there.
 
@@ -123,61 +107,38 @@ def joint_report(curve: Curve, tolerance: float = 1e-9, closed: bool = False) ->
         If the tolerance is not a positive number.
     """
     limit = tolerance_value(tolerance)
-    pieces = curve.pieces if isinstance(curve, Chain) else (curve,)
     with np.errstate(over="ignore", under="ignore", invalid="ignore", divide="ignore"):
-        before, after = (_joined([_sides(piece, end) for piece in pieces]) for end in (1, 0))
+        before, after = (curve.joint_derivatives(before=side) for side in (True, False))
         if not closed:
-            before = _Sides(before.values[:-1], before.scale[:-1])
-            after = _Sides(after.values[1:], after.scale[1:])
+            before = JointDerivatives(before.values[:-1], before.scale[:-1])
+            after = JointDerivatives(after.values[1:], after.scale[1:])
         else:
-            after = _Sides(*(np.roll(each, -1, axis=0) for each in after))
+            after = JointDerivatives(*(np.roll(each, -1, axis=0) for each in after))
         extent = float(np.ptp(curve.points, axis=0).max())
         indices = [*range(1, len(curve.parameters) - 1), *([0] if closed else [])]
         return _measured(curve.parameters, indices, before, after, limit, extent)
 
 
-def _sides(curve: Curve, end: int) -> _Sides:
-    """Return the derivatives at the beginnings (0) or ends (1) of all segments."""
-    jets, h = curve.jets, np.diff(curve.parameters)[:, None]
-    here = jets[1:] if end else jets[:-1]
-    if isinstance(curve, QuinticHermiteCurve):
-        return _Sides(here, lengths(here))
-    if isinstance(curve, HermiteCurve):
-        chord = 6.0 * (np.diff(jets[:, 0], axis=0) / h) / h
-        own, other = 4.0 * here[:, 1] / h, 2.0 * (jets[:-1] if end else jets[1:])[:, 1] / h
-        acceleration = own + other - chord if end else chord - own - other
-        scale = lengths(chord) + lengths(own) + lengths(other)
-        values = np.stack((here[:, 0], here[:, 1], acceleration), axis=1)
-        return _Sides(values, np.column_stack((lengths(here), scale)))
-    t = curve.parameters[1:] if end else curve.parameters[:-1]
-    values = np.stack([curve.evaluate(t, order) for order in range(3)], axis=1)
-    return _Sides(values, lengths(values))
-
-
-def _joined(sides: list[_Sides]) -> _Sides:
-    return _Sides(*(np.concatenate(column) for column in zip(*sides, strict=True)))
-
-
 def _measured(
     parameters: FloatArray,
     indices: list[int],
-    before: _Sides,
-    after: _Sides,
+    before: JointDerivatives,
+    after: JointDerivatives,
     tolerance: float,
     extent: float,
 ) -> list[Joint]:
     jumps = after.values - before.values
-    size = lengths(jumps)
+    size = vector_lengths(jumps)
     scale = np.maximum(before.scale, after.scale)
     scale[:, 0] = extent
     smooth = size <= tolerance * scale
     angle = _angles(before.values[:, 1], after.values[:, 1])
     bends = [_bends(each.values) for each in (before, after)]
-    bend_jump = lengths(bends[1] - bends[0])
+    bend_jump = vector_lengths(bends[1] - bends[0])
     signed = [_signed(each.values) for each in (before, after)]
     if jumps.shape[2] <= 2:
         bend_jump = signed[1] - signed[0]
-    slow = np.minimum(lengths(before.values[:, 1]), lengths(after.values[:, 1]))
+    slow = np.minimum(vector_lengths(before.values[:, 1]), vector_lengths(after.values[:, 1]))
     bend_scale = np.maximum(np.abs(signed[0]), np.abs(signed[1])) + scale[:, 2] / slow**2
     same_tangent = angle <= tolerance
     same_bend = np.abs(bend_jump) <= tolerance * bend_scale
@@ -209,14 +170,14 @@ def _order(holds: BoolArray) -> int:
 
 
 def _unit(vectors: FloatArray) -> FloatArray:
-    length = lengths(vectors)[:, None]
+    length = vector_lengths(vectors)[:, None]
     return np.where(length > 0.0, vectors / length, np.nan)
 
 
 def _angles(first: FloatArray, second: FloatArray) -> FloatArray:
     """Return angles between vectors: 2 atan2(|a - b|, |a + b|), accurate for small and large ones."""
     a, b = _unit(first), _unit(second)
-    # Not `lengths`: it would turn NaN into an angle.
+    # Not `vector_lengths`: it would turn NaN into an angle.
     angle: FloatArray = 2.0 * np.arctan2(np.linalg.norm(a - b, axis=1), np.linalg.norm(a + b, axis=1))
     return angle
 
@@ -231,5 +192,5 @@ def _bends(values: FloatArray) -> FloatArray:
     """Return the curvature vectors: the part of c'' across c', over |c'|**2."""
     unit = _unit(values[:, 1])
     across = values[:, 2] - (values[:, 2] * unit).sum(axis=1, keepdims=True) * unit
-    bend: FloatArray = across / lengths(values[:, 1])[:, None] ** 2
+    bend: FloatArray = across / vector_lengths(values[:, 1])[:, None] ** 2
     return bend

@@ -12,13 +12,10 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from curvecore.arrays import FloatArray, integer, parameter_values
-from curvecore.chain import Chain
-from curvecore.curve import Curve
 from curvecore.errors import CurveError
-from curvecore.geometry import lengths
-from curvecore.hermite import HermiteCurve, QuinticHermiteCurve
-from curvecore.lagrange import LagrangeCurve
-from curvecore.sensitivity import UNKNOWN_FAMILY, error_sizes
+from curvecore.families.curve import Curve
+from curvecore.sensitivity import error_sizes
+from curvecore.vectors import vector_lengths
 
 __all__ = ["Ensemble", "Remake", "ensemble"]
 
@@ -103,7 +100,7 @@ def ensemble(
     if (t[:-1] + delta[:-1] >= t[1:] - delta[1:]).any():
         raise CurveError("parameter_error must be less than half the smallest distance of two parameters")
     radius = error_sizes(point_error, len(t), "point_error")
-    row = curve.row_of_parameter if isinstance(curve, Chain) else np.arange(len(t))
+    row = curve.row_of_parameter
     shifts = radius[:, None] * _in_ball(random, (number, len(t)), curve.points.shape[1])
     if closed:
         shifts[:, -1] = shifts[:, 0]
@@ -117,31 +114,12 @@ def ensemble(
     if not delta.any():
         curves = tuple(curve.with_jets(each) for each in jets)
     else:
-        curves = tuple(_rebuilt(curve, *each) for each in zip(jets, parameters, strict=True))
+        curves = tuple(curve.with_data(*each) for each in zip(jets, parameters, strict=True))
     return Ensemble(curves, jets, parameters)
 
 
 def _in_ball(random: np.random.Generator, shape: tuple[int, int], dim: int) -> FloatArray:
     direction = random.standard_normal((*shape, dim))
     radius = random.random(shape) ** (1.0 / dim)
-    result: FloatArray = direction * (radius / lengths(direction))[..., None]
+    result: FloatArray = direction * (radius / vector_lengths(direction))[..., None]
     return result
-
-
-def _rebuilt(curve: Curve, jets: FloatArray, parameters: FloatArray) -> Curve:
-    """Return a curve of the same family with other data and other parameters."""
-    if isinstance(curve, Chain):
-        pieces: list[Curve] = []
-        row = joint = 0
-        for piece in curve.pieces:
-            count = len(piece.parameters)
-            pieces.append(_rebuilt(piece, jets[row : row + count], parameters[joint : joint + count]))
-            row, joint = row + count, joint + count - 1
-        return Chain(pieces)
-    if isinstance(curve, LagrangeCurve):
-        return LagrangeCurve(jets[:, 0], parameters)
-    if isinstance(curve, HermiteCurve):
-        return HermiteCurve(jets[:, 0], jets[:, 1], parameters)
-    if isinstance(curve, QuinticHermiteCurve):
-        return QuinticHermiteCurve(jets[:, 0], jets[:, 1], jets[:, 2], parameters)
-    raise CurveError(UNKNOWN_FAMILY)

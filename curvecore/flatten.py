@@ -23,11 +23,9 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from curvecore.arrays import BoolArray, FloatArray, IntArray, box_edges, read_only, tolerance_value
-from curvecore.bezier import bezier_segments
-from curvecore.chain import Chain
-from curvecore.curve import Curve
+from curvecore.bezier import all_joints, drawable_pieces, spread
 from curvecore.errors import CurveError
-from curvecore.hermite import HermiteCurve, QuinticHermiteCurve
+from curvecore.families.curve import Curve
 
 __all__ = [
     "MAX_VERTICES",
@@ -52,6 +50,7 @@ _SPLIT = 8
 _ROUNDS = 20
 _LIMIT = 1e300
 _UNIT = 2.0**-53
+_FIRST = 8  # pieces between neighbouring points of what is no polynomial
 _SAMPLES = np.array([0.25, 0.5, 0.75])
 _MARGIN = 1.25  # on a measured distance, for what lies between the samples
 
@@ -201,11 +200,12 @@ def flatten_pieces(curve: Curve, tolerance: float, box: ArrayLike | None = None)
     if curve.points.shape[1] != 2:
         raise CurveError(f"curve must be plane (dim 2) to be flattened, not of dim {curve.points.shape[1]}")
     edges = None if box is None else box_edges(box)
-    if isinstance(curve, Chain):
+    if len(curve.pieces) > 1:
         return _end_to_end([flatten_pieces(piece, tolerance, box) for piece in curve.pieces])
     with np.errstate(over="ignore", under="ignore", invalid="ignore"):
-        if isinstance(curve, (HermiteCurve, QuinticHermiteCurve)):
-            pieces = _bezier_pieces(curve, limit, edges)
+        controls = drawable_pieces(curve)
+        if controls is not None:
+            pieces = _bezier_pieces(curve, controls, limit, edges)
         else:
             pieces = sampled_pieces(curve, limit, edges)
         return merged_pieces(pieces, limit)
@@ -237,10 +237,7 @@ class _Arcs(NamedTuple):
     length: FloatArray
 
 
-def _bezier_pieces(
-    curve: HermiteCurve | QuinticHermiteCurve, tolerance: float, box: FloatArray | None
-) -> Pieces:
-    controls = bezier_segments(curve)
+def _bezier_pieces(curve: Curve, controls: FloatArray, tolerance: float, box: FloatArray | None) -> Pieces:
     n = len(controls)
     arcs = _Arcs(controls, np.arange(n, dtype=np.float64), np.ones(n))
     done: list[tuple[FloatArray, FloatArray, FloatArray, FloatArray]] = []
@@ -271,7 +268,7 @@ def _uniform_pieces(
     curve: Curve, start: FloatArray, length: FloatArray, need: FloatArray, bound: FloatArray
 ) -> Pieces:
     """Divide each arc into as many equal pieces as it needs."""
-    joints = curve.parameters
+    joints = curve.breaks
     room = max(MAX_VERTICES, 4 * len(joints)) - 1
     # Data that differ by hundreds of orders of magnitude may ask for more than any number, or for none.
     need = np.fmin(need, room)
@@ -372,12 +369,17 @@ def _points(curve: Curve, t: FloatArray) -> FloatArray:
 
 
 def _first_samples(curve: Curve) -> FloatArray:
-    """Joints, and Chebyshev-like parameters that resolve any polynomial of the degree."""
+    """Joints, and Chebyshev-like parameters that resolve any polynomial of the degree.
+
+    Of what is no polynomial, a few between neighbouring joints.
+    """
     first, last = curve.domain
+    joints = all_joints(curve)
+    if curve.degree is None:
+        return spread(joints, np.full(len(joints) - 1, _FIRST))
     count = 2 * curve.degree
     s = first + (last - first) * np.sin(np.arange(1, count) * (np.pi / (2 * count))) ** 2
     # What all but coincides with a joint tells nothing that the joint does not.
-    joints = curve.parameters
     after = np.clip(np.searchsorted(joints, s), 1, len(joints) - 1)
     away = np.minimum(np.abs(s - joints[after - 1]), np.abs(s - joints[after]))
     room = np.diff(np.concatenate(([first], s, [last])))

@@ -1,4 +1,4 @@
-"""Polylines of a Lagrange curve that changes, as under a hand that drags it.
+"""Polylines of a curve without Bezier pieces that changes, as under a hand that drags it.
 
 The curve is linear in its points. While the parameters stay, samples follow
 a moved point by B_i(t) times the way it went: no basis function is evaluated
@@ -16,8 +16,8 @@ import numpy.typing as npt
 from numpy.typing import ArrayLike
 
 from curvecore.arrays import FloatArray, box_edges, tolerance_value
+from curvecore.families.curve import Curve
 from curvecore.flatten import Pieces, may_enter, merged_pieces, sampled_pieces, segment_distance
-from curvecore.lagrange import LagrangeCurve
 from curvecore.left_out import LeftOut
 
 __all__ = ["FrozenFlattening"]
@@ -39,7 +39,7 @@ class FrozenFlattening:
 
     Parameters
     ----------
-    curve : LagrangeCurve
+    curve : Curve
         Of dim 2.
     tolerance : float
         Largest allowed distance from a curve to its polyline, above 0.
@@ -52,7 +52,7 @@ class FrozenFlattening:
         If tolerance or box are unusable.
     """
 
-    def __init__(self, curve: LagrangeCurve, tolerance: float, box: ArrayLike | None = None) -> None:
+    def __init__(self, curve: Curve, tolerance: float, box: ArrayLike | None = None) -> None:
         self._tolerance = tolerance_value(tolerance)
         self._edges = None if box is None else box_edges(box)
         self._curve = curve
@@ -65,12 +65,12 @@ class FrozenFlattening:
         self._columns: dict[int, FloatArray] = {}
         self._left_out: LeftOut | None = None
 
-    def follow(self, curve: LagrangeCurve) -> Pieces | None:
+    def follow(self, curve: Curve) -> Pieces | None:
         """Return the polyline of another curve.
 
         Parameters
         ----------
-        curve : LagrangeCurve
+        curve : Curve
             Of dim 2; the fewer of its data differ from those of the curve
             given first, the sooner it is done.
 
@@ -79,7 +79,7 @@ class FrozenFlattening:
         Pieces or None
             None where the samples do not serve for this curve any more.
         """
-        if curve.domain != self._curve.domain or curve.degree > self._curve.degree:
+        if not self._is_alike(curve):
             return None
         with np.errstate(over="ignore", under="ignore", invalid="ignore", divide="ignore"):
             points = self._samples(curve)
@@ -92,7 +92,16 @@ class FrozenFlattening:
             pieces = Pieces(self._parameters, points, deviation)
             return pieces if points.shape[0] <= _FEW else merged_pieces(pieces, self._tolerance)
 
-    def _samples(self, curve: LagrangeCurve) -> FloatArray:
+    def _is_alike(self, curve: Curve) -> bool:
+        """Whether the samples are close enough together for this curve, and hold its breaks."""
+        old = self._curve
+        if curve.name != old.name or not np.array_equal(curve.breaks, old.breaks):
+            return False
+        if curve.degree is None or old.degree is None:
+            return len(curve.points) == len(old.points) and curve.degree is old.degree
+        return curve.degree <= old.degree
+
+    def _samples(self, curve: Curve) -> FloatArray:
         """Return the curve at all samples, (m, 2)."""
         is_same = curve.parameters is self._curve.parameters
         if not (is_same or np.array_equal(curve.parameters, self._curve.parameters)):
@@ -106,7 +115,7 @@ class FrozenFlattening:
         way = curve.points[moved] - self._curve.points[moved]
         return np.clip(self._points + columns @ way, -_LIMIT, _LIMIT)
 
-    def _at_moved_parameters(self, curve: LagrangeCurve) -> FloatArray:
+    def _at_moved_parameters(self, curve: Curve) -> FloatArray:
         if self._left_out is None or not self._left_out.serves(curve):
             self._left_out = self._leave_out(curve)
         if self._left_out is not None:
@@ -115,9 +124,9 @@ class FrozenFlattening:
                 return known.points
         return curve.evaluate(self._parameters)
 
-    def _leave_out(self, curve: LagrangeCurve) -> LeftOut | None:
+    def _leave_out(self, curve: Curve) -> LeftOut | None:
         """Leave out what `curve` has elsewhere; None where that is too much."""
-        if len(curve.parameters) != len(self._curve.parameters):
+        if len(curve.parameters) != len(self._curve.parameters) or not curve.is_one_polynomial:
             return None
         differs = (curve.parameters != self._curve.parameters) | (curve.points != self._curve.points).any(
             axis=1

@@ -1,4 +1,4 @@
-"""Polylines of a piecewise Hermite curve that changes, as under a hand that drags it.
+"""Polylines of a piecewise polynomial curve that changes, as under a hand that drags it.
 
 Where vertices lie on their segments is kept from one curve to the next: only the control points change,
 and their second differences prove whether the vertices still lie close enough.
@@ -11,9 +11,9 @@ from numpy.typing import ArrayLike
 
 from curvecore.arrays import FloatArray, box_edges, tolerance_value
 from curvecore.bernstein import bernstein_functions
-from curvecore.bezier import bezier_segments
+from curvecore.bezier import bezier_segments, drawable_pieces
+from curvecore.families.curve import Curve
 from curvecore.flatten import Pieces, chord_bound, flatten_pieces, may_enter
-from curvecore.hermite import HermiteCurve, QuinticHermiteCurve
 
 __all__ = ["FrozenSegments"]
 
@@ -28,8 +28,8 @@ class FrozenSegments:
 
     Parameters
     ----------
-    curve : HermiteCurve or QuinticHermiteCurve
-        Of dim 2.
+    curve : Curve
+        Of dim 2, of a family with Bezier pieces.
     tolerance : float
         Largest allowed distance from a curve to its polyline, above 0.
     box : (xmin, ymin, xmax, ymax), optional
@@ -41,14 +41,13 @@ class FrozenSegments:
         If tolerance or box are unusable.
     """
 
-    def __init__(
-        self, curve: HermiteCurve | QuinticHermiteCurve, tolerance: float, box: ArrayLike | None = None
-    ) -> None:
+    def __init__(self, curve: Curve, tolerance: float, box: ArrayLike | None = None) -> None:
         self._tolerance = tolerance_value(tolerance)
         self._edges = None if box is None else box_edges(box)
         with np.errstate(over="ignore", under="ignore", invalid="ignore"):
-            self._count = self._needed(bezier_segments(curve), self._tolerance / _FINER)
-        self._degree = curve.degree
+            controls = bezier_segments(curve)
+            self._count = self._needed(controls, self._tolerance / _FINER)
+        self._degree = controls.shape[1] - 1
         self._serves = bool((self._count <= _MOST_PIECES).all())
         if self._serves:
             self._place_vertices()
@@ -68,12 +67,12 @@ class FrozenSegments:
         need = np.maximum(1.0, np.ceil(np.sqrt(chord_bound(controls) / tolerance)))
         return need if self._edges is None else np.where(may_enter(controls, self._edges), need, 1.0)
 
-    def follow(self, curve: HermiteCurve | QuinticHermiteCurve) -> Pieces | None:
+    def follow(self, curve: Curve) -> Pieces | None:
         """Return the polyline of another curve.
 
         Parameters
         ----------
-        curve : HermiteCurve or QuinticHermiteCurve
+        curve : Curve
             Of dim 2, with as many segments of the same degree.
 
         Returns
@@ -81,10 +80,12 @@ class FrozenSegments:
         Pieces or None
             None where the vertices do not serve for this curve.
         """
-        if not self._serves or curve.degree != self._degree or len(curve.points) != self._count.size + 1:
+        if not self._serves or curve.degree != self._degree or len(curve.breaks) != self._count.size + 1:
             return None
         with np.errstate(over="ignore", under="ignore", invalid="ignore"):
-            controls = bezier_segments(curve)
+            controls = drawable_pieces(curve)
+            if controls is None:
+                return None
             deviation = chord_bound(controls) / self._squared
             if self._misses(controls, deviation) or self._wastes(deviation):
                 return None
@@ -111,15 +112,15 @@ class FrozenSegments:
         needed = float(share @ self._count[inside]) + self._count.size
         return self._segment.size > _WASTE * needed
 
-    def _parameters(self, curve: HermiteCurve | QuinticHermiteCurve) -> FloatArray:
-        joints = curve.parameters
+    def _parameters(self, curve: Curve) -> FloatArray:
+        joints = curve.breaks
         start, end = joints[self._segment], joints[1:][self._segment]
         t = np.empty(self._segment.size + 1)
         t[:-1] = np.minimum(start + self._local * (end - start), end)
         t[-1] = joints[-1]
         return t
 
-    def _points(self, curve: HermiteCurve | QuinticHermiteCurve, controls: FloatArray) -> FloatArray:
+    def _points(self, curve: Curve, controls: FloatArray) -> FloatArray:
         points = np.empty((self._segment.size + 1, 2))
         np.matmul(self._weights, controls[self._segment], out=points[:-1, None, :])
         points[-1] = curve.points[-1]

@@ -23,11 +23,11 @@ from numpy.typing import ArrayLike
 
 from curvecore.arrays import BoolArray, FloatArray, IntArray, parameter_values
 from curvecore.bernstein_algebra import derivative, end_signs, product, sign_changes, values
-from curvecore.curve import Curve
-from curvecore.derivatives import derivatives_at
 from curvecore.errors import CurveError
+from curvecore.families.curve import Curve
 from curvecore.pieces import BezierPieces, alike, bezier_pieces, parameters_at
 from curvecore.scaling import LARGEST, scale_by_power
+from curvecore.vectors import vector_lengths
 
 __all__ = [
     "Box",
@@ -38,7 +38,6 @@ __all__ = [
     "curvature_extrema",
     "curvature_of",
     "inflections",
-    "lengths",
     "pieces_of",
     "speed",
 ]
@@ -99,8 +98,8 @@ def speed(curve: Curve, t: ArrayLike) -> FloatArray:
         With the accuracy of `curvature`.
     """
     at = parameter_values(t)
-    (velocity,) = derivatives_at(curve, at.values, (1,))
-    result = lengths(velocity)
+    (velocity,) = curve.derivatives_at(at.values, (1,))
+    result = vector_lengths(velocity)
     return result[0] if at.is_scalar else result
 
 
@@ -136,7 +135,7 @@ def curvature(curve: Curve, t: ArrayLike) -> FloatArray:
     times larger, and only where that is below 1e5.
     """
     at = parameter_values(t)
-    velocity, acceleration = derivatives_at(curve, at.values, (1, 2))
+    velocity, acceleration = curve.derivatives_at(at.values, (1, 2))
     result = curvature_of(velocity, acceleration)
     return result[0] if at.is_scalar else result
 
@@ -160,25 +159,15 @@ def curvature_of(velocities: FloatArray, accelerations: FloatArray) -> FloatArra
     with np.errstate(all="ignore"):
         # Dividing by the largest entry twice keeps squares in range and cancels in the end.
         direction, change = velocities / largest, accelerations / largest
-        length = lengths(direction)
+        length = vector_lengths(direction)
         if velocities.shape[1] == 2:
             turn = direction[:, 0] * change[:, 1] - direction[:, 1] * change[:, 0]
         else:
             unit = direction / length[:, None]
             across = change - (change * unit).sum(axis=1)[:, None] * unit
-            turn = length * lengths(across)
+            turn = length * vector_lengths(across)
         result: FloatArray = turn / length**3 / largest[:, 0]
     return np.where(largest[:, 0] > 0.0, np.clip(result, -LARGEST, LARGEST), np.nan)
-
-
-def lengths(vectors: FloatArray) -> FloatArray:
-    """Return Euclidean lengths along the last axis without needless over- or underflow."""
-    largest = np.abs(vectors).max(axis=-1)
-    divisor = np.where(largest > 0.0, largest, 1.0)
-    with np.errstate(over="ignore", under="ignore"):
-        result = largest * np.sqrt(np.square(vectors / divisor[..., None]).sum(axis=-1))
-    limited: FloatArray = np.minimum(result, LARGEST)
-    return limited
 
 
 def bounding_box(curve: Curve) -> Box:
@@ -217,7 +206,7 @@ def bounding_boxes(curves: Sequence[Curve], parts: Sequence[BezierPieces]) -> li
     for same in alike(parts):
         found = _turning_points([curves[index] for index in same], [parts[index] for index in same])
         for index, reached in zip(same.tolist(), found, strict=True):
-            points = np.concatenate([curves[index].points, *_ends(curves[index]), reached])
+            points = np.concatenate([*(piece.points for piece in curves[index].pieces), reached])
             error = float(scale_by_power(parts[index].error.max(keepdims=True), parts[index].exponent)[0])
             boxes[index] = Box(points.min(axis=0), points.max(axis=0), error)
     return [boxes[index] for index in range(len(curves))]
@@ -253,11 +242,6 @@ def _turning_points(curves: Sequence[Curve], parts: Sequence[BezierPieces]) -> l
         joints = scale_by_power(part.controls[:, 0], part.exponent)
         found.append(np.concatenate([joints, curve.evaluate(t)]))
     return found
-
-
-def _ends(curve: Curve) -> list[FloatArray]:
-    """Return the ends of the pieces of a chain, which may lie apart."""
-    return [piece.points for piece in getattr(curve, "pieces", ())]
 
 
 @np.errstate(under="ignore")

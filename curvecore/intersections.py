@@ -19,10 +19,10 @@ import numpy as np
 
 from curvecore.arc_pairs import Arcs, Pairs, close_pairs, simple_arcs
 from curvecore.arrays import BoolArray, FloatArray, IntArray, tolerance_value
-from curvecore.curve import Curve
 from curvecore.errors import CurveError
-from curvecore.geometry import lengths
+from curvecore.families.curve import Curve
 from curvecore.pieces import bezier_pieces, size_of
+from curvecore.vectors import vector_lengths
 
 __all__ = ["SelfIntersections", "self_intersections"]
 
@@ -153,7 +153,7 @@ def _starting_places(pairs: Pairs) -> tuple[FloatArray, FloatArray]:
     u, v = pairs.first.controls[:, -1] - p, pairs.second.controls[:, -1] - q
     cross = u[:, 0] * v[:, 1] - u[:, 1] * v[:, 0]
     w = q - p
-    size = lengths(u) * lengths(v)
+    size = vector_lengths(u) * vector_lengths(v)
     s = np.nan_to_num((w[:, 0] * v[:, 1] - w[:, 1] * v[:, 0]) / cross, posinf=0.5, neginf=0.5)
     r = np.nan_to_num((w[:, 0] * u[:, 1] - w[:, 1] * u[:, 0]) / cross, posinf=0.5, neginf=0.5)
     flat = np.abs(cross) <= 1e-2 * size
@@ -178,11 +178,11 @@ def _polished(curve: Curve, places: FloatArray, width: FloatArray) -> _Found:
     # A step that leaves the neighbourhood belongs to another crossing, which has a pair of its own.
     room = 64.0 * width.sum(axis=1)
     best = places.copy()
-    least = lengths(curve.evaluate(places[:, 1]) - curve.evaluate(places[:, 0]))
+    least = vector_lengths(curve.evaluate(places[:, 1]) - curve.evaluate(places[:, 0]))
     still, at, idle = np.arange(len(places)), places, np.zeros(len(places))
     for _ in range(_NEWTON):
         at = _newton_step(curve, at)
-        distance = lengths(curve.evaluate(at[:, 1]) - curve.evaluate(at[:, 0]))
+        distance = vector_lengths(curve.evaluate(at[:, 1]) - curve.evaluate(at[:, 0]))
         better = (distance < least[still]) & (np.abs(at - places[still]).sum(axis=1) <= room[still])
         best[still[better]], least[still[better]] = at[better], distance[better]
         idle = np.where(better, 0, idle + 1)
@@ -218,7 +218,7 @@ def _is_loop(curve: Curve, pairs: FloatArray, reach: float, joints: FloatArray) 
     before = joints[np.maximum(np.searchsorted(joints, b, side="left") - 1, 0)]
     inner = np.column_stack([inner, np.clip(after, a, b), np.clip(before, a, b)])
     away = curve.evaluate(inner.ravel()).reshape(*inner.shape, 2) - curve.evaluate(a)[:, None]
-    leaves: BoolArray = lengths(away).max(axis=1) > reach
+    leaves: BoolArray = vector_lengths(away).max(axis=1) > reach
     return leaves
 
 
@@ -236,7 +236,7 @@ def _clusters(curve: Curve, found: _Found, tolerance: float) -> IntArray:
     way = places[other] - places[one]
     between = places[one] + way * np.array([0.25, 0.5, 0.75])[:, None, None]
     gap = curve.evaluate(between[:, :, 1].ravel()) - curve.evaluate(between[:, :, 0].ravel())
-    joined = (lengths(gap).reshape(3, -1) <= tolerance).all(axis=0)
+    joined = (vector_lengths(gap).reshape(3, -1) <= tolerance).all(axis=0)
     label = np.empty(count, dtype=np.intp)
     label[order] = _connected(count, one[joined], other[joined])
     return label
@@ -280,14 +280,14 @@ def _is_closing(curve: Curve, found: _Found, reach: float) -> bool:
     """Tell whether a meeting is that of the two ends of a closed curve."""
     first, last = curve.domain
     ends = curve.evaluate(np.array([first, last]))
-    if lengths(ends[1] - ends[0]) > reach:
+    if vector_lengths(ends[1] - ends[0]) > reach:
         return False
     # The way from the beginning to any a, and from any b to the end, must not leave that place.
     a, b = found.parameters[:, 0].max(), found.parameters[:, 1].min()
     if a - first > found.width[:, 0].max() * 64.0 or last - b > found.width[:, 1].max() * 64.0:
         return False
     way = np.concatenate([first + (a - first) * _ALONG, b + (last - b) * _ALONG, [a, b]])
-    return bool(lengths(curve.evaluate(way) - ends[0]).max() <= reach)
+    return bool(vector_lengths(curve.evaluate(way) - ends[0]).max() <= reach)
 
 
 def _is_one_place(curve: Curve, found: _Found, scale: _Scale) -> bool:

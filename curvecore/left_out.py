@@ -21,7 +21,8 @@ from typing import NamedTuple
 import numpy as np
 
 from curvecore.arrays import FloatArray, IntArray, parameter_values
-from curvecore.lagrange import LagrangeCurve
+from curvecore.families.curve import Curve
+from curvecore.families.lagrange import LagrangeCurve
 
 __all__ = ["LeftOut"]
 
@@ -50,7 +51,8 @@ class LeftOut:
 
     Parameters
     ----------
-    curve : LagrangeCurve
+    curve : Curve
+        The interpolating polynomial of its points.
         Where to begin.
     moving : ndarray of int, shape (k,)
         Ascending indices of the points left out; at least two points stay.
@@ -58,7 +60,7 @@ class LeftOut:
         Finite, ascending.
     """
 
-    def __init__(self, curve: LagrangeCurve, moving: IntArray, t: FloatArray) -> None:
+    def __init__(self, curve: Curve, moving: IntArray, t: FloatArray) -> None:
         self._t = parameter_values(t).values
         stays = np.ones(len(curve.parameters), dtype=bool)
         stays[moving] = False
@@ -75,7 +77,7 @@ class LeftOut:
         self._shape = full.evaluate(self._t)[:, 0]
         self._rounding = self._rounding_near(curve)
 
-    def serves(self, curve: LagrangeCurve) -> bool:
+    def serves(self, curve: Curve) -> bool:
         """Tell whether `curve` differs from the one given first in nothing but the points left out."""
         return (
             len(curve.parameters) == len(self._stays)
@@ -83,7 +85,7 @@ class LeftOut:
             and np.array_equal(curve.points[self._stays], self._rest.points)
         )
 
-    def evaluate(self, curve: LagrangeCurve) -> Samples:
+    def evaluate(self, curve: Curve) -> Samples:
         """Return a curve that this `serves` at the places."""
         t = curve.parameters[self._moving]
         growth = 1.0
@@ -100,7 +102,7 @@ class LeftOut:
         # What is wrong with q at t_k is carried everywhere by the function of t_k.
         return Samples(result, growth * self._rounding)
 
-    def _rounding_near(self, curve: LagrangeCurve) -> float:
+    def _rounding_near(self, curve: Curve) -> float:
         """Estimate the error of q where a point is missing, and the others must bridge the gap."""
         n = len(self._rest.parameters)
         near: set[int] = set()

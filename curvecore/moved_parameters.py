@@ -17,7 +17,8 @@ from __future__ import annotations
 import numpy as np
 
 from curvecore.arrays import FloatArray, IntArray, parameter_values
-from curvecore.lagrange import LagrangeCurve
+from curvecore.families.curve import Curve
+from curvecore.families.lagrange import LagrangeCurve
 
 __all__ = ["MovedParameters"]
 
@@ -31,14 +32,15 @@ class MovedParameters:
 
     Parameters
     ----------
-    curve : LagrangeCurve
+    curve : Curve
+        The interpolating polynomial of its points.
         Where to begin.
     t : array_like, shape (m,)
         Finite. The values there are kept: n m numbers.
     """
 
-    def __init__(self, curve: LagrangeCurve, t: FloatArray) -> None:
-        self._curve, self._parameters = curve, curve.parameters
+    def __init__(self, curve: Curve, t: FloatArray) -> None:
+        self._curve, self._parameters = LagrangeCurve(curve.points, curve.parameters), curve.parameters
         self._t = parameter_values(t).values
         self._basis = curve.basis(self._t)[:, :, 0]
         sizes = np.abs(self._basis)
@@ -46,7 +48,7 @@ class MovedParameters:
         sizes[np.isin(self._t, self._parameters)] = 1.0
         self._least, self._greatest = float(sizes.min(initial=1.0)), float(sizes.max(initial=1.0))
 
-    def basis(self, curve: LagrangeCurve) -> FloatArray | None:
+    def basis(self, curve: Curve) -> FloatArray | None:
         """Return the basis functions of `curve`, shape (m, n, 1), as `LagrangeCurve.basis` does.
 
         Returns None where `curve` has another number of parameters, or too many that moved, and where values
@@ -76,25 +78,25 @@ class MovedParameters:
         """Tell whether the values before were all in range, and stay so when they are weighed."""
         return bool(self._greatest < _LARGEST and self._least * np.abs(weights).min() >= _TINY)
 
-    def _moved(self, curve: LagrangeCurve) -> IntArray | None:
+    def _moved(self, curve: Curve) -> IntArray | None:
         if len(curve.parameters) != len(self._parameters):
             return None
         moved = np.flatnonzero(curve.parameters != self._parameters)
         return moved if len(moved) <= _MOST_MOVED else None
 
-    def _ratio(self, curve: LagrangeCurve, moved: IntArray) -> FloatArray:
+    def _ratio(self, curve: Curve, moved: IntArray) -> FloatArray:
         """Return l'(t) / l(t), (m,); without meaning where some t is one of the moved parameters."""
         t = self._t[:, None]
         ratio: FloatArray = ((t - curve.parameters[moved]) / (t - self._parameters[moved])).prod(axis=1)
         return ratio
 
-    def _own(self, curve: LagrangeCurve, moved: IntArray) -> FloatArray:
+    def _own(self, curve: Curve, moved: IntArray) -> FloatArray:
         """Return the factor that the functions of moved parameters lack in l, (m, k)."""
         t = self._t[:, None]
         own: FloatArray = (t - self._parameters[moved]) / (t - curve.parameters[moved])
         return own
 
-    def _weights(self, curve: LagrangeCurve, moved: IntArray) -> FloatArray:
+    def _weights(self, curve: Curve, moved: IntArray) -> FloatArray:
         """Return w'_i / w_i, (n,)."""
         old, new = self._parameters, curve.parameters
         factors = (old[:, None] - old[moved]) / (new[:, None] - new[moved])
@@ -106,7 +108,7 @@ class MovedParameters:
         return ratios
 
     def _rows_at_moved(
-        self, curve: LagrangeCurve, moved: IntArray, weights: FloatArray
+        self, curve: Curve, moved: IntArray, weights: FloatArray
     ) -> tuple[IntArray, FloatArray]:
         """Return the places t that are moved parameters, old or new, and the functions there, (k, n).
 

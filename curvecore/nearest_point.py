@@ -24,10 +24,10 @@ from numpy.typing import ArrayLike
 
 from curvecore.arrays import FloatArray, jet_array, number_array, tolerance_value
 from curvecore.bernstein_algebra import derivative, elevated, product, subdivided, weights
-from curvecore.curve import Curve
 from curvecore.errors import CurveError
-from curvecore.geometry import lengths
+from curvecore.families.curve import Curve
 from curvecore.pieces import bezier_pieces, size_of
+from curvecore.vectors import vector_lengths
 
 __all__ = ["Nearest", "NearestWithin", "nearest"]
 
@@ -101,7 +101,7 @@ def nearest(curve: Curve, point: ArrayLike, tolerance: float) -> Nearest:
         place = _search(controls, pieces.starts, pieces.ends, float(np.ldexp(limit, -exponent)), slack)
         t = _polished(curve, target, place.parameter)
         found = curve.evaluate(t)
-        distance = float(lengths(found - target))
+        distance = float(vector_lengths(found - target))
         error = max(0.0, distance - float(np.ldexp(place.bound, exponent)))
     return Nearest(t, found, distance, error)
 
@@ -188,7 +188,7 @@ class NearestWithin:
                 return None
             t = self._polished((float(target[0]), float(target[1])), best.parameter)
             found = self._curve.evaluate(t)
-            distance = float(lengths(found - place))
+            distance = float(vector_lengths(found - place))
             error = max(0.0, distance - float(np.ldexp(best.bound, exponent)))
         return Nearest(t, found, distance, error) if distance <= reach else None
 
@@ -272,7 +272,7 @@ def _halved(start: FloatArray, end: FloatArray) -> tuple[FloatArray, FloatArray]
 
 
 def _nearest_end(controls: FloatArray, start: FloatArray, end: FloatArray) -> tuple[float, float]:
-    distance = lengths(controls[:, [0, -1]])
+    distance = vector_lengths(controls[:, [0, -1]])
     i, side = np.unravel_index(int(np.argmin(distance)), distance.shape)
     return float(distance[i, side]), float(end[i] if side else start[i])
 
@@ -287,7 +287,7 @@ def _lower_bounds(controls: FloatArray) -> FloatArray:
 def _polished(curve: Curve, target: FloatArray, t: float) -> float:
     """Improve t by Newton's method on (c - p) . c' = 0, as long as that brings c nearer."""
     first, last = curve.domain
-    best = float(lengths(curve.evaluate(t) - target))
+    best = float(vector_lengths(curve.evaluate(t) - target))
     for _ in range(_NEWTON):
         rest, velocity = curve.evaluate(t) - target, curve.evaluate(t, 1)
         slope = float(velocity @ velocity + rest @ curve.evaluate(t, 2))
@@ -295,7 +295,7 @@ def _polished(curve: Curve, target: FloatArray, t: float) -> float:
             break
         step = float(rest @ velocity) / slope
         following = min(max(t - step, first), last)
-        distance = float(lengths(curve.evaluate(following) - target))
+        distance = float(vector_lengths(curve.evaluate(following) - target))
         if not distance < best:
             break
         t, best = following, distance

@@ -21,12 +21,9 @@ from typing import NamedTuple
 import numpy as np
 
 from curvecore.arrays import FloatArray, IntArray, read_only
-from curvecore.bernstein import control_points
 from curvecore.bernstein_algebra import derivative, elevated, weights
-from curvecore.bezier import spread
-from curvecore.chain import Chain
-from curvecore.curve import Curve
-from curvecore.hermite import HermiteCurve, QuinticHermiteCurve
+from curvecore.bezier import all_joints, spread
+from curvecore.families.curve import Curve
 
 __all__ = ["MAX_PIECES", "BezierPieces", "alike", "bezier_pieces", "parameters_at", "size_of"]
 
@@ -83,14 +80,15 @@ def bezier_pieces(curve: Curve, tolerance: float) -> BezierPieces:
         reached where rounding or `MAX_PIECES` do not allow it.
     """
     with np.errstate(over="ignore", under="ignore", invalid="ignore"):
-        if isinstance(curve, Chain):
+        if len(curve.pieces) > 1:
             return _joined([bezier_pieces(piece, tolerance) for piece in curve.pieces])
-        if isinstance(curve, (HermiteCurve, QuinticHermiteCurve)):
-            controls = np.nan_to_num(control_points(curve.jets, curve.parameters))
-            exact = np.zeros(len(controls))
-            pieces = _scaled(controls, curve.parameters, exact, exact, 0)
-            return _with_exact_slopes(pieces, curve)
-        return _sampled(curve, tolerance)
+        controls = curve.bezier_pieces()
+        if controls is None:
+            return _sampled(curve, tolerance)
+        exact = np.zeros(len(controls))
+        pieces = _scaled(controls, curve.breaks, exact, exact, 0)
+        slopes = curve.bezier_slopes(pieces.exponent)
+        return pieces if slopes is None else pieces._replace(slopes=slopes.values, slope_error=slopes.error)
 
 
 def alike(parts: Sequence[BezierPieces]) -> list[IntArray]:
@@ -136,28 +134,6 @@ def _scaled(
     )
 
 
-def _with_exact_slopes(pieces: BezierPieces, curve: HermiteCurve | QuinticHermiteCurve) -> BezierPieces:
-    """Return the pieces with slopes from the data, where those are in range."""
-    h = np.diff(curve.parameters)[:, None]
-    terms = np.ldexp(curve.jets, -pieces.exponent)
-    step, before, after = np.diff(terms[:, 0], axis=0), h * terms[:-1, 1], h * terms[1:, 1]
-    if terms.shape[1] == 2:
-        rows = [before, 3.0 * step - before - after, after]
-    else:
-        # Half of the second derivatives twice: squares of h may be out of range where the products are not.
-        bends = [0.25 * h * (h * each) for each in (terms[:-1, 2], terms[1:, 2])]
-        inner = 5.0 * step - 2.0 * (before + after) + (bends[1] - bends[0])
-        rows = [before, before + bends[0], inner, after - bends[1], after]
-    slopes = np.stack(rows, axis=1)
-    size = sum((np.abs(each) for each in (5.0 * step, 2.0 * before, 2.0 * after)), np.zeros_like(step))
-    if terms.shape[1] > 2:
-        size += np.abs(bends[0]) + np.abs(bends[1])
-    error = 8.0 * _UNIT * np.linalg.norm(size, axis=1)
-    if not np.isfinite(slopes).all():
-        return pieces
-    return pieces._replace(slopes=slopes, slope_error=error)
-
-
 def _joined(parts: list[BezierPieces]) -> BezierPieces:
     degree = max(part.controls.shape[1] for part in parts)
     exponent = max(part.exponent for part in parts)
@@ -184,8 +160,9 @@ def _joined(parts: list[BezierPieces]) -> BezierPieces:
 
 
 def _sampled(curve: Curve, tolerance: float) -> BezierPieces:
-    degree = min(curve.degree, _DEGREE)
-    parameters = curve.parameters
+    is_low = curve.degree is not None and curve.degree <= _DEGREE
+    degree = min(curve.degree, _DEGREE) if curve.degree is not None else _DEGREE
+    parameters = all_joints(curve)
     for step in range(_ROUNDS):
         coefficients, size, base = _chebyshev(curve, parameters)
         rest = np.linalg.norm(coefficients[:, degree + 1 :], axis=-1)
@@ -193,7 +170,7 @@ def _sampled(curve: Curve, tolerance: float) -> BezierPieces:
         wanted = max(tolerance, 64.0 * _UNIT) * size
         # The coefficients of degree above 8 shrink at least as 2**-9 when an interval is halved.
         poor = (error > wanted) & (np.diff(parameters) > 1e-12 * (parameters[-1] - parameters[0]))
-        if curve.degree <= _DEGREE or not poor.any() or step == _ROUNDS - 1:
+        if is_low or not poor.any() or step == _ROUNDS - 1:
             break
         if len(error) + poor.sum() > MAX_PIECES:
             break

@@ -27,18 +27,13 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
-from curvecore.arrays import FloatArray, IntArray, parameter_values
+from curvecore.arrays import FloatArray, parameter_values
 from curvecore.cardinal import CardinalBasis
-from curvecore.chain import Chain
-from curvecore.curve import Curve
-from curvecore.derivatives import derivatives_at
 from curvecore.errors import CurveError
-from curvecore.geometry import lengths
-from curvecore.hermite import HermiteCurve, QuinticHermiteCurve
-from curvecore.lagrange import LagrangeCurve
+from curvecore.families.curve import Curve
+from curvecore.vectors import vector_lengths
 
 __all__ = [
-    "UNKNOWN_FAMILY",
     "Band",
     "acceleration_sensitivity",
     "error_sizes",
@@ -47,8 +42,6 @@ __all__ = [
     "velocity_sensitivity",
     "worst_case_band",
 ]
-
-UNKNOWN_FAMILY = "curve must be of a family whose dependence on the parameters is known"
 
 
 class Band(NamedTuple):
@@ -120,8 +113,7 @@ def parameter_sensitivity(curve: Curve, t: ArrayLike) -> FloatArray:
     Parameters
     ----------
     curve : Curve
-        `LagrangeCurve`, `HermiteCurve`, `QuinticHermiteCurve` or `Chain` of
-        these. Velocities that a rule estimates from the t_i count as given.
+        Of any family. Velocities that a rule estimates from the t_i count as given.
     t : float or array_like, shape (m,)
         A scalar counts as m = 1. At a joint the segment to the right counts.
 
@@ -131,70 +123,8 @@ def parameter_sensitivity(curve: Curve, t: ArrayLike) -> FloatArray:
         Per unit of t; n counts ``curve.parameters``, so a joint of a chain
         moves the ends of both its pieces.
     """
-    at = parameter_values(t).values
     with np.errstate(over="ignore", under="ignore", invalid="ignore"):
-        if isinstance(curve, Chain):
-            return _chain_sensitivity(curve, at)
-        if isinstance(curve, LagrangeCurve):
-            (velocity,) = derivatives_at(curve, curve.parameters, (1,))
-            result: FloatArray = -curve.basis(at)[:, :, 0, None] * velocity
-            return result
-        if isinstance(curve, (HermiteCurve, QuinticHermiteCurve)):
-            return _hermite_sensitivity(curve, at)
-    raise CurveError(UNKNOWN_FAMILY)
-
-
-def _hermite_sensitivity(curve: HermiteCurve | QuinticHermiteCurve, t: FloatArray) -> FloatArray:
-    segment, moves = _local_sensitivity(curve, t)
-    result = np.zeros((len(t), *curve.points.shape))
-    rows = np.arange(len(t))
-    for end in (0, 1):
-        result[rows, segment + end] = moves[:, end]
-    return result
-
-
-def _local_sensitivity(
-    curve: HermiteCurve | QuinticHermiteCurve, t: FloatArray
-) -> tuple[IntArray, FloatArray]:
-    """Return the segments, and what their two ends do, shape (m, 2, dim)."""
-    local = curve.local_basis(t)
-    moves = np.empty((len(t), 2, curve.points.shape[1]))
-    for end in (0, 1):
-        given = curve.jets[local.segment + end][:, 1:]
-        beyond = _next_derivative(curve, end)[local.segment]
-        slopes = np.concatenate([given, beyond[:, None]], axis=1)
-        moves[:, end] = -np.einsum("mr,mrd->md", local.values[:, end], slopes)
-    return local.segment, moves
-
-
-def _next_derivative(curve: HermiteCurve | QuinticHermiteCurve, end: int) -> FloatArray:
-    """Return the first derivative that is not given, at the beginnings (0) or ends (1) of segments."""
-    h = np.diff(curve.parameters)[:, None]
-    jets = curve.jets
-    near, far = (jets[1:], jets[:-1]) if end else (jets[:-1], jets[1:])
-    # Seen from an end, the other one lies at the signed distance h.
-    h = -h if end else h
-    chord = (far[:, 0] - near[:, 0]) / h
-    if curve.degree == 3:
-        result: FloatArray = (6.0 * chord - 4.0 * near[:, 1] - 2.0 * far[:, 1]) / h
-        return result
-    slope = (60.0 * chord - 36.0 * near[:, 1] - 24.0 * far[:, 1]) / h
-    jerk: FloatArray = (slope - 9.0 * near[:, 2] + 3.0 * far[:, 2]) / h
-    return jerk
-
-
-def _chain_sensitivity(chain: Chain, t: FloatArray) -> FloatArray:
-    result = np.zeros((len(t), *chain.points.shape))
-    starts = [piece.domain[0] for piece in chain.pieces[1:]]
-    piece_of = np.searchsorted(starts, t, side="right")
-    first = 0
-    for index, piece in enumerate(chain.pieces):
-        here = np.flatnonzero(piece_of == index)
-        count = len(piece.parameters)
-        if here.size:
-            result[here, first : first + count] = parameter_sensitivity(piece, t[here])
-        first += count - 1
-    return result
+        return curve.parameter_derivatives(t)
 
 
 def worst_case_band(
@@ -258,8 +188,8 @@ def worst_case_band(
             return Band(ball, ball.copy())
         moves = _moves(curve, at, delta) if known is None else known * delta[:, None]
         farthest = _farthest(moves)
-        (velocity,) = derivatives_at(curve, at, (1,))
-        size = lengths(velocity)
+        (velocity,) = curve.derivatives_at(at, (1,))
+        size = vector_lengths(velocity)
         rests = size == 0.0
         unit = velocity / np.where(rests, 1.0, size)[:, None]
         along = np.einsum("mnd,md->mn", moves, unit)
@@ -286,7 +216,7 @@ def _ball(
 
 
 def _sum_of_data(curve: Curve, t: FloatArray, sizes: FloatArray) -> FloatArray:
-    if isinstance(curve, (HermiteCurve, QuinticHermiteCurve)):
+    if curve.is_local and len(curve.pieces) == 1:
         local = curve.local_basis(t)
         both = np.stack((sizes[local.segment], sizes[local.segment + 1]), axis=1)
         result: FloatArray = (np.abs(local.values) * both).sum(axis=(1, 2))
@@ -298,8 +228,8 @@ def _sum_of_data(curve: Curve, t: FloatArray, sizes: FloatArray) -> FloatArray:
 
 def _moves(curve: Curve, t: FloatArray, delta: FloatArray) -> FloatArray:
     """Return what parameters do that change by delta, without those that do nothing by construction."""
-    if isinstance(curve, (HermiteCurve, QuinticHermiteCurve)):
-        segment, moves = _local_sensitivity(curve, t)
+    if curve.is_local:
+        segment, moves = curve.local_parameter_derivatives(t)
         return moves * np.stack((delta[segment], delta[segment + 1]), axis=1)[:, :, None]
     return parameter_sensitivity(curve, t) * delta[:, None]
 
@@ -317,7 +247,7 @@ def error_sizes(error: ArrayLike, count: int, name: str) -> FloatArray:
 def _farthest(moves: FloatArray) -> FloatArray:
     """Return the largest length of a sum of +-moves, shape (m, n, dim) to (m,)."""
     if moves.shape[2] != 2:
-        total: FloatArray = lengths(moves).sum(axis=1)
+        total: FloatArray = vector_lengths(moves).sum(axis=1)
         return total
     # The corners of the zonotope: all moves turned to point up, then one after the other reversed in
     # the order of their directions.
@@ -326,5 +256,5 @@ def _farthest(moves: FloatArray) -> FloatArray:
     order = np.argsort(np.arctan2(up[:, :, 1], up[:, :, 0]), axis=1)
     sorted_ = np.take_along_axis(up, order[:, :, None], axis=1)
     corners = sorted_.sum(axis=1, keepdims=True) - 2.0 * np.cumsum(sorted_, axis=1)
-    result: FloatArray = lengths(corners).max(axis=1)
+    result: FloatArray = vector_lengths(corners).max(axis=1)
     return result

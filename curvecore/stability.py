@@ -25,9 +25,9 @@ from numpy.typing import ArrayLike
 
 from curvecore.arrays import FloatArray, IntArray, parameter_values
 from curvecore.bernstein_algebra import weights
+from curvecore.bezier import all_joints
 from curvecore.cardinal import CardinalBasis
-from curvecore.chain import Chain
-from curvecore.curve import Curve
+from curvecore.families.curve import Curve
 from curvecore.scaling import LARGEST
 
 __all__ = ["derivative_sums", "lebesgue_constant", "lebesgue_constants", "lebesgue_function"]
@@ -128,22 +128,21 @@ def lebesgue_constant(curve: Curve | CardinalBasis) -> float:
     """
     if isinstance(curve, CardinalBasis):
         return lebesgue_constants([curve])[0] if curve.follows else lebesgue_constant(curve.curve)
-    if isinstance(curve, Chain):
-        return max(lebesgue_constant(piece) for piece in curve.pieces)
-    if curve.jets.shape[1] > 1 or len(curve.parameters) == 2:
+    if curve.is_positive:
         return 1.0
-    return _largest_lagrange(curve)
+    return max(1.0 if piece.is_positive else _largest_of_curve(piece) for piece in curve.pieces)
 
 
-def _largest_lagrange(curve: Curve) -> float:
-    joints = curve.parameters
+def _largest_of_curve(curve: Curve) -> float:
+    joints = all_joints(curve)
     segments = np.arange(len(joints) - 1)
     intervals = _Intervals(joints[:-1], joints[1:], segments, np.zeros_like(segments))
 
     def sums(t: FloatArray, _segment: IntArray) -> FloatArray:
         return _sums(curve, t.ravel())[:, 0].reshape(t.shape)
 
-    return float(_largest_sums(sums, intervals, 1, _ONE_PEAK)[0])
+    search = _FEW_PEAKS if curve.degree is None else _ONE_PEAK
+    return float(_largest_sums(sums, intervals, 1, search)[0])
 
 
 def lebesgue_constants(bases: Sequence[CardinalBasis]) -> list[float]:
@@ -260,8 +259,7 @@ def _highest(peaks: FloatArray, owner: IntArray, count: int, above: int) -> IntA
 
 def _sums(curve: Curve, t: FloatArray) -> FloatArray:
     """Return the sums of all |B_ir|, shape (m, R)."""
-    local = getattr(curve, "local_basis", None)
-    values = local(t).values if local is not None else curve.basis(t)
+    values = curve.local_basis(t).values if curve.is_local else curve.basis(t)
     with np.errstate(over="ignore", under="ignore"):
         result: FloatArray = np.minimum(np.abs(values).sum(axis=1), LARGEST)
     return result

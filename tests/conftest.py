@@ -20,6 +20,8 @@ import msgspec
 import pytest
 from hypothesis import settings
 
+from app.families import Family
+
 settings.register_profile("curvebench", deadline=None, derandomize=True, max_examples=60)
 settings.load_profile("curvebench")
 
@@ -100,6 +102,11 @@ def pytest_collection():
         gc.enable()
 
 
+def pytest_make_parametrize_id(config, val, argname):
+    """Call a test of a family by the family's name."""
+    return val.name if isinstance(val, Family) else None
+
+
 @pytest.hookimpl(optionalhook=True)
 def pytest_xdist_make_scheduler(config, log):
     """Give every process neighbours: windows and what modules prepare are used again by the next test."""
@@ -135,6 +142,8 @@ def odd_values(value: object, place: str = "document", known: object = None) -> 
         return []
     if type(value) in _PLAIN or isinstance(value, Enum):
         return []
+    if isinstance(value, Family):
+        return odd_values(value.name, f"{place}.name")
     return [f"{place} = {value!r}, a {type(value).__name__}"]
 
 

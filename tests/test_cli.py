@@ -15,8 +15,8 @@ from PySide6.QtWidgets import QApplication, QDialog, QMainWindow
 from app import __version__
 from app.cli import main
 from app.document.model import Document, make_curve
-from app.document.storage import load, save
 from app.start import open_windows
+from app.storage.files import load, save
 from app.testing import Editor
 
 ROOT = Path(__file__).parents[1]

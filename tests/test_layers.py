@@ -12,9 +12,17 @@ import pytest
 
 ROOT = Path(__file__).resolve().parent.parent
 QT = {"PySide6", "shiboken6", "pyqtgraph"}
-WITHOUT_QT = ("curvecore", "app.document", "app.view_model", "app.gestures", "app.exchange")
+WITHOUT_QT = (
+    "curvecore",
+    "app.families",
+    "app.document",
+    "app.storage",
+    "app.view_model",
+    "app.tools",
+    "app.exchange",
+)
 WITH_QT = ("app.exchange.drawing.image", "app.exchange.drawing.motion_frames")
-CALLS_THE_CORE = ("app.view_model", "app.exchange", "app.cli")
+CALLS_THE_CORE = ("app.families", "app.view_model", "app.exchange", "app.cli")
 STRANGERS = {("app.canvas", "app.panels"), ("app.panels", "app.canvas")}
 
 
@@ -108,8 +116,18 @@ def violations(root: Path) -> list[str]:
 
 def test_the_docstring_of_app_gives_the_layers():
     order = layers(ROOT)
-    assert order["app.document"] == 0
-    above = ["document", "view_model", "gestures", "session", "canvas", "main_window", "cli"]
+    assert order["app.families"] == 0
+    above = [
+        "families",
+        "document",
+        "storage",
+        "view_model",
+        "tools",
+        "session",
+        "canvas",
+        "main_window",
+        "cli",
+    ]
     numbers = [order[f"app.{name}"] for name in above]
     assert numbers == sorted(numbers)
     assert order["app.canvas"] == order["app.panels"]
@@ -151,7 +169,7 @@ MAP = '''"""Layers.
 
 - ``document``: values.
 - ``view_model``: arrays.
-- ``gestures``: press.
+- ``tools``: press.
 - ``exchange``: files.
 - ``session``: owner.
 - ``canvas``, ``panels``: widgets. They use ``session``.
@@ -171,7 +189,7 @@ MAP = '''"""Layers.
         ("app/document/model.py", "from ..session import Session", "imports app.session"),
         ("app/document/model.py", "import curvecore", "imports curvecore"),
         ("app/document/__init__.py", "from .. import session", "app.document imports app.session"),
-        ("app/gestures/drags.py", "import pyqtgraph as pg", "imports pyqtgraph"),
+        ("app/tools/drags.py", "import pyqtgraph as pg", "imports pyqtgraph"),
         ("app/exchange/svg/writer.py", "from PySide6.QtSvg import QSvgGenerator", "imports PySide6.QtSvg"),
         ("app/canvas/canvas.py", "from app.panels import Table", "canvas and panels"),
         ("app/panels/__init__.py", "import app.canvas.canvas", "canvas and panels"),
@@ -207,9 +225,7 @@ def test_what_is_allowed_is_not_reported(tmp_path):
 
 def plant(root: Path, files: dict[str, str]) -> None:
     """A small tree with the packages that the planted imports name."""
-    packages = [
-        f"app/{name}" for name in ("document", "view_model", "gestures", "exchange", "canvas", "panels")
-    ]
+    packages = [f"app/{name}" for name in ("document", "view_model", "tools", "exchange", "canvas", "panels")]
     empty = [f"{package}/__init__.py" for package in ("curvecore", *packages)]
     empty += ["app/session.py", "app/main_window.py", "app/cli.py", "curvecore/errors.py"]
     for name, text in ({"app/__init__.py": MAP} | dict.fromkeys(empty, "") | files).items():
@@ -218,7 +234,9 @@ def plant(root: Path, files: dict[str, str]) -> None:
         path.write_text(text, encoding="utf-8")
 
 
-@pytest.mark.parametrize("package", ["curvecore", "app.document", "app.view_model", "app.gestures"])
+@pytest.mark.parametrize(
+    "package", ["curvecore", "app.families", "app.document", "app.storage", "app.view_model", "app.tools"]
+)
 def test_it_imports_where_there_is_no_qt(package):
     names = [name for name in modules(ROOT) if is_within(name, [package])]
     code = f"import sys; sys.modules.update(dict.fromkeys({sorted(QT)!r}))\n"
@@ -247,7 +265,7 @@ def test_the_window_starts_without_what_is_rarely_used():
     names = set(done.stdout.split())
     assert not late & names
     # No readers, writers or dialogs.
-    light = {"drawing", "drawing.styles", "errors", "formats", "options", "progress", "reading"}
+    light = {"drawing", "drawing.styles", "errors", "formats", "options", "reading"}
     light |= {"table", "table.clipboard", "writing"}
     of_exchange = (name for name in names if name.startswith("app.exchange."))
     assert {name.removeprefix("app.exchange.") for name in of_exchange} == light
@@ -256,7 +274,7 @@ def test_the_window_starts_without_what_is_rarely_used():
 
 
 def test_one_module_starts_threads():
-    """Python's collector runs in whatever thread allocates; ``app.worker`` keeps it out of its own."""
+    """Python's collector runs in whatever thread allocates; ``app.tasks.task`` keeps it out of its own."""
     starts = re.compile(r"\bThread\(|QThread|QRunnable|ThreadPool|concurrent\.futures|multiprocessing")
     sources = {name: path.read_text(encoding="utf-8") for name, path in modules(ROOT).items()}
-    assert [name for name, text in sources.items() if starts.search(text)] == ["app.worker"]
+    assert [name for name, text in sources.items() if starts.search(text)] == ["app.tasks.task"]

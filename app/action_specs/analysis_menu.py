@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from app.action_specs.spec import ActionSpec
+from app.view_model.analysis.settings import GHOST_KINDS, all_ghosts
 
 ANALYSIS_MENU = (
     ActionSpec(
@@ -119,83 +120,20 @@ ANALYSIS_MENU = (
         submenu="Overlays",
         alone="New Seed of Disturbed Curves",
     ),
-    ActionSpec(
-        "ghostLagrange",
-        "Lagrange",
-        "Analysis",
-        "",
-        "",
-        "Draw the same points as a Lagrange curve, too",
-        checkable=True,
-        submenu="Ghosts",
-        alone="Ghost: Lagrange",
-    ),
-    ActionSpec(
-        "ghostHermite",
-        "Hermite",
-        "Analysis",
-        "",
-        "",
-        "Draw the same points as a cubic Hermite curve, too",
-        checkable=True,
-        submenu="Ghosts",
-        alone="Ghost: Hermite",
-    ),
-    ActionSpec(
-        "ghostQuinticHermite",
-        "Quintic Hermite",
-        "Analysis",
-        "",
-        "",
-        "Draw the same points as a quintic Hermite curve, too",
-        checkable=True,
-        submenu="Ghosts",
-        alone="Ghost: Quintic Hermite",
-    ),
-    ActionSpec(
-        "ghostUniform",
-        "Uniform",
-        "Analysis",
-        "",
-        "",
-        "Draw the curve with uniform parameters, too",
-        checkable=True,
-        separated=True,
-        submenu="Ghosts",
-        alone="Ghost: Uniform",
-    ),
-    ActionSpec(
-        "ghostChordLength",
-        "Chord Length",
-        "Analysis",
-        "",
-        "",
-        "Draw the curve with chord-length parameters, too",
-        checkable=True,
-        submenu="Ghosts",
-        alone="Ghost: Chord Length",
-    ),
-    ActionSpec(
-        "ghostCentripetal",
-        "Centripetal",
-        "Analysis",
-        "",
-        "",
-        "Draw the curve with centripetal parameters, too",
-        checkable=True,
-        submenu="Ghosts",
-        alone="Ghost: Centripetal",
-    ),
-    ActionSpec(
-        "ghostChebyshev",
-        "Chebyshev",
-        "Analysis",
-        "",
-        "",
-        "Draw the curve with Chebyshev parameters, too",
-        checkable=True,
-        submenu="Ghosts",
-        alone="Ghost: Chebyshev",
+    *(
+        ActionSpec(
+            ghost.action_name,
+            ghost.title.title(),
+            "Analysis",
+            "",
+            "",
+            ghost.tip,
+            checkable=True,
+            separated=ghost.kind is GHOST_KINDS[0],
+            submenu="Ghosts",
+            alone=f"Ghost: {ghost.title.title()}",
+        )
+        for ghost in all_ghosts()
     ),
     ActionSpec(
         "plotSpeed",

@@ -3,22 +3,24 @@
 from __future__ import annotations
 
 from app.action_specs.spec import ActionSpec
+from app.families import FAMILIES
+from app.resources import has_resource
+
+_MOST_KEYS = 10
+"""One more than there are digits for."""
 
 CURVE_MENU = (
-    ActionSpec(
-        "familyLagrange", "Lagrange", "Curve", "1", "lagrange", "One polynomial through all points", "family"
-    ),
-    ActionSpec(
-        "familyHermite", "Hermite", "Curve", "2", "hermite", "Cubic pieces with given velocities", "family"
-    ),
-    ActionSpec(
-        "familyQuinticHermite",
-        "Quintic Hermite",
-        "Curve",
-        "3",
-        "quintic",
-        "Quintic pieces with given velocities and accelerations",
-        "family",
+    *(
+        ActionSpec(
+            family.action_name,
+            family.label,
+            "Curve",
+            str(place) if place < _MOST_KEYS else "",
+            family.icon if has_resource("icons", f"{family.icon}.svg") else "spline",
+            family.tip,
+            "family",
+        )
+        for place, family in enumerate(FAMILIES, start=1)
     ),
     ActionSpec(
         "insertPoint",

@@ -10,7 +10,7 @@ from PySide6.QtCore import QObject, Signal
 from app.canvas.figure_layer import FigureLayer
 from app.canvas.file_layer import FileLayer
 from app.canvas.trace_layer import Trace, TraceLayer
-from app.plot.layered_plot import LayeredPlot
+from app.plotting.layered_plot import LayeredPlot
 from app.theme import LIGHT
 from app.view_model.analysis.figures import Figure
 from app.view_model.curve_view import CurveView

@@ -15,13 +15,13 @@ from app.canvas.hit_test import hit_test
 from app.canvas.keys import ARROWS, cursor_of, transform_key
 from app.canvas.overlay_layer import OverlayLayer
 from app.canvas.pen_layer import PenLayer
-from app.gestures.image_tool import ImageTool
-from app.gestures.overlay import Overlay
-from app.gestures.pointer import Hint, Hit, Pointer
-from app.gestures.snapping import Snapping
-from app.gestures.tools import CanvasTool, ToolKind
-from app.gestures.transform import TransformKind
 from app.theme import LIGHT
+from app.tools.image_tool import ImageTool
+from app.tools.overlay import Overlay
+from app.tools.pointer import Hint, Hit, Pointer
+from app.tools.snapping import Snapping
+from app.tools.tools import CanvasTool, ToolKind
+from app.tools.transform import TransformKind
 from app.view_model.curve_view import CurveView
 
 

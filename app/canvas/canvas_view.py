@@ -23,8 +23,8 @@ from app.canvas.other_curves_layer import OtherCurvesLayer
 from app.canvas.point_layer import PointLayer
 from app.canvas.unit_layer import UnitLayer
 from app.document.model import Curve, ReferenceImage, Vector
-from app.plot.drawing import cut_segments
-from app.plot.plot_widget import PlotWidget
+from app.plotting.drawing import cut_segments
+from app.plotting.plot_widget import PlotWidget
 from app.theme import LIGHT
 from app.view_model.basis_view import weights_at
 from app.view_model.curve_view import CurveView, Floats

@@ -11,8 +11,8 @@ from PySide6.QtGui import QColor, QPainter, QPen
 from app.canvas.curve_layer import FAINT_WIDTH
 from app.canvas.other_curves_layer import OtherCurvesLayer, pixels_of
 from app.canvas.point_layer import opacity_of
-from app.plot.drawing import Stroke
-from app.plot.pixel_map import PixelMap
+from app.plotting.drawing import Stroke
+from app.plotting.pixel_map import PixelMap
 from app.theme import mix
 from app.view_model.curve_view import CurveView
 

@@ -7,8 +7,8 @@ from PySide6.QtGui import QPainter, QPen
 
 from app.canvas.point_layer import opacity_of
 from app.colours import point_colours
-from app.plot.layered_plot import LayeredPlot
-from app.plot.pixel_map import PixelMap
+from app.plotting.layered_plot import LayeredPlot
+from app.plotting.pixel_map import PixelMap
 from app.theme import Theme
 from app.view_model.curve_view import CurveView
 

@@ -6,10 +6,10 @@ from PySide6.QtCore import QAbstractAnimation, QSizeF, Qt, QVariantAnimation
 from PySide6.QtGui import QColor, QFont, QFontMetricsF, QPainter, QPen
 
 from app.colours import curve_colour
-from app.plot.drawing import Stroke
-from app.plot.layered_plot import Layer, LayeredPlot
-from app.plot.pixel_map import Floats, PixelMap
-from app.plot.plates import inside, write_on_plate
+from app.plotting.drawing import Stroke
+from app.plotting.layered_plot import Layer, LayeredPlot
+from app.plotting.pixel_map import Floats, PixelMap
+from app.plotting.plates import inside, write_on_plate
 from app.theme import Theme
 from app.view_model.curve_view import CurveView, Polyline
 

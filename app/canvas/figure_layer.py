@@ -11,15 +11,15 @@ from PySide6.QtCore import QRectF, QSizeF, Qt
 from PySide6.QtGui import QColor, QFont, QFontMetricsF, QPainter
 
 from app.canvas.curve_layer import TOLERANCE
-from app.plot.area import AreaFill
-from app.plot.drawing import MARGIN, Floats, Segments, cut_segments
-from app.plot.layered_plot import LayeredPlot
-from app.plot.pens import draw_line, draw_mark, pen_of
-from app.plot.pixel_map import PixelMap
-from app.plot.plates import inside, write_on_plate
+from app.plotting.area import AreaFill
+from app.plotting.drawing import MARGIN, Floats, Segments, cut_segments
+from app.plotting.layered_plot import LayeredPlot
+from app.plotting.pens import draw_line, draw_mark, pen_of
+from app.plotting.pixel_map import PixelMap
+from app.plotting.plates import inside, write_on_plate
 from app.theme import Theme
 from app.view_model.analysis.figures import Figure, Shape
-from app.view_model.looks import GHOST_LOOKS, LOOKS, Look
+from app.view_model.looks import LOOKS, Look, ghost_look
 
 if TYPE_CHECKING:
     from app.view_model.analysis.ghosts import GhostView
@@ -100,7 +100,7 @@ class FigureLayer:
     def _paint_ghost(self, painter: QPainter, shown: PixelMap, ghost: GhostView) -> None:
         if not ghost.is_drawn:
             return
-        look = GHOST_LOOKS[ghost.ghost]
+        look = ghost_look(ghost.ghost)
         painter.setPen(pen_of(look, self.theme, self.scale))
         line = ghost.line(TOLERANCE / max(shown.sx, shown.sy), shown.box)
         draw_line(painter, _pixels(line, shown), look.dashes, shown)

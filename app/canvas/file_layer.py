@@ -9,9 +9,9 @@ from PySide6.QtCore import Qt
 from PySide6.QtGui import QPainter, QPixmap
 
 from app.canvas.curve_layer import TOLERANCE
-from app.plot.layered_plot import LayeredPlot
-from app.plot.pens import draw_line, pen_of
-from app.plot.pixel_map import PixelMap
+from app.plotting.layered_plot import LayeredPlot
+from app.plotting.pens import draw_line, pen_of
+from app.plotting.pixel_map import PixelMap
 from app.theme import Theme
 from app.view_model.curve_view import CurveView
 from app.view_model.looks import FILE_LOOK

@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from app.plot.pixel_map import Floats, PixelMap
+from app.plotting.pixel_map import Floats, PixelMap
 from app.view_model.curve_view import CurveView
 
 _FIT_MARGIN = 0.12

@@ -10,9 +10,9 @@ import numpy as np
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QPainter
 
-from app.plot.drawing import Bars
-from app.plot.layered_plot import LayeredPlot
-from app.plot.pixel_map import Floats, PixelMap
+from app.plotting.drawing import Bars
+from app.plotting.layered_plot import LayeredPlot
+from app.plotting.pixel_map import Floats, PixelMap
 from app.theme import Theme
 
 _LEAST_GAP = 8.0

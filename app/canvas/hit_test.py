@@ -9,8 +9,8 @@ import numpy as np
 from msgspec.structs import replace
 
 from app.document.model import Vector
-from app.gestures.pointer import Hit, Part
-from app.plot.pixel_map import Floats, PixelMap
+from app.plotting.pixel_map import Floats, PixelMap
+from app.tools.pointer import Hit, Part
 from app.view_model.curve_view import CurveView, Polyline
 from app.view_model.handles import Handle
 

@@ -11,11 +11,11 @@ from PySide6.QtGui import QImage, QPainter, QPen, QPixmap
 from app.canvas.fitting import Box, with_margin
 from app.canvas.page_image import inverted_lightness, is_page
 from app.document.model import ReferenceImage, Vector
-from app.gestures.image_tool import CORNERS, corner_of
-from app.gestures.pointer import Hit, Part
-from app.plot.layered_plot import LayeredPlot
-from app.plot.pixel_map import PixelMap
+from app.plotting.layered_plot import LayeredPlot
+from app.plotting.pixel_map import PixelMap
 from app.theme import Theme
+from app.tools.image_tool import CORNERS, corner_of
+from app.tools.pointer import Hit, Part
 
 GRIP_REACH = 12.0
 """Pixels from a corner within which it is grabbed."""

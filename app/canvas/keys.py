@@ -5,10 +5,10 @@ from __future__ import annotations
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QCursor, QKeyEvent
 
-from app.gestures.pointer import Cursor, Hint
-from app.gestures.tools import ToolKind
 from app.icons import icon
 from app.theme import Theme
+from app.tools.pointer import Cursor, Hint
+from app.tools.tools import ToolKind
 
 ARROWS = {
     Qt.Key.Key_Left: (-1, 0),

@@ -9,8 +9,8 @@ import numpy as np
 from PySide6.QtCore import QPointF, QRectF, QSizeF
 
 from app.document.model import Vector
-from app.plot.pixel_map import Floats, PixelMap
-from app.plot.plates import inside
+from app.plotting.pixel_map import Floats, PixelMap
+from app.plotting.plates import inside
 
 _CORNERS = ((1, 1), (-1, 1), (1, -1), (-1, -1))
 """Right and below first; of corners that are as good as each other the first is taken, so that words rest."""

@@ -11,7 +11,7 @@ from PySide6.QtWidgets import QFrame, QGridLayout, QToolButton, QWidget
 from app.icons import icon
 from app.labels import Label, tip_of
 from app.overrides import Guarded
-from app.plot.pens import sign_pixmap
+from app.plotting.pens import sign_pixmap
 from app.theme import Theme, mix
 from app.view_model.analysis.legend import LegendRow
 from app.view_model.analysis.settings import Ghost
@@ -132,8 +132,8 @@ class Legend(Guarded, QFrame):
         choose.clicked.connect(lambda: self.chosen.emit(ghost))
         hide.clicked.connect(lambda: self.hidden.emit(ghost))
         for button, name, words in (
-            (choose, f"legendChoose_{ghost}", row.tip or f"Make this the curve: {row.text}"),
-            (hide, f"legendHide_{ghost}", f"Hide the ghost: {row.text}"),
+            (choose, f"legendChoose_{ghost.name}", row.tip or f"Make this the curve: {row.text}"),
+            (hide, f"legendHide_{ghost.name}", f"Hide the ghost: {row.text}"),
         ):
             button.setObjectName(name)
             button.setToolTip(tip_of(words))

@@ -9,11 +9,11 @@ from PySide6.QtCore import QPointF, QRectF, QSizeF, Qt
 from PySide6.QtGui import QColor, QFont, QFontMetricsF, QPainter, QPen
 
 from app.colours import curve_colour
-from app.plot.drawing import Segments, cut_segments
-from app.plot.layered_plot import LayeredPlot
-from app.plot.pens import draw_line
-from app.plot.pixel_map import PixelMap
-from app.plot.plates import inside, write_on_plate
+from app.plotting.drawing import Segments, cut_segments
+from app.plotting.layered_plot import LayeredPlot
+from app.plotting.pens import draw_line
+from app.plotting.pixel_map import PixelMap
+from app.plotting.plates import inside, write_on_plate
 from app.theme import Theme, mix
 from app.view_model.arrow import arrow_segments
 from app.view_model.curve_view import Floats

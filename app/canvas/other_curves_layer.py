@@ -14,11 +14,11 @@ from app.canvas.curve_layer import CASING, FAINT_WIDTH, TOLERANCE
 from app.canvas.hit_test import CURVE_REACH, Segments
 from app.colours import curve_colour
 from app.document.model import Vector
-from app.gestures.pointer import Hit, Part
-from app.plot.drawing import Stroke
-from app.plot.layered_plot import LayeredPlot
-from app.plot.pixel_map import Floats, PixelMap
+from app.plotting.drawing import Stroke
+from app.plotting.layered_plot import LayeredPlot
+from app.plotting.pixel_map import Floats, PixelMap
 from app.theme import Theme
+from app.tools.pointer import Hit, Part
 from app.view_model.curve_view import CurveView
 
 _SLOW = 0.008

@@ -9,15 +9,15 @@ from PySide6.QtGui import QColor, QFontMetricsF, QPainter, QPen
 
 from app.canvas.label_place import NOTHING, Surroundings, free_corner
 from app.document.model import Vector
-from app.gestures.overlay import Note, Overlay, Ruler
-from app.gestures.snapping import Snap
-from app.gestures.transform_box import TransformBox
-from app.plot.fonts import Sizes
-from app.plot.halo import Halo
-from app.plot.layered_plot import LayeredPlot
-from app.plot.pixel_map import PixelMap
-from app.plot.plates import beyond, write_on_plate
+from app.plotting.fonts import Sizes
+from app.plotting.halo import Halo
+from app.plotting.layered_plot import LayeredPlot
+from app.plotting.pixel_map import PixelMap
+from app.plotting.plates import beyond, write_on_plate
 from app.theme import Theme
+from app.tools.overlay import Note, Overlay, Ruler
+from app.tools.snapping import Snap
+from app.tools.transform_box import TransformBox
 
 _GRIP, _FAR = 3.5, 1e6
 _ARM = 9

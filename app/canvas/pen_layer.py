@@ -7,9 +7,9 @@ from PySide6.QtGui import QPainter, QPen
 
 from app.canvas.curve_layer import TOLERANCE
 from app.document.model import Vector
-from app.plot.drawing import Stroke
-from app.plot.layered_plot import LayeredPlot
-from app.plot.pixel_map import PixelMap
+from app.plotting.drawing import Stroke
+from app.plotting.layered_plot import LayeredPlot
+from app.plotting.pixel_map import PixelMap
 from app.theme import Theme
 from app.view_model.curve_view import CurveView
 

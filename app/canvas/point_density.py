@@ -8,7 +8,7 @@ from collections.abc import Collection
 import msgspec
 import numpy as np
 
-from app.plot.pixel_map import Floats
+from app.plotting.pixel_map import Floats
 from app.view_model.curve_view import Integers
 
 RADIUS = 4.5

@@ -9,13 +9,13 @@ from PySide6.QtCore import QPointF, QRectF, Qt, QTimer
 from PySide6.QtGui import QColor, QPainter, QPen, QPolygonF
 
 from app.canvas.point_density import RADIUS, Discs, discs_for, with_neighbours
-from app.plot.colours import colours_of
-from app.plot.drawing import Flags
-from app.plot.fonts import Sizes
-from app.plot.layered_plot import LayeredPlot
-from app.plot.pixel_map import Floats, PixelMap
-from app.plot.plates import write_on_plate
-from app.plot.stamps import Stamps
+from app.plotting.colours import colours_of
+from app.plotting.drawing import Flags
+from app.plotting.fonts import Sizes
+from app.plotting.layered_plot import LayeredPlot
+from app.plotting.pixel_map import Floats, PixelMap
+from app.plotting.plates import write_on_plate
+from app.plotting.stamps import Stamps
 from app.theme import Theme
 from app.view_model.curve_view import CurveView, Integers
 from app.view_model.handles import Handle, handles_of

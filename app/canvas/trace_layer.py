@@ -8,10 +8,10 @@ import msgspec
 import numpy as np
 from PySide6.QtGui import QPainter
 
-from app.plot.drawing import Floats, Segments, Stroke
-from app.plot.layered_plot import LayeredPlot
-from app.plot.pens import line_in_pixels, pen_of
-from app.plot.pixel_map import PixelMap
+from app.plotting.drawing import Floats, Segments, Stroke
+from app.plotting.layered_plot import LayeredPlot
+from app.plotting.pens import line_in_pixels, pen_of
+from app.plotting.pixel_map import PixelMap
 from app.theme import Theme
 from app.view_model.looks import Look
 

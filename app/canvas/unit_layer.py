@@ -5,8 +5,8 @@ from __future__ import annotations
 from PySide6.QtCore import QRectF, Qt
 from PySide6.QtGui import QFont, QPainter
 
-from app.plot.layered_plot import LayeredPlot
-from app.plot.pixel_map import PixelMap
+from app.plotting.layered_plot import LayeredPlot
+from app.plotting.pixel_map import PixelMap
 from app.theme import Theme
 
 

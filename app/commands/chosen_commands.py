@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from app.colours import CURVE_COLOURS
 from app.commands.parts import Handlers, Parts
+from app.controllers.curve_list import CurveListController
 from app.document.several_curves import active_after_removal, add_copies, named, remove_curves
 from app.view_model.curve_view import CurveView
 
@@ -17,6 +18,7 @@ class ChosenCommands:
         self._parts = parts
         self._session = parts.session
         self._actions = parts.actions
+        self._list = CurveListController(parts.session, parts.curve_list)
         parts.curve_list.view.deletion_wanted.connect(parts.actions["deleteCurve"].trigger)
 
     def handlers(self) -> Handlers:
@@ -25,8 +27,8 @@ class ChosenCommands:
         return {
             "duplicateCurve": self._duplicate,
             "deleteCurve": self._delete,
-            "curveVisible": lambda: panel.switch_visible(session.active_index),
-            "curveLocked": lambda: panel.switch_locked(session.active_index),
+            "curveVisible": lambda: self._list.switch_visible(session.active_index),
+            "curveLocked": lambda: self._list.switch_locked(session.active_index),
             "curveColour": lambda: panel.choose_colour(session.active_index),
             "selectAllCurves": self._choose_all,
             "onlyThisCurve": self._choose_one,
@@ -59,9 +61,9 @@ class ChosenCommands:
         document, order = session.document, sorted(chosen)
         colours = self._next_colours([document.curves[place].colour for place in order])
         first, active = order[-1] + 1, order.index(session.active_index)
-        if not self._parts.change(
+        if not session.change(
             f"Duplicate {named(document, chosen)}",
-            lambda: add_copies(document, order, colours),
+            lambda document: add_copies(document, order, colours),
             active=first + active,
         ):
             return
@@ -91,8 +93,8 @@ class ChosenCommands:
     def _delete(self) -> None:
         session, chosen = self._session, self._session.chosen_curves
         document = session.document
-        self._parts.change(
+        session.change(
             f"Delete {named(document, chosen)}",
-            lambda: remove_curves(document, chosen),
+            lambda document: remove_curves(document, chosen),
             active=active_after_removal(document, chosen, session.active_index),
         )

@@ -13,11 +13,12 @@ from app.commands.curve_clipboard import CurveClipboard, put_on_clipboard
 from app.commands.parts import Handlers, Parts
 from app.document import curve_edits, edits
 from app.document.edits import EditError
-from app.document.format import FormatError, decode, encode
 from app.document.model import Curve, Document, Node
 from app.exchange.table.clipboard import Block, TableTextError, read_titled_block, write_block
 from app.panels.number_text import decimal_mark, exact_text
+from app.panels.point_columns import known_titles
 from app.panels.words import count_of
+from app.storage.format import FormatError, decode, encode
 from app.view_model.curve_view import CurveView
 from app.view_model.pasting import (
     appended,
@@ -142,9 +143,9 @@ class ClipboardCommands:
         if not chosen:
             return
         self._copy()
-        if self._parts.change(
+        if session.change(
             f"Cut {count_of(len(chosen), 'point')}",
-            lambda: edits.delete_nodes(session.document, session.active_index, chosen),
+            lambda document: edits.delete_nodes(document, session.active_index, chosen),
         ):
             session.select([])
             session.say(f"Cut {count_of(len(chosen), 'point')}.")
@@ -163,9 +164,9 @@ class ClipboardCommands:
             curve = appended_with_parameters(view, pasted.nodes, pasted.first_row)
         else:
             curve = appended(view, pasted.nodes)
-        if self._parts.change(
+        if session.change(
             f"Paste {count_of(len(pasted.nodes), 'point')}",
-            lambda: curve_edits.replace_curve(session.document, session.active_index, curve),
+            lambda document: curve_edits.replace_curve(document, session.active_index, curve),
         ):
             session.select(range(count, count + len(pasted.nodes)))
             self._show_points()
@@ -181,7 +182,7 @@ class ClipboardCommands:
             curve = as_new_curve(session.active_curve, pasted.nodes, name)
         document = curve_edits.add_curve(session.document, place, curve)
         edits.set_nodes(document, place, curve.nodes)
-        if self._parts.change(f"Paste as {name}", lambda: document, active=place):
+        if session.change(f"Paste as {name}", lambda _: document, active=place):
             self._show_points()
             session.say(f"Pasted {count_of(len(curve.nodes), 'point')} as “{name}”{pasted.note}.")
 
@@ -225,9 +226,9 @@ class ClipboardCommands:
             for index, node in enumerate(session.active_curve.nodes)
         )
         what = f"point {next(iter(chosen))}" if len(chosen) == 1 else count_of(len(chosen), "point")
-        if self._parts.change(
+        if session.change(
             f"Paste derivatives to {what}",
-            lambda: edits.set_nodes(session.document, session.active_index, nodes),
+            lambda document: edits.set_nodes(document, session.active_index, nodes),
         ):
             session.say(f"Pasted the derivatives into {what}.")
 
@@ -247,7 +248,7 @@ def _on_clipboard() -> _Pasted:
         if curve.nodes:
             return _Pasted(curve.nodes, curve)
     text = data.text() if data.hasText() else ""
-    block = read_titled_block(text, decimal_mark())
+    block = read_titled_block(text, decimal_mark(), known_titles())
     # A row of titles was skipped.
     first_row = 1 + len(text.rstrip().splitlines()) - len(block.rows)
     note = "; the row of titles was skipped" if block.titles else ""

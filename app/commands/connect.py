@@ -39,8 +39,8 @@ from app.commands.teaching_commands import TeachingCommands
 from app.commands.tool_commands import ToolCommands
 from app.commands.view_commands import ViewCommands
 from app.commands.wiggle_commands import WiggleCommands
+from app.tasks.owner import TaskOwner, close_all
 from app.view_model.curve_view import CurveView
-from app.worker import Worker, close_all
 
 _DURING_A_GESTURE = {
     "undo",  # takes the gesture back, and nothing else
@@ -170,7 +170,7 @@ class Commands:
         """Let what runs beside the window end; called before the window goes."""
         self.exchange.close()
         self.recovery.close()
-        close_all(self._parts.window.findChildren(Worker))
+        close_all(self._parts.window.findChildren(TaskOwner))
 
     def follow(self, view: CurveView) -> None:
         """Show what follows a drag frame by frame."""

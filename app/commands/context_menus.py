@@ -9,7 +9,7 @@ from PySide6.QtWidgets import QMenu
 
 from app.commands.curve_commands import CurveCommands
 from app.commands.parts import Parts
-from app.gestures.pointer import Hit, Part
+from app.tools.pointer import Hit, Part
 
 _SEPARATOR = ""
 _POINT = (

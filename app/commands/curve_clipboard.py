@@ -10,11 +10,11 @@ from PySide6.QtGui import QGuiApplication
 
 from app.commands.parts import Parts
 from app.document.edits import EditError
-from app.document.format import FormatError, decode, encode
 from app.document.model import Document
 from app.document.several_curves import active_after_removal, add_curves, named, remove_curves
 from app.exchange.table.clipboard import write_block
 from app.panels.number_text import decimal_mark, exact_text
+from app.storage.format import FormatError, decode, encode
 
 CURVES = "application/x-curvebench-curves"
 """MIME type of several curves: a document of them."""
@@ -74,9 +74,9 @@ class CurveClipboard:
         session, document = self._session, self._session.document
         chosen = session.chosen_curves
         self.copy()
-        self._parts.change(
+        session.change(
             f"Cut {named(document, chosen)}",
-            lambda: remove_curves(document, chosen),
+            lambda document: remove_curves(document, chosen),
             active=active_after_removal(document, chosen, session.active_index),
         )
 
@@ -91,7 +91,7 @@ class CurveClipboard:
             raise EditError(f"The curves on the clipboard cannot be read: {reason}.") from None
         session, first = self._session, self._session.active_index + 1
         pasted = add_curves(session.document, curves, first)
-        if self._parts.change(f"Paste {len(curves)} curves", lambda: pasted, active=first):
+        if session.change(f"Paste {len(curves)} curves", lambda _: pasted, active=first):
             session.choose_curves(range(first, first + len(curves)))
             session.say(f"Pasted {len(curves)} curves; they are chosen.")
         return True

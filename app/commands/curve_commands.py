@@ -75,16 +75,16 @@ class CurveCommands:
         session = self._session
         model, place = session.active_curve, session.active_index + 1
         fresh = curve_edits.fresh_curve(session.document, model, Parametrization())
-        if self._parts.change(
-            f"New {fresh.name}", lambda: curve_edits.add_curve(session.document, place, fresh), active=place
+        if session.change(
+            f"New {fresh.name}", lambda document: curve_edits.add_curve(document, place, fresh), active=place
         ):
             self._actions["addTool"].trigger()
 
     def _step(self, verb: str, step: int) -> None:
         session, what = self._session, named(self._session.document, self._session.chosen_curves)
         document = step_curves(session.document, session.chosen_curves, step)
-        if self._parts.change(
-            f"{verb} {what}", lambda: document, active=place_in(document, session.active_curve)
+        if session.change(
+            f"{verb} {what}", lambda _: document, active=place_in(document, session.active_curve)
         ):
             where = "front" if step > 0 else "back"
             session.say(f"{what}: one step to the {where}.")
@@ -131,9 +131,9 @@ class CurveCommands:
             return
         first, *others = done.curves
         self._say_if(
-            self._parts.change(
+            session.change(
                 f"Split {session.active_curve.name}",
-                lambda: _with_parts(session.document, index, first, others),
+                lambda document: _with_parts(document, index, first, others),
             ),
             f"{'Split' if others else 'Opened'} at t = {t:.4g}: {done.sentence}",
         )
@@ -194,9 +194,9 @@ class CurveCommands:
     def _toggle_closed(self) -> None:
         session, view = self._session, self._session.active_view
         closed = not view.source.is_closed
-        self._parts.change(
+        session.change(
             f"{'Close' if closed else 'Open'} {view.source.name}",
-            lambda: with_closed(session.document, session.active_index, view, closed),
+            lambda document: with_closed(document, session.active_index, view, closed),
         )
         # The switch shows what is, also where nothing changed.
         self.render(session.active_view)
@@ -216,9 +216,10 @@ class CurveCommands:
         except EditError as reason:
             session.refuse(str(reason))
             return None
-        document, index = session.document, session.active_index
-        if not self._parts.change(
-            text, lambda: then(curve_edits.replace_curve(document, index, made.curve)), active=active
+        if not session.change(
+            text,
+            lambda document: then(curve_edits.replace_curve(document, session.active_index, made.curve)),
+            active=active,
         ):
             return None
         session.say(made.sentence)
@@ -230,7 +231,7 @@ class CurveCommands:
         dock.raise_()
         self._parts.curve_list.view.edit_name(self._session.active_index)
 
-    def _say_if(self, done: bool, text: str) -> None:
+    def _say_if(self, done: object, text: str) -> None:
         if done:
             self._session.say(text)
 

@@ -9,11 +9,11 @@ from PySide6.QtCore import QObject, QTimer
 from app.commands.disk_notices import Notice, Standing, about_content, about_lock, about_refusal
 from app.commands.parts import Handlers, Parts
 from app.disk_watch import DiskWatch
-from app.document.format import FormatError
 from app.document.model import Document
-from app.document.open_file import OpenFile, Sight
-from app.document.storage import Stamp, StorageError
 from app.panels.file_bar import FileBar
+from app.storage.files import Stamp, StorageError
+from app.storage.format import FormatError
+from app.storage.open_file import FileChange, OpenFile
 from app.view_model.curve_view import CurveView, view_of
 
 _AGAIN_MS = 100
@@ -56,7 +56,7 @@ class DiskCommands(QObject):
         """Begin anew, with what was just opened, saved or reloaded."""
         self._again.stop()
         self._looks = 0
-        self._sight = Sight.SAME
+        self._change = FileChange.SAME
         self._other: Document | None = None
         self._refusal: Notice | None = None
         self._hide_ghost()
@@ -92,8 +92,8 @@ class DiskCommands(QObject):
         if self._session.path != self._path:
             self._path = self._session.path
             self._watch.watch(self._path)
-        if file is not None and file.sight is not self._sight:
-            self._settle(file, file.sight)  # somebody has looked before the watch did
+        if file is not None and file.change is not self._change:
+            self._settle(file, file.change)  # somebody has looked before the watch did
         self._show()
 
     def _say_what_matters(self) -> None:
@@ -116,35 +116,35 @@ class DiskCommands(QObject):
         file = self._file
         if file is None:
             return
-        self._look_at_lock(file)
-        sight = file.look()
-        unsettled = sight in (Sight.UNREADABLE, Sight.GONE) and sight is not self._sight
+        self._check_lock(file)
+        change = file.check()
+        unsettled = change in (FileChange.UNREADABLE, FileChange.GONE) and change is not self._change
         if unsettled and self._looks < _LOOKS:
             self._again.start(_AGAIN_MS << self._looks)
             self._looks += 1
             return
         self._looks = 0
         self._stamp = file.stamp
-        if sight is not self._sight or sight is Sight.CHANGED:
-            self._settle(file, sight)
+        if change is not self._change or change is FileChange.CHANGED:
+            self._settle(file, change)
         self._show()
 
-    def _settle(self, file: OpenFile, sight: Sight) -> None:
+    def _settle(self, file: OpenFile, change: FileChange) -> None:
         """Take note of what has become of the file."""
-        is_news = sight is not self._sight or self._other is not file.other_document
-        self._sight, self._other = sight, file.other_document
+        is_news = change is not self._change or self._other is not file.other_document
+        self._change, self._other = change, file.other_document
         if is_news:
             self._put_away.clear()
-            if sight is not Sight.CHANGED:
+            if change is not FileChange.CHANGED:
                 self._hide_ghost()
             elif self._actions["compareWithFile"].isChecked():
                 self._show_ghost()
-        if sight in (Sight.GONE, Sight.SAME) and self._is_refused_for_other_content:
+        if change in (FileChange.GONE, FileChange.SAME) and self._is_refused_for_other_content:
             self._refusal = None  # what it warns of is there no longer
-        self._session.note_sight(sight)
+        self._session.note_file_change(change)
 
-    def _look_at_lock(self, file: OpenFile) -> None:
-        owner = file.look_at_lock()
+    def _check_lock(self, file: OpenFile) -> None:
+        owner = file.check_lock()
         if owner is None:
             if file.owner is not None:
                 self._standing = Standing.FREED
@@ -162,12 +162,12 @@ class DiskCommands(QObject):
     def _show(self) -> None:
         """Show what matters most now."""
         file = self._file
-        is_changed = self._sight is Sight.CHANGED
+        is_changed = self._change is FileChange.CHANGED
         read_only = self._session.is_read_only
         self._watch.look_every(_OWNER_MS if read_only else 0)
         enabled = {
-            "reloadFile": file is not None and self._sight in (Sight.SAME, Sight.CHANGED),
-            "keepMine": self._sight in (Sight.CHANGED, Sight.UNREADABLE),
+            "reloadFile": file is not None and self._change in (FileChange.SAME, FileChange.CHANGED),
+            "keepMine": self._change in (FileChange.CHANGED, FileChange.UNREADABLE),
             "compareWithFile": is_changed,
             "overwriteFile": self._may_overwrite,
             "takeOver": read_only,
@@ -187,7 +187,10 @@ class DiskCommands(QObject):
 
     @property
     def _may_overwrite(self) -> bool:
-        is_other = self._is_refused_for_other_content or self._sight in (Sight.CHANGED, Sight.UNREADABLE)
+        is_other = self._is_refused_for_other_content or self._change in (
+            FileChange.CHANGED,
+            FileChange.UNREADABLE,
+        )
         return is_other and not self._session.is_read_only
 
     def _notices(self) -> list[Notice]:
@@ -197,7 +200,7 @@ class DiskCommands(QObject):
         if file is not None:
             name, owner = file.path.name, file.owner
             lock = about_lock(name, self._standing, owner)
-            content = about_content(name, self._sight, modified=self._session.has_changes, owner=owner)
+            content = about_content(name, self._change, modified=self._session.has_changes, owner=owner)
             is_urgent = self._standing in (Standing.ASKED, Standing.FREED, Standing.TAKEN_AWAY)
             found += [lock, content] if is_urgent else [content, lock]
         return [each for each in found if each is not None]
@@ -273,7 +276,7 @@ class DiskCommands(QObject):
         file = self._file
         if file is None:
             return
-        owner = file.look_at_lock()
+        owner = file.check_lock()
         if owner is None or owner.may_have_forgotten:
             self._edit_anyway()
             return

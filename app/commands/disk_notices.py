@@ -7,9 +7,9 @@ from enum import Enum, auto
 
 import msgspec
 
-from app.document.lock import Owner
-from app.document.open_file import LockedError, Sight
-from app.document.storage import ChangedOnDiskError, StorageError
+from app.storage.files import ChangedOnDiskError, StorageError
+from app.storage.lock import Owner
+from app.storage.open_file import FileChange, LockedError
 
 
 class Notice(msgspec.Struct, frozen=True):
@@ -31,19 +31,19 @@ class Standing(Enum):
     FREED = auto()
 
 
-def about_content(name: str, sight: Sight, *, modified: bool, owner: Owner | None) -> Notice | None:
+def about_content(name: str, change: FileChange, *, modified: bool, owner: Owner | None) -> Notice | None:
     """Return what there is to say when the file `name` holds something else than was seen last."""
-    if sight is Sight.CHANGED:
+    if change is FileChange.CHANGED:
         here = ", and here too" if modified else ""
         text = f"“{name}” was changed on the disk by another program{here}."
         if owner is not None:
             here = "; you have changes of your own here" if modified else ""
             text = f"{_who(owner)} saved changes to “{name}”{_where(owner)}{here}."
         return Notice(text, ("reloadFile", "keepMine", "compareWithFile"))
-    if sight is Sight.UNREADABLE:
+    if change is FileChange.UNREADABLE:
         text = f"“{name}” was changed by another program and holds no document now. Yours is still here."
         return Notice(text, ("keepMine", "saveDocumentAs"))
-    if sight is Sight.GONE:
+    if change is FileChange.GONE:
         text = f"“{name}” is gone from its folder: deleted, moved or renamed. Saving writes it anew."
         return Notice(text, ("saveDocument", "saveDocumentAs"))
     return None

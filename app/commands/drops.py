@@ -10,9 +10,9 @@ from PySide6.QtGui import QDropEvent
 
 from app.commands.given import Given, given
 from app.commands.parts import Parts
-from app.document.format import FormatError
-from app.document.storage import StorageError
 from app.panels.words import count_of, listed, names_of
+from app.storage.files import StorageError
+from app.storage.format import FormatError
 
 MOST_WINDOWS = 12
 """Documents that one drop opens; whoever drops a whole folder's content did not mean a hundred windows."""

@@ -2,27 +2,19 @@
 
 from __future__ import annotations
 
+from functools import partial
+
 from PySide6.QtGui import QAction
 
 from app.commands.parts import Handlers, Parts
+from app.controllers.parametrization import use_parametrization
 from app.document import edits
-from app.document.model import Family, ParametrizationKind
+from app.document.model import ParametrizationKind
+from app.families import FAMILIES, Family
 from app.keymap import call_alone
 from app.labels import menu_text
 from app.panels.parametrization_bar import KIND_NAMES
 from app.view_model.curve_view import CurveView
-
-_FAMILY_ACTIONS = {
-    Family.LAGRANGE: "familyLagrange",
-    Family.HERMITE: "familyHermite",
-    Family.QUINTIC_HERMITE: "familyQuinticHermite",
-}
-_FAMILY_NAMES = {
-    Family.LAGRANGE: "Lagrange",
-    Family.HERMITE: "Hermite",
-    Family.QUINTIC_HERMITE: "quintic Hermite",
-}
-_SHOWN_OPEN = "A Lagrange curve cannot close smoothly; it is shown open, and closes again as Hermite."
 
 
 class EditCommands:
@@ -44,18 +36,17 @@ class EditCommands:
             "redo": self._redo,
             "selectAll": self._select_all,
             "deleteSelection": self._delete_selection,
-            "familyLagrange": lambda: self._use_family(Family.LAGRANGE),
-            "familyHermite": lambda: self._use_family(Family.HERMITE),
-            "familyQuinticHermite": lambda: self._use_family(Family.QUINTIC_HERMITE),
+            **{family.action_name: partial(self._use_family, family) for family in FAMILIES},
             "freezeParameters": self._freeze_parameters,
-            "useUniform": lambda: self._use_parametrization(ParametrizationKind.UNIFORM),
+            "useUniform": lambda: use_parametrization(self._session, ParametrizationKind.UNIFORM),
             "resetVelocities": self._reset_derivatives,
         }
 
     def render(self, view: CurveView) -> None:
         """Check and enable the actions."""
         chosen = self._session.selection
-        self._actions[_FAMILY_ACTIONS[view.source.family]].setChecked(True)
+        for family in FAMILIES:
+            self._actions[family.action_name].setChecked(family == view.source.family)
         has_curves = len(self._session.chosen_curves) > 1
         self._actions["deleteSelection"].setEnabled(bool(chosen) or has_curves)
         has_explicit = any(
@@ -77,7 +68,9 @@ class EditCommands:
             action.setObjectName(f"parameters_{kind}")
             call_alone(action, f"{name} Parameters")
             menu.insertAction(below, action)
-            action.triggered.connect(lambda _checked=False, kind=kind: self._use_parametrization(kind))
+            action.triggered.connect(
+                lambda _checked=False, kind=kind: use_parametrization(self._session, kind)
+            )
 
     def _render_history(self) -> None:
         stack = self._session.undo_stack
@@ -112,34 +105,25 @@ class EditCommands:
     def _use_family(self, family: Family) -> None:
         session = self._session
         was_closed = session.active_curve.is_closed
-        self._parts.change(
-            f"Switch to {_FAMILY_NAMES[family]}",
-            lambda: edits.set_family(session.document, session.active_index, family),
+        session.change(
+            f"Switch to {family.title}",
+            lambda document: edits.set_family(document, session.active_index, family),
         )
         if was_closed and not session.active_curve.is_closed:
-            session.say(_SHOWN_OPEN)
+            closes = next(each.title for each in FAMILIES if each.can_close)
+            session.say(
+                f"A {family.title} curve cannot close smoothly; it is shown open, "
+                f"and closes again as {closes}."
+            )
         # The toggle shows what is, also where nothing changed.
         self.render(session.active_view)
-
-    def _use_parametrization(self, kind: ParametrizationKind) -> None:
-        self._parts.cancel_gesture()  # the menu's entries are no commands of their own
-        session, view = self._session, self._session.active_view
-        if kind is ParametrizationKind.MANUAL and not view.is_current:
-            session.refuse("There are no parameters to start from; mend the points first.")
-            return
-        self._parts.change(
-            f"Use {KIND_NAMES[kind].lower()} parameters",
-            lambda: edits.set_parametrization(
-                session.document, session.active_index, kind, view.parameters.tolist()
-            ),
-        )
 
     def _freeze_parameters(self) -> None:
         session = self._session
         parameters = session.active_view.parameters.tolist()
-        self._parts.change(
+        session.change(
             "Freeze parameters",
-            lambda: edits.freeze_parameters(session.document, session.active_index, parameters),
+            lambda document: edits.freeze_parameters(document, session.active_index, parameters),
         )
 
     def _select_all(self) -> None:
@@ -152,14 +136,14 @@ class EditCommands:
                 self._actions["deleteCurve"].trigger()
             return
         what = f"point {next(iter(chosen))}" if len(chosen) == 1 else f"{len(chosen)} points"
-        if self._parts.change(
-            f"Delete {what}", lambda: edits.delete_nodes(session.document, session.active_index, chosen)
+        if session.change(
+            f"Delete {what}", lambda document: edits.delete_nodes(document, session.active_index, chosen)
         ):
             session.select([])
 
     def _reset_derivatives(self) -> None:
         session, chosen = self._session, self._session.selection
-        self._parts.change(
+        session.change(
             "Reset derivatives",
-            lambda: edits.estimate_derivatives(session.document, session.active_index, chosen),
+            lambda document: edits.estimate_derivatives(document, session.active_index, chosen),
         )

@@ -17,7 +17,6 @@ from app.commands.import_series import ImportSeries
 from app.commands.parts import Handlers, Parts
 from app.document.import_edits import add_imported
 from app.document.model import Document
-from app.document.storage import StorageError, read
 from app.exchange.formats import (
     FORMATS,
     Kind,
@@ -28,11 +27,12 @@ from app.exchange.formats import (
     with_ending,
 )
 from app.exchange.options import Options
-from app.exchange.progress import Report, part
 from app.exchange.reading import import_file
 from app.exchange.writing import export
 from app.file_commands import file_stem
 from app.panels.words import count_of, listed
+from app.storage.files import StorageError, read
+from app.tasks.progress import Report, part
 from app.view_model.curve_view import CurveView
 
 if TYPE_CHECKING:
@@ -204,7 +204,7 @@ class ExchangeCommands:
                 return
             self._session.new()
         document, first = add_imported(self._session.document, new)
-        if not self._parts.change(f"Import {path.name}", lambda: document, active=first):
+        if not self._session.change(f"Import {path.name}", lambda _: document, active=first):
             return
         if first > 0:
             # What came to others is put in its place as a whole.

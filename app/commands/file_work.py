@@ -7,12 +7,13 @@ from pathlib import Path
 from typing import Any
 
 from app.commands.parts import Handlers, Parts
-from app.document.format import FormatError
-from app.document.storage import StorageError
 from app.exchange.errors import ExchangeError
 from app.panels.job_bar import JobBar
+from app.storage.files import StorageError
+from app.storage.format import FormatError
+from app.tasks.single_task import SingleTask
+from app.tasks.task import Work
 from app.view_model.curve_view import CurveView
-from app.worker import Jobs, Work
 
 _EXPECTED = (ExchangeError, StorageError, FormatError)
 _AFTER_HINT = 1
@@ -29,7 +30,7 @@ class FileWork:
 
     def __init__(self, parts: Parts) -> None:
         self._parts = parts
-        self.jobs = Jobs(parts.window)
+        self.jobs = SingleTask(parts.window)
         self._bar: JobBar | None = None
         self._stopped: Callable[[], object] = lambda: None
         self.jobs.shown.connect(self._show_bar)

@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING
 from PySide6.QtWidgets import QDockWidget, QWidget
 
 from app.commands.parts import Handlers, Parts
+from app.tasks.debounced_task import DebouncedTask
 from app.view_model.curve_view import CurveView
-from app.worker import Settler
 
 if TYPE_CHECKING:
     from app.panels.hodograph_panel import HodographPanel
@@ -22,8 +22,8 @@ class HodographCommands:
     def __init__(self, parts: Parts) -> None:
         self._parts = parts
         self._panel: HodographPanel | None = None
-        self._settler = Settler(parts.window)
-        self._settler.ready.connect(self._show)
+        self._task = DebouncedTask(parts.window)
+        self._task.ready.connect(self._show)
         parts.session.scrub_changed.connect(self._show_scrub)
 
     def handlers(self) -> Handlers:
@@ -62,16 +62,16 @@ class HodographCommands:
         from app.view_model.analysis.plot_samples import is_slow  # noqa: PLC0415
 
         if not view.is_current:
-            self._settler.give_up()
+            self._task.give_up()
             panel.plot.say(view.problem)
             return
         compute = partial(hodograph_of, view, panel.order)
         if is_slow(view):
             panel.plot.waits = True
             panel.plot.refresh()
-            self._settler.ask(lambda _is_stale: compute())
+            self._task.ask(lambda _report: compute())
             return
-        self._settler.give_up()
+        self._task.give_up()
         self._show(compute())
 
     def _show(self, hodograph: Hodograph) -> None:

@@ -13,7 +13,7 @@ from app.commands.messages import Messages
 from app.commands.parts import Handlers, Parts
 from app.document.image_edits import set_image, set_image_file
 from app.document.model import ReferenceImage
-from app.gestures.image_tool import ImageTool
+from app.tools.image_tool import ImageTool
 from app.view_model.curve_view import CurveView
 
 _PICTURES = "Pictures (*.png *.jpg *.jpeg);;All files (*)"
@@ -130,7 +130,7 @@ class ImageCommands:
         decimals = ceil(-log10(self._parts.canvas.pixel_size))
         x, y = round(x, decimals) + 0.0, round(y, decimals) + 0.0
         image = ReferenceImage(path, x, y, width, height)
-        if self._parts.change("Add image", lambda: set_image(self._session.document, image)):
+        if self._session.change("Add image", lambda document: set_image(document, image)):
             self._parts.image_dock.raise_()
             self._session.say("File › Move Image drags and scales the image; the panel fades it.")
 
@@ -144,7 +144,7 @@ class ImageCommands:
         pixels = self._read(path)
         if pixels is not None:
             aspect = pixels.width() / pixels.height()
-            self._parts.change("Find image", lambda: set_image_file(self._session.document, path, aspect))
+            self._session.change("Find image", lambda document: set_image_file(document, path, aspect))
 
     def _ask(self, title: str) -> str:
         folder = str(self._parts.preferences.last_folder)
@@ -160,7 +160,7 @@ class ImageCommands:
             return None
 
     def _remove(self) -> None:
-        self._parts.change("Remove image", lambda: set_image(self._session.document, None))
+        self._session.change("Remove image", lambda document: set_image(document, None))
 
     def _leave_moving(self, _tool: QAction | None = None) -> None:
         if self._actions["moveImage"].isChecked():

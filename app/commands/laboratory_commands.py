@@ -12,11 +12,12 @@ from app.canvas.trace_layer import Trace
 from app.commands.dock_room import make_room_once
 from app.commands.parts import Handlers, Parts
 from app.overrides import Guarded
+from app.tasks.debounced_task import DebouncedTask
+from app.tasks.progress import Report
 from app.view_model.analysis.laboratory_settings import METHOD_NAMES, LaboratorySettings, Rounding
 from app.view_model.curve_view import CurveView
 from app.view_model.growth import growth_of_data
 from app.view_model.looks import METHOD_LOOKS
-from app.worker import IsStale, Settler
 
 if TYPE_CHECKING:
     from app.panels.laboratory_panel import LaboratoryPanel
@@ -51,8 +52,8 @@ class LaboratoryCommands(Guarded, QObject):
         self._problem = ""
         self._cost: Cost | None = None
         self._costed: CurveView | None = None
-        self._settler, self._digits_settler, self._cost_settler = (
-            Settler(self), Settler(self, settle_ms=0), Settler(self)
+        self._task, self._digits_task, self._cost_task = (
+            DebouncedTask(self), DebouncedTask(self, settle_ms=0), DebouncedTask(self)
         )  # fmt: skip
         self._dock = next(each for each in parts.docks if each.objectName() == "laboratoryDock")
         self._dock.installEventFilter(self)
@@ -64,11 +65,11 @@ class LaboratoryCommands(Guarded, QObject):
         self._dock.visibilityChanged.connect(self._look)
         self._analysis.changed.connect(lambda: self.follow(self._session.active_view))
         self._session.scrub_changed.connect(self._ask_digits)
-        self._settler.ready.connect(self._take)
-        self._settler.busy_changed.connect(lambda _busy: self._show())
-        self._digits_settler.ready.connect(self._take_digits)
-        self._cost_settler.ready.connect(self._take_cost)
-        self._cost_settler.busy_changed.connect(lambda _busy: self._show_cost())
+        self._task.ready.connect(self._take)
+        self._task.busy_changed.connect(lambda _busy: self._show())
+        self._digits_task.ready.connect(self._take_digits)
+        self._cost_task.ready.connect(self._take_cost)
+        self._cost_task.busy_changed.connect(lambda _busy: self._show_cost())
 
     def handlers(self) -> Handlers:
         """Return what each action does."""
@@ -140,18 +141,18 @@ class LaboratoryCommands(Guarded, QObject):
             return
         if self._asked == (view, settings):
             return
-        is_other_kind = self._asked is None or self._asked[0].source.family is not view.source.family
+        is_other_kind = self._asked is None or self._asked[0].source.family != view.source.family
         if self._panel is not None and (is_other_kind or self._asked is None or self._asked[1] != settings):
             self._panel.render_view(view)
         self._asked = (view, settings)
-        self._settler.ask(lambda is_stale: _compute(view, settings, is_stale))
+        self._task.ask(lambda report: _compute(view, settings, report))
         self._ask_cost(view)
 
     def _forget(self) -> None:
         self._asked = self._trial = None
         self._problem = ""
-        for settler in (self._settler, self._digits_settler, self._cost_settler):
-            settler.give_up()
+        for task in (self._task, self._digits_task, self._cost_task):
+            task.give_up()
         self._parts.canvas.annotations.render_traces(_GROUP, ())
         self.tried.emit(None)
 
@@ -172,7 +173,7 @@ class LaboratoryCommands(Guarded, QObject):
             return
         if t is None:
             t = max(trial.outcomes, key=lambda each: each.worst[0]).worst[1]
-        self._digits_settler.ask(lambda _stale: _digits(trial.view, trial.settings, t))
+        self._digits_task.ask(lambda _report: _digits(trial.view, trial.settings, t))
 
     def _take_digits(self, result: object) -> None:
         if self._panel is not None:
@@ -184,7 +185,7 @@ class LaboratoryCommands(Guarded, QObject):
             return
         if self._costed is None or _size(self._costed) != _size(view):
             self._costed = view
-            self._cost_settler.ask(lambda is_stale: _measure(view, is_stale))
+            self._cost_task.ask(lambda report: _measure(view, report))
 
     def _take_cost(self, result: object) -> None:
         self._cost = result  # type: ignore[assignment]  # from _measure
@@ -193,7 +194,7 @@ class LaboratoryCommands(Guarded, QObject):
     # Showing
 
     def _show(self) -> None:
-        busy, trial = self._settler.is_busy, self._trial
+        busy, trial = self._task.is_busy, self._trial
         basis = self._parts.basis_panel.basis
         if self._panel is not None:
             lebesgue = growth_of_data(self._session.active_view, basis) if basis is not None else None
@@ -210,7 +211,7 @@ class LaboratoryCommands(Guarded, QObject):
 
     def _show_cost(self) -> None:
         if self._panel is not None:
-            self._panel.cost.render_cost(self._cost, busy=self._cost_settler.is_busy)
+            self._panel.cost.render_cost(self._cost, busy=self._cost_task.is_busy)
 
 
 def _heading(settings: LaboratorySettings) -> str:
@@ -230,10 +231,10 @@ def _size(view: CurveView) -> tuple[int, int]:
 # What runs beside the window, where the arithmetic is imported too.
 
 
-def _compute(view: CurveView, settings: LaboratorySettings, is_stale: IsStale) -> object:
+def _compute(view: CurveView, settings: LaboratorySettings, report: Report) -> object:
     from app.view_model.analysis.laboratory import try_methods  # noqa: PLC0415
 
-    return try_methods(view, settings, is_stale)
+    return try_methods(view, settings, report)
 
 
 def _digits(view: CurveView, settings: LaboratorySettings, t: float) -> Digits | None:
@@ -242,7 +243,7 @@ def _digits(view: CurveView, settings: LaboratorySettings, t: float) -> Digits |
     return digits_at(view, settings, t)
 
 
-def _measure(view: CurveView, is_stale: IsStale) -> Cost | None:
+def _measure(view: CurveView, report: Report) -> Cost | None:
     from app.view_model.analysis.cost import cost_of  # noqa: PLC0415
 
-    return cost_of(view, is_stale)
+    return cost_of(view, report)

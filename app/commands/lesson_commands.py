@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 from msgspec.structs import replace
 
 from app.commands.parts import Handlers, Parts
-from app.document.storage import load
+from app.storage.files import load
 from app.undo_step import Beginning
 from app.view_model.curve_view import CurveView
 

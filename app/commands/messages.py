@@ -102,7 +102,7 @@ class Messages(QObject):
         """Return what would help against what is wrong."""
         if text == self._image_problem:
             return self._find_image
-        by_distance = view.source.parametrization.kind in _BY_DISTANCE
+        by_distance = view.source.parametrization.kind in _BY_DISTANCE and not view.source.family.is_missing
         return self._use_uniform if by_distance and text == view.problem else None
 
     def _before_a_curve(self, view: CurveView) -> tuple[str, bool]:

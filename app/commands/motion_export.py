@@ -11,9 +11,9 @@ from app.commands.file_work import FileWork
 from app.commands.parts import Parts
 from app.exchange.drawing.animation import Film, FilmFormat, write_film
 from app.exchange.drawing.styles import DARK, LIGHT
-from app.exchange.progress import Report
 from app.file_commands import file_stem
 from app.panels.motion_dialog import MotionDialog
+from app.tasks.progress import Report
 from app.theme import theme_of
 from app.view_model.motion import MotionSettings, round_of
 

@@ -15,7 +15,7 @@ from app.theme import theme_of
 from app.view_model.curve_view import CurveView, Floats
 from app.view_model.motion import Course, Pace, Repeat
 from app.view_model.motion_picture import (
-    FAMILIES,
+    RIVALS,
     Role,
     Scales,
     dots_at,
@@ -131,7 +131,7 @@ class MotionStage(Guarded, QObject):
     def _lines(self) -> list[tuple[Role, Floats]]:
         """Return the curves that are compared, but for the one that is drawn anyway."""
         family = self._parts.session.active_view.source.family
-        return [(role, view.polyline) for role, view in self._rivals.items() if FAMILIES[role] is not family]
+        return [(role, view.polyline) for role, view in self._rivals.items() if RIVALS[role] != family]
 
     def _render(self) -> None:
         actions, player = self._parts.actions, self.player

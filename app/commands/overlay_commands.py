@@ -6,9 +6,10 @@ from functools import partial
 from typing import TYPE_CHECKING
 
 from app.commands.parts import Handlers, Parts
-from app.view_model.analysis.settings import AnalysisSettings, Ghost, Overlay
+from app.tasks.debounced_task import DebouncedTask
+from app.tasks.progress import Report
+from app.view_model.analysis.settings import AnalysisSettings, Ghost, Overlay, all_ghosts
 from app.view_model.curve_view import CurveView
-from app.worker import IsStale, Settler
 
 if TYPE_CHECKING:
     from app.view_model.analysis.ghosts import GhostView
@@ -28,17 +29,6 @@ OVERLAYS = {
 }
 """The overlay that each action switches."""
 
-GHOSTS = {
-    "ghostLagrange": Ghost.LAGRANGE,
-    "ghostHermite": Ghost.HERMITE,
-    "ghostQuinticHermite": Ghost.QUINTIC_HERMITE,
-    "ghostUniform": Ghost.UNIFORM,
-    "ghostChordLength": Ghost.CHORD_LENGTH,
-    "ghostCentripetal": Ghost.CENTRIPETAL,
-    "ghostChebyshev": Ghost.CHEBYSHEV,
-}
-"""The variant of the curve that each action switches."""
-
 _GROUP = "overlays"
 _AT_SCRUB = {Overlay.CIRCLE, Overlay.VELOCITIES, Overlay.ACCELERATIONS}
 _WITH_ERRORS = {Overlay.BAND, Overlay.ENSEMBLE}
@@ -50,8 +40,8 @@ class OverlayCommands:
     def __init__(self, parts: Parts) -> None:
         self._parts = parts
         self._ghosts: dict[Ghost, GhostView] = {}
-        self._settler = Settler(parts.window)
-        self._settler.ready.connect(self._show_settled)
+        self._task = DebouncedTask(parts.window)
+        self._task.ready.connect(self._show_settled)
         self._asked: object = None
         self._settled: Picture | None = None
         self._is_drawn = False
@@ -65,7 +55,7 @@ class OverlayCommands:
         """Return what each action does."""
         return {
             **{name: partial(self._switch, name) for name in OVERLAYS},
-            **{name: partial(self._switch_ghost, name) for name in GHOSTS},
+            **{ghost.action_name: partial(self._switch_ghost, ghost) for ghost in all_ghosts()},
             "newSeed": self._new_seed,
         }
 
@@ -112,7 +102,7 @@ class OverlayCommands:
             return
         self._is_drawn = False
         self._ghosts, self._asked, self._settled = {}, None, None
-        self._settler.give_up()
+        self._task.give_up()
         self._parts.canvas.annotations.render_figures(())
         self._parts.canvas.annotations.render_legend(_GROUP, ())
         self._parts.analysis.note({})
@@ -121,7 +111,7 @@ class OverlayCommands:
         """Ask for what is too heavy for a frame, unless the answer is there or on its way."""
         if not waits:
             self._asked, self._settled = None, None
-            self._settler.give_up()
+            self._task.give_up()
             return
         from app.view_model.analysis.overlays import settled_picture, settling_key  # noqa: PLC0415
 
@@ -131,10 +121,10 @@ class OverlayCommands:
             return
         self._asked, self._settled = asked, None
 
-        def compute(is_stale: IsStale) -> object:
-            return asked, settled_picture(view, settings, scrub, is_stale)
+        def compute(report: Report) -> object:
+            return asked, settled_picture(view, settings, scrub, report)
 
-        self._settler.ask(compute)
+        self._task.ask(compute)
 
     def _show_settled(self, result: tuple[object, Picture]) -> None:
         asked, picture = result
@@ -157,8 +147,8 @@ class OverlayCommands:
             return
         for name, overlay in OVERLAYS.items():
             self._parts.actions[name].setChecked(overlay in shown)
-        for name, ghost in GHOSTS.items():
-            self._parts.actions[name].setChecked(ghost in analysis.settings.ghosts)
+        for ghost in all_ghosts():
+            self._parts.actions[ghost.action_name].setChecked(ghost in analysis.settings.ghosts)
         self.follow(session.active_view)
 
     # What the person does
@@ -172,8 +162,8 @@ class OverlayCommands:
             session.set_scrub((start + end) / 2)
         self._parts.analysis.show(overlay, shown)
 
-    def _switch_ghost(self, name: str) -> None:
-        self._parts.analysis.show_ghost(GHOSTS[name], self._parts.actions[name].isChecked())
+    def _switch_ghost(self, ghost: Ghost) -> None:
+        self._parts.analysis.show_ghost(ghost, self._parts.actions[ghost.action_name].isChecked())
 
     def _new_seed(self) -> None:
         analysis = self._parts.analysis
@@ -184,9 +174,9 @@ class OverlayCommands:
 
     def _make_real(self, ghost: Ghost) -> None:
         """Give the curve the rules of a ghost."""
-        from app.view_model.analysis.ghosts import FAMILIES, NAMES, with_ghost_real  # noqa: PLC0415 - as above
+        from app.view_model.analysis.ghosts import with_ghost_real  # noqa: PLC0415 - as above
 
         session = self._parts.session
-        name = NAMES[ghost]
-        text = f"Switch to {name}" if ghost in FAMILIES else f"Use {name.lower()} parameters"
-        self._parts.change(text, lambda: with_ghost_real(session.document, session.active_index, ghost))
+        is_family = ghost.family is not None
+        text = f"Switch to {ghost.title}" if is_family else f"Use {ghost.title.lower()} parameters"
+        session.change(text, lambda document: with_ghost_real(document, session.active_index, ghost))

@@ -11,8 +11,6 @@ from PySide6.QtWidgets import QBoxLayout, QDockWidget, QMainWindow, QMenu, QSpli
 from app.actions import Actions
 from app.analysis import Analysis
 from app.canvas.canvas import Canvas
-from app.document.edits import EditError
-from app.document.model import Document
 from app.file_commands import FileCommands
 from app.panels.basis_pane import BasisPane
 from app.panels.basis_panel import BasisPanel
@@ -55,19 +53,6 @@ class Parts(msgspec.Struct, frozen=True):
     splitter: QSplitter
     plot_panel: PlotPanel
     lessons_dock: LateDock
-
-    def change(self, text: str, edit: Callable[[], Document], *, active: int | None = None) -> bool:
-        """Commit what `edit` makes as the step `text`, or say why not; return whether the document changed.
-
-        A gesture in flight is dropped first; commands were rid of it before they began (see `Commands`), what
-        else calls this must read the document in `edit`.
-        """
-        self.cancel_gesture()
-        try:
-            return self.session.commit(edit(), text, active=active)
-        except EditError as reason:
-            self.session.refuse(str(reason))
-            return False
 
     def cancel_gesture(self) -> bool:
         """Drop the gesture in flight; return whether there was one."""

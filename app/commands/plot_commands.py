@@ -9,10 +9,10 @@ import numpy as np
 from PySide6.QtCore import QTimer
 
 from app.commands.parts import Handlers, Parts
+from app.tasks.debounced_task import DebouncedTask
 from app.view_model.analysis.settings import Plot
 from app.view_model.curve_view import CurveView
 from app.view_model.growth import growth_of_points
-from app.worker import Settler
 
 if TYPE_CHECKING:
     from app.panels.plot_pane import PlotPane
@@ -42,8 +42,8 @@ class PlotCommands:
 
     def __init__(self, parts: Parts) -> None:
         self._parts = parts
-        self._settler = Settler(parts.window)
-        self._settler.ready.connect(self._show_settled)
+        self._task = DebouncedTask(parts.window)
+        self._task.ready.connect(self._show_settled)
         self._calm = QTimer(parts.window, singleShot=True, interval=_CALM_MS)
         self._calm.timeout.connect(self._fit_values)
         self._own: list[PlotData] = []
@@ -73,7 +73,7 @@ class PlotCommands:
         others = self._parts.analysis.settings.plots - {Plot.LEBESGUE}
         if others or self._plotted is None or not view.is_current:
             return False
-        same = view.source.family is self._plotted.source.family
+        same = view.source.family == self._plotted.source.family
         same = same and np.array_equal(view.parameters, self._plotted.parameters)
         return same and (not view.source.family.derivatives or view.cardinal is self._plotted.cardinal)
 
@@ -96,7 +96,7 @@ class PlotCommands:
         """Show or hide the panel, and plot."""
         panel = self._parts.plot_panel
         if not self._is_on:
-            self._settler.give_up()
+            self._task.give_up()
             panel.hide()
             if panel.pane is not None:
                 # Else they would stand there when the panel is next opened, until others are computed.
@@ -123,9 +123,9 @@ class PlotCommands:
 
     def _build(self) -> PlotPane:
         # Imported when there is something to plot: nobody waits for it at the start.
-        from app.gestures.rail import RailTool  # noqa: PLC0415
         from app.panels.plot_canvas import PlotCanvas  # noqa: PLC0415
         from app.panels.plot_pane import PlotPane  # noqa: PLC0415
+        from app.tools.rail import RailTool  # noqa: PLC0415
         from app.view_model.analysis.plots import SYMBOLS  # noqa: PLC0415
 
         parts = self._parts
@@ -161,7 +161,7 @@ class PlotCommands:
         assert pane is not None
         self._plotted, self._was_calm = view if view.is_current else None, calm
         if not view.is_current:
-            self._settler.give_up()
+            self._task.give_up()
             pane.canvas.say(view.problem)
             return
         basis = self._parts.basis_panel.basis
@@ -169,9 +169,9 @@ class PlotCommands:
         compute = partial(plots_of, view, kinds, pane.canvas.t_range, pane.canvas.columns, constant)
         if orders_of(kinds) and is_slow(view):
             pane.canvas.set_waiting()
-            self._settler.ask(lambda _is_stale: compute())
+            self._task.ask(lambda _report: compute())
             return
-        self._settler.give_up()
+        self._task.give_up()
         self._show(compute(), calm=calm)
 
     def _show_settled(self, plots: list[PlotData]) -> None:

@@ -62,9 +62,9 @@ class RailCommands:
         if not view.is_current:
             session.refuse(view.problem)
             return
-        self._parts.change(
+        session.change(
             f"Start from {words} parameters",
-            lambda: edits.freeze_parameters(ruled, session.active_index, view.parameters.tolist()),
+            lambda _: edits.freeze_parameters(ruled, session.active_index, view.parameters.tolist()),
         )
 
     def _type_parameter(self) -> None:

@@ -13,9 +13,9 @@ from typing import TYPE_CHECKING
 from app.autosave import Autosave, snapshot_folder
 from app.commands.parts import Handlers, Parts
 from app.document.model import Document
-from app.document.recovery import Found, Snapshot, list_snapshots
 from app.file_commands import NEW_NAME
 from app.set_aside import SetAside
+from app.storage.recovery import Found, Snapshot, list_snapshots
 from app.view_model.curve_view import CurveView
 
 if TYPE_CHECKING:

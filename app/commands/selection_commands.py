@@ -6,8 +6,8 @@ from functools import partial
 
 from app.commands.parts import Handlers, Parts
 from app.document.transforms import Edge, align_nodes, distribute_nodes
-from app.gestures import words
-from app.gestures.transform import TransformKind
+from app.tools import words
+from app.tools.transform import TransformKind
 from app.view_model.curve_view import CurveView
 
 _TRANSFORMS = {
@@ -63,16 +63,16 @@ class SelectionCommands:
 
     def _align(self, edge: Edge) -> None:
         session, chosen = self._session, self._session.selection
-        self._parts.change(
+        session.change(
             f"Align {words.points(chosen)} {edge.value}",
-            lambda: align_nodes(session.document, session.active_index, chosen, edge),
+            lambda document: align_nodes(document, session.active_index, chosen, edge),
         )
 
     def _distribute(self, axis: int) -> None:
         session, chosen = self._session, self._session.selection
-        self._parts.change(
+        session.change(
             f"Distribute {words.points(chosen)} {_AXIS_WORDS[axis]}",
-            lambda: distribute_nodes(session.document, session.active_index, chosen, axis),
+            lambda document: distribute_nodes(document, session.active_index, chosen, axis),
         )
 
     def _toggle_box(self) -> None:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from app.commands.parts import Handlers, Parts
-from app.gestures.snapping import Snapping
+from app.tools.snapping import Snapping
 from app.view_model.curve_view import CurveView
 
 

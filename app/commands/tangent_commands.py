@@ -8,10 +8,10 @@ from app.commands.parts import Handlers, Parts
 from app.document import edits
 from app.document.curve_edits import replace_curve
 from app.document.edits import EditError
-from app.document.model import Curve, Document, Family, Node
-from app.document.straight_edits import ONE_POLYNOMIAL, corners_of, ends_of
-from app.gestures import words
+from app.document.model import Curve, Document, Node
+from app.document.straight_edits import corners_of, ends_of, why_not_straight
 from app.keymap import tool_tip
+from app.tools import words
 from app.view_model.curve_view import CurveView
 from app.view_model.handles import with_velocities_pulled
 from app.view_model.smoothness import ENDS_STAY, inner_nodes, made_smooth, with_corners
@@ -56,9 +56,9 @@ class TangentCommands:
 
     def _render_straight(self, view: CurveView) -> None:
         action = self._parts.actions["straightSegment"]
-        is_polynomial = view.source.family is Family.LAGRANGE
-        action.setEnabled(not is_polynomial and view.is_current)
-        action.setToolTip(ONE_POLYNOMIAL if is_polynomial else tool_tip(action))
+        reason = why_not_straight(view.source.family)
+        action.setEnabled(not reason and view.is_current)
+        action.setToolTip(reason or tool_tip(action))
 
     def _pulled(self, view: CurveView, chosen: Collection[int]) -> Curve:
         pulled = with_velocities_pulled(view, chosen, _VISIBLE * self._parts.canvas.pixel_size)
@@ -113,7 +113,7 @@ class TangentCommands:
             session.refuse("That is straight already.")
             return
         text = _straight_text(view.source, segments)
-        if not self._parts.change(text, lambda: replace_curve(session.document, session.active_index, made)):
+        if not session.change(text, lambda document: replace_curve(document, session.active_index, made)):
             return
         corners = corners_of(view.source, segments)
         ends = {index for each in segments for index in ends_of(view.source, each)}
@@ -129,12 +129,12 @@ class TangentCommands:
         session, view = self._session, self._session.active_view
         return self._apply(
             verb,
-            lambda points: replace_curve(session.document, session.active_index, made(view, points)),
+            lambda document, points: replace_curve(document, session.active_index, made(view, points)),
             chosen,
         )
 
-    def _estimate(self, chosen: Collection[int]) -> Document:
-        document, curve = self._session.document, self._session.active_index
+    def _estimate(self, document: Document, chosen: Collection[int]) -> Document:
+        curve = self._session.active_index
         for index in chosen:
             document = edits.make_smooth(document, curve, index, None)
         return edits.estimate_derivatives(document, curve, chosen)
@@ -142,17 +142,19 @@ class TangentCommands:
     def _apply(
         self,
         verb: str,
-        edit: Callable[[Collection[int]], Document],
+        edit: Callable[[Document, Collection[int]], Document],
         chosen: Sequence[int] | None = None,
     ) -> bool:
         """Commit an edit of points; return whether the document is another one now."""
         points = sorted(self._session.selection) if chosen is None else chosen
         if not points:
             return False
-        done = self._parts.change(f"{verb} {words.points(points)}", lambda: edit(points))
+        change = self._session.change(
+            f"{verb} {words.points(points)}", lambda document: edit(document, points)
+        )
         # A mark that was clicked off shows what is, also where nothing changed.
         self.render(self._session.active_view)
-        return done
+        return change.is_done
 
 
 def _straight_text(curve: Curve, segments: Sequence[int]) -> str:

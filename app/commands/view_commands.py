@@ -7,10 +7,10 @@ from PySide6.QtWidgets import QDockWidget
 
 from app.commands.dock_room import put_idle_docks_away
 from app.commands.parts import Handlers, Parts
-from app.gestures.tools import ToolKind
 from app.panels.late_dock import LateDock
-from app.plot.scrolling import ZOOM_STEP
+from app.plotting.scrolling import ZOOM_STEP
 from app.theme import ThemeMode
+from app.tools.tools import ToolKind
 from app.view_model.curve_view import CurveView
 
 _TOOL_HINTS = {

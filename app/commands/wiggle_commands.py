@@ -11,10 +11,11 @@ from app.canvas.trace_layer import Trace
 from app.commands.dock_room import make_room_once
 from app.commands.parts import Handlers, Parts
 from app.document.model import Document
-from app.gestures.tools import ToolKind
+from app.tasks.debounced_task import DebouncedTask
+from app.tasks.progress import Report
+from app.tools.tools import ToolKind
 from app.view_model.curve_view import CurveView
 from app.view_model.looks import CURE_LOOK
-from app.worker import IsStale, Settler
 
 if TYPE_CHECKING:
     from app.panels.wiggle_panel import WigglePanel
@@ -34,9 +35,9 @@ class WiggleCommands(QObject):
         self._cures: Cures | None = None
         self._asked: tuple[Document, int, int] | None = None
         self._looked_at = ""
-        self._settler = Settler(self)
-        self._settler.ready.connect(self._take)
-        self._settler.busy_changed.connect(lambda _busy: self._show_cures())
+        self._task = DebouncedTask(self)
+        self._task.ready.connect(self._take)
+        self._task.busy_changed.connect(lambda _busy: self._show_cures())
         self._dock = next(each for each in parts.docks if each.objectName() == "wiggleDock")
         # Behind another tab a dock is visible to Qt, but not in the sense of this signal.
         self._is_seen = False
@@ -119,14 +120,14 @@ class WiggleCommands(QObject):
         if explanation is None:
             self._preview("")
             self._asked = self._cures = None
-            self._settler.give_up()
+            self._task.give_up()
             self._show_cures()
             return
         document, curve, knot = self._session.document, self._session.active_index, explanation.segment[0]
         if self._asked != (document, curve, knot):
             self._asked = (document, curve, knot)
             self._preview("")
-            self._settler.ask(lambda is_stale: _try(document, curve, view, knot, is_stale))
+            self._task.ask(lambda report: _try(document, curve, view, knot, report))
             self._show_cures()
 
     def _take(self, result: object) -> None:
@@ -135,13 +136,13 @@ class WiggleCommands(QObject):
 
     def _show_cures(self) -> None:
         if self._panel is not None:
-            self._panel.render_cures(self._cures, busy=self._settler.is_busy)
+            self._panel.render_cures(self._cures, busy=self._task.is_busy)
 
     # Cures
 
     def _cure(self, key: str) -> Cure | None:
         """Return a cure that belongs to the document as it is now."""
-        if self._cures is None or self._settler.is_busy:
+        if self._cures is None or self._task.is_busy:
             return None
         return next((each for each in self._cures.cures if each.name == key and each.document), None)
 
@@ -156,7 +157,7 @@ class WiggleCommands(QObject):
             document = cure.document
             knot = self._cures.knot if self._cures is not None else 0
             self._preview("")
-            if self._parts.change(cure.step, lambda: document):
+            if self._session.change(cure.step, lambda _: document):
                 self._stay_in(knot)
 
     def _stay_in(self, knot: int) -> None:
@@ -168,8 +169,8 @@ class WiggleCommands(QObject):
             self._session.set_scrub(overshoot(view, knot)[1])
 
 
-def _try(document: Document, curve: int, view: CurveView, knot: int, is_stale: IsStale) -> Cures | None:
+def _try(document: Document, curve: int, view: CurveView, knot: int, report: Report) -> Cures | None:
     # Imported in the thread, where nobody waits for it.
     from app.view_model.analysis.cures import cures_of  # noqa: PLC0415
 
-    return cures_of(document, curve, view, knot, is_stale)
+    return cures_of(document, curve, view, knot, report)

@@ -23,12 +23,12 @@ from app.document.model import (
     AccelerationRule,
     Curve,
     Document,
-    Family,
     Node,
     ParametrizationKind,
     Vector,
     VelocityRule,
 )
+from app.families import FAMILIES, Family, titles
 
 LEAST_TO_CLOSE = 3
 """Points that a closed curve has at least."""
@@ -43,7 +43,7 @@ def _with_nodes(document: Document, curve: int, nodes: Iterable[Node]) -> Docume
 def _with_room_to_close(curve: Curve) -> Curve:
     """Let the interval of a closed curve with manual parameters end after the t of its last point.
 
-    A Lagrange curve stays open, but keeps the wish to be closed for the family it may get next.
+    A curve of a family that cannot close stays open, but keeps the wish for the family it may get next.
     """
     if not (curve.closed and curve.is_manual and curve.nodes):
         return curve
@@ -179,10 +179,10 @@ def set_closed(document: Document, curve: int, closed: bool, *, squeeze: float =
     to the others, dt_new / dt_old, as for `append_node`: handles stay where the person put them.
     """
     old = document.curves[curve]
-    if closed and old.family is Family.LAGRANGE:
+    if closed and not old.family.can_close:
         raise EditError(
-            "Choose Hermite or quintic Hermite to close the curve: a Lagrange curve is one polynomial, and "
-            "one that is not constant cannot repeat itself smoothly."
+            f"Choose {titles(each for each in FAMILIES if each.can_close)} to close the curve: "
+            f"a {old.family.title} curve {old.family.why_open}."
         )
     if closed and len(old.nodes) < LEAST_TO_CLOSE:
         raise EditError("A closed curve needs at least three points.")
@@ -313,7 +313,10 @@ def refuse_equal_parameters(curve: Curve, reason: str) -> None:
 
 
 def rename_curve(document: Document, curve: int, name: str) -> Document:
-    """Give the curve a name."""
+    """Give the curve a name, without the blanks around it."""
+    name = name.strip()
+    if not name:
+        raise EditError("A curve needs a name.")
     return document.with_curve(curve, replace(document.curves[curve], name=name))
 
 

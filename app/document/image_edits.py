@@ -23,9 +23,14 @@ def _image(document: Document) -> ReferenceImage:
     return document.image
 
 
-def place_image(document: Document, corner: Vector, width: float) -> Document:
-    """Put the picture's lower left corner at `corner` and make it `width` wide; its aspect stays."""
+def place_image(document: Document, corner: Vector | None = None, width: float | None = None) -> Document:
+    """Put the picture's lower left corner at `corner` and make it `width` wide; its aspect stays.
+
+    What is not given stays, too.
+    """
     image = _image(document)
+    corner = (image.x, image.y) if corner is None else corner
+    width = image.width if width is None else width
     width = checked(width, "The width of the image")
     height = checked(width * (image.height / image.width), "The height of the image")
     if not min(width, height) >= _LEAST_SIZE:
@@ -37,7 +42,7 @@ def place_image(document: Document, corner: Vector, width: float) -> Document:
 def move_image(document: Document, by: Vector) -> Document:
     """Move the picture by the vector `by`."""
     image = _image(document)
-    return place_image(document, (image.x + by[0], image.y + by[1]), image.width)
+    return place_image(document, (image.x + by[0], image.y + by[1]))
 
 
 def scale_image(document: Document, corner: Vector, factor: float) -> Document:
@@ -66,4 +71,4 @@ def set_image_file(document: Document, path: str, aspect: float) -> Document:
     if not 0.0 < aspect < math.inf:
         raise EditError("The image must be wider and higher than nothing.")
     found = replace(document, image=replace(image, path=path, height=image.width / aspect))
-    return place_image(found, (image.x, image.y), image.width)
+    return place_image(found)

@@ -9,26 +9,12 @@ from functools import cached_property
 import msgspec
 from msgspec.structs import replace
 
+from app.families import LAGRANGE, Family
+
 Vector = tuple[float, float]
 
 MAX_MAGNITUDE = 1e12
 """Largest coordinate, parameter or derivative a document may hold: beyond it a drawing means nothing."""
-
-
-class Family(StrEnum):
-    """The kind of polynomial that goes through the points."""
-
-    LAGRANGE = "lagrange"
-    HERMITE = "hermite"
-    QUINTIC_HERMITE = "quintic_hermite"
-
-    @property
-    def derivatives(self) -> int:
-        """How many derivatives a node carries beside its position: 0, 1 or 2."""
-        return _DERIVATIVES[self]
-
-
-_DERIVATIVES = {Family.LAGRANGE: 0, Family.HERMITE: 1, Family.QUINTIC_HERMITE: 2}
 
 
 class ParametrizationKind(StrEnum):
@@ -125,7 +111,7 @@ class Curve(Value, frozen=True, dict=True, rename={"nodes": "points"}):
     nodes
         The points, in order.
     closed
-        Whether a last segment leads back to the first point; a Lagrange curve stays open.
+        Whether a last segment leads back to the first point; where the family cannot, it stays open.
     colour
         "#rrggbb", or empty for the ink of the theme.
     visible, locked
@@ -146,7 +132,7 @@ class Curve(Value, frozen=True, dict=True, rename={"nodes": "points"}):
     @property
     def is_closed(self) -> bool:
         """Whether the curve returns to its first point: closed, and of a family that can."""
-        return self.closed and self.family is not Family.LAGRANGE and len(self.nodes) > 1
+        return self.closed and self.family.can_close and len(self.nodes) > 1
 
     @cached_property
     def has_derivatives(self) -> bool:
@@ -206,7 +192,7 @@ def empty_document() -> Document:
     return Document((make_curve(()),))
 
 
-def make_curve(points: Sequence[Vector], *, name: str = "Curve 1", family: Family = Family.LAGRANGE) -> Curve:
+def make_curve(points: Sequence[Vector], *, name: str = "Curve 1", family: Family = LAGRANGE) -> Curve:
     """Return a curve through `points` under the default rules."""
     nodes = tuple(Node(float(x), float(y)) for x, y in points)
     return Curve(name, family, Parametrization(), nodes)

@@ -8,12 +8,16 @@ from msgspec.structs import replace
 
 from app.document.edits import EditError
 from app.document.jet_edits import JetValue, with_jet_values
-from app.document.model import Curve, Document, Family, Node
+from app.document.model import Curve, Document, Node
+from app.families import Family, titles_with_derivatives
 
-ONE_POLYNOMIAL = (
-    "A Lagrange curve is one polynomial and has no segments of its own; choose Hermite or quintic Hermite."
-)
-"""Why a Lagrange curve has no straight segment."""
+
+def why_not_straight(family: Family) -> str:
+    """Return why a curve of a family has no straight segments, as a sentence; empty if it can have some."""
+    if family.derivatives:
+        return ""
+    is_so = "is one polynomial and" if family.is_one_polynomial else "has no tangents at its points and"
+    return f"A {family.title} curve {is_so} has no segments of its own; choose {titles_with_derivatives()}."
 
 
 def straighten(
@@ -40,8 +44,8 @@ def straighten(
         If the curve is no chain of segments, has no such segment, or a velocity would be out of range.
     """
     old = document.curves[curve]
-    if old.family is Family.LAGRANGE:
-        raise EditError(ONE_POLYNOMIAL)
+    if reason := why_not_straight(old.family):
+        raise EditError(reason)
     if any(not 0 <= segment < len(parameters) - 1 for segment in segments):
         raise EditError("There is no such segment.")
     nodes = list(old.nodes)

@@ -10,7 +10,6 @@
 - ``child``: a process with limits for the files of others.
 - ``units``: how large a length of one is on paper.
 - ``naming``: names made different from each other.  ``errors``: what is raised.
-- ``progress``: how long work says how far it is.
 - ``facts``: what ``curvebench info`` prints.
 """
 

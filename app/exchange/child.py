@@ -18,11 +18,12 @@ from typing import IO
 
 import msgspec
 
-from app.document.format import FormatError, validate
+from app.document.coding import from_plain, to_plain
 from app.exchange import READER_PROCESS
 from app.exchange.cubics_in import Imported
 from app.exchange.errors import ExchangeError
-from app.exchange.progress import Report, silent
+from app.storage.format import FormatError, validate
+from app.tasks.progress import Report, silent
 
 SECONDS = 5.0
 """The longest that a file of up to `SMALL` bytes may take to be read."""
@@ -96,7 +97,7 @@ def limited(
     seconds = seconds_for(len(data)) if seconds is None else seconds
     output, code = _output_of(request, memory, seconds, report)
     try:
-        answer = msgspec.msgpack.decode(output, type=_Answer)
+        answer = msgspec.msgpack.decode(output, type=_Answer, dec_hook=from_plain)
     except msgspec.DecodeError:
         raise ExchangeError(_why_silent(code)) from None
     if answer.result is None:
@@ -181,7 +182,7 @@ def main(memory: str) -> None:
     with open(0, "rb", closefd=False) as question, open(1, "wb", closefd=False) as answer:
         try:
             request = msgspec.msgpack.decode(question.read(), type=_Request)
-            answer.write(msgspec.msgpack.encode(answer_to(request, int(memory))))
+            answer.write(msgspec.msgpack.encode(answer_to(request, int(memory)), enc_hook=to_plain))
         except MemoryError:
             sys.exit(_NO_MEMORY)
 

@@ -17,12 +17,10 @@ from itertools import compress
 import msgspec
 import numpy as np
 
-from app.document.format import FormatError, validate
 from app.document.model import (
     MAX_MAGNITUDE,
     Curve,
     Document,
-    Family,
     Node,
     Parametrization,
     ParametrizationKind,
@@ -30,6 +28,8 @@ from app.document.model import (
 )
 from app.exchange.drawing.drawing import Floats
 from app.exchange.errors import ExchangeError
+from app.families import HERMITE
+from app.storage.format import FormatError, validate
 
 SMOOTH = 1e-9
 """By how much of the path's size a control point may move to make a joint smooth."""
@@ -188,7 +188,7 @@ def lines(points: Floats) -> Floats:
 def _through(path: PointsAlone) -> Curve:
     """Return the natural spline through points, by chord length: nothing else is known of it."""
     nodes = tuple(Node(x, y) for x, y in path.points)
-    return Curve(path.name, Family.HERMITE, Parametrization(), nodes, closed=path.closed, colour=path.colour)
+    return Curve(path.name, HERMITE, Parametrization(), nodes, closed=path.closed, colour=path.colour)
 
 
 def _check_numbers(path: ImportedPath) -> None:
@@ -217,7 +217,7 @@ def _curve(path: ImportedPath, pieces: Floats) -> tuple[Curve, float]:
     h = np.diff(t)[:, None]
     nodes = _nodes(pieces, leaving / h, arriving / h, t, joints.smooth, path.closed)
     rule = Parametrization(ParametrizationKind.MANUAL)
-    curve = Curve(path.name, Family.HERMITE, rule, nodes, closed=path.closed, colour=path.colour)
+    curve = Curve(path.name, HERMITE, rule, nodes, closed=path.closed, colour=path.colour)
     return curve, _INFLUENCE * joints.moved
 
 

@@ -8,14 +8,15 @@ from typing import NamedTuple
 
 import numpy as np
 
-from app.document.model import Curve, Document, Family, Parametrization
+from app.document.model import Curve, Document, Parametrization
 from app.exchange.drawing.drawing import frame_around, refuse_wild, too_much
 from app.exchange.errors import ExchangeError
-from app.exchange.progress import Report, silent
+from app.families import Family
+from app.tasks.progress import Report, silent
 from app.view_model.arc_lengths import lengths_of
 from app.view_model.curve_view import CoreCurve, CurveView, view_of
 from app.view_model.growth import growths_of_points
-from curvecore import LagrangeCurve, Length
+from curvecore import Length
 from curvecore.geometry import Box, bounding_boxes, pieces_of
 from curvecore.pieces import BezierPieces
 from curvecore.scaling import LARGEST
@@ -207,14 +208,14 @@ def _edges(curve: Curve, box: Box) -> tuple[tuple[float, float, float, float] | 
 def _growths(views: Sequence[CurveView]) -> list[Growth]:
     """Return the constants of the data and of the points."""
     return [
-        Growth(1.0 if view.source.family.derivatives else constant, constant)
+        Growth(1.0 if view.curve is not None and view.curve.is_positive else constant, constant)
         for view, constant in zip(views, growths_of_points(views), strict=True)
     ]
 
 
 def _is_slow(core: CoreCurve) -> bool:
     """Whether each of the many evaluations that a fact takes is itself a long sum."""
-    return isinstance(core, LagrangeCurve) and len(core.points) > _MOST_POINTS_EXAMINED
+    return not core.is_local and len(core.points) > _MOST_POINTS_EXAMINED
 
 
 def _amplification(growth: Growth | None) -> tuple[str, ...]:

@@ -13,7 +13,7 @@ import msgspec
 from msgspec.structs import replace
 
 from app.exchange.drawing.styles import INK, LIGHT, Style
-from app.exchange.progress import Report, silent
+from app.tasks.progress import Report, silent
 
 Value = TypeVar("Value")
 

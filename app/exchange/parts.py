@@ -6,7 +6,9 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from decimal import ROUND_UP, Context
 from fractions import Fraction
+from functools import cached_property
 from math import comb
+from typing import NamedTuple
 
 import numpy as np
 
@@ -15,10 +17,10 @@ from app.document.model import Curve, Document
 from app.exchange.drawing.drawing import RELATIVE_TOLERANCE, Floats, sort_out
 from app.exchange.errors import ExchangeError
 from app.exchange.naming import Names
-from app.exchange.progress import Report, silent, told
-from app.view_model.curve_view import CoreCurve, SimpleCurve
+from app.tasks.progress import Report, silent, told
+from app.view_model.curve_view import CoreCurve
 from app.view_model.refusals import in_words
-from curvecore import CurveError, LagrangeCurve, bezier_segments, cubic_path
+from curvecore import CurveError, HermiteCurve, bezier_segments, cubic_path
 
 HIGHEST_DEGREE = 10
 """Highest degree of a Lagrange curve that is written as one Bézier piece; beyond, as cubics."""
@@ -27,6 +29,21 @@ _SAMPLES = 33
 
 # A bound that was rounded to the nearest would not be one.
 _ROUNDING_UP = Context(prec=3, rounding=ROUND_UP)
+
+
+class Polynomials(NamedTuple):
+    """Pieces that are polynomials through known data.
+
+    Attributes
+    ----------
+    pieces
+        Those of the curve; cubic Hermite curves that follow them where they are no such polynomials.
+    deviation
+        Largest distance of these from the curve.
+    """
+
+    pieces: tuple[CoreCurve, ...]
+    deviation: float
 
 
 @dataclass(frozen=True, eq=False)
@@ -45,7 +62,18 @@ class Source:
 
     curve: Curve
     core: CoreCurve
-    pieces: tuple[SimpleCurve, ...]
+    pieces: tuple[CoreCurve, ...]
+
+    @cached_property
+    def polynomials(self) -> Polynomials:
+        """The curve as formulas and code write it."""
+        pieces, worst = [], 0.0
+        for piece in self.pieces:
+            if piece.interpolants() is None:
+                path = cubics_of(piece, RELATIVE_TOLERANCE * max(self.size, 1e-300))
+                piece, worst = _spline_of(path), max(worst, path.deviation)  # noqa: PLW2901
+            pieces.append(piece)
+        return Polynomials(tuple(pieces), worst)
 
     @property
     def name(self) -> str:
@@ -147,14 +175,14 @@ def cell_of_name(name: str, separator: str) -> str:
     return f'"{quoted}"' if separator in name or '"' in name or "#" in name else quoted
 
 
-def samples_of(piece: SimpleCurve) -> Floats:
+def samples_of(piece: CoreCurve) -> Floats:
     """Return parameters all along a piece, those of the points among them."""
     t = piece.parameters
     steps = np.diff(t)[:, None] * np.linspace(0, 1, _SAMPLES)[1:-1]
     return np.union1d(t, (t[:-1, None] + steps).ravel())
 
 
-def measured(piece: SimpleCurve, copy: Callable[[Floats], Floats]) -> float:
+def measured(piece: CoreCurve, copy: Callable[[Floats], Floats]) -> float:
     """Return the largest distance of `copy`, a function of t, from a piece at many parameters."""
     t = samples_of(piece)
     with np.errstate(all="ignore"):
@@ -162,7 +190,7 @@ def measured(piece: SimpleCurve, copy: Callable[[Floats], Floats]) -> float:
     return float(np.where(np.isfinite(distance), distance, np.inf).max())
 
 
-def beziers_of(piece: SimpleCurve, tolerance: float) -> Beziers:
+def beziers_of(piece: CoreCurve, tolerance: float) -> Beziers:
     """Return the Bézier pieces of a curve: of its own degree, or cubics within a tolerance.
 
     Cubic and quintic Hermite curves, and Lagrange curves up to degree `HIGHEST_DEGREE`, are written
@@ -173,9 +201,9 @@ def beziers_of(piece: SimpleCurve, tolerance: float) -> Beziers:
     ExchangeError
         If the control points are beyond all numbers.
     """
-    if not isinstance(piece, LagrangeCurve):
-        result = Beziers(bezier_segments(piece), piece.parameters, 0.0)
-    elif piece.degree <= HIGHEST_DEGREE:
+    if piece.bezier_pieces() is not None:
+        result = Beziers(bezier_segments(piece), piece.breaks, 0.0)
+    elif piece.is_one_polynomial and len(piece.points) <= HIGHEST_DEGREE + 1:
         controls = _lagrange_controls(piece)
         ends = np.array(piece.domain)
         result = Beziers(controls, ends, measured(piece, lambda t: bezier_values(controls, ends, t)))
@@ -184,6 +212,14 @@ def beziers_of(piece: SimpleCurve, tolerance: float) -> Beziers:
     if not np.isfinite(result.control_points).all():
         raise ExchangeError("The curve swings beyond all numbers between its points.")
     return result
+
+
+def _spline_of(path: Beziers) -> HermiteCurve:
+    """Return cubic Bézier pieces with common tangents as a cubic Hermite curve."""
+    controls, h = path.control_points, np.diff(path.parameters)[:, None]
+    velocities = 3.0 * np.concatenate([(controls[:, 1] - controls[:, 0]) / h, [[0.0, 0.0]]])
+    velocities[-1] = 3.0 * (controls[-1, 3] - controls[-1, 2]) / h[-1]
+    return HermiteCurve(np.concatenate([controls[:, 0], controls[-1:, 3]]), velocities, path.parameters)
 
 
 def cubics_of(piece: CoreCurve, tolerance: float) -> Beziers:
@@ -230,9 +266,9 @@ def local_fractions(parameters: Floats) -> list[Fraction]:
     return [(value - exact[0]) / (exact[-1] - exact[0]) for value in exact]
 
 
-def _lagrange_controls(piece: LagrangeCurve) -> Floats:
+def _lagrange_controls(piece: CoreCurve) -> Floats:
     """Return the control points (1, degree + 1, 2), each rounded once from its exact value."""
-    degree = piece.degree
+    degree = len(piece.points) - 1
     columns = []
     for a in monomials_of(piece.points, local_fractions(piece.parameters)):
         sums = [

@@ -8,13 +8,20 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from app.document.format import FormatError, decode
-from app.document.image_path import resolved
-from app.document.model import Family
-from app.document.storage import read
 from app.exchange.errors import ExchangeError
-from app.exchange.formats import FORMATS, Format, Kind, ending_in, format_of, is_document
-from app.exchange.progress import Report, part, silent
+from app.exchange.formats import (
+    FORMATS,
+    Format,
+    Kind,
+    ending_in,
+    format_of,
+    is_document,
+)
+from app.families import HERMITE, Family
+from app.storage.files import read
+from app.storage.format import FormatError, decode
+from app.storage.image_path import resolved
+from app.tasks.progress import Report, part, silent
 
 if TYPE_CHECKING:
     from app.exchange.cubics_in import Imported
@@ -46,7 +53,7 @@ class ImportOptions:
     tolerance: float | None = None
     thin: float | None = None
     corners: bool = False
-    family: Family = Family.HERMITE
+    family: Family = HERMITE
     columns: str = ""
     missing: str = "refuse"
     only: Sequence[str] = ()

@@ -7,11 +7,11 @@ import os
 from msgspec.structs import replace
 
 from app.document.model import Document
-from app.document.storage import write
 from app.exchange.errors import ExchangeError
 from app.exchange.formats import FORMATS, Written, format_of
 from app.exchange.options import Options
-from app.exchange.progress import FINAL
+from app.storage.files import write
+from app.tasks.progress import FINAL
 
 
 def export(document: Document, path: str | os.PathLike[str], options: Options | None = None) -> Written:

@@ -11,8 +11,8 @@ Beside the canvas:
 
 In docks:
 
-- ``point_table`` with ``point_table_view``, ``point_table_model``, ``point_table_delegate`` and
-  ``point_table_edits``: the numbers.
+- ``point_table`` with ``point_table_view``, ``point_table_model`` and ``point_table_delegate``: the numbers.
+  ``point_columns``: a record for each column.  ``point_table_edits``: filling, pasting and resetting.
 - ``curve_list``, ``curve_list_view``, ``curve_list_model``: the curves.
   ``curve_settings``: interval and tangent rules.
 - ``history``: undo, as a list.  ``image_panel``: the picture to trace.
@@ -33,7 +33,7 @@ Words and dialogs:
 
 Small parts:
 
-- ``field_edit``, ``live_slider``, ``slider_edit``, ``setting_slider``, ``elided_label``, ``thumbnail``,
+- ``field_edit``, ``live_slider``, ``setting_slider``, ``elided_label``, ``thumbnail``,
   ``form_parts``, ``fitting``, ``told_spin``, ``work_dialog``, ``choice_style``.
 - ``number_text``, ``words``: numbers and the names of rules, as panels write them.
 """

@@ -25,22 +25,12 @@ from app.overrides import Guarded
 from app.panels.field_edit import FieldEdit
 from app.panels.number_text import decimal_mark, exact_text, rounded_text
 from app.panels.setting_slider import SettingSlider, count_slider, scale_slider
-from app.plot.pens import SIGN, sign_pixmap
+from app.plotting.pens import SIGN, sign_pixmap
 from app.theme import theme_of
-from app.view_model.analysis.settings import Ghost, Overlay
+from app.view_model.analysis.settings import Ghost, Overlay, all_ghosts
 
 _NOTES_MS = 60
 """How far the words may lag behind a drag, in milliseconds."""
-
-_GHOSTS = {
-    Ghost.LAGRANGE: "ghostLagrange",
-    Ghost.HERMITE: "ghostHermite",
-    Ghost.QUINTIC_HERMITE: "ghostQuinticHermite",
-    Ghost.UNIFORM: "ghostUniform",
-    Ghost.CHORD_LENGTH: "ghostChordLength",
-    Ghost.CENTRIPETAL: "ghostCentripetal",
-    Ghost.CHEBYSHEV: "ghostChebyshev",
-}
 
 
 class AnalysisPanel(Guarded, QScrollArea):
@@ -91,8 +81,8 @@ class AnalysisPanel(Guarded, QScrollArea):
         title = Label("Ghosts: the same points, otherwise")
         title.setObjectName("ghostsTitle")
         self._rows.addWidget(title, self._rows.rowCount(), 0, 1, 2)
-        for ghost, name in _GHOSTS.items():
-            self._add_ghost(ghost, name)
+        for ghost in all_ghosts():
+            self._add_ghost(ghost)
         content = QWidget()
         layout = QVBoxLayout(content)
         layout.setContentsMargins(12, 12, 12, 12)
@@ -153,13 +143,13 @@ class AnalysisPanel(Guarded, QScrollArea):
         layout.addWidget(seed)
         return errors
 
-    def _add_ghost(self, ghost: Ghost, name: str) -> None:
+    def _add_ghost(self, ghost: Ghost) -> None:
         row = self._rows.rowCount()
-        box = self._ghost_boxes[ghost] = self._switch(name)
+        box = self._ghost_boxes[ghost] = self._switch(ghost.action_name)
         box.setIconSize(SIGN)
         use = QToolButton()
         use.setText("Use")
-        use.setObjectName(f"use_{ghost}")
+        use.setObjectName(f"use_{ghost.name}")
         use.setAccessibleName(f"Use {box.text()}")
         use.setToolTip(f"Make this the curve: {box.text()}")
         use.clicked.connect(lambda: self._analysis.ghost_chosen.emit(ghost))

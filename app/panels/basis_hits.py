@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import numpy as np
 
-from app.gestures.pointer import Hit, Part, Pointer
 from app.panels.basis_layers import RailLayer, rail_height
-from app.plot.pixel_map import PixelMap
+from app.plotting.pixel_map import PixelMap
+from app.tools.pointer import Hit, Part, Pointer
 from app.view_model.basis_view import BasisView
 
 TICK_REACH = 10.0

@@ -12,12 +12,12 @@ from PySide6.QtGui import QColor, QPainter, QPen, QPolygonF
 
 from app.panels.crest_names import CrestNames
 from app.panels.function_lines import Drawing, FunctionLines, way_to_draw
-from app.plot.colours import colours_of
-from app.plot.fonts import Sizes
-from app.plot.layered_plot import LayeredPlot
-from app.plot.pens import with_dashes
-from app.plot.pixel_map import Floats, PixelMap
-from app.plot.stamps import Stamps
+from app.plotting.colours import colours_of
+from app.plotting.fonts import Sizes
+from app.plotting.layered_plot import LayeredPlot
+from app.plotting.pens import with_dashes
+from app.plotting.pixel_map import Floats, PixelMap
+from app.plotting.stamps import Stamps
 from app.theme import Theme, mix
 from app.view_model.basis_view import BasisView
 from app.view_model.curve_view import Integers

@@ -13,7 +13,7 @@ from app.panels.choice_style import choice_style
 from app.panels.elided_label import ElidedLabel
 from app.panels.fitting import Scrolled
 from app.panels.function_lines import note_on_drawing
-from app.plot.pens import SIGN, sign_pixmap
+from app.plotting.pens import SIGN, sign_pixmap
 from app.theme import LIGHT, Theme
 from app.view_model.basis_view import basis_formulas
 from app.view_model.curve_view import CurveView

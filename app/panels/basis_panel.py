@@ -9,11 +9,11 @@ from PySide6.QtGui import QContextMenuEvent, QFocusEvent, QKeyEvent, QMouseEvent
 from PySide6.QtWidgets import QWidget
 
 from app.document.edits import EditError
-from app.gestures.pointer import Hit, Part, Pointer
-from app.gestures.rail import RailTool
 from app.panels.basis_hits import hit_test
 from app.panels.basis_plot import BasisPlot
 from app.panels.tick_edit import TickEdit
+from app.tools.pointer import Hit, Part, Pointer
+from app.tools.rail import RailTool
 
 
 class BasisPanel(BasisPlot):

@@ -8,7 +8,7 @@ from PySide6.QtWidgets import QWidget
 
 from app.panels.basis_layers import FunctionLayer, RailLayer, rail_height
 from app.panels.plot_over_t import PlotOverT
-from app.plot.layered_plot import GREATEST_SPAN
+from app.plotting.layered_plot import GREATEST_SPAN
 from app.theme import LIGHT
 from app.view_model.basis_view import BasisView, basis_view
 from app.view_model.cardinal_view import CardinalView, cardinal_view

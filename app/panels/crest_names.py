@@ -12,10 +12,10 @@ from pyqtgraph.Qt.internals import PrimitiveArray
 from PySide6.QtCore import QPointF, QRectF, QSizeF, Qt, QTimer
 from PySide6.QtGui import QFont, QFontMetricsF, QPainter, QPixmap
 
-from app.plot.colours import colours_of
-from app.plot.halo import Halo
-from app.plot.layered_plot import LayeredPlot
-from app.plot.pixel_map import Floats, PixelMap
+from app.plotting.colours import colours_of
+from app.plotting.halo import Halo
+from app.plotting.layered_plot import LayeredPlot
+from app.plotting.pixel_map import Floats, PixelMap
 from app.theme import Theme
 from app.view_model.basis_view import BasisView
 from app.view_model.curve_view import Integers

@@ -10,11 +10,9 @@ from PySide6.QtWidgets import QHBoxLayout, QMenu, QToolButton, QVBoxLayout, QWid
 
 from app.colours import CURVE_COLOURS, curve_colour
 from app.document.model import Document
-from app.document.several_curves import move_curves, named, place_in, with_looks
 from app.overrides import Guarded
 from app.panels.curve_list_model import CurveListModel
 from app.panels.curve_list_view import CurveListView, Spot
-from app.session import Session
 from app.theme import Theme, theme_of
 from app.view_model.palette import adjustment_of
 
@@ -24,6 +22,12 @@ class CurveList(Guarded, QWidget):
 
     Signals
     -------
+    visible_switched, locked_switched
+        The eye or the lock of a row was clicked.
+    colour_chosen
+        Another colour was chosen for a row.
+    row_meant
+        A menu about a row is wanted; it is to be the one that is edited.
     menu_requested
         A menu for the active curve is wanted at a place of the screen.
 
@@ -33,13 +37,16 @@ class CurveList(Guarded, QWidget):
         The QListView.
     """
 
+    visible_switched = Signal(int)
+    locked_switched = Signal(int)
+    colour_chosen = Signal(int, str)
+    row_meant = Signal(int)
     menu_requested = Signal(QPoint)
 
-    def __init__(self, session: Session, parent: QWidget | None = None) -> None:
+    def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setObjectName("curveListPanel")
-        self._session = session
-        self.model = CurveListModel(session, self)
+        self.model = CurveListModel(self)
         self.view = CurveListView(self.model, self)
         self._buttons = QHBoxLayout()
         self._buttons.setContentsMargins(6, 4, 6, 4)
@@ -50,11 +57,7 @@ class CurveList(Guarded, QWidget):
         layout.setSpacing(0)
         layout.addWidget(self.view, 1)
         layout.addLayout(self._buttons)
-        self.view.activated_row.connect(session.activate)
-        self.view.chosen_rows.connect(session.choose_curves)
         self.view.spot_clicked.connect(self._switch)
-        self.view.moved.connect(self._move)
-        self.render_document(session.document, session.active_index, session.chosen_curves)
 
     def add_buttons(self, actions: Sequence[QAction]) -> None:
         """Put a small button for each action under the list."""
@@ -71,47 +74,18 @@ class CurveList(Guarded, QWidget):
 
     def render_document(self, document: Document, active: int, chosen: frozenset[int]) -> None:
         """Show the curves of `document`, which of them is edited and which are chosen."""
-        self.model.show_document(document)
+        self.model.show_document(document, active, chosen)
         self.view.show_active(active, chosen)
 
     # What the person did
-
-    def _meant(self, row: int) -> frozenset[int]:
-        """Return the curves that a click on a part of a row is about: all that are chosen, or another one."""
-        chosen = self._session.chosen_curves
-        return chosen if row in chosen else frozenset({row})
 
     def _switch(self, row: int, spot: Spot) -> None:
         if spot is Spot.SWATCH:
             self.choose_colour(row)
         elif spot is Spot.EYE:
-            self.switch_visible(row)
+            self.visible_switched.emit(row)
         else:
-            self.switch_locked(row)
-
-    def switch_visible(self, row: int) -> None:
-        """Show or hide a curve; where it is chosen, all that are."""
-        self._session.interrupt()
-        session, curves = self._session, self._meant(row)
-        document, visible = session.document, not session.document.curves[row].visible
-        text = f"{'Show' if visible else 'Hide'} {named(document, curves)}"
-        session.commit(with_looks(document, curves, visible=visible), text)
-
-    def switch_locked(self, row: int) -> None:
-        """Lock a curve or free it; where it is chosen, all that are."""
-        self._session.interrupt()
-        session, curves = self._session, self._meant(row)
-        document, locked = session.document, not session.document.curves[row].locked
-        text = f"{'Lock' if locked else 'Unlock'} {named(document, curves)}"
-        session.commit(with_looks(document, curves, locked=locked), text)
-
-    def _move(self, row: int, to: int) -> None:
-        session = self._session
-        session.interrupt()
-        curves = self._meant(row)
-        document = move_curves(session.document, curves, row, to)
-        text = f"Reorder {named(session.document, curves)}"
-        session.commit(document, text, active=place_in(document, session.active_curve))
+            self.locked_switched.emit(row)
 
     def choose_colour(self, row: int) -> QMenu:
         """Open the palette for a curve, or all that are chosen with it, beside its swatch if that is seen."""
@@ -125,8 +99,10 @@ class CurveList(Guarded, QWidget):
             action.setObjectName(f"colour_{name.replace(' ', '_')}")
             action.setToolTip(f"{name} {adjustment_of(theme.paper.name(), code)}".strip())
             action.setCheckable(True)
-            action.setChecked(code == self._session.document.curves[row].colour)
-            action.triggered.connect(lambda _checked=False, code=code, row=row: self._paint(row, code))
+            action.setChecked(code == self.model.row(row).colour)
+            action.triggered.connect(
+                lambda _checked=False, code=code, row=row: self.colour_chosen.emit(row, code)
+            )
         rect = self.view.row_rect(row)
         place = self.view.viewport().mapToGlobal(rect.bottomLeft())
         menu.popup(
@@ -134,21 +110,15 @@ class CurveList(Guarded, QWidget):
         )
         return menu
 
-    def _paint(self, row: int, code: str) -> None:
-        self._session.interrupt()
-        session, curves = self._session, self._meant(row)
-        document = session.document
-        session.commit(with_looks(document, curves, colour=code), f"Colour {named(document, curves)}")
-
     def contextMenuEvent(self, event: QContextMenuEvent) -> None:
         """Ask for the menu of the curve under the pointer, or of the active one."""
         place = self.view.viewport().mapFromGlobal(event.globalPos())
         row = self.model.place_of(self.view.indexAt(place))
         if event.reason() == QContextMenuEvent.Reason.Keyboard:
-            row = self._session.active_index
+            row = self.view.active
             place = self.view.row_rect(row).center()
         if row >= 0:
-            self._session.choose_curves(self._meant(row), row)
+            self.row_meant.emit(row)
         self.menu_requested.emit(self.view.viewport().mapToGlobal(place))
 
     def set_theme(self, theme: Theme) -> None:

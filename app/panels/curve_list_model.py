@@ -8,22 +8,14 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-from PySide6.QtCore import QAbstractListModel, QModelIndex, QObject, QPersistentModelIndex, Qt
+from PySide6.QtCore import QAbstractListModel, QModelIndex, QObject, QPersistentModelIndex, Qt, Signal
 
-from app.document import edits
-from app.document.model import Curve, Document, Family
+from app.document.model import Curve, Document
 from app.overrides import Guarded
 from app.panels.words import count_of
-from app.session import Session
 
 Index = QModelIndex | QPersistentModelIndex
 _NO_INDEX = QModelIndex()
-
-_FAMILIES = {
-    Family.LAGRANGE: "Lagrange",
-    Family.HERMITE: "Hermite",
-    Family.QUINTIC_HERMITE: "quintic Hermite",
-}
 
 
 class Row(NamedTuple):
@@ -37,17 +29,27 @@ class Row(NamedTuple):
 
 
 class CurveListModel(Guarded, QAbstractListModel):
-    """Rows are curves; the text is the name, and setting it renames."""
+    """Rows are curves; the text is the name, and setting it asks for another one.
 
-    def __init__(self, session: Session, parent: QObject | None = None) -> None:
+    Signals
+    -------
+    name_edited
+        Another name was typed for the curve at a place of the document.
+    """
+
+    name_edited = Signal(int, str)
+
+    def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self.setObjectName("curveListModel")
-        self._session = session
         self._curves: tuple[Curve, ...] = ()
         self._rows: list[Row] = []
+        self._active = 0
+        self._chosen: frozenset[int] = frozenset()
 
-    def show_document(self, document: Document) -> None:
+    def show_document(self, document: Document, active: int, chosen: frozenset[int]) -> None:
         """Show the curves of `document`; only what changed is announced."""
+        self._active, self._chosen = active, chosen
         known = {id(curve): row for curve, row in zip(self._curves, self._rows, strict=True)}
         new = [known.get(id(curve)) or _row(curve) for curve in document.curves]
         old, self._curves = self._rows, document.curves
@@ -91,25 +93,20 @@ class CurveListModel(Guarded, QAbstractListModel):
         return None
 
     def _role_of(self, place: int) -> str:
-        chosen = self._session.chosen_curves
-        if len(chosen) < 2 or place not in chosen:
+        if len(self._chosen) < 2 or place not in self._chosen:
             return ""
-        return ", chosen, edited" if place == self._session.active_index else ", chosen"
+        return ", chosen, edited" if place == self._active else ", chosen"
 
     def setData(self, index: Index, value: object, role: int = Qt.ItemDataRole.EditRole) -> bool:
-        session, name = self._session, str(value).strip()
         if role != Qt.ItemDataRole.EditRole or not index.isValid():
             return False
-        if not name:
-            session.refuse("A curve needs a name.")
-            return False
-        session.interrupt()
-        session.commit(edits.rename_curve(session.document, self.place_of(index), name), "Rename curve")
-        return True
+        self.name_edited.emit(self.place_of(index), str(value))
+        return bool(str(value).strip())
 
 
 def _row(curve: Curve) -> Row:
-    facts = f"{_FAMILIES[curve.family]}, {count_of(len(curve.nodes), 'point')}"
+    family = f"{curve.family.title} (not installed)" if curve.family.is_missing else curve.family.title
+    facts = f"{family}, {count_of(len(curve.nodes), 'point')}"
     if curve.is_closed:
         facts += ", closed"
     return Row(curve.name, curve.colour, curve.visible, curve.locked, facts)

@@ -2,26 +2,22 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from enum import StrEnum
 from typing import TypeVar
 
 import numpy as np
-from PySide6.QtCore import QEvent, QSize, Qt
+from PySide6.QtCore import QEvent, QSize, Qt, Signal
 from PySide6.QtGui import QShowEvent
 from PySide6.QtWidgets import QComboBox, QFormLayout, QHBoxLayout, QToolButton, QVBoxLayout, QWidget
 
 from app.document import edits
-from app.document.edits import EditError
 from app.document.expression import ExpressionError, parse_number
-from app.document.model import Document, Family
 from app.icons import icon
 from app.labels import Label
 from app.overrides import Guarded
 from app.panels.field_edit import FieldEdit
 from app.panels.number_text import decimal_mark, exact_text, rounded_text
 from app.panels.words import ACCELERATION_RULES, VELOCITY_RULES, count_of
-from app.session import Session
 from app.theme import theme_of
 from app.view_model.curve_view import CurveView
 
@@ -29,13 +25,35 @@ Rule = TypeVar("Rule", bound=StrEnum)
 
 
 class CurveSettings(Guarded, QWidget):
-    """A form; what is typed or chosen becomes an edit, what is shown comes from the view."""
+    """A form that shows a view and reports what is typed or chosen.
 
-    def __init__(self, session: Session, parent: QWidget | None = None) -> None:
+    Signals
+    -------
+    name_edited
+        Another name was typed. Who cannot use it, or an interval, calls `refuse`.
+    interval_edited
+        Another start or end was typed: both.
+    velocity_rule_chosen, acceleration_rule_chosen
+        A rule was chosen.
+    reset_requested
+        All derivatives that were set by hand are to be estimated again.
+    refused
+        Why a text that was typed is no number.
+    """
+
+    name_edited = Signal(str)
+    interval_edited = Signal(float, float)
+    velocity_rule_chosen = Signal(object)
+    acceleration_rule_chosen = Signal(object)
+    reset_requested = Signal()
+    refused = Signal(str)
+
+    def __init__(self, view: CurveView, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setObjectName("curveSettings")
-        self._session = session
-        self._view = session.active_view
+        self._view = view
+        # The field that was typed in last, and what was typed there.
+        self._entry: tuple[FieldEdit, str] | None = None
         self._refusal = ""
         self.name_edit = FieldEdit("curveName", "Name of the curve", "Name of the curve (Enter to set)")
         self.start_edit = self._interval_edit(
@@ -93,9 +111,13 @@ class CurveSettings(Guarded, QWidget):
         self.end_edit.committed.connect(lambda text: self._set_interval(self.end_edit, text))
         for edit in (self.name_edit, self.start_edit, self.end_edit):
             edit.left.connect(self._forget_refusal)
-        self.velocity_box.activated.connect(self._choose_velocity_rule)
-        self.acceleration_box.activated.connect(self._choose_acceleration_rule)
-        self.reset_button.clicked.connect(self._reset_all)
+        self.velocity_box.activated.connect(
+            lambda row: self.velocity_rule_chosen.emit(list(VELOCITY_RULES)[row])
+        )
+        self.acceleration_box.activated.connect(
+            lambda row: self.acceleration_rule_chosen.emit(list(ACCELERATION_RULES)[row])
+        )
+        self.reset_button.clicked.connect(self.reset_requested)
 
     # Rendering: nothing here writes back
 
@@ -109,7 +131,6 @@ class CurveSettings(Guarded, QWidget):
 
     def showEvent(self, event: QShowEvent) -> None:
         super().showEvent(event)
-        self._view = self._session.active_view
         self._render()
 
     def _render(self) -> None:
@@ -123,7 +144,7 @@ class CurveSettings(Guarded, QWidget):
         derivatives = curve.family.derivatives
         self._form.setRowVisible(self.velocity_box, derivatives > 0)
         self._form.setRowVisible(self.acceleration_box, derivatives > 1)
-        self.reset_button.setVisible(bool(_explicit(self._view)))
+        self.reset_button.setVisible(bool(explicit_orders(self._view)))
         self._facts.setText(_facts(self._view))
         self._render_problem()
 
@@ -147,66 +168,40 @@ class CurveSettings(Guarded, QWidget):
     # What the person did
 
     def _rename(self, text: str) -> None:
-        name = text.strip()
-        if name:
-            self._commit(lambda document, index: edits.rename_curve(document, index, name), "Rename curve")
-        else:
-            self._refuse("A curve needs a name.", self.name_edit, text)
+        self._begin_entry(self.name_edit, text)
+        self.name_edited.emit(text)
         self._render()
 
     def _set_interval(self, edit: FieldEdit, text: str) -> None:
-        start, end = edits.interval(self._session.active_curve)
+        self._begin_entry(edit, text)
+        start, end = edits.interval(self._view.source)
         try:
             value = parse_number(text, decimal_mark())
-            start, end = (value, end) if edit is self.start_edit else (start, value)
-            self._commit(
-                lambda document, index: edits.set_interval(document, index, start, end), "Set interval"
-            )
-        except (EditError, ExpressionError) as reason:
-            self._refuse(str(reason), edit, text)
+        except ExpressionError as reason:
+            self.refused.emit(str(reason))
+            self.refuse(str(reason))
+        else:
+            self.interval_edited.emit(*((value, end) if edit is self.start_edit else (start, value)))
         self._render()
 
-    def _choose_velocity_rule(self, row: int) -> None:
-        rule = list(VELOCITY_RULES)[row]
-        self._commit(
-            lambda document, index: edits.set_velocity_rule(document, index, rule), "Choose velocity rule"
-        )
-
-    def _choose_acceleration_rule(self, row: int) -> None:
-        rule = list(ACCELERATION_RULES)[row]
-        self._commit(
-            lambda document, index: edits.set_acceleration_rule(document, index, rule),
-            "Choose acceleration rule",
-        )
-
-    def _reset_all(self) -> None:
-        curve = self._session.active_curve
-        orders = _explicit(self._session.active_view)
-        everyone = range(len(curve.nodes))
-        self._commit(
-            lambda document, index: edits.estimate_derivatives(document, index, everyone, orders),
-            "Reset all to estimated",
-        )
-
-    def _commit(self, edit: Callable[[Document, int], Document], text: str) -> None:
-        session = self._session
-        session.interrupt()
-        document = edit(session.document, session.active_index)
+    def _begin_entry(self, edit: FieldEdit, text: str) -> None:
+        self._entry = edit, text
         self._forget_refusal()
-        session.commit(document, text)
 
-    def _refuse(self, reason: str, edit: FieldEdit, typed: str) -> None:
-        """Say why, and leave the text to be mended."""
+    def refuse(self, reason: str) -> None:
+        """Say why what was typed last cannot be taken, and leave the text to be mended."""
         self._refusal = reason
-        edit.keep(typed)
-        self._session.refuse(reason)
+        if self._entry is not None:
+            edit, typed = self._entry
+            edit.keep(typed)
+        self._render_problem()
 
     def _forget_refusal(self) -> None:
         self._refusal = ""
         self._render_problem()
 
 
-def _explicit(view: CurveView) -> set[int]:
+def explicit_orders(view: CurveView) -> set[int]:
     """Return which of the derivatives that the family has were set by the person somewhere."""
     is_set = np.any(~np.isnan(view.arrays.given[..., 0]), axis=(0, 1)).tolist()
     return {order for order in range(1, view.source.family.derivatives + 1) if is_set[order - 1]}
@@ -217,7 +212,7 @@ def _facts(view: CurveView) -> str:
     facts = [count_of(len(curve.nodes), "point")]
     if view.is_current and view.curve is not None:
         pieces = len(view.parameters) - 1
-        of = "one polynomial" if curve.family is Family.LAGRANGE else count_of(pieces, "piece")
+        of = "one polynomial" if curve.family.is_one_polynomial else count_of(pieces, "piece")
         facts += [f"degree {view.curve.degree}", of, *_shape_facts(view)]
         start, end = (rounded_text(t, decimal_mark()) for t in view.curve.domain)
         facts.append(f"{start} ≤ t ≤ {end}")

@@ -16,11 +16,11 @@ from app.exchange.choice import ExportChoice
 from app.exchange.drawing.image import PicturePreview
 from app.exchange.errors import ExchangeError
 from app.exchange.options import DARK_PAPER
-from app.exchange.progress import Report
 from app.labels import Label
 from app.panels.export_form import ExportForm
 from app.panels.form_parts import buttons
 from app.panels.work_dialog import WorkDialog
+from app.tasks.progress import Report
 from app.theme import DARK, LIGHT, mix
 
 _SOON_MS = 120

@@ -9,8 +9,8 @@ import numpy as np
 from pyqtgraph.functions import create_qpolygonf, ndarray_from_qpolygonf
 from PySide6.QtGui import QPolygonF
 
-from app.plot.drawing import Segments, Stroke, polygon, thinned
-from app.plot.pixel_map import Floats, PixelMap
+from app.plotting.drawing import Segments, Stroke, polygon, thinned
+from app.plotting.pixel_map import Floats, PixelMap
 from app.view_model.basis_view import BasisView
 
 _MOST_EACH = 64

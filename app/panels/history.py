@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from PySide6.QtCore import QModelIndex, QPersistentModelIndex, QSize
-from PySide6.QtGui import QPalette
+from PySide6.QtGui import QPalette, QUndoStack
 from PySide6.QtWidgets import (
     QStyledItemDelegate,
     QStyleOptionViewItem,
@@ -13,7 +13,6 @@ from PySide6.QtWidgets import (
 )
 
 from app.overrides import Guarded
-from app.session import Session
 from app.theme import mix, theme_of
 
 _MARGIN = 6
@@ -57,11 +56,10 @@ class HistoryPanel(QWidget):
         The QUndoView.
     """
 
-    def __init__(self, session: Session, parent: QWidget | None = None) -> None:
+    def __init__(self, steps: QUndoStack, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setObjectName("historyPanel")
-        self._session = session
-        self.view = QUndoView(session.undo_stack, self)
+        self.view = QUndoView(steps, self)
         self.view.setObjectName("historyView")
         self.view.setAccessibleName("History")
         self.view.setToolTip("Click a step to go back or forward to it (↑ ↓)")
@@ -72,17 +70,8 @@ class HistoryPanel(QWidget):
         layout = QVBoxLayout(self)
         layout.setContentsMargins(0, 0, 0, 0)
         layout.addWidget(self.view)
-        session.opened.connect(self._name_the_beginning)
-        self.view.setEmptyLabel(_opened(session) if session.path is not None else "Start")
+        self.name_beginning("Start")
 
-    def _name_the_beginning(self) -> None:
-        if self._session.undo_stack.count():
-            return  # a lesson or an example was opened as a step; it began with something else
-        self.view.setEmptyLabel(_opened(self._session))
-
-
-def _opened(session: Session) -> str:
-    """Return what a history begins with after a document was opened or begun."""
-    if session.path is not None:
-        return f"Opened {session.path.name}"
-    return f"Opened {session.active_curve.name}" if session.active_curve.nodes else "New document"
+    def name_beginning(self, text: str) -> None:
+        """Show `text` as what came before the first step."""
+        self.view.setEmptyLabel(text)

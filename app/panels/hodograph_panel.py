@@ -7,17 +7,17 @@ from PySide6.QtCore import QEvent, QPointF, QRectF, Qt, Signal
 from PySide6.QtGui import QFont, QKeyEvent, QPainter, QPen, QShowEvent
 from PySide6.QtWidgets import QButtonGroup, QHBoxLayout, QSizePolicy, QToolButton, QVBoxLayout, QWidget
 
-from app.gestures.pointer import Pointer
 from app.icons import icon
 from app.overrides import Guarded
 from app.panels.choice_style import choice_style
 from app.panels.elided_label import ElidedLabel
 from app.panels.number_text import decimal_mark, rounded_text
-from app.plot.colours import colours_of
-from app.plot.drawing import MARGIN, Segments, Stroke, cut_segments
-from app.plot.pixel_map import PixelMap
-from app.plot.plot_widget import PlotWidget
+from app.plotting.colours import colours_of
+from app.plotting.drawing import MARGIN, Segments, Stroke, cut_segments
+from app.plotting.pixel_map import PixelMap
+from app.plotting.plot_widget import PlotWidget
 from app.theme import LIGHT, Theme, theme_of
+from app.tools.pointer import Pointer
 from app.view_model.analysis.hodograph import Hodograph
 
 _MARGIN = 1.12

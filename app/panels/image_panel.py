@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from pathlib import Path
 
-from PySide6.QtCore import QEvent, QSize, Qt
+from PySide6.QtCore import QEvent, QSize, Qt, Signal
 from PySide6.QtGui import QAction
 from PySide6.QtWidgets import (
     QCheckBox,
@@ -17,29 +17,50 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from app.document.edits import EditError
 from app.document.expression import ExpressionError, parse_number
-from app.document.image_edits import place_image, set_image_locked, set_image_opacity
-from app.document.model import Document, ReferenceImage
+from app.document.model import ReferenceImage
 from app.labels import Label, tip_of
 from app.overrides import Guarded
 from app.panels.field_edit import FieldEdit
 from app.panels.live_slider import LiveSlider
 from app.panels.number_text import decimal_mark, rounded_text
-from app.panels.slider_edit import SliderEdit
-from app.session import Session
 from app.theme import theme_of
 
-_STEPS = 100
+STEPS = 100
+"""Positions of the slider from nothing to all of the image."""
 
 
 class ImagePanel(Guarded, QWidget):
-    """A form for the reference image; what is typed becomes an edit."""
+    """A form that shows the reference image and reports what is typed.
 
-    def __init__(self, session: Session, parent: QWidget | None = None) -> None:
+    Signals
+    -------
+    corner_edited
+        Another lower left corner (x, y) was typed. Who cannot use it, or a width, calls `refuse`.
+    width_edited
+        Another width was typed, or a height: the width that belongs to it.
+    locked_switched
+        The image is to be locked, or freed.
+    refused
+        Why a text that was typed is no number.
+
+    Attributes
+    ----------
+    opacity
+        The slider, in `STEPS`.
+    """
+
+    corner_edited = Signal(float, float)
+    width_edited = Signal(float)
+    locked_switched = Signal(bool)
+    refused = Signal(str)
+
+    def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setObjectName("imagePanel")
-        self._session = session
+        self._image: ReferenceImage | None = None
+        # The field that was typed in last, and what was typed there.
+        self._entry: tuple[FieldEdit, str] | None = None
         self._refusal = self._problem_text = ""
         self.x_edit = _number_edit("imageX", "x", "x of the lower left corner")
         self.y_edit = _number_edit("imageY", "y", "y of the lower left corner")
@@ -97,14 +118,8 @@ class ImagePanel(Guarded, QWidget):
         for edit in (self.x_edit, self.y_edit, self.width_edit, self.height_edit):
             edit.committed.connect(lambda text, edit=edit: self._type_number(edit, text))
             edit.left.connect(self._forget_refusal)
-        fading = SliderEdit(
-            self.opacity,
-            self._session,
-            lambda document, position: set_image_opacity(document, position / _STEPS),
-            lambda position: _fade_name(position / _STEPS),
-        )
-        fading.finished.connect(lambda: self.render_image(self._session.document.image))
-        self.lock.clicked.connect(self._set_locked)
+        self.opacity.drag_ended.connect(lambda: self.render_image(self._image))
+        self.lock.clicked.connect(self.locked_switched)
 
     def add_buttons(self, actions: Sequence[QAction]) -> None:
         """Offer these actions, too."""
@@ -122,6 +137,7 @@ class ImagePanel(Guarded, QWidget):
 
     def render_image(self, image: ReferenceImage | None) -> None:
         """Show where `image` lies; nothing of one that is there no more."""
+        self._image = image
         if image is None:
             for edit in (self.x_edit, self.y_edit, self.width_edit, self.height_edit):
                 edit.show_text("")
@@ -141,7 +157,7 @@ class ImagePanel(Guarded, QWidget):
         self._file.setToolTip(tip_of(image.path))
         self.lock.setChecked(image.locked)
         if not self.opacity.isSliderDown():
-            self.opacity.setValue(round(image.opacity * _STEPS))
+            self.opacity.setValue(round(image.opacity * STEPS))
         self._percent.setText(f"{image.opacity:.0%}".replace("%", " %"))
 
     def show_problem(self, text: str) -> None:
@@ -165,52 +181,43 @@ class ImagePanel(Guarded, QWidget):
     # What the person did
 
     def _type_number(self, edit: FieldEdit, text: str) -> None:
-        image = self._session.document.image
+        image = self._image
         if image is None:
             return
+        self._entry = edit, text
+        self._forget_refusal()
         try:
             value = parse_number(text, decimal_mark())
-            corner, width = (image.x, image.y), image.width
-            if edit is self.x_edit:
-                corner = (value, image.y)
-            elif edit is self.y_edit:
-                corner = (image.x, value)
-            elif edit is self.width_edit:
-                width = value
-            else:
-                width = value * (image.width / image.height)
-            name = "Move image" if edit in (self.x_edit, self.y_edit) else "Scale image"
-            self._commit(lambda document: place_image(document, corner, width), name)
-        except (EditError, ExpressionError) as reason:
-            self._refuse(str(reason), edit, text)
-        self.render_image(self._session.document.image)
-
-    def _refuse(self, reason: str, edit: FieldEdit, typed: str) -> None:
-        self._refusal = reason
-        if edit.hasFocus():
-            edit.keep(typed)
+        except ExpressionError as reason:
+            self.refused.emit(str(reason))
+            self.refuse(str(reason))
         else:
-            edit.revert()
-        self._session.refuse(reason)
+            self._report(edit, value, image)
+        self.render_image(self._image)
+
+    def _report(self, edit: FieldEdit, value: float, image: ReferenceImage) -> None:
+        if edit is self.x_edit:
+            self.corner_edited.emit(value, image.y)
+        elif edit is self.y_edit:
+            self.corner_edited.emit(image.x, value)
+        else:
+            aspect = 1.0 if edit is self.width_edit else image.width / image.height
+            self.width_edited.emit(value * aspect)
+
+    def refuse(self, reason: str) -> None:
+        """Say why what was typed last cannot be taken; it stays to be mended while the cursor is there."""
+        self._refusal = reason
+        if self._entry is not None:
+            edit, typed = self._entry
+            if edit.hasFocus():
+                edit.keep(typed)
+            else:
+                edit.revert()
         self._render_problem()
 
     def _forget_refusal(self) -> None:
         self._refusal = ""
         self._render_problem()
-
-    def _commit(self, edit: Callable[[Document], Document], text: str) -> None:
-        self._session.interrupt()
-        document = edit(self._session.document)
-        self._forget_refusal()
-        self._session.commit(document, text)
-
-    def _set_locked(self, locked: bool) -> None:
-        name = "Lock image" if locked else "Unlock image"
-        self._commit(lambda document: set_image_locked(document, locked), name)
-
-
-def _fade_name(share: float) -> str:
-    return f"Fade image to {share:.0%}".replace("%", " %")
 
 
 def _number_edit(name: str, label: str, what: str) -> FieldEdit:
@@ -222,5 +229,5 @@ def _opacity_slider() -> LiveSlider:
     slider.setObjectName("imageOpacity")
     slider.setAccessibleName("Opacity of the image")
     slider.setToolTip("How much of the image is seen; Escape cancels a drag")
-    slider.setRange(0, _STEPS)
+    slider.setRange(0, STEPS)
     return slider

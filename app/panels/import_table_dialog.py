@@ -15,7 +15,6 @@ from PySide6.QtWidgets import (
 )
 
 from app.document.expression import ExpressionError, parse_number
-from app.document.model import Family
 from app.exchange.table.columns import AFTER, ROLES, WORDS, ColumnMapping, words_on
 from app.exchange.table.curves import Missing
 from app.exchange.table.layout import Layout
@@ -23,6 +22,7 @@ from app.exchange.table.prepared import MANY_ROWS, MOST_POINTS, Prepared, TableC
 from app.exchange.table.source import TableSource
 from app.exchange.table.table import Preview
 from app.exchange.table.thinning import Thinning
+from app.families import FAMILIES, HERMITE
 from app.labels import Label, tip_of
 from app.panels.field_edit import FieldEdit
 from app.panels.form_parts import choice_box, into_box
@@ -35,11 +35,6 @@ from app.theme import theme_of
 
 IGNORE = "ignore"
 _SEPARATORS = {"\t": "Tab", ";": "Semicolon ;", ",": "Comma ,", " ": "Blanks"}
-_FAMILIES = {
-    Family.LAGRANGE: "Lagrange",
-    Family.HERMITE: "Hermite",
-    Family.QUINTIC_HERMITE: "Quintic Hermite",
-}
 _THINNINGS = {
     None: "Keep every row",
     Thinning.CURVE: "Fit a curve within",
@@ -111,9 +106,9 @@ class ImportTableDialog(WorkDialog):
         self._missing.setLayout(row)
         self._missing.hide()
         self.family_box = choice_box(
-            "tableFamily", "Family", "The curve through the rows", list(_FAMILIES.values())
+            "tableFamily", "Family", "The curve through the rows", [family.label for family in FAMILIES]
         )
-        self.family_box.setCurrentIndex(list(_FAMILIES).index(Family.HERMITE))
+        self.family_box.setCurrentIndex(FAMILIES.index(HERMITE))
         self.thinning_box = choice_box("tableThinning", "Rows", _THINNING_TIP, list(_THINNINGS.values()))
         self.tolerance_edit = FieldEdit(
             "tableTolerance", "Distance", "How near to stay to every row, in the unit of the table (Enter)"
@@ -242,7 +237,7 @@ class ImportTableDialog(WorkDialog):
         if mapping is None:
             self._show(Prepared(problem="Say which columns are x and y."))
             return
-        family = list(_FAMILIES)[self.family_box.currentIndex()]
+        family = FAMILIES[self.family_box.currentIndex()]
         missing = list(_MISSING)[self.missing_box.currentIndex()]
         choice = TableChoice(
             self._layout_now, mapping, family, thinning, self._tolerance, self._stem, missing

@@ -10,7 +10,7 @@ from PySide6.QtWidgets import QCheckBox, QGridLayout, QWidget
 
 from app.labels import Label
 from app.overrides import Guarded
-from app.plot.pens import SIGN, sign_pixmap
+from app.plotting.pens import SIGN, sign_pixmap
 from app.theme import theme_of
 from app.view_model.analysis.laboratory import Trial
 from app.view_model.analysis.laboratory_settings import METHOD_NAMES, Calculation, Rounding

@@ -9,13 +9,13 @@ from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QKeyEvent
 from PySide6.QtWidgets import QWidget
 
-from app.gestures.pointer import Pointer
-from app.gestures.rail import RailTool
 from app.panels.plot_layers import PlotLayer, ScrubLayer, bands
 from app.panels.plot_over_t import PlotOverT
 from app.panels.value_scale import ValueScale
-from app.plot.pixel_map import Floats
+from app.plotting.pixel_map import Floats
 from app.theme import LIGHT
+from app.tools.pointer import Pointer
+from app.tools.rail import RailTool
 from app.view_model.analysis.plot_lines import PlotData
 
 _PIXELS_A_NUMBER = 24.0

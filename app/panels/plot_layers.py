@@ -10,10 +10,10 @@ from PySide6.QtCore import QPointF, QRectF, Qt
 from PySide6.QtGui import QFont, QPainter, QPen
 
 from app.panels.value_scale import ValueScale
-from app.plot.drawing import Segments, Stroke, cut_segments
-from app.plot.layered_plot import LayeredPlot
-from app.plot.pens import colour_of, line_in_pixels, with_dashes
-from app.plot.pixel_map import Floats, PixelMap
+from app.plotting.drawing import Segments, Stroke, cut_segments
+from app.plotting.layered_plot import LayeredPlot
+from app.plotting.pens import colour_of, line_in_pixels, with_dashes
+from app.plotting.pixel_map import Floats, PixelMap
 from app.theme import Theme
 from app.view_model.analysis.plot_lines import PlotData, PlotLine
 from app.view_model.looks import DASHED

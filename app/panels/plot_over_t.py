@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from PySide6.QtCore import QPointF
 
-from app.plot.plot_widget import PlotWidget
+from app.plotting.plot_widget import PlotWidget
 
 
 class PlotOverT(PlotWidget):

@@ -2,36 +2,24 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 
 import numpy as np
 from PySide6.QtCore import QSize, Qt, QTimer, Signal
 from PySide6.QtGui import QAction, QGuiApplication, QKeySequence, QShowEvent
 from PySide6.QtWidgets import QApplication, QHBoxLayout, QToolButton, QVBoxLayout, QWidget
 
-from app.document import edits
 from app.document.edits import EditError
-from app.document.model import Document
 from app.exchange.table.clipboard import Block, TableTextError, read_titled_block, write_block
 from app.icons import icon
 from app.labels import Label, html_of
 from app.overrides import Guarded
 from app.panels.number_text import decimal_mark, exact_text
-from app.panels.point_table_edits import (
-    Column,
-    T,
-    X,
-    explicit_orders,
-    fill_cells,
-    keepers,
-    keeping_sentence,
-    paste_block,
-    reset_name,
-)
+from app.panels.point_columns import POSITION, Column, known_titles
+from app.panels.point_table_edits import explicit_orders, keeping_sentence
 from app.panels.point_table_model import PointTableModel
 from app.panels.point_table_view import PointTableView
 from app.panels.words import count_of
-from app.session import Session
 from app.theme import Theme, theme_of
 from app.view_model.curve_view import CurveView
 
@@ -44,8 +32,16 @@ class PointTable(Guarded, QWidget):
 
     Signals
     -------
-    pasted
-        Numbers were pasted; the points may now lie anywhere.
+    rows_selected
+        The person has selected other rows.
+    fill_requested
+        One number is to be put into cells: (rows by column, number). Who cannot do it calls `refuse`.
+    paste_requested
+        A block of numbers is to be put into the table: (row, columns, numbers).
+    reset_requested
+        Derivatives are to be estimated again: (rows, orders).
+    said, refused
+        A sentence for the status line: what was done, or why something cannot be.
 
     Attributes
     ----------
@@ -55,18 +51,24 @@ class PointTable(Guarded, QWidget):
         Its model.
     """
 
-    pasted = Signal()
+    rows_selected = Signal(object)
+    fill_requested = Signal(object, float)
+    paste_requested = Signal(int, object, object)
+    reset_requested = Signal(object, object)
+    said = Signal(str)
+    refused = Signal(str)
 
-    def __init__(self, session: Session, parent: QWidget | None = None) -> None:
+    def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setObjectName("pointTablePanel")
-        self._session = session
-        self._pending: CurveView | None = None
+        self._selection: frozenset[int] = frozenset()
+        # What is to be shown soon, and whether it is one of a gesture.
+        self._pending: tuple[CurveView, bool] | None = None
         self._rendering = False
         # The view shown last, and whether it was one of a gesture.
         self._fitted: tuple[CurveView, bool] | None = None
         self._to_reset: tuple[list[int], set[int]] = ([], set())
-        self.model = PointTableModel(session, self)
+        self.model = PointTableModel(self)
         self.view = PointTableView(self.model, self)
         self._message = Label(is_html=True)
         self._message.setObjectName("pointTableMessage")
@@ -81,7 +83,6 @@ class PointTable(Guarded, QWidget):
         self._lay_out()
         self._connect()
         self.set_theme(theme_of(self.palette()))
-        self._show_now(session.active_view)
 
     # Building
 
@@ -135,10 +136,8 @@ class PointTable(Guarded, QWidget):
 
     def _connect(self) -> None:
         self._timer.timeout.connect(self._show_pending)
-        self._session.history_changed.connect(self._show_committed)
-        self._session.opened.connect(self._show_committed)
         self._reset_button.clicked.connect(self.reset_to_estimated)
-        self.model.refused.connect(self._refuse)
+        self.model.refused.connect(self._report_refusal)
         self.view.cell_delegate.edit_began.connect(self._forget_message)
         self.view.cell_delegate.closeEditor.connect(self._forget_message)
         self.view.cell_delegate.given_up.connect(self._report_given_up)
@@ -154,9 +153,12 @@ class PointTable(Guarded, QWidget):
 
     # Rendering: nothing here writes back
 
-    def render_view(self, view: CurveView) -> None:
-        """Show `view`: at once if nothing was shown for a while, else soon; hidden, when shown again."""
-        self._pending = view
+    def render_view(self, view: CurveView, *, streaming: bool = False) -> None:
+        """Show `view`: at once if nothing was shown for a while, else soon; hidden, when shown again.
+
+        While the previews of a gesture are `streaming`, the columns keep their widths.
+        """
+        self._pending = view, streaming
         self._forget_message()
         if self.isVisible() and not self._timer.isActive():
             self._show_pending()
@@ -165,30 +167,29 @@ class PointTable(Guarded, QWidget):
     def _show_pending(self) -> None:
         if self._pending is not None:
             self._timer.start()
-            self._show_now(self._pending)
+            view, streaming = self._pending
+            self.show_now(view, streaming=streaming)
 
-    def _show_committed(self) -> None:
-        # A step of the history is no stream: who reads the table after it finds the present numbers.
-        self._show_now(self._session.active_view)
-
-    def _show_now(self, view: CurveView) -> None:
+    def show_now(self, view: CurveView, *, streaming: bool = False) -> None:
+        """Show `view` at once: who reads the table after a step of the history finds the present numbers."""
         self._pending = None
         self._rendering = True
         self.model.show_view(view)
-        self._fit_columns(view)
-        self.view.select_rows(self._session.selection)
+        self._fit_columns(view, streaming=streaming)
+        self.view.select_rows(self._selection)
         self._rendering = False
         self._forget_message()
         self._render_footer()
 
-    def _fit_columns(self, view: CurveView) -> None:
-        fitted = view, self._session.is_previewing
+    def _fit_columns(self, view: CurveView, *, streaming: bool) -> None:
+        fitted = view, streaming
         if fitted != self._fitted:
             self._fitted = fitted
-            self.view.fit_columns(streaming=self._session.is_previewing)
+            self.view.fit_columns(streaming=streaming)
 
     def set_selection(self, selection: frozenset[int]) -> None:
         """Select the rows of these points."""
+        self._selection = selection
         self._rendering = True
         self.view.select_rows(selection)
         self._rendering = False
@@ -207,7 +208,7 @@ class PointTable(Guarded, QWidget):
         self.view.viewport().update()
 
     def _render_footer(self) -> None:
-        has_derivatives = self._session.active_curve.family.derivatives > 0
+        has_derivatives = any(column.is_derivative for column in self.model.columns)
         self._footer.setVisible(has_derivatives)
         self._reset.setVisible(has_derivatives)
         can_reset = has_derivatives and bool(self._orders_to_reset())
@@ -226,20 +227,23 @@ class PointTable(Guarded, QWidget):
 
     def _report_selection(self) -> None:
         if not self._rendering:
-            self._session.select(self.view.selected_rows())
+            self.rows_selected.emit(self.view.selected_rows())
         self._render_footer()
 
-    def _refuse(self, reason: str) -> None:
+    def _report_refusal(self, reason: str) -> None:
         self._tell(f"⚠ {html_of(reason)}")
-        self._session.refuse(reason)
+        self.refused.emit(reason)
+
+    def refuse(self, reason: str) -> None:
+        """Say why what was asked for cannot be done; a number that was typed stays to be mended."""
+        self._tell(f"⚠ {html_of(reason)}")
+        self.model.refuse()
 
     def _forget_message(self) -> None:
         self._tell("")
 
     def _report_given_up(self, label: str) -> None:
-        self._session.refuse(
-            f"{label[0].upper()}{label[1:]} stays as it was: Enter or Tab sets what is typed."
-        )
+        self.refused.emit(f"{label[0].upper()}{label[1:]} stays as it was: Enter or Tab sets what is typed.")
 
     def _watch_focus(self, old: QWidget | None, new: QWidget | None) -> None:
         # Without a new one another window has the focus: the spreadsheet, perhaps, to mend the numbers there.
@@ -253,18 +257,13 @@ class PointTable(Guarded, QWidget):
         """
         rows, columns = self.view.selected_rows(), self.view.selected_columns()
         shown = self.model.columns
-        orders = {shown[column].order for column in columns if shown[column].is_derivative}
-        orders = orders or {column.order for column in shown if column.is_derivative}
-        return explicit_orders(self._session.active_curve.nodes, rows, orders)
+        orders = _derivatives_of(shown[column] for column in columns) or _derivatives_of(shown)
+        return explicit_orders(self.model.nodes, rows, orders)
 
     def reset_to_estimated(self) -> None:
-        """Leave the selected velocities and accelerations to the rules again."""
-        self._session.interrupt()
-        session, rows, orders = self._session, self.view.selected_rows(), self._orders_to_reset()
-        if not orders:
-            return
-        document = edits.estimate_derivatives(session.document, session.active_index, rows, orders)
-        session.commit(document, reset_name(rows, orders))
+        """Ask for the selected velocities and accelerations to be left to the rules again."""
+        if orders := self._orders_to_reset():
+            self.reset_requested.emit(self.view.selected_rows(), orders)
 
     def copy(self) -> None:
         """Put the selected cells on the clipboard, whole numbers and tab-separated."""
@@ -278,52 +277,25 @@ class PointTable(Guarded, QWidget):
             for row in sorted({row for row, _ in cells})
         ]
         QGuiApplication.clipboard().setText(write_block(rows))
-        self._session.say(f"Copied {count_of(len(rows), 'row')}.")
+        self.said.emit(f"Copied {count_of(len(rows), 'row')}.")
 
     def paste(self) -> None:
-        """Put the numbers on the clipboard into the cells from the current one on; all or none."""
-        self._session.interrupt()
+        """Ask for the numbers on the clipboard in the cells from the current one on; all or none."""
         try:
-            block = read_titled_block(QGuiApplication.clipboard().text(), decimal_mark())
+            block = read_titled_block(QGuiApplication.clipboard().text(), decimal_mark(), known_titles())
             cells = self.view.selected_cells()
             if len(cells) > 1 and len(block.rows) == len(block.rows[0]) == 1:
-                self._fill(cells, block.rows[0][0])
+                self._request_fill(cells, block.rows[0][0])
             else:
-                self._paste_block(block)
+                self.paste_requested.emit(self._paste_row(), *self._columns_of(block))
         except (TableTextError, EditError) as reason:
-            self._refuse(str(reason))
+            self._report_refusal(str(reason))
 
-    def _fill(self, cells: set[tuple[int, int]], value: float) -> None:
-        """Put one number into all selected cells."""
-        session = self._session
-        columns: dict[int, list[Column]] = {}
+    def _request_fill(self, cells: set[tuple[int, int]], value: float) -> None:
+        rows: dict[Column, list[int]] = {}
         for row, column in sorted(cells):
-            columns.setdefault(row, []).append(self.model.columns[column])
-        document = fill_cells(session.document, session.active_index, session.active_view, columns, value)
-        if self._is_refused(document, f"Fill {count_of(len(cells), 'cell')}"):
-            return
-        session.say(f"Filled {count_of(len(cells), 'cell')}.")
-        self.pasted.emit()
-
-    def _paste_block(self, block: Block) -> None:
-        session, view = self._session, self._session.active_view
-        columns, numbers = self._columns_of(block)
-        top = self._paste_row()
-        document = paste_block(session.document, session.active_index, view, top, columns, numbers)
-        height, width = numbers.shape
-        whole = {(0, 0), (0, 1)} <= {(column.order, column.component) for column in columns}
-        text = count_of(height, "point") if whole else count_of(height * width, "value")
-        if self._is_refused(document, f"Paste {text}"):
-            return
-        session.say(f"Pasted {text}.")
-        overwritten = range(top, min(top + height, len(view.source.nodes)))
-        session.select(range(top, top + height))
-        self._tell_who_kept(*keepers(view, overwritten, columns))
-        self.pasted.emit()
-
-    def _is_refused(self, document: Document, text: str) -> bool:
-        """Make `document` a step; return whether the session refuses it, with a sentence."""
-        return not self._session.commit(document, text) and document != self._session.committed
+            rows.setdefault(self.model.columns[column], []).append(row)
+        self.fill_requested.emit(rows, value)
 
     def _columns_of(self, block: Block) -> tuple[list[Column], np.ndarray]:
         """Return which columns a block covers, in the table's order, and its numbers.
@@ -343,13 +315,13 @@ class PointTable(Guarded, QWidget):
         titled = {name: place for place, name in enumerate(block.titles) if name != "#"}
         if len(titled) + block.titles.count("#") < width:
             raise EditError("A title stands twice.")
-        columns = [column for column in shown if column.name in titled]
-        missing = [name for name in titled if name not in {column.name for column in columns}]
+        columns = [column for column in shown if column.title in titled]
+        missing = [name for name in titled if name not in {column.title for column in columns}]
         if missing:
             raise EditError(f"A curve of this family has no {missing[0]}.")
         if not columns:
             raise EditError("There is no column of the table in what was copied.")
-        return columns, numbers[:, [titled[column.name] for column in columns]]
+        return columns, numbers[:, [titled[column.title] for column in columns]]
 
     def _paste_row(self) -> int:
         current = self.view.currentIndex()
@@ -357,19 +329,25 @@ class PointTable(Guarded, QWidget):
 
     def _paste_column(self, width: int) -> int:
         current = self.view.currentIndex()
-        return current.column() if current.isValid() else (X if width == 2 else T)
+        if current.isValid():
+            return current.column()
+        # Two columns of numbers are places.
+        orders = [column.order for column in self.model.columns]
+        return orders.index(POSITION) if width == 2 else 0
 
-    def _tell_who_kept(self, indices: list[int], orders: set[int]) -> None:
+    def tell_who_kept(self, indices: list[int], orders: set[int]) -> None:
         """Say whose velocities are still those of the old places, and offer to have them estimated."""
         if not indices:
             return
         self._to_reset = (indices, orders)
         sentence = keeping_sentence(indices, orders)
         self._tell(f'⚠ {html_of(sentence)} · <a href="reset">Reset to estimated</a>')
-        self._session.say(f"{sentence}; “Reset to estimated” has the rules estimate again.")
+        self.said.emit(f"{sentence}; “Reset to estimated” has the rules estimate again.")
 
     def _reset_kept(self) -> None:
-        session, (rows, orders) = self._session, self._to_reset
-        session.interrupt()
-        document = edits.estimate_derivatives(session.document, session.active_index, rows, orders)
-        session.commit(document, reset_name(rows, orders))
+        self.reset_requested.emit(*self._to_reset)
+
+
+def _derivatives_of(columns: Iterable[Column]) -> set[int]:
+    """Return which derivatives some columns hold."""
+    return {column.order for column in columns if column.order is not None and column.is_derivative}

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from functools import lru_cache
 
+import msgspec
 import numpy as np
 from PySide6.QtCore import (
     QAbstractTableModel,
@@ -17,10 +18,9 @@ from PySide6.QtCore import (
 )
 from PySide6.QtGui import QColor, QFont, QPainter, QPixmap
 
-from app.document import edits
-from app.document.edits import EditError
+from app.document.edits import EditError, checked
 from app.document.expression import ExpressionError, parse_number
-from app.document.model import Family
+from app.document.model import Node
 from app.overrides import Guarded
 from app.panels.number_text import (
     ColumnNumbers,
@@ -29,18 +29,32 @@ from app.panels.number_text import (
     numbers_of_columns,
     rounded_text,
 )
-from app.panels.point_table_edits import Column, TableValues, columns_of, set_cell, table_values
-from app.panels.words import ACCELERATION_ESTIMATES, VELOCITY_ESTIMATES
-from app.plot.colours import colours_of
-from app.session import Session
+from app.panels.point_columns import Column, columns_of
+from app.plotting.colours import colours_of
 from app.theme import LIGHT, Theme
-from app.view_model.curve_view import CurveView
+from app.view_model.curve_view import CurveView, Floats
 
 Index = QModelIndex | QPersistentModelIndex
 _NO_INDEX = QModelIndex()
 _SWATCH, _SWATCH_CANVAS = 9, 16
 _RIGHT = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
-_EMPTY = TableValues(np.empty((0, 3)), np.empty((0, 3), dtype=bool))
+
+
+class TableValues(msgspec.Struct, frozen=True):
+    """What the table shows: numbers (n, columns), NaN where there is none, and which are estimated."""
+
+    values: Floats
+    estimated: np.ndarray
+
+
+def table_values(view: CurveView, columns: Sequence[Column]) -> TableValues:
+    """Return the numbers of `view`; where the rules give no curve, only what the person set."""
+    values = np.column_stack([column.get(view) for column in columns])
+    return TableValues(values, np.column_stack([column.is_estimated(view) for column in columns]))
+
+
+def _no_values(columns: Sequence[Column]) -> TableValues:
+    return TableValues(np.empty((0, len(columns))), np.empty((0, len(columns)), dtype=bool))
 
 
 class PointTableModel(Guarded, QAbstractTableModel):
@@ -51,8 +65,10 @@ class PointTableModel(Guarded, QAbstractTableModel):
 
     Signals
     -------
+    number_entered
+        Another number was given: (row, column, number). Who cannot use it calls `refuse`.
     refused
-        Why a number was not taken, as a sentence.
+        Why what was given is no number, as a sentence.
 
     Attributes
     ----------
@@ -62,17 +78,18 @@ class PointTableModel(Guarded, QAbstractTableModel):
         Which of them a rule estimates.
     """
 
+    number_entered = Signal(int, object, float)
     refused = Signal(str)
 
-    def __init__(self, session: Session, parent: QObject | None = None) -> None:
+    def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self.setObjectName("pointTableModel")
-        self._session = session
         self._view: CurveView | None = None
-        self._shown = _EMPTY
+        self.columns = columns_of(derivatives=0)
+        self._shown = _no_values(self.columns)
         self._numbers: tuple[TableValues, list[ColumnNumbers]] | None = None
-        self.columns: tuple[Column, ...] = columns_of(Family.LAGRANGE)
         self._corners: frozenset[int] = frozenset()
+        self._is_refused = False
         self._theme = LIGHT
         self._answers: dict[int, Callable[[int, int], object]] = {
             Qt.ItemDataRole.DisplayRole: self._rounded,
@@ -91,6 +108,11 @@ class PointTableModel(Guarded, QAbstractTableModel):
         return self._shown.estimated
 
     @property
+    def nodes(self) -> tuple[Node, ...]:
+        """The points that are shown."""
+        return () if self._view is None else self._view.source.nodes
+
+    @property
     def numbers_of_columns(self) -> list[ColumnNumbers]:
         """What is known of the numbers in each column; found once for all that are shown."""
         if self._numbers is None or self._numbers[0] is not self._shown:
@@ -104,7 +126,8 @@ class PointTableModel(Guarded, QAbstractTableModel):
         if view is self._view:
             return
         self._view = view
-        columns, new = columns_of(view.source.family), table_values(view)
+        columns = columns_of(view.source.family.derivatives)
+        new = table_values(view, columns)
         if columns != self.columns:
             self.beginResetModel()
             self._corners = frozenset(view.corners)
@@ -144,8 +167,8 @@ class PointTableModel(Guarded, QAbstractTableModel):
         return rows
 
     def shows_one_side(self, row: int, column: int) -> bool:
-        """Whether the point has two of these derivatives, of which the cell shows one."""
-        return row in self._corners and self.columns[column].is_derivative
+        """Whether the point has two of these numbers, of which the cell shows one."""
+        return row in self._corners and self.columns[column].after is not None
 
     def _changed_rows(self, new: TableValues) -> np.ndarray:
         same = (self.values == new.values) | (np.isnan(self.values) & np.isnan(new.values))
@@ -166,7 +189,9 @@ class PointTableModel(Guarded, QAbstractTableModel):
         return 0 if parent.isValid() else len(self.columns)
 
     def flags(self, index: Index) -> Qt.ItemFlag:
-        return super().flags(index) | Qt.ItemFlag.ItemIsEditable if index.isValid() else super().flags(index)
+        flags = super().flags(index)
+        is_set = index.isValid() and self.columns[index.column()].set is not None
+        return flags | Qt.ItemFlag.ItemIsEditable if is_set else flags
 
     def data(self, index: Index, role: int = Qt.ItemDataRole.DisplayRole) -> object:
         if not index.isValid():
@@ -211,25 +236,33 @@ class PointTableModel(Guarded, QAbstractTableModel):
             case Qt.ItemDataRole.TextAlignmentRole:
                 return _RIGHT
             case Qt.ItemDataRole.ToolTipRole:
-                return column.meaning
+                return column.tip
         return None
 
     def setData(self, index: Index, value: object, role: int = Qt.ItemDataRole.EditRole) -> bool:
         if role != Qt.ItemDataRole.EditRole or not index.isValid():
             return False
+        row, column = index.row(), index.column()
         try:
-            self._set_number(index.row(), index.column(), value)
+            number = _number(value)
         except (EditError, ExpressionError) as reason:
-            label, text = self.label(index.row(), index.column()), str(reason)
-            self.refused.emit(text if label in text else f"{label}: {text}")
+            self.refused.emit(f"{self.label(row, column)}: {reason}")
             return False
-        return True
+        if number == self.values[row, column] and not self.estimated[row, column]:
+            return True
+        self._is_refused = False
+        self.number_entered.emit(row, self.columns[column], number)
+        return not self._is_refused
+
+    def refuse(self) -> None:
+        """Say that the number entered last cannot be taken."""
+        self._is_refused = True
 
     # Words and colours
 
     def label(self, row: int, column: int) -> str:
         """Return what a cell holds, as "x of point 3"."""
-        return f"{self.columns[column].name} of point {row}"
+        return self.columns[column].at(row)
 
     def _rounded(self, row: int, column: int) -> str:
         value = float(self.values[row, column])
@@ -247,18 +280,16 @@ class PointTableModel(Guarded, QAbstractTableModel):
         return f"{text}\n{self._estimate(column)}" if self.estimated[row, column] else text
 
     def _corner_note(self, row: int, column: int) -> str:
-        """Return what the tooltip adds where a point has two derivatives, of which the table shows one."""
-        what, view = self.columns[column], self._view
-        if view is None or view.sides is None or not self.shows_one_side(row, column):
+        """Return what the tooltip adds where a point has two numbers, of which the table shows one."""
+        after, view = self.columns[column].after, self._view
+        if view is None or after is None or view.sides is None or row not in self._corners:
             return ""
-        ahead = float(view.sides.after[row, what.order, what.component])
-        return f", before the corner; {exact_text(ahead, decimal_mark()).replace('-', '−')} after it"
+        ahead = exact_text(after(view, row), decimal_mark()).replace("-", "−")
+        return f", before the corner; {ahead} after it"
 
     def _estimate(self, column: int) -> str:
-        curve = self._session.active_curve
-        if self.columns[column].order == 1:
-            return VELOCITY_ESTIMATES[curve.velocity_rule]
-        return ACCELERATION_ESTIMATES[curve.acceleration_rule]
+        estimate = self.columns[column].estimate
+        return "estimated" if estimate is None or self._view is None else estimate(self._view.source)
 
     def _swatch(self, row: int) -> QPixmap | None:
         if row >= len(self.values):
@@ -266,25 +297,12 @@ class PointTableModel(Guarded, QAbstractTableModel):
         colour = colours_of(len(self.values), self._theme)[row]
         return _swatch_of(colour.name(), square=row in self._corners)
 
-    # Edits
-
-    def _set_number(self, row: int, column: int, given: object) -> None:
-        number = _number(given)
-        if number == self.values[row, column] and not self.estimated[row, column]:
-            return
-        session = self._session
-        session.interrupt()
-        document = set_cell(
-            session.document, session.active_index, session.active_view, row, self.columns[column], number
-        )
-        session.commit(document, f"Set {self.label(row, column)}")
-
 
 def _number(given: object) -> float:
     if isinstance(given, str):
         return parse_number(given, decimal_mark())
     if isinstance(given, int | float | np.floating | np.integer) and not isinstance(given, bool):
-        return edits.checked(float(given), "It")
+        return checked(float(given), "It")
     raise ExpressionError("This is not a number.")
 
 

@@ -206,7 +206,7 @@ class PointTableView(Guarded, QTableView):
         exchange = self._exchange(event)
         if exchange is not None:
             exchange.emit()
-        elif event.key() in _ENTER and self.currentIndex().isValid():
+        elif event.key() in _ENTER and self.currentIndex().flags() & Qt.ItemFlag.ItemIsEditable:
             self.edit(self.currentIndex())
         elif self._is_reset(event):
             self.reset_requested.emit()

@@ -16,7 +16,6 @@ from PySide6.QtWidgets import (
 )
 
 from app.document.expression import ExpressionError, parse_number
-from app.gestures.snapping import SnapKind
 from app.keymap import Keymap
 from app.labels import Label
 from app.panels.field_edit import FieldEdit
@@ -25,6 +24,7 @@ from app.panels.number_text import decimal_mark, exact_text
 from app.panels.shortcut_editor import ShortcutEditor
 from app.preferences import LONGEST_UNIT, Preferences
 from app.theme import ThemeMode, theme_of
+from app.tools.snapping import SnapKind
 
 THEMES = {ThemeMode.SYSTEM: "As the system", ThemeMode.LIGHT: "Light", ThemeMode.DARK: "Dark"}
 UNITS = ("none", "mm", "cm", "m", "in", "px", "s")

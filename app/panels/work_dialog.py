@@ -8,8 +8,8 @@ from PySide6.QtWidgets import QWidget
 
 from app.panels.fitting import FittedDialog
 from app.panels.form_parts import enters_number, problem_label
+from app.tasks.single_task import SingleTask
 from app.theme import theme_of
-from app.worker import Jobs
 
 
 class WorkDialog(FittedDialog):
@@ -28,7 +28,7 @@ class WorkDialog(FittedDialog):
         self.setObjectName(name)
         self.setWindowTitle(title)
         self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
-        self.jobs = Jobs(self)
+        self.jobs = SingleTask(self)
         self.problem = problem_label(problem)
 
     def complain(self, text: str) -> None:

@@ -1,4 +1,4 @@
-"""Documents turned into arrays to draw. No Qt; with ``exchange`` the only place in app that calls curvecore.
+"""Documents turned into arrays to draw. No Qt; of app only ``families`` and ``exchange`` call curvecore, too.
 
 - ``curve_view``: a document's curve as a core curve, its polyline, its handles, or why it cannot be made.
   ``views_ahead``: those of many, made beside the window.

@@ -12,7 +12,7 @@ from collections.abc import Sequence
 import numpy as np
 import numpy.typing as npt
 
-from app.view_model.flattener import CoreCurve
+from curvecore import Curve as CoreCurve
 from curvecore.bernstein_algebra import weights
 from curvecore.lengths import ArcLength, Length, arc_lengths
 from curvecore.pieces import BezierPieces, alike

@@ -9,9 +9,8 @@ from itertools import pairwise
 import msgspec
 import numpy as np
 
-from app.document.model import Family
-from app.view_model.curve_view import CurveView, Floats, Integers, SimpleCurve
-from curvecore import HermiteCurve, LagrangeCurve, QuinticHermiteCurve
+from app.families import Family
+from app.view_model.curve_view import CoreCurve, CurveView, Floats, Integers
 from curvecore.moved_parameters import MovedParameters
 
 SAMPLES = 400
@@ -40,10 +39,6 @@ _PEAK = (1.0, 2.5, 25.0)
 """What makes B_1/h and B_2/h², which peak at 0.20 and 0.017, reach almost one half."""
 
 
-_MOST_BENT = {HermiteCurve: 10.0, QuinticHermiteCurve: 25.0}
-"""What the second derivatives of the scaled functions reach at most where a segment has the length 1."""
-
-
 class BasisView(msgspec.Struct, frozen=True, eq=False, dict=True):
     """Basis functions B_ir(t) as the panel draws them.
 
@@ -66,7 +61,7 @@ class BasisView(msgspec.Struct, frozen=True, eq=False, dict=True):
         What makes the functions of a Lagrange curve after a few parameters moved; None where they are few.
     """
 
-    curve: SimpleCurve
+    curve: CoreCurve
     owners: tuple[int, ...]
     t: Floats
     values: Floats
@@ -110,7 +105,7 @@ class BasisView(msgspec.Struct, frozen=True, eq=False, dict=True):
 
     def fine_functions(self, index: int) -> tuple[Floats, Floats]:
         """Return (t, scaled B) of knot `index` of a piecewise curve, all kinds (m, R), sampled finely."""
-        assert not isinstance(self.curve, LagrangeCurve)
+        assert self.curve.is_local
         knots = self.curve.parameters[max(index - 1, 0) : index + 2]
         t = np.concatenate([np.linspace(*ends, _FINE) for ends in pairwise(knots.tolist())])
         local = self.curve.local_basis(t)
@@ -123,14 +118,14 @@ class BasisView(msgspec.Struct, frozen=True, eq=False, dict=True):
     @property
     def most_bent(self) -> float:
         """What |d²B ∕ ds²| of no scaled function of a piecewise curve exceeds, s in 0 … 1 over a segment."""
-        return _MOST_BENT[type(self.curve)]
+        return _bent(self.curve)
 
     def fine_segments(self, segments: Integers, chords: int) -> tuple[Floats, Floats]:
         """Return (t, scaled B) over segments of a piecewise curve, each in so many steps, ends included.
 
         t is (k, chords + 1); the values are (k, chords + 1, 2, R), of the node before and the node after.
         """
-        assert not isinstance(self.curve, LagrangeCurve)
+        assert self.curve.is_local
         start, end = self.curve.parameters[segments], self.curve.parameters[segments + 1]
         # The last one lies a hair before the joint, so that it is counted to this segment.
         t: Floats = np.linspace(start, np.nextafter(end, start), chords + 1, axis=1)
@@ -175,7 +170,7 @@ class BasisView(msgspec.Struct, frozen=True, eq=False, dict=True):
 
         Infinite where it is beyond all floats.
         """
-        assert isinstance(self.curve, LagrangeCurve)
+        assert not self.curve.is_local
         with np.errstate(over="ignore"):
             return float(np.abs(self.values[:, :, 0]).sum(axis=1).max())
 
@@ -183,6 +178,19 @@ class BasisView(msgspec.Struct, frozen=True, eq=False, dict=True):
         """Return the scaled functions of one kind at `t`, one for each knot."""
         values: Floats = self.curve.basis(np.array([t]))[0, :, kind] * self.scales[:, kind]
         return values
+
+
+_MOST_BENT: dict[str, float] = {}
+
+
+def _bent(curve: CoreCurve) -> float:
+    """Return what the second derivatives of the scaled functions reach where a segment has the length 1."""
+    if curve.name not in _MOST_BENT:
+        kinds = curve.jets.shape[1]
+        unit = curve.with_data(np.zeros((2, kinds, 2)), [0.0, 1.0])
+        bends = unit.basis(np.linspace(0.0, 1.0, _FINE), 2) * np.array(_PEAK[:kinds])
+        _MOST_BENT[curve.name] = float(np.abs(bends).max())
+    return _MOST_BENT[curve.name]
 
 
 def _spread(combine: np.ufunc, values: Floats) -> Floats:
@@ -204,34 +212,37 @@ def basis_view(view: CurveView, previous: BasisView | None = None) -> BasisView 
     count = len(view.source.nodes)
     # The last knot of a closed curve is its first node again.
     owners = tuple(range(count)) if len(curve.parameters) == count else (*range(count), 0)
-    if isinstance(curve, LagrangeCurve):
-        if len(owners) < _MANY:
-            t = _lagrange_samples(*curve.domain)
-            return BasisView(curve, owners, t, curve.basis(t), None, scales)
-        return _many_functions(curve, owners, scales, previous)
-    return _piecewise_view(curve, owners, scales)
+    if curve.is_local:
+        return _piecewise_view(curve, owners, scales)
+    if len(owners) < _MANY or not curve.is_one_polynomial:
+        t = _samples_over(curve)
+        return BasisView(curve, owners, t, curve.basis(t), None, scales)
+    return _many_functions(curve, owners, scales, previous)
 
 
 def _many_functions(
-    curve: LagrangeCurve, owners: tuple[int, ...], scales: Floats, previous: BasisView | None
+    curve: CoreCurve, owners: tuple[int, ...], scales: Floats, previous: BasisView | None
 ) -> BasisView:
     if previous is not None and previous.known is not None and previous.curve.domain == curve.domain:
         values = previous.known.basis(curve)
         if values is not None:
             return BasisView(curve, owners, previous.t, values, None, scales, previous.known)
-    t = _lagrange_samples(*curve.domain)
+    t = _samples_over(curve)
     known = MovedParameters(curve, t)
     values = known.basis(curve)
     assert values is not None
     return BasisView(curve, owners, t, values, None, scales, known)
 
 
-def _lagrange_samples(start: float, end: float) -> Floats:
+def _samples_over(curve: CoreCurve) -> Floats:
+    start, end = curve.domain
     u = np.linspace(0.0, 1.0, SAMPLES)
     s = (1 - _AT_ENDS) * u + _AT_ENDS * np.sin(0.5 * np.pi * u) ** 2
     t: Floats = start + (end - start) * s
     t[-1] = end
-    return t
+    # A hair on both sides of a break, where functions may turn or jump.
+    inner = curve.breaks[1:-1]
+    return np.sort(np.concatenate([t, inner, np.nextafter(inner, start)])) if len(inner) else t
 
 
 def segment_samples(knots: Floats) -> tuple[Floats, Floats, Integers]:
@@ -253,9 +264,7 @@ def segment_samples(knots: Floats) -> tuple[Floats, Floats, Integers]:
     return t, s, first
 
 
-def _piecewise_view(
-    curve: HermiteCurve | QuinticHermiteCurve, owners: tuple[int, ...], scales: Floats
-) -> BasisView:
+def _piecewise_view(curve: CoreCurve, owners: tuple[int, ...], scales: Floats) -> BasisView:
     t, s, first = segment_samples(curve.parameters)
     if len(first) <= _MOST_UNEVEN:
         values = curve.local_basis(t).values
@@ -267,18 +276,13 @@ def _piecewise_view(
     return BasisView(curve, owners, t, values, first, scales)
 
 
-def _alike(curve: HermiteCurve | QuinticHermiteCurve, s: Floats, scales: Floats) -> Floats:
+def _alike(curve: CoreCurve, s: Floats, scales: Floats) -> Floats:
     """Return the scaled functions at the same places `s` of every segment, (m, 2, R).
 
     B_ir is h^r times a shape that all segments have in common.
     """
-    kinds, nothing, ends = curve.jets.shape[1], np.zeros((2, 2)), np.array([0.0, 1.0])
-    is_cubic = isinstance(curve, HermiteCurve)
-    unit = (
-        HermiteCurve(nothing, nothing, ends)
-        if is_cubic
-        else QuinticHermiteCurve(nothing, nothing, nothing, ends)
-    )
+    kinds = curve.jets.shape[1]
+    unit = curve.with_data(np.zeros((2, kinds, 2)), [0.0, 1.0])
     # At 1 the next segment would begin.
     shapes = unit.local_basis(np.minimum(s, np.nextafter(1.0, 0.0))).values
     powers = np.diff(curve.parameters)[:, None] ** np.arange(kinds)
@@ -296,7 +300,7 @@ def _sample_counts(spacing: Floats) -> Integers:
     return np.full(len(spacing), each)
 
 
-def basis_scales(curve: SimpleCurve) -> Floats:
+def basis_scales(curve: CoreCurve) -> Floats:
     """Return the factors that make functions of all kinds readable on one axis, (k, R).
 
     Velocity functions are in proportion to the spacing h, acceleration functions to h²; the longer of a
@@ -313,8 +317,8 @@ def basis_scales(curve: SimpleCurve) -> Floats:
 
 def basis_formulas(family: Family) -> tuple[str, ...]:
     """Return what is drawn of each kind, as formulas; h stands for the longer segment beside the point."""
-    if family is Family.LAGRANGE:
-        return ("Lᵢ(t)",)
+    if not family.derivatives:
+        return ("Lᵢ(t)",) if family.is_one_polynomial else ("Bᵢ(t)",)
     return ("B₀", "2.5·B₁ ∕ h", "25·B₂ ∕ h²")[: family.derivatives + 1]
 
 

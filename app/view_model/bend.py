@@ -9,8 +9,8 @@ can, points that were placed with care move least, and a small pull here is no l
 That is exact at frozen parameters. Where points change and a rule gives the parameters, or estimates
 derivatives from the points, the curve answers differently: the grabbed point is then held at its share of its
 segment. A piecewise curve is corrected by Broyden's method, so that only the segment's own data change; where
-that leads nowhere, and for Lagrange, where all points move anyway, a shift of all points takes over what the
-bend cannot do (`bend_together`). So the grabbed point always follows, however far.
+that leads nowhere, and where there are points alone, all of which move anyway, a shift of all points takes
+over what the bend cannot do (`bend_together`). So the grabbed point always follows, however far.
 """
 
 from __future__ import annotations
@@ -26,11 +26,11 @@ import numpy as np
 from app.document.edits import EditError
 from app.document.jet_edits import JetValue, with_jet_values
 from app.document.kept_handles import with_handles_kept
-from app.document.model import Curve, Family, ParametrizationKind, Vector
+from app.document.model import Curve, ParametrizationKind, Vector
 from app.view_model.basis_view import weights_at
 from app.view_model.bend_together import Cost, divided, slope_at_rest
 from app.view_model.curve_view import CurveView, Floats, parameters_of, view_of
-from curvecore import CurveError, LagrangeCurve
+from curvecore import CurveError
 
 _LEAST_HOLD = 1e-4
 """b·b below which the data have no hold on the curve: they would change a hundred times as much as it."""
@@ -95,7 +95,8 @@ class _Place(msgspec.Struct, frozen=True):
 
 
 def _required_hold(view: CurveView, t: float, using: BendWith) -> _Hold:
-    if view.source.family is Family.LAGRANGE:
+    family = view.source.family
+    if not (family.derivatives and family.is_local):
         hold = _hold_of_points(view, t, range(len(view.source.nodes)))
     else:
         segment = _place_of(view, t).segment
@@ -243,11 +244,11 @@ class Bend:
         """
         pull = np.array(target) - self._start
         source = self._view.source
-        is_polynomial = source.family is Family.LAGRANGE
+        of_points_alone = not source.family.derivatives
         moves_no_parameter = all(datum.order for datum in self._data) or source.parametrization.kind in _FIXED
-        if moves_no_parameter and (is_polynomial or self._data[0].order):
+        if moves_no_parameter and (of_points_alone or self._data[0].order):
             return self._curve(pull)  # exact
-        alone = None if is_polynomial else self._solved(pull, tolerance)
+        alone = None if of_points_alone else self._solved(pull, tolerance)
         return self._curve(alone) if alone is not None else self._bent_and_shifted(pull)
 
     def _bent_and_shifted(self, pull: Floats) -> Curve:
@@ -284,21 +285,23 @@ class Bend:
 
     def _moved_by(self, bend: Floats) -> Floats | None:
         """Return how far the grabbed point goes with a bend, None without a curve."""
-        if self._view.source.family is Family.LAGRANGE:
-            return self._polynomial_moved_by(bend)
+        if not self._view.source.family.derivatives:
+            return self._points_moved_by(bend)
         view = view_of(self._curve(bend), self._view)
         if view.curve is None or not view.is_current:
             return None
         moved: Floats = view.curve.evaluate(self._place.t(view.parameters)) - self._start
         return moved
 
-    def _polynomial_moved_by(self, bend: Floats) -> Floats | None:
-        """Return the same for a polynomial, from its points alone: twice as fast as by way of a document."""
+    def _points_moved_by(self, bend: Floats) -> Floats | None:
+        """Return the same where there are points alone: twice as fast as by way of a document."""
         view = self._view
         points = view.points + np.outer([each.change for each in self._data], bend)
+        if view.source.is_closed:
+            points = np.vstack([points, points[:1]])
         try:
             parameters = parameters_of(view.source, points, view.arrays.times)
-            curve = LagrangeCurve(points, parameters)
+            curve = view.source.family.make(points[:, None], parameters)
         except CurveError:
             return None
         moved: Floats = curve.evaluate(self._place.t(parameters)) - self._start

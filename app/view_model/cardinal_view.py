@@ -7,7 +7,7 @@ from itertools import pairwise
 import numpy as np
 
 from app.view_model.basis_view import BasisView, segment_samples
-from app.view_model.curve_view import CurveView, Floats, SimpleCurve
+from app.view_model.curve_view import CoreCurve, CurveView, Floats
 from curvecore.cardinal import CardinalBasis
 
 _MOST_EACH = 64
@@ -69,7 +69,7 @@ def cardinal_view(view: CurveView) -> CardinalView | None:
     )
 
 
-def _values(curve: SimpleCurve, cardinal: CardinalBasis, t: Floats, owners: tuple[int, ...]) -> Floats:
+def _values(curve: CoreCurve, cardinal: CardinalBasis, t: Floats, owners: tuple[int, ...]) -> Floats:
     if len(owners) <= _MOST_EACH:
         each: Floats = cardinal.basis(t)[:, list(owners), None]
         return each

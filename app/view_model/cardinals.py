@@ -10,9 +10,9 @@ import numpy as np
 import numpy.typing as npt
 
 from app.document.model import Curve, VelocityRule
-from app.view_model.flattener import SimpleCurve
 from app.view_model.jets import moved_with_points
 from app.view_model.node_arrays import Flags, NodeArrays
+from curvecore import Curve as CoreCurve
 from curvecore import CurveError, lebesgue_constant
 from curvecore.cardinal import CardinalBasis
 
@@ -52,7 +52,7 @@ class Cardinals:
     def __init__(self) -> None:
         self._known: Cardinal | None = None
 
-    def of(self, curve: Curve, points: Floats, skeleton: SimpleCurve, arrays: NodeArrays) -> Cardinal:
+    def of(self, curve: Curve, points: Floats, skeleton: CoreCurve, arrays: NodeArrays) -> Cardinal:
         """Return the functions of a curve.
 
         Parameters
@@ -80,7 +80,7 @@ class Cardinals:
         return known
 
 
-def _made(curve: Curve, points: Floats, skeleton: SimpleCurve, arrays: NodeArrays) -> CardinalBasis | None:
+def _made(curve: Curve, points: Floats, skeleton: CoreCurve, arrays: NodeArrays) -> CardinalBasis | None:
     if not curve.family.derivatives:
         return CardinalBasis(skeleton)
     follow = moved_with_points(curve, points, skeleton.parameters, arrays)

@@ -12,9 +12,9 @@ import numpy as np
 import numpy.typing as npt
 from msgspec.structs import replace
 
-from app.document.model import Curve, Family, Node, Parametrization, ParametrizationKind, Vector
+from app.document.model import Curve, Node, Parametrization, ParametrizationKind, Vector
 from app.view_model.cardinals import Cardinals
-from app.view_model.flattener import Box, CoreCurve, Flattener, FlatteningKey, Polyline, SimpleCurve
+from app.view_model.flattener import Box, Flattener, FlatteningKey, Polyline
 from app.view_model.jets import Sides, corner_knots, explicit_sides, sides_of
 from app.view_model.node_arrays import NodeArrays, arrays_of
 from app.view_model.refusals import refusal_of
@@ -22,15 +22,14 @@ from curvecore import (
     CardinalBasis,
     Chain,
     CurveError,
-    HermiteCurve,
-    LagrangeCurve,
-    QuinticHermiteCurve,
     centripetal,
     chebyshev,
     chord_length,
     power,
     uniform,
 )
+from curvecore import Curve as CoreCurve
+from curvecore.arrays import parameter_array
 
 Floats = npt.NDArray[np.float64]
 Integers = npt.NDArray[np.intp]
@@ -43,7 +42,6 @@ __all__ = [
     "Floats",
     "Integers",
     "Polyline",
-    "SimpleCurve",
     "appended_parameter",
     "appended_squeeze",
     "parameters_of",
@@ -117,21 +115,17 @@ class CurveView(msgspec.Struct, frozen=True, eq=False, dict=True):
         return self.curve.parameters if self.curve is not None else np.empty(0)
 
     @property
-    def pieces(self) -> tuple[SimpleCurve, ...]:
+    def pieces(self) -> tuple[CoreCurve, ...]:
         """The curves that `curve` is a chain of; one, unless it has corners."""
-        if isinstance(self.curve, Chain):
-            return self.curve.pieces  # type: ignore[return-value]
-        return (self.curve,) if self.curve is not None else ()
+        return self.curve.pieces if self.curve is not None else ()
 
     @cached_property
-    def skeleton(self) -> SimpleCurve | None:
+    def skeleton(self) -> CoreCurve | None:
         """A curve with the basis functions of `curve`, one set for each knot: corners do not change them."""
-        if not isinstance(self.curve, Chain):
+        if self.curve is None or len(self.pieces) == 1:
             return self.curve
-        nothing = np.zeros((len(self.parameters), 2))
-        if self.source.family is Family.HERMITE:
-            return HermiteCurve(nothing, nothing, self.parameters)
-        return QuinticHermiteCurve(nothing, nothing, nothing, self.parameters)
+        nothing = np.zeros((len(self.parameters), self.curve.jets.shape[1], 2))
+        return self.pieces[0].with_data(nothing, self.parameters)
 
     @cached_property
     def cardinal(self) -> CardinalBasis | None:
@@ -151,10 +145,10 @@ class CurveView(msgspec.Struct, frozen=True, eq=False, dict=True):
 
     def with_knots(self, points: Floats, parameters: Floats) -> CoreCurve:
         """Return the core curve through other points (k, 2), at parameters (k,), under the same rules."""
-        if self.source.family is Family.LAGRANGE:
-            return LagrangeCurve(points, parameters)
+        if not self.source.family.derivatives:
+            return self.source.family.make(points[:, None], parameters)
         sides = sides_of(self.source, points, parameters, self.arrays)
-        return _hermite(self.source, sides, parameters, self.arrays, None)
+        return _piecewise(self.source, sides, parameters, self.arrays, None)
 
     @property
     def at_knots(self) -> Floats:
@@ -262,22 +256,18 @@ def _good_view(curve: Curve, arrays: NodeArrays, previous: CurveView | None) -> 
     parameters = _known_parameters(curve, arrays, previous)
     if parameters is None:
         parameters = parameters_of(curve, at_knots, arrays.times)
-        if not (np.diff(parameters) > 0.0).all():
-            # Refused as a whole: a piece between two corners would count from its own beginning.
-            LagrangeCurve(at_knots, parameters)
+        # Refused as a whole: a piece between two corners would count from its own beginning.
+        parameter_array(parameters, len(at_knots))
     frozen = _same_parameters(curve, parameters, previous)
     flattener = previous._flattener if previous is not None else Flattener()
     cardinals = previous._cardinals if previous is not None else Cardinals()
-    if curve.family is Family.LAGRANGE:
-        line = _lagrange(at_knots, parameters, frozen)
+    if not curve.family.derivatives:
+        jets = at_knots[:, None]
+        line = curve.family.make(jets, parameters) if frozen is None else frozen.with_jets(jets)
         return CurveView(curve, points, arrays, line, _flattener=flattener, _cardinals=cardinals)
     sides = sides_of(curve, at_knots, parameters, arrays)
-    core = _hermite(curve, sides, parameters, arrays, frozen)
+    core = _piecewise(curve, sides, parameters, arrays, frozen)
     return CurveView(curve, points, arrays, core, sides=sides, _flattener=flattener, _cardinals=cardinals)
-
-
-def _lagrange(points: Floats, parameters: Floats, frozen: SimpleCurve | None) -> CoreCurve:
-    return LagrangeCurve(points, parameters) if frozen is None else frozen.with_jets(points[:, None])
 
 
 def _known_parameters(curve: Curve, arrays: NodeArrays, previous: CurveView | None) -> Floats | None:
@@ -290,26 +280,29 @@ def _known_parameters(curve: Curve, arrays: NodeArrays, previous: CurveView | No
     return previous.parameters if arrays.times is previous.arrays.times else None
 
 
-def _same_parameters(curve: Curve, parameters: Floats, previous: CurveView | None) -> SimpleCurve | None:
+def _same_parameters(curve: Curve, parameters: Floats, previous: CurveView | None) -> CoreCurve | None:
     """Return the curve before if it has the same family and parameters: only its data are other ones."""
-    if previous is None or not previous.is_current or previous.source.family is not curve.family:
+    if previous is None or not previous.is_current or previous.source.family != curve.family:
         return None
     old = previous.curve
-    if isinstance(old, Chain) or old is None:
+    if old is None or len(old.pieces) > 1:
         return None
     is_same = old.parameters is parameters or np.array_equal(old.parameters, parameters)
     return old if is_same else None
 
 
-def _hermite(
-    curve: Curve, sides: Sides, parameters: Floats, arrays: NodeArrays, frozen: SimpleCurve | None
+def _piecewise(
+    curve: Curve, sides: Sides, parameters: Floats, arrays: NodeArrays, frozen: CoreCurve | None
 ) -> CoreCurve:
     last = len(parameters) - 1
     corners = [index for index in corner_knots(arrays, last + 1) if 0 < index < last]
     if frozen is not None and not corners:
         return frozen.with_jets(_piece_jets(sides, 0, last))
     cuts = [0, *corners, last]
-    pieces = [_piece(curve.family, sides, parameters, start, end) for start, end in pairwise(cuts)]
+    pieces = [
+        curve.family.make(_piece_jets(sides, start, end), parameters[start : end + 1])
+        for start, end in pairwise(cuts)
+    ]
     return pieces[0] if len(pieces) == 1 else Chain(pieces)
 
 
@@ -317,14 +310,6 @@ def _piece_jets(sides: Sides, start: int, end: int) -> Floats:
     jets = np.array(sides.after[start : end + 1])
     jets[-1] = sides.before[end]
     return jets
-
-
-def _piece(family: Family, sides: Sides, parameters: Floats, start: int, end: int) -> SimpleCurve:
-    jets = _piece_jets(sides, start, end)
-    t = parameters[start : end + 1]
-    if family is Family.HERMITE:
-        return HermiteCurve(jets[:, 0], jets[:, 1], t)
-    return QuinticHermiteCurve(jets[:, 0], jets[:, 1], jets[:, 2], t)
 
 
 def parameters_of(curve: Curve, points: Floats, times: Floats | None = None) -> Floats:

@@ -6,20 +6,10 @@ import msgspec
 import numpy as np
 import numpy.typing as npt
 
-from curvecore import (
-    Chain,
-    FrozenFlattening,
-    FrozenSegments,
-    HermiteCurve,
-    LagrangeCurve,
-    Pieces,
-    QuinticHermiteCurve,
-    flatten_pieces,
-)
+from curvecore import Curve as CoreCurve
+from curvecore import FrozenFlattening, FrozenSegments, Pieces, flatten_pieces
 
 Floats = npt.NDArray[np.float64]
-SimpleCurve = LagrangeCurve | HermiteCurve | QuinticHermiteCurve
-CoreCurve = SimpleCurve | Chain
 Box = tuple[float, float, float, float]
 FlatteningKey = tuple[float, Box | None]
 """Tolerance, and the box in which it matters."""
@@ -54,19 +44,19 @@ class Flattener:
         """Return the polyline of `curve` for the tolerance and the box `key`."""
         if curve is None:
             return Polyline(np.empty(0), np.empty((0, 2)))
-        if isinstance(curve, Chain):
+        if len(curve.pieces) > 1:
             return _flatten(curve, key)
         return self._following(curve, key)
 
-    def _following(self, curve: SimpleCurve, key: FlatteningKey) -> Polyline:
+    def _following(self, curve: CoreCurve, key: FlatteningKey) -> Polyline:
         if key != self._last:
             # The first at this scale: there may never be another one.
             self._last, self._frozen, self._pause = key, None, 0
             return _flatten(curve, key)
-        pieces = _followed(self._frozen, curve)
+        pieces = None if self._frozen is None else self._frozen.follow(curve)
         if pieces is None and self._pause == 0:
             self._frozen = _frozen(curve, key)
-            pieces = _followed(self._frozen, curve)
+            pieces = self._frozen.follow(curve)
             if pieces is None:
                 # Too wild to be followed; it may calm down.
                 self._frozen, self._pause = None, _PAUSE
@@ -75,16 +65,8 @@ class Flattener:
         return _flatten(curve, key) if pieces is None else _polyline(pieces)
 
 
-def _frozen(curve: SimpleCurve, key: FlatteningKey) -> FrozenFlattening | FrozenSegments:
-    return FrozenFlattening(curve, *key) if isinstance(curve, LagrangeCurve) else FrozenSegments(curve, *key)
-
-
-def _followed(frozen: FrozenFlattening | FrozenSegments | None, curve: SimpleCurve) -> Pieces | None:
-    if isinstance(frozen, FrozenFlattening):
-        return frozen.follow(curve) if isinstance(curve, LagrangeCurve) else None
-    if frozen is None or isinstance(curve, LagrangeCurve):
-        return None
-    return frozen.follow(curve)
+def _frozen(curve: CoreCurve, key: FlatteningKey) -> FrozenFlattening | FrozenSegments:
+    return FrozenFlattening(curve, *key) if curve.bezier_pieces() is None else FrozenSegments(curve, *key)
 
 
 def _flatten(curve: CoreCurve, key: FlatteningKey) -> Polyline:

@@ -200,7 +200,7 @@ def _has_three_decimals(view: CurveView, _given: Curve) -> bool:
 KEPT = {
     "points": Kept(_keeps_points, "the points are not the lesson’s any more (Undo brings them back)"),
     "family": Kept(
-        lambda view, given: view.source.family is given.family, "the family is to stay what it was"
+        lambda view, given: view.source.family == given.family, "the family is to stay what it was"
     ),
     "rule": Kept(
         lambda view, given: view.source.parametrization.kind is given.parametrization.kind,

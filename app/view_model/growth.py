@@ -14,7 +14,7 @@ import numpy as np
 
 from app.view_model.basis_view import BasisView
 from app.view_model.curve_view import CurveView, Floats
-from curvecore import LagrangeCurve, lebesgue_constant
+from curvecore import lebesgue_constant
 from curvecore.scaling import LARGEST
 from curvecore.stability import lebesgue_constants
 
@@ -39,7 +39,7 @@ def growth_of_data(view: CurveView, basis: BasisView | None = None) -> float:
     """Return the Lebesgue constant where velocities and accelerations stay as they are."""
     if not view.is_current or view.skeleton is None:
         return math.nan
-    if view.source.family.derivatives:
+    if view.skeleton.is_positive:
         return 1.0
     if basis is not None and _lends(basis, view):
         return basis.lebesgue_constant
@@ -47,9 +47,10 @@ def growth_of_data(view: CurveView, basis: BasisView | None = None) -> float:
 
 
 def _lends(basis: BasisView, view: CurveView) -> bool:
-    """Whether these are the functions of a Lagrange curve, and of this one: its parameters decide."""
-    is_lagrange = isinstance(basis.curve, LagrangeCurve) and not view.source.family.derivatives
-    return is_lagrange and bool(np.array_equal(basis.curve.parameters, view.parameters))
+    """Whether these are dense functions, and of this curve: family and parameters decide."""
+    if view.skeleton is None or basis.curve.is_local or basis.curve.name != view.skeleton.name:
+        return False
+    return bool(np.array_equal(basis.curve.parameters, view.parameters))
 
 
 def growths_of_points(views: Sequence[CurveView]) -> list[float]:

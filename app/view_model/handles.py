@@ -12,7 +12,7 @@ from collections.abc import Collection
 import msgspec
 
 from app.document.edits import EditError, set_velocity
-from app.document.model import Curve, Document, Family, Vector
+from app.document.model import Curve, Document, Vector
 from app.view_model.curve_view import CurveView
 from app.view_model.jets import explicit_sides
 
@@ -175,7 +175,7 @@ def _whole_interval(view: CurveView) -> float:
 
 
 def _degree(view: CurveView) -> int:
-    return 5 if view.source.family is Family.QUINTIC_HERMITE else 3
+    return 2 * view.source.family.derivatives + 1
 
 
 def _along(p: Vector, direction: Vector, factor: float) -> Vector:

@@ -11,7 +11,7 @@ import msgspec
 
 from app.view_model.analysis.figures import Style
 from app.view_model.analysis.laboratory_settings import Calculation
-from app.view_model.analysis.settings import Ghost
+from app.view_model.analysis.settings import GHOST_KINDS, Ghost, all_ghosts
 
 Dashes = tuple[float, ...]
 """Lengths of a dash, a gap, a dash and so on, in widths of the line; empty for a solid line."""
@@ -79,15 +79,24 @@ LOOKS = {
     Style.ENSEMBLE: Look("muted", 0.3),
 }
 
-GHOST_LOOKS = {
-    Ghost.LAGRANGE: Look(_BLUE, width=1.5, dashes=(6.0, 2.7)),
-    Ghost.HERMITE: Look(_VERMILLION, width=1.5, dashes=(6.0, 2.7, 1.3, 2.7)),
-    Ghost.QUINTIC_HERMITE: Look(_GREEN, width=1.5, dashes=(6.0, 2.7, 1.3, 2.7, 1.3, 2.7)),
-    Ghost.UNIFORM: Look(_PURPLE, width=1.5, dashes=(3.3, 2.0)),
-    Ghost.CHORD_LENGTH: Look(_ORANGE, width=1.5, dashes=(1.3, 2.0)),
-    Ghost.CENTRIPETAL: Look(_SKY, width=1.5, dashes=(9.3, 2.7)),
-    Ghost.CHEBYSHEV: Look(_YELLOW, width=1.5, dashes=(9.3, 2.7, 1.3, 2.7)),
-}
+_FAMILY_COLOURS = (_BLUE, _VERMILLION, _GREEN, _ORANGE, _PURPLE, _SKY, _YELLOW)
+_RULE_LOOKS = (
+    Look(_PURPLE, width=1.5, dashes=(3.3, 2.0)),
+    Look(_ORANGE, width=1.5, dashes=(1.3, 2.0)),
+    Look(_SKY, width=1.5, dashes=(9.3, 2.7)),
+    Look(_YELLOW, width=1.5, dashes=(9.3, 2.7, 1.3, 2.7)),
+)
+"""Of ghosts under other rules, in their order."""
+
+
+def ghost_look(ghost: Ghost) -> Look:
+    """Return how a ghost looks: no two have the same dashes."""
+    if ghost.kind is not None:
+        return _RULE_LOOKS[GHOST_KINDS.index(ghost.kind)]
+    place = all_ghosts().index(ghost)
+    colour = _FAMILY_COLOURS[place % len(_FAMILY_COLOURS)]
+    return Look(colour, width=1.5, dashes=(6.0, 2.7, *(1.3, 2.7) * place))
+
 
 METHOD_LOOKS = {
     Calculation.MONOMIAL: Look(_VERMILLION, width=2.0, dashes=(5.0, 2.0)),

@@ -9,7 +9,8 @@ import msgspec
 import numpy as np
 from msgspec.structs import replace
 
-from app.document.model import Family, VelocityRule
+from app.document.model import VelocityRule
+from app.families import HERMITE, QUINTIC_HERMITE
 from app.view_model.curve_view import CurveView, Floats, view_of
 from app.view_model.motion import STATIONS, Course, Moments, Repeat, folded, round_of, runs_back
 from curvecore.continuity import joint_report
@@ -39,7 +40,7 @@ NAMES = {Role.OWN: "", Role.CUBIC: "cubic", Role.QUINTIC: "quintic"}
 RADII = {Role.OWN: 6.0, Role.CUBIC: 11.0, Role.QUINTIC: 7.5}
 """Of the dots, in pixels: where they meet, a ring of each is seen."""
 
-FAMILIES = {Role.CUBIC: Family.HERMITE, Role.QUINTIC: Family.QUINTIC_HERMITE}
+RIVALS = {Role.CUBIC: HERMITE, Role.QUINTIC: QUINTIC_HERMITE}
 
 
 class ArrowKind(enum.Enum):
@@ -178,8 +179,8 @@ def _lengths(vectors: Floats) -> Floats:
 def rivals_of(view: CurveView) -> dict[Role, CurveView]:
     """Return the cubic and the quintic Hermite curve through the points of `view`, where both exist."""
     views = {
-        role: view if view.source.family is family else view_of(replace(view.source, family=family))
-        for role, family in FAMILIES.items()
+        role: view if view.source.family == family else view_of(replace(view.source, family=family))
+        for role, family in RIVALS.items()
     }
     return views if all(each.is_current for each in views.values()) else {}
 
@@ -201,7 +202,7 @@ def _jump_in_words(name: str, view: CurveView) -> str:
         return f"{name}: no joints."
     jumping = [joint for joint in joints if joint.parametric < 2]
     if not jumping:
-        is_spline = view.source.family is Family.HERMITE and _is_estimated(view)
+        is_spline = view.source.family == HERMITE and _is_estimated(view)
         why = " (its velocities are those of the natural spline; other rules jump)" if is_spline else ""
         return f"{name}: no jump of acceleration{why}."
     sizes = [float(np.hypot(*joint.acceleration_jump)) for joint in jumping]

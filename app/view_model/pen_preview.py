@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from app.document.edits import EditError
-from app.document.model import Document, Family, Vector
+from app.document.model import Document, Vector
 from app.view_model.appending import with_point_appended
 from app.view_model.curve_view import CurveView, view_of
 
-_UP_TO = {Family.LAGRANGE: 24, Family.HERMITE: 200, Family.QUINTIC_HERMITE: 200}
+_MOST_LOCAL, _MOST_GLOBAL = 200, 24
 """Points up to which it takes a millisecond at each move of the pointer.
 
 Beyond some 40 points a Lagrange curve by the distances swings so wildly that flattening it takes 5 to 80 ms.
@@ -22,7 +22,7 @@ def view_with_point(
     None where there is no such curve, or where it would take too long. `previous` is the view that this
     returned last; it lends what did not change.
     """
-    if not 0 < len(view.source.nodes) <= _UP_TO[view.source.family]:
+    if not 0 < len(view.source.nodes) <= (_MOST_LOCAL if view.source.family.is_local else _MOST_GLOBAL):
         return None
     try:
         longer = with_point_appended(document, curve, view, position).curves[curve]

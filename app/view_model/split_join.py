@@ -10,7 +10,8 @@ import numpy as np
 from msgspec.structs import replace
 
 from app.document.edits import EditError
-from app.document.model import Curve, Family, Node, ParametrizationKind, Vector
+from app.document.model import Curve, Node, ParametrizationKind, Vector
+from app.families import HERMITE, titles_with_derivatives
 from app.view_model.curve_view import CurveView, view_of
 from app.view_model.measure import dense, is_kept, largest_distance
 from app.view_model.reshape import Reshaped, baked, refuse_without_curve, with_point_inserted
@@ -51,26 +52,34 @@ class Split(msgspec.Struct, frozen=True):
 def split(view: CurveView, t: float) -> Split:
     """Cut the curve at `t`, at a joint or between two; a closed curve becomes an open one that begins there.
 
-    A Hermite curve is cut exactly: the parts have manual parameters and explicit derivatives. Of a Lagrange
-    curve each half goes through as many points as the whole, at Chebyshev points of its part of t, and is
-    thereby the same polynomial.
+    A Hermite curve is cut exactly: the parts have manual parameters and explicit derivatives. Of one
+    polynomial each half goes through as many points as the whole, at Chebyshev points of its part of t, and
+    is thereby the same polynomial.
 
     Raises
     ------
     EditError
-        If there is no curve, `t` is at its ends, or a Lagrange curve has too many points.
+        If there is no curve, `t` is at its ends, one polynomial has too many points, or the parts would not
+        have the shape of the whole.
     """
     refuse_without_curve(view)
-    parts = _split_polynomial(view, t) if view.source.family is Family.LAGRANGE else _split_pieces(view, t)
-    return Split(parts, _residual_of_parts(view, parts))
+    family = view.source.family
+    parts = _split_polynomial(view, t) if family.is_one_polynomial else _split_pieces(view, t)
+    made = Split(parts, _residual_of_parts(view, parts))
+    if not family.is_one_polynomial and not is_kept(made.residual, parts):
+        raise EditError(
+            f"A {family.title} curve cannot be split: its parts would be other curves, up to "
+            f"{made.residual:.2g} away. Choose {titles_with_derivatives()} first."
+        )
+    return made
 
 
 def _split_polynomial(view: CurveView, t: float) -> tuple[Curve, ...]:
     count = len(view.source.nodes)
     if count > MOST_POINTS_SPLIT:
         raise EditError(
-            f"A Lagrange curve of {count} points cannot be split well: each half needs as many points, and "
-            f"beyond {MOST_POINTS_SPLIT} rounding shows. Choose Hermite first."
+            f"A {view.source.family.title} curve of {count} points cannot be split well: each half needs as "
+            f"many points, and beyond {MOST_POINTS_SPLIT} rounding shows. Choose {HERMITE.title} first."
         )
     start, end = view.parameters[[0, -1]].tolist()
     if not start < t < end:
@@ -181,7 +190,13 @@ def joined(first: CurveView, second: CurveView) -> Reshaped:
     if any(not (y.t or 0.0) > (x.t or 0.0) for x, y in pairwise(nodes)):
         raise EditError("The parameters of the second curve lie too close together to follow the first's.")
     curve = _part(a, nodes, nodes[-1].t or 0.0, a.name)
-    return Reshaped(curve, _residual_of_join(first, second, view_of(curve), end + wait - start))
+    residual = _residual_of_join(first, second, view_of(curve), end + wait - start)
+    if not is_kept(residual, (first.source, second.source)):
+        raise EditError(
+            f"Two {a.family.title} curves cannot be joined: they would become another curve, up to "
+            f"{residual:.2g} away. Choose {titles_with_derivatives()} for both."
+        )
+    return Reshaped(curve, residual)
 
 
 def _refuse_to_join(first: CurveView, second: CurveView) -> None:
@@ -190,11 +205,11 @@ def _refuse_to_join(first: CurveView, second: CurveView) -> None:
             raise EditError(f"“{view.source.name}” cannot be joined. {view.problem}")
         if view.source.is_closed:
             raise EditError(f"“{view.source.name}” is closed and has no end; open it first.")
-    families = {first.source.family, second.source.family}
-    if Family.LAGRANGE in families:
-        raise EditError("Two polynomials make no third; choose Hermite or quintic Hermite for both curves.")
-    if len(families) > 1:
-        raise EditError("One curve is cubic, the other quintic; choose one family for both.")
+    one, other = first.source.family, second.source.family
+    if one.is_one_polynomial or other.is_one_polynomial:
+        raise EditError(f"Two polynomials make no third; choose {titles_with_derivatives()} for both curves.")
+    if one != other:
+        raise EditError(f"One curve is {one.kind}, the other {other.kind}; choose one family for both.")
 
 
 def _gap(first: CurveView, second: CurveView) -> float:
@@ -203,9 +218,13 @@ def _gap(first: CurveView, second: CurveView) -> float:
 
 def _speed_at_seam(first: CurveView, second: CurveView) -> float:
     """Return the speed for the way from one curve to the other, positive."""
-    assert first.sides is not None
-    assert second.sides is not None
-    speeds = np.hypot(*np.array([first.sides.before[-1, 1], second.sides.after[0, 1]]).T)
+    assert first.curve is not None
+    assert second.curve is not None
+    velocities = [
+        first.curve.evaluate(first.curve.domain[1], 1),
+        second.curve.evaluate(second.curve.domain[0], 1),
+    ]
+    speeds = np.hypot(*np.array(velocities).T)
     mean = float(speeds.mean())
     if mean > 0:
         return mean

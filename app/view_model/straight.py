@@ -7,8 +7,8 @@ from collections.abc import Collection
 import numpy as np
 
 from app.document.edits import EditError
-from app.document.model import Curve, Document, Family
-from app.document.straight_edits import ONE_POLYNOMIAL, corners_of, straighten
+from app.document.model import Curve, Document
+from app.document.straight_edits import corners_of, straighten, why_not_straight
 from app.view_model.curve_view import CurveView
 from app.view_model.reshape import refuse_without_curve
 from app.view_model.smoothness import with_corners
@@ -20,10 +20,10 @@ def with_straight_segments(view: CurveView, segments: Collection[int]) -> Curve:
     Raises
     ------
     EditError
-        If there is no curve, or it is one polynomial.
+        If there is no curve, or its family has no segments of their own.
     """
-    if view.source.family is Family.LAGRANGE:
-        raise EditError(ONE_POLYNOMIAL)
+    if reason := why_not_straight(view.source.family):
+        raise EditError(reason)
     refuse_without_curve(view)
     corners = corners_of(view.source, segments)
     cornered = with_corners(view, corners) if corners else view.source

@@ -15,8 +15,9 @@ from harness import Paints, Times, drag
 from msgspec.structs import replace
 from PySide6.QtCore import QPointF
 
-from app.document.model import Document, Family, make_curve
+from app.document.model import Document, make_curve
 from app.exchange.facts import facts_of
+from app.families import HERMITE
 from app.session import Session
 from app.testing import Editor
 from app.view_model.curve_view import view_of
@@ -40,7 +41,7 @@ def document(count: int) -> Document:
             make_curve(
                 np.column_stack([x, 0.02 * level + 0.7 * np.sin(3.5 * x + level)]),
                 name=f"Curve {level}",
-                family=Family.HERMITE,
+                family=HERMITE,
             )
             for level in range(count)
         )

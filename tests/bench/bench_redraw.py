@@ -23,7 +23,8 @@ from PySide6.QtCore import QPointF
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QWidget
 
-from app.document.model import Curve, Document, Family, Node, Parametrization, ParametrizationKind
+from app.document.model import Curve, Document, Node, Parametrization, ParametrizationKind
+from app.families import FAMILIES, HERMITE, LAGRANGE, QUINTIC_HERMITE, Family
 from app.session import Session
 from app.testing import Editor
 
@@ -33,7 +34,7 @@ SIZE = (1200, 600)
 def document(n: int, family: Family, kind: ParametrizationKind) -> Document:
     """A wave of n points; at Chebyshev points for Lagrange, the only sane choice for many."""
     s = np.linspace(0, 1, n)
-    if family is Family.LAGRANGE:
+    if family is LAGRANGE:
         s = (1 - np.cos(np.pi * s)) / 2
     x, y = 4 * s, 1 + 0.7 * np.sin(14 * s)
     nodes = tuple(Node(float(a), float(b)) for a, b in zip(x, y, strict=True))
@@ -118,24 +119,24 @@ def bend(editor: Editor) -> Times:
     return drag(canvas.viewport(), place, counted(editor), ["canvas"], pace=PACE)
 
 
-NAMES = {Family.LAGRANGE: "Lagrange", Family.HERMITE: "Hermite", Family.QUINTIC_HERMITE: "quintic"}
+NAMES = {LAGRANGE: "Lagrange", HERMITE: "Hermite", QUINTIC_HERMITE: "quintic"}
 
 EXPLAINING = ("overlayComb", "overlayBand", "plotLebesgue")
 """Actions that switch on what follows a drag beside the curve; the budget is for all of them together."""
 
 EXPLAINING_GHOSTS = {
-    Family.LAGRANGE: ("ghostCentripetal", "ghostHermite"),
-    Family.HERMITE: ("ghostCentripetal", "ghostQuinticHermite"),
-    Family.QUINTIC_HERMITE: ("ghostChordLength", "ghostLagrange"),
+    LAGRANGE: ("ghostCentripetal", "ghostHermite"),
+    HERMITE: ("ghostCentripetal", "ghostQuinticHermite"),
+    QUINTIC_HERMITE: ("ghostChordLength", "ghostLagrange"),
 }
 
 
 def frozen(family: Family) -> ParametrizationKind:
     """The rule whose parameters do not follow the points."""
-    return ParametrizationKind.CHEBYSHEV if family is Family.LAGRANGE else ParametrizationKind.UNIFORM
+    return ParametrizationKind.CHEBYSHEV if family is LAGRANGE else ParametrizationKind.UNIFORM
 
 
-@pytest.mark.parametrize("family", list(Family))
+@pytest.mark.parametrize("family", FAMILIES)
 def test_a_point_dragged_at_frozen_parameters(open_wave, beside, family):
     """The functions rest, in the peer too."""
     editor = open_wave(20, family, frozen(family))
@@ -143,7 +144,7 @@ def test_a_point_dragged_at_frozen_parameters(open_wave, beside, family):
     assert beside(what, lambda: drag_point(editor, ["canvas"]), 4.6, functions=False)
 
 
-@pytest.mark.parametrize("family", [Family.HERMITE, Family.QUINTIC_HERMITE])
+@pytest.mark.parametrize("family", [HERMITE, QUINTIC_HERMITE])
 def test_a_point_dragged_under_chord_length(open_wave, beside, family):
     """The parameters follow the points, so canvas and basis panel both change."""
     editor = open_wave(20, family, ParametrizationKind.CHORD_LENGTH)
@@ -152,7 +153,7 @@ def test_a_point_dragged_under_chord_length(open_wave, beside, family):
 
 
 @pytest.mark.parametrize(("n", "most"), [(20, 3.2), (1000, 0.4)])
-@pytest.mark.parametrize("family", [Family.HERMITE, Family.QUINTIC_HERMITE])
+@pytest.mark.parametrize("family", [HERMITE, QUINTIC_HERMITE])
 def test_a_point_dragged_under_its_cardinal_functions(open_wave, beside, family, n, most):
     """Under chord length the estimates change with every move, and every function with them."""
     editor = open_wave(n, family, ParametrizationKind.CHORD_LENGTH)
@@ -161,21 +162,21 @@ def test_a_point_dragged_under_its_cardinal_functions(open_wave, beside, family,
     assert beside(what, lambda: drag_point(editor, ["canvas", "basis"]), most, n=n)
 
 
-@pytest.mark.parametrize("family", list(Family))
+@pytest.mark.parametrize("family", FAMILIES)
 def test_a_parameter_dragged(open_wave, beside, family):
     editor = open_wave(20, family, frozen(family))
     assert beside(f"{NAMES[family]} n = 20, a parameter", lambda: drag_tick(editor), 2.7)
 
 
 @pytest.mark.parametrize("kind", [ParametrizationKind.CHORD_LENGTH, ParametrizationKind.CENTRIPETAL])
-@pytest.mark.parametrize("family", list(Family))
+@pytest.mark.parametrize("family", FAMILIES)
 def test_the_curve_bent_while_a_rule_answers(open_wave, beside, family, kind):
     editor = open_wave(20, family, kind)
     what = f"{NAMES[family]} n = 20, bent, {kind.value.replace('_', ' ')}"
     assert beside(what, lambda: bend(editor), 3.1)
 
 
-@pytest.mark.parametrize("family", [Family.LAGRANGE, Family.HERMITE])
+@pytest.mark.parametrize("family", [LAGRANGE, HERMITE])
 def test_a_thousand_points(open_wave, beside, family):
     """The peer paints a thousand functions in full, and so it does in the tests that follow."""
     editor = open_wave(1000, family, frozen(family))
@@ -185,7 +186,7 @@ def test_a_thousand_points(open_wave, beside, family):
 
 def test_a_parameter_of_a_thousand(open_wave, beside):
     """All functions of a Lagrange curve change; the ticks are made a hundred pixels apart first."""
-    editor = open_wave(1000, Family.LAGRANGE, ParametrizationKind.CHEBYSHEV)
+    editor = open_wave(1000, LAGRANGE, ParametrizationKind.CHEBYSHEV)
     panel = editor.window.basis_panel
     tick = panel.rail_pixel(editor.parameters[500])
     panel.zoom(100.0, tick)
@@ -194,20 +195,20 @@ def test_a_parameter_of_a_thousand(open_wave, beside):
 
 def test_a_thousand_points_whose_functions_all_change(open_wave, beside):
     """The basis panel and its evaluation are in this figure."""
-    editor = open_wave(1000, Family.HERMITE, ParametrizationKind.CHORD_LENGTH)
+    editor = open_wave(1000, HERMITE, ParametrizationKind.CHORD_LENGTH)
     what = "Hermite n = 1000, a point, chord length"
     assert beside(what, lambda: drag_point(editor, ["canvas", "basis"]), 0.15, n=1000)
 
 
 def test_ten_thousand_points(open_wave, beside):
     """As imported: under chord length, so that every parameter and every function changes."""
-    editor = open_wave(10_000, Family.HERMITE, ParametrizationKind.CHORD_LENGTH)
+    editor = open_wave(10_000, HERMITE, ParametrizationKind.CHORD_LENGTH)
     what = "Hermite n = 10,000, a point, chord length"
     assert beside(what, lambda: drag_point(editor, ["canvas", "basis"]), 0.4, n=1000)
 
 
 @pytest.mark.parametrize("errors", [(0.01, 0.0), (0.01, 0.001)], ids=["points", "points and parameters"])
-@pytest.mark.parametrize("family", list(Family))
+@pytest.mark.parametrize("family", FAMILIES)
 def test_a_point_dragged_under_all_that_explains_the_curve(open_wave, beside, family, errors):
     """With comb, band, and two ghosts, one of which has other parameters in every frame."""
     editor = open_wave(20, family, frozen(family))
@@ -220,7 +221,7 @@ def test_a_point_dragged_under_all_that_explains_the_curve(open_wave, beside, fa
     assert len(editor.window.canvas.annotations.ghosts) == 2
 
 
-@pytest.mark.parametrize("family", list(Family))
+@pytest.mark.parametrize("family", FAMILIES)
 def test_a_point_dragged_under_all_that_explains_while_parameters_move(open_wave, beside, family):
     """Under chord length the functions and the Lebesgue function change in every frame, too."""
     editor = open_wave(20, family, ParametrizationKind.CHORD_LENGTH)
@@ -232,7 +233,7 @@ def test_a_point_dragged_under_all_that_explains_while_parameters_move(open_wave
 
 
 def test_one_of_a_hundred_curves(open_wave):
-    one = document(20, Family.HERMITE, ParametrizationKind.UNIFORM).curves[0]
+    one = document(20, HERMITE, ParametrizationKind.UNIFORM).curves[0]
     alone = calmest(lambda: drag_point(open_wave.document(Document((one,))), ["canvas"]))
     others = tuple(
         replace(one, name=f"Wave {k}", nodes=tuple(replace(node, y=node.y + 0.02 * k) for node in one.nodes))
@@ -250,7 +251,7 @@ def test_one_of_a_hundred_curves(open_wave):
 def test_faster_than_matplotlib_with_scipy(open_wave, qtbot, n, mode, factor, moves):
     from peer_matplotlib import drag_in_matplotlib
 
-    editor = open_wave(n, Family.LAGRANGE, ParametrizationKind.CHEBYSHEV)
+    editor = open_wave(n, LAGRANGE, ParametrizationKind.CHEBYSHEV)
     ours = calmest(lambda: drag_point(editor, ["canvas"]))
     peer = drag_in_matplotlib(qtbot, n, mode=mode, moves=moves, pace=PACE)
     what = f"n = {n}: matplotlib + SciPy, {mode}, {peer.median:.1f} ms, over ours"

@@ -47,8 +47,10 @@ def arrays_of(thing, seen=None):
             yield from arrays_of(each)
     elif hasattr(type(thing), "__slots__"):
         for name in ("points", "parameters", "jets", "row_of_parameter", "pieces", "_arcs", "_at"):
-            # A chain puts its points and jets together anew for everybody who asks.
-            if hasattr(thing, name) and not (isinstance(thing, Chain) and name in ("points", "jets")):
+            # A chain puts its points together anew whenever asked; the only piece of others is itself.
+            if name == ("points" if isinstance(thing, Chain) else "pieces"):
+                continue
+            if hasattr(thing, name):
                 yield from arrays_of(getattr(thing, name))
 
 

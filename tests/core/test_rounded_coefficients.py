@@ -20,7 +20,7 @@ from curvecore import (
     rounded_decimals,
     uniform,
 )
-from curvecore.lagrange import LagrangeCurve
+from curvecore.families.lagrange import LagrangeCurve
 
 NINE = np.array(
     [

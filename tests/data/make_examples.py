@@ -7,8 +7,9 @@ rounded to 12 decimals, because mathematical libraries differ in the last bit.
 import math
 from pathlib import Path
 
-from app.document.model import Curve, Document, Family, Node, Parametrization, ParametrizationKind
-from app.document.storage import save
+from app.document.model import Curve, Document, Node, Parametrization, ParametrizationKind
+from app.families import HERMITE, LAGRANGE, QUINTIC_HERMITE
+from app.storage.files import save
 
 FOLDER = Path(__file__).parents[2] / "resources" / "examples"
 
@@ -33,7 +34,7 @@ def letter_s():
     nodes = [Node(x, y) for x, y in points]
     nodes[0] = Node(*points[0], velocity=(-7.0, 20.0))
     nodes[-1] = Node(*points[-1], velocity=(-6.0, 22.0))
-    return Curve("Letter S", Family.HERMITE, Parametrization(), tuple(nodes))
+    return Curve("Letter S", HERMITE, Parametrization(), tuple(nodes))
 
 
 def runge(x):
@@ -55,7 +56,7 @@ def runge_chebyshev():
 def _runge_curve(name, kind, abscissae):
     """On the interval [-1, 1], x equals t: the curve is the graph of the interpolant."""
     nodes = tuple(Node(x, runge(x)) for x in abscissae)
-    return Curve(name, Family.LAGRANGE, Parametrization(kind, start=-1.0, end=1.0), nodes)
+    return Curve(name, LAGRANGE, Parametrization(kind, start=-1.0, end=1.0), nodes)
 
 
 def robot_move():
@@ -70,7 +71,7 @@ def robot_move():
         Node(0.8, 0.12, velocity=still, acceleration=still),
     )
     rule = Parametrization(ParametrizationKind.UNIFORM, start=0.0, end=2.5)
-    return Curve("Robot move", Family.QUINTIC_HERMITE, rule, nodes)
+    return Curve("Robot move", QUINTIC_HERMITE, rule, nodes)
 
 
 def airfoil_naca(camber=0.02, position=0.4, thickness=0.12, points=41):
@@ -88,7 +89,7 @@ def airfoil_naca(camber=0.02, position=0.4, thickness=0.12, points=41):
         )
         for i in range(points)
     )
-    return Curve("NACA 2412", Family.HERMITE, Parametrization(), nodes)
+    return Curve("NACA 2412", HERMITE, Parametrization(), nodes)
 
 
 def _naca_point(angle, camber, position, thickness):

@@ -5,8 +5,9 @@ A test compares the files with what this makes, bit for bit.
 
 from pathlib import Path
 
-from app.document.model import Curve, Document, Family, Node, Parametrization, ParametrizationKind
-from app.document.storage import save
+from app.document.model import Curve, Document, Node, Parametrization, ParametrizationKind
+from app.families import HERMITE, LAGRANGE, QUINTIC_HERMITE
+from app.storage.files import save
 
 FOLDER = Path(__file__).parents[2] / "resources" / "lessons"
 BLUE, ORANGE, VERMILLION = "#0072b2", "#e69f00", "#d55e00"
@@ -36,13 +37,13 @@ def lessons():
 def lagrange(name, points, kind=UNIFORM, end=1.0, **other):
     """A Lagrange curve through points under a rule, on the interval from 0 to `end`."""
     rule = Parametrization(kind, end=end)
-    return Curve(name, Family.LAGRANGE, rule, tuple(Node(x, y) for x, y in points), **other)
+    return Curve(name, LAGRANGE, rule, tuple(Node(x, y) for x, y in points), **other)
 
 
 def timed(name, points, parameters, **other):
     """A Lagrange curve with parameters set by hand."""
     nodes = tuple(Node(x, y, t=t) for (x, y), t in zip(points, parameters, strict=True))
-    return Curve(name, Family.LAGRANGE, Parametrization(MANUAL), nodes, **other)
+    return Curve(name, LAGRANGE, Parametrization(MANUAL), nodes, **other)
 
 
 def five_points():
@@ -107,8 +108,8 @@ def stations():
         for (x, y), v, a in zip(places, velocities, accelerations, strict=True)
     )
     return (
-        Curve("Cubic", Family.HERMITE, rule, cubic),
-        Curve("Quintic", Family.QUINTIC_HERMITE, rule, quintic, colour=BLUE),
+        Curve("Cubic", HERMITE, rule, cubic),
+        Curve("Quintic", QUINTIC_HERMITE, rule, quintic, colour=BLUE),
     )
 
 

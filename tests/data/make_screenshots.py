@@ -15,7 +15,7 @@ from time import monotonic
 from msgspec.structs import replace
 from PySide6.QtWidgets import QApplication
 
-from app.document.model import Family
+from app.families import HERMITE
 from app.preferences import Preferences
 from app.testing import Editor
 from app.theme import ThemeMode
@@ -57,7 +57,7 @@ def take(app: QApplication, editor: Editor, name: str, mode: ThemeMode) -> None:
 
 def first_sketch(app: QApplication, editor: Editor) -> None:
     """The first sketch as a Hermite curve, with a point selected and the scrub line out."""
-    editor.choose_family(Family.HERMITE)
+    editor.choose_family(HERMITE)
     editor.select_point(4)
     editor.scrub(0.52)
     for mode in (ThemeMode.LIGHT, ThemeMode.DARK):
@@ -66,7 +66,7 @@ def first_sketch(app: QApplication, editor: Editor) -> None:
 
 def analysis(app: QApplication, editor: Editor) -> None:
     """Comb, ghosts and plots."""
-    editor.choose_family(Family.HERMITE)
+    editor.choose_family(HERMITE)
     for name in ("overlayComb", "ghostLagrange", "ghostUniform", "plotAcceleration", "plotCurvature"):
         editor.trigger(name)
     editor.fit()

@@ -7,9 +7,10 @@ from msgspec.structs import replace
 
 from app.document import curve_edits, edits
 from app.document.edits import EditError
-from app.document.format import validate
-from app.document.model import Document, Family, Node, Parametrization, ParametrizationKind, make_curve
+from app.document.model import Document, Node, Parametrization, ParametrizationKind, make_curve
 from app.document.several_curves import move_curves
+from app.families import HERMITE, LAGRANGE
+from app.storage.format import validate
 from app.view_model.curve_view import view_of
 
 SQUARE = ((0.0, 0.0), (2.0, 0.0), (2.0, 2.0), (0.0, 2.0))
@@ -18,14 +19,14 @@ SQUARE = ((0.0, 0.0), (2.0, 0.0), (2.0, 2.0), (0.0, 2.0))
 @pytest.fixture
 def three():
     """Three curves, named A, B and C."""
-    return Document(tuple(make_curve(SQUARE, name=name, family=Family.HERMITE) for name in "ABC"))
+    return Document(tuple(make_curve(SQUARE, name=name, family=HERMITE) for name in "ABC"))
 
 
 def names(document):
     return "".join(curve.name for curve in document.curves)
 
 
-def manual(family=Family.HERMITE, **changes):
+def manual(family=HERMITE, **changes):
     """A document with a square of manual parameters 0, 1, 2, 3."""
     nodes = tuple(Node(x, y, t=float(t)) for t, (x, y) in enumerate(SQUARE))
     rule = Parametrization(ParametrizationKind.MANUAL)
@@ -70,7 +71,7 @@ def test_a_locked_curve_may_not_change(three):
     locked = curve_edits.set_locked(three, 1, True)
     for changed in (
         edits.move_nodes(locked, 1, [0], (1.0, 0.0)),
-        edits.set_family(locked, 1, Family.LAGRANGE),
+        edits.set_family(locked, 1, LAGRANGE),
         curve_edits.remove_curve(locked, 1),
     ):
         with pytest.raises(EditError, match="“B” is locked"):
@@ -138,7 +139,7 @@ def test_numbers_of_a_corner_are_checked_too():
 
 def test_a_polynomial_is_not_closed():
     with pytest.raises(EditError, match="cannot repeat itself"):
-        edits.set_closed(manual(Family.LAGRANGE), 0, True)
+        edits.set_closed(manual(LAGRANGE), 0, True)
 
 
 def test_two_points_are_not_closed():
@@ -167,7 +168,7 @@ def test_handles_stay_when_a_curve_is_closed():
         lambda document: edits.freeze_parameters(document, 0, [0.0, 5.0, 6.0, 9.0]),
         lambda document: edits.insert_nodes(document, 0, 4, [Node(1.0, 3.0, t=7.0)]),
         lambda document: edits.append_node(document, 0, Node(1.0, 3.0, t=4.5)),
-        lambda document: edits.set_family(edits.set_family(document, 0, Family.LAGRANGE), 0, Family.HERMITE),
+        lambda document: edits.set_family(edits.set_family(document, 0, LAGRANGE), 0, HERMITE),
     ],
 )
 def test_a_closed_curve_always_finds_its_way_back(change):

@@ -6,9 +6,9 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from app.document.format import encode
-from app.document.model import Family
-from app.document.storage import load
+from app.families import HERMITE
+from app.storage.files import load
+from app.storage.format import encode
 from app.view_model.curve_view import view_of
 
 ROOT = Path(__file__).parents[2]
@@ -96,7 +96,7 @@ def test_the_airfoil_has_the_published_thickness_and_camber():
 
 def test_the_letter_has_the_turns_of_an_s():
     curve = core("letter_s")
-    assert load(FOLDER / "letter_s.curve.json").curves[0].family is Family.HERMITE
+    assert load(FOLDER / "letter_s.curve.json").curves[0].family is HERMITE
     t = np.linspace(*curve.domain, 400)[5:-5]
     (dx, dy), (ax, ay) = curve.evaluate(t, 1).T, curve.evaluate(t, 2).T
     bends = np.sign(dx * ay - dy * ax)

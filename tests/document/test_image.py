@@ -9,7 +9,6 @@ from msgspec.structs import replace
 
 from app.document import curve_edits, edits
 from app.document.edits import EditError
-from app.document.format import FormatError, decode, encode
 from app.document.image_edits import (
     move_image,
     place_image,
@@ -18,9 +17,11 @@ from app.document.image_edits import (
     set_image_file,
     set_image_opacity,
 )
-from app.document.model import Document, Family, ReferenceImage, empty_document, make_curve
+from app.document.model import Document, ReferenceImage, empty_document, make_curve
 from app.document.several_curves import move_curves
-from app.document.storage import load, save
+from app.families import HERMITE
+from app.storage.files import load, save
+from app.storage.format import FormatError, decode, encode
 
 IMAGE = ReferenceImage("letters/s.png", 0.1, -1 / 3, 3.0, 4.0, 0.25, True)
 
@@ -107,7 +108,7 @@ def test_edits_of_curves_keep_the_image():
         curve_edits.add_curve(document, 0, make_curve([(5, 5)])),
         curve_edits.remove_curve(document, 0),
         edits.move_nodes(document, 0, {0}, (1, 1)),
-        edits.set_family(document, 0, Family.HERMITE),
+        edits.set_family(document, 0, HERMITE),
         move_curves(curve_edits.add_curve(document, 0, make_curve(())), {0}, 0, 1),
     ]
     assert all(each.image == document.image for each in changed)

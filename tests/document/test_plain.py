@@ -10,9 +10,10 @@ import pytest
 from msgspec.structs import replace
 
 from app.document import edits
-from app.document.format import FormatError, encode, validate
-from app.document.model import Document, Family, Node, Parametrization, ReferenceImage, make_curve
+from app.document.model import Document, Node, Parametrization, ReferenceImage, make_curve
 from app.document.plain import plain
+from app.families import HERMITE
+from app.storage.format import FormatError, encode, validate
 
 WILD = (
     np.float64(1 / 3),
@@ -35,7 +36,7 @@ def document_of(x):
     curve = replace(
         make_curve(()),
         nodes=nodes,
-        family=Family.HERMITE,
+        family=HERMITE,
         parametrization=Parametrization(alpha=np.float64(0.5), start=np.float64(0.0), end=10),
         closed=np.False_,
         visible=np.True_,

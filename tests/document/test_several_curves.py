@@ -9,7 +9,7 @@ from msgspec.structs import replace
 
 from app.document.choice import followed_curves
 from app.document.edits import EditError, append_node, set_family
-from app.document.model import Document, Family, Node, make_curve
+from app.document.model import Document, Node, make_curve
 from app.document.several_curves import (
     active_after_removal,
     add_copies,
@@ -25,6 +25,7 @@ from app.document.several_curves import (
     with_looks,
 )
 from app.document.transforms import rotation
+from app.families import HERMITE
 
 
 def names(document):
@@ -140,7 +141,7 @@ def test_a_choice_follows_its_curves(order, chosen, gone):
 
 
 def test_a_choice_stays_on_curves_that_are_changed_in_their_place(four):
-    document = set_family(append_node(four, 1, Node(9.0, 9.0)), 3, Family.HERMITE)
+    document = set_family(append_node(four, 1, Node(9.0, 9.0)), 3, HERMITE)
     assert followed_curves({1, 3}, four.curves, document.curves) == {1, 3}
     lowered = move_curves(four, {1}, 1, 2)
     assert followed_curves({1, 3}, four.curves, lowered.curves) == {2, 3}

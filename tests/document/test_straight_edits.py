@@ -6,14 +6,15 @@ import pytest
 from msgspec.structs import replace
 
 from app.document.edits import EditError
-from app.document.model import Document, Family, Node, make_curve
+from app.document.model import Document, Node, make_curve
 from app.document.straight_edits import corners_of, straighten
+from app.families import HERMITE, LAGRANGE, QUINTIC_HERMITE
 
 POINTS = ((0, 0), (1, 2), (3, 2), (4, 0))
 TIMES = (0.0, 0.25, 0.75, 1.0)
 
 
-def document(family=Family.QUINTIC_HERMITE, *, closed=False):
+def document(family=QUINTIC_HERMITE, *, closed=False):
     return Document((replace(make_curve(POINTS, family=family), closed=closed),))
 
 
@@ -31,13 +32,13 @@ def test_only_the_inner_sides_are_set():
 
 
 def test_an_end_of_an_open_curve_is_no_corner():
-    after = straighten(document(Family.HERMITE), 0, [0], TIMES).curves[0].nodes
+    after = straighten(document(HERMITE), 0, [0], TIMES).curves[0].nodes
     assert after[0] == Node(0.0, 0.0, velocity=(4.0, 8.0))
     assert after[1] == Node(1.0, 2.0, corner=True, velocity=(4.0, 8.0))
 
 
 def test_the_segment_that_closes_counts():
-    closed = document(Family.HERMITE, closed=True)
+    closed = document(HERMITE, closed=True)
     after = straighten(closed, 0, [3], (0.0, 0.25, 0.5, 0.75, 1.0)).curves[0].nodes
     assert after[3] == Node(4.0, 0.0, corner=True, velocity_after=(-16.0, 0.0))
     assert after[0] == Node(0.0, 0.0, corner=True, velocity=(-16.0, 0.0))
@@ -52,4 +53,4 @@ def test_what_is_no_segment_is_refused(segment):
 
 def test_a_polynomial_is_refused_with_the_reason():
     with pytest.raises(EditError, match="one polynomial"):
-        straighten(document(Family.LAGRANGE), 0, [1], TIMES)
+        straighten(document(LAGRANGE), 0, [1], TIMES)

@@ -6,8 +6,9 @@ import msgspec
 import numpy as np
 import pytest
 
-from app.document.model import Curve, Document, Family, Node, Parametrization, make_curve
-from app.document.storage import load
+from app.document.model import Curve, Document, Node, Parametrization, make_curve
+from app.families import FAMILIES, HERMITE, QUINTIC_HERMITE
+from app.storage.files import load
 
 EXAMPLES = sorted((Path(__file__).parents[2] / "resources" / "examples").glob("*.curve.json"))
 
@@ -18,7 +19,7 @@ def example(request):
     return load(request.param)
 
 
-@pytest.fixture(params=list(Family))
+@pytest.fixture(params=FAMILIES)
 def sketch(request):
     """Seven points in no order, in each family."""
     points = np.random.default_rng(7).normal(size=(7, 2)).tolist()
@@ -48,18 +49,18 @@ def _cornered(closed):
         Node(2.0, -2.0),
     )
     rule = Parametrization(start=0.0, end=2.5)
-    return Curve("Corner & co_1", Family.HERMITE, rule, nodes, closed=closed)
+    return Curve("Corner & co_1", HERMITE, rule, nodes, closed=closed)
 
 
 def _kinds():
     rng = np.random.default_rng(11)
-    for family in Family:
+    for family in FAMILIES:
         points = rng.normal(size=(6, 2)).tolist()
-        yield family.value, make_curve(points, name=f"{family} 1", family=family)
+        yield family.name, make_curve(points, name=f"{family} 1", family=family)
     yield "lagrange of degree 24", make_curve(_circle(25), name="A spiral")
     yield "cornered", _cornered(closed=False)
     yield "cornered, closed", _cornered(closed=True)
-    for family in (Family.HERMITE, Family.QUINTIC_HERMITE):
+    for family in (HERMITE, QUINTIC_HERMITE):
         ring = make_curve(rng.normal(size=(5, 2)).tolist(), name="Ring", family=family)
         yield f"{family}, closed", msgspec.structs.replace(ring, closed=True, colour="#c04020")
 

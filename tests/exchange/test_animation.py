@@ -10,13 +10,14 @@ import numpy as np
 import pytest
 from PIL import Image, ImageSequence
 
-from app.document.model import Document, Family, make_curve
-from app.document.storage import StorageError
+from app.document.model import Document, make_curve
 from app.examples import first_sketch
 from app.exchange.drawing.animation import FILMS, Film, write_film
 from app.exchange.drawing.styles import DARK
 from app.exchange.errors import ExchangeError
-from app.exchange.progress import FINAL, Cancelled
+from app.families import FAMILIES
+from app.storage.files import StorageError
+from app.tasks.progress import FINAL, Cancelled
 from app.view_model.motion import Pace, Repeat
 from app.view_model.palette import ACCENT, PAPER, colour_on
 
@@ -247,7 +248,7 @@ def test_the_real_ffmpeg_makes_a_film(tmp_path):
     assert (tmp_path / "film.mp4").read_bytes()[4:8] == b"ftyp"
 
 
-@pytest.mark.parametrize("family", list(Family))
+@pytest.mark.parametrize("family", FAMILIES)
 def test_every_family_runs(tmp_path, family):
     points = np.random.default_rng(7).normal(size=(7, 2)).tolist()
     write_film(Document((make_curve(points, family=family),)), tmp_path / "film.gif", Film(**SMALL))

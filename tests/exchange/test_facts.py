@@ -10,13 +10,13 @@ from flint import acb, arb, fmpq, fmpq_poly
 from app.document.model import (
     Curve,
     Document,
-    Family,
     Node,
     Parametrization,
     ParametrizationKind,
     make_curve,
 )
 from app.exchange.facts import facts_of
+from app.families import FAMILIES, HERMITE, LAGRANGE, QUINTIC_HERMITE
 from app.view_model.curve_view import view_of
 from curvecore import HermiteCurve, LagrangeCurve, QuinticHermiteCurve
 from tests.effort import calls_of
@@ -31,7 +31,7 @@ def quadratic(curve_data):
         Node(3.0 * end, 4.0 * end, velocity=(3.0 * last, 4.0 * last)),
     )
     rule = Parametrization(ParametrizationKind.UNIFORM)
-    return Document((Curve("", Family.HERMITE, rule, nodes),))
+    return Document((Curve("", HERMITE, rule, nodes),))
 
 
 def way(a, b, c):
@@ -71,7 +71,7 @@ def power_times_line(tau, power, start, slope):
 
     bends = [each.derivative() for each in slopes]
     nodes = tuple(Node(*at(places, t), velocity=at(slopes, t), acceleration=at(bends, t)) for t in (0, 1))
-    family = Family.HERMITE if power == 1 else Family.QUINTIC_HERMITE
+    family = HERMITE if power == 1 else QUINTIC_HERMITE
     rule = Parametrization(ParametrizationKind.UNIFORM)
     return Document((Curve("", family, rule, nodes),))
 
@@ -137,7 +137,7 @@ def many(count):
     """Curves of four points of all families, side by side."""
     rng = np.random.default_rng(count)
     points = rng.normal(size=(count, 4, 2)) + 9.0 * np.arange(count)[:, None, None]
-    families = list(Family)
+    families = FAMILIES
     return Document(tuple(make_curve(each.tolist(), family=families[k % 3]) for k, each in enumerate(points)))
 
 
@@ -174,7 +174,7 @@ def test_the_facts_of_many_curves_tell_how_far_they_are():
 
 def uniform(points):
     rule = Parametrization(ParametrizationKind.UNIFORM)
-    return Document((Curve("", Family.LAGRANGE, rule, tuple(Node(*point) for point in points)),))
+    return Document((Curve("", LAGRANGE, rule, tuple(Node(*point) for point in points)),))
 
 
 def test_growing_errors_are_mentioned():
@@ -189,7 +189,7 @@ def test_a_curve_beyond_all_floats_has_no_length_and_no_box():
     # Beyond forty parameters that nearly coincide, the polynomial grows like (1e24)**39.
     nodes = (*(Node(float(i), (-1.0) ** i, t=i * 1e-12) for i in range(40)), Node(0.0, 0.0, t=1e12))
     rule = Parametrization(ParametrizationKind.MANUAL)
-    (facts,) = facts_of(Document((Curve("", Family.LAGRANGE, rule, nodes),)))
+    (facts,) = facts_of(Document((Curve("", LAGRANGE, rule, nodes),)))
     assert (facts.length, facts.box) == (None, None)
     assert facts.warnings[0].startswith("“” swings beyond 1e+30 between its points")
     assert "Errors in the points grow beyond all bounds" in facts.warnings[1]

@@ -10,8 +10,7 @@ import pytest
 from hypothesis import HealthCheck, example, given, settings
 from hypothesis import strategies as st
 
-from app.document.format import FormatError, decode, encode, validate
-from app.document.model import Document, Family, make_curve
+from app.document.model import Document, make_curve
 from app.exchange.dxf_reader import read_dxf
 from app.exchange.errors import ExchangeError
 from app.exchange.formats.dxf import dxf_text
@@ -24,10 +23,12 @@ from app.exchange.table.curves import document_of_table
 from app.exchange.table.json_table import read_json
 from app.exchange.table.numpy_array import read_array
 from app.exchange.table.text import preview_table, read_table
+from app.families import HERMITE, QUINTIC_HERMITE
+from app.storage.format import FormatError, decode, encode, validate
 
 POINTS = [(0.0, 0.0), (1.0, 2.5), (3.0, -1.0), (4.0, 4.0)]
-SKETCH = Document((make_curve(POINTS, name="Kurve α", family=Family.HERMITE),))
-PAIR = Document((*SKETCH.curves, make_curve(POINTS[:3], name="=B", family=Family.QUINTIC_HERMITE)))
+SKETCH = Document((make_curve(POINTS, name="Kurve α", family=HERMITE),))
+PAIR = Document((*SKETCH.curves, make_curve(POINTS[:3], name="=B", family=QUINTIC_HERMITE)))
 
 SHAPES = (
     b'<svg xmlns="http://www.w3.org/2000/svg"><g transform="rotate(30 1 2) scale(2)" stroke="#f00">'

@@ -17,10 +17,10 @@ from pathlib import Path
 import pytest
 
 from app.document.expression import ExpressionError, parse_number
-from app.document.storage import StorageError
 from app.exchange.errors import ExchangeError
 from app.exchange.reading import import_file
 from app.exchange.table.clipboard import TableTextError, read_titled_block
+from app.storage.files import StorageError
 
 ROOT = Path(__file__).parents[2]
 SCRIPT = ROOT / "tests" / "data" / "make_hostile.py"

@@ -6,9 +6,7 @@ import numpy as np
 import pytest
 from PySide6.QtGui import QColor, QImage
 
-from app.document import storage
-from app.document.model import Document, Family, make_curve
-from app.document.storage import StorageError
+from app.document.model import Document, make_curve
 from app.exchange.drawing.drawing import drawing_of
 from app.exchange.drawing.styles import DARK, INK
 from app.exchange.errors import ExchangeError
@@ -16,6 +14,9 @@ from app.exchange.formats import FORMATS, endings_of
 from app.exchange.options import Options
 from app.exchange.svg.writer import POINT_RADIUS, STROKE
 from app.exchange.writing import export
+from app.families import HERMITE
+from app.storage import files
+from app.storage.files import StorageError
 from app.view_model.curve_view import view_of
 from curvecore import arc_length
 
@@ -63,7 +64,7 @@ def test_ink_is_where_the_curve_is_and_nowhere_else(example, tmp_path):
 
 
 def test_points_are_discs(tmp_path):
-    document = Document((make_curve([(0, 0), (1, 1), (2, 0)], family=Family.HERMITE),))
+    document = Document((make_curve([(0, 0), (1, 1), (2, 0)], family=HERMITE),))
     inks = []
     for points in (False, True):
         export(document, tmp_path / "a.png", Options(width=800, style=DARK, points=points))
@@ -102,7 +103,7 @@ def test_a_path_of_very_many_pieces_is_drawn_to_its_end(tmp_path):
     x = np.linspace(0, 1, 20_000)
     points = np.stack([x, 0.3 * np.sin(6 * x)], axis=1).tolist()
     export(
-        Document((make_curve(points, family=Family.HERMITE),)),
+        Document((make_curve(points, family=HERMITE),)),
         tmp_path / "a.png",
         Options(width=200, style=DARK),
     )
@@ -136,7 +137,7 @@ def test_a_failed_export_leaves_the_old_file(name, sketch, nothing, tmp_path, mo
     def fail(_descriptor):
         raise OSError(28, "No space left on device")
 
-    monkeypatch.setattr(storage.os, "fsync", fail)
+    monkeypatch.setattr(files.os, "fsync", fail)
     with pytest.raises(StorageError, match="The disk is full"):
         export(sketch, path)
     assert path.read_bytes() == b"old"

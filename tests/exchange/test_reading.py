@@ -7,14 +7,15 @@ from pathlib import Path
 
 import pytest
 
-from app.document.model import Document, Family, make_curve
+from app.document.model import Document, make_curve
 from app.exchange.child import limited, seconds_for
 from app.exchange.errors import ExchangeError
 from app.exchange.formats import FORMATS, Kind, endings_of, format_of
-from app.exchange.progress import Cancelled
 from app.exchange.reading import ImportOptions, import_file
 from app.exchange.svg.reader import read_svg
 from app.exchange.writing import export
+from app.families import LAGRANGE
+from app.tasks.progress import Cancelled
 from app.view_model.curve_view import view_of
 
 ROOT = Path(__file__).parents[2]
@@ -58,8 +59,8 @@ def test_a_process_reads_drawings(ending, tmp_path, children):
 def test_a_table_is_named_after_its_file(tmp_path):
     path = tmp_path / "tide.csv"
     path.write_text("0,1\n1,2\n", encoding="utf-8")
-    (curve,) = import_file(path, ImportOptions(family=Family.LAGRANGE)).document.curves
-    assert (curve.name, curve.family) == ("tide", Family.LAGRANGE)
+    (curve,) = import_file(path, ImportOptions(family=LAGRANGE)).document.curves
+    assert (curve.name, curve.family) == ("tide", LAGRANGE)
 
 
 def test_an_unknown_ending_is_refused(tmp_path):

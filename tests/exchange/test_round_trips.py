@@ -9,7 +9,7 @@ import pytest
 from msgspec.structs import replace
 
 from app.document import edits
-from app.document.model import Document, Family, Node, make_curve
+from app.document.model import Document, Node, make_curve
 from app.exchange.cubics_in import Imported
 from app.exchange.drawing.styles import DARK
 from app.exchange.errors import ExchangeError
@@ -24,6 +24,7 @@ from app.exchange.table.curves import document_of_table
 from app.exchange.table.text import read_table
 from app.exchange.table.thinning import Thinning, thinned
 from app.exchange.writing import export
+from app.families import HERMITE, QUINTIC_HERMITE
 from app.view_model.curve_view import view_of
 
 SQUARE = [(0.0, 0.0), (2.0, 0.0), (2.0, 2.0), (0.0, 2.0)]
@@ -33,8 +34,8 @@ NAMES = ["Pond", "=Arch, #1", "Line", "Line 2"]
 @pytest.fixture
 def document():
     """A closed cubic with a corner, a quintic with a hostile name, two Lagrange curves of one name."""
-    pond = replace(make_curve(SQUARE, name="Pond", family=Family.HERMITE), closed=True, colour="#0072b2")
-    arch = make_curve([(0.0, 5.0), (1.0, 7.0), (3.0, 5.5)], name=NAMES[1], family=Family.QUINTIC_HERMITE)
+    pond = replace(make_curve(SQUARE, name="Pond", family=HERMITE), closed=True, colour="#0072b2")
+    arch = make_curve([(0.0, 5.0), (1.0, 7.0), (3.0, 5.5)], name=NAMES[1], family=QUINTIC_HERMITE)
     line = make_curve([(0.0, 9.0), (1 / 3, 9.5), (2.0, 9.0)], name="Line")
     other = make_curve([(0.0, 10.0), (2.0, 11.0)], name="Line")
     result = edits.make_corner(Document((pond, arch, line, other)), 0, 2, (1.0, 3.0), (-4.0, 0.5))
@@ -70,7 +71,7 @@ def test_a_table_of_points_gives_the_same_curves(document, ending, tmp_path):
 
 
 def test_manual_parameters_of_a_closed_curve_come_back(tmp_path):
-    curve = replace(make_curve(SQUARE, family=Family.HERMITE), closed=True)
+    curve = replace(make_curve(SQUARE, family=HERMITE), closed=True)
     frozen = edits.freeze_parameters(Document((curve,)), 0, [2.0, 2.5, 4.0, 7.0])
     path = tmp_path / "a.points.csv"
     export(frozen, path)
@@ -184,7 +185,7 @@ def test_a_picture_with_everything_in_it_reads_back_as_its_curves(document):
 
 def test_handles_are_drawn_where_the_control_points_are():
     curve = replace(
-        make_curve([(0.0, 0.0), (3.0, 0.0)], family=Family.HERMITE),
+        make_curve([(0.0, 0.0), (3.0, 0.0)], family=HERMITE),
         nodes=(Node(0.0, 0.0, velocity=(3.0, 6.0)), Node(3.0, 0.0, velocity=(3.0, -6.0))),
     )
     text = svg_of(Document((curve,)), extras=Extras(handles=True))

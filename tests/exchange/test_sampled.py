@@ -7,9 +7,10 @@ import numpy as np
 import pytest
 from msgspec.structs import replace
 
-from app.document.model import Document, Family, Parametrization, ParametrizationKind, make_curve
+from app.document.model import Document, Parametrization, ParametrizationKind, make_curve
 from app.exchange.errors import ExchangeError
 from app.exchange.formats.samples import TITLES, Spacing, sampled_table
+from app.families import FAMILIES, HERMITE, LAGRANGE, QUINTIC_HERMITE
 from app.view_model.curve_view import view_of
 from curvecore import HermiteCurve, LagrangeCurve, QuinticHermiteCurve, arc_length
 
@@ -68,14 +69,14 @@ def test_the_curvature_of_a_circle():
     # A fine natural spline through a unit circle.
     angles = np.linspace(0, 6, 200)
     document = Document(
-        (make_curve(np.column_stack([np.cos(angles), np.sin(angles)]).tolist(), family=Family.HERMITE),)
+        (make_curve(np.column_stack([np.cos(angles), np.sin(angles)]).tolist(), family=HERMITE),)
     )
     _, values, _ = table(document, samples=100)
     np.testing.assert_allclose(values[10:-10, 7], 1, rtol=2e-3)
 
 
 def test_a_point_at_rest_has_no_curvature():
-    document = Document((make_curve([(0, 0), (1, 1)], family=Family.QUINTIC_HERMITE),))
+    document = Document((make_curve([(0, 0), (1, 1)], family=QUINTIC_HERMITE),))
     node = type(document.curves[0].nodes[0])
     nodes = (node(0.0, 0.0, velocity=(0.0, 0.0)), node(1.0, 1.0))
     curve = document.curves[0]
@@ -134,7 +135,7 @@ NEARLY_STILL = {
 }
 
 
-@pytest.mark.parametrize("family", Family)
+@pytest.mark.parametrize("family", FAMILIES)
 @pytest.mark.parametrize("points", NEARLY_STILL.values(), ids=NEARLY_STILL)
 @pytest.mark.parametrize("spacing", [Spacing.T, Spacing.LENGTH])
 def test_a_curve_that_is_nearly_still_is_sampled_in_few_evaluations(family, points, spacing, monkeypatch):
@@ -146,7 +147,7 @@ def test_a_curve_that_is_nearly_still_is_sampled_in_few_evaluations(family, poin
         monkeypatch.setattr(each, "evaluate", counted(each.evaluate, evaluations))
     size = np.ptp(np.array(points), axis=0).max()
     # A rounding is a length for the Hermite families, whose lengths do not depend on where the origin is.
-    if spacing is Spacing.LENGTH and (size == 0.0 or (size < 1e-12 and family is Family.LAGRANGE)):
+    if spacing is Spacing.LENGTH and (size == 0.0 or (size < 1e-12 and family is LAGRANGE)):
         with pytest.raises(ExchangeError, match="has no length to divide"):
             table(document, samples=9, spacing=spacing)
     else:

@@ -11,8 +11,7 @@ from msgspec.structs import replace
 
 from app.cli import main
 from app.document import edits
-from app.document.model import Document, Family, make_curve
-from app.document.storage import save
+from app.document.model import Document, make_curve
 from app.exchange.drawing.drawing import drawing_of
 from app.exchange.errors import ExchangeError
 from app.exchange.facts import facts_of
@@ -20,13 +19,15 @@ from app.exchange.naming import Names
 from app.exchange.options import Options
 from app.exchange.svg.writer import svg_of
 from app.exchange.writing import export
+from app.families import HERMITE, QUINTIC_HERMITE
+from app.storage.files import save
 from app.view_model.curve_view import view_of
 
 SQUARE = [(0.0, 0.0), (2.0, 0.0), (2.0, 2.0), (0.0, 2.0)]
 SVG = "{http://www.w3.org/2000/svg}"
 
 
-@pytest.fixture(params=[Family.HERMITE, Family.QUINTIC_HERMITE])
+@pytest.fixture(params=[HERMITE, QUINTIC_HERMITE])
 def document(request):
     """A closed blue curve with a corner, a hidden one, and one in ink."""
     closed = replace(make_curve(SQUARE, name="Pond", family=request.param), closed=True, colour="#0072b2")

@@ -10,7 +10,6 @@ from app import theme
 from app.document.model import (
     Curve,
     Document,
-    Family,
     Node,
     Parametrization,
     ParametrizationKind,
@@ -20,6 +19,7 @@ from app.exchange.drawing.drawing import RELATIVE_TOLERANCE
 from app.exchange.drawing.styles import DARK, INK, LIGHT
 from app.exchange.errors import ExchangeError
 from app.exchange.svg.writer import svg_of
+from app.families import HERMITE
 from app.view_model.curve_view import view_of
 from curvecore.bezier import bezier_segments, cubic_path
 
@@ -89,7 +89,7 @@ def test_the_default_tolerance_is_relative_to_the_size(example):
 
 
 def test_a_cubic_hermite_curve_is_written_bit_for_bit():
-    document = Document((make_curve([(0.1, 1 / 3), (2.0, -0.7), (3.3, 1e-7)], family=Family.HERMITE),))
+    document = Document((make_curve([(0.1, 1 / 3), (2.0, -0.7), (3.3, 1e-7)], family=HERMITE),))
     text = svg_of(document)
     (pieces,) = paths(text)
     np.testing.assert_array_equal(upright(pieces), bezier_segments(core(document)))
@@ -97,7 +97,7 @@ def test_a_cubic_hermite_curve_is_written_bit_for_bit():
 
 
 def test_the_stated_deviation_is_never_rounded_down(sketch):
-    if sketch.curves[0].family is Family.HERMITE:
+    if sketch.curves[0].family is HERMITE:
         return
     exact = cubic_path(core(sketch), 1e-3).deviation
     assert exact <= stated(svg_of(sketch, tolerance=1e-3))[0] <= 1.01 * exact
@@ -193,7 +193,7 @@ def test_what_no_picture_can_hold_is_refused(nothing):
 
 def test_points_in_one_place_at_the_origin_are_refused():
     rule = Parametrization(ParametrizationKind.UNIFORM)
-    document = Document((Curve("", Family.HERMITE, rule, (Node(0.0, 0.0), Node(0.0, 0.0))),))
+    document = Document((Curve("", HERMITE, rule, (Node(0.0, 0.0), Node(0.0, 0.0))),))
     assert refusal(document) == "There is nothing to draw: all points coincide."
 
 

@@ -9,12 +9,13 @@ import msgspec
 import numpy as np
 import pytest
 
-from app.document.model import Document, Family, Node, make_curve
+from app.document.model import Document, Node, make_curve
 from app.exchange.arcs import arc
 from app.exchange.drawing.styles import DARK
 from app.exchange.errors import ExchangeError
 from app.exchange.svg.reader import _Reader, read_svg
 from app.exchange.svg.writer import svg_of
+from app.families import HERMITE
 from app.view_model.curve_view import view_of
 from curvecore import bezier_segments, cubic_path
 from tests.effort import calls_of
@@ -46,7 +47,7 @@ def test_cubics_come_exactly():
         [[2, 3.5], [3, 4.5], [0, 4], [-1, -0.5]],
     ]
     near(pieces(curve), expected)
-    assert curve.family is Family.HERMITE
+    assert curve.family is HERMITE
     assert [node.corner for node in curve.nodes] == [False, False, True, False]
 
 
@@ -209,7 +210,7 @@ def test_our_own_file_comes_back_within_the_stated_deviation(kind):
 
 
 def test_smooth_joints_of_our_own_file_stay_smooth():
-    curve = make_curve([(0, 0), (1, 2), (3, 1), (4, 4), (9, 0)], family=Family.HERMITE)
+    curve = make_curve([(0, 0), (1, 2), (3, 1), (4, 4), (9, 0)], family=HERMITE)
     result = read_svg(svg_of(Document((curve,))).encode())
     assert not any(node.corner for node in result.document.curves[0].nodes)
     ring = msgspec.structs.replace(curve, closed=True)
@@ -222,7 +223,7 @@ def test_smooth_joints_of_our_own_file_stay_smooth():
 
 def test_a_corner_of_our_own_file_stays_the_only_one():
     nodes = [Node(0.0, 0.0), Node(1.0, 2.0), Node(2.0, 0.0, corner=True), Node(3.0, 3.0), Node(4.0, 0.0)]
-    curve = msgspec.structs.replace(make_curve([(0, 0)], family=Family.HERMITE), nodes=tuple(nodes))
+    curve = msgspec.structs.replace(make_curve([(0, 0)], family=HERMITE), nodes=tuple(nodes))
     (back,) = read_svg(svg_of(Document((curve,))).encode()).document.curves
     assert [node.corner for node in back.nodes] == [False, False, True, False, False]
 

@@ -6,8 +6,7 @@ import msgspec
 import numpy as np
 import pytest
 
-from app.document.format import encode, validate
-from app.document.model import Document, Family, Node, make_curve
+from app.document.model import Document, Node, make_curve
 from app.exchange.errors import ExchangeError
 from app.exchange.formats.samples import sampled_table
 from app.exchange.table.columns import ColumnMapping
@@ -15,6 +14,8 @@ from app.exchange.table.curves import document_of_table
 from app.exchange.table.layout import Layout
 from app.exchange.table.text import preview_table, read_table
 from app.exchange.table.thinning import thinned
+from app.families import HERMITE, LAGRANGE, QUINTIC_HERMITE
+from app.storage.format import encode, validate
 from app.view_model.curve_view import view_of
 from tests.effort import calls_of
 
@@ -117,18 +118,16 @@ def test_the_preview_shows_what_is_there_and_a_first_guess():
 
 def test_the_person_maps_the_columns():
     table = read_table(b"5,1,2,7\n6,3,4,8\n")
-    document = document_of_table(
-        table, ColumnMapping(x=1, y=0, t=3), family=Family.LAGRANGE, name="mine"
-    ).document
+    document = document_of_table(table, ColumnMapping(x=1, y=0, t=3), family=LAGRANGE, name="mine").document
     curve = document.curves[0]
-    assert (curve.name, curve.family) == ("mine", Family.LAGRANGE)
+    assert (curve.name, curve.family) == ("mine", LAGRANGE)
     assert [(n.x, n.y, n.t) for n in curve.nodes] == [(1, 5, 7), (3, 6, 8)]
     with pytest.raises(ExchangeError, match="There is no column 9 for y"):
         document_of_table(table, ColumnMapping(x=0, y=8))
 
 
 def test_our_own_table_gives_the_quintic_back():
-    curve = make_curve(np.random.default_rng(4).normal(size=(6, 2)).tolist(), family=Family.QUINTIC_HERMITE)
+    curve = make_curve(np.random.default_rng(4).normal(size=(6, 2)).tolist(), family=QUINTIC_HERMITE)
     core = view_of(curve).curve
     written = sampled_table(Document((curve,)), samples=60)
     # Curvature and length are not roles; the rest is.
@@ -140,7 +139,7 @@ def test_our_own_table_gives_the_quintic_back():
 
 def test_empty_cells_matter_only_where_they_are_used():
     # The curvature of a point at rest is empty in our own tables.
-    curve = make_curve([(0, 0), (1, 1), (2, 0)], family=Family.HERMITE)
+    curve = make_curve([(0, 0), (1, 1), (2, 0)], family=HERMITE)
     first = Node(0.0, 0.0, velocity=(0.0, 0.0))
     curve = msgspec.structs.replace(curve, nodes=(first, *curve.nodes[1:]))
     text = sampled_table(Document((curve,)), samples=9).text

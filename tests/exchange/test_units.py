@@ -10,8 +10,7 @@ import pytest
 from PySide6.QtGui import QImage
 
 from app.cli import main
-from app.document.model import Document, Family, make_curve
-from app.document.storage import save
+from app.document.model import Document, make_curve
 from app.exchange.choice import ExportChoice
 from app.exchange.drawing.drawing import drawing_of
 from app.exchange.drawing.image import png_preview
@@ -22,10 +21,12 @@ from app.exchange.reading import import_file
 from app.exchange.svg.writer import svg_of
 from app.exchange.units import MILLIMETRES, known_unit
 from app.exchange.writing import export
+from app.families import HERMITE
+from app.storage.files import save
 
 pytestmark = pytest.mark.usefixtures("qapp")
 
-SEVENTY = Document((make_curve(((10.0, 5.0), (80.0, 5.0), (80.0, 45.0)), family=Family.HERMITE),))
+SEVENTY = Document((make_curve(((10.0, 5.0), (80.0, 5.0), (80.0, 45.0)), family=HERMITE),))
 BAR = Document((make_curve(((0.0, 0.0), (70.0, 0.0))),))
 CSS = {"mm": 1.0, "cm": 10.0, "in": 25.4, "pt": 25.4 / 72, "pc": 25.4 / 6, "px": 25.4 / 96, "": 25.4 / 96}
 
@@ -171,7 +172,7 @@ def test_a_png_says_its_pixels_per_inch_and_tikz_has_true_size(tmp_path):
 
 def test_basis_functions_are_those_that_the_panel_shows():
     """Always the family's were drawn, also where the panel showed what each point does."""
-    curve = make_curve(((0.0, 0.0), (1.0, 2.0), (3.0, 1.0), (4.0, 3.0)), family=Family.HERMITE)
+    curve = make_curve(((0.0, 0.0), (1.0, 2.0), (3.0, 1.0), (4.0, 3.0)), family=HERMITE)
     document = Document((curve,))
     drawn = [
         svg_of(document, extras=ExportChoice(".svg", {"basis": True}).options(0, with_estimates=shown).extras)

@@ -6,11 +6,12 @@ from itertools import pairwise
 
 import pytest
 
-from app.document.model import Document, Family, make_curve
+from app.document.model import Document, make_curve
 from app.exchange.formats import FORMATS, endings_of
 from app.exchange.options import Options
-from app.exchange.progress import FINAL, Cancelled
 from app.exchange.writing import export
+from app.families import FAMILIES
+from app.tasks.progress import FINAL, Cancelled
 
 COUNT = 12
 # A document is what is there already: it is encoded in one go.
@@ -19,7 +20,7 @@ TOLD = [ending for ending in endings_of(FORMATS.written) if ending != ".curve.js
 
 @pytest.fixture(scope="module")
 def several():
-    families = list(Family)
+    families = FAMILIES
     return Document(
         tuple(
             make_curve([(k, 0.0), (k + 0.5, 1.0), (k + 1.0, 0.3)], name=f"Curve {k}", family=families[k % 3])

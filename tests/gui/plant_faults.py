@@ -35,13 +35,13 @@ from app.panels.point_table_model import PointTableModel
 from app.panels.point_table_view import PointTableView
 from app.panels.preferences_dialog import PreferencesDialog
 from app.panels.weight_bars import WeightBars
-from app.plot.layered_plot import Layer, LayeredPlot
-from app.plot.plot_widget import PlotWidget
+from app.plotting.layered_plot import Layer, LayeredPlot
+from app.plotting.plot_widget import PlotWidget
 from app.start import open_windows
+from app.tasks.debounced_task import DebouncedTask, Task
 from app.testing import Editor
 from app.toolbar import Toolbar
 from app.undo_step import UndoStep
-from app.worker import Settler, Task
 
 FAULTS: tuple[Callable[[], object], ...] = (
     lambda: 1 / 0,
@@ -140,7 +140,7 @@ def resize_table(editor: Editor) -> None:
 
 
 def compute_beside_the_window(editor: Editor) -> None:
-    Settler(editor.window, settle_ms=0).ask(lambda _is_stale: None)
+    DebouncedTask(editor.window, settle_ms=0).ask(lambda _report: None)
 
 
 PLACES = (

@@ -40,7 +40,7 @@ from PySide6.QtWidgets import (
 )
 from shiboken6 import isValid
 
-from app.plot.plot_widget import PlotWidget
+from app.plotting.plot_widget import PlotWidget
 
 _PAUSE_MS = 5
 NOT_DONE = {"quit"}

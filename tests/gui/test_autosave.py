@@ -14,14 +14,15 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QAbstractButton, QLabel, QMessageBox, QPushButton, QToolButton
 
 from app.autosave import DELAY_MS, Autosave, snapshot_folder, state_folder
-from app.document import storage
 from app.document.edits import move_nodes, set_position
-from app.document.format import encode
-from app.document.model import Document, Family, make_curve
-from app.document.recovery import SUFFIX, Origin, SnapshotFile, list_snapshots
+from app.document.model import Document, make_curve
+from app.families import HERMITE
 from app.panels.recovery_bar import RecoveryBar, age_in_words
 from app.preferences import Preferences
 from app.session import Session
+from app.storage.files import load, save
+from app.storage.format import encode
+from app.storage.recovery import SUFFIX, Origin, SnapshotFile, list_snapshots
 from app.testing import Editor
 from app.theme import ThemeMode
 
@@ -163,7 +164,7 @@ def test_without_a_change_nothing_is_written(kept):
 def test_what_is_saved_given_up_or_undone_is_not_kept(kept, qtbot, tmp_path, monkeypatch, how):
     answer(monkeypatch, QMessageBox.StandardButton.Discard)
     other = tmp_path / "other.curve.json"
-    storage.save(other, SKETCH)
+    save(other, SKETCH)
     move_point(kept, (2.0, 3.0))
     qtbot.waitUntil(is_kept, timeout=WAIT_MS)
     if how == "save":
@@ -185,7 +186,7 @@ def test_what_another_program_has_emptied_is_kept(kept, qtbot, tmp_path, monkeyp
     path.write_bytes(b"")
     qtbot.waitUntil(is_kept, timeout=WAIT_MS)
     assert document_kept() == kept.session.document
-    storage.save(path, kept.session.document)  # as good as before
+    save(path, kept.session.document)  # as good as before
     qtbot.waitUntil(lambda: not files(), timeout=WAIT_MS)
 
 
@@ -215,9 +216,9 @@ def test_neither_a_large_document_nor_a_slow_disk_holds_up_the_window(kept, qtbo
         return encode(document)
 
     monkeypatch.setattr(os, "fsync", fsync)
-    monkeypatch.setattr("app.document.recovery.encode", encode_aside)
+    monkeypatch.setattr("app.storage.recovery.encode", encode_aside)
     points = [(i / 3, (i % 17) / 7) for i in range(500)]
-    large = Document((make_curve(points, family=Family.HERMITE),))
+    large = Document((make_curve(points, family=HERMITE),))
     kept.session.commit(large, "Many points")
     qtbot.waitUntil(reached.is_set, timeout=WAIT_MS)
     # The disk does not answer; the window does.
@@ -274,7 +275,7 @@ def test_a_full_disk_keeps_the_old_snapshot_and_is_said(kept, qtbot):
     resource.setrlimit(resource.RLIMIT_FSIZE, (10_000, limits[1]))
     try:
         points = [(i / 3, (i % 17) / 7) for i in range(500)]
-        kept.session.commit(Document((make_curve(points, family=Family.HERMITE),)), "Large")
+        kept.session.commit(Document((make_curve(points, family=HERMITE),)), "Large")
         qtbot.waitUntil(lambda: any("backed up" in each for each in sentences), timeout=WAIT_MS)
     finally:
         resource.setrlimit(resource.RLIMIT_FSIZE, limits)
@@ -307,7 +308,7 @@ def test_two_editors_do_not_offer_each_other_s_work(kept, qtbot, tmp_path):
 
 def test_what_was_left_is_offered_and_restored(kept, qtbot, tmp_path):
     path = tmp_path / "mine.curve.json"
-    stamp = storage.save(path, Document((make_curve([(0, 0), (1, 1)]),)))
+    stamp = save(path, Document((make_curve([(0, 0), (1, 1)]),)))
     leave_behind(origin=Origin(path, stamp))
     kept.window.offer_unsaved_work()
     assert bar(kept).isVisible()
@@ -322,13 +323,13 @@ def test_what_was_left_is_offered_and_restored(kept, qtbot, tmp_path):
     # The new snapshot is there before the old one goes.
     assert document_kept() == SKETCH
     kept.session.save()
-    assert storage.load(path) == SKETCH
+    assert load(path) == SKETCH
 
 
 def test_restored_into_a_window_that_has_its_file_open_it_can_be_saved(kept, tmp_path):
     """Killed, started with the same file, then Restore: it was read-only, owned by this very window."""
     path = tmp_path / "mine.curve.json"
-    stamp = storage.save(path, Document((make_curve([(0, 0), (1, 1)]),)))
+    stamp = save(path, Document((make_curve([(0, 0), (1, 1)]),)))
     leave_behind(origin=Origin(path, stamp))
     kept.window.open_file(path)
     kept.window.offer_unsaved_work()
@@ -337,15 +338,15 @@ def test_restored_into_a_window_that_has_its_file_open_it_can_be_saved(kept, tmp
     assert not kept.session.is_read_only
     assert kept.file_message == ""
     kept.trigger("saveDocument")
-    assert storage.load(path) == SKETCH
+    assert load(path) == SKETCH
 
 
 @pytest.mark.parametrize("fate", ["changed", "gone"])
 def test_work_on_a_file_that_is_another_one_now_becomes_a_new_document(kept, tmp_path, fate):
     path = tmp_path / "mine.curve.json"
-    origin = Origin(path, storage.save(path, Document((make_curve([(0, 0), (1, 1)]),))))
+    origin = Origin(path, save(path, Document((make_curve([(0, 0), (1, 1)]),))))
     if fate == "changed":
-        storage.save(path, Document((make_curve([(5, 5), (6, 6), (7, 7)]),)))
+        save(path, Document((make_curve([(5, 5), (6, 6), (7, 7)]),)))
     else:
         path.unlink()
     leave_behind(origin=origin)
@@ -360,7 +361,7 @@ def test_work_on_a_file_that_is_another_one_now_becomes_a_new_document(kept, tmp
 def test_two_windows_of_one_file_are_told_apart(editor, tmp_path):
     """Both were called “mine.curve.json, a moment ago”."""
     path = tmp_path / "mine.curve.json"
-    origin = Origin(path, storage.save(path, Document((make_curve([(0, 0), (1, 1)]),))))
+    origin = Origin(path, save(path, Document((make_curve([(0, 0), (1, 1)]),))))
     line, arch = make_curve([(0, 0), (1, 1), (2, 2)]), make_curve([(0, 0), (1, 2), (2, 0), (3, 1)])
     for document in (Document((line,)), Document((line, arch))):
         leave_behind(document, origin)
@@ -368,7 +369,7 @@ def test_two_windows_of_one_file_are_told_apart(editor, tmp_path):
     for folder in ("one", "two"):
         (tmp_path / folder).mkdir()
         other = tmp_path / folder / "other.curve.json"
-        leave_behind(SKETCH, Origin(other, storage.save(other, document)))
+        leave_behind(SKETCH, Origin(other, save(other, document)))
     editor.window.offer_unsaved_work()
     labels = [each.text() for each in bar(editor).findChildren(QLabel) if each.text()]
     assert [each for each in labels if "curve.json" in each] == [

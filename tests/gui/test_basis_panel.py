@@ -10,10 +10,11 @@ from PySide6.QtCore import QEvent, QPointF, QSizeF, Qt
 from PySide6.QtWidgets import QLabel, QToolButton, QWidget
 
 from app.document.edits import set_position
-from app.document.model import Document, Family, ParametrizationKind, make_curve
+from app.document.model import Document, ParametrizationKind, make_curve
+from app.families import FAMILIES, HERMITE, LAGRANGE, QUINTIC_HERMITE
 from app.panels.basis_layers import rail_height
 from app.panels.crest_names import apart, crests_of
-from app.plot.colours import colours_of
+from app.plotting.colours import colours_of
 from app.theme import LIGHT
 
 
@@ -80,7 +81,7 @@ def test_a_drag_inside_the_interval_leaves_the_part_of_t_that_is_shown(editor, p
 
 def test_functions_are_told_apart_by_numbers_at_their_crests(editor, panel):
     """By colour alone functions 2 and 3 are the same grey to a deuteranope."""
-    editor.choose_family(Family.HERMITE)
+    editor.choose_family(HERMITE)
     editor.wait_for_rest()
     basis, shown = panel.basis, panel.pixel_map
     found = crests_of(basis, [0, 1])
@@ -110,7 +111,7 @@ def test_functions_are_told_apart_by_numbers_at_their_crests(editor, panel):
 
 @pytest.mark.parametrize(
     ("family", "count", "least"),
-    [(Family.LAGRANGE, 12, 8), (Family.HERMITE, 12, 18), (Family.QUINTIC_HERMITE, 8, 16)],
+    [(LAGRANGE, 12, 8), (HERMITE, 12, 18), (QUINTIC_HERMITE, 8, 16)],
 )
 def test_no_function_crosses_the_number_of_another(editor, panel, family, count, least):
     """Of twelve Lagrange functions the numbers at the ends were crossed."""
@@ -183,7 +184,7 @@ def test_the_curve_follows_a_tick_live_and_escape_puts_it_back(editor, panel):
 
 
 def test_the_functions_shown_are_those_of_the_curve(editor, panel):
-    for family in Family:
+    for family in FAMILIES:
         editor.choose_family(family)
         basis, curve = panel.basis, editor.session.active_view.curve
         assert basis.curve.degree == curve.degree
@@ -272,7 +273,7 @@ def test_the_scrub_line_stays_on_the_curve(editor, panel):
 
 
 def test_kinds_can_be_switched(editor, panel):
-    editor.choose_family(Family.QUINTIC_HERMITE)
+    editor.choose_family(QUINTIC_HERMITE)
     for name, kind in (("velocityFunctions", 1), ("accelerationFunctions", 2)):
         button = editor.window.findChild(QToolButton, name)
         assert button.isVisible()
@@ -280,7 +281,7 @@ def test_kinds_can_be_switched(editor, panel):
         assert kind not in panel.kinds
         button.click()
         assert kind in panel.kinds
-    editor.choose_family(Family.LAGRANGE)
+    editor.choose_family(LAGRANGE)
     assert not editor.window.findChild(QToolButton, "velocityFunctions").isVisible()
 
 
@@ -322,7 +323,7 @@ def test_wheel_zooms_along_t_alone(editor, panel):
 
 def test_functions_of_derivatives_never_leave_the_usual_range(editor, panel):
     """They used to, by the program's own scaling, and set off its own warning: −0.79 at uneven spacing."""
-    editor.choose_family(Family.QUINTIC_HERMITE)
+    editor.choose_family(QUINTIC_HERMITE)
     editor.drag_parameter(3, to=editor.parameters[2] + 0.02)
     low, high = panel.basis.extent((1, 2))
     assert -0.5 <= low < -0.4
@@ -331,7 +332,7 @@ def test_functions_of_derivatives_never_leave_the_usual_range(editor, panel):
 
 
 def test_functions_are_sampled_densely_enough_in_a_long_segment(editor, panel):
-    editor.choose_family(Family.HERMITE)
+    editor.choose_family(HERMITE)
     for index in range(1, 6):
         editor.drag_parameter(index, to=0.01 * index)
     t, values = panel.basis.function(6, 0)
@@ -341,7 +342,7 @@ def test_functions_are_sampled_densely_enough_in_a_long_segment(editor, panel):
 
 
 @pytest.mark.parametrize("width", [1024, 1280])
-@pytest.mark.parametrize("family", list(Family))
+@pytest.mark.parametrize("family", FAMILIES)
 def test_the_header_fits_whatever_it_has_to_say(editor, width, family):
     editor.window.resize(width, 700)
     editor.choose_family(family)
@@ -358,4 +359,4 @@ def test_the_header_fits_whatever_it_has_to_say(editor, width, family):
     for left, right in pairwise(header):
         assert left.geometry().right() < right.geometry().left()
     # The functions of the Hermite families stay in the range, and nothing is to be said.
-    assert bool(pane.extent_text) is (family is Family.LAGRANGE)
+    assert bool(pane.extent_text) is (family is LAGRANGE)

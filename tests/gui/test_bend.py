@@ -12,7 +12,8 @@ from PySide6.QtCore import Qt
 
 from app.document import edits
 from app.document.edits import EditError
-from app.document.model import Document, Family, ParametrizationKind, make_curve
+from app.document.model import Document, ParametrizationKind, make_curve
+from app.families import FAMILIES, HERMITE, LAGRANGE, QUINTIC_HERMITE
 from app.view_model.bend import Bend, BendWith
 from app.view_model.curve_view import view_of
 from curvecore import LagrangeCurve, bezier_segments, chord_length
@@ -49,7 +50,7 @@ def middle(editor, segment=1, share=0.4):
 
 
 @pytest.mark.parametrize("keys", [Qt.KeyboardModifier.NoModifier, CTRL, ALT])
-@pytest.mark.parametrize("family", list(Family))
+@pytest.mark.parametrize("family", FAMILIES)
 @pytest.mark.parametrize("kind", [ParametrizationKind.CHORD_LENGTH, ParametrizationKind.UNIFORM])
 def test_the_grabbed_point_stays_under_the_pointer(arch, family, kind, keys):
     arch.choose_family(family)
@@ -66,7 +67,7 @@ def test_the_grabbed_point_stays_under_the_pointer(arch, family, kind, keys):
     assert arch.session.undo_stack.undoText().startswith("Bend curve at t = 0.")
     if keys == CTRL:
         assert all(node.velocity is None for node in arch.curve.nodes)
-    if keys == ALT and family is not Family.LAGRANGE:
+    if keys == ALT and family is not LAGRANGE:
         assert [node.position for node in arch.curve.nodes] == list(POINTS)
 
 
@@ -105,7 +106,7 @@ def test_the_status_line_tells_the_modifiers(arch):
     arch.hover(place)
     assert "Drag to bend the curve" in arch.window.status_line.hint
     assert "Ctrl" not in arch.window.status_line.hint
-    arch.choose_family(Family.HERMITE)
+    arch.choose_family(HERMITE)
     arch.hover(middle(arch)[1])
     assert "Ctrl: points only · Alt: derivatives only" in arch.window.status_line.hint
     assert arch.window.canvas.viewport().cursor().shape() == Qt.CursorShape.SizeAllCursor
@@ -116,7 +117,7 @@ def test_the_status_line_tells_the_modifiers(arch):
 
 
 def test_the_change_is_the_one_of_least_norm():
-    document = edits.set_family(Document((make_curve(POINTS),)), 0, Family.LAGRANGE)
+    document = edits.set_family(Document((make_curve(POINTS),)), 0, LAGRANGE)
     view = view_of(edits.freeze_parameters(document, 0, [0.0, 0.2, 0.7, 1.0]).curves[0])
     pull = (0.3, -0.2)
     target = tuple((view.curve.evaluate(0.41) + pull).tolist())
@@ -145,7 +146,7 @@ def answers(view, knots, orders):
     return np.array(columns).T
 
 
-@pytest.mark.parametrize("family", [Family.HERMITE, Family.QUINTIC_HERMITE])
+@pytest.mark.parametrize("family", [HERMITE, QUINTIC_HERMITE])
 @pytest.mark.parametrize("using", [BendWith.ALL, BendWith.DERIVATIVES])
 @pytest.mark.parametrize("segment", [0, 1])
 @pytest.mark.parametrize("share", [0.1, 0.5, 0.83])
@@ -174,7 +175,7 @@ def test_control_points_on_both_sides_of_the_joints_change_least(family, using, 
     assert control_points(after) - control_points(view) == pytest.approx(answer @ best, abs=1e-12)
 
 
-@pytest.mark.parametrize("family", [Family.HERMITE, Family.QUINTIC_HERMITE])
+@pytest.mark.parametrize("family", [HERMITE, QUINTIC_HERMITE])
 def test_close_to_a_point_the_point_goes_along(family):
     """Its handles used to swing three times as far as the pointer, and made a hook on both sides."""
     view = view_of(edits.set_family(Document((make_curve(POINTS),)), 0, family).curves[0])
@@ -191,7 +192,7 @@ def test_close_to_a_point_the_point_goes_along(family):
 @pytest.mark.parametrize("share", [0.1, 0.3, 0.5])
 def test_a_small_pull_is_no_large_swing_next_door(share):
     """A quintic's handles counted on one side alone: the neighbour went three times as far as the pointer."""
-    view = view_of(edits.set_family(Document((make_curve(POINTS),)), 0, Family.QUINTIC_HERMITE).curves[0])
+    view = view_of(edits.set_family(Document((make_curve(POINTS),)), 0, QUINTIC_HERMITE).curves[0])
     t = float(view.parameters[1] + share * (view.parameters[2] - view.parameters[1]))
     target = view.curve.evaluate(t) + np.array([0.0, 0.2])
     after = view_of(Bend(view, t, BendWith.ALL).bent(tuple(target.tolist()), 1e-9))
@@ -204,14 +205,14 @@ def test_a_small_pull_is_no_large_swing_next_door(share):
 @pytest.mark.parametrize(("share", "most"), [(0.5, 0.15), (0.7, 0.3), (0.85, 0.7)])
 def test_points_that_were_placed_move_far_less_than_the_pointer(share, most):
     """With h v for the norm they went along by 94 hundredths of the way."""
-    view = view_of(edits.set_family(Document((make_curve(POINTS),)), 0, Family.HERMITE).curves[0])
+    view = view_of(edits.set_family(Document((make_curve(POINTS),)), 0, HERMITE).curves[0])
     t = float(view.parameters[1] + share * (view.parameters[2] - view.parameters[1]))
     target = tuple((view.curve.evaluate(t) + np.array([0.4, 0.3])).tolist())
     after = view_of(Bend(view, t, BendWith.ALL).bent(target, 1e-6))
     assert np.hypot(*(after.points - view.points).T).max() < most * 0.5
 
 
-@pytest.mark.parametrize("family", [Family.HERMITE, Family.QUINTIC_HERMITE])
+@pytest.mark.parametrize("family", [HERMITE, QUINTIC_HERMITE])
 def test_the_norm_does_not_depend_on_the_unit_of_time(family):
     slow = edits.set_family(Document((make_curve(POINTS),)), 0, family)
     fast = edits.set_interval(slow, 0, 0.0, 1e-3)
@@ -222,7 +223,7 @@ def test_the_norm_does_not_depend_on_the_unit_of_time(family):
     assert np.array(results[0]) == pytest.approx(np.array(results[1]), abs=1e-9)
 
 
-@pytest.mark.parametrize("family", list(Family))
+@pytest.mark.parametrize("family", FAMILIES)
 @pytest.mark.parametrize("kind", list(ParametrizationKind))
 def test_bending_reaches_its_target_under_every_rule(family, kind):
     random = np.random.default_rng(7)
@@ -245,7 +246,7 @@ RULES = [kind for kind in ParametrizationKind if kind is not ParametrizationKind
 
 
 @pytest.mark.parametrize("using", list(BendWith))
-@pytest.mark.parametrize("family", list(Family))
+@pytest.mark.parametrize("family", FAMILIES)
 @pytest.mark.parametrize("kind", RULES)
 def test_the_grabbed_point_follows_ten_times_as_far_as_the_curve_is_large(family, kind, using):
     # Broyden's method alone gave up on 27 of 48 such pulls of 20 points at chord length.
@@ -260,7 +261,7 @@ def test_the_grabbed_point_follows_ten_times_as_far_as_the_curve_is_large(family
         place = view.curve.evaluate(t)
         for angle in (0.3, 2.4, 4.5):
             target = place + 10 * np.ptp(points) * np.array([np.cos(angle), np.sin(angle)])
-            data = BendWith.POINTS if family is Family.LAGRANGE else using
+            data = BendWith.POINTS if family is LAGRANGE else using
             after = view_of(Bend(view, t, data).bent(tuple(target), 1e-4))
             start, end = after.parameters[segment : segment + 2]
             assert after.curve.evaluate(start + share * (end - start)) == pytest.approx(target, abs=1e-4)
@@ -295,7 +296,7 @@ def test_with_a_shift_allowed_the_change_is_the_least_that_can_be():
 
 
 @pytest.mark.parametrize("keys", [Qt.KeyboardModifier.NoModifier, CTRL])
-@pytest.mark.parametrize("family", list(Family))
+@pytest.mark.parametrize("family", FAMILIES)
 def test_a_far_pull_ends_the_same_by_every_way(arch, family, keys):
     arch.choose_family(family)
     arch.choose_parametrization(ParametrizationKind.CHORD_LENGTH)
@@ -318,7 +319,7 @@ def test_a_far_pull_ends_the_same_by_every_way(arch, family, keys):
 
 
 def test_a_corner_and_a_closed_curve_bend_on_one_side():
-    document = edits.set_family(Document((make_curve(POINTS),)), 0, Family.HERMITE)
+    document = edits.set_family(Document((make_curve(POINTS),)), 0, HERMITE)
     document = edits.set_closed(document, 0, True)
     document = edits.make_corner(document, 0, 0, (1.0, 1.0), (2.0, 0.0))
     view = view_of(document.curves[0])
@@ -330,7 +331,7 @@ def test_a_corner_and_a_closed_curve_bend_on_one_side():
 
 
 def test_derivatives_have_no_hold_on_a_joint():
-    document = edits.set_family(Document((make_curve(POINTS),)), 0, Family.HERMITE)
+    document = edits.set_family(Document((make_curve(POINTS),)), 0, HERMITE)
     view = view_of(document.curves[0])
     with pytest.raises(EditError, match="no hold"):
         Bend(view, float(view.parameters[1]), BendWith.DERIVATIVES)
@@ -349,7 +350,7 @@ def drag_handle(editor, to, keys):
 
 @pytest.fixture
 def hermite(arch):
-    arch.choose_family(Family.HERMITE)
+    arch.choose_family(HERMITE)
     arch.select_point(1)
     return arch
 
@@ -383,7 +384,7 @@ def test_a_handle_tells_length_and_direction(hermite):
 
 
 def test_an_acceleration_handle_keeps_its_direction_with_alt(arch):
-    arch.choose_family(Family.QUINTIC_HERMITE)
+    arch.choose_family(QUINTIC_HERMITE)
     arch.select_point(1)
     before = np.array(arch.session.active_view.acceleration_of(1))
     arch.drag(arch.handle(2).position, (2.5, 1.0), keys=ALT)

@@ -7,7 +7,8 @@ import pyqtgraph as pg
 import pytest
 from PySide6.QtCore import QEvent, QPoint, Qt
 
-from app.document.model import Document, Family, ParametrizationKind, make_curve
+from app.document.model import Document, ParametrizationKind, make_curve
+from app.families import HERMITE, LAGRANGE, QUINTIC_HERMITE
 
 SHIFT = Qt.KeyboardModifier.ShiftModifier
 ALT = Qt.KeyboardModifier.AltModifier
@@ -74,7 +75,7 @@ def test_a_drag_repaints_the_curve_and_neither_axes_nor_grid(arch, monkeypatch):
 
 def test_press_and_drag_sets_the_velocity_of_a_new_point(editor):
     editor.new()
-    editor.choose_family(Family.HERMITE)
+    editor.choose_family(HERMITE)
     editor.add_point(0, 0)
     editor.add_point(2, 2, velocity_handle=(3, 2))
     # The interval is [0, 1] and there is one segment: the handle lies at p + v/3.
@@ -84,7 +85,7 @@ def test_press_and_drag_sets_the_velocity_of_a_new_point(editor):
 
 def test_the_handle_of_a_new_point_is_under_the_pointer(editor):
     editor.new()
-    editor.choose_family(Family.HERMITE)
+    editor.choose_family(HERMITE)
     editor.add_point(0, 0)
     editor.trigger("addTool")
     editor.press((2, 2))
@@ -95,7 +96,7 @@ def test_the_handle_of_a_new_point_is_under_the_pointer(editor):
 
 def test_handles_stay_where_they_were_put_when_a_point_is_appended(editor):
     editor.new()
-    editor.choose_family(Family.HERMITE)
+    editor.choose_family(HERMITE)
     editor.add_point(0, 0)
     editor.add_point(2, 2, velocity_handle=(3, 2))
     before = editor.session.active_view
@@ -214,7 +215,7 @@ def test_delete_removes_the_selected_point(arch, key):
 
 
 def test_dragging_a_velocity_handle_sets_the_velocity(arch):
-    arch.choose_family(Family.HERMITE)
+    arch.choose_family(HERMITE)
     arch.select_point(1)
     h = arch.parameters[2] - arch.parameters[1]
     arch.drag_handle(to=(2, 3))
@@ -226,7 +227,7 @@ def test_dragging_a_velocity_handle_sets_the_velocity(arch):
 
 
 def test_dragging_an_acceleration_handle_sets_the_acceleration(arch):
-    arch.choose_family(Family.QUINTIC_HERMITE)
+    arch.choose_family(QUINTIC_HERMITE)
     arch.select_point(1)
     arch.drag_handle(to=(3, 3.3), kind=2)
     assert arch.handle(2).position == pytest.approx((3, 3.3), abs=2 * arch.pixel)
@@ -236,7 +237,7 @@ def test_dragging_an_acceleration_handle_sets_the_acceleration(arch):
 
 
 def test_a_handle_drag_can_be_cancelled(arch):
-    arch.choose_family(Family.HERMITE)
+    arch.choose_family(HERMITE)
     arch.select_point(1)
     document = arch.session.document
     start = arch.handle().position
@@ -248,7 +249,7 @@ def test_a_handle_drag_can_be_cancelled(arch):
 
 
 def test_alt_drag_pulls_out_a_velocity_hidden_under_its_point(arch):
-    arch.choose_family(Family.HERMITE)
+    arch.choose_family(HERMITE)
     arch.session.commit(_with_velocity(arch, 1, (0.0, 0.0)), "Stop")
     arch.drag_point(1, to=(2, 3), keys=ALT)
     assert arch.handle().position == pytest.approx((2, 3), abs=2 * arch.pixel)
@@ -329,7 +330,7 @@ def test_what_is_hovered_follows_the_view(arch):
 
 
 def test_an_end_has_a_handle_on_its_free_side_only_while_points_are_added(arch):
-    arch.choose_family(Family.HERMITE)
+    arch.choose_family(HERMITE)
     arch.select_point(3)
     assert [handle.ahead for handle in arch.window.canvas.handles] == [False]
     arch.trigger("addTool")
@@ -391,7 +392,7 @@ def test_subnormal_coordinates_reach_neither_pyqtgraph_nor_a_crash(editor):
 # Closing with the pen
 
 
-@pytest.mark.parametrize("family", [Family.HERMITE, Family.QUINTIC_HERMITE])
+@pytest.mark.parametrize("family", [HERMITE, QUINTIC_HERMITE])
 def test_the_pen_closes_the_curve_at_its_first_point(arch, family):
     arch.choose_family(family)
     arch.trigger("closeCurve")
@@ -414,7 +415,7 @@ def test_the_pen_closes_the_curve_at_its_first_point(arch, family):
 
 
 def test_the_pen_says_why_a_polynomial_cannot_be_closed(arch):
-    arch.choose_family(Family.LAGRANGE)
+    arch.choose_family(LAGRANGE)
     before = arch.session.document
     arch.trigger("addTool")
     arch.click(arch.point(0))
@@ -423,7 +424,7 @@ def test_the_pen_says_why_a_polynomial_cannot_be_closed(arch):
 
 
 def test_the_pen_still_drags_the_first_point_and_goes_on_at_the_last(arch):
-    arch.choose_family(Family.HERMITE)
+    arch.choose_family(HERMITE)
     arch.trigger("addTool")
     arch.press(arch.point(0))
     arch.move((1, 0.5))
@@ -442,7 +443,7 @@ def test_the_pen_still_drags_the_first_point_and_goes_on_at_the_last(arch):
 
 def test_two_points_are_too_few_to_go_around(editor):
     editor.new()
-    editor.choose_family(Family.HERMITE)
+    editor.choose_family(HERMITE)
     for point in ((0, 0), (2, 1)):
         editor.add_point(*point)
     editor.trigger("addTool")

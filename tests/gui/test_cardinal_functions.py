@@ -8,7 +8,8 @@ from PySide6.QtCore import QEvent, QPointF, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QLabel, QToolButton
 
-from app.document.model import Curve, Document, Family, Node, Parametrization
+from app.document.model import Curve, Document, Node, Parametrization
+from app.families import HERMITE, LAGRANGE
 from app.preferences import Preferences
 from app.testing import Editor
 
@@ -19,7 +20,7 @@ UNEVEN = [(0.0, 0.0), (0.5, 0.1), (1.0, 0.0), (5.0, 2.2), (5.4, 2.2), (5.8, 2.0)
 def uneven(editor):
     """Seven points under chord length, velocities of the C² spline."""
     nodes = tuple(Node(x, y) for x, y in UNEVEN)
-    editor.session.commit(Document((Curve("Uneven", Family.HERMITE, Parametrization(), nodes),)), "Begin")
+    editor.session.commit(Document((Curve("Uneven", HERMITE, Parametrization(), nodes),)), "Begin")
     editor.fit()
     return editor
 
@@ -57,7 +58,7 @@ def test_the_switch_shows_what_each_point_does_and_says_so(uneven):
     assert panel.basis.kinds == 2
     uneven.key(Qt.Key.Key_F8, Qt.KeyboardModifier.ShiftModifier)
     assert panel.basis.kinds == 1
-    uneven.choose_family(Family.LAGRANGE)
+    uneven.choose_family(LAGRANGE)
     assert label(uneven, "basisTitle") == "Basis functions"
     assert not switch(uneven).isVisible()
     assert not uneven.action("toggleEstimates").isEnabled()
@@ -122,6 +123,6 @@ def test_the_choice_is_remembered(qtbot, tmp_path):
     editor = Editor(qtbot, preferences=Preferences(tmp_path / "settings.ini"))
     assert editor.action("toggleEstimates").isChecked()
     assert switch(editor).isChecked()
-    editor.choose_family(Family.HERMITE)
+    editor.choose_family(HERMITE)
     editor.trigger("toggleEstimates")
     assert not Preferences(tmp_path / "settings.ini").with_estimates

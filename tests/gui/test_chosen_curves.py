@@ -11,9 +11,10 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QLabel, QPushButton
 
 from app.commands.curve_clipboard import CURVES
-from app.document.model import Document, Family, Node, Parametrization, ParametrizationKind, make_curve
-from app.gestures.snapping import SnapKind, Snapping
+from app.document.model import Document, Node, Parametrization, ParametrizationKind, make_curve
+from app.families import QUINTIC_HERMITE
 from app.panels.curve_list_view import Spot, spot_rect
+from app.tools.snapping import SnapKind, Snapping
 
 CTRL = Qt.KeyboardModifier.ControlModifier
 SHIFT = Qt.KeyboardModifier.ShiftModifier
@@ -26,7 +27,7 @@ WAVE = ((0, 0), (1, 1), (2, 0), (3, 1))
 def five(editor):
     """Five waves one above the other, A below, E on top; B is active. C has derivatives of its own."""
     curves = [
-        make_curve([(x, y + 2 * level) for x, y in WAVE], name=name, family=Family.QUINTIC_HERMITE)
+        make_curve([(x, y + 2 * level) for x, y in WAVE], name=name, family=QUINTIC_HERMITE)
         for level, name in enumerate("ABCDE")
     ]
     # Spaced evenly in t, so that derivatives per unit of t go as vectors do, however distances change.

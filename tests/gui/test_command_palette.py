@@ -8,7 +8,8 @@ from PySide6.QtGui import QAction
 from PySide6.QtTest import QTest
 
 from app.action_specs import SPECS
-from app.document.model import Family, ParametrizationKind
+from app.document.model import ParametrizationKind
+from app.families import HERMITE, QUINTIC_HERMITE
 from app.keymap import name_alone
 from app.panels.command_palette import CommandPalette
 from app.panels.fuzzy import fitness
@@ -40,10 +41,10 @@ def test_its_key_opens_it_and_escape_gives_the_focus_back(editor, palette):
 
 def test_enter_does_what_was_found_first(editor, palette):
     editor.run_command("hermite")
-    assert editor.curve.family is Family.HERMITE
+    assert editor.curve.family is HERMITE
     assert not palette.isVisible()
     editor.run_command("quint")
-    assert editor.curve.family is Family.QUINTIC_HERMITE
+    assert editor.curve.family is QUINTIC_HERMITE
 
 
 def test_letters_typed_there_do_nothing_else(editor):
@@ -110,7 +111,7 @@ def test_a_click_does_it(editor, palette):
     row = names.index("Quintic Hermite")
     rect = palette.list.visualRect(palette.list.model().index(row, 0))
     QTest.mouseClick(palette.list.viewport(), Qt.MouseButton.LeftButton, pos=rect.center())
-    assert editor.curve.family is Family.QUINTIC_HERMITE
+    assert editor.curve.family is QUINTIC_HERMITE
     assert not palette.isVisible()
 
 

@@ -19,10 +19,10 @@ from PySide6.QtWidgets import QApplication, QDialog, QLabel, QPlainTextEdit, QPu
 from app.autosave import snapshot_folder
 from app.crash_handler import CrashHandler
 from app.crash_report import report_of, versions
-from app.document import storage
-from app.document.recovery import list_snapshots
 from app.lifecycle import FaultFile, Lifecycle
 from app.start import open_windows
+from app.storage import files
+from app.storage.recovery import list_snapshots
 from app.testing import Editor
 
 WAIT_MS = 20_000
@@ -244,7 +244,7 @@ def test_save_and_quit_saves_what_has_a_file(guarded, qapp, tmp_path):
     guarded.drag_point(1, to=(2, 3))
     document = guarded.session.document
     assert run(guarded, qapp, fail, lambda: press("saveAndQuit")) == 0
-    assert storage.load(path) == document
+    assert files.load(path) == document
     assert not is_open(guarded.window)
     assert list(snapshot_folder().iterdir()) == []
 

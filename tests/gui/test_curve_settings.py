@@ -7,8 +7,10 @@ from PySide6.QtGui import QFocusEvent
 from PySide6.QtTest import QSignalSpy
 from PySide6.QtWidgets import QApplication, QComboBox, QLabel, QLineEdit, QToolButton, QWidget
 
+from app.controllers.curve_settings import CurveSettingsController
 from app.document import edits
-from app.document.model import AccelerationRule, Family, ParametrizationKind, VelocityRule, make_curve
+from app.document.model import AccelerationRule, ParametrizationKind, VelocityRule, make_curve
+from app.families import HERMITE, LAGRANGE, QUINTIC_HERMITE
 from app.panels.curve_settings import CurveSettings
 from app.session import Session
 from app.theme import ThemeMode, apply_theme
@@ -19,12 +21,13 @@ POINTS = ((3.1, 3.35), (2.2, 4), (1.1, 3.5), (1.25, 2.5), (2.35, 1.95), (2.9, 1)
 class Form:
     """The form, connected as the window connects it, and hands for it."""
 
-    def __init__(self, qtbot, family=Family.LAGRANGE, points=POINTS):
+    def __init__(self, qtbot, family=LAGRANGE, points=POINTS):
         self.qtbot = qtbot
         self.session = Session()
         curve = make_curve(points, name="Letter", family=family)
         self.session.commit(self.session.document.with_curve(0, curve), "Curve")
-        self.panel = CurveSettings(self.session)
+        self.panel = CurveSettings(self.session.active_view)
+        self.controller = CurveSettingsController(self.session, self.panel)
         self.session.document_changed.connect(
             lambda _document: self.panel.render_view(self.session.active_view)
         )
@@ -77,7 +80,7 @@ def form(qtbot):
 
 @pytest.fixture
 def quintic(qtbot):
-    return Form(qtbot, Family.QUINTIC_HERMITE)
+    return Form(qtbot, QUINTIC_HERMITE)
 
 
 def test_it_shows_the_curve(form):
@@ -91,9 +94,9 @@ def test_it_shows_the_curve(form):
 @pytest.mark.parametrize(
     ("family", "shown"),
     [
-        (Family.LAGRANGE, []),
-        (Family.HERMITE, ["velocityRule"]),
-        (Family.QUINTIC_HERMITE, ["velocityRule", "accelerationRule"]),
+        (LAGRANGE, []),
+        (HERMITE, ["velocityRule"]),
+        (QUINTIC_HERMITE, ["velocityRule", "accelerationRule"]),
     ],
 )
 def test_the_rules_are_those_of_the_family(qtbot, family, shown):
@@ -319,7 +322,7 @@ def test_reset_all_to_estimated(quintic):
 
 
 def test_a_reset_leaves_alone_what_the_family_does_not_show(qtbot):
-    form = Form(qtbot, Family.HERMITE)
+    form = Form(qtbot, HERMITE)
     document = edits.set_velocity(form.session.document, 0, 2, (3.0, 4.0))
     form.session.commit(edits.set_acceleration(document, 0, 2, (5.0, 6.0)), "Set")
     qtbot.mouseClick(form["resetAllToEstimated"], Qt.MouseButton.LeftButton)

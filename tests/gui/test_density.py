@@ -8,7 +8,8 @@ import numpy as np
 import pytest
 
 from app.canvas.point_density import RADIUS, discs_for, with_neighbours
-from app.document.model import Document, Family, make_curve
+from app.document.model import Document, make_curve
+from app.families import HERMITE
 from app.panels.basis_layers import spread_out
 
 
@@ -61,7 +62,7 @@ def test_ticks_keep_their_distance():
 def wave(editor):
     """Sixty points on a wave, ten pixels apart."""
     points = [(0.1 * i, math.sin(0.1 * i)) for i in range(60)]
-    editor.session.commit(Document((make_curve(points, family=Family.HERMITE),)), "Begin")
+    editor.session.commit(Document((make_curve(points, family=HERMITE),)), "Begin")
     editor.fit()
     return editor
 
@@ -126,4 +127,4 @@ def test_discs_find_their_size_after_points_came_together_without_another_event(
 def scaled(document, factor):
     """The same points, closer together, seen at the same zoom."""
     points = [(factor * node.x, factor * node.y) for node in document.curves[0].nodes]
-    return Document((make_curve(points, family=Family.HERMITE),))
+    return Document((make_curve(points, family=HERMITE),))

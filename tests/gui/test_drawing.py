@@ -7,7 +7,7 @@ import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QColor, QImage, QPainter, QPen
 
-from app.plot.drawing import MARGIN, Stroke, thinned, visible_segments
+from app.plotting.drawing import MARGIN, Stroke, thinned, visible_segments
 from curvecore.flatten import segment_distance
 
 WIDTH, HEIGHT = 300, 200

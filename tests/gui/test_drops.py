@@ -11,9 +11,9 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QDialog, QFileDialog, QLineEdit, QPushButton
 
 from app.document.model import Document, make_curve
-from app.document.storage import save
 from app.lifecycle import Lifecycle
 from app.main_window import MainWindow
+from app.storage.files import save
 
 COPY, MOVE = Qt.DropAction.CopyAction, Qt.DropAction.MoveAction
 LEFT, NO_KEYS = Qt.MouseButton.LeftButton, Qt.KeyboardModifier.NoModifier
@@ -195,7 +195,7 @@ def test_a_mixed_drop_takes_all_it_can(editor, files):
 
 def test_a_drop_adds_to_its_document_although_that_takes_a_while(editor, files, monkeypatch):
     """The picture went with the document before, and the table was not imported, for another was opened."""
-    monkeypatch.setattr("app.document.open_file._LARGE", 1)
+    monkeypatch.setattr("app.storage.open_file._LARGE", 1)
     drop(editor, files / "a.curve.json", files / "a.csv", files / "a.png")
     press(editor, only_dialog(editor), "importTable")
     session = editor.session

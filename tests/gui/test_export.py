@@ -16,9 +16,10 @@ from PySide6.QtGui import QGuiApplication, QImage
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QDialog, QFileDialog, QPushButton
 
-from app.document.model import Document, Family, make_curve
+from app.document.model import Document, make_curve
 from app.exchange.choice import ExportChoice, choice_from, text_of
 from app.exchange.formats import FORMATS, format_of, with_ending
+from app.families import HERMITE, LAGRANGE, QUINTIC_HERMITE
 from app.preferences import Preferences
 from app.testing import Editor
 
@@ -112,7 +113,7 @@ def test_the_options_of_a_format_alone_are_shown(dialog):
 
 def test_a_dxf_for_programs_that_draw_cubics_only(editor, dialog, tmp_path, monkeypatch):
     ezdxf = pytest.importorskip("ezdxf")
-    editor.choose_family(Family.QUINTIC_HERMITE)
+    editor.choose_family(QUINTIC_HERMITE)
     choose_format(dialog, ".dxf")
     click(dialog.form.fields["cubic"].widget)
     path = export(editor, dialog, tmp_path / "a", monkeypatch)
@@ -149,7 +150,7 @@ def test_a_table_needs_a_column(dialog):
 
 
 def test_a_tolerance_is_kept(editor, dialog, tmp_path, monkeypatch):
-    editor.choose_family(Family.LAGRANGE)
+    editor.choose_family(LAGRANGE)
     choose_format(dialog, ".svg")
     edit = dialog.form.fields["tolerance"].widget
     edit.setFocus()
@@ -247,7 +248,7 @@ def test_the_curves_are_copied_as_pictures(editor):
 
 
 def test_the_path_data_are_copied(editor):
-    editor.choose_family(Family.HERMITE)
+    editor.choose_family(HERMITE)
     editor.trigger("copyPathData")
     editor.wait_for_work()
     text = QGuiApplication.clipboard().text()
@@ -269,7 +270,7 @@ def shape_of_pdf(path):
 
 
 def test_handles_lie_inside_the_picture_and_above_the_functions(editor, tmp_path, monkeypatch):
-    curve = make_curve([(0, 0), (2, 0), (4, 0)], family=Family.HERMITE)
+    curve = make_curve([(0, 0), (2, 0), (4, 0)], family=HERMITE)
     # Of which a sixth is a handle that reaches far below.
     nodes = tuple(replace(node, velocity=(1.2, -18.0)) for node in curve.nodes)
     editor.session.commit(Document((replace(curve, nodes=nodes),)), "Begin")

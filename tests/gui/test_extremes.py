@@ -12,9 +12,10 @@ from PySide6.QtCore import Qt
 from app.canvas.hit_test import Segments
 from app.document.edits import EditError
 from app.document.kept_handles import stretched
-from app.document.model import Curve, Document, Family, Node, Parametrization, ParametrizationKind, make_curve
-from app.plot.layered_plot import GREATEST_SPAN
-from app.plot.pixel_map import PixelMap
+from app.document.model import Curve, Document, Node, Parametrization, ParametrizationKind, make_curve
+from app.families import HERMITE, QUINTIC_HERMITE
+from app.plotting.layered_plot import GREATEST_SPAN
+from app.plotting.pixel_map import PixelMap
 from app.view_model.curve_view import squeeze_of, view_of
 
 
@@ -71,7 +72,7 @@ def test_the_pen_far_away_on_an_interval_of_timestamps_divides_by_nothing(opened
     """The points so far have no length in t any more beside the new one: ZeroDivisionError in the press."""
     interval = Parametrization(start=1.7e9, end=1.7e9 + 1)
     nodes = (Node(0.0, 0.0, velocity=(1.0, 0.0)), Node(1.0, 1.0))
-    editor = opened(Curve("Time", Family.HERMITE, interval, nodes))
+    editor = opened(Curve("Time", HERMITE, interval, nodes))
     editor.window.canvas.show_box((-3.3e7, 3.3e7), (-3e7, 3e7))
     editor.settle()
     editor.trigger("addTool")
@@ -91,7 +92,7 @@ def test_the_pen_far_away_on_an_interval_of_timestamps_divides_by_nothing(opened
 def test_what_squeezes_parameters_to_nothing_leaves_derivatives(closed):
     interval = Parametrization(start=1.7e9, end=1.7e9 + 1)
     nodes = tuple(Node(float(x), float(x), velocity=(1.0, 0.0)) for x in range(3))
-    before = view_of(Curve("Time", Family.HERMITE, interval, nodes, closed=closed))
+    before = view_of(Curve("Time", HERMITE, interval, nodes, closed=closed))
     after = replace(before.source, nodes=(*nodes, Node(3e9, 1e9)))
     assert squeeze_of(before, after) == 1.0
 
@@ -109,7 +110,7 @@ def test_a_handle_on_an_interval_of_next_to_no_length_is_refused_in_words(opened
     """The square of the spacing vanished: ZeroDivisionError in the drag of an acceleration."""
     rule = Parametrization(ParametrizationKind.UNIFORM, end=1e-200)
     nodes = tuple(Node(float(x), 0.0) for x in range(3))
-    editor = opened(Curve("Brief", Family.QUINTIC_HERMITE, rule, nodes))
+    editor = opened(Curve("Brief", QUINTIC_HERMITE, rule, nodes))
     editor.select_point(1)
     editor.drag_handle((1.0, 0.5), kind)
     assert editor.curve.nodes == nodes

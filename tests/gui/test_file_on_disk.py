@@ -20,16 +20,16 @@ from PySide6.QtWidgets import QApplication, QFileDialog, QMessageBox, QToolButto
 from app.commands.disk_commands import DiskCommands
 from app.commands.disk_notices import Standing, about_lock
 from app.disk_watch import DiskWatch
-from app.document import storage
 from app.document.edits import move_nodes, set_position
-from app.document.format import encode
-from app.document.lock import OLD, Owner, lock_place
-from app.document.migration import MIGRATIONS
 from app.document.model import Document, make_curve
-from app.document.open_file import LockedError
-from app.document.storage import ChangedOnDiskError, StorageError, load, save
 from app.panels.file_bar import FileBar
 from app.session import Session
+from app.storage import files
+from app.storage.files import ChangedOnDiskError, StorageError, load, save
+from app.storage.format import encode
+from app.storage.lock import OLD, Owner, lock_place
+from app.storage.migration import MIGRATIONS
+from app.storage.open_file import LockedError
 from app.testing import Editor
 from app.theme import ThemeMode
 
@@ -538,8 +538,8 @@ def test_an_owner_who_crashed_is_noticed(editor, path, until, monkeypatch):
     """A process that is killed removes no lock, so nothing tells; the reader looks from time to time."""
     monkeypatch.setattr("app.commands.disk_commands._OWNER_MS", 50)
     save(path, THEIRS)
-    code = "import sys; from pathlib import Path; from app.document.lock import acquire\n"
-    code += "kept = acquire(Path(sys.argv[1])); print(1, flush=True); sys.stdin.read()"
+    code = "import sys; from pathlib import Path; from app.storage.lock import acquire, lock_place\n"
+    code += "kept = acquire(lock_place(Path(sys.argv[1]))); print(1, flush=True); sys.stdin.read()"
     environment = {**os.environ, "PYTHONPATH": str(Path(__file__).parents[2])}
     owner = subprocess.Popen(
         [sys.executable, "-c", code, str(path)],
@@ -669,7 +669,7 @@ def test_a_lock_that_cannot_be_made_is_said_once(editor, path, monkeypatch):
     def fail(*_):
         raise OSError(errno.EROFS, os.strerror(errno.EROFS))
 
-    monkeypatch.setattr("app.document.lock._create", fail)
+    monkeypatch.setattr("app.storage.lock._create", fail)
     editor.window.open_file(path)
     assert editor.status.startswith("Others cannot see that drawing.curve.json is open here")
     assert not editor.session.is_read_only
@@ -695,10 +695,10 @@ def fail_with(code):
 
 
 FAULTS = {
-    "disk full": (storage.os, "fsync", errno.ENOSPC, "The disk is full"),
-    "broken disk": (storage.os, "fsync", errno.EIO, "was not written (Input/output error)"),
-    "no replacing": (storage.Path, "replace", errno.EIO, "was not written (Input/output error)"),
-    "read-only": (storage, "_write_temporary", errno.EROFS, "may not be written in that folder"),
+    "disk full": (files.os, "fsync", errno.ENOSPC, "The disk is full"),
+    "broken disk": (files.os, "fsync", errno.EIO, "was not written (Input/output error)"),
+    "no replacing": (files.Path, "replace", errno.EIO, "was not written (Input/output error)"),
+    "read-only": (files, "_write_temporary", errno.EROFS, "may not be written in that folder"),
 }
 
 

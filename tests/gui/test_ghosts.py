@@ -8,12 +8,13 @@ from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QCheckBox, QToolButton
 
 from app.document.edits import set_position
-from app.document.model import Curve, Document, Family, Node, Parametrization, ParametrizationKind
-from app.plot.dashes import dashed
-from app.plot.pens import colour_of
+from app.document.model import Curve, Document, Node, Parametrization, ParametrizationKind
+from app.families import HERMITE, LAGRANGE, QUINTIC_HERMITE
+from app.plotting.dashes import dashed
+from app.plotting.pens import colour_of
 from app.theme import theme_of
-from app.view_model.analysis.settings import Ghost
-from app.view_model.looks import GHOST_LOOKS
+from app.view_model.analysis.settings import Ghost, all_ghosts
+from app.view_model.looks import ghost_look
 
 
 def shown(editor):
@@ -32,16 +33,16 @@ def press(editor, qtbot, name):
 def test_ghosts_follow_a_drag_and_its_cancelling(editor):
     editor.trigger("ghostUniform")
     editor.trigger("ghostHermite")
-    assert set(shown(editor)) == {Ghost.UNIFORM, Ghost.HERMITE}
-    before = shown(editor)[Ghost.UNIFORM].curve.points.copy()
+    assert set(shown(editor)) == {Ghost(kind=ParametrizationKind.UNIFORM), Ghost(family=HERMITE)}
+    before = shown(editor)[Ghost(kind=ParametrizationKind.UNIFORM)].curve.points.copy()
     x, y = editor.point(3)
     editor.press((x, y))
     editor.move((x + 0.5, y))
     moved = {ghost: view.curve.points[3] for ghost, view in shown(editor).items()}
     assert all(place == pytest.approx(editor.point(3)) for place in moved.values())
-    assert moved[Ghost.UNIFORM][0] > x + 0.3
+    assert moved[Ghost(kind=ParametrizationKind.UNIFORM)][0] > x + 0.3
     editor.escape()
-    assert np.array_equal(shown(editor)[Ghost.UNIFORM].curve.points, before)
+    assert np.array_equal(shown(editor)[Ghost(kind=ParametrizationKind.UNIFORM)].curve.points, before)
 
 
 def test_the_legend_makes_a_ghost_real_in_one_step(editor, qtbot):
@@ -53,7 +54,7 @@ def test_the_legend_makes_a_ghost_real_in_one_step(editor, qtbot):
     assert editor.curve.parametrization.kind is ParametrizationKind.UNIFORM
     assert rows(editor) == ["Lagrange · Uniform", "Quintic Hermite"]
     press(editor, qtbot, "legendChoose_quintic_hermite")
-    assert editor.curve.family is Family.QUINTIC_HERMITE
+    assert editor.curve.family is QUINTIC_HERMITE
     assert editor.session.undo_stack.count() == steps + 2
     assert editor.session.undo_stack.undoText() == "Switch to Quintic Hermite"
     editor.trigger("undo")
@@ -80,7 +81,7 @@ def test_the_legend_hides_a_ghost(editor, qtbot):
     editor.trigger("ghostUniform")
     editor.trigger("ghostHermite")
     press(editor, qtbot, "legendHide_uniform")
-    assert set(shown(editor)) == {Ghost.HERMITE}
+    assert set(shown(editor)) == {Ghost(family=HERMITE)}
     assert not editor.action("ghostUniform").isChecked()
     press(editor, qtbot, "legendHide_hermite")
     assert not editor.window.canvas.annotations.ghosts
@@ -91,7 +92,7 @@ def test_the_dock_shows_ghosts_and_makes_them_real(editor, qtbot):
     editor.show_dock("analysisDock")
     switch = editor.window.findChild(QCheckBox, "ghostCentripetalSwitch")
     qtbot.keyClick(switch, Qt.Key.Key_Space)
-    assert set(shown(editor)) == {Ghost.CENTRIPETAL}
+    assert set(shown(editor)) == {Ghost(kind=ParametrizationKind.CENTRIPETAL)}
     qtbot.keyClick(editor.window.findChild(QToolButton, "use_centripetal"), Qt.Key.Key_Space)
     assert editor.curve.parametrization.kind is ParametrizationKind.CENTRIPETAL
     assert not shown(editor)
@@ -119,10 +120,10 @@ def test_a_long_polynomial_appears_when_the_drag_is_over(editor):
     x = np.linspace(0, 4, 240)
     nodes = tuple(Node(float(a), float(np.sin(3 * a))) for a in x)
     rules = Parametrization(ParametrizationKind.CHEBYSHEV)
-    editor.session.commit(Document((Curve("Wave", Family.HERMITE, rules, nodes),)), "Open")
+    editor.session.commit(Document((Curve("Wave", HERMITE, rules, nodes),)), "Open")
     editor.fit()
     editor.trigger("ghostLagrange")
-    assert set(shown(editor)) == {Ghost.LAGRANGE}
+    assert set(shown(editor)) == {Ghost(family=LAGRANGE)}
     editor.press(editor.point(120))
     editor.move((2.0, 1.0))
     (ghost,) = editor.window.canvas.annotations.ghosts
@@ -140,7 +141,7 @@ def test_a_ghost_is_painted_in_its_colour(editor):
     editor.window.canvas.annotations.legend.hide()
     canvas = editor.window.canvas
     image, theme = canvas.grab().toImage(), theme_of(canvas.palette())
-    wanted = colour_of(GHOST_LOOKS[Ghost.UNIFORM], theme)
+    wanted = colour_of(ghost_look(Ghost(kind=ParametrizationKind.UNIFORM)), theme)
     near = sum(
         abs(image.pixelColor(x, y).red() - wanted.red()) < 12
         and abs(image.pixelColor(x, y).green() - wanted.green()) < 12
@@ -151,9 +152,8 @@ def test_a_ghost_is_painted_in_its_colour(editor):
 
 
 def test_every_ghost_has_a_look_of_its_own():
-    looks = [(look.colour, look.dashes) for look in GHOST_LOOKS.values()]
-    assert set(GHOST_LOOKS) == set(Ghost)
-    assert len({colour for colour, _ in looks}) == len({dashes for _, dashes in looks}) == len(Ghost)
+    looks = [(look.colour, look.dashes) for look in map(ghost_look, all_ghosts())]
+    assert len({colour for colour, _ in looks}) == len({dashes for _, dashes in looks}) == len(looks) == 7
 
 
 def test_dashes_run_on_over_corners():

@@ -9,7 +9,8 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QMenuBar
 
 from app.document import edits
-from app.document.model import Document, Family, ParametrizationKind, make_curve
+from app.document.model import Document, ParametrizationKind, make_curve
+from app.families import HERMITE
 
 Key = Qt.Key
 FLAGS = {
@@ -23,7 +24,7 @@ POINTS = ((0.0, 0.0), (1.03, 2.04), (3.07, 2.11), (4.0, 0.0))
 @pytest.fixture
 def arch(editor):
     """Four points of an arch, a grid that nothing snaps to unless Ctrl is held."""
-    document = Document((make_curve(POINTS, family=Family.HERMITE),))
+    document = Document((make_curve(POINTS, family=HERMITE),))
     document = edits.set_parametrization(document, 0, ParametrizationKind.UNIFORM, [])
     editor.session.commit(document, "Begin")
     editor.window.canvas.show_box((-3, 7), (-3, 5))

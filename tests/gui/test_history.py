@@ -3,17 +3,20 @@
 import pytest
 from PySide6.QtCore import Qt
 
-from app.document import edits, storage
+from app.controllers.history import HistoryController
+from app.document import edits
 from app.document.model import make_curve
 from app.panels.history import HistoryPanel
 from app.session import Session
+from app.storage import files
 from app.theme import ThemeMode, apply_theme
 
 
 @pytest.fixture
 def history(qtbot):
     session = Session()
-    panel = HistoryPanel(session)
+    panel = HistoryPanel(session.undo_stack)
+    panel.controller = HistoryController(session, panel)
     qtbot.addWidget(panel)
     for index in (1, 2, 3):
         document = edits.move_nodes(session.document, 0, [index], (0.5, 0.0))
@@ -94,7 +97,7 @@ def test_the_beginning_is_named_after_what_was_opened(history, tmp_path):
     view = panel.view
     path = tmp_path / "swan.curve.json"
     document = session.document.with_curve(0, make_curve([(0.0, 0.0), (1.0, 1.0)], name="Swan"))
-    storage.save(path, document)
+    files.save(path, document)
     session.open(path)
     assert entries(view) == ["Opened swan.curve.json"]
     session.open_copy(path)

@@ -9,7 +9,7 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QDockWidget, QToolButton
 
 from app.document.edits import set_position
-from app.document.model import Family
+from app.families import HERMITE
 from app.panels.hodograph_panel import HodographPanel
 
 
@@ -80,7 +80,7 @@ def test_a_drag_along_it_scrubs_and_escape_goes_back(editor, hodograph):
 
 
 def test_the_acceleration_can_be_drawn_instead(editor, qtbot, hodograph):
-    editor.choose_family(Family.HERMITE)
+    editor.choose_family(HERMITE)
     qtbot.mouseClick(editor.window.findChild(QToolButton, "hodographAcceleration"), Qt.MouseButton.LeftButton)
     assert hodograph.hodograph.order == 2
     editor.scrub(0.5)

@@ -23,12 +23,13 @@ from PySide6.QtWidgets import (
     QSpinBox,
 )
 
-from app.document.model import Document, Family, make_curve
-from app.document.storage import save
+from app.document.model import Document, make_curve
 from app.exchange.options import Options
 from app.exchange.writing import export
+from app.families import HERMITE
 from app.panels.field_edit import FieldEdit
-from app.testing_hand import spin
+from app.storage.files import save
+from app.testing import spin
 from app.view_model.curve_view import view_of
 
 SVG = (
@@ -99,7 +100,7 @@ def test_a_table_comes_in_as_one_step(editor, tmp_path):
     press(dialog, "importTable")
     editor.settle()
     curve = editor.curve
-    assert (curve.name, curve.family) == ("pond", Family.HERMITE)
+    assert (curve.name, curve.family) == ("pond", HERMITE)
     assert [node.position for node in curve.nodes] == [(0.5, 1), (2, 3.25), (4, 0)]
     assert len(editor.session.document.curves) == len(before.curves) + 1
     assert editor.status == "Imported pond.csv: 1 curve, 3 points, exact."

@@ -13,11 +13,11 @@ from app.document.model import (
     AccelerationRule,
     Curve,
     Document,
-    Family,
     ParametrizationKind,
     VelocityRule,
     make_curve,
 )
+from app.families import FAMILIES, HERMITE
 from app.view_model.curve_view import CurveView, view_of
 from app.view_model.flattener import Flattener
 from curvecore import LagrangeCurve
@@ -49,7 +49,7 @@ def step(data, document: Document, curve: Curve, view: CurveView) -> Document:
             nodes = (*curve.nodes[:index], flat, *curve.nodes[index + 1 :])
             return document.with_curve(0, replace(curve, nodes=nodes))
         case 8:
-            return edits.set_family(document, 0, data.draw(st.sampled_from(Family)))
+            return edits.set_family(document, 0, data.draw(st.sampled_from(FAMILIES)))
         case 9:
             kind = data.draw(st.sampled_from(ParametrizationKind))
             return edits.set_parametrization(document, 0, kind, view.parameters.tolist())
@@ -89,7 +89,7 @@ def assert_drawn(view: CurveView, t: np.ndarray) -> None:
 
 @given(st.data())
 def test_random_edits_with_undo(data):
-    document = Document((make_curve(SQUARE, family=data.draw(st.sampled_from(Family))),))
+    document = Document((make_curve(SQUARE, family=data.draw(st.sampled_from(FAMILIES))),))
     view, history = view_of(document.curves[0]), [document]
     for _ in range(data.draw(st.integers(1, 8))):
         if data.draw(st.integers(0, 4)) == 0:
@@ -106,7 +106,7 @@ def test_random_edits_with_undo(data):
 
 
 def test_what_did_not_change_is_the_same_object():
-    document = Document((make_curve(SQUARE, family=Family.HERMITE),))
+    document = Document((make_curve(SQUARE, family=HERMITE),))
     view = view_of(document.curves[0])
     moved = view_of(edits.move_nodes(document, 0, {2}, (0.5, 0.0)).curves[0], view)
     assert moved.points is not view.points

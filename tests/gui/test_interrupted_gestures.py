@@ -8,7 +8,8 @@ from PySide6.QtGui import QColor, QImage, QMouseEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QMessageBox
 
-from app.document.model import Document, Family, make_curve
+from app.document.model import Document, make_curve
+from app.families import HERMITE
 from app.panels.command_palette import CommandPalette
 
 CTRL = Qt.KeyboardModifier.ControlModifier
@@ -19,7 +20,7 @@ POINTS = ((0.0, 0.0), (1.0, 2.0), (3.0, 2.0), (4.0, 0.0))
 @pytest.fixture
 def arch(editor):
     """Four points of an arch, not saved."""
-    editor.session.commit(Document((make_curve(POINTS, family=Family.HERMITE),)), "Begin")
+    editor.session.commit(Document((make_curve(POINTS, family=HERMITE),)), "Begin")
     editor.window.canvas.show_box((-3, 7), (-3, 5))
     editor.settle()
     return editor

@@ -13,7 +13,8 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QDockWidget, QLabel, QTableView, QToolButton
 
 from app.document.edits import set_position
-from app.document.model import Curve, Document, Family, Node, Parametrization, VelocityRule
+from app.document.model import Curve, Document, Node, Parametrization, VelocityRule
+from app.families import HERMITE
 from app.panels.joints_panel import JointsPanel
 from app.view_model.analysis.joints import Kind
 
@@ -21,7 +22,7 @@ from app.view_model.analysis.joints import Kind
 @pytest.fixture
 def bessel(editor):
     """The sketch as cubics that jump in the acceleration; the certificate in sight."""
-    curve = replace(editor.curve, family=Family.HERMITE, velocity_rule=VelocityRule.BESSEL)
+    curve = replace(editor.curve, family=HERMITE, velocity_rule=VelocityRule.BESSEL)
     editor.session.commit(Document((curve,)), "Begin")
     editor.trigger("showJoints")
     return editor
@@ -154,7 +155,7 @@ def test_without_a_curve_it_says_why(bessel):
 
 def test_a_thousand_joints_are_quick(editor):
     nodes = tuple(Node(i / 100, float(np.sin(i / 30))) for i in range(1000))
-    curve = Curve("Long", Family.HERMITE, Parametrization(), nodes, VelocityRule.BESSEL)
+    curve = Curve("Long", HERMITE, Parametrization(), nodes, VelocityRule.BESSEL)
     editor.session.commit(Document((curve,)), "Begin")
     editor.trigger("showJoints")
     assert table(editor).model().rowCount() == 998

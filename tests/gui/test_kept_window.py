@@ -6,7 +6,7 @@ import pytest
 from fingerprint import Fingerprint, differences
 from PySide6.QtWidgets import QLabel
 
-from app.document.model import Family
+from app.families import HERMITE
 
 
 def test_what_is_planted_is_found(editor, monkeypatch):
@@ -43,7 +43,7 @@ def test_what_is_planted_is_found(editor, monkeypatch):
 
 
 _WAYS = {
-    "another family": lambda editor: editor.choose_family(Family.HERMITE),
+    "another family": lambda editor: editor.choose_family(HERMITE),
     "a dark theme": lambda editor: editor.trigger("themeDark"),
     "a lesson": lambda editor: editor.window.open_lesson("01_basis_functions"),
     "a motion": lambda editor: editor.trigger("playMotion"),

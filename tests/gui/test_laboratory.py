@@ -24,9 +24,10 @@ from PySide6.QtWidgets import (
     QToolButton,
 )
 
-from app.document.model import Document, Family, Parametrization, ParametrizationKind, make_curve
+from app.document.model import Document, Parametrization, ParametrizationKind, make_curve
+from app.families import HERMITE, LAGRANGE, QUINTIC_HERMITE
+from app.tasks.debounced_task import SETTLE_MS
 from app.view_model.analysis.laboratory_settings import Calculation
-from app.worker import SETTLE_MS
 
 LEFT = Qt.MouseButton.LeftButton
 POINTS = ((0.0, 0.0), (1.0, 2.0), (2.5, 1.0), (4.0, 3.0), (5.0, 0.5), (6.0, 2.0))
@@ -35,12 +36,12 @@ POINTS = ((0.0, 0.0), (1.0, 2.0), (2.5, 1.0), (4.0, 3.0), (5.0, 0.5), (6.0, 2.0)
 @pytest.fixture
 def quick(editor):
     """Have the laboratory compute at once: that it waits for the hand to rest is one question of all."""
-    settlers = commands(editor)._settler, commands(editor)._cost_settler
-    for settler in settlers:
-        settler._timer.setInterval(0)
+    tasks = commands(editor)._task, commands(editor)._cost_task
+    for task in tasks:
+        task._timer.setInterval(0)
     yield
-    for settler in settlers:
-        settler._timer.setInterval(SETTLE_MS)
+    for task in tasks:
+        task._timer.setInterval(SETTLE_MS)
 
 
 @pytest.fixture
@@ -61,9 +62,7 @@ def settled(editor, qtbot):
     """Wait until the laboratory has answered."""
     editor.settle()
     lab = commands(editor)
-    qtbot.waitUntil(
-        lambda: not (lab._settler.is_busy or lab._digits_settler.is_busy or lab._cost_settler.is_busy)
-    )
+    qtbot.waitUntil(lambda: not (lab._task.is_busy or lab._digits_task.is_busy or lab._cost_task.is_busy))
     editor.settle()
 
 
@@ -222,14 +221,14 @@ def test_methods_are_chosen_by_their_boxes(lab, qtbot):
 
 
 def test_hermite_curves_have_methods_of_their_own(lab, qtbot):
-    lab.choose_family(Family.HERMITE)
+    lab.choose_family(HERMITE)
     settled(lab, qtbot)
     assert set(shown(lab)) == {"Monomials", "Hermite basis"}
     assert not find(lab, QCheckBox, "method_newton").isVisible()
     click(lab, qtbot, find(lab, QCheckBox, "method_monomial"))
     assert set(shown(lab)) == {"Hermite basis"}
     # What was chosen for the other family is still chosen.
-    lab.choose_family(Family.LAGRANGE)
+    lab.choose_family(LAGRANGE)
     settled(lab, qtbot)
     assert set(shown(lab)) == {"Lagrange"}
 
@@ -283,7 +282,7 @@ def test_what_is_rounded_can_be_chosen(lab, qtbot):
 
 
 def test_a_drag_keeps_the_old_curves_faded_until_it_rests(lab, qtbot):
-    commands(lab)._settler._timer.setInterval(SETTLE_MS)
+    commands(lab)._task._timer.setInterval(SETTLE_MS)
     trace = shown(lab)["Lagrange"]
     x, y = lab.point(2)
     lab.press((x, y))
@@ -405,7 +404,7 @@ def test_sixteen_digits_fit_the_dock(lab, qtbot):
     assert page.widget().width() <= page.viewport().width()
 
 
-@pytest.mark.parametrize("family", [Family.LAGRANGE, Family.QUINTIC_HERMITE])
+@pytest.mark.parametrize("family", [LAGRANGE, QUINTIC_HERMITE])
 @pytest.mark.usefixtures("quick")
 def test_the_dock_is_as_wide_as_the_laboratory(editor, qtbot, family):
     """In a window 1280 pixels wide it was 4 pixels wider than its dock, and scrolled sideways by them."""

@@ -5,9 +5,10 @@ from __future__ import annotations
 import pytest
 from PySide6.QtWidgets import QDialog
 
-from app.document import storage
-from app.document.model import Document, Family, make_curve
+from app.document.model import Document, make_curve
+from app.families import HERMITE
 from app.start import open_windows
+from app.storage import files
 from app.testing import Editor
 from tests.effort import calls_of
 
@@ -21,11 +22,11 @@ def large(tmp_path_factory):
         make_curve(
             [(k % 40, k // 40), (k % 40 + 0.4, k // 40 + 0.7), (k % 40 + 0.8, k // 40)],
             name=f"Curve {k}",
-            family=Family.HERMITE,
+            family=HERMITE,
         )
         for k in range(COUNT)
     ]
-    storage.save(path, Document(tuple(curves)))
+    files.save(path, Document(tuple(curves)))
     return path
 
 

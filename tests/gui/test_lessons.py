@@ -17,11 +17,11 @@ from PySide6.QtWidgets import (
 )
 
 from app.action_specs import SPECS
-from app.document.storage import load
 from app.lessons import LessonError, lesson_names, load_lesson, parse_lesson
 from app.main_window import MainWindow
 from app.panels.basis_layers import rail_height
 from app.session import Session
+from app.storage.files import load
 from app.view_model.analysis.laboratory_settings import LaboratorySettings
 from app.view_model.analysis.settings import AnalysisSettings
 from app.view_model.curve_view import view_of

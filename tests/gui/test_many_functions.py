@@ -7,11 +7,12 @@ import pytest
 from PySide6.QtCore import QPointF
 from PySide6.QtWidgets import QLabel
 
-from app.document.model import Curve, Document, Family, Node, Parametrization, ParametrizationKind
+from app.document.model import Curve, Document, Node, Parametrization, ParametrizationKind
 from app.document.parameter_edits import set_parameters
+from app.families import HERMITE, LAGRANGE, QUINTIC_HERMITE, Family
 from app.panels.function_lines import Drawing, FunctionLines, way_to_draw
-from app.plot.pixel_map import PixelMap
-from app.plot.stamps import cells_of
+from app.plotting.pixel_map import PixelMap
+from app.plotting.stamps import cells_of
 from app.testing import Editor
 from app.theme import LIGHT
 from app.view_model.basis_view import basis_view
@@ -23,7 +24,7 @@ SHOWN = PixelMap.of_ranges((-0.05, 1.05), (-0.6, 1.3), 880, 200)
 
 
 def wave(n: int, family: Family, *, closed: bool = False) -> Curve:
-    kind = CHEBYSHEV if family is Family.LAGRANGE else UNIFORM
+    kind = CHEBYSHEV if family is LAGRANGE else UNIFORM
     s = np.linspace(0, 1, n)
     nodes = tuple(Node(float(4 * x), float(np.sin(9 * x))) for x in s)
     return Curve("Wave", family, Parametrization(kind), nodes, closed=closed)
@@ -33,12 +34,12 @@ def wave(n: int, family: Family, *, closed: bool = False) -> Curve:
 @pytest.mark.parametrize(
     ("n", "family", "way"),
     [
-        (20, Family.LAGRANGE, Drawing.EACH),
-        (65, Family.LAGRANGE, Drawing.ENVELOPE),
-        (600, Family.LAGRANGE, Drawing.ENVELOPE),
-        (60, Family.HERMITE, Drawing.EACH),
-        (80, Family.QUINTIC_HERMITE, Drawing.SPANS),
-        (500, Family.HERMITE, Drawing.ENVELOPE),
+        (20, LAGRANGE, Drawing.EACH),
+        (65, LAGRANGE, Drawing.ENVELOPE),
+        (600, LAGRANGE, Drawing.ENVELOPE),
+        (60, HERMITE, Drawing.EACH),
+        (80, QUINTIC_HERMITE, Drawing.SPANS),
+        (500, HERMITE, Drawing.ENVELOPE),
     ],
 )
 def test_how_many_are_drawn_and_that_the_envelope_holds_them(n, family, way, closed):
@@ -56,7 +57,7 @@ def test_how_many_are_drawn_and_that_the_envelope_holds_them(n, family, way, clo
 
 @pytest.mark.parametrize("index", [0, 1, 250, 498, 499])
 def test_one_function_among_many_is_sampled_finely(index):
-    basis = basis_view(view_of(wave(500, Family.QUINTIC_HERMITE)))
+    basis = basis_view(view_of(wave(500, QUINTIC_HERMITE)))
     for kind in range(3):
         t, values = basis.function(index, kind)
         assert len(t) >= 33
@@ -66,7 +67,7 @@ def test_one_function_among_many_is_sampled_finely(index):
 
 
 def test_the_spans_are_the_functions():
-    basis = basis_view(view_of(wave(80, Family.HERMITE)))
+    basis = basis_view(view_of(wave(80, HERMITE)))
     lines = FunctionLines(basis, SHOWN)
     assert len(lines.spans(0)._lines) == 2 * (len(basis.t) - (basis.count - 1))
 
@@ -95,7 +96,7 @@ def exact_pixels(basis, shown, knot, kind):
     return np.column_stack([shown.x(t), shown.y(values)])
 
 
-@pytest.mark.parametrize("family", [Family.HERMITE, Family.QUINTIC_HERMITE])
+@pytest.mark.parametrize("family", [HERMITE, QUINTIC_HERMITE])
 def test_wide_functions_among_many_narrow_ones_are_smooth(open_wave, family):
     """Two pieces of two hundred took a fifth of the panel, with eight chords each: 0.8 pixels off."""
     editor = open_wave(200, family)
@@ -109,7 +110,7 @@ def test_wide_functions_among_many_narrow_ones_are_smooth(open_wave, family):
     assert lines.are_of(basis, shown)
     assert way_to_draw(basis) is Drawing.SPANS
     # Of a quintic needle three pixels wide, eight chords cut off the tip.
-    narrow = (0, 50, 97, 101, 199) if family is Family.HERMITE else ()
+    narrow = (0, 50, 97, 101, 199) if family is HERMITE else ()
     for kind in range(basis.kinds):
         spans = lines.spans(kind)._lines.ndarray()
         spans = spans[(spans[:, 2] > shown.x(0.35)) & (spans[:, 0] < shown.x(0.65))]
@@ -124,13 +125,13 @@ def test_wide_functions_among_many_narrow_ones_are_smooth(open_wave, family):
 def test_a_curve_with_pieces_alike_is_drawn_with_its_samples_alone():
     """Chords are added where a piece is wide only: a drag of many points must stay as fast as it is."""
     for n in (70, 200, 390):
-        for family in (Family.HERMITE, Family.QUINTIC_HERMITE):
+        for family in (HERMITE, QUINTIC_HERMITE):
             basis = basis_view(view_of(wave(n, family)))
             chords = len(FunctionLines(basis, SHOWN).spans(0)._lines)
             assert chords == 2 * (len(basis.t) - (basis.count - 1))
 
 
-@pytest.mark.parametrize("family", [Family.LAGRANGE, Family.HERMITE])
+@pytest.mark.parametrize("family", [LAGRANGE, HERMITE])
 def test_the_pane_says_what_it_leaves_out(open_wave, family):
     editor = open_wave(450, family)
     note = editor.window.findChild(QLabel, "basisDrawing")
@@ -140,7 +141,7 @@ def test_the_pane_says_what_it_leaves_out(open_wave, family):
 
 
 def test_a_point_among_very_many_is_hit_dragged_and_taken_back(open_wave):
-    editor = open_wave(2000, Family.HERMITE)
+    editor = open_wave(2000, HERMITE)
     before, place = editor.session.document, editor.point(1000)
     editor.press(place)
     editor.move((place[0], place[1] + 0.5))
@@ -158,7 +159,7 @@ def test_many_points_share_colours_and_neighbours_still_differ():
 
 
 def test_stamped_points_are_seen(open_wave):
-    editor = open_wave(300, Family.HERMITE)
+    editor = open_wave(300, HERMITE)
     image = editor.window.canvas.grab().toImage()
     pixel = editor.window.canvas.to_pixel(*editor.point(150))
     offset = editor.window.canvas.viewport().mapTo(editor.window.canvas, pixel)
@@ -169,7 +170,7 @@ def test_stamped_points_are_seen(open_wave):
 
 def test_an_envelope_beyond_the_edge_of_the_panel_is_empty():
     """It raised: nothing can be written to the array of a polygon without points."""
-    basis = basis_view(view_of(wave(65, Family.LAGRANGE)))
+    basis = basis_view(view_of(wave(65, LAGRANGE)))
     lines = FunctionLines(basis, PixelMap.of_ranges((5.0, 6.0), (-0.6, 1.3), 880, 200))
     assert len(lines.edge(0, upper=True)) == 0
 
@@ -177,7 +178,7 @@ def test_an_envelope_beyond_the_edge_of_the_panel_is_empty():
 def test_functions_at_the_edge_of_the_range_stay_finite_when_a_tick_moves():
     """Infinite on 1100 equal parameters: those from before the move were at the edge of the range."""
     nodes = tuple(Node(float(i), float(i % 3)) for i in range(1100))
-    document = Document((Curve("Comb", Family.LAGRANGE, Parametrization(UNIFORM), nodes),))
+    document = Document((Curve("Comb", LAGRANGE, Parametrization(UNIFORM), nodes),))
     view = view_of(document.curves[0])
     before = basis_view(view)
     parameters = view.parameters.tolist()
@@ -190,7 +191,7 @@ def test_functions_at_the_edge_of_the_range_stay_finite_when_a_tick_moves():
 
 def test_a_single_tick_among_many_is_drawn_as_large_as_ticks_get(open_wave):
     """Zoomed far out, all lie in one place: the gap to the next was infinite, and its half no number."""
-    editor = open_wave(65, Family.HERMITE)
+    editor = open_wave(65, HERMITE)
     panel = editor.window.basis_panel
     panel.zoom(1e-5, QPointF(panel.centre()))
     image = panel.grab().toImage()

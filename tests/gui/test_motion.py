@@ -22,8 +22,9 @@ from PySide6.QtWidgets import (
 )
 
 from app.document import edits
-from app.document.model import Family, ParametrizationKind, VelocityRule
+from app.document.model import ParametrizationKind, VelocityRule
 from app.exchange.drawing.animation import write_film
+from app.families import HERMITE
 from app.panels.motion_bar import MotionBar
 from app.player import Player
 from app.view_model.motion_picture import Role
@@ -220,7 +221,7 @@ def test_escape_first_drops_the_drag(editor, motion):
 
 
 def test_points_can_be_dragged_while_it_plays(editor, motion):
-    editor.choose_family(Family.HERMITE)
+    editor.choose_family(HERMITE)
     editor.trigger("playMotion")
     motion.wait(0.3)
     x, y = editor.point(2)
@@ -287,7 +288,7 @@ def test_without_a_curve_the_dot_is_away_and_the_bar_says_why(editor, motion):
 
 def test_cubic_beside_quintic(editor, motion):
     session = editor.session
-    editor.choose_family(Family.HERMITE)
+    editor.choose_family(HERMITE)
     session.commit(edits.set_velocity_rule(session.document, 0, VelocityRule.CATMULL_ROM), "Rule")
     editor.trigger("motionCompare")
     assert motion.player.is_playing
@@ -297,7 +298,7 @@ def test_cubic_beside_quintic(editor, motion):
     assert own.place == cubic.place != quintic.place
     assert "Cubic: acceleration jumps at 6 of 6 joints" in motion.bar.words
     assert "Quintic: no jump of acceleration." in motion.bar.words
-    assert editor.session.document.curves[0].family is Family.HERMITE
+    assert editor.session.document.curves[0].family is HERMITE
     editor.trigger("motionCompare")
     motion.wait(0.1)
     assert len(motion.dots) == 1
@@ -497,5 +498,5 @@ def test_keys_typed_beside_a_field_of_the_dialog_leave_the_curve_alone(editor, q
     assert dialog.windowType() is Qt.WindowType.Dialog
     dialog.setFocus()
     qtbot.keyClick(dialog, Qt.Key.Key_1)
-    assert editor.curve.family is Family.HERMITE
+    assert editor.curve.family is HERMITE
     dialog.close()

@@ -12,10 +12,10 @@ from PySide6.QtWidgets import QApplication, QCheckBox, QComboBox, QDialog, QFile
 
 from app.cli import main
 from app.document.model import Document, make_curve
-from app.document.storage import save
 from app.exchange.cubics_in import Imported
 from app.exchange.formats import FORMATS, Format, Kind, Written
 from app.exchange.options import TOLERANCE, Check
+from app.storage.files import save
 
 UPSIDE_DOWN = Check(
     name="upside_down",

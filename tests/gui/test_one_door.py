@@ -9,18 +9,19 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QStyle, QStyleOptionSlider
 
 from app.document import edits
-from app.document.format import FormatError, validate
 from app.document.model import (
     Curve,
     Document,
-    Family,
     Node,
     Parametrization,
     ParametrizationKind,
     ReferenceImage,
     make_curve,
 )
+from app.document.several_curves import with_looks
+from app.families import HERMITE, LAGRANGE
 from app.panels.curve_list_view import Spot
+from app.storage.format import FormatError, validate
 from app.view_model.curve_view import view_of
 
 LEFT = Qt.MouseButton.LeftButton
@@ -37,7 +38,7 @@ COMMANDS = [
 def hat(name="Hat", right=0.0):
     """A curve with something set at two of its nodes."""
     points = [(right, 0), (right + 1, 2), (right + 3, 2), (right + 4, 0)]
-    curve = make_curve(points, family=Family.HERMITE, name=name)
+    curve = make_curve(points, family=HERMITE, name=name)
     document = edits.set_velocity(Document((curve,)), 0, 1, (3.0, 1.0))
     return edits.set_velocity(document, 0, 2, (2.0, -1.0)).curves[0]
 
@@ -151,7 +152,7 @@ def test_del_in_the_list_takes_no_preview_along(two):
 
 def press_alpha(editor):
     """Take hold of the handle of the α slider and drag it to its middle."""
-    slider = editor.window.parametrization_bar._slider
+    slider = editor.window.parametrization_bar.slider
     option = QStyleOptionSlider()
     slider.initStyleOption(option)
     handle = slider.style().subControlRect(
@@ -182,7 +183,7 @@ def test_undo_during_a_drag_of_alpha_takes_back_the_drag_alone(two):
 def test_another_curve_while_the_pen_begins_one(editor):
     rings = [
         edits.set_closed(
-            Document((make_curve([(x, 0), (x + 2, 0), (x + 2, 2)], family=Family.HERMITE),)), 0, True
+            Document((make_curve([(x, 0), (x + 2, 0), (x + 2, 2)], family=HERMITE),)), 0, True
         ).curves[0]
         for x in (0.0, 4.0)
     ]
@@ -262,7 +263,7 @@ def test_a_number_typed_at_a_tick_stays_with_its_curve(two):
 
 def test_a_closed_curve_with_too_few_points_left_is_open(editor):
     editor.new()
-    editor.choose_family(Family.HERMITE)
+    editor.choose_family(HERMITE)
     editor.trigger("addTool")
     for point in ((0, 0), (2, 0), (2, 2)):
         editor.click(point)
@@ -275,19 +276,17 @@ def test_a_closed_curve_with_too_few_points_left_is_open(editor):
 
 
 def test_the_interval_of_a_polynomial_that_would_be_closed_leaves_room_to_close():
-    document = Document((make_curve([(0, 0), (1, 2), (3, 2)], family=Family.HERMITE),))
+    document = Document((make_curve([(0, 0), (1, 2), (3, 2)], family=HERMITE),))
     document = edits.freeze_parameters(edits.set_closed(document, 0, True), 0, [0.0, 0.3, 0.6, 1.0])
-    document = edits.set_interval(edits.set_family(document, 0, Family.LAGRANGE), 0, 0.0, 2.0)
+    document = edits.set_interval(edits.set_family(document, 0, LAGRANGE), 0, 0.0, 2.0)
     validate(document)
-    assert view_of(edits.set_family(document, 0, Family.HERMITE).curves[0]).is_current
+    assert view_of(edits.set_family(document, 0, HERMITE).curves[0]).is_current
 
 
 def test_points_that_would_share_a_parameter_are_not_pasted(editor):
-    source = Curve(
-        "S", Family.HERMITE, Parametrization(end=1e-6), tuple(Node(i / 10, 2.0) for i in range(21))
-    )
+    source = Curve("S", HERMITE, Parametrization(end=1e-6), tuple(Node(i / 10, 2.0) for i in range(21)))
     manual = Parametrization(ParametrizationKind.MANUAL)
-    target = Curve("T", Family.HERMITE, manual, (Node(0.0, 0.0, t=1.7e9), Node(1.0, 0.0, t=1.7e9 + 1)))
+    target = Curve("T", HERMITE, manual, (Node(0.0, 0.0, t=1.7e9), Node(1.0, 0.0, t=1.7e9 + 1)))
     editor.session.commit(Document((source, target)), "Begin")
     editor.trigger("selectAll")
     editor.trigger("copyPoints")
@@ -300,7 +299,7 @@ def test_points_that_would_share_a_parameter_are_not_pasted(editor):
 
 
 def test_derivatives_beyond_all_that_can_be_kept_are_refused_with_a_sentence(editor):
-    curve = make_curve([(0, 0), (1e6, 2e6), (3e6, 1e6)], family=Family.HERMITE)
+    curve = make_curve([(0, 0), (1e6, 2e6), (3e6, 1e6)], family=HERMITE)
     rule = Parametrization(ParametrizationKind.UNIFORM, end=1e-7)
     editor.session.commit(Document((replace(curve, parametrization=rule),)), "Begin")
     editor.select([1])
@@ -332,3 +331,57 @@ def test_what_no_file_can_hold_is_not_committed(editor):
     assert not editor.session.commit(Document((wild,)), "Wild")
     assert editor.session.document is before
     assert editor.status.startswith("This cannot be kept: curves[0].points[")
+
+
+def test_an_edit_finds_the_document_without_a_gesture_in_flight(two):
+    """What a gesture showed is gone before the edit is asked for the document."""
+    session, found = two.session, []
+    two.press(two.point(1))
+    two.move((9.0, 9.0))
+    assert session.is_previewing
+
+    def edit(document):
+        found.append(document)
+        return edits.rename_curve(document, 0, "Named")
+
+    committed = session.committed
+    change = session.change("Rename curve", edit)
+    assert change.is_done
+    assert change
+    assert found == [committed]
+    assert session.document.curves == (replace(committed.curves[0], name="Named"), committed.curves[1])
+    assert session.undo_stack.undoText() == "Rename curve"
+    two.release((9.0, 9.0))
+    assert session.undo_stack.undoText() == "Rename curve"
+
+
+def test_an_edit_that_refuses_changes_nothing_and_is_heard(two):
+    session = two.session
+    before, steps = session.document, session.undo_stack.count()
+
+    def edit(_document):
+        raise edits.EditError("There is no other way.")
+
+    change = session.change("Never", edit)
+    assert not change
+    assert change.refusal == two.status == "There is no other way."
+    assert session.document is before
+    assert session.undo_stack.count() == steps
+    assert session.selection == {1, 2}
+
+
+def test_a_change_that_is_none_is_no_step_and_no_refusal(two):
+    session, steps = two.session, two.session.undo_stack.count()
+    change = session.change("Nothing", lambda document: document)
+    assert not change
+    assert not change.refusal
+    assert session.undo_stack.count() == steps
+
+
+def test_why_a_locked_curve_stays_is_told_to_who_asked_too(two):
+    session = two.session
+    session.change("Lock", lambda document: with_looks(document, [1], locked=True))
+    change = session.change("Move", lambda document: edits.set_position(document, 1, 0, (9.0, 9.0)))
+    assert not change
+    assert change.refusal == two.status
+    assert "locked" in change.refusal

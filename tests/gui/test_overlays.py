@@ -10,7 +10,8 @@ from PySide6.QtWidgets import QApplication, QCheckBox, QLabel, QLineEdit, QSlide
 
 from app.commands.overlay_commands import OVERLAYS
 from app.document.edits import set_position
-from app.document.model import Family, ParametrizationKind
+from app.document.model import ParametrizationKind
+from app.families import HERMITE
 from app.theme import ThemeMode
 from app.view_model.analysis.figures import Style
 
@@ -74,7 +75,7 @@ LIVE = {
 
 @pytest.mark.parametrize("name", list(LIVE))
 def test_an_overlay_follows_a_drag(editor, name):
-    editor.choose_family(Family.HERMITE)
+    editor.choose_family(HERMITE)
     editor.trigger(name)
     before = first(editor, LIVE[name])
     x, y = editor.point(3)

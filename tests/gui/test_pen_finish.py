@@ -8,7 +8,8 @@ import pytest
 from PySide6.QtCore import QPoint, Qt
 
 from app.document import edits
-from app.document.model import Family, Node
+from app.document.model import Node
+from app.families import HERMITE, LAGRANGE
 
 SHIFT = Qt.KeyboardModifier.ShiftModifier
 CTRL = Qt.KeyboardModifier.ControlModifier
@@ -19,7 +20,7 @@ def pen(editor):
     """An open Hermite curve of three points, and the pen in hand."""
     editor.new()
     places = [at(editor, x, y) for x, y in ((0, 0), (100, 60), (200, 0))]
-    document = edits.set_family(editor.session.document, 0, Family.HERMITE)
+    document = edits.set_family(editor.session.document, 0, HERMITE)
     document = edits.set_nodes(document, 0, [Node(*place) for place in places])
     editor.session.commit(document, "Begin")
     editor.session.select([2])
@@ -211,7 +212,7 @@ def test_escape_takes_back_a_velocity_drawn_in_steps(pen):
 
 
 def test_what_ctrl_does_is_told_where_a_drag_moves_the_point(pen):
-    pen.choose_family(Family.LAGRANGE)
+    pen.choose_family(LAGRANGE)
     pen.press(at(pen, 300, 150))
     spacing = pen.window.canvas.grid_spacing[0]
     by_the_grid = (12 * spacing + 3 * pen.pixel, 9 * spacing + 2 * pen.pixel)

@@ -9,7 +9,8 @@ from pixels import is_colour
 from PySide6.QtCore import QEvent, QPoint, Qt
 from PySide6.QtWidgets import QApplication
 
-from app.document.model import Document, Family, ParametrizationKind, make_curve
+from app.document.model import Document, ParametrizationKind, make_curve
+from app.families import FAMILIES, HERMITE, LAGRANGE
 from app.theme import LIGHT
 
 SHIFT = Qt.KeyboardModifier.ShiftModifier
@@ -21,7 +22,7 @@ def at(editor, x, y):
     return editor.window.canvas.to_plane(QPoint(80 + x, 300 - y))
 
 
-@pytest.fixture(params=[*Family])
+@pytest.fixture(params=FAMILIES)
 def pen(editor, request):
     """A curve of three points of each family, and the pen in hand."""
     return drawn(editor, request.param)
@@ -29,7 +30,7 @@ def pen(editor, request):
 
 @pytest.fixture
 def hermite(editor):
-    return drawn(editor, Family.HERMITE)
+    return drawn(editor, HERMITE)
 
 
 def drawn(editor, family):
@@ -157,17 +158,17 @@ def test_it_follows_a_step_back_and_another_family(hermite):
     hermite.hover(at(hermite, 300, 170))
     hermite.trigger("undo")
     assert len(ahead(hermite).nodes) == 3
-    hermite.choose_family(Family.LAGRANGE)
-    assert ahead(hermite).family is Family.LAGRANGE
+    hermite.choose_family(LAGRANGE)
+    assert ahead(hermite).family is LAGRANGE
 
 
 @pytest.mark.parametrize(
     ("family", "count", "is_shown"),
     [
-        (Family.HERMITE, 200, True),
-        (Family.HERMITE, 201, False),
-        (Family.LAGRANGE, 24, True),
-        (Family.LAGRANGE, 25, False),
+        (HERMITE, 200, True),
+        (HERMITE, 201, False),
+        (LAGRANGE, 24, True),
+        (LAGRANGE, 25, False),
     ],
 )
 def test_none_where_it_would_take_long(editor, family, count, is_shown):

@@ -23,10 +23,11 @@ from PySide6.QtWidgets import (
 )
 
 from app.document.edits import rename_curve
-from app.document.model import Document, Family, ReferenceImage, make_curve
-from app.document.storage import save
+from app.document.model import Document, ReferenceImage, make_curve
+from app.families import HERMITE
 from app.mnemonics import plain
 from app.panels.recovery_bar import Offer, RecoveryBar
+from app.storage.files import save
 
 NAME = "<b>x</b> & \"y\" 'z'"
 """As HTML this shows three characters of its markup fewer; with an “&” a menu underlines the blank."""
@@ -109,7 +110,7 @@ def planted(editor, tmp_path):
     path = tmp_path / f"{FILE}.curve.json"
     points = [(0.0, 0.0), (1.0, 1.0), (2.0, 0.0)]
     image = ReferenceImage(str(tmp_path / f"{FILE}.png"), 0.0, 0.0, 1.0, 1.0)
-    curves = (make_curve(points, name=NAME, family=Family.HERMITE), make_curve(points, name=NAME))
+    curves = (make_curve(points, name=NAME, family=HERMITE), make_curve(points, name=NAME))
     save(path, Document(curves, image=image))
     editor.session.open(path)
     editor.window.actions_by_name["fitView"].trigger()

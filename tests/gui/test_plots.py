@@ -10,7 +10,8 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QToolButton, QWidget
 
 from app.document.edits import set_position
-from app.document.model import Family, ParametrizationKind
+from app.document.model import ParametrizationKind
+from app.families import LAGRANGE
 from app.panels.value_scale import ValueScale
 from app.preferences import Preferences
 from app.testing import Editor
@@ -295,7 +296,7 @@ def test_a_polynomial_of_many_points_is_plotted_once_it_rests(editor, qtbot):
 
     x = np.cos(np.linspace(np.pi, 0, 80))
     nodes = tuple(Node(float(a), float(np.sin(5 * a))) for a in x)
-    many = Curve("Many", Family.LAGRANGE, Parametrization(ParametrizationKind.CHEBYSHEV), nodes)
+    many = Curve("Many", LAGRANGE, Parametrization(ParametrizationKind.CHEBYSHEV), nodes)
     editor.session.commit(Document((many,)), "Many")
     editor.settle()
     assert editor.session.document is not document

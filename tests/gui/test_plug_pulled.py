@@ -12,10 +12,10 @@ from pathlib import Path
 import pytest
 
 from app.autosave import snapshot_folder
-from app.document import storage
-from app.document.format import decode, encode
 from app.document.model import Document, make_curve
-from app.document.recovery import Origin, SnapshotFile, list_snapshots
+from app.storage import files
+from app.storage.format import decode, encode
+from app.storage.recovery import Origin, SnapshotFile, list_snapshots
 
 ROOT = Path(__file__).resolve().parents[2]
 pytestmark = pytest.mark.skipif(not hasattr(signal, "SIGKILL"), reason="needs signals")
@@ -25,7 +25,7 @@ import sys, time
 from PySide6.QtCore import QTimer
 from PySide6.QtWidgets import QApplication
 from app.cli import main
-from app.document.format import encode
+from app.storage.format import encode
 from app.main_window import MainWindow
 from app.panels.recovery_bar import RecoveryBar
 from app.testing import Editor
@@ -143,7 +143,7 @@ def count_snapshots():
 
 def test_killed_while_dragging_at_most_two_seconds_are_lost(tmp_path):
     path = tmp_path / "mine.curve.json"
-    storage.save(path, Document((make_curve([(0, 0), (1, 2), (3, 1 / 3), (4, 4)]),)))
+    files.save(path, Document((make_curve([(0, 0), (1, 2), (3, 1 / 3), (4, 4)]),)))
     on_disk = path.read_bytes()
     older = SnapshotFile(snapshot_folder())
     older.write(Document((make_curve([(0, 0), (1, 2)]),)), Origin())

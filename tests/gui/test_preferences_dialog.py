@@ -8,10 +8,10 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QLabel, QPushButton
 
 from app.canvas.grid_layer import grid_steps, tick_labels
-from app.gestures.snapping import SnapKind
 from app.panels.preferences_dialog import PreferencesDialog
 from app.preferences import Preferences
 from app.theme import ThemeMode, theme_of
+from app.tools.snapping import SnapKind
 
 
 @pytest.fixture

@@ -6,7 +6,8 @@ import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 
-from app.document.model import Document, Family, make_curve
+from app.document.model import Document, make_curve
+from app.families import HERMITE
 
 SHIFT = Qt.KeyboardModifier.ShiftModifier
 WAVE = ((0, 0), (1, 1), (2, 0), (3, 1))
@@ -16,7 +17,7 @@ WAVE = ((0, 0), (1, 1), (2, 0), (3, 1))
 def three(editor):
     """Three waves one above the other, A below, C on top; B is active."""
     curves = tuple(
-        make_curve([(x, y + 3 * level) for x, y in WAVE], name=name, family=Family.HERMITE)
+        make_curve([(x, y + 3 * level) for x, y in WAVE], name=name, family=HERMITE)
         for level, name in enumerate("ABC")
     )
     editor.session.commit(Document(curves), "Begin", active=1)

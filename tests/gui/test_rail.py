@@ -10,7 +10,8 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QMenu, QSlider
 
 from app.document.edits import set_closed, set_parameter
-from app.document.model import Family, ParametrizationKind
+from app.document.model import ParametrizationKind
+from app.families import FAMILIES, HERMITE
 from app.testing import Editor
 from curvecore import centripetal, chebyshev, chord_length, uniform
 
@@ -77,7 +78,7 @@ def test_the_order_is_kept_however_far_they_are_dragged(editor, to):
 
 
 def test_the_ends_move_too_and_a_closed_curve_keeps_its_closing_knot(editor):
-    editor.choose_family(Family.HERMITE)
+    editor.choose_family(HERMITE)
     editor.run_command("centripetal")
     editor.session.commit(set_closed(editor.session.document, 0, True), "Close")
     old = editor.parameters
@@ -370,7 +371,7 @@ class Layouts(QObject):
         return False
 
 
-@pytest.mark.parametrize("family", list(Family))
+@pytest.mark.parametrize("family", FAMILIES)
 def test_a_drag_does_not_lay_the_window_out_at_every_move(new_editor, family):
     """Labels whose text changed had it done 400 times in a drag of 400 moves: a tenth of every frame."""
     editor, panel = new_editor, new_editor.window.basis_panel

@@ -6,8 +6,9 @@ import random
 
 import pytest
 
-from app.document.format import decode, encode
-from app.document.model import Family, ParametrizationKind
+from app.document.model import ParametrizationKind
+from app.families import FAMILIES
+from app.storage.format import decode, encode
 from app.view_model.curve_view import TOO_FEW
 
 ACTIONS = (
@@ -30,7 +31,7 @@ def step(editor, choose):
         # Below the line of messages.
         editor.add_point(choose.uniform(x_min, x_max), choose.uniform(y_min, 0.8 * y_max + 0.2 * y_min))
     elif kind < 0.38:
-        editor.choose_family(choose.choice(list(Family)))
+        editor.choose_family(choose.choice(FAMILIES))
     elif kind < 0.44:
         editor.choose_parametrization(choose.choice(list(ParametrizationKind)))
     elif kind < 0.5 and editor.session.active_view.is_current:

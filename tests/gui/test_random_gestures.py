@@ -13,16 +13,17 @@ from hypothesis.stateful import RuleBasedStateMachine, initialize, invariant, pr
 from app.canvas.hit_test import hit_test
 from app.document import edits
 from app.document.edits import EditError
-from app.document.format import decode, encode, validate
-from app.document.model import Document, Family, Node, ParametrizationKind, make_curve
+from app.document.model import Document, Node, ParametrizationKind, make_curve
 from app.document.transforms import Edge, align_nodes, distribute_nodes
-from app.gestures.pointer import Hit, Part, Pointer
-from app.gestures.rail import RailTool
-from app.gestures.snapping import Snapping
-from app.gestures.tools import CanvasTool, ToolKind
-from app.gestures.transform import TransformKind
-from app.plot.pixel_map import PixelMap
+from app.families import FAMILIES, HERMITE, LAGRANGE
+from app.plotting.pixel_map import PixelMap
 from app.session import Session
+from app.storage.format import decode, encode, validate
+from app.tools.pointer import Hit, Part, Pointer
+from app.tools.rail import RailTool
+from app.tools.snapping import Snapping
+from app.tools.tools import CanvasTool, ToolKind
+from app.tools.transform import TransformKind
 from app.view_model.handles import handles_of
 
 SHOWN = PixelMap(-3.0, 5.0, 100.0, 100.0, 1000.0, 800.0)
@@ -41,12 +42,12 @@ keys = st.lists(st.sampled_from(["1", "5", "0", ".", "-", "x", "y", "g", "s", "r
 class Gestures(RuleBasedStateMachine):
     """Keeps the list of documents that the history must hold, and where in it we are."""
 
-    @initialize(family=st.sampled_from(list(Family)))
+    @initialize(family=st.sampled_from(FAMILIES))
     def begin(self, family):
         self.session = Session()
         curves = (
             make_curve([(0, 0), (1, 2), (3, 2), (4, 0)], family=family),
-            make_curve([(0, -1), (2, -0.5), (4, -1)], name="Base", family=Family.HERMITE),
+            make_curve([(0, -1), (2, -0.5), (4, -1)], name="Base", family=HERMITE),
         )
         self.session._replace(Document(curves), None)
         self.tool, self.rail = CanvasTool(self.session), RailTool(self.session)
@@ -269,7 +270,7 @@ class Gestures(RuleBasedStateMachine):
     def distribute(self, axis):
         self.edit(distribute_nodes, self.session.selection, axis)
 
-    @rule(family=st.sampled_from(list(Family)))
+    @rule(family=st.sampled_from(FAMILIES))
     def use_family(self, family):
         self.edit(edits.set_family, family)
 
@@ -313,8 +314,8 @@ TestGestures = Gestures.TestCase
 
 def test_a_closed_curve_that_was_a_lagrange_curve_for_a_while_can_be_saved():
     # Frozen while it was open, its interval ended at the last point: no room to return to the first.
-    document = edits.set_family(Document((make_curve([(0, 0), (1, 2), (3, 2)]),)), 0, Family.HERMITE)
-    document = edits.set_family(edits.set_closed(document, 0, True), 0, Family.LAGRANGE)
+    document = edits.set_family(Document((make_curve([(0, 0), (1, 2), (3, 2)]),)), 0, HERMITE)
+    document = edits.set_family(edits.set_closed(document, 0, True), 0, LAGRANGE)
     document = edits.freeze_parameters(document, 0, [0.0, 0.5, 1.0])
     assert document.curves[0].parametrization.end == 1.5
     validate(document)

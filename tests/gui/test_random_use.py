@@ -23,9 +23,9 @@ import pytest
 from PySide6.QtCore import QCoreApplication, QEvent
 from random_person import RandomPerson
 
-from app.document.format import decode, encode
 from app.main_window import MainWindow
 from app.session import Session
+from app.storage.format import decode, encode
 from app.testing import Editor
 
 ROOT = Path(__file__).resolve().parents[2]

@@ -17,7 +17,7 @@ from app.canvas.image_file import ImageFileError, read_image
 from app.canvas.page_image import inverted_lightness
 from app.document.image_edits import set_image
 from app.document.model import Document, make_curve
-from app.document.storage import load
+from app.storage.files import load
 from app.testing import Editor
 from app.theme import ThemeMode, theme_of
 

@@ -8,7 +8,8 @@ from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QLabel, QLineEdit
 
-from app.document.model import Document, Family, make_curve
+from app.document.model import Document, make_curve
+from app.families import HERMITE
 from app.theme import DARK, LIGHT, ThemeMode
 
 CTRL, ALT = Qt.KeyboardModifier.ControlModifier, Qt.KeyboardModifier.AltModifier
@@ -74,7 +75,7 @@ def test_keys_that_a_person_chose_say_it(line):
 
 
 def test_the_same_keys_work_where_they_can(line):
-    line.choose_family(Family.HERMITE)
+    line.choose_family(HERMITE)
     line.select([0, 1])
     line.key(Qt.Key.Key_4, ALT)
     assert line.status.startswith("Straight segment 0–1")

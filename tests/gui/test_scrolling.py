@@ -8,7 +8,7 @@ from PySide6.QtGui import QInputDevice, QNativeGestureEvent, QPointingDevice, QW
 from PySide6.QtWidgets import QApplication
 
 from app.panels.log_plot import LogPlot
-from app.plot.plot_widget import PlotWidget
+from app.plotting.plot_widget import PlotWidget
 
 Phase, Keys = Qt.ScrollPhase, Qt.KeyboardModifier
 

@@ -10,7 +10,8 @@ from PySide6.QtCore import QEvent, Qt
 from PySide6.QtTest import QTest
 
 from app.document import edits
-from app.document.model import Document, Family, ParametrizationKind, make_curve
+from app.document.model import Document, ParametrizationKind, make_curve
+from app.families import FAMILIES, HERMITE, LAGRANGE
 
 SHIFT = Qt.KeyboardModifier.ShiftModifier
 CTRL = Qt.KeyboardModifier.ControlModifier
@@ -157,10 +158,10 @@ def test_digits_do_not_switch_the_family_while_they_are_typed(arch):
     arch.select([1, 2])
     arch.key(Key.Key_S)
     arch.type_amount("23")
-    assert arch.curve.family is Family.LAGRANGE
+    assert arch.curve.family is LAGRANGE
     arch.escape()
     QTest.keyClicks(arch.window.canvas, "2")
-    assert arch.curve.family is Family.HERMITE
+    assert arch.curve.family is HERMITE
 
 
 def test_numbers_can_be_mended_and_negated(arch):
@@ -264,7 +265,7 @@ def test_an_action_in_the_middle_of_a_transform_drops_it(arch):
     assert points(arch).tolist() == [list(point) for point in POINTS]
 
 
-@pytest.mark.parametrize("family", list(Family))
+@pytest.mark.parametrize("family", FAMILIES)
 def test_a_rotation_of_all_points_carries_the_curve_along(arch, family):
     for kind in ParametrizationKind:
         if kind is not ParametrizationKind.MANUAL:

@@ -11,7 +11,8 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 
 from app.document.curve_edits import set_colour
-from app.document.model import Document, Family, make_curve
+from app.document.model import Document, make_curve
+from app.families import HERMITE, LAGRANGE
 from app.panels.curve_list_view import Spot, spot_rect
 from app.view_model import flattener
 
@@ -25,7 +26,7 @@ WAVE = ((0, 0), (1, 1), (2, 0), (3, 1))
 def three(editor):
     """Three waves one above the other, A below, C on top; B is active."""
     curves = tuple(
-        make_curve([(x, y + 3 * level) for x, y in WAVE], name=name, family=Family.HERMITE)
+        make_curve([(x, y + 3 * level) for x, y in WAVE], name=name, family=HERMITE)
         for level, name in enumerate("ABC")
     )
     editor.session.commit(Document(curves), "Begin", active=1)
@@ -373,7 +374,7 @@ def test_new_duplicate_and_delete(three):
     three.trigger("newCurve")
     assert names(three) == "ABCurve 1C"
     assert three.curve.nodes == ()
-    assert three.curve.family is Family.HERMITE
+    assert three.curve.family is HERMITE
     assert three.action("addTool").isChecked()
     three.click((1, 2))
     three.trigger("undo")
@@ -408,7 +409,7 @@ def test_a_locked_curve_refuses_gestures_and_edits_with_a_sentence(three):
     three.drag_parameter(1, to=0.5)
     three.trigger("reverseCurve")
     three.trigger("deleteCurve")
-    three.choose_family(Family.LAGRANGE)
+    three.choose_family(LAGRANGE)
     assert three.session.document is document
     assert three.action("familyHermite").isChecked()
     three.hover(three.point(2))
@@ -499,7 +500,7 @@ def test_closing_and_opening(three):
 
 
 def test_closing_a_polynomial_is_explained(three):
-    three.choose_family(Family.LAGRANGE)
+    three.choose_family(LAGRANGE)
     three.trigger("closeCurve")
     assert "cannot repeat itself" in three.status
     assert not three.action("closeCurve").isChecked()

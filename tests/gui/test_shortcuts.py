@@ -8,7 +8,7 @@ from PySide6.QtGui import QKeySequence
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QLabel, QWidget
 
-from app.document.model import Family
+from app.families import HERMITE, LAGRANGE
 from app.keymap import refusal
 from app.panels.preferences_dialog import PreferencesDialog
 from app.preferences import Preferences
@@ -61,9 +61,9 @@ def test_recorded_keys_work_at_once_everywhere(editor, keys):
     editor.window.activateWindow()
     editor.settle()
     QTest.keyClick(editor.window.canvas, Qt.Key.Key_2)
-    assert editor.curve.family is Family.LAGRANGE
+    assert editor.curve.family is LAGRANGE
     QTest.keyClick(editor.window.canvas, Qt.Key.Key_U, CTRL)
-    assert editor.curve.family is Family.HERMITE
+    assert editor.curve.family is HERMITE
     editor.trigger("showShortcuts")
     sheet = editor.window.findChild(QWidget, "shortcutSheet")
     assert any("Ctrl+U" in label.text() for label in sheet.findChildren(QLabel))

@@ -10,11 +10,12 @@ from PySide6.QtGui import QColor, QGuiApplication, QImage
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QToolButton
 
-from app.document.model import Document, Family, make_curve
+from app.document.model import Document, make_curve
+from app.families import HERMITE
 from app.main_window import MainWindow
 from app.preferences import Preferences
 from app.session import Session
-from app.testing_hand import wait_for_rest
+from app.testing import wait_for_rest
 
 
 @pytest.fixture
@@ -199,7 +200,7 @@ def test_a_locked_curve_has_no_box_to_scale_it_by(arch):
 
 def test_derivatives_can_be_pasted_only_when_some_were_copied(arch):
     QGuiApplication.clipboard().setText("1 2")
-    arch.choose_family(Family.HERMITE)
+    arch.choose_family(HERMITE)
     arch.select([1])
     assert not arch.action("pasteDerivatives").isEnabled()
     arch.trigger("copyDerivatives")

@@ -12,7 +12,6 @@ from PySide6.QtWidgets import QDialog, QLabel, QMessageBox, QPushButton
 import app.panels
 from app.document.edits import set_position
 from app.document.model import Document, make_curve
-from app.document.storage import save
 from app.exchange.choice import ExportChoice
 from app.exchange.cubics_in import Imported
 from app.exchange.formats import FORMATS
@@ -26,6 +25,7 @@ from app.panels.import_table_dialog import ImportTableDialog
 from app.panels.motion_dialog import MotionDialog
 from app.panels.preferences_dialog import PreferencesDialog
 from app.session import Session
+from app.storage.files import save
 from app.testing import Editor
 
 ROOM = QSize(960, 540) - FRAME

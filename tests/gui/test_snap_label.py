@@ -7,8 +7,9 @@ import pytest
 from PySide6.QtCore import QPointF, QRectF, QSizeF, Qt
 
 from app.canvas.label_place import NOTHING, Surroundings, covered_lengths, free_corner
-from app.document.model import Document, Family, make_curve
-from app.plot.pixel_map import PixelMap
+from app.document.model import Document, make_curve
+from app.families import HERMITE
+from app.plotting.pixel_map import PixelMap
 from app.theme import LIGHT
 
 SHIFT = Qt.KeyboardModifier.ShiftModifier
@@ -20,7 +21,7 @@ SIZE = QSizeF(40, 16)
 @pytest.fixture
 def snapping(editor):
     """A Hermite curve over a grid of 0.5, to which points snap."""
-    editor.session.commit(Document((make_curve(POINTS, family=Family.HERMITE),)), "Begin")
+    editor.session.commit(Document((make_curve(POINTS, family=HERMITE),)), "Begin")
     editor.window.canvas.show_box((-3, 7), (-3, 5))
     editor.window.preferences.grid_spacing = 0.5
     editor.trigger("toggleSnap")

@@ -9,11 +9,12 @@ import pytest
 from PySide6.QtCore import Qt
 
 from app.document import edits
-from app.document.model import Document, Family, ParametrizationKind, make_curve
-from app.gestures.pointer import Pointer
-from app.gestures.snapping import Magnet, SnapKind, Snapping, grid_value, targets_of
+from app.document.model import Document, ParametrizationKind, make_curve
+from app.families import HERMITE, QUINTIC_HERMITE
 from app.preferences import Preferences
 from app.testing import Editor
+from app.tools.pointer import Pointer
+from app.tools.snapping import Magnet, SnapKind, Snapping, grid_value, targets_of
 from app.view_model.curve_view import view_of
 from app.view_model.nearest import NearestPoint
 
@@ -27,7 +28,7 @@ OTHER = ((0.0, -2.0), (2.0, -1.0), (4.0, -2.0))
 def pair(editor):
     """Two curves, the first one edited; snapping is on and the grid has a spacing of 0.5."""
     one = make_curve(POINTS)
-    two = make_curve(OTHER, name="Base", family=Family.HERMITE)
+    two = make_curve(OTHER, name="Base", family=HERMITE)
     document = edits.set_parametrization(Document((one, two)), 0, ParametrizationKind.UNIFORM, [])
     editor.session.commit(document, "Begin")
     editor.window.canvas.show_box((-3, 7), (-3, 5))
@@ -241,7 +242,7 @@ def test_a_scaled_box_is_free_with_ctrl_and_escape_takes_it_back(pair):
 
 @pytest.fixture
 def quintic(pair):
-    pair.choose_family(Family.QUINTIC_HERMITE)
+    pair.choose_family(QUINTIC_HERMITE)
     pair.select([1])
     return pair
 
@@ -300,7 +301,7 @@ def test_a_velocity_pulled_out_of_a_point_snaps(quintic):
 
 
 def test_a_closed_curve_is_measured_from_all_its_points(pair):
-    pair.choose_family(Family.HERMITE)
+    pair.choose_family(HERMITE)
     pair.trigger("closeCurve")
     pair.trigger("measureTool")
     pair.hover(near(pair, pair.point(3)))

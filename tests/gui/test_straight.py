@@ -7,16 +7,17 @@ import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 
-from app.document.model import Document, Family, ParametrizationKind, make_curve
+from app.document.model import Document, ParametrizationKind, make_curve
+from app.families import FAMILIES, HERMITE, LAGRANGE
 from app.view_model.handles import handles_of
 
 ALT = Qt.KeyboardModifier.AltModifier
 CTRL = Qt.KeyboardModifier.ControlModifier
 BOW = ((0, 0), (1, 2), (3, 2.5), (4, 1), (6, 0))
-HERMITE = [Family.HERMITE, Family.QUINTIC_HERMITE]
+WITH_VELOCITIES = [family for family in FAMILIES if family.derivatives]
 
 
-@pytest.fixture(params=HERMITE)
+@pytest.fixture(params=WITH_VELOCITIES)
 def bow(editor, request):
     """A curve of five points."""
     editor.session.commit(Document((make_curve(BOW, name="Bow", family=request.param),)), "Begin", active=0)
@@ -131,7 +132,7 @@ def test_a_locked_curve_stays(bow):
 
 def test_a_polynomial_has_none_and_says_why(editor):
     action = editor.action("straightSegment")
-    editor.choose_family(Family.LAGRANGE)
+    editor.choose_family(LAGRANGE)
     assert not action.isEnabled()
     assert action.toolTip().startswith("A Lagrange curve is one polynomial")
     place = tuple(editor.session.active_view.curve.evaluate(0.55))
@@ -142,7 +143,7 @@ def test_a_polynomial_has_none_and_says_why(editor):
     assert menu.toolTipsVisible()
     QTest.keyClick(menu, Qt.Key.Key_Escape)
     editor.settle()
-    editor.choose_family(Family.HERMITE)
+    editor.choose_family(HERMITE)
     assert action.isEnabled()
     assert action.toolTip().endswith("(Alt+4)")
     assert not action.icon().isNull()

@@ -14,12 +14,12 @@ from app.document import edits
 from app.document.model import (
     AccelerationRule,
     Document,
-    Family,
     Parametrization,
     ParametrizationKind,
     VelocityRule,
     make_curve,
 )
+from app.families import HERMITE, LAGRANGE, QUINTIC_HERMITE
 
 CTRL = Qt.KeyboardModifier.ControlModifier
 SHIFT = Qt.KeyboardModifier.ShiftModifier
@@ -30,7 +30,7 @@ WAVE = ((0, 0), (1, 1), (2, 0), (3, 1))
 @pytest.fixture
 def wave(editor):
     """A Hermite curve of four points, and an empty one after it."""
-    curves = (make_curve(WAVE, name="Wave", family=Family.HERMITE), make_curve((), name="Empty"))
+    curves = (make_curve(WAVE, name="Wave", family=HERMITE), make_curve((), name="Empty"))
     editor.session.commit(Document(curves), "Begin", active=0)
     editor.fit()
     return editor
@@ -91,7 +91,7 @@ def test_estimated_leaves_everything_to_the_rules(wave):
 
 
 @pytest.mark.parametrize("closed", [False, True])
-@pytest.mark.parametrize("family", [Family.HERMITE, Family.QUINTIC_HERMITE])
+@pytest.mark.parametrize("family", [HERMITE, QUINTIC_HERMITE])
 def test_a_corner_moves_nothing_before_it_is_touched(wave, family, closed):
     wave.choose_family(family)
     if closed:
@@ -202,7 +202,7 @@ def test_a_closed_curve_has_corners_everywhere(wave):
 def test_a_corner_sets_no_more_estimates_than_the_shape_needs(editor, rule, velocities, said):
     """It used to set accelerations as well, which no corner changes where they are zero by rule."""
     curve = replace(
-        make_curve([(x, x % 3) for x in range(7)], family=Family.QUINTIC_HERMITE),
+        make_curve([(x, x % 3) for x in range(7)], family=QUINTIC_HERMITE),
         velocity_rule=rule,
         acceleration_rule=AccelerationRule.ZERO,
     )
@@ -251,7 +251,7 @@ def test_tangents_need_points_and_derivatives(wave):
     assert not any(wave.action(name).isEnabled() for name in names)
     wave.select_point(1)
     assert all(wave.action(name).isEnabled() for name in names)
-    wave.choose_family(Family.LAGRANGE)
+    wave.choose_family(LAGRANGE)
     assert not any(wave.action(name).isEnabled() for name in names)
 
 
@@ -444,7 +444,7 @@ def test_a_new_curve_begins_with_parameters_of_its_own(wave):
     assert wave.curve.parametrization == Parametrization()
     wave.session.activate(0)
     wave.trigger("newCurve")
-    assert (wave.curve.family, wave.curve.parametrization) == (Family.HERMITE, Parametrization())
+    assert (wave.curve.family, wave.curve.parametrization) == (HERMITE, Parametrization())
     wave.session.activate(0)
     before = wave.session.active_view.curve.evaluate(np.linspace(0.5, 2, 99))
     wave.trigger("selectAll")
@@ -471,7 +471,7 @@ def test_points_are_copied_to_another_curve_with_their_derivatives(wave):
     wave.key(Qt.Key.Key_C, CTRL)
     assert wave.status == "Copied 4 points."
     wave.session.activate(1)
-    wave.choose_family(Family.HERMITE)
+    wave.choose_family(HERMITE)
     wave.key(Qt.Key.Key_V, CTRL)
     assert [node.position for node in wave.curve.nodes] == list(WAVE)
     assert wave.curve.nodes[1].velocity == pytest.approx(source.velocity_of(1))
@@ -568,7 +568,7 @@ def test_text_makes_a_curve_of_its_own(wave):
     wave.paste_text("0 5\n1 6\n2 5")
     wave.key(Qt.Key.Key_V, CTRL | SHIFT)
     assert wave.curve.name == "Curve 1"
-    assert wave.curve.family is Family.HERMITE
+    assert wave.curve.family is HERMITE
     assert len(wave.curve.nodes) == 3
     assert wave.session.active_index == 1
     wave.trigger("undo")

@@ -9,7 +9,7 @@ import pytest
 from PySide6.QtCore import QPointF, QRect, Qt
 from PySide6.QtGui import QColor, QImage, QPainter, QPen
 
-from app.document.model import Family
+from app.families import HERMITE, QUINTIC_HERMITE
 from app.theme import theme_of
 
 ALT = Qt.KeyboardModifier.AltModifier
@@ -38,7 +38,7 @@ def traced(editor, tmp_path):
     image.save(str(tmp_path / "O.png"))
     editor.new()
     editor.window.add_image(tmp_path / "O.png")
-    editor.choose_family(Family.QUINTIC_HERMITE)
+    editor.choose_family(QUINTIC_HERMITE)
     editor.settle()
     return editor
 
@@ -101,7 +101,7 @@ def test_handles_and_numbers_stand_out_on_the_ink(traced, theme):
 
 
 def test_a_point_being_added_says_where_and_how(traced):
-    traced.choose_family(Family.HERMITE)
+    traced.choose_family(HERMITE)
     traced.trigger("addTool")
     traced.press((1.0, 2.0))
     assert traced.status.startswith("Add point 0 at 1.0")

@@ -9,7 +9,8 @@ from PySide6.QtGui import QKeyEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QLabel, QWidget
 
-from app.document.model import Document, Family, make_curve
+from app.document.model import Document, make_curve
+from app.families import LAGRANGE
 
 SHIFT = Qt.KeyboardModifier.ShiftModifier
 Key = Qt.Key
@@ -58,7 +59,7 @@ def test_with_nothing_selected_they_act_on_all_points(arch, key, typed, expected
     assert undo_text(arch) == name
     assert arch.session.selection == frozenset()
     assert arch.session.document.curves[1] is other
-    assert arch.curve.family is Family.LAGRANGE
+    assert arch.curve.family is LAGRANGE
     arch.trigger("undo")
     assert points(arch).tolist() == [list(each) for each in POINTS]
 

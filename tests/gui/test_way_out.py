@@ -7,7 +7,8 @@ from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QToolButton
 
-from app.document.model import Document, Family, ParametrizationKind, make_curve
+from app.document.model import Document, ParametrizationKind, make_curve
+from app.families import FAMILIES
 
 TWICE = ((0.0, 0.0), (1.0, 2.0), (1.0, 2.0), (4.0, 0.0))
 
@@ -16,7 +17,7 @@ def button(editor):
     return editor.window.message_bar.findChild(QToolButton, "offeredAction")
 
 
-@pytest.mark.parametrize("family", list(Family))
+@pytest.mark.parametrize("family", FAMILIES)
 def test_a_click_uses_uniform_parameters(editor, family):
     editor.session.commit(Document((make_curve(TWICE, family=family),)), "Begin")
     editor.settle()

@@ -11,10 +11,11 @@ from PySide6.QtGui import QGuiApplication
 from PySide6.QtWidgets import QLabel
 
 from app.document import edits
-from app.document.model import Document, Family, Node, make_curve
-from app.gestures.machine import DragMachine
-from app.gestures.pointer import Pointer
+from app.document.model import Document, Node, make_curve
+from app.families import HERMITE, LAGRANGE
 from app.session import Session
+from app.tools.machine import DragMachine
+from app.tools.pointer import Pointer
 
 EDGE = 1e12
 
@@ -209,8 +210,8 @@ def test_the_scrub_line_stands_where_it_was_put_as_far_as_the_curve_goes():
 
 def test_actions_are_checked_by_the_document_that_the_panels_show(editor):
     """Undo told of a selection that is there no more while the panels still showed the other family."""
-    few = make_curve([(0.0, 0.0), (1.0, 2.0), (3.0, 1.0)], family=Family.LAGRANGE)
-    many = make_curve([(float(i), float(i % 2)) for i in range(6)], family=Family.HERMITE)
+    few = make_curve([(0.0, 0.0), (1.0, 2.0), (3.0, 1.0)], family=LAGRANGE)
+    many = make_curve([(float(i), float(i % 2)) for i in range(6)], family=HERMITE)
     editor.session.commit(Document((few,)), "Few")
     editor.session.commit(Document((many,)), "Many")
     editor.select([5])

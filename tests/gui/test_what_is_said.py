@@ -9,7 +9,8 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QLabel, QToolButton
 
 from app.document import edits
-from app.document.model import Document, Family, make_curve
+from app.document.model import Document, make_curve
+from app.families import HERMITE, LAGRANGE
 
 LEFT = Qt.MouseButton.LeftButton
 WAVE = ((0, 0), (1, 1), (2, 0), (3, 1))
@@ -19,7 +20,7 @@ WAVE = ((0, 0), (1, 1), (2, 0), (3, 1))
 def pair(editor):
     """Two Hermite waves; B, the upper one, is active."""
     curves = tuple(
-        make_curve([(x, y + 3 * level) for x, y in WAVE], name=name, family=Family.HERMITE)
+        make_curve([(x, y + 3 * level) for x, y in WAVE], name=name, family=HERMITE)
         for level, name in enumerate("AB")
     )
     editor.session.commit(Document(curves), "Begin", active=1)
@@ -264,9 +265,9 @@ def test_escape_gives_the_slider_its_old_value_with_the_button_down(pair):
 
 def test_a_closed_curve_that_lagrange_opens_says_why(pair):
     pair.trigger("closeCurve")
-    pair.choose_family(Family.LAGRANGE)
+    pair.choose_family(LAGRANGE)
     assert "cannot close" in pair.status
-    pair.choose_family(Family.HERMITE)
+    pair.choose_family(HERMITE)
     assert pair.curve.is_closed
     assert pair.status == ""
 

@@ -10,7 +10,8 @@ from PySide6.QtGui import QEnterEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QLabel, QPushButton
 
-from app.document.model import Document, Family, Parametrization, ParametrizationKind, make_curve
+from app.document.model import Document, Parametrization, ParametrizationKind, make_curve
+from app.families import HERMITE, LAGRANGE, QUINTIC_HERMITE
 from app.panels.wiggle_panel import WigglePanel
 
 LEFT = Qt.MouseButton.LeftButton
@@ -43,7 +44,7 @@ def panel(editor):
 
 def settled(editor, qtbot):
     editor.settle()
-    qtbot.waitUntil(lambda: not commands(editor)._settler.is_busy)
+    qtbot.waitUntil(lambda: not commands(editor)._task.is_busy)
     editor.settle()
 
 
@@ -143,12 +144,12 @@ def test_hovering_a_cure_shows_its_ghost_and_leaves_no_trace(runge, qtbot):
 
 
 CURES = (
-    ("chordLength", Family.LAGRANGE, ParametrizationKind.CHORD_LENGTH),
-    ("centripetal", Family.LAGRANGE, ParametrizationKind.CENTRIPETAL),
-    ("chebyshev", Family.LAGRANGE, ParametrizationKind.CHEBYSHEV),
-    ("hermite", Family.HERMITE, ParametrizationKind.UNIFORM),
-    ("quintic", Family.QUINTIC_HERMITE, ParametrizationKind.UNIFORM),
-    ("spline", Family.HERMITE, ParametrizationKind.UNIFORM),
+    ("chordLength", LAGRANGE, ParametrizationKind.CHORD_LENGTH),
+    ("centripetal", LAGRANGE, ParametrizationKind.CENTRIPETAL),
+    ("chebyshev", LAGRANGE, ParametrizationKind.CHEBYSHEV),
+    ("hermite", HERMITE, ParametrizationKind.UNIFORM),
+    ("quintic", QUINTIC_HERMITE, ParametrizationKind.UNIFORM),
+    ("spline", HERMITE, ParametrizationKind.UNIFORM),
 )
 
 
@@ -204,7 +205,7 @@ def test_a_cure_that_makes_it_worse_says_so(editor, qtbot):
 
 def test_closed_curves_and_corners_are_explained_too(editor, qtbot):
     points = [(0, 0), (2, 0.5), (3, 2), (1, 3), (-0.5, 1.5)]
-    closed = replace(make_curve(points, family=Family.HERMITE), closed=True)
+    closed = replace(make_curve(points, family=HERMITE), closed=True)
     nodes = [replace(node, corner=index == 2) for index, node in enumerate(closed.nodes)]
     editor.session.commit(Document((replace(closed, nodes=tuple(nodes)),)), "Begin")
     editor.trigger("explainWiggle")

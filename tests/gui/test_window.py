@@ -33,9 +33,8 @@ from PySide6.QtWidgets import (
 )
 
 from app.document.edits import rename_curve, set_velocity
-from app.document.format import encode
-from app.document.model import Family, ParametrizationKind
-from app.document.storage import load
+from app.document.model import ParametrizationKind
+from app.families import HERMITE, LAGRANGE, QUINTIC_HERMITE
 from app.file_commands import file_stem
 from app.main_window import MainWindow
 from app.mnemonics import plain
@@ -43,6 +42,8 @@ from app.preferences import Preferences
 from app.resources import resource
 from app.session import Session
 from app.start import open_windows
+from app.storage.files import load
+from app.storage.format import encode
 from app.testing import Editor
 from app.theme import DARK, ThemeMode
 
@@ -61,11 +62,11 @@ def test_a_document_is_opened_without_a_greeting(qtbot, tmp_path):
 
 
 def test_switching_families_brings_the_same_curve_back(editor):
-    editor.choose_family(Family.HERMITE)
+    editor.choose_family(HERMITE)
     editor.session.commit(set_velocity(editor.session.document, 0, 2, (3.0, -1.0)), "Set velocity")
     nodes = editor.curve.nodes
     jets = editor.session.active_view.curve.jets
-    for family in (Family.LAGRANGE, Family.QUINTIC_HERMITE, Family.HERMITE):
+    for family in (LAGRANGE, QUINTIC_HERMITE, HERMITE):
         editor.choose_family(family)
         assert editor.curve.nodes == nodes
     assert np.array_equal(editor.session.active_view.curve.jets, jets)
@@ -83,10 +84,10 @@ def test_switching_parametrizations_brings_the_same_curve_back(editor):
 
 @pytest.mark.parametrize(
     ("key", "family"),
-    [("1", Family.LAGRANGE), ("2", Family.HERMITE), ("3", Family.QUINTIC_HERMITE)],
+    [("1", LAGRANGE), ("2", HERMITE), ("3", QUINTIC_HERMITE)],
 )
 def test_number_keys_switch_the_family(editor, key, family):
-    editor.choose_family(Family.HERMITE if family is Family.LAGRANGE else Family.LAGRANGE)
+    editor.choose_family(HERMITE if family is LAGRANGE else LAGRANGE)
     QTest.keyClicks(editor.window.canvas, key)
     assert editor.curve.family is family
     assert editor.action(
@@ -95,12 +96,12 @@ def test_number_keys_switch_the_family(editor, key, family):
 
 
 def test_choosing_what_is_already_chosen_is_no_step(editor):
-    editor.choose_family(Family.LAGRANGE)
+    editor.choose_family(LAGRANGE)
     editor.choose_parametrization(ParametrizationKind.CHORD_LENGTH)
     assert editor.curve.parametrization.kind is ParametrizationKind.CHORD_LENGTH
     editor.session.give_up_changes()
     count = editor.session.undo_stack.count()
-    editor.choose_family(Family.LAGRANGE)
+    editor.choose_family(LAGRANGE)
     assert editor.session.undo_stack.count() == count
 
 
@@ -126,7 +127,7 @@ def test_undo_and_redo_go_through_every_state(editor):
     states = [editor.session.document]
     editor.drag_point(2, to=(0.5, 4.2))
     states.append(editor.session.document)
-    editor.choose_family(Family.HERMITE)
+    editor.choose_family(HERMITE)
     states.append(editor.session.document)
     editor.drag_parameter(3, to=0.5)
     states.append(editor.session.document)
@@ -314,7 +315,7 @@ def test_the_keys_work_in_presentation(editor):
     """They used to be dead: the actions lived in the hidden menu bar and toolbar alone."""
     editor.trigger("presentation")
     QTest.keyClick(editor.window.canvas, Qt.Key.Key_2)
-    assert editor.curve.family is Family.HERMITE
+    assert editor.curve.family is HERMITE
     QTest.keyClick(editor.window.canvas, Qt.Key.Key_T)
     assert editor.session.scrub is not None
     QTest.keyClick(editor.window.canvas, Qt.Key.Key_F11)
@@ -436,7 +437,7 @@ def test_help_begins_with_what_applies_now(editor):
     assert words[1] == "<b>Now: selecting</b>"
     assert "add a point, when adding points" in words
     editor.trigger("showShortcuts")
-    editor.choose_family(Family.HERMITE)
+    editor.choose_family(HERMITE)
     editor.trigger("addTool")
     words = words_of(open_sheet(editor))
     assert words[1:6] == [
@@ -494,7 +495,7 @@ def test_names_come_from_the_document(editor, tmp_path):
 
 
 def test_undo_reads_well(editor):
-    editor.choose_family(Family.HERMITE)
+    editor.choose_family(HERMITE)
     assert editor.action("undo").text() == "Undo: Switch to Hermite"
     editor.trigger("undo")
     assert editor.action("redo").text() == "Redo: Switch to Hermite"

@@ -8,8 +8,10 @@ import numpy as np
 import pytest
 
 from app.document import edits
-from app.document.model import Document, Family, Node, ParametrizationKind, make_curve
-from app.panels.point_table_edits import COLUMNS, X, paste_block
+from app.document.model import Document, Node, ParametrizationKind, make_curve
+from app.families import HERMITE, QUINTIC_HERMITE
+from app.panels.point_columns import COLUMNS, POSITION
+from app.panels.point_table_edits import paste_block
 from app.view_model.appending import with_point_appended
 from app.view_model.curve_view import view_of
 from app.view_model.handles import handles_of
@@ -27,7 +29,8 @@ def by_paste(document, view):
 
 
 def by_table(document, view):
-    return paste_block(document, 0, view, 3, COLUMNS[X : X + 2], np.array([FAR]))
+    columns = [column for column in COLUMNS if column.order == POSITION]
+    return paste_block(document, 0, view, 3, columns, np.array([FAR]))
 
 
 def longest(document):
@@ -38,7 +41,7 @@ def longest(document):
 
 @pytest.mark.parametrize("append", [by_pen, by_paste, by_table])
 @pytest.mark.parametrize("kind", [*ParametrizationKind])
-@pytest.mark.parametrize("family", [Family.HERMITE, Family.QUINTIC_HERMITE])
+@pytest.mark.parametrize("family", [HERMITE, QUINTIC_HERMITE])
 def test_a_far_point_makes_no_handle_longer(family, kind, append):
     document = Document((make_curve([(0, 0), (0.3, 0.1), (0.5, 0)], family=family),))
     document = edits.set_parametrization(document, 0, kind, [0.0, 0.6, 1.0])

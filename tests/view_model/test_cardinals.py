@@ -12,13 +12,13 @@ from app.document.model import (
     AccelerationRule,
     Curve,
     Document,
-    Family,
     Node,
     Parametrization,
     ParametrizationKind,
     VelocityRule,
 )
 from app.exchange.facts import facts_of
+from app.families import FAMILIES, HERMITE, LAGRANGE, QUINTIC_HERMITE
 from app.view_model.analysis.teaching import Topic, warnings_of
 from app.view_model.analysis.wiggle import explain
 from app.view_model.basis_view import basis_view, weights_at
@@ -39,7 +39,7 @@ def rng():
     return np.random.default_rng(1)
 
 
-def seven(kind=CHORD, family=Family.HERMITE, **other):
+def seven(kind=CHORD, family=HERMITE, **other):
     """The points of the lesson on chord length."""
     nodes = tuple(Node(x, y) for x, y in UNEVEN)
     return Curve("Uneven", family, Parametrization(kind), nodes, **other)
@@ -78,7 +78,7 @@ FIRST = {"p0": {"corner": True, "velocity": (1.0, -9.0)}}
 @pytest.mark.parametrize("rule", LINEAR)
 def test_a_point_that_is_moved_does_what_its_function_says(rule, closed, changes, rng):
     """The parameters stay, everything that is estimated is estimated again."""
-    for family, acceleration in product((Family.HERMITE, Family.QUINTIC_HERMITE), AccelerationRule):
+    for family, acceleration in product((HERMITE, QUINTIC_HERMITE), AccelerationRule):
         curve = seven(family=family, closed=closed, velocity_rule=rule, acceleration_rule=acceleration)
         curve = with_nodes(frozen(curve), **changes)
         view = view_of(curve)
@@ -90,12 +90,12 @@ def test_a_point_that_is_moved_does_what_its_function_says(rule, closed, changes
         assert weights_at(view, 0.3) == pytest.approx(view.cardinal.basis(0.3)[0])
 
 
-@pytest.mark.parametrize("family", list(Family))
+@pytest.mark.parametrize("family", FAMILIES)
 @pytest.mark.parametrize("closed", [False, True])
 @pytest.mark.parametrize("changes", [EXPLICIT, CORNERS], ids=["set", "corners"])
 def test_a_parameter_that_is_moved_takes_the_estimates_along(family, closed, changes):
     """They were held: differences of the curve estimated anew were off by up to half."""
-    if family is Family.LAGRANGE:
+    if family is LAGRANGE:
         closed, changes = False, {}
     curve = with_nodes(frozen(seven(family=family, closed=closed)), **changes)
     view = view_of(curve)
@@ -183,7 +183,7 @@ def test_the_constant_of_the_points_and_of_the_data():
     assert growth_of_data(view) == 1.0
     set_by_hand = with_nodes(seven(), **{f"p{i}": {"velocity": (1.0, 1.0)} for i in range(7)})
     assert growth_of_points(view_of(set_by_hand)) == 1.0
-    lagrange = view_of(seven(family=Family.LAGRANGE))
+    lagrange = view_of(seven(family=LAGRANGE))
     assert growth_of_points(lagrange) == growth_of_data(lagrange) == lebesgue_constant(lagrange.curve)
 
 
@@ -196,7 +196,7 @@ def test_the_facts_have_both_constants():
 def test_parameters_almost_equal_send_errors_beyond_all_numbers_and_nothing_breaks():
     """With equal points and t 1e-310 apart the velocities are 0, their derivatives by the points infinite."""
     nodes = (Node(0.0, 0.0, t=0.0), Node(0.0, 0.0, t=1e-310), Node(1.0, 1.0, t=1.0))
-    view = view_of(Curve("Close", Family.HERMITE, Parametrization(MANUAL), nodes))
+    view = view_of(Curve("Close", HERMITE, Parametrization(MANUAL), nodes))
     if view.is_current:
         assert growth_of_points(view) > 1e300
 
@@ -227,7 +227,7 @@ def test_samples_of_many_points():
     s = np.linspace(0, 1, 300)
     points = np.column_stack([4 * s, np.sin(40 * s)])
     nodes = tuple(Node(float(x), float(y)) for x, y in points)
-    view = view_of(Curve("Many", Family.HERMITE, Parametrization(CHORD), nodes))
+    view = view_of(Curve("Many", HERMITE, Parametrization(CHORD), nodes))
     shown = cardinal_view(view)
     t, low, high = shown.envelope(0)
     exact = view.cardinal.basis(t)
@@ -249,8 +249,8 @@ def test_a_warning_of_a_hermite_curve_gives_advice_for_one():
 
 
 def test_functions_of_another_curve_lend_nothing():
-    lagrange, hermite = (view_of(seven(family=family)) for family in (Family.LAGRANGE, Family.HERMITE))
-    spread = view_of(seven(ParametrizationKind.UNIFORM, Family.LAGRANGE))
+    lagrange, hermite = (view_of(seven(family=family)) for family in (LAGRANGE, HERMITE))
+    spread = view_of(seven(ParametrizationKind.UNIFORM, LAGRANGE))
     for other in (hermite, spread):
         assert growth_of_points(lagrange, basis_view(other)) == growth_of_points(lagrange)
         assert growth_of_data(lagrange, basis_view(other)) == growth_of_data(lagrange)

@@ -9,10 +9,11 @@ import numpy as np
 import pytest
 from msgspec.structs import replace
 
-from app.document.format import encode
-from app.document.model import Curve, Family, Node, Parametrization, ParametrizationKind, make_curve
-from app.document.storage import load
+from app.document.model import Curve, Node, Parametrization, ParametrizationKind, make_curve
+from app.families import HERMITE, LAGRANGE, QUINTIC_HERMITE
 from app.lessons import LessonError, find_lesson, lesson_names, load_lesson, parse_lesson
+from app.storage.files import load
+from app.storage.format import encode
 from app.view_model.curve_view import view_of
 from app.view_model.goals import GoalError, parse_goal, standing_of
 
@@ -26,7 +27,7 @@ def value(text):
 
 def test_the_lebesgue_constant_of_four_uniform_parameters():
     curve = make_curve(SQUARE)
-    curve = Curve(curve.name, Family.LAGRANGE, Parametrization(ParametrizationKind.UNIFORM), curve.nodes)
+    curve = Curve(curve.name, LAGRANGE, Parametrization(ParametrizationKind.UNIFORM), curve.nodes)
     standing = standing_of(parse_goal("lebesgue < 2"), view_of(curve))
     assert standing.is_met
     # Brutman, Annals of Numerical Mathematics 4 (1997) 111-127: 1.6311
@@ -36,13 +37,13 @@ def test_the_lebesgue_constant_of_four_uniform_parameters():
 def test_a_parabola_leaves_its_box_by_an_eighth():
     """Through (0,0), (1,0), (1,1) under t = 0, 1/2, 1 the x-component is 3t - 2t², at most 9/8."""
     rule = Parametrization(ParametrizationKind.UNIFORM)
-    curve = Curve("p", Family.LAGRANGE, rule, tuple(Node(*place) for place in SQUARE[:3]))
+    curve = Curve("p", LAGRANGE, rule, tuple(Node(*place) for place in SQUARE[:3]))
     assert value(standing_of(parse_goal("overshoot > 10"), view_of(curve)).text) == pytest.approx(
         12.5, abs=1e-3
     )
 
 
-@pytest.mark.parametrize(("family", "order"), [(Family.HERMITE, 1), (Family.QUINTIC_HERMITE, 2)])
+@pytest.mark.parametrize(("family", "order"), [(HERMITE, 1), (QUINTIC_HERMITE, 2)])
 def test_joints_are_as_smooth_as_their_family(family, order):
     nodes = tuple(Node(*place, velocity=(1.0, 2.0)) for place in SQUARE)
     curve = Curve("s", family, Parametrization(), nodes)
@@ -51,7 +52,7 @@ def test_joints_are_as_smooth_as_their_family(family, order):
 
 def test_the_distance_from_chord_lengths():
     nodes = tuple(Node(*place, t=t) for place, t in zip(SQUARE, (0.0, 0.3, 0.7, 1.0), strict=True))
-    curve = Curve("m", Family.LAGRANGE, Parametrization(ParametrizationKind.MANUAL), nodes)
+    curve = Curve("m", LAGRANGE, Parametrization(ParametrizationKind.MANUAL), nodes)
     text = standing_of(parse_goal("chord_gap < 0.01"), view_of(curve)).text
     assert value(text) == pytest.approx(1 / 3 - 0.3, rel=1e-3)
 
@@ -80,7 +81,7 @@ DETOURS = {
     # All of these were "reached".
     "deleting points": ("01_basis_functions", 4, lambda c: replace(c, nodes=c.nodes[:4]), "points"),
     "deleting joints": ("07_cubic_or_quintic", 4, lambda c: replace(c, nodes=c.nodes[:2]), "∞"),
-    "another family": ("05_sensitivity", 3, lambda c: replace(c, family=Family.HERMITE), "family"),
+    "another family": ("05_sensitivity", 3, lambda c: replace(c, family=HERMITE), "family"),
     "a rule for a drag": ("02_three_parameter_sets", 4, by_chord_length, "rule"),
     "a rule for typing": ("09_exercise_rounded_parameters", 1, by_chord_length, "rule"),
     "a rule, then by hand": (

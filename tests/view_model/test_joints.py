@@ -7,14 +7,15 @@ from itertools import pairwise
 
 import pytest
 
-from app.document.model import AccelerationRule, Curve, Family, Node, Parametrization, VelocityRule
+from app.document.model import AccelerationRule, Curve, Node, Parametrization, VelocityRule
+from app.families import HERMITE, LAGRANGE, QUINTIC_HERMITE
 from app.view_model.analysis.joints import Kind, as_text, certificate_of
 from app.view_model.curve_view import view_of
 
 POINTS = ((0.0, 0.0), (1.0, 1.0), (2.0, 0.5), (3.0, 1.5), (4.0, 0.0))
 
 
-def certificate(nodes=None, family=Family.HERMITE, **fields):
+def certificate(nodes=None, family=HERMITE, **fields):
     nodes = nodes or [Node(x, y) for x, y in POINTS]
     return certificate_of(view_of(Curve("Test", family, Parametrization(), tuple(nodes), **fields)))
 
@@ -53,7 +54,7 @@ def test_the_jumps_are_measured():
 
 def test_a_corner_has_an_angle_and_a_name_in_the_summary():
     nodes = with_node(2, velocity=(2.0, 0.0), corner=True, velocity_after=(0.0, 2.0))
-    result = certificate(nodes, Family.QUINTIC_HERMITE)
+    result = certificate(nodes, QUINTIC_HERMITE)
     row = result.rows[1]
     assert (row.kind, row.smoothness) == (Kind.CORNER, "C⁰")
     assert row.angle == pytest.approx(90.0)
@@ -71,13 +72,13 @@ def test_a_joint_that_keeps_the_direction_is_called_g1():
         velocity_after=(6.0, 0.0),
         acceleration_after=(0.0, 1.0),
     )
-    result = certificate(nodes, Family.QUINTIC_HERMITE)
+    result = certificate(nodes, QUINTIC_HERMITE)
     assert result.summary == "C² everywhere except joint 2: G¹."
     assert result.rows[1].curvature == pytest.approx(1 / 36)
 
 
 def test_where_the_curve_stands_still_there_is_no_direction():
-    result = certificate(with_node(2, velocity=(0.0, 0.0)), Family.QUINTIC_HERMITE)
+    result = certificate(with_node(2, velocity=(0.0, 0.0)), QUINTIC_HERMITE)
     row = result.rows[1]
     assert result.summary == "C² everywhere except joint 2: stands still."
     assert row.kind is Kind.REST
@@ -91,7 +92,7 @@ def test_many_rough_joints_are_counted():
         nodes[index] = Node(
             nodes[index].x, nodes[index].y, velocity=(3.0, 0.0), corner=True, velocity_after=(0.0, 3.0)
         )
-    result = certificate(nodes, Family.QUINTIC_HERMITE, acceleration_rule=AccelerationRule.ZERO)
+    result = certificate(nodes, QUINTIC_HERMITE, acceleration_rule=AccelerationRule.ZERO)
     assert result.summary == "C² everywhere except at 4 of 10 joints."
 
 
@@ -103,8 +104,8 @@ def test_the_joint_where_a_curve_closes_comes_last():
 
 
 def test_one_polynomial_has_no_joints_and_neither_has_one_piece():
-    assert certificate(family=Family.LAGRANGE).rows == ()
-    assert "One polynomial" in certificate(family=Family.LAGRANGE).summary
+    assert certificate(family=LAGRANGE).rows == ()
+    assert "One polynomial" in certificate(family=LAGRANGE).summary
     assert certificate([Node(0.0, 0.0), Node(1.0, 1.0)]).rows == ()
     assert certificate([Node(0.0, 0.0)]).summary == "A curve needs at least two points."
 

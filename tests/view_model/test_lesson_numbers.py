@@ -16,9 +16,10 @@ import pytest
 from msgspec.structs import replace
 
 from app.action_specs import SPECS
-from app.document.model import Family, ParametrizationKind
-from app.document.storage import load
+from app.document.model import ParametrizationKind
+from app.families import HERMITE
 from app.lessons import lesson_names, load_lesson
+from app.storage.files import load
 from app.view_model.analysis.laboratory import try_methods
 from app.view_model.analysis.laboratory_settings import (
     USUAL_SHIFT,
@@ -142,7 +143,7 @@ def constant_with_estimates(which):
 @cache
 def trial(number, digits, shift=0.0, rounding=Rounding.EVERY_STEP, family=None):
     settings = LaboratorySettings(True, rounding, digits, frozenset(Calculation), shift=shift)
-    return try_methods(view_of(curve(number, family=family)), settings, lambda: False)
+    return try_methods(view_of(curve(number, family=family)), settings)
 
 
 def error_at(t, digits=6):
@@ -293,10 +294,10 @@ CLAIMS = {
     "03 4": [
         lambda: key("familyHermite"),
         told(2),
-        lambda: constant(curve(3, family=Family.HERMITE)),
-        lambda: constant_with_estimates(curve(3, family=Family.HERMITE)),
-        lambda: constant_with_estimates(curve(3, rule=KIND.CENTRIPETAL, family=Family.HERMITE)),
-        lambda: constant_with_estimates(curve(3, rule=KIND.CHORD_LENGTH, family=Family.HERMITE)),
+        lambda: constant(curve(3, family=HERMITE)),
+        lambda: constant_with_estimates(curve(3, family=HERMITE)),
+        lambda: constant_with_estimates(curve(3, rule=KIND.CENTRIPETAL, family=HERMITE)),
+        lambda: constant_with_estimates(curve(3, rule=KIND.CHORD_LENGTH, family=HERMITE)),
         told(3),
         lambda: constant(CHORDS),
     ],
@@ -330,10 +331,10 @@ CLAIMS = {
     "04 4": [
         lambda: key("familyHermite"),
         lambda: setting(4, 4, "digits"),
-        lambda: largest(BASIS, 4, 4, family=Family.HERMITE),
+        lambda: largest(BASIS, 4, 4, family=HERMITE),
         lambda: view_of(curve(4)).parameters[0],
-        lambda: error_in(0, MONOMIAL, 4, 4, family=Family.HERMITE),
-        lambda: error_in(6, MONOMIAL, 4, 4, family=Family.HERMITE),
+        lambda: error_in(0, MONOMIAL, 4, 4, family=HERMITE),
+        lambda: error_in(6, MONOMIAL, 4, 4, family=HERMITE),
     ],
     "05 0": [told(0.5), told(2), told(2), lambda: constant(curve(5))],
     "05 3": [told(3)],
@@ -344,7 +345,7 @@ CLAIMS = {
         lambda: felt(4, 6),
         told(2),
         lambda: constant(curve(5)),
-        lambda: constant_with_estimates(curve(5, family=Family.HERMITE)),
+        lambda: constant_with_estimates(curve(5, family=HERMITE)),
     ],
     "06 0": [lambda: setting(6, 0, "digits")],
     "06 1": [
@@ -359,9 +360,9 @@ CLAIMS = {
     ],
     "06 3": [
         lambda: key("familyHermite"),
-        lambda: largest(BASIS, 6, 6, family=Family.HERMITE),
-        lambda: highest(curve(6, family=Family.HERMITE)),
-        lambda: error_in(7, MONOMIAL, 6, 6, family=Family.HERMITE),
+        lambda: largest(BASIS, 6, 6, family=HERMITE),
+        lambda: highest(curve(6, family=HERMITE)),
+        lambda: error_in(7, MONOMIAL, 6, 6, family=HERMITE),
     ],
     "07 0": [lambda: points_of(7) - 2],
     "07 2": [
@@ -413,8 +414,8 @@ CLAIMS = {
     "10 4": [
         lambda: key("familyHermite"),
         lambda: key("familyQuinticHermite"),
-        lambda: percent_outside(curve(10, "Yours", KIND.CHORD_LENGTH, Family.HERMITE)),
-        lambda: constant_with_estimates(curve(10, "Yours", KIND.CHORD_LENGTH, Family.HERMITE)),
+        lambda: percent_outside(curve(10, "Yours", KIND.CHORD_LENGTH, HERMITE)),
+        lambda: constant_with_estimates(curve(10, "Yours", KIND.CHORD_LENGTH, HERMITE)),
         lambda: constant(by_hand(10)),
     ],
 }
@@ -422,7 +423,7 @@ CLAIMS = {
 
 def felt(node, segment):
     """The largest share of an error of a point that is felt in a segment of lesson 5's Hermite curve."""
-    t, functions = cardinals(curve(5, family=Family.HERMITE))
+    t, functions = cardinals(curve(5, family=HERMITE))
     knots = view_of(curve(5)).parameters
     inside = (t >= knots[segment]) & (t <= knots[segment + 1])
     return np.abs(functions[node, inside]).max()
@@ -542,7 +543,7 @@ def test_lesson_7_says_what_jumps():
 
 
 def test_lesson_10_says_where_errors_still_grow():
-    t, functions = cardinals(curve(10, "Yours", KIND.CHORD_LENGTH, Family.HERMITE))
+    t, functions = cardinals(curve(10, "Yours", KIND.CHORD_LENGTH, HERMITE))
     knots = view_of(curve(10, "Yours", KIND.CHORD_LENGTH)).parameters
     assert knots[2] < t[np.abs(functions).sum(axis=0).argmax()] < knots[4]
 
@@ -550,6 +551,6 @@ def test_lesson_10_says_where_errors_still_grow():
 @pytest.mark.parametrize("rule", [KIND.UNIFORM, KIND.CENTRIPETAL, KIND.CHORD_LENGTH])
 def test_the_program_shows_what_moved_points_do(rule):
     """Λ was 1 on the screen, whatever the estimated velocities did: 1.50, 3.12 and 8.56 here."""
-    which = curve(3, rule=rule, family=Family.HERMITE)
+    which = curve(3, rule=rule, family=HERMITE)
     # The oracle has 4001 samples; at a maximum that is a relative error of about 1e-6.
     assert growth_of_points(view_of(which)) == pytest.approx(constant_with_estimates(which), rel=1e-4)

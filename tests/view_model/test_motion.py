@@ -8,8 +8,9 @@ import numpy as np
 import pytest
 from msgspec.structs import replace
 
-from app.document.model import Curve, Family, Node, Parametrization, ParametrizationKind, VelocityRule
+from app.document.model import Curve, Node, Parametrization, ParametrizationKind, VelocityRule
 from app.examples import first_sketch
+from app.families import HERMITE, QUINTIC_HERMITE, Family
 from app.view_model.curve_view import view_of
 from app.view_model.motion import STATIONS, Course, Pace, Repeat, folded, round_of, runs_back
 from app.view_model.motion_picture import (
@@ -32,7 +33,7 @@ LINE = HermiteCurve([[0, 0], [4, 0]], [[2, 0], [2, 0]], [1, 3])
 WAVE = LagrangeCurve([[0, 0], [1, 2], [3, -1], [4, 0]], [0, 0.5, 1.5, 2.5])
 
 
-def sketch(family: Family = Family.HERMITE, **fields) -> Curve:
+def sketch(family: Family = HERMITE, **fields) -> Curve:
     return replace(first_sketch().curves[0], family=family, **fields)
 
 
@@ -149,7 +150,7 @@ def test_cubic_and_quintic_are_compared_by_their_accelerations():
     view = view_of(sketch(velocity_rule=VelocityRule.CATMULL_ROM))
     rivals = rivals_of(view)
     assert rivals[Role.CUBIC] is view
-    assert rivals[Role.QUINTIC].source.family is Family.QUINTIC_HERMITE
+    assert rivals[Role.QUINTIC].source.family is QUINTIC_HERMITE
     courses = {Role.OWN: Course(view.curve), **{role: Course(each.curve) for role, each in rivals.items()}}
     own, *others = dots_at(courses, 0.4, Repeat.LOOP, scales_of(list(courses.values())))
     assert own.arrows == ()

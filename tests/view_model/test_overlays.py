@@ -6,25 +6,26 @@ import numpy as np
 import pytest
 from msgspec.structs import replace
 
-from app.document.model import Curve, Document, Family, Node, Parametrization, ParametrizationKind
+from app.document.model import Curve, Document, Node, Parametrization, ParametrizationKind
+from app.families import FAMILIES, HERMITE, LAGRANGE, QUINTIC_HERMITE
 from app.view_model.analysis.circle import AT_REST, NO_BEND, NO_SCRUB
 from app.view_model.analysis.figures import Shape, Style, number
 from app.view_model.analysis.ghosts import ghost_views, with_ghost_real
 from app.view_model.analysis.overlays import live_picture, settled_picture, settles
 from app.view_model.analysis.scene import usual_error
-from app.view_model.analysis.settings import AnalysisSettings, Ghost, Overlay
+from app.view_model.analysis.settings import AnalysisSettings, Ghost, Overlay, all_ghosts
 from app.view_model.curve_view import view_of
 from curvecore import ensemble, lebesgue_constant, lebesgue_function
 
 UNIFORM = ParametrizationKind.UNIFORM
 
 
-def curve_of(points, family=Family.LAGRANGE, kind=UNIFORM, **fields):
+def curve_of(points, family=LAGRANGE, kind=UNIFORM, **fields):
     nodes = tuple(Node(float(x), float(y)) for x, y in points)
     return Curve("Test", family, Parametrization(kind), nodes, **fields)
 
 
-def wave(n, family=Family.LAGRANGE, kind=UNIFORM):
+def wave(n, family=LAGRANGE, kind=UNIFORM):
     x = np.linspace(0, 4, n)
     return curve_of(np.column_stack([x, np.sin(3 * x)]), family, kind)
 
@@ -89,7 +90,7 @@ def test_arrows_have_the_direction_and_proportion_of_the_derivatives():
 def test_accelerations_of_cubics_have_two_sides_at_joints():
     """Two cubics through three points, velocities 0: c'' = ±6 (p₁ − p₀) / h² at their ends."""
     nodes = tuple(Node(float(x), 0.0, velocity=(0.0, 0.0)) for x in (0, 1, 3))
-    curve = Curve("Test", Family.HERMITE, Parametrization(UNIFORM), nodes)
+    curve = Curve("Test", HERMITE, Parametrization(UNIFORM), nodes)
     picture = live(curve, Overlay.ACCELERATIONS)
     ends = points_of(picture, Style.ACCELERATION).reshape(-1, 2, 2)
     arrows = {tuple(start.tolist()): [] for start in ends[:, 0]}
@@ -104,7 +105,7 @@ def test_accelerations_of_cubics_have_two_sides_at_joints():
 def test_the_comb_jumps_where_the_curvature_does():
     """A straight segment, a corner, and a bend: at the corner a tooth of length 0 and a long one."""
     nodes = (Node(0, 0), Node(1, 0, velocity=(1.0, 0.0), corner=True, velocity_after=(1.0, 2.0)), Node(2, 0))
-    picture = live(Curve("Test", Family.HERMITE, Parametrization(UNIFORM), nodes), Overlay.COMB)
+    picture = live(Curve("Test", HERMITE, Parametrization(UNIFORM), nodes), Overlay.COMB)
     teeth = points_of(picture, Style.COMB_TEETH).reshape(-1, 2, 2)
     there = teeth[np.linalg.norm(teeth[:, 0] - (1, 0), axis=1) < 1e-9]
     lengths = sorted(np.linalg.norm(there[:, 1] - there[:, 0], axis=1))
@@ -121,7 +122,7 @@ def test_ticks_stand_at_equal_steps_of_t():
 
 
 def test_polygons():
-    closed = curve_of([(0, 0), (2, 0), (1, 2)], Family.HERMITE, closed=True)
+    closed = curve_of([(0, 0), (2, 0), (1, 2)], HERMITE, closed=True)
     picture = live(closed, Overlay.POLYGON, Overlay.BEZIER)
     assert points_of(picture, Style.POLYGON).tolist() == [[0, 0], [2, 0], [1, 2], [0, 0]]
     # Two inner control points a segment, three segments.
@@ -139,7 +140,7 @@ def test_the_bezier_polygon_of_a_parabola_and_of_too_much():
 
 def test_marks_of_a_figure_eight():
     t = 2 * np.pi * np.arange(8) / 8
-    eight = curve_of(np.column_stack([np.sin(t), np.sin(2 * t)]), Family.QUINTIC_HERMITE, closed=True)
+    eight = curve_of(np.column_stack([np.sin(t), np.sin(2 * t)]), QUINTIC_HERMITE, closed=True)
     picture = settled_picture(view_of(eight), settings_of(Overlay.MARKS))
     crossing = points_of(picture, Style.CROSSING)
     assert crossing == pytest.approx(np.zeros((1, 2)), abs=1e-6)
@@ -171,7 +172,7 @@ def windings(polygons, places):
     return total.round()
 
 
-@pytest.mark.parametrize("family", list(Family))
+@pytest.mark.parametrize("family", FAMILIES)
 @pytest.mark.parametrize("epsilon", [0.02, 0.4])
 def test_disturbed_curves_stay_inside_the_area_of_the_band(family, epsilon):
     """Also where the band is wider than the curve bends: 0.4 against a smallest radius of 0.1 or so."""
@@ -225,39 +226,42 @@ def test_the_same_seed_draws_the_same_curves():
 
 
 def test_a_ghost_is_what_the_document_would_show():
-    curve = wave(9, Family.HERMITE, ParametrizationKind.CHORD_LENGTH)
-    ghosts = ghost_views(view_of(curve), set(Ghost), {})
-    assert [ghost for ghost, shown in ghosts.items() if shown.is_real] == [Ghost.HERMITE, Ghost.CHORD_LENGTH]
+    curve = wave(9, HERMITE, ParametrizationKind.CHORD_LENGTH)
+    ghosts = ghost_views(view_of(curve), set(all_ghosts()), {})
+    assert [ghost for ghost, shown in ghosts.items() if shown.is_real] == [
+        Ghost(family=HERMITE),
+        Ghost(kind=ParametrizationKind.CHORD_LENGTH),
+    ]
     for ghost, shown in ghosts.items():
         real = view_of(with_ghost_real(Document((curve,)), 0, ghost).curves[0])
         t = np.linspace(*real.curve.domain, 20)
         assert np.array_equal(shown.view.curve.evaluate(t), real.curve.evaluate(t))
     # The views of the frame before lend what stays, and change nothing.
     moved = replace(curve, nodes=(Node(0.1, 0.2), *curve.nodes[1:]))
-    fresh, lent = (ghost_views(view_of(moved), set(Ghost), old) for old in ({}, ghosts))
-    for ghost in Ghost:
+    fresh, lent = (ghost_views(view_of(moved), set(all_ghosts()), old) for old in ({}, ghosts))
+    for ghost in all_ghosts():
         assert np.array_equal(fresh[ghost].view.curve.jets, lent[ghost].view.curve.jets)
 
 
 WILD = {
     "two points": curve_of([(0, 0), (1, 1)]),
     "one place": curve_of([(1, 1)] * 4),
-    "one place, Hermite": curve_of([(1, 1)] * 4, Family.HERMITE),
+    "one place, Hermite": curve_of([(1, 1)] * 4, HERMITE),
     "straight": curve_of([(x, x) for x in range(5)]),
-    "back and forth": curve_of([(0, 0), (1, 0), (0, 0), (1, 0)], Family.HERMITE),
+    "back and forth": curve_of([(0, 0), (1, 0), (0, 0), (1, 0)], HERMITE),
     "far away": curve_of([(1e12, 1e12), (1e12 - 1, 0), (-1e12, 1e12)]),
     "tiny": curve_of([(0, 0), (1e-300, 1e-300), (2e-300, 0)]),
     "runaway": curve_of([(x, (-1) ** x) for x in range(48)]),
     "wild": curve_of([(x, (-1) ** x) for x in range(120)]),
-    "closed": curve_of([(0, 0), (1, 0), (1, 1)], Family.QUINTIC_HERMITE, closed=True),
-    "thousand": wave(1000, Family.HERMITE),
+    "closed": curve_of([(0, 0), (1, 0), (1, 1)], QUINTIC_HERMITE, closed=True),
+    "thousand": wave(1000, HERMITE),
 }
 
 
 @pytest.mark.parametrize("name", list(WILD))
 def test_curves_that_nobody_draws_on_purpose(name):
     view = view_of(WILD[name])
-    everything = settings_of(*Overlay, point_error=0.01, parameter_error=1e-6, ghosts=frozenset(Ghost))
+    everything = settings_of(*Overlay, point_error=0.01, parameter_error=1e-6, ghosts=frozenset(all_ghosts()))
     live_picture(view, everything, 0.5)
     settled_picture(view, everything, 0.5)
     assert ghost_views(view, everything.ghosts, {})

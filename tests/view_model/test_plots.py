@@ -8,7 +8,8 @@ import numpy as np
 import pytest
 from msgspec.structs import replace
 
-from app.document.model import Curve, Family, Node, Parametrization, ParametrizationKind, VelocityRule
+from app.document.model import Curve, Node, Parametrization, ParametrizationKind, VelocityRule
+from app.families import FAMILIES, HERMITE, LAGRANGE, QUINTIC_HERMITE
 from app.view_model.analysis.hodograph import derivative_at, hodograph_of
 from app.view_model.analysis.plot_lines import PlotLine, Scale, extent_of, plot_of
 from app.view_model.analysis.plot_samples import is_slow, samples_over
@@ -30,7 +31,7 @@ def plots(view, *kinds, t_range=None, columns=800):
     return plots_of(view, frozenset(kinds), t_range, columns, view.growth)
 
 
-@pytest.mark.parametrize("family", list(Family))
+@pytest.mark.parametrize("family", FAMILIES)
 def test_the_derivatives_plotted_are_those_of_the_curve(family):
     view = wave(9, family)
     for kind, order in ((Plot.SPEED, 1), (Plot.ACCELERATION, 2), (Plot.JERK, 3)):
@@ -57,14 +58,14 @@ def test_the_curvature_is_that_of_a_circle_and_its_sign_tells_left_from_right():
             for a in angles
         )
         rule = Parametrization(ParametrizationKind.MANUAL, start=0.0, end=float(angles[-1]))
-        view = view_of(Curve("Circle", Family.QUINTIC_HERMITE, rule, nodes))
+        view = view_of(Curve("Circle", QUINTIC_HERMITE, rule, nodes))
         (plot,) = plots(view, Plot.CURVATURE)
         values = plot.lines[0].values
         assert values[~np.isnan(values)] == pytest.approx(sign * 0.5, rel=1e-4)
 
 
 def test_a_jump_has_no_line_across_and_a_smooth_joint_has_no_gap():
-    view = wave(7, Family.HERMITE, velocity_rule=VelocityRule.BESSEL)
+    view = wave(7, HERMITE, velocity_rule=VelocityRule.BESSEL)
     speed, acceleration = plots(view, Plot.SPEED, Plot.ACCELERATION)
     assert not np.isnan(speed.lines[0].values).any()
     line = acceleration.lines[0]
@@ -77,10 +78,10 @@ def test_a_jump_has_no_line_across_and_a_smooth_joint_has_no_gap():
 
 
 def test_a_corner_breaks_the_speed():
-    view = wave(5, Family.HERMITE)
+    view = wave(5, HERMITE)
     nodes = list(view.source.nodes)
     nodes[2] = Node(nodes[2].x, nodes[2].y, velocity=(1, 0), corner=True, velocity_after=(0, 5))
-    view = view_of(Curve("Corner", Family.HERMITE, Parametrization(), tuple(nodes)))
+    view = view_of(Curve("Corner", HERMITE, Parametrization(), tuple(nodes)))
     line = plots(view, Plot.SPEED)[0].lines[0]
     (gap,) = np.flatnonzero(np.isnan(line.values))
     assert line.t[gap] == view.parameters[2]
@@ -89,7 +90,7 @@ def test_a_corner_breaks_the_speed():
 
 def test_the_lebesgue_function_is_one_at_the_parameters_and_reaches_its_constant():
     """n = 11 uniform: the constant 29.900 of Luttmann and Rivlin's table."""
-    view = wave(11, Family.LAGRANGE, ParametrizationKind.UNIFORM)
+    view = wave(11, LAGRANGE, ParametrizationKind.UNIFORM)
     (plot,) = plots(view, Plot.LEBESGUE)
     line = plot.lines[0]
     assert plot.scale is Scale.LOG
@@ -102,7 +103,7 @@ def test_the_lebesgue_function_is_one_at_the_parameters_and_reaches_its_constant
 
 def test_no_error_of_a_point_grows_where_no_derivative_follows_it():
     """It was said of curves with estimated velocities, too."""
-    view = wave(6, Family.QUINTIC_HERMITE)
+    view = wave(6, QUINTIC_HERMITE)
     (plot,) = plots(view, Plot.LEBESGUE)
     known = plot.lines[0]
     assert known.values == pytest.approx(np.maximum(view.cardinal.sums(known.t), 1.0))
@@ -115,27 +116,27 @@ def test_no_error_of_a_point_grows_where_no_derivative_follows_it():
 
 
 def test_only_the_visible_part_is_sampled_and_no_more_often_than_there_are_pixels():
-    view = wave(9, Family.QUINTIC_HERMITE)
+    view = wave(9, QUINTIC_HERMITE)
     samples = samples_over(view, (0.4, 0.5), 400)
     assert samples.t[0] == 0.4
     assert samples.t[-1] <= 0.5
     assert len(samples.t) < 400
     assert not len(samples_over(view, (2.0, 3.0), 400).t)
-    many = wave(1000, Family.HERMITE)
+    many = wave(1000, HERMITE)
     assert len(samples_over(many, (0.0, 1.0), 900).t) <= 3 * 999
 
 
 def test_samples_ascend_even_where_parameters_are_far_from_zero():
     nodes = tuple(Node(float(i), i * i / 3, t=1e6 + i * 1e-3) for i in range(6))
     rule = Parametrization(ParametrizationKind.MANUAL, start=1e6, end=1e6 + 5e-3)
-    for family in Family:
+    for family in FAMILIES:
         t = samples_over(view_of(Curve("Far", family, rule, nodes)), (1e6, 1e6 + 1), 500).t
         assert (np.diff(t) >= 0).all()
 
 
 def test_a_spike_of_the_curvature_does_not_flatten_the_rest():
     nodes = tuple(Node(x, y) for x, y in ((0, 0), (1, 1), (2, 0), (1.0001, 1), (0, 0.5)))
-    view = view_of(Curve("Needle", Family.HERMITE, Parametrization(), nodes))
+    view = view_of(Curve("Needle", HERMITE, Parametrization(), nodes))
     (plot,) = plots(view, Plot.CURVATURE)
     finite = plot.lines[0].values[np.isfinite(plot.lines[0].values)]
     assert np.abs(finite).max() > 2 * max(-plot.extent[0], plot.extent[1])
@@ -143,7 +144,7 @@ def test_a_spike_of_the_curvature_does_not_flatten_the_rest():
 
 
 def test_values_at_the_scrub_line_are_exact():
-    view = wave(8, Family.LAGRANGE)
+    view = wave(8, LAGRANGE)
     values = values_at(view, frozenset(Plot), 0.3)
     c1, c2 = (view.curve.evaluate(0.3, order) for order in (1, 2))
     assert values[Plot.SPEED] == pytest.approx(np.linalg.norm(c1))
@@ -152,7 +153,7 @@ def test_values_at_the_scrub_line_are_exact():
 
 
 def test_without_a_curve_there_is_nothing_to_plot():
-    view = view_of(Curve("One", Family.LAGRANGE, Parametrization(), (Node(0.0, 0.0),)))
+    view = view_of(Curve("One", LAGRANGE, Parametrization(), (Node(0.0, 0.0),)))
     assert plots_of(view, frozenset(Plot), (0.0, 1.0), 100) == []
     assert values_at(view, frozenset(Plot), 0.5) == {}
 
@@ -160,7 +161,7 @@ def test_without_a_curve_there_is_nothing_to_plot():
 def test_huge_numbers_stay_quiet():
     nodes = tuple(Node(x * 1e12, y * 1e12, t=t * 1e-9) for x, y, t in ((0, 0, 0), (1, 1, 1), (2, -1, 2)))
     rule = Parametrization(ParametrizationKind.MANUAL, start=0.0, end=2e-9)
-    for family in Family:
+    for family in FAMILIES:
         view = view_of(Curve("Huge", family, rule, nodes))
         for plot in plots(view, *Plot):
             assert np.isfinite(plot.extent).all()
@@ -168,11 +169,11 @@ def test_huge_numbers_stay_quiet():
 
 
 def test_what_takes_longer_than_a_frame_is_known():
-    assert not is_slow(wave(20, Family.LAGRANGE))
-    assert not is_slow(wave(20, Family.LAGRANGE, ParametrizationKind.UNIFORM))
-    assert is_slow(wave(40, Family.LAGRANGE, ParametrizationKind.UNIFORM))
-    assert is_slow(wave(65, Family.LAGRANGE, ParametrizationKind.CHEBYSHEV))
-    assert not is_slow(wave(1000, Family.HERMITE))
+    assert not is_slow(wave(20, LAGRANGE))
+    assert not is_slow(wave(20, LAGRANGE, ParametrizationKind.UNIFORM))
+    assert is_slow(wave(40, LAGRANGE, ParametrizationKind.UNIFORM))
+    assert is_slow(wave(65, LAGRANGE, ParametrizationKind.CHEBYSHEV))
+    assert not is_slow(wave(1000, HERMITE))
 
 
 def test_on_a_logarithmic_scale_what_is_not_positive_does_not_count():
@@ -191,7 +192,7 @@ def test_a_line_tells_the_value_of_its_nearest_sample():
     assert math.isnan(line.value_at(3.0))
 
 
-@pytest.mark.parametrize("family", list(Family))
+@pytest.mark.parametrize("family", FAMILIES)
 def test_the_hodograph_is_the_derivative_as_a_curve(family):
     view = wave(6, family)
     for order in (1, 2):
@@ -205,7 +206,7 @@ def test_the_hodograph_is_the_derivative_as_a_curve(family):
 
 
 def test_the_hodograph_of_a_cubic_jumps_where_the_acceleration_does():
-    view = wave(6, Family.HERMITE, velocity_rule=VelocityRule.BESSEL)
+    view = wave(6, HERMITE, velocity_rule=VelocityRule.BESSEL)
     assert not np.isnan(hodograph_of(view, 1).points).any()
     gaps = np.isnan(hodograph_of(view, 2).points)
     assert (gaps[:, 0] == gaps[:, 1]).all()
@@ -214,5 +215,5 @@ def test_the_hodograph_of_a_cubic_jumps_where_the_acceleration_does():
 
 def test_growth_beyond_all_floats_is_infinite_without_a_warning():
     """Λ of 1100 uniform parameters is about 2^1100 / (1100 e ln 1100), beyond 2^1024."""
-    view = wave(1100, Family.LAGRANGE, ParametrizationKind.UNIFORM)
+    view = wave(1100, LAGRANGE, ParametrizationKind.UNIFORM)
     assert growth_of_points(view, basis_view(view)) == math.inf

@@ -5,7 +5,8 @@ import re
 import pytest
 from msgspec.structs import replace
 
-from app.document.model import Curve, Family, Node, Parametrization, ParametrizationKind, make_curve
+from app.document.model import Curve, Node, Parametrization, ParametrizationKind, make_curve
+from app.families import HERMITE
 from app.view_model.curve_view import view_of
 from app.view_model.refusals import in_words
 from curvecore import CurveError, LagrangeCurve
@@ -13,7 +14,7 @@ from curvecore import CurveError, LagrangeCurve
 MANUAL = Parametrization(ParametrizationKind.MANUAL, start=-50.0, end=0.25)
 
 
-def manual(*times, closed=False, corner=None, family=Family.HERMITE):
+def manual(*times, closed=False, corner=None, family=HERMITE):
     nodes = tuple(Node(float(i), float(i * i), t, corner=i == corner) for i, t in enumerate(times))
     return Curve("", family, MANUAL, nodes, closed=closed)
 
@@ -42,7 +43,7 @@ def manual(*times, closed=False, corner=None, family=Family.HERMITE):
             "Points 1 and 2 coincide; chord-length parameters need distinct consecutive points.",
         ),
         (
-            replace(make_curve([(0.0, 0.0), (1.0, 2.0), (0.0, 0.0)], family=Family.HERMITE), closed=True),
+            replace(make_curve([(0.0, 0.0), (1.0, 2.0), (0.0, 0.0)], family=HERMITE), closed=True),
             "Points 2 and 0 coincide; chord-length parameters need distinct consecutive points.",
         ),
     ],

@@ -6,9 +6,11 @@ import numpy as np
 import pytest
 from msgspec.structs import replace
 
-from app.document.model import Document, Family, Parametrization, ParametrizationKind, make_curve
-from app.document.storage import load
+from app.document.model import Document, Parametrization, ParametrizationKind, make_curve
+from app.families import FAMILIES
 from app.lessons import load_lesson
+from app.storage.files import load
+from app.tasks.progress import Cancelled
 from app.view_model.analysis.cost import cost_chart, cost_of
 from app.view_model.analysis.cures import CURES, cures_of
 from app.view_model.analysis.laboratory import Refused, digits_at, try_methods
@@ -23,10 +25,6 @@ ALL = LaboratorySettings(on=True, methods=frozenset(Calculation))
 POINTS = [(0.0, 0.0), (1.0, 2.0), (2.5, 1.0), (4.0, 3.0), (5.0, 0.5), (6.0, 2.0)]
 
 
-def wanted():
-    return False
-
-
 def ring(family):
     """A closed curve with a corner."""
     closed = replace(make_curve(POINTS, family=family), closed=True)
@@ -34,10 +32,10 @@ def ring(family):
     return view_of(replace(closed, nodes=tuple(nodes)))
 
 
-@pytest.mark.parametrize("family", list(Family))
+@pytest.mark.parametrize("family", FAMILIES)
 def test_sixteen_digits_are_as_good_as_the_curve(family):
     view = ring(family)
-    trial = try_methods(view, replace(ALL, digits=16), wanted)
+    trial = try_methods(view, replace(ALL, digits=16))
     truth = view.curve.evaluate(trial.t)
     for outcome in trial.outcomes:
         drawn = np.vstack(outcome.pieces)
@@ -47,12 +45,12 @@ def test_sixteen_digits_are_as_good_as_the_curve(family):
         assert outcome.lost < 6
 
 
-@pytest.mark.parametrize("family", list(Family))
+@pytest.mark.parametrize("family", FAMILIES)
 @pytest.mark.parametrize("shift", [100.0, -3.25])
 def test_a_shift_changes_nothing_but_the_powers_of_t(family, shift):
     view = ring(family)
-    before = try_methods(view, ALL, wanted)
-    after = try_methods(view, replace(ALL, shift=shift), wanted)
+    before = try_methods(view, ALL)
+    after = try_methods(view, replace(ALL, shift=shift))
     for outcome in after.outcomes:
         if outcome.calculation is not Calculation.MONOMIAL:
             # Differences of shifted parameters are off by at most 1e-14, far below the fourth digit.
@@ -62,7 +60,7 @@ def test_a_shift_changes_nothing_but_the_powers_of_t(family, shift):
 
 def test_where_there_is_no_number_nothing_is_drawn():
     # To 2 digits all squares of t are 1e6: the rows of the system are equal, and a pivot vanishes.
-    trial = try_methods(view_of(make_curve(POINTS)), replace(ALL, digits=2, shift=1000.0), wanted)
+    trial = try_methods(view_of(make_curve(POINTS)), replace(ALL, digits=2, shift=1000.0))
     monomial, lagrange = trial.outcome(Calculation.MONOMIAL), trial.outcome(Calculation.LAGRANGE)
     assert monomial.pieces == ()
     assert np.isinf(monomial.errors).all()
@@ -75,7 +73,7 @@ def test_where_there_is_no_number_nothing_is_drawn():
 def test_the_condition_number_is_said_once_as_a_bound_beside_what_was_lost(digits, shift):
     """It said "κ ≈ 10⁸: all 8 digits may go" beside 2.5 digits lost and "κ 5.3·10⁷" in the table."""
     view = view_of(load(load_lesson("04_decimal_accuracy").document).curves[0])
-    trial = try_methods(view, replace(ALL, digits=digits, shift=shift), wanted)
+    trial = try_methods(view, replace(ALL, digits=digits, shift=shift))
     words, lost = trial_words(trial), trial.outcome(Calculation.MONOMIAL).lost
     kappa = float(np.linalg.cond(np.vander(np.arange(8.0)))) if not shift else trial.condition
     may_go = float(np.log10(kappa))
@@ -89,20 +87,24 @@ def test_the_condition_number_is_said_once_as_a_bound_beside_what_was_lost(digit
 
 
 def test_work_that_nobody_waits_for_ends():
-    assert try_methods(view_of(make_curve(POINTS)), ALL, lambda: True) is None
-    assert cost_of(view_of(make_curve(POINTS)), lambda: True) is None
+    def stopped(_share, _word):
+        raise Cancelled
+
+    view = view_of(make_curve(POINTS))
+    with pytest.raises(Cancelled):
+        try_methods(view, ALL, stopped)
+    with pytest.raises(Cancelled):
+        cost_of(view, stopped)
 
 
 def test_without_a_curve_the_reason_is_given():
-    assert try_methods(view_of(make_curve(POINTS[:1])), ALL, wanted) == Refused(
-        "A curve needs at least two points."
-    )
+    assert try_methods(view_of(make_curve(POINTS[:1])), ALL) == Refused("A curve needs at least two points.")
     assert digits_at(view_of(make_curve(POINTS[:1])), ALL, 0.5) is None
     assert explain(view_of(make_curve(POINTS[:1])), 0.5) is None
 
 
 def test_the_cost_is_that_of_cubic_and_quadratic_work():
-    cost = cost_of(view_of(make_curve(POINTS)), wanted)
+    cost = cost_of(view_of(make_curve(POINTS)))
     assert cost.ratio == cost.solving / cost.basis
     assert min(cost.seconds) > 0
     chart = cost_chart()
@@ -112,7 +114,7 @@ def test_the_cost_is_that_of_cubic_and_quadratic_work():
     assert np.log(chart.basis[-1] / chart.basis[-5]) / ends == pytest.approx(2, abs=0.02)
 
 
-@pytest.mark.parametrize("family", list(Family))
+@pytest.mark.parametrize("family", FAMILIES)
 def test_the_pulls_make_the_point(family):
     view = view_of(make_curve(POINTS, family=family))
     found = explain(view, 0.37)
@@ -140,7 +142,7 @@ def test_the_widest_swing_of_runges_function_is_at_its_ends():
 def test_cures_promise_what_they_do():
     document = Document((make_curve(POINTS),))
     view = view_of(document.curves[0])
-    found = cures_of(document, 0, view, 2, wanted)
+    found = cures_of(document, 0, view, 2)
     assert [cure.name for cure in found.cures] == [key for key, _, _ in CURES]
     for cure in found.cures:
         if cure.document is None:

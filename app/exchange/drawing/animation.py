@@ -20,11 +20,11 @@ from typing import IO, TYPE_CHECKING, Any
 from msgspec.structs import replace
 
 from app.document.model import Document
-from app.document.storage import write
 from app.exchange.drawing.styles import LIGHT, Style
 from app.exchange.errors import ExchangeError
 from app.exchange.formats import format_of
-from app.exchange.progress import FINAL, Report, silent
+from app.storage.files import write
+from app.tasks.progress import FINAL, Report, silent
 from app.view_model.curve_view import view_of
 from app.view_model.motion import Course, Pace, Repeat, round_of
 from app.view_model.motion_picture import COLOURS, Role, rivals_of

@@ -10,9 +10,9 @@ import numpy as np
 import numpy.typing as npt
 from msgspec.structs import replace
 
-from app.document.model import Curve, Document, Family
+from app.document.model import Curve, Document
 from app.exchange.errors import ExchangeError
-from app.exchange.progress import Report, part, silent, told
+from app.tasks.progress import Report, part, silent, told
 from app.view_model.curve_view import CoreCurve, CurveView, view_of
 from app.view_model.refusals import in_words
 from curvecore import CurveError
@@ -221,8 +221,8 @@ def frame_with(outlines: Iterable[Outline], points: Floats | None = None) -> Fra
 
 def too_much(curve: Curve) -> str:
     """Return why a curve cannot be computed in any sensible time, as a sentence; empty if it can."""
-    if curve.family is Family.LAGRANGE and len(curve.nodes) > MOST_POINTS:
-        return f"A Lagrange curve can have {MOST_POINTS} points, not {len(curve.nodes)}."
+    if curve.family.is_one_polynomial and len(curve.nodes) > MOST_POINTS:
+        return f"A {curve.family.title} curve can have {MOST_POINTS} points, not {len(curve.nodes)}."
     return ""
 
 

@@ -32,9 +32,9 @@ from app.exchange.drawing.styles import Style
 from app.exchange.errors import ExchangeError
 from app.exchange.formats import Written
 from app.exchange.options import Options
-from app.exchange.progress import Report, part, silent
 from app.exchange.svg.writer import accuracy_of, nominal_width, picture_of, svg_text
 from app.exchange.units import MILLIMETRES, POINTS_PER_MILLIMETRE, known_unit, size_in_words
+from app.tasks.progress import Report, part, silent
 from app.view_model.palette import adjustment_of
 
 DEFAULT_WIDTH = 1600

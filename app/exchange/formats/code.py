@@ -17,9 +17,9 @@ from app.exchange.drawing.drawing import Floats
 from app.exchange.formats import Format, Written
 from app.exchange.naming import Names
 from app.exchange.parts import Source, accuracy, bezier_values, measured, one_line, sources_of
-from app.exchange.progress import Report, part, silent, told
-from app.view_model.curve_view import SimpleCurve
-from curvecore import HermiteCurve, LagrangeCurve, bezier_segments
+from app.tasks.progress import Report, part, silent, told
+from app.view_model.curve_view import CoreCurve
+from curvecore import bezier_segments
 
 _TAKEN = {"np", "lagrange", "hermite", "evaluate", "pieces", "t", "interpolate"}
 
@@ -45,9 +45,9 @@ def python_code(document: Document, report: Report = silent) -> Written:
     """
     sources, remarks = sources_of(document, part(report, 0.0, 0.3))
     deviation = max(
-        _python_deviation(piece)
+        _python_deviation(piece) + source.polynomials.deviation
         for source in told(sources, part(report, 0.3, 0.7), "Comparing")
-        for piece in source.pieces
+        for piece in source.polynomials.pieces
     )
     named = list(zip(names_of(sources), sources, strict=True))
     body = [inspect.getsource(function).rstrip() for function in _RUNTIME]
@@ -102,13 +102,15 @@ def _head(deviation: float, remarks: tuple[str, ...], imports: str) -> str:
 
 def _title(source: Source) -> str:
     start, end = source.core.domain
-    return f"{one_line(source.name)}: {source.curve.family.replace('_', ' ')}, t from {start!r} to {end!r}"
+    return (
+        f"{one_line(source.name)}: {source.curve.family.name.replace('_', ' ')}, t from {start!r} to {end!r}"
+    )
 
 
 def _listing(name: str, source: Source) -> str:
     pieces = "".join(
         f"    (\n        {_array(piece.parameters, 8)},\n        {_array(piece.jets, 8)},\n    ),\n"
-        for piece in source.pieces
+        for piece in source.polynomials.pieces
     )
     return f"{name} = [\n{pieces}]"
 
@@ -124,18 +126,18 @@ def _array(values: Floats, indent: int) -> str:
     return f"np.array([\n{rows}{margin}])"
 
 
-def _python_deviation(piece: SimpleCurve) -> float:
+def _python_deviation(piece: CoreCurve) -> float:
     return measured(piece, lambda t: _evaluate([(piece.parameters, piece.jets)], t))
 
 
 def _scipy_object(name: str, source: Source) -> str:
-    first = source.pieces[0]
-    if isinstance(first, LagrangeCurve):
+    first, *others = source.polynomials.pieces
+    if first.is_one_polynomial:
         return (
             f"{name} = interpolate.BarycentricInterpolator(\n    {_array(first.parameters, 4)},\n"
             f"    {_array(first.points, 4)},\n)"
         )
-    if isinstance(first, HermiteCurve) and len(source.pieces) == 1:
+    if first.derivatives == 1 and not others:
         arrays = (first.parameters, first.points, first.jets[:, 1])
         listed = "".join(f"    {_array(values, 4)},\n" for values in arrays)
         return f"{name} = interpolate.CubicHermiteSpline(\n{listed})"
@@ -148,23 +150,24 @@ def _scipy_object(name: str, source: Source) -> str:
 
 def _chained(source: Source) -> tuple[Floats, Floats]:
     """Return the control points (k, degree + 1, 2) of all Hermite pieces, and their parameters (k + 1,)."""
-    pieces = [piece for piece in source.pieces if not isinstance(piece, LagrangeCurve)]
-    return np.concatenate([bezier_segments(piece) for piece in pieces]), source.core.parameters
+    first, *others = source.polynomials.pieces
+    controls = [bezier_segments(piece) for piece in (first, *others)]
+    return np.concatenate(controls), np.concatenate([first.breaks, *(piece.breaks[1:] for piece in others)])
 
 
 def _scipy_deviation(source: Source) -> float:
-    first = source.pieces[0]
-    if isinstance(first, LagrangeCurve):
-        return measured(first, lambda t: _barycentric(t, first.parameters, first.points))
-    if isinstance(first, HermiteCurve) and len(source.pieces) == 1:
-        return measured(first, lambda t: _local_powers(t, first))
-    return max(_bernstein_deviation(piece) for piece in source.pieces)
+    first, *others = source.polynomials.pieces
+    if first.is_one_polynomial:
+        own = measured(first, lambda t: _barycentric(t, first.parameters, first.points))
+    elif first.derivatives == 1 and not others:
+        own = measured(first, lambda t: _local_powers(t, first))
+    else:
+        own = max(_bernstein_deviation(piece) for piece in (first, *others))
+    return own + source.polynomials.deviation
 
 
-def _bernstein_deviation(piece: SimpleCurve) -> float:
-    if isinstance(piece, LagrangeCurve):
-        return 0.0
-    controls, parameters = bezier_segments(piece), piece.parameters
+def _bernstein_deviation(piece: CoreCurve) -> float:
+    controls, parameters = bezier_segments(piece), piece.breaks
     return measured(piece, lambda t: bezier_values(controls, parameters, t))
 
 
@@ -181,7 +184,7 @@ def _barycentric(t: Floats, parameters: Floats, points: Floats) -> Floats:
     return np.asarray(ratios @ points / ratios.sum(axis=1, keepdims=True))
 
 
-def _local_powers(t: Floats, piece: HermiteCurve) -> Floats:
+def _local_powers(t: Floats, piece: CoreCurve) -> Floats:
     """Return the curve by powers of t - t_i, as `CubicHermiteSpline` computes it."""
     x, y, v = piece.parameters, piece.points, piece.jets[:, 1]
     h = np.diff(x)[:, None]

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import os
 
-from app.document.format import FormatError, encode
-from app.document.image_path import relative_to
 from app.document.model import Document
 from app.exchange.errors import ExchangeError
 from app.exchange.formats import DOCUMENT_ENDING, Format, Kind, Written
 from app.exchange.options import Options
+from app.storage.format import FormatError, encode
+from app.storage.image_path import relative_to
 
 
 def _write(document: Document, options: Options) -> Written:

@@ -27,8 +27,9 @@ from app.exchange.parts import (
     one_line,
     sources_of,
 )
-from app.exchange.progress import Report, part, silent, told
 from app.exchange.units import dxf_code
+from app.tasks.progress import Report, part, silent, told
+from app.view_model.curve_view import CoreCurve
 
 if TYPE_CHECKING:
     from ezdxf.document import Drawing
@@ -93,9 +94,13 @@ class _ToldStream(io.StringIO):
 
 def _pieces(source: Source, tolerance: float, cubic: bool) -> list[Beziers]:
     return [
-        cubics_of(piece, tolerance) if cubic and piece.degree > 3 else beziers_of(piece, tolerance)
+        cubics_of(piece, tolerance) if cubic and _is_high(piece) else beziers_of(piece, tolerance)
         for piece in source.pieces
     ]
+
+
+def _is_high(piece: CoreCurve) -> bool:
+    return piece.degree is None or piece.degree > 3
 
 
 def _add_spline(drawing: Drawing, source: Source, parts: list[Beziers], layer: str) -> float:

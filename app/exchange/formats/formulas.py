@@ -25,10 +25,10 @@ from app.exchange.parts import (
     monomials_of,
     sources_of,
 )
-from app.exchange.progress import Report, part, silent, told
 from app.exchange.svg.writer import path_data
-from app.view_model.curve_view import SimpleCurve
-from curvecore import LagrangeCurve, bezier_segments
+from app.tasks.progress import Report, part, silent, told
+from app.view_model.curve_view import CoreCurve
+from curvecore import bezier_segments
 
 MOST_COEFFICIENTS = 100
 """Points of the largest Lagrange curve whose coefficients are written: beyond, no float holds them well."""
@@ -112,11 +112,10 @@ def coefficients_json(document: Document, report: Report = silent) -> Written:
     curves, worst = [], 0.0
     for source in told(sources, part(report, 0.3, 1.0), "Writing"):
         segments = []
-        for piece in source.pieces:
-            coefficients = _coefficients(piece)
-            ends = np.array(piece.domain) if isinstance(piece, LagrangeCurve) else piece.parameters
+        for piece in source.polynomials.pieces:
+            coefficients, ends = _coefficients(piece), piece.breaks
             deviation = measured(piece, lambda t, c=coefficients, e=ends: _horner(c, e, t))  # type: ignore[misc]
-            worst = max(worst, deviation)
+            worst = max(worst, deviation + source.polynomials.deviation)
             segments += [_segment(ends, i, rows) for i, rows in enumerate(coefficients)]
         curves.append({"name": source.name, "family": str(source.curve.family), "segments": segments})
     content: dict[str, Any] = {
@@ -136,9 +135,9 @@ def _segment(ends: Floats, index: int, rows: Floats) -> dict[str, Any]:
     return {"start": float(ends[index]), "end": float(ends[index + 1]), "x": x, "y": y}
 
 
-def _coefficients(piece: SimpleCurve) -> Floats:
+def _coefficients(piece: CoreCurve) -> Floats:
     """Return the coefficients (segments, degree + 1, 2)."""
-    if not isinstance(piece, LagrangeCurve):
+    if not piece.is_one_polynomial:
         return _from_bernstein(bezier_segments(piece))
     if len(piece.points) > MOST_COEFFICIENTS:
         raise ExchangeError(

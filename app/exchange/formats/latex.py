@@ -21,11 +21,11 @@ from app.exchange.parts import (
     one_line,
     sources_of,
 )
-from app.exchange.progress import Report, part, silent, told
 from app.exchange.units import MILLIMETRES, known_unit, size_in_words
-from app.view_model.curve_view import SimpleCurve
+from app.tasks.progress import Report, part, silent, told
+from app.view_model.curve_view import CoreCurve
 from app.view_model.refusals import in_words
-from curvecore import CurveError, LagrangeCurve
+from curvecore import CurveError
 
 DIGITS = 6
 """Significant digits of the numbers in a formula, unless asked otherwise."""
@@ -60,9 +60,9 @@ def latex_formula(document: Document, digits: int = DIGITS, report: Report = sil
     """
     sources, remarks = sources_of(document, part(report, 0.0, 0.3))
     deviation = max(
-        _rounded_deviation(piece, digits)
+        _rounded_deviation(piece, digits) + source.polynomials.deviation
         for source in told(sources, part(report, 0.3, 0.6), "Comparing")
-        for piece in source.pieces
+        for piece in source.polynomials.pieces
     )
     head = [accuracy(deviation), r"Needs \usepackage{amsmath}.", *map(one_line, remarks)]
     parts = [_formula(each, digits) for each in told(sources, part(report, 0.6, 1.0), "Writing")]
@@ -125,13 +125,13 @@ def pgfplots_axis(document: Document, tolerance: float | None = None, report: Re
 
 def _formula(source: Source, digits: int) -> str:
     blocks = [
-        _lagrange(piece, digits) if isinstance(piece, LagrangeCurve) else _segments(piece, digits)
-        for piece in source.pieces
+        _lagrange(piece, digits) if piece.is_one_polynomial else _segments(piece, digits)
+        for piece in source.polynomials.pieces
     ]
     return "\n".join([rf"\paragraph{{{_text(source.name)}}}", *blocks])
 
 
-def _lagrange(piece: LagrangeCurve, digits: int) -> str:
+def _lagrange(piece: CoreCurve, digits: int) -> str:
     last = len(piece.points) - 1
     start, end = (tex_number(value, digits) for value in piece.domain)
     formula = (
@@ -144,14 +144,15 @@ def _lagrange(piece: LagrangeCurve, digits: int) -> str:
     return "\n".join([formula, *_arrays([["i", "t_i", r"\mathbf{p}_i"]], rows)])
 
 
-def _segments(piece: SimpleCurve, digits: int) -> str:
-    degree = piece.degree
+def _segments(piece: CoreCurve, digits: int) -> str:
+    pieces = beziers_of(piece, 1.0)
+    degree = pieces.degree
     formula = (
         rf"\[ \mathbf{{c}}(t) = \sum_{{k=0}}^{{{degree}}} \binom{{{degree}}}{{k}} s^k (1-s)^{{{degree}-k}}\, "
         r"\mathbf{b}_k, \qquad s = \frac{t - t_i}{t_{i+1} - t_i}, \qquad t_i \le t \le t_{i+1} \]"
     )
-    t = [tex_number(value, digits) for value in piece.parameters.tolist()]
-    controls = beziers_of(piece, 1.0).control_points.tolist()
+    t = [tex_number(value, digits) for value in piece.breaks.tolist()]
+    controls = pieces.control_points.tolist()
     rows = [
         _in_lines([t[i], t[i + 1]], [_point(point, digits) for point in segment])
         for i, segment in enumerate(controls)
@@ -204,16 +205,16 @@ def _rounded(values: Floats, digits: int) -> Floats:
     return np.array([float(f"{value:.{digits}g}") for value in values.ravel().tolist()]).reshape(values.shape)
 
 
-def _rounded_deviation(piece: SimpleCurve, digits: int) -> float:
+def _rounded_deviation(piece: CoreCurve, digits: int) -> float:
     """Return how far the curve of the rounded numbers is from the true one."""
     t = _rounded(piece.parameters, digits)
     if not (np.diff(t) > 0).all():
         raise ExchangeError(
             f"With {digits} digits two parameters would be equal; the formula needs more digits."
         )
-    if isinstance(piece, LagrangeCurve):
+    if piece.is_one_polynomial:
         try:
-            rounded = LagrangeCurve(_rounded(piece.points, digits), t)
+            rounded = piece.with_data(_rounded(piece.jets, digits), t)
         except CurveError as problem:
             raise ExchangeError(f"The formula cannot be written: {in_words(str(problem))}.") from problem
         return measured(piece, rounded.evaluate)

@@ -9,9 +9,9 @@ from app.document.model import Document, Vector
 from app.exchange.formats import Format, Written
 from app.exchange.options import Options
 from app.exchange.parts import cell_of_name, distinct_names, sources_of
-from app.exchange.progress import Report, part, silent, told
 from app.exchange.table.columns import AFTER, ROLES, WORDS
 from app.exchange.table.curves import CLOSED
+from app.tasks.progress import Report, part, silent, told
 from app.view_model.curve_view import CurveView, view_of
 
 _NOTHING = (nan, nan)
@@ -35,7 +35,7 @@ def points_table(document: Document, separator: str = ",", report: Report = sile
     named = list(zip(sources, distinct_names(sources), strict=True))
     for source, name in told(named, part(report, 0.5, 1.0), "Writing"):
         curve = source.curve
-        words = [cell_of_name(name, separator), (CLOSED if curve.is_closed else "") + curve.family]
+        words = [cell_of_name(name, separator), (CLOSED if curve.is_closed else "") + curve.family.name]
         rows += [(words, row) for row in _rows(view_of(curve))]
     used = [place for place in range(len(titles)) if any(not isnan(row[place]) for _, row in rows)]
     lines = [separator.join([*WORDS, *(titles[place] for place in used)])]

@@ -16,7 +16,7 @@ from app.exchange.errors import ExchangeError
 from app.exchange.formats import Format, Written
 from app.exchange.options import TOLERANCE, OneOf, Option, Options, SomeOf, Whole
 from app.exchange.parts import cell_of_name, checked_tolerance, distinct_names, sources_of
-from app.exchange.progress import Report, part, silent
+from app.tasks.progress import Report, part, silent
 from app.view_model.arc_lengths import arc_lengths_of
 from app.view_model.curve_view import CoreCurve
 from curvecore import ArcLength, flatten_pieces

@@ -8,8 +8,8 @@ from app.document.model import Document
 from app.exchange.cubics_in import Imported
 from app.exchange.formats import Format, Kind, Written
 from app.exchange.options import PICTURE, TOLERANCE, Options
-from app.exchange.progress import part
 from app.exchange.svg.writer import picture_of, svg_text
+from app.tasks.progress import part
 
 if TYPE_CHECKING:
     from app.exchange.drawing.image import PicturePreview

@@ -10,8 +10,8 @@ from app import __version__
 from app.document.model import Document
 from app.exchange.drawing.drawing import Annotation, Drawing, Frame, Outline, drawing_of
 from app.exchange.drawing.styles import INK, Style
-from app.exchange.progress import Report, part, silent, told
 from app.exchange.units import css_length, known_unit
+from app.tasks.progress import Report, part, silent, told
 from app.view_model import palette
 
 if TYPE_CHECKING:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Sequence
+from collections.abc import Collection, Iterable, Sequence
 
 import msgspec
 
@@ -13,7 +13,6 @@ MAX_ROWS = 10_000
 MAX_COLUMNS = 16
 """Rows and columns of the largest block that is read."""
 
-_TITLES = {"#", "t", "x", "y", "vx", "vy", "ax", "ay"}
 _GROUPED = re.compile(r"[-+−]?[0-9]{1,3}(,[0-9]{3})+")
 _UNIT = re.compile(r"(?<=\w)\s*[\[(][^\])]*[\])]$")
 _DECIMAL_COMMA = re.compile(r"[0-9]*,[0-9]+")
@@ -35,17 +34,19 @@ class Block(msgspec.Struct, frozen=True):
     rows: list[list[float]]
 
 
-def read_titled_block(text: str, mark: str = ".") -> Block:
+def read_titled_block(text: str, mark: str = ".", titles: Collection[str] = "xy") -> Block:
     """Return the numbers of a block of text, row by row.
 
     Parameters
     ----------
     text
         Rows as lines; cells separated by tabs, semicolons, commas or spaces. A first row may hold titles of
-        the point table (t, x, y, vx, …), with a unit ("x [mm]") or after a "#" as for a comment.
+        columns, with a unit ("x [mm]") or after a "#" as for a comment.
     mark
         The decimal mark of the person's locale. A comma between cells that something else separates is read
         as a decimal comma wherever it cannot be a group separator.
+    titles
+        The titles that there are, in lower case; a first row of anything else is no row of titles.
 
     Raises
     ------
@@ -65,8 +66,8 @@ def read_titled_block(text: str, mark: str = ".") -> Block:
         raise TableTextError(
             f"These are {max(map(len, cells))} columns; {MAX_COLUMNS} can be pasted at once."
         )
-    titles = _titles(cells)
-    skipped = 1 if len(cells) > 1 and set(titles) <= _TITLES else 0
+    first = _titles(cells)
+    skipped = 1 if len(cells) > 1 and set(first) <= {"#", *titles} else 0
     numbers = [
         [_number(cell, row, column, "," if comma else mark) for column, cell in enumerate(line, start=1)]
         for row, line in enumerate(cells[skipped:], start=1 + skipped)
@@ -74,9 +75,9 @@ def read_titled_block(text: str, mark: str = ".") -> Block:
     _refuse_ragged(numbers, skipped)
     if not skipped:
         return Block((), numbers)
-    if len(titles) != len(numbers[0]):
-        raise TableTextError(f"There are {len(titles)} titles, but {len(numbers[0])} columns.")
-    return Block(titles, numbers)
+    if len(first) != len(numbers[0]):
+        raise TableTextError(f"There are {len(first)} titles, but {len(numbers[0])} columns.")
+    return Block(first, numbers)
 
 
 def _titles(cells: list[list[str]]) -> tuple[str, ...]:

@@ -10,11 +10,9 @@ from enum import StrEnum
 import numpy as np
 import numpy.typing as npt
 
-from app.document.format import FormatError, validate
 from app.document.model import (
     Curve,
     Document,
-    Family,
     Node,
     Parametrization,
     ParametrizationKind,
@@ -23,11 +21,13 @@ from app.document.model import (
 from app.exchange.cubics_in import Imported
 from app.exchange.drawing.drawing import Floats
 from app.exchange.errors import ExchangeError
-from app.exchange.progress import Report, part, silent
 from app.exchange.table.columns import AFTER, ROLES, ColumnMapping, guessed
 from app.exchange.table.layout import MissingNumber, RowProblem
 from app.exchange.table.table import Table
 from app.exchange.table.thinning import Thinning, thinned
+from app.families import FAMILIES, HERMITE, Family
+from app.storage.format import FormatError, validate
+from app.tasks.progress import Report, part, silent
 
 MOST_CURVES = 1_000
 
@@ -59,7 +59,7 @@ def document_of_table(
     table: Table,
     mapping: ColumnMapping | None = None,
     *,
-    family: Family = Family.HERMITE,
+    family: Family = HERMITE,
     name: str = "Table",
     thin: float | None = None,
     thinning: Thinning = Thinning.CURVE,
@@ -178,11 +178,11 @@ def _family_of(
         return default, False
     first = int(rows[0])
     word = table.words[mapping.family][first].strip().lower()
-    try:
-        return Family(word.removeprefix(CLOSED)), word.startswith(CLOSED)
-    except ValueError:
-        known = ", ".join(Family)
-        raise RowProblem(f" must be one of {known}.", table.line_of(first), mapping.family + 1) from None
+    family = FAMILIES.named(word.removeprefix(CLOSED))
+    if family.is_missing:
+        known = ", ".join(map(str, FAMILIES))
+        raise RowProblem(f" must be one of {known}.", table.line_of(first), mapping.family + 1)
+    return family, word.startswith(CLOSED)
 
 
 @dataclass(frozen=True)
@@ -333,7 +333,7 @@ def _nodes(own: _Rows, family: Family, report: Report) -> Iterator[Node]:
 def _thinned_curve(name: str, own: _Rows, kept: npt.NDArray[np.intp], parameters: Floats) -> Curve:
     points = zip(own.points[kept].tolist(), parameters.tolist(), strict=True)
     nodes = tuple(Node(x, y, t) for (x, y), t in points)
-    return Curve(name, Family.HERMITE, _rule(parameters), nodes)
+    return Curve(name, HERMITE, _rule(parameters), nodes)
 
 
 def _rule(t: Floats | None) -> Parametrization:

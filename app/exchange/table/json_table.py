@@ -10,11 +10,11 @@ from typing import Any
 import msgspec
 import numpy as np
 
-from app.document.format import not_json
 from app.exchange.drawing.drawing import Floats
 from app.exchange.errors import ExchangeError
 from app.exchange.table.layout import RowProblem
 from app.exchange.table.table import Table, table_of
+from app.storage.format import not_json
 
 MOST_BYTES = 32 * 2**20
 """Of a JSON file: as Python's own numbers it takes several times as much."""

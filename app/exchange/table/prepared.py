@@ -6,15 +6,16 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from app.document.model import Document, Family
+from app.document.model import Document
 from app.exchange.errors import ExchangeError
-from app.exchange.progress import Report, part, silent
 from app.exchange.table.columns import ColumnMapping
 from app.exchange.table.curves import Missing, document_of_table
 from app.exchange.table.layout import Layout, MissingNumber, RowProblem
 from app.exchange.table.source import TableSource
 from app.exchange.table.table import Table
 from app.exchange.table.thinning import MOST_KEPT, Thinning, TooManyLeftError
+from app.families import HERMITE, Family
+from app.tasks.progress import Report, part, silent
 
 MANY_ROWS = 1_000
 """Rows beyond which thinning them out is suggested."""
@@ -52,7 +53,7 @@ class TableChoice:
 
     layout: Layout
     mapping: ColumnMapping
-    family: Family = Family.HERMITE
+    family: Family = HERMITE
     thinning: Thinning | None = None
     tolerance: float | None = None
     name: str = "Table"
@@ -109,10 +110,10 @@ def prepare_table(source: TableSource, choice: TableChoice, report: Report = sil
         rows = len(table.values)
         if choice.thinning is None and rows > MOST_POINTS:
             raise ExchangeError(f"{rows:,} rows are more points than {MOST_POINTS:,}; thin them out.")
-        if choice.thinning is None and choice.family is Family.LAGRANGE and rows > MOST_LAGRANGE:
+        if choice.thinning is None and choice.family.is_one_polynomial and rows > MOST_LAGRANGE:
             raise ExchangeError(
-                f"A Lagrange curve can take {MOST_LAGRANGE:,} rows, not {rows:,}; choose Hermite, "
-                "or thin them out."
+                f"A {choice.family.title} curve can take {MOST_LAGRANGE:,} rows, not {rows:,}; choose "
+                f"{HERMITE.title}, or thin them out."
             )
         return _made(table, choice, part(report, 0.6, 1.0))
     except RowProblem as problem:

@@ -11,7 +11,6 @@ import numpy as np
 from app.document.model import MAX_MAGNITUDE
 from app.exchange.drawing.drawing import Floats
 from app.exchange.errors import ExchangeError
-from app.exchange.progress import Report, silent
 from app.exchange.table.columns import AFTER, ROLES, WORDS, ColumnMapping, guess, role_of
 from app.exchange.table.layout import (
     Layout,
@@ -25,6 +24,7 @@ from app.exchange.table.layout import (
 )
 from app.exchange.table.lines import first_lines, is_data, numbered_first_lines, parts_of, plain_utf_8
 from app.exchange.table.table import MAX_COLUMNS, PREVIEW_ROWS, Preview, Table
+from app.tasks.progress import Report, silent
 
 _FORMULA = ("=", "@")
 

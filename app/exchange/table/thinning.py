@@ -11,7 +11,7 @@ import numpy.typing as npt
 
 from app.exchange.drawing.drawing import Floats
 from app.exchange.errors import ExchangeError
-from app.exchange.progress import Report, silent
+from app.tasks.progress import Report, silent
 from curvecore import HermiteCurve, natural_spline_velocities
 
 MOST_KEPT = 20_000

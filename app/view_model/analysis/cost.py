@@ -12,12 +12,12 @@ from dataclasses import dataclass
 import numpy as np
 import numpy.typing as npt
 
+from app.tasks.progress import Report, silent
 from app.view_model.analysis.laboratory_settings import Calculation
 from app.view_model.curve_view import CurveView
 from curvecore import operation_counts
 
 Floats = npt.NDArray[np.float64]
-IsStale = Callable[[], bool]
 
 MOST_POINTS = 1000
 """The chart ends here."""
@@ -74,8 +74,8 @@ class CostChart:
     basis: Floats
 
 
-def cost_of(view: CurveView, is_stale: IsStale) -> Cost | None:
-    """Count and measure for a curve; None without one, or if the answer is not wanted any more."""
+def cost_of(view: CurveView, report: Report = silent) -> Cost | None:
+    """Count and measure for a curve; None without one."""
     if not view.is_current:
         return None
     t = view.parameters
@@ -83,11 +83,9 @@ def cost_of(view: CurveView, is_stale: IsStale) -> Cost | None:
     middle = 0.5 * (t[0] + t[1])
     solving, basis = _counts(len(t))
     seconds = (
-        _median(lambda: _solve(t, points, middle), is_stale),
-        _median(lambda: _sum_basis(t, points, middle), is_stale),
+        _median(lambda: _solve(t, points, middle), report),
+        _median(lambda: _sum_basis(t, points, middle), report),
     )
-    if is_stale():
-        return None
     derivatives = view.source.family.derivatives
     small = operation_counts(Calculation.MONOMIAL, len(t), derivatives=derivatives) if derivatives else None
     solved, form, barycentric = (
@@ -134,7 +132,7 @@ def _sum_basis(t: Floats, points: Floats, at: float) -> Floats:
         return np.asarray((np.prod(above, axis=1) / np.prod(below, axis=1)) @ points)
 
 
-def _median(work: Callable[[], object], is_stale: IsStale) -> float:
+def _median(work: Callable[[], object], report: Report) -> float:
     """Return how long some work takes, in seconds."""
     start = time.perf_counter()
     work()
@@ -142,7 +140,8 @@ def _median(work: Callable[[], object], is_stale: IsStale) -> float:
     repeats = max(1, min(200, int(_ROUND_SECONDS / once)))
     times: list[float] = []
     for _ in range(_ROUNDS):
-        if is_stale() or (times and time.perf_counter() - start > _MOST_SECONDS):
+        report(0.0, "Measuring")
+        if times and time.perf_counter() - start > _MOST_SECONDS:
             break
         begin = time.perf_counter()
         for _ in range(repeats):

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
@@ -10,13 +9,14 @@ import numpy.typing as npt
 from msgspec.structs import replace
 
 from app.document import edits
-from app.document.model import Document, Family, ParametrizationKind, VelocityRule
+from app.document.model import Document, ParametrizationKind, VelocityRule
+from app.families import HERMITE, QUINTIC_HERMITE
+from app.tasks.progress import Report, silent, told
 from app.view_model.analysis.wiggle import overshoot
 from app.view_model.curve_view import CurveView, view_of
 from app.view_model.growth import growth_of_points
 
 Floats = npt.NDArray[np.float64]
-IsStale = Callable[[], bool]
 
 _IN_USE = "The curve is like that already."
 
@@ -103,7 +103,7 @@ def cured(document: Document, curve: int, key: str, parameters: list[float]) -> 
     """Return the document with a cure applied to one of its curves."""
     if key in _KINDS:
         return edits.set_parametrization(document, curve, _KINDS[key], parameters)
-    family = Family.QUINTIC_HERMITE if key == "quintic" else Family.HERMITE
+    family = QUINTIC_HERMITE if key == "quintic" else HERMITE
     rule = VelocityRule.BESSEL if key == "hermite" else VelocityRule.NATURAL_SPLINE
     result = edits.set_velocity_rule(edits.set_family(document, curve, family), curve, rule)
     if key == "spline":
@@ -111,12 +111,10 @@ def cured(document: Document, curve: int, key: str, parameters: list[float]) -> 
     return result
 
 
-def cures_of(document: Document, curve: int, view: CurveView, knot: int, is_stale: IsStale) -> Cures | None:
-    """Try all cures for a segment; None if the answer is not wanted any more."""
+def cures_of(document: Document, curve: int, view: CurveView, knot: int, report: Report = silent) -> Cures:
+    """Try all cures for a segment."""
     found = []
-    for key, label, step in CURES:
-        if is_stale():
-            return None
+    for key, label, step in told(CURES, report, "Trying"):
         document_then = cured(document, curve, key, view.parameters.tolist())
         found.append(_tried((key, label, step), document_then, curve, view, knot))
     return Cures(view, knot, overshoot(view, knot)[0], _lebesgue(view), tuple(found))
@@ -126,7 +124,7 @@ def _tried(words: tuple[str, str, str], document: Document, curve: int, view: Cu
     nothing = np.empty((0, 2))
     if _shape(document, curve) == _shape(Document((view.source,)), 0):
         return Cure(*words, None, nothing, overshoot(view, knot)[0], _lebesgue(view), _IN_USE)
-    if document.curves[curve].family is Family.LAGRANGE and len(view.parameters) > _MOST_LAGRANGE:
+    if not document.curves[curve].family.is_local and len(view.parameters) > _MOST_LAGRANGE:
         return Cure(*words, None, nothing, np.nan, np.nan, "Too many points for one polynomial.")
     other = view_of(document.curves[curve])
     if not other.is_current or knot > len(other.parameters) - 2:
@@ -135,16 +133,14 @@ def _tried(words: tuple[str, str, str], document: Document, curve: int, view: Cu
 
 
 def _shape(document: Document, curve: int) -> object:
-    """Return what shapes a curve: the velocity rule of a Lagrange curve does not."""
+    """Return what shapes a curve: the velocity rule of a curve without velocities does not."""
     source = document.curves[curve]
-    if source.family is Family.LAGRANGE:
+    if not source.family.derivatives:
         return replace(source, velocity_rule=VelocityRule.NATURAL_SPLINE)
     return source
 
 
 def _lebesgue(view: CurveView) -> float:
-    if view.skeleton is None or (
-        view.source.family is Family.LAGRANGE and len(view.parameters) > _MOST_LAGRANGE
-    ):
+    if view.skeleton is None or (not view.source.family.is_local and len(view.parameters) > _MOST_LAGRANGE):
         return float("nan")
     return growth_of_points(view)

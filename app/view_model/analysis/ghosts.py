@@ -9,50 +9,23 @@ from functools import cached_property
 import numpy as np
 
 from app.document import edits
-from app.document.model import Curve, Document, Family, ParametrizationKind
+from app.document.model import Curve, Document, ParametrizationKind
+from app.families import Family
 from app.view_model.analysis.scene import is_quick
-from app.view_model.analysis.settings import Ghost
+from app.view_model.analysis.settings import Ghost, all_ghosts
 from app.view_model.curve_view import Box, CurveView, Floats, view_of
-
-FAMILIES = {
-    Ghost.LAGRANGE: Family.LAGRANGE,
-    Ghost.HERMITE: Family.HERMITE,
-    Ghost.QUINTIC_HERMITE: Family.QUINTIC_HERMITE,
-}
-KINDS = {
-    Ghost.UNIFORM: ParametrizationKind.UNIFORM,
-    Ghost.CHORD_LENGTH: ParametrizationKind.CHORD_LENGTH,
-    Ghost.CENTRIPETAL: ParametrizationKind.CENTRIPETAL,
-    Ghost.CHEBYSHEV: ParametrizationKind.CHEBYSHEV,
-}
-NAMES = {
-    Ghost.LAGRANGE: "Lagrange",
-    Ghost.HERMITE: "Hermite",
-    Ghost.QUINTIC_HERMITE: "Quintic Hermite",
-    Ghost.UNIFORM: "Uniform",
-    Ghost.CHORD_LENGTH: "Chord length",
-    Ghost.CENTRIPETAL: "Centripetal",
-    Ghost.CHEBYSHEV: "Chebyshev",
-}
-
-_FAMILY_NAMES = {family: NAMES[ghost] for ghost, family in FAMILIES.items()}
-_KIND_NAMES = {
-    **{kind: NAMES[ghost] for ghost, kind in KINDS.items()},
-    ParametrizationKind.POWER: "Power",
-    ParametrizationKind.MANUAL: "Manual",
-}
 
 
 def rules_text(curve: Curve) -> str:
     """Return the family and the rule of a curve in words."""
-    return f"{_FAMILY_NAMES[curve.family]} · {_KIND_NAMES[curve.parametrization.kind]}"
+    return f"{curve.family.label} · {Ghost(kind=curve.parametrization.kind).title}"
 
 
 _SAMPLES, _PER_SEGMENT = 480, 2
 """Samples of a polynomial: enough for a glance, and at least so many a segment."""
 
 _LONG = 200
-"""Points of the longest polynomial that follows a drag."""
+"""Points of the longest curve that follows a drag where every point reaches everywhere."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -97,9 +70,10 @@ class GhostView:
 
 def with_ghost_real(document: Document, curve: int, ghost: Ghost) -> Document:
     """Return the document with the family or the rule of a ghost."""
-    if ghost in FAMILIES:
-        return edits.set_family(document, curve, FAMILIES[ghost])
-    return edits.set_parametrization(document, curve, KINDS[ghost], ())
+    if ghost.family is not None:
+        return edits.set_family(document, curve, ghost.family)
+    assert ghost.kind is not None
+    return edits.set_parametrization(document, curve, ghost.kind, ())
 
 
 def ghost_views(
@@ -107,17 +81,17 @@ def ghost_views(
 ) -> dict[Ghost, GhostView]:
     """Return the variants of a curve; those of the frame before lend what did not change."""
     views = {}
-    for ghost in Ghost:
+    for ghost in all_ghosts():
         if ghost in ghosts:
             variant = _variant(view.source, ghost)
             is_real = _rules(variant) == _rules(view.source)
-            if is_real or (in_drag and variant.family is Family.LAGRANGE and len(variant.nodes) > _LONG):
+            if is_real or (in_drag and not variant.family.is_local and len(variant.nodes) > _LONG):
                 views[ghost] = GhostView(ghost, view, is_real, not is_real)
                 continue
             old = previous.get(ghost)
             last = old.view if old is not None and not (old.is_real or old.waits) else None
             made = view_of(variant, last)
-            is_sketch = not is_quick(made) or (in_drag and variant.family is Family.LAGRANGE)
+            is_sketch = not is_quick(made) or (in_drag and not variant.family.is_local)
             views[ghost] = GhostView(ghost, made, is_real, is_sketch=is_sketch)
     return views
 

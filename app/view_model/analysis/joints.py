@@ -10,7 +10,6 @@ from enum import Enum
 
 import numpy as np
 
-from app.document.model import Family
 from app.view_model.curve_view import CurveView
 from curvecore import Joint, joint_report
 
@@ -92,7 +91,7 @@ def certificate_of(view: CurveView) -> Certificate:
     """Return the certificate of a curve; without joints, with the reason in its summary."""
     if view.curve is None or not view.is_current:
         return Certificate((), view.problem)
-    if view.source.family is Family.LAGRANGE:
+    if view.source.family.is_one_polynomial:
         return Certificate((), "One polynomial: no joints. Every derivative goes on, everywhere.")
     joints = joint_report(view.curve, closed=view.source.is_closed)
     if not joints:

@@ -6,15 +6,16 @@ through few points it is computed in fractions; else in double precision, which 
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from dataclasses import dataclass
 from itertools import pairwise
 
 import numpy as np
 import numpy.typing as npt
 
+from app.tasks.progress import Report, silent
 from app.view_model.analysis.laboratory_settings import Calculation, LaboratorySettings, Rounding
-from app.view_model.curve_view import CurveView, SimpleCurve
+from app.view_model.curve_view import CoreCurve, CurveView
 from app.view_model.refusals import in_words
 from curvecore import (
     CurveError,
@@ -32,7 +33,6 @@ from curvecore import (
 )
 
 Floats = npt.NDArray[np.float64]
-IsStale = Callable[[], bool]
 
 SAMPLES = 240
 """About so many parameters t on the whole curve."""
@@ -148,8 +148,8 @@ def calculations(view: CurveView) -> tuple[Calculation, ...]:
     return tuple(Calculation(method.value) for method in available_methods(view.source.family.derivatives))
 
 
-def try_methods(view: CurveView, settings: LaboratorySettings, is_stale: IsStale) -> Trial | Refused | None:
-    """Compute a curve by the chosen methods; None if the answer is not wanted any more."""
+def try_methods(view: CurveView, settings: LaboratorySettings, report: Report = silent) -> Trial | Refused:
+    """Compute a curve by the chosen methods."""
     if not view.is_current:
         return Refused(view.problem or "There is no curve yet.")
     count = len(view.parameters)
@@ -158,12 +158,12 @@ def try_methods(view: CurveView, settings: LaboratorySettings, is_stale: IsStale
             f"{count} points are too many for arithmetic done digit by digit; it goes up to {MOST_AT_ALL}."
         )
     try:
-        return _trial(view, settings, is_stale)
+        return _trial(view, settings, report)
     except CurveError as problem:
         return Refused(_refusal(settings, problem))
 
 
-def _trial(view: CurveView, settings: LaboratorySettings, is_stale: IsStale) -> Trial | None:
+def _trial(view: CurveView, settings: LaboratorySettings, report: Report) -> Trial:
     count = len(view.parameters)
     chosen, note = _affordable(view, settings)
     trials = [_Experiment(piece, settings) for piece in view.pieces]
@@ -174,11 +174,7 @@ def _trial(view: CurveView, settings: LaboratorySettings, is_stale: IsStale) -> 
     for calculation in chosen:
         # From rounded data, with exact arithmetic, all methods come to the same.
         if settings.rounding is not Rounding.DATA or not outcomes:
-            computed = [
-                trial.values(t, calculation, is_stale) for trial, t in zip(trials, where, strict=True)
-            ]
-        if is_stale():
-            return None
+            computed = [trial.values(t, calculation, report) for trial, t in zip(trials, where, strict=True)]
         outcomes.append(_outcome(calculation, computed, truths, where, settings))
     solves = settings.rounding is Rounding.EVERY_STEP and count <= _MOST_CONDITION
     condition = max(trial.condition() for trial in trials) if solves else None
@@ -214,7 +210,7 @@ def digits_at(view: CurveView, settings: LaboratorySettings, t: float) -> Digits
 class _Experiment:
     """One piece of the curve with the data that the computation is given."""
 
-    def __init__(self, piece: SimpleCurve, settings: LaboratorySettings) -> None:
+    def __init__(self, piece: CoreCurve, settings: LaboratorySettings) -> None:
         self._piece, self._settings = piece, settings
         self._shifted = piece.parameters + settings.shift
         jets, parameters = piece.jets, self._shifted
@@ -231,13 +227,12 @@ class _Experiment:
             return _curve(self._shifted, self._piece.jets).evaluate(at)
         return exact_values(self._piece.points, self._shifted, at)
 
-    def values(self, t: Floats, calculation: Calculation, is_stale: IsStale) -> Floats:
-        """Return what a method computes, (m, 2); NaN for what was not wanted any more."""
+    def values(self, t: Floats, calculation: Calculation, report: Report) -> Floats:
+        """Return what a method computes, (m, 2)."""
         at, result = t + self._settings.shift, np.full((len(t), 2), np.nan)
         chunk = _CHUNK if len(self._parameters) <= MOST_POINTS else len(t)
         for start in range(0, len(t), chunk):
-            if is_stale():
-                break
+            report(start / len(t), "Computing")
             part = slice(start, start + chunk)
             result[part] = evaluate_rounded(
                 self._jets[:, 0],
@@ -276,7 +271,7 @@ class _Experiment:
         return monomial_condition(_curve(self._parameters, self._jets))
 
 
-def _curve(parameters: Floats, jets: Floats) -> SimpleCurve:
+def _curve(parameters: Floats, jets: Floats) -> CoreCurve:
     if jets.shape[1] == 1:
         return LagrangeCurve(jets[:, 0], parameters)
     if jets.shape[1] == 2:

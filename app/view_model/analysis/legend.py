@@ -6,7 +6,7 @@ from collections.abc import Collection, Iterable, Sequence
 from dataclasses import dataclass
 
 from app.view_model.analysis.figures import Figure, Style, number
-from app.view_model.analysis.ghosts import NAMES, GhostView, rules_text
+from app.view_model.analysis.ghosts import GhostView, rules_text
 from app.view_model.analysis.settings import AnalysisSettings, Ghost, Overlay
 from app.view_model.curve_view import CurveView
 from app.view_model.looks import CURVE_LOOK, Look
@@ -90,7 +90,7 @@ def _errors(settings: AnalysisSettings) -> str:
 
 
 def _ghost_row(ghost: GhostView) -> LegendRow:
-    name = NAMES[ghost.ghost]
+    name = ghost.ghost.title
     if ghost.waits:
         return LegendRow(ghost.ghost, f"{name} …", True, "Drawn as soon as the drag is over")
     if not ghost.view.is_current:

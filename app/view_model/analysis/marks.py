@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-
 import numpy as np
 
+from app.tasks.progress import Report
 from app.view_model.analysis.figures import Figure, Floats, Shape, Style
 from app.view_model.analysis.scene import Scene
 from curvecore import curvature_extrema, inflections, self_intersections
@@ -21,21 +20,19 @@ NAMES = {
 }
 
 
-def marks(scene: Scene, is_stale: Callable[[], bool]) -> tuple[list[Figure], str]:
-    """Return the marks and how many there are, in words; heavy, and given up when it `is_stale`."""
+def marks(scene: Scene, report: Report) -> tuple[list[Figure], str]:
+    """Return the marks and how many there are, in words; heavy."""
     curve = scene.view.curve
     if curve is None:
         return [], ""
     places: dict[Style, Floats] = {Style.INFLECTION: curve.evaluate(inflections(curve))}
-    if is_stale():
-        return [], ""
+    report(0.0, "Computing")
     bends = curvature_extrema(curve)
     # The largest signed curvature is the sharpest bend to the left, and the flattest to the right.
     is_sharp = bends.is_maximum == (bends.curvatures > 0)
     places[Style.SHARPEST] = curve.evaluate(bends.parameters[is_sharp])
     places[Style.FLATTEST] = curve.evaluate(bends.parameters[~is_sharp])
-    if is_stale():
-        return [], ""
+    report(0.0, "Computing")
     complete = True
     if scene.size > 0:
         crossings = self_intersections(curve, _TOLERANCE * scene.size)

@@ -7,6 +7,7 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
+from app.tasks.progress import Report, silent
 from app.view_model.analysis.band import band
 from app.view_model.analysis.circle import circle
 from app.view_model.analysis.comb import comb
@@ -19,7 +20,6 @@ from app.view_model.analysis.settings import AnalysisSettings, Overlay
 from app.view_model.analysis.ticks import ticks
 from app.view_model.analysis.vectors import vectors
 from app.view_model.curve_view import CurveView
-from curvecore import LagrangeCurve
 
 Described = tuple[list[Figure], str]
 
@@ -57,7 +57,7 @@ def settles(view: CurveView, settings: AnalysisSettings) -> frozenset[Overlay]:
     if not view.is_current:
         return frozenset()
     slow = {Overlay.MARKS, Overlay.ENSEMBLE}
-    if isinstance(view.curve, LagrangeCurve):
+    if view.curve is not None and view.curve.is_one_polynomial:
         slow.add(Overlay.BEZIER)
     return settings.overlays if not is_quick(view) else settings.overlays & slow
 
@@ -74,30 +74,31 @@ def settled_picture(
     view: CurveView,
     settings: AnalysisSettings,
     scrub: float | None = None,
-    is_stale: Callable[[], bool] = lambda: False,
+    report: Report = silent,
 ) -> Picture:
     """Return what is too heavy for a frame."""
     scene = Scene(view, settings, scrub)
     slow: dict[Overlay, Callable[[Scene], Described]] = {
         Overlay.ENSEMBLE: disturbed_curves,
         Overlay.BEZIER: bezier_polygon_of_polynomial,
-        Overlay.MARKS: lambda scene: marks(scene, is_stale),
+        Overlay.MARKS: lambda scene: marks(scene, report),
     }
     parts = slow if is_quick(view) else _LIVE | slow
     wanted = settles(view, settings)
-    return _picture(scene, {each: draw for each, draw in parts.items() if each in wanted}, is_stale)
+    return _picture(scene, {each: draw for each, draw in parts.items() if each in wanted}, report)
 
 
 def _picture(
     scene: Scene,
     parts: dict[Overlay, Callable[[Scene], Described]],
-    is_stale: Callable[[], bool] = lambda: False,
+    report: Report = silent,
 ) -> Picture:
     picture = Picture()
     # A wild curve leaves the range of numbers; what is not finite is not drawn.
     with np.errstate(all="ignore"):
         for overlay, draw in parts.items():
-            if overlay in scene.settings.overlays and not is_stale():
+            report(0.0, "Computing")
+            if overlay in scene.settings.overlays:
                 figures, words = draw(scene)
                 picture.figures.extend(figures)
                 if words:

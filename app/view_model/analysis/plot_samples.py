@@ -8,8 +8,7 @@ import numpy as np
 import numpy.typing as npt
 
 from app.view_model.curve_view import CurveView
-from curvecore import LagrangeCurve, lebesgue_function
-from curvecore.derivatives import derivatives_at
+from curvecore import lebesgue_function
 
 Floats = npt.NDArray[np.float64]
 Integers = npt.NDArray[np.intp]
@@ -56,12 +55,13 @@ class PlotSamples:
 
 def samples_over(view: CurveView, t_range: tuple[float, float], columns: int) -> PlotSamples:
     """Return where to sample the part of a current curve within `t_range`, over `columns` pixels."""
-    knots = view.parameters
+    assert view.curve is not None
+    knots = view.curve.breaks
     start, end = max(t_range[0], float(knots[0])), min(t_range[1], float(knots[-1]))
     if not start < end:
         return PlotSamples(np.empty(0), np.empty(0, dtype=np.intp))
-    if isinstance(view.curve, LagrangeCurve):
-        return PlotSamples(_of_polynomial(knots, start, end, columns), np.empty(0, dtype=np.intp))
+    if len(knots) == 2 and not view.curve.is_local:
+        return PlotSamples(_of_polynomial(view.parameters, start, end, columns), np.empty(0, dtype=np.intp))
     first = max(int(np.searchsorted(knots, start, side="right")) - 1, 0)
     last = min(int(np.searchsorted(knots, end, side="left")), len(knots) - 1)
     pixels = columns / (t_range[1] - t_range[0])
@@ -100,13 +100,13 @@ def derivatives_of(view: CurveView, t: Floats, orders: tuple[int, ...]) -> dict[
         return {}
     # What overflows is infinite, and runs out of the plot.
     with np.errstate(all="ignore"):
-        return dict(zip(orders, derivatives_at(view.curve, t, orders), strict=True))
+        return dict(zip(orders, view.curve.derivatives_at(t, orders), strict=True))
 
 
 def is_slow(view: CurveView) -> bool:
     """Whether derivatives at as many places as a plot has pixels take longer than a frame."""
     curve = view.curve
-    if not isinstance(curve, LagrangeCurve):
+    if curve is None or curve.is_local:
         return len(view.pieces) > _MANY_PIECES
     count = len(curve.parameters)
     if count <= _ALWAYS_QUICK or count > _QUICK_POINTS:

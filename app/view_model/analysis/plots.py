@@ -12,7 +12,7 @@ from app.view_model.analysis.settings import Plot
 from app.view_model.curve_view import CurveView
 from app.view_model.growth import growth_at
 from curvecore import curvature_of
-from curvecore.geometry import lengths
+from curvecore.vectors import vector_lengths
 
 TITLES = {
     Plot.SPEED: "Speed |c′|",
@@ -96,7 +96,7 @@ def _values(kind: Plot, view: CurveView, t: Floats, derivatives: dict[int, Float
         return np.maximum(growth_at(view, t), 1.0)
     if kind is Plot.CURVATURE:
         return curvature_of(derivatives[1], derivatives[2])
-    return lengths(derivatives[_ORDERS[kind][0]])
+    return vector_lengths(derivatives[_ORDERS[kind][0]])
 
 
 def _about(constant: float) -> str:

@@ -7,7 +7,7 @@ import numpy as np
 from app.view_model.analysis.figures import Figure, Floats, Shape, Style, number
 from app.view_model.analysis.scene import Scene
 from app.view_model.curve_view import CurveView
-from curvecore import LagrangeCurve, bezier_segments, lagrange_to_bezier
+from curvecore import lagrange_to_bezier
 
 _MOST = 32
 """Points of the longest polynomial that is converted; the work grows with the fourth power."""
@@ -23,18 +23,18 @@ def polygon(view: CurveView) -> list[Figure]:
 
 
 def bezier_polygons(view: CurveView) -> list[Figure]:
-    """Return the control polygons of the segments of a Hermite curve."""
+    """Return the control polygons of the segments of a piecewise polynomial."""
     figures = []
     for piece in view.pieces:
-        if not isinstance(piece, LagrangeCurve):
-            figures += _polygons(bezier_segments(piece))
+        if (controls := piece.bezier_pieces()) is not None:
+            figures += _polygons(controls)
     return figures
 
 
 def bezier_polygon_of_polynomial(scene: Scene) -> tuple[list[Figure], str]:
     """Return the one control polygon of a Lagrange curve, or in words why it is not drawn."""
     curve = scene.view.curve
-    if not isinstance(curve, LagrangeCurve):
+    if curve is None or not curve.is_one_polynomial:
         return [], ""
     count = len(curve.parameters)
     if count > _MOST:

@@ -7,9 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 import numpy.typing as npt
 
-from app.document.model import Family
 from app.view_model.curve_view import CurveView
-from curvecore.derivatives import derivatives_at
 
 Floats = npt.NDArray[np.float64]
 
@@ -40,9 +38,9 @@ def samples_of(view: CurveView) -> list[Samples]:
     if view.curve is None or not view.is_current:
         return []
     segments = len(view.parameters) - 1
-    least = _FEW if view.source.family is Family.LAGRANGE and segments > _LONG else LEAST_A_SEGMENT
+    least = _FEW if not view.source.family.is_local and segments > _LONG else LEAST_A_SEGMENT
     return [
-        Samples(t, *derivatives_at(piece, t, (0, 1, 2)))
+        Samples(t, *piece.derivatives_at(t, (0, 1, 2)))
         for piece in view.pieces
         for t in [_parameters(piece.parameters, max(least, min(MOST // segments, 60)))]
     ]

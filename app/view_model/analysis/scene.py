@@ -11,7 +11,6 @@ from app.view_model.analysis.figures import Floats
 from app.view_model.analysis.samples import Samples, samples_of
 from app.view_model.analysis.settings import AnalysisSettings
 from app.view_model.curve_view import CurveView
-from curvecore import LagrangeCurve
 
 _QUICK = 64
 """Points of the longest polynomial whose derivatives are found within a frame."""
@@ -52,7 +51,7 @@ def usual_error(view: CurveView) -> float:
 
 def is_quick(view: CurveView) -> bool:
     """Whether derivatives along the whole curve can be had in every frame of a drag."""
-    return not (isinstance(view.curve, LagrangeCurve) and len(view.parameters) > _QUICK)
+    return view.curve is None or view.curve.is_local or len(view.parameters) <= _QUICK
 
 
 def usual_length(vectors: Floats, longest: float) -> float:

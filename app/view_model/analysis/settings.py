@@ -6,6 +6,8 @@ import enum
 
 import msgspec
 
+from app.document.model import ParametrizationKind
+from app.families import FAMILIES, Family
 from app.view_model.analysis.laboratory_settings import LaboratorySettings
 
 
@@ -24,16 +26,48 @@ class Overlay(enum.StrEnum):
     ENSEMBLE = "ensemble"
 
 
-class Ghost(enum.StrEnum):
-    """The same points under another family or another rule for the parameters."""
+class Ghost(msgspec.Struct, frozen=True):
+    """The same points under another family or another rule for the parameters: one of the two."""
 
-    LAGRANGE = "lagrange"
-    HERMITE = "hermite"
-    QUINTIC_HERMITE = "quintic_hermite"
-    UNIFORM = "uniform"
-    CHORD_LENGTH = "chord_length"
-    CENTRIPETAL = "centripetal"
-    CHEBYSHEV = "chebyshev"
+    family: Family | None = None
+    kind: ParametrizationKind | None = None
+
+    @property
+    def name(self) -> str:
+        """The name of the family or the rule."""
+        return self.family.name if self.family is not None else str(self.kind)
+
+    @property
+    def title(self) -> str:
+        """What people read: Chord length."""
+        return self.family.label if self.family is not None else str(self.kind).replace("_", " ").capitalize()
+
+    @property
+    def action_name(self) -> str:
+        """The object name of its action: ghostChordLength."""
+        return "ghost" + "".join(word.capitalize() for word in self.name.split("_"))
+
+    @property
+    def tip(self) -> str:
+        """What its action does."""
+        if self.family is not None:
+            return f"Draw the same points as a {self.family.full_title} curve, too"
+        rule = "Chebyshev" if self.kind is ParametrizationKind.CHEBYSHEV else str(self.kind).replace("_", "-")
+        return f"Draw the curve with {rule} parameters, too"
+
+
+GHOST_KINDS = tuple(
+    kind
+    for kind in ParametrizationKind
+    if kind not in (ParametrizationKind.POWER, ParametrizationKind.MANUAL)
+)
+"""The rules that need nothing but the points."""
+
+
+def all_ghosts() -> tuple[Ghost, ...]:
+    """Return a ghost for every family and for every rule that needs nothing but the points, in order."""
+    families = (Ghost(family=family) for family in FAMILIES)
+    return (*families, *(Ghost(kind=kind) for kind in GHOST_KINDS))
 
 
 class Plot(enum.StrEnum):

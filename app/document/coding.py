@@ -1,0 +1,37 @@
+"""Hooks for msgspec: how the document's values are written that are no plain JSON values."""
+
+from __future__ import annotations
+
+from types import NoneType
+
+from app.families import FAMILIES, Family
+
+_JSON_NAMES = {
+    bool: "bool",
+    int: "int",
+    float: "float",
+    list: "array",
+    dict: "object",
+    NoneType: "null",
+}
+"""What msgspec calls the values of JSON in its own refusals."""
+
+
+def to_plain(value: object) -> str | float:
+    """Return what stands for a value: the name of a family, a number of NumPy's as one of Python's."""
+    return value.name if isinstance(value, Family) else float(value)  # type: ignore[arg-type]
+
+
+def from_plain(kind: type, value: object) -> Family:
+    """Return the family of a name; one that is not there may be there elsewhere.
+
+    Raises
+    ------
+    ValueError
+        In the words of msgspec, which adds the place, where no family can be called that.
+    """
+    if not isinstance(value, str):
+        raise ValueError(f"Expected `str`, got `{_JSON_NAMES[type(value)]}`")
+    if not Family.may_be_called(value):
+        raise ValueError(f"Invalid enum value '{value}'")
+    return FAMILIES.named(value)

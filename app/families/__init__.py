@@ -1,0 +1,30 @@
+"""The curve families that there are: the one place that lists them. No Qt.
+
+Whatever offers, names, stores or draws a family reads it here: menus, toolbar, table, ghosts, exports,
+command line and tests.
+
+- ``family``: `Family`, the record, made from a curve class.
+- ``registry``: `FAMILIES`, those of the program and then those of installed packages and of files.
+"""
+
+from app.families.family import Family
+from app.families.registry import (
+    FAMILIES,
+    HERMITE,
+    LAGRANGE,
+    QUINTIC_HERMITE,
+    Families,
+    titles,
+    titles_with_derivatives,
+)
+
+__all__ = [
+    "FAMILIES",
+    "HERMITE",
+    "LAGRANGE",
+    "QUINTIC_HERMITE",
+    "Families",
+    "Family",
+    "titles",
+    "titles_with_derivatives",
+]

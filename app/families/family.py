@@ -1,0 +1,170 @@
+"""The record of a curve family."""
+
+from __future__ import annotations
+
+import re
+from typing import Any, Self, final
+
+import numpy.typing as npt
+
+from curvecore import Curve, CurveError
+
+_NAME = re.compile(r"[a-z][a-z0-9_]{0,39}")
+
+
+@final
+class Family:
+    """A curve family as the program knows it; compares and hashes by its name.
+
+    Everything but the name is what the curve class says of itself. A family that is not there, because the
+    package or file that brings it is not, has no class: its curves keep their points and cannot be drawn.
+
+    Parameters
+    ----------
+    name
+        What documents store.
+    curve_class
+        Makes its curves; None for a family that is not there.
+    """
+
+    __slots__ = ("_curve_class", "_name")
+
+    def __init__(self, name: str, curve_class: type[Curve] | None) -> None:
+        self._name, self._curve_class = name, curve_class
+
+    @classmethod
+    def of(cls, curve_class: type[Curve]) -> Self:
+        """Return the family of a curve class."""
+        return cls(curve_class.name, curve_class)
+
+    @staticmethod
+    def may_be_called(name: object) -> bool:
+        """Whether a family, of this program or another one's, may have this name: a short identifier."""
+        return isinstance(name, str) and _NAME.fullmatch(name) is not None
+
+    @property
+    def name(self) -> str:
+        """What documents store: ``quintic_hermite``."""
+        return self._name
+
+    @property
+    def is_missing(self) -> bool:
+        """Whether nobody brought this family: a document names it all the same."""
+        return self._curve_class is None
+
+    @property
+    def problem(self) -> str:
+        """What is missing, as a sentence; empty where nothing is."""
+        if not self.is_missing:
+            return ""
+        return (
+            f"The family “{self._name}” is not installed: start with --families and the file that brings it, "
+            "or choose another family."
+        )
+
+    @property
+    def title(self) -> str:
+        """What people read within a sentence: quintic Hermite."""
+        return self._name if self._curve_class is None else self._curve_class.title
+
+    @property
+    def label(self) -> str:
+        """What people read on a button: Quintic Hermite."""
+        return self.title[:1].upper() + self.title[1:]
+
+    @property
+    def short(self) -> str:
+        """What stands on a button where room is short: its first word."""
+        return self.label.partition(" ")[0]
+
+    @property
+    def full_title(self) -> str:
+        """What people read where nothing else says which one it is: cubic Hermite."""
+        return getattr(self._curve_class, "full_title", self.title)
+
+    @property
+    def kind(self) -> str:
+        """What sets it apart from the others: cubic."""
+        return self.full_title.partition(" ")[0]
+
+    @property
+    def tip(self) -> str:
+        """What its curves are, in a line."""
+        return (self._curve_class.__doc__ or "").strip().partition("\n")[0].removesuffix(".")
+
+    @property
+    def icon(self) -> str:
+        """The name of its icon; not every family has one."""
+        return self._name.replace("_", "-")
+
+    @property
+    def action_name(self) -> str:
+        """The object name of its action: familyQuinticHermite."""
+        return "family" + self.camel_case
+
+    @property
+    def camel_case(self) -> str:
+        """The name as a part of an object name: QuinticHermite."""
+        return "".join(word.capitalize() for word in self._name.split("_"))
+
+    @property
+    def derivatives(self) -> int:
+        """How many derivatives a point carries beside its position."""
+        return 0 if self._curve_class is None else self._curve_class.derivatives
+
+    @property
+    def can_close(self) -> bool:
+        """Whether its curves can return to their first point."""
+        return self._curve_class is not None and self._curve_class.can_close
+
+    @property
+    def why_open(self) -> str:
+        """Why its curves cannot return to their first point, as what is said of one of them."""
+        if self.is_one_polynomial:
+            return "is one polynomial, and one that is not constant cannot repeat itself smoothly"
+        return "does not come back smoothly to its first point"
+
+    @property
+    def is_one_polynomial(self) -> bool:
+        """Whether its curves are one polynomial from end to end."""
+        return getattr(self._curve_class, "is_one_polynomial", False)
+
+    @property
+    def interpolates(self) -> bool:
+        """Whether its curves run through their points."""
+        return getattr(self._curve_class, "interpolates", True)
+
+    @property
+    def is_local(self) -> bool:
+        """Whether what a point carries does nothing beyond the two segments that meet there."""
+        return self._curve_class is not None and self._curve_class.is_local
+
+    def make(self, jets: npt.ArrayLike, parameters: npt.ArrayLike) -> Curve:
+        """Return the curve with these data, shape (n, R, dim), at these parameters, shape (n,).
+
+        Raises
+        ------
+        CurveError
+            If the data give no curve, or the family is not there.
+        """
+        if self._curve_class is None:
+            raise CurveError(self.problem)
+        return self._curve_class.from_jets(jets, parameters)
+
+    def __eq__(self, other: object) -> bool:
+        return self._name == other._name if isinstance(other, Family) else NotImplemented
+
+    def __hash__(self) -> int:
+        return hash(self._name)
+
+    def __str__(self) -> str:
+        return self._name
+
+    def __repr__(self) -> str:
+        return f"<Family {self._name}>"
+
+    def __copy__(self) -> Self:
+        return self
+
+    def __deepcopy__(self, memo: dict[int, Any]) -> Self:
+        return self

@@ -1,0 +1,129 @@
+"""All curve families, in the order of menus."""
+
+from __future__ import annotations
+
+import copyreg
+import sys
+from collections.abc import Iterable, Iterator, Sequence
+from contextlib import contextmanager
+from pathlib import Path
+from typing import overload
+
+from app.families.family import Family
+from curvecore import HermiteCurve, LagrangeCurve, QuinticHermiteCurve
+
+GROUP = "curvebench.families"
+"""Entry points under which installed packages bring families: ``name = "package.module:CurveClass"``."""
+
+
+class Families(Sequence[Family]):
+    """The families of the program, then those of installed packages, then those of files.
+
+    Attributes
+    ----------
+    problems
+        What is wrong with families of installed packages, each a sentence; they are left out.
+    """
+
+    def __init__(self, built_in: Sequence[Family]) -> None:
+        self._families = list(built_in)
+        self._has_installed = False
+        self.problems: list[str] = []
+
+    @overload
+    def __getitem__(self, index: int) -> Family: ...
+    @overload
+    def __getitem__(self, index: slice) -> Sequence[Family]: ...
+    def __getitem__(self, index: int | slice) -> Family | Sequence[Family]:
+        return self._all[index]
+
+    def __len__(self) -> int:
+        return len(self._all)
+
+    def named(self, name: str) -> Family:
+        """Return the family of that name; one that is missing where there is none."""
+        return next((family for family in self if family.name == name), Family(name, None))
+
+    def add(self, family: Family) -> None:
+        """Append a family.
+
+        Raises
+        ------
+        ValueError
+            If there is one of that name, or the name is no short identifier.
+        """
+        if not Family.may_be_called(family.name):
+            raise ValueError(f"“{family.name}” is no name of a family; one is like quintic_hermite")
+        if family in self:
+            raise ValueError(f"there is a family “{family.name}” already")
+        self._families.append(family)
+
+    @contextmanager
+    def with_family(self, family: Family) -> Iterator[None]:
+        """Have one family more for a while."""
+        self.add(family)
+        try:
+            yield
+        finally:
+            self._families.remove(family)
+
+    @property
+    def _all(self) -> list[Family]:
+        if not self._has_installed:
+            # Not before somebody asks: a package's curves are written with what imports this.
+            self._has_installed = True
+            for family in self._installed():
+                try:
+                    self.add(family)
+                except ValueError as problem:
+                    self.problems.append(f"A family of an installed package is left out: {problem}.")
+        return self._families
+
+    def _installed(self) -> Iterator[Family]:
+        if not _any_package_brings_families():
+            return
+        from importlib.metadata import entry_points  # noqa: PLC0415 - 17 ms, rarely needed
+
+        for entry in entry_points(group=GROUP):
+            try:
+                yield Family.of(entry.load())
+            except Exception as problem:
+                self.problems.append(f"The family “{entry.name}” of an installed package failed: {problem}.")
+
+
+def _any_package_brings_families() -> bool:
+    """Whether `entry_points` would find any; a look at the files is ten times as quick."""
+    return any(
+        f"[{GROUP}]" in path.read_text(encoding="utf-8", errors="replace")
+        for folder in dict.fromkeys(sys.path)
+        if folder and Path(folder).is_dir()
+        for path in Path(folder).glob("*-info/entry_points.txt")
+    )
+
+
+LAGRANGE, HERMITE, QUINTIC_HERMITE = (
+    Family.of(LagrangeCurve),
+    Family.of(HermiteCurve),
+    Family.of(QuinticHermiteCurve),
+)
+FAMILIES = Families([LAGRANGE, HERMITE, QUINTIC_HERMITE])
+
+
+def family_named(name: str) -> Family:
+    """Return the family of that name; one that is missing where there is none."""
+    return FAMILIES.named(name)
+
+
+def titles(families: Iterable[Family]) -> str:
+    """Return families as something to choose from: Lagrange, Hermite or quintic Hermite."""
+    *first, last = (family.title for family in families)
+    return f"{', '.join(first)} or {last}" if first else last
+
+
+def titles_with_derivatives() -> str:
+    """Return the families whose points carry derivatives, as something to choose from."""
+    return titles(family for family in FAMILIES if family.derivatives)
+
+
+# What comes back from a pickle is the family as it is known there.
+copyreg.pickle(Family, lambda family: (family_named, (family.name,)))

@@ -1,0 +1,119 @@
+"""Looks on the screen: pens, lines, marks, and small pictures of them for legends and switches."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import QPointF, QRectF, QSize, Qt
+from PySide6.QtGui import QColor, QPainter, QPen, QPixmap, QPolygonF
+
+from app.colours import look_colour
+from app.plotting.dashes import dashed
+from app.plotting.drawing import Floats, Segments, Stroke, visible_segments
+from app.plotting.pixel_map import PixelMap
+from app.theme import Theme, mix
+from app.view_model.analysis.figures import Style
+from app.view_model.analysis.settings import Ghost
+from app.view_model.looks import LOOKS, Dashes, Look, Mark, ghost_look
+
+SIGN = QSize(30, 14)
+"""Size of a sign in pixels."""
+
+Sign = Style | Ghost | Look
+
+_MARKS = (Style.INFLECTION, Style.SHARPEST, Style.FLATTEST, Style.CROSSING)
+
+
+def colour_of(look: Look, theme: Theme, strength: float = 1.0) -> QColor:
+    """Return the colour of a look under a theme; below a strength of 1 mixed with the paper."""
+    named = look.colour.startswith("#")
+    colour = look_colour(look.colour, theme) if named else QColor(getattr(theme, look.colour))
+    if strength < 1.0:
+        colour = mix(colour, theme.paper, strength)
+    colour.setAlphaF(look.opacity)
+    return colour
+
+
+def pen_of(look: Look, theme: Theme, scale: float = 1.0, strength: float = 1.0) -> QPen:
+    """Return the pen of a look, without the dashes."""
+    return QPen(colour_of(look, theme, strength), look.width * scale)
+
+
+def with_dashes(pen: QPen, dashes: Dashes) -> QPen:
+    """Return a pen with dashes, for short lines and for those that are one polyline."""
+    pen = QPen(pen)
+    if dashes:
+        pen.setCapStyle(Qt.PenCapStyle.FlatCap)
+        pen.setDashPattern(dashes)
+    return pen
+
+
+def line_in_pixels(pixels: Floats, dashes: Dashes, width: float, shown: PixelMap) -> Stroke | Segments:
+    """Return what is to be drawn of a polyline (k, 2) in pixels with a pen of some width.
+
+    Dashes run on over the vertices.
+    """
+    if not dashes:
+        stroke = Stroke()
+        stroke.fill(pixels, shown.width, shown.height)
+        return stroke
+    # A pen's square caps make every dash longer by its width, and the gap shorter.
+    pattern = [
+        width * (max(length - 1.0, 0.1) if place % 2 == 0 else length + 1.0)
+        for place, length in enumerate(dashes)
+    ]
+    drawn = Segments()
+    drawn.fill(dashed(visible_segments(pixels, shown.width, shown.height), pattern))
+    return drawn
+
+
+def draw_line(painter: QPainter, pixels: Floats, dashes: Dashes, shown: PixelMap) -> None:
+    """Draw a polyline (k, 2) in pixels with the painter's pen."""
+    line_in_pixels(pixels, dashes, painter.pen().widthF(), shown).draw(painter)
+
+
+def draw_mark(painter: QPainter, mark: Mark, x: float, y: float, size: float) -> None:
+    """Draw a mark in the painter's pen, `size` its radius in pixels."""
+    pen = painter.pen()
+    painter.setBrush(Qt.BrushStyle.NoBrush)
+    if mark is Mark.CROSS:
+        painter.drawLine(QPointF(x - size, y - size), QPointF(x + size, y + size))
+        painter.drawLine(QPointF(x - size, y + size), QPointF(x + size, y - size))
+    elif mark is Mark.SQUARE:
+        painter.drawRect(QRectF(x - 0.8 * size, y - 0.8 * size, 1.6 * size, 1.6 * size))
+    elif mark is Mark.DIAMOND:
+        painter.setBrush(pen.color())
+        corners = ((0, -size), (size, 0), (0, size), (-size, 0))
+        painter.drawPolygon(QPolygonF([QPointF(x + dx, y + dy) for dx, dy in corners]))
+    else:
+        painter.setBrush(Qt.BrushStyle.NoBrush if mark is Mark.RING else pen.color())
+        radius = size if mark is Mark.RING else 0.6 * size
+        painter.drawEllipse(QPointF(x, y), radius, radius)
+    painter.setBrush(Qt.BrushStyle.NoBrush)
+
+
+def sign_pixmap(sign: Sign, theme: Theme, ratio: float = 1.0) -> QPixmap:
+    """Return a small picture of a line, a mark or an area as it is drawn."""
+    picture = QPixmap(SIGN * ratio)
+    picture.setDevicePixelRatio(ratio)
+    picture.fill(Qt.GlobalColor.transparent)
+    painter = QPainter(picture)
+    painter.setRenderHint(QPainter.RenderHint.Antialiasing, True)
+    middle = SIGN.height() / 2
+    look = _look(sign)
+    painter.setPen(pen_of(look, theme))
+    if sign in _MARKS:
+        draw_mark(painter, look.mark, SIGN.width() / 2, middle, 4.5)
+    elif sign is Style.BAND:
+        painter.fillRect(QRectF(1, 2, SIGN.width() - 2, SIGN.height() - 4), painter.pen().color())
+    else:
+        painter.setPen(with_dashes(painter.pen(), look.dashes))
+        painter.drawLine(QPointF(1, middle), QPointF(SIGN.width() - 1, middle))
+        if sign is Style.BEZIER:
+            draw_mark(painter, Mark.SQUARE, SIGN.width() / 2, middle, 4.0)
+    painter.end()
+    return picture
+
+
+def _look(sign: Sign) -> Look:
+    if isinstance(sign, Look):
+        return sign
+    return ghost_look(sign) if isinstance(sign, Ghost) else LOOKS[sign]

@@ -1,0 +1,48 @@
+"""Words on little plates of paper, inside the drawing."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+
+from PySide6.QtCore import QPointF, QRectF, QSizeF, Qt
+from PySide6.QtGui import QColor, QPainter
+
+from app.plotting.pixel_map import PixelMap
+
+_EDGE = 4.0
+
+
+def inside(left: float, top: float, size: QSizeF, shown: PixelMap) -> QRectF:
+    """Return a box of some size near a place, moved so far that it lies in the drawing."""
+    left = min(max(left, _EDGE), max(shown.width - size.width() - _EDGE, _EDGE))
+    top = min(max(top, _EDGE), max(shown.height - size.height() - _EDGE, _EDGE))
+    return QRectF(left, top, size.width(), size.height())
+
+
+def beyond(place: QPointF, ways: Sequence[QPointF], gap: float, size: QSizeF, shown: PixelMap) -> QRectF:
+    """Return a box of some size whose nearest side is `gap` pixels from a place.
+
+    It lies in the first of the directions `ways` in which it does not leave the drawing.
+    """
+    for way in ways:
+        length = math.hypot(way.x(), way.y())
+        dx, dy = (way.x() / length, way.y() / length) if length > 1 else (0.0, -1.0)
+        away = gap + abs(dx) * size.width() / 2 + abs(dy) * size.height() / 2
+        box = QRectF(0, 0, size.width(), size.height())
+        box.moveCenter(place + QPointF(dx * away, dy * away))
+        if box == inside(box.left(), box.top(), size, shown):
+            return box
+    return inside(place.x() + gap, place.y() + gap, size, shown)
+
+
+def write_on_plate(painter: QPainter, plate: QRectF, text: str, paper: QColor, ink: QColor) -> None:
+    """Write text in the middle of a plate of translucent paper."""
+    paper = QColor(paper)
+    paper.setAlphaF(0.85)
+    painter.setPen(Qt.PenStyle.NoPen)
+    painter.setBrush(paper)
+    painter.drawRoundedRect(plate, 4, 4)
+    painter.setBrush(Qt.BrushStyle.NoBrush)
+    painter.setPen(ink)
+    painter.drawText(plate, int(Qt.AlignmentFlag.AlignCenter), text)

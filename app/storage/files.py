@@ -1,0 +1,384 @@
+"""Documents on disk: what was saved is whole, and a save that failed leaves the old file as it was.
+
+Writing goes to a temporary file in the same folder, which is flushed to the disk and then put in place of
+the old one in one step. Qt's QSaveFile is not used: on a full disk it replaced a good file by a truncated
+one (measured with Qt 6.12).
+"""
+
+from __future__ import annotations
+
+import errno
+import os
+import stat
+from collections.abc import Callable
+from contextlib import suppress
+from pathlib import Path
+
+import msgspec
+
+from app.document.model import Document
+from app.storage.file_access import keep_access
+from app.storage.format import VERSION, decode, encode, version_of
+from app.storage.image_path import relative_to, resolved
+from app.storage.system_lock import folder_lock
+from app.storage.temporary import TEMPORARY_PREFIX, temporary_name
+
+__all__ = [
+    "MAX_BYTES",
+    "TEMPORARY_PREFIX",
+    "ChangedOnDiskError",
+    "Content",
+    "NewerVersionError",
+    "Stamp",
+    "StorageError",
+    "UnconfirmedError",
+    "document_in",
+    "load",
+    "read",
+    "read_content",
+    "save",
+    "write",
+]
+
+MAX_BYTES = 256 * 2**20
+"""Largest file that is read: some four million points; beyond it a file is hardly a drawing."""
+
+_FOLDER_SYNC_UNSUPPORTED = frozenset({errno.EINVAL, errno.ENOTSUP, errno.EACCES})
+_DISK_FULL = frozenset({errno.ENOSPC, getattr(errno, "EDQUOT", errno.ENOSPC)})
+
+
+class Stamp(msgspec.Struct, frozen=True):
+    """What a file was when it was read or written: enough to notice that it is another one now."""
+
+    size: int
+    modified: int
+    inode: int
+    device: int
+    digest: bytes
+
+    def is_of(self, status: os.stat_result) -> bool:
+        """Whether a file with this status is in all likelihood the same, without reading it."""
+        return self._facts == (status.st_size, status.st_mtime_ns, status.st_ino, status.st_dev)
+
+    @property
+    def _facts(self) -> tuple[int, int, int, int]:
+        return self.size, self.modified, self.inode, self.device
+
+
+class Content(msgspec.Struct, frozen=True):
+    """What a file holds, and what it was at that moment."""
+
+    data: bytes
+    stamp: Stamp
+
+
+class StorageError(OSError):
+    """A file cannot be read or written; the message says which, why, and what to do."""
+
+
+class MissingError(StorageError):
+    """There is no such file."""
+
+
+class ChangedOnDiskError(StorageError):
+    """The file is another one than was seen last; nothing was written."""
+
+
+class NewerVersionError(StorageError):
+    """The file was written by a newer version of the program, and stays as it is."""
+
+
+class UnconfirmedError(StorageError):
+    """The file was written, but the disk did not confirm it; `stamp` is that of what was written."""
+
+    def __init__(self, message: str, stamp: Stamp) -> None:
+        super().__init__(message)
+        self.stamp = stamp
+
+
+def load(path: str | os.PathLike[str]) -> Document:
+    """Return the document in the file at `path`, with the absolute path of its image.
+
+    Raises
+    ------
+    StorageError
+        If the file cannot be read.
+    FormatError
+        If it holds no valid document.
+    """
+    return document_in(read(path), path)
+
+
+def document_in(data: bytes, path: str | os.PathLike[str]) -> Document:
+    """Return the document in `data`, the content of the file at `path`; see `load`."""
+    return resolved(decode(data), _folder(path))
+
+
+def save(path: str | os.PathLike[str], document: Document, *, seen: Stamp | None = None) -> Stamp:
+    """Write `document` to `path`, whole or not at all; its image is found again relative to `path`.
+
+    A file of an older version of the format is kept under another name (``name.v0.bak``) before it is
+    replaced; one of a newer version is not replaced.
+
+    Parameters
+    ----------
+    seen
+        What the file was when it was last looked at: if it is another one by now, it is not replaced. By
+        default any file is.
+
+    Raises
+    ------
+    FormatError
+        If the document is not valid; nothing is written.
+    StorageError
+        If the file cannot be written; the old one is still there.
+    """
+    data = encode(relative_to(document, _folder(path)))
+    return write(path, data, before_replacing=lambda target: _look_once_more(path, target, seen))
+
+
+def _look_once_more(path: str | os.PathLike[str], target: Path, seen: Stamp | None) -> None:
+    """Refuse to replace what must not be replaced, and keep a copy of what would be lost."""
+    try:
+        found = read_content(target)
+    except MissingError:
+        return
+    except StorageError:
+        # May be written but not read: then what the folder says of it has to do.
+        if seen is not None and not seen.is_of(target.stat()):
+            raise _changed(path) from None
+        return
+    if seen is not None and found.stamp.digest != seen.digest:
+        raise _changed(path)
+    version = version_of(found.data)
+    if version is not None and version > VERSION:
+        raise NewerVersionError(
+            f"{_name(path)} was written by a newer version of Curvebench and stays as it is. "
+            "Save under another name."
+        )
+    if version is not None and version < VERSION:
+        _keep_backup(target, found.data, version)
+
+
+def _changed(path: str | os.PathLike[str]) -> ChangedOnDiskError:
+    return ChangedOnDiskError(
+        f"{_name(path)} was changed by another program since it was opened. "
+        "Save under another name, or look at what changed first."
+    )
+
+
+def _keep_backup(target: Path, data: bytes, version: int) -> None:
+    """Keep the old content beside the file, under a name that no other backup has."""
+    temporary, _ = _write_temporary(target.parent, data, target)
+    try:
+        for number in range(1, 1000):
+            backup = target.with_name(f"{target.name}.v{version}{f'.{number}' if number > 1 else ''}.bak")
+            if backup.exists() and backup.read_bytes() == data:
+                break
+            if _placed(temporary, backup):
+                break
+    finally:
+        temporary.unlink(missing_ok=True)
+
+
+def _placed(temporary: Path, name: Path) -> bool:
+    """Give the file the name `name` unless another one has it."""
+    try:
+        os.link(temporary, name)
+    except FileExistsError:
+        return False
+    except OSError:
+        # No hard links here, as on a memory stick.
+        if name.exists():
+            return False
+        temporary.rename(name)
+    return True
+
+
+def _folder(path: str | os.PathLike[str]) -> str:
+    return os.path.dirname(os.path.abspath(path))  # noqa: PTH100, PTH120 - links are kept as they are
+
+
+def read(path: str | os.PathLike[str]) -> bytes:
+    """Return the content of the regular file at `path`, at most `MAX_BYTES` long.
+
+    Raises
+    ------
+    StorageError
+        For folders, pipes, devices and files that are too large, missing or not permitted.
+    """
+    return read_content(path).data
+
+
+def read_content(path: str | os.PathLike[str]) -> Content:
+    """Return what the file at `path` holds, and what it is now; see `read`."""
+    # Without O_NONBLOCK, opening a pipe would wait for a writer.
+    flags = os.O_RDONLY | getattr(os, "O_NONBLOCK", 0) | getattr(os, "O_BINARY", 0)
+    try:
+        descriptor = os.open(path, flags)
+        try:
+            status = os.fstat(descriptor)
+            _refuse_irregular(path, status)
+            with os.fdopen(descriptor, "rb", closefd=False) as file:
+                data = file.read(MAX_BYTES + 1)
+        finally:
+            os.close(descriptor)
+    except StorageError:
+        raise
+    except FileNotFoundError as problem:
+        raise MissingError(_why_unreadable(path, problem)) from problem
+    except (OSError, ValueError) as problem:
+        raise StorageError(_why_unreadable(path, problem)) from problem
+    if len(data) > MAX_BYTES:
+        raise StorageError(f"{_name(path)} is larger than {MAX_BYTES // 2**20} MB; open a smaller file.")
+    return Content(data, _stamp(status, data))
+
+
+def _stamp(status: os.stat_result, data: bytes) -> Stamp:
+    import hashlib  # noqa: PLC0415 - seven milliseconds that a start without a file does without
+
+    digest = hashlib.sha256(data).digest()
+    return Stamp(status.st_size, status.st_mtime_ns, status.st_ino, status.st_dev, digest)
+
+
+def write(
+    path: str | os.PathLike[str], data: bytes, *, before_replacing: Callable[[Path], None] | None = None
+) -> Stamp:
+    """Put `data` into the file at `path`, whole or not at all, and return what the file is then.
+
+    The permissions of an existing file are kept, symbolic links are followed, and no temporary file is
+    left behind. When this returns, the data is on the disk.
+
+    Parameters
+    ----------
+    before_replacing
+        Looks at the file that is about to be replaced, while no other Curvebench works in its folder; what
+        it raises leaves the old file as it is.
+
+    Raises
+    ------
+    StorageError
+        If any step fails; the old file is then untouched, except where the disk failed to confirm the
+        very last step, which is then said.
+    """
+    try:
+        target = Path(os.path.realpath(path))
+        _refuse_unwritable(path, target)
+        temporary, status = _write_temporary(target.parent, data, target)
+        try:
+            with folder_lock(target.parent):
+                if before_replacing is not None:
+                    before_replacing(target)
+                temporary.replace(target)
+        except BaseException:
+            with suppress(OSError):
+                temporary.unlink(missing_ok=True)
+            raise
+    except StorageError:
+        raise
+    except (OSError, ValueError) as problem:
+        raise StorageError(_why_unwritable(path, problem)) from problem
+    stamp = _stamp(status, data)
+    _confirm(path, target.parent, stamp)
+    return stamp
+
+
+def _refuse_unwritable(path: str | os.PathLike[str], target: Path) -> None:
+    try:
+        status = target.stat()
+    except FileNotFoundError:
+        return
+    _refuse_irregular(path, status)
+    # Replacing a file needs no permission on the file itself, so that a write-protected one would go too.
+    if not os.access(target, os.W_OK):
+        raise StorageError(f"{_name(path)} is write-protected. Save under another name.")
+
+
+def _write_temporary(folder: Path, data: bytes, like: Path) -> tuple[Path, os.stat_result]:
+    """Write `data` to a new file in `folder`, down to the disk; it may be read by whom `like` may be."""
+    path = folder / temporary_name()
+    # O_EXCL: a file or link that someone put there first is never followed. The umask gives the mode.
+    flags = os.O_WRONLY | os.O_CREAT | os.O_EXCL | getattr(os, "O_BINARY", 0)
+    replaces = like.exists()
+    descriptor = os.open(path, flags, 0o600 if replaces else 0o666)
+    try:
+        try:
+            with os.fdopen(descriptor, "wb", closefd=False) as file:
+                file.write(data)
+            if replaces:
+                keep_access(path, like)
+            os.fsync(descriptor)
+            status = os.fstat(descriptor)
+        finally:
+            os.close(descriptor)
+    except BaseException:
+        with suppress(OSError):
+            path.unlink(missing_ok=True)
+        raise
+    return path, status
+
+
+def _confirm(path: str | os.PathLike[str], folder: Path, stamp: Stamp) -> None:
+    """Bring the folder's new entry to the disk, where the system can."""
+    if os.name == "nt":  # Windows opens no folders.
+        return
+    try:
+        descriptor = os.open(folder, os.O_RDONLY)
+        try:
+            os.fsync(descriptor)
+        finally:
+            os.close(descriptor)
+    except OSError as problem:
+        # Some network file systems cannot do it, and some folders may be written but not read.
+        if problem.errno in _FOLDER_SYNC_UNSUPPORTED:
+            return
+        raise UnconfirmedError(
+            f"{_name(path)} was written, but the disk did not confirm it ({_reason(problem)}). "
+            "Save a copy on another disk.",
+            stamp,
+        ) from problem
+
+
+def _refuse_irregular(path: str | os.PathLike[str], status: os.stat_result) -> None:
+    if stat.S_ISDIR(status.st_mode):
+        raise StorageError(f"{_name(path)} is a folder. Choose a file.")
+    if not stat.S_ISREG(status.st_mode):
+        raise StorageError(f"{_name(path)} is a pipe or a device. Choose an ordinary file.")
+    if status.st_size > MAX_BYTES:
+        raise StorageError(f"{_name(path)} is larger than {MAX_BYTES // 2**20} MB. Choose a smaller file.")
+
+
+def _why_unreadable(path: str | os.PathLike[str], problem: Exception) -> str:
+    code = getattr(problem, "errno", None)
+    if code in (errno.ENOENT, errno.ENOTDIR):
+        return f"There is no file {_name(path)}. Check its name and folder."
+    if code in (errno.EACCES, errno.EPERM):
+        return f"{_name(path)} may not be read. Ask its owner for permission, or choose another file."
+    if code == errno.ELOOP:
+        return f"{_name(path)} is a link that leads back to itself. Choose another file."
+    return f"{_name(path)} cannot be read ({_reason(problem)}). Choose another file."
+
+
+def _why_unwritable(path: str | os.PathLike[str], problem: Exception) -> str:
+    code = getattr(problem, "errno", None)
+    if code in (errno.ENOENT, errno.ENOTDIR):
+        return f"The folder of {_name(path)} does not exist. Choose another folder."
+    if code in _DISK_FULL:
+        return f"The disk is full; {_name(path)} was not written. Free some space or choose another disk."
+    if code in (errno.EACCES, errno.EPERM, errno.EROFS):
+        return f"{_name(path)} may not be written in that folder. Choose another folder."
+    if code == errno.ELOOP:
+        return f"{_name(path)} is a link that leads back to itself. Choose another name."
+    if code == errno.ENAMETOOLONG:
+        return f"The name of {_name(path)} is too long. Choose a shorter one."
+    return f"{_name(path)} was not written ({_reason(problem)}). Choose another folder or disk."
+
+
+def _reason(problem: Exception) -> str:
+    return getattr(problem, "strerror", None) or str(problem)
+
+
+def _name(path: str | os.PathLike[str]) -> str:
+    """Return the path as it may stand in a sentence, whatever bytes it holds."""
+    text = os.fspath(path)
+    return f"“{text.encode('utf-8', 'replace').decode('utf-8')}”"

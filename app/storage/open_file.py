@@ -1,0 +1,305 @@
+"""The file of an open document: its lock, what was seen of it last, and what has become of it since."""
+
+from __future__ import annotations
+
+import os
+from enum import Enum
+from pathlib import Path
+
+import msgspec
+
+from app.document.model import Document
+from app.document.plain import plain
+from app.storage import files
+from app.storage.files import MissingError, Stamp, StorageError, UnconfirmedError
+from app.storage.format import VERSION, FormatError, version_of
+from app.storage.lock import LockResult, Owner, ProcessLock, acquire, lock_place, owner_of, take_over
+from app.storage.temporary import remove_stale
+
+_LARGE = 50_000
+"""Bytes from which a document is opened beside the window: about a hundred curves, a tenth of a second."""
+
+
+def is_large(path: Path) -> bool:
+    """Whether reading a document may take a while."""
+    try:
+        return path.stat().st_size >= _LARGE
+    except OSError:
+        return False  # whoever opens it says what is wrong with it
+
+
+class LockedError(StorageError):
+    """Somebody else has the file open; `owner` is who."""
+
+    def __init__(self, path: Path, owner: Owner) -> None:
+        super().__init__(f"“{path.name}” is open elsewhere. Save under another name.")
+        self.owner = owner
+
+
+class FileChange(Enum):
+    """What has become of a file since it was seen last; the value says it in words."""
+
+    SAME = ""
+    CHANGED = "Another program has changed the file."
+    """It holds another document than was seen last."""
+    UNREADABLE = "Another program has emptied or damaged the file."
+    """It holds no document, perhaps because another program is just writing it."""
+    GONE = "The file is gone from its folder."
+
+
+class Opened(msgspec.Struct, frozen=True):
+    """A document and the file it came from."""
+
+    document: Document
+    file: OpenFile
+
+
+class Reading(msgspec.Struct, frozen=True):
+    """What a document's file holds, with plain values alone, and what the file was when it was read."""
+
+    document: Document
+    stamp: Stamp
+    version: int
+
+    @classmethod
+    def of(cls, path: Path) -> Reading:
+        """Read the file at `path`; see `files.load` for what may be wrong."""
+        content = files.read_content(path)
+        return cls(plain(files.document_in(content.data, path)), content.stamp, _version(content.data))
+
+
+class OpenFile:
+    """What one window knows of its document's file.
+
+    Attributes
+    ----------
+    path
+        Its name, as the person gave it.
+    stamp
+        What it was when it was last read, written or accepted; None where it was not there.
+    version
+        The version of the format it was in when it was opened.
+    owner
+        Who else has it open, so that it is not saved from here; None where it is ours.
+    lock_problem
+        Why nobody can be told that it is open here; empty where they are.
+    change
+        What it holds, as far as the window has taken note of it.
+    """
+
+    def __init__(self, path: Path, stamp: Stamp | None, result: LockResult, version: int = VERSION) -> None:
+        self.path, self.stamp, self.version = path, stamp, version
+        self.change = FileChange.SAME
+        self._lock: ProcessLock | None = None
+        self._seen: tuple[Stamp, FileChange, Document | None] | None = None
+        self._take(result)
+
+    def _take(self, result: LockResult) -> None:
+        self._lock, self.owner, self.lock_problem = result.lock, result.owner, result.problem
+
+    # Opening and saving
+
+    @classmethod
+    def open(cls, path: Path, previous: OpenFile | None = None, reading: Reading | None = None) -> Opened:
+        """Read the document at `path` and mark it as open; see `files.load` for what may be wrong.
+
+        `previous` is the file that was open in this window until now; its lock goes on where it is the same.
+        Where the file was read before, `reading` is what it held.
+        """
+        found = reading or Reading.of(path)
+        # What somebody writes between the reading and the lock is noticed like any later change.
+        result = _lock_for(path, previous)
+        remove_stale(_target(path).parent)
+        return Opened(found.document, cls(path, found.stamp, result, found.version))
+
+    @classmethod
+    def adopt(cls, path: Path, previous: OpenFile | None = None) -> OpenFile:
+        """Return the file at `path` for a document that did not come from it, such as one that was recovered.
+
+        What it holds now counts as seen. `previous` is as with `open`.
+        """
+        try:
+            stamp = files.read_content(path).stamp
+        except StorageError:
+            stamp = None
+        return cls(path, stamp, _lock_for(path, previous))
+
+    @classmethod
+    def saved(
+        cls, path: Path, document: Document, previous: OpenFile | None = None, *, overwrite: bool = False
+    ) -> OpenFile:
+        """Write `document` to `path` and return the file it lies in from then on.
+
+        Parameters
+        ----------
+        overwrite
+            Also where the file was changed since it was seen last.
+
+        Raises
+        ------
+        LockedError
+            If somebody else has that file open.
+        StorageError, FormatError
+            As `files.save`; `previous` then still is the file of the document.
+        """
+        if previous is not None and previous.is_at(path):
+            previous._save(document, overwrite=overwrite)
+            previous.path = path
+            return previous
+        file = cls(path, None, acquire(_lock_place(path)))
+        try:
+            file._save(document, overwrite=True)
+        except BaseException:
+            file.close()
+            raise
+        return file
+
+    def _save(self, document: Document, *, overwrite: bool) -> None:
+        self._refuse_if_not_ours()
+        try:
+            self.stamp = files.save(self.path, document, seen=None if overwrite else self.stamp)
+        except UnconfirmedError as problem:
+            self.stamp, self.change = problem.stamp, FileChange.SAME
+            raise
+        self.version, self.change = VERSION, FileChange.SAME
+        remove_stale(_target(self.path).parent)
+
+    def _refuse_if_not_ours(self) -> None:
+        if self.owner is None and self._lock is not None and (owner := self._lock.lost_to()) is not None:
+            self.lose_to(owner)
+        if self.owner is not None and not self.take_if_free():
+            raise LockedError(self.path, self.owner)
+
+    def take_if_free(self) -> bool:
+        """Make the file ours if nobody else has it open by now; return whether it is ours."""
+        result = acquire(_lock_place(self.path))
+        if result.owner is not None:
+            self.owner = result.owner
+            return False
+        self._take(result)
+        return True
+
+    def is_at(self, path: Path) -> bool:
+        """Whether `path` leads to this file."""
+        return _target(path) == _target(self.path)
+
+    @property
+    def is_older(self) -> bool:
+        """Whether it is of an older version of the format; the first save then keeps a copy beside it."""
+        return self.version < VERSION
+
+    # Whose it is
+
+    def check_lock(self) -> Owner | None:
+        """Return who has the file open now; None where it is ours or free. `owner` stays as it was."""
+        if self._lock is not None:
+            return self._lock.lost_to()
+        return owner_of(_lock_place(self.path)) if self.owner is not None else None
+
+    def lose_to(self, owner: Owner) -> None:
+        """Take note that somebody else has the file now."""
+        self.owner, self._lock = owner, None
+
+    def take_over(self) -> None:
+        """Make the file ours, whoever has it open."""
+        if not self.take_if_free():
+            self._take(take_over(_lock_place(self.path)))
+
+    def close(self) -> None:
+        """Tell the others that the file is open here no longer."""
+        if self._lock is not None:
+            self._lock.release()
+            self._lock = None
+
+    # What it holds
+
+    def check(self) -> FileChange:
+        """Return what has become of the file since it was seen last; quick where nothing has."""
+        try:
+            status = _target(self.path).stat()
+        except FileNotFoundError:
+            return FileChange.SAME if self.stamp is None else FileChange.GONE
+        except OSError:
+            return FileChange.UNREADABLE
+        if self.stamp is not None and self.stamp.is_of(status):
+            return FileChange.SAME
+        if self._seen is not None and self._seen[0].is_of(status):
+            return self._seen[1]
+        return self._read_again()
+
+    def _read_again(self) -> FileChange:
+        try:
+            content = files.read_content(self.path)
+        except MissingError:
+            return FileChange.GONE
+        except StorageError:
+            return FileChange.UNREADABLE
+        if self.stamp is not None and content.stamp.digest == self.stamp.digest:
+            # Touched, copied or checked out again, with the same content.
+            self.stamp = content.stamp
+            return FileChange.SAME
+        document = None
+        try:
+            document = files.document_in(content.data, self.path)
+        except FormatError:
+            change = FileChange.UNREADABLE
+        else:
+            change = FileChange.CHANGED
+        self._seen = (content.stamp, change, document)
+        return change
+
+    @property
+    def has_lost_document(self) -> bool:
+        """Whether the document that came from it is in it no longer, and nobody else is to care for that."""
+        is_for_owner = self.change is FileChange.CHANGED and self.owner is not None
+        return self.change is not FileChange.SAME and not is_for_owner
+
+    @property
+    def other_document(self) -> Document | None:
+        """The document that the last look found in the file, where it was changed."""
+        return self._seen[2] if self._seen is not None else None
+
+    def accept(self) -> None:
+        """Take what the file holds now as seen: the next save replaces it."""
+        change = self.check()
+        if change is FileChange.GONE:
+            self.stamp = None
+        elif change is not FileChange.SAME and self._seen is not None:
+            self.stamp = self._seen[0]
+        self.change, self._seen = FileChange.SAME, None
+
+    def read_again(self) -> Document:
+        """Return the document that the file holds now, and take it as seen; see `files.load`."""
+        content = files.read_content(self.path)
+        document = files.document_in(content.data, self.path)
+        self.stamp, self._seen, self.change = content.stamp, None, FileChange.SAME
+        self.version = _version(content.data)
+        return document
+
+
+def _lock_for(path: Path, previous: OpenFile | None) -> LockResult:
+    """Return the lock of the file at `path`, from `previous` where that has it."""
+    if previous is None or previous._lock is None or not previous.is_at(path):
+        return acquire(_lock_place(path))
+    owner = previous._lock.lost_to()
+    if owner is not None:
+        return LockResult(owner=owner)
+    lock, previous._lock = previous._lock, None
+    return LockResult(lock=lock)
+
+
+def _lock_place(path: Path) -> Path:
+    return lock_place(_target(path))
+
+
+def _version(data: bytes) -> int:
+    found = version_of(data)
+    return VERSION if found is None else found
+
+
+def _target(path: Path) -> Path:
+    """Return the file itself where `path` is a link to it."""
+    try:
+        return Path(os.path.realpath(path))
+    except (OSError, ValueError):
+        return path

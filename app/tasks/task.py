@@ -1,0 +1,217 @@
+"""A background task in a thread of its own; garbage is collected in the window's thread.
+
+The only module that starts threads. What is to be done sees immutable values and touches no widget; its end
+is told in the window's thread. What parses files of others may hang, or keep the interpreter to itself for
+long, and goes on in a process of its own (``exchange.child``); the thread then only waits for it.
+"""
+
+from __future__ import annotations
+
+import gc
+import sys
+import threading
+import time
+from collections.abc import Callable
+from contextlib import suppress
+from typing import Any
+
+from PySide6.QtCore import QObject, Qt, QTimer, Signal
+from shiboken6 import isValid
+
+from app.tasks.progress import FINAL, Cancelled, Report
+
+_GRACE_S = 1.0
+"""After this a stopped task that has not noticed is ended from outside."""
+
+_TELL_EVERY_S = 0.04
+_TICK_MS = 100
+
+Work = Callable[[Report], Any]
+"""What a task does: it reports how far it is, and ends with `Cancelled` when it is not wanted any more."""
+
+
+class Task:
+    """One piece of work in a thread of its own; a daemon, so that the program's end never hangs on it.
+
+    Parameters
+    ----------
+    work
+        Called in the thread, with this task's `report`.
+    then
+        Called in the window's thread when the thread has ended, however it did; by default what was raised
+        goes to `sys.excepthook`.
+    told
+        Called there with the share that is done and a word for what is being done.
+    after
+        Another task, which has to end before this one begins.
+
+    Attributes
+    ----------
+    result, problem
+        What `work` returned, or what it raised.
+    """
+
+    def __init__(
+        self,
+        work: Work,
+        then: Callable[[Task], object] | None = None,
+        told: Report | None = None,
+        after: Task | None = None,
+    ) -> None:
+        self.result: Any = None
+        self.problem: Exception | None = None
+        self.then, self.told, self.after = then or Task.raise_problem, told, after
+        self._work, self._keeper, self._lock = work, _keeper(), threading.Lock()
+        self._is_final, self._told_at = False, 0.0
+        self._stopped_at: float | None = None
+        self.thread = threading.Thread(target=self._run, name="work", daemon=True)
+        self._keeper.take(self)
+        self.thread.start()
+
+    def stop(self) -> bool:
+        """Let the next report raise `Cancelled`; return False where the last step has begun."""
+        with self._lock:
+            if not self._is_final and self._stopped_at is None:
+                self._stopped_at = time.monotonic()
+            return not self._is_final
+
+    @property
+    def is_stopped(self) -> bool:
+        """Whether nobody waits for the result any more."""
+        return self._stopped_at is not None
+
+    def wait(self, seconds: float) -> bool:
+        """Wait until the thread has ended, at most so long; return whether it has."""
+        until = time.monotonic() + seconds
+        while self.thread.is_alive() and (left := until - time.monotonic()) > 0:
+            self.thread.join(min(left, _GRACE_S))
+            self.end_overdue()
+        return not self.thread.is_alive()
+
+    def end_overdue(self) -> None:
+        """Raise `_Ended` in the thread if it was stopped a while ago and goes on as if it were not.
+
+        That bounds every loop of Python's; one in C is bounded by the size of its arrays.
+        """
+        now = time.monotonic()
+        if self._stopped_at is not None and now - self._stopped_at >= _GRACE_S and self.thread.is_alive():
+            import ctypes  # noqa: PLC0415 - well-behaved work never needs it
+
+            self._stopped_at = now  # what cleans up behind it gets as long
+            identity = ctypes.c_ulong(self.thread.ident or 0)
+            ctypes.pythonapi.PyThreadState_SetAsyncExc(identity, ctypes.py_object(_Ended))
+
+    def report(self, share: float, word: str) -> None:
+        """Tell how far the work is; raise `Cancelled` where it was stopped. Called in the thread."""
+        with self._lock:
+            if self._stopped_at is not None:
+                raise Cancelled
+            self._is_final = self._is_final or share == FINAL
+        now = time.monotonic()
+        if self.told is not None and not self._is_final and now - self._told_at > _TELL_EVERY_S:
+            self._told_at = now
+            self._keeper.reported.emit(self, share, word)
+
+    def raise_problem(self) -> None:
+        """Give what was raised, if anything was, to `sys.excepthook`."""
+        if self.problem is not None:
+            sys.excepthook(type(self.problem), self.problem, self.problem.__traceback__)
+
+    def _run(self) -> None:
+        with suppress(Cancelled, _Ended, RuntimeError):  # RuntimeError: the program has ended meanwhile
+            try:
+                if self.after is not None:
+                    self.after.thread.join()
+                if not self.is_stopped:
+                    self.result = self._work(self.report)
+            except Cancelled:
+                self.stop()
+            except Exception as problem:
+                # Whatever it is, it is the window's thread that has to say it.
+                self.problem = problem
+            self._keeper.ended.emit(self)
+
+
+class _Ended(SystemExit):
+    """Raised from outside in a stopped thread; threads end on it without a word."""
+
+
+class _Keeper(QObject):
+    """Keeps the running tasks, and is where their signals arrive: in the window's thread.
+
+    Collected in another thread, a widget that is part of a cycle would be destroyed in it, and take the
+    program along. So while tasks run, Python's own collector is off; a timer collects here in its place,
+    by the same thresholds. A task is kept until its thread is gone: what it refers to must not go with that.
+    """
+
+    reported = Signal(object, float, str)
+    ended = Signal(object)
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.running: set[Task] = set()
+        self._collects = False
+        # How often the middle generation had been collected since the oldest was.
+        self._count_before = 0
+        self._timer = QTimer(self, interval=_TICK_MS)
+        self._timer.timeout.connect(self._tick)
+        self.reported.connect(self._pass_on, Qt.ConnectionType.QueuedConnection)
+        self.ended.connect(self._end, Qt.ConnectionType.QueuedConnection)
+
+    def take(self, task: Task) -> None:
+        """Keep a task that is about to begin."""
+        if not self.running:
+            self._collects = gc.isenabled()
+            gc.disable()
+            self._count_before = gc.get_count()[2]
+            self._timer.start()
+        self.running.add(task)
+
+    def _pass_on(self, task: Task, share: float, word: str) -> None:
+        if task.told is not None and not task.is_stopped:
+            task.told(share, word)
+
+    def _end(self, task: Task) -> None:
+        if task not in self.running:
+            return
+        task.thread.join()  # it has a few steps to go after its signal
+        task.after = None
+        self.running.discard(task)
+        if not self.running:
+            self._timer.stop()
+            if self._collects:
+                gc.enable()
+        task.then(task)
+
+    def _tick(self) -> None:
+        if self._collects:
+            self._collect()
+        for task in tuple(self.running):
+            task.end_overdue()
+            if not task.thread.is_alive():  # one that was ended from outside sends no signal
+                self._end(task)
+
+    def _collect(self) -> None:
+        """Collect the oldest generation that is due."""
+        young, middle, oldest = gc.get_count()
+        self._count_before = min(self._count_before, oldest)
+        counts, thresholds = (young, middle, oldest - self._count_before), gc.get_threshold()
+        for generation in (2, 1, 0):
+            if 0 < thresholds[generation] < counts[generation]:
+                gc.collect(generation)
+                return
+
+
+_keepers: list[_Keeper] = []
+
+
+def _keeper() -> _Keeper:
+    """Return the one keeper, made with the first task; with the application it goes, and is made anew."""
+    if not _keepers or not isValid(_keepers[0]):
+        _keepers[:] = [_Keeper()]
+    return _keepers[0]
+
+
+def stopped_tasks() -> list[Task]:
+    """Return the tasks that were taken back and have not noticed yet."""
+    return [task for keeper in _keepers for task in keeper.running if task.is_stopped]

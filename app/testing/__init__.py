@@ -1,0 +1,30 @@
+"""A driver for pytest-qt: real mouse and key events on a real window, and the waiting that goes with them.
+
+A stranger's ``conftest.py`` needs three lines::
+
+    @pytest.fixture
+    def editor(qtbot):
+        return Editor(qtbot)
+
+and a test reads as what a person does::
+
+    def test_dragging_moves_the_point(editor):
+        editor.new()
+        editor.add_point(0, 0)
+        editor.add_point(2, 1)
+        editor.drag_point(1, to=(3, 2))
+        assert editor.point(1) == pytest.approx((3, 2), abs=editor.pixel)
+
+It does what a person can do, and raises `ImpossibleError`, with the reason, where there is no such thing: an
+action is disabled, a panel is hidden, a place lies outside the plot or under something, a dialog waits.
+
+- ``editor``: one window with all that can be done in it.
+- ``input_driver``: mouse, wheel and keys as events.
+- ``reach``: which of them a person could send.
+"""
+
+from app.testing.editor import Editor
+from app.testing.input_driver import InputDriver, spin, wait_for_rest
+from app.testing.reach import ImpossibleError
+
+__all__ = ["Editor", "ImpossibleError", "InputDriver", "spin", "wait_for_rest"]

@@ -1,0 +1,333 @@
+"""One window of the editor, driven by real events."""
+
+from __future__ import annotations
+
+import os
+import time
+from collections.abc import Callable, Sequence
+from pathlib import Path
+from typing import Protocol
+
+from PySide6.QtCore import QEvent, Qt
+from PySide6.QtGui import QAction, QGuiApplication, QImage
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QDockWidget, QWidget
+
+from app.display import has_display
+from app.document.model import Curve, ParametrizationKind, Vector
+from app.families import FAMILIES, Family
+from app.main_window import MainWindow
+from app.panels.command_palette import CommandPalette
+from app.panels.curve_list_view import Spot, spot_rect
+from app.panels.file_bar import FileBar
+from app.preferences import Preferences
+from app.session import Session
+from app.testing.input_driver import InputDriver, spin
+from app.testing.reach import require_enabled, require_reachable, require_under_mouse
+from app.view_model.handles import Handle
+
+_NO_KEYS = Qt.KeyboardModifier.NoModifier
+_LEFT = Qt.MouseButton.LeftButton
+
+
+if not has_display():
+    # Where there is no display Qt would end the test run; it reads this when the application is made.
+    os.environ["QT_QPA_PLATFORM"] = "offscreen"
+
+
+class QtBot(Protocol):
+    """What the driver needs of pytest-qt's ``qtbot``."""
+
+    def addWidget(  # noqa: N802
+        self, widget: QWidget, *, before_close_func: Callable[[QWidget], None] | None = None
+    ) -> None:
+        """Close `widget` after the test."""
+
+    def waitExposed(self, widget: QWidget) -> object:  # noqa: N802
+        """Wait until the window is shown."""
+
+
+class Editor(InputDriver):
+    """One window of the editor, driven by real events.
+
+    Parameters
+    ----------
+    qtbot
+        pytest-qt's fixture.
+    session
+        What to edit; by default a new session with the sketch of the first start.
+    preferences
+        Where settings are kept; by default the user's (redirect them in your tests).
+    size
+        Size of the window in pixels.
+
+    Attributes
+    ----------
+    session, window
+        The objects that ``curvebench`` opens.
+    """
+
+    def __init__(
+        self,
+        qtbot: QtBot,
+        session: Session | None = None,
+        preferences: Preferences | None = None,
+        size: tuple[int, int] = (1200, 800),
+    ) -> None:
+        self.session = session or Session()
+        self.window = MainWindow(self.session, preferences)
+        qtbot.addWidget(self.window, before_close_func=lambda _window: self._discard_changes())
+        self.window.resize(*size)
+        with qtbot.waitExposed(self.window):  # type: ignore[attr-defined]
+            self.window.show()
+        self.fit()
+
+    @classmethod
+    def on(cls, window: MainWindow) -> Editor:
+        """Return a driver of a window that is open already, in a program that runs without pytest."""
+        editor = cls.__new__(cls)
+        editor.session, editor.window = window.session, window
+        return editor
+
+    def _discard_changes(self) -> None:
+        # Else closing asks whether to save, and the test run waits for an answer.
+        self.window.asks_before_closing = False
+        self.session.give_up_changes()
+
+    # What is there
+
+    @property
+    def curve(self) -> Curve:
+        """The active curve of the document."""
+        return self.session.active_curve
+
+    def point(self, index: int) -> Vector:
+        """Return the position of a point."""
+        return self.curve.nodes[index].position
+
+    @property
+    def parameters(self) -> list[float]:
+        """The parameters t_i in force."""
+        return [float(t) for t in self.session.active_view.parameters]
+
+    @property
+    def pixel(self) -> float:
+        """The size of a pixel of the canvas in the plane: what a mouse can be expected to hit."""
+        return 1.0 / self.window.canvas.pixel_map.sx
+
+    def action(self, name: str) -> QAction:
+        """Return the action with this objectName."""
+        action = self.window.findChild(QAction, name)
+        if action is None:
+            raise LookupError(f"There is no action called {name!r}.")
+        return action
+
+    @property
+    def message(self) -> str:
+        """The sentence above the canvas; empty when there is none."""
+        return self.window.message_bar.text
+
+    @property
+    def status(self) -> str:
+        """The sentence at the left of the status line."""
+        return self.window.status_line.text
+
+    @property
+    def file_message(self) -> str:
+        """The sentence about the document's file; empty when there is none."""
+        bar = self.window.findChild(FileBar)
+        return bar.text if bar is not None else ""
+
+    # What a person does
+
+    def answer_file_message(self, action: str) -> None:
+        """Click the button that the sentence about the file offers for the action of this name."""
+        bar = self.window.findChild(FileBar)
+        if bar is None or action not in bar.offered:
+            raise LookupError(f"{action!r} is not offered; {bar.offered if bar else 'there is no line'}.")
+        require_reachable(bar.button(action))
+        QTest.mouseClick(bar.button(action), _LEFT)
+        self.settle()
+
+    def new(self) -> None:
+        """Start an empty document with the view from (−0.5, −0.5) on, adding points."""
+        self.session.give_up_changes()
+        self.trigger("newDocument")
+
+    def trigger(self, name: str) -> None:
+        """Trigger an action, as its menu or its keys would; `ImpossibleError` where it is disabled."""
+        action = self.action(name)
+        require_enabled(action)
+        action.trigger()
+        self.settle()
+
+    def fit(self) -> None:
+        """Show the whole curve."""
+        self.trigger("fitView")
+
+    def choose_family(self, family: Family | str) -> None:
+        """Switch the family, given as a record or by its name."""
+        self.trigger((FAMILIES.named(family) if isinstance(family, str) else family).action_name)
+
+    def choose_parametrization(self, kind: ParametrizationKind) -> None:
+        """Choose the rule for the parameters in the toolbar's box, by keyboard."""
+        box = self.window.parametrization_bar.box
+        require_reachable(box)
+        box.setFocus()
+        QTest.keyClick(box, Qt.Key.Key_Home)
+        for _ in range(list(ParametrizationKind).index(ParametrizationKind(kind))):
+            QTest.keyClick(box, Qt.Key.Key_Down)
+        self.settle()
+
+    def add_point(self, x: float, y: float, velocity_handle: Vector | None = None) -> None:
+        """Click with the Add tool at (x, y), or press there and drag to `velocity_handle`."""
+        self.trigger("addTool")
+        if velocity_handle is None:
+            self.click((x, y))
+        else:
+            self.drag((x, y), velocity_handle)
+        self.trigger("selectTool")
+
+    def select_point(self, index: int) -> None:
+        """Click on a point."""
+        self.click(self.point(index))
+
+    def drag_point(self, index: int, to: Vector, *, keys: Qt.KeyboardModifier = _NO_KEYS) -> None:
+        """Drag a point."""
+        self.drag(self.point(index), to, keys=keys)
+
+    def handle(self, kind: int = 1, *, ahead: bool = True) -> Handle:
+        """Return a handle of the selected point: kind 1 velocity, 2 acceleration."""
+        for handle in self.window.canvas.handles:
+            if handle.kind == kind and handle.ahead == ahead:
+                return handle
+        raise LookupError("The selected point has no such handle.")
+
+    def drag_handle(self, to: Vector, kind: int = 1, *, ahead: bool = True) -> None:
+        """Drag a handle of the selected point."""
+        self.drag(self.handle(kind, ahead=ahead).position, to)
+
+    def bend(self, t: float, to: Vector, *, keys: Qt.KeyboardModifier = _NO_KEYS) -> None:
+        """Grab the curve at `t` and drag it."""
+        assert self.session.active_view.curve is not None
+        x, y = self.session.active_view.curve.evaluate(t)
+        self.drag((float(x), float(y)), to, keys=keys)
+
+    def grip(self, x: int = 0, y: int = 0) -> Vector:
+        """Return where a grip of the box around the selection lies: x, y in −1, 0, 1; 0, 0 rotates."""
+        canvas = self.window.canvas
+        if canvas.overlay.box is None:
+            raise LookupError("No box is shown; it takes two selected points.")
+        for each, place in canvas.overlay.box.grips(canvas.pixel_map.sx):
+            if each.rotates if (x, y) == (0, 0) else (each.x, each.y, each.rotates) == (x, y, False):
+                return place
+        raise LookupError("The box has no such grip.")
+
+    def type_amount(self, text: str) -> None:
+        """Type into the transform that G, S or R began."""
+        require_reachable(self.window.canvas)
+        QTest.keyClicks(self.window.canvas, text)
+        self.settle()
+
+    def drag_parameter(self, index: int, to: float, *, keys: Qt.KeyboardModifier = _NO_KEYS) -> None:
+        """Drag the tick of point `index` along the t-rail."""
+        panel = self.window.basis_panel
+        start = panel.rail_pixel(self.parameters[index])
+        self.drag_pixels(panel, start, panel.rail_pixel(to), keys=keys)
+
+    def click_parameter(self, index: int, *, keys: Qt.KeyboardModifier = _NO_KEYS) -> None:
+        """Click on the tick of point `index`."""
+        panel = self.window.basis_panel
+        place = panel.rail_pixel(self.parameters[index])
+        self.drag_pixels(panel, place, place, keys=keys)
+
+    def type_parameter(self, index: int, text: str) -> None:
+        """Double-click on the tick of point `index`, type, and press Enter."""
+        panel = self.window.basis_panel
+        place = panel.rail_pixel(self.parameters[index])
+        self.click_parameter(index)
+        self.send(panel, QEvent.Type.MouseButtonDblClick, place)
+        self.send(panel, QEvent.Type.MouseButtonRelease, place, held=False)
+        line = panel.tick_edit.line
+        line.selectAll()
+        QTest.keyClicks(line, text)
+        QTest.keyClick(line, Qt.Key.Key_Return)
+        self.settle()
+
+    def find_command(self, text: str) -> list[str]:
+        """Open the command palette, type, and return the names it finds, best first; it stays open."""
+        built = self.window.findChild(CommandPalette)
+        if built is None or not built.isVisible():
+            self.trigger("commandPalette")
+        palette = self._palette()
+        palette.search.clear()
+        QTest.keyClicks(palette.search, text)
+        self.settle()
+        return palette.found
+
+    def run_command(self, text: str) -> None:
+        """Do what the command palette finds first."""
+        self.find_command(text)
+        QTest.keyClick(self._palette().search, Qt.Key.Key_Return)
+        self.settle()
+
+    def _palette(self) -> CommandPalette:
+        palette = self.window.findChild(CommandPalette)
+        assert palette is not None
+        return palette
+
+    def scrub(self, t: float) -> None:
+        """Drag the scrub line to t."""
+        panel = self.window.basis_panel
+        start, _ = self.session.active_view.parameters[[0, -1]]
+        height = 0.5
+        self.drag_pixels(panel, panel.to_pixel(start, height), panel.to_pixel(t, height))
+
+    def click_in_list(self, row: int, spot: Spot = Spot.NAME) -> None:
+        """Click a part of a row in the list of curves; `row` is the curve's place in the document."""
+        self.show_dock("curvesDock")
+        view = self.window.curve_list.view
+        place = spot_rect(view.row_rect(row), spot).center()
+        require_under_mouse(view.viewport(), place)
+        QTest.mouseClick(view.viewport(), _LEFT, pos=place)
+        self.settle()
+
+    def show_dock(self, name: str) -> None:
+        """Bring the dock with this objectName to the front."""
+        dock = self.window.findChild(QDockWidget, name)
+        if dock is None:
+            raise LookupError(f"There is no dock called {name!r}.")
+        dock.show()
+        dock.raise_()
+        self.settle()
+
+    def type_text(self, widget: QWidget, text: str) -> None:
+        """Type into a widget."""
+        require_reachable(widget)
+        QTest.keyClicks(widget, text)
+
+    def wait_for_work(self, seconds: float = 30.0) -> None:
+        """Wait until nothing is read or written beside the window."""
+        deadline = time.monotonic() + seconds
+        while self.window.jobs.is_busy:
+            if time.monotonic() > deadline:
+                raise TimeoutError(f"{self.window.jobs.title} takes longer than {seconds:g} s.")
+            spin(5)
+        self.settle()
+
+    def screenshot(self, path: str | Path | None = None) -> QImage:
+        """Return a picture of the window, and write it to `path` if one is given."""
+        self.settle()
+        image = self.window.grab().toImage()
+        if path is not None:
+            image.save(str(path))
+        return image
+
+    def paste_text(self, text: str) -> None:
+        """Put text on the clipboard."""
+        QGuiApplication.clipboard().setText(text)
+
+    def select(self, indices: Sequence[int]) -> None:
+        """Select points."""
+        self.session.select(indices)
+        self.settle()

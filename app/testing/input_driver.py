@@ -1,0 +1,226 @@
+"""Mouse, wheel and keys on the canvas of a window, as real events."""
+
+from __future__ import annotations
+
+import time
+
+from PySide6.QtCore import QEvent, QEventLoop, QPoint, QPointF, Qt, QTimer
+from PySide6.QtGui import QContextMenuEvent, QGuiApplication, QMouseEvent, QWheelEvent
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QApplication, QMenu, QWidget
+
+from app.document.model import Vector
+from app.main_window import MainWindow
+from app.plotting.plot_widget import PlotWidget
+from app.testing.reach import require_enabled, require_reachable, require_under_mouse
+
+_STEPS = 6
+_NO_KEYS = Qt.KeyboardModifier.NoModifier
+_LEFT = Qt.MouseButton.LeftButton
+_SHORT_MS = 300
+
+
+def wait_for_rest(widget: QWidget, seconds: float = 10.0, *, up_to_ms: int = _SHORT_MS) -> None:
+    """Wait until what follows the hand at a pace of its own has caught up: numbers, panels, the table, discs.
+
+    What has a slower pace than `up_to_ms` is not waited for.
+
+    Raises
+    ------
+    TimeoutError
+        If it does not within so many seconds.
+    """
+
+    def is_busy() -> bool:
+        # Asked anew each time: a timer may go with the widget that it belongs to.
+        timers = widget.findChildren(QTimer)
+        return any(
+            timer.isSingleShot() and timer.isActive() and timer.interval() <= up_to_ms for timer in timers
+        )
+
+    deadline = time.monotonic() + seconds
+    while is_busy():
+        if time.monotonic() > deadline:
+            raise TimeoutError(f"The window does not come to rest within {seconds:g} s.")
+        spin(5)
+
+
+def spin(milliseconds: int) -> None:
+    """Let the window's events come and go for a while, and what is computed beside it get on.
+
+    QTest.qWait keeps the interpreter to itself while it waits.
+    """
+    loop = QEventLoop()
+    QTimer.singleShot(milliseconds, loop, loop.quit)
+    loop.exec()
+
+
+class InputDriver:
+    """Moves the mouse over a window and presses keys."""
+
+    window: MainWindow
+
+    def click(self, at: Vector, *, keys: Qt.KeyboardModifier = _NO_KEYS) -> None:
+        """Click on the canvas."""
+        self.press(at, keys=keys)
+        self.release(at, keys=keys)
+
+    def drag(self, start: Vector, to: Vector, *, keys: Qt.KeyboardModifier = _NO_KEYS) -> None:
+        """Press at `start`, move and release at `to`, on the canvas."""
+        canvas = self.window.canvas
+        self.drag_pixels(canvas, canvas.to_pixel(*start), canvas.to_pixel(*to), keys=keys)
+
+    def press(self, at: Vector, *, keys: Qt.KeyboardModifier = _NO_KEYS) -> None:
+        """Move to a place on the canvas and press the left button."""
+        canvas = self.window.canvas
+        self.send(canvas, QEvent.Type.MouseMove, canvas.to_pixel(*at), held=False, keys=keys)
+        self.send(canvas, QEvent.Type.MouseButtonPress, canvas.to_pixel(*at), keys=keys)
+        self.settle()
+
+    def move(self, to: Vector, *, held: bool = True, keys: Qt.KeyboardModifier = _NO_KEYS) -> None:
+        """Move to a place on the canvas."""
+        canvas = self.window.canvas
+        self.send(canvas, QEvent.Type.MouseMove, canvas.to_pixel(*to), held=held, keys=keys)
+        self.settle()
+
+    def release(self, at: Vector, *, keys: Qt.KeyboardModifier = _NO_KEYS) -> None:
+        """Release the left button on the canvas."""
+        canvas = self.window.canvas
+        self.send(canvas, QEvent.Type.MouseButtonRelease, canvas.to_pixel(*at), held=False, keys=keys)
+        self.settle()
+
+    def hover(self, at: Vector) -> None:
+        """Move over the canvas with no button down."""
+        self.move(at, held=False)
+
+    def key(self, key: Qt.Key, keys: Qt.KeyboardModifier = _NO_KEYS) -> None:
+        """Press a key with the canvas in focus."""
+        require_reachable(self.window.canvas)
+        self.window.canvas.setFocus()
+        QTest.keyClick(self.window.canvas, key, keys)
+        self.settle()
+
+    def hold_space(self) -> None:
+        """Press Space over the canvas: a drag pans."""
+        require_reachable(self.window.canvas)
+        self.window.canvas.setFocus()
+        QTest.keyPress(self.window.canvas, Qt.Key.Key_Space)
+
+    def release_space(self) -> None:
+        """Release Space."""
+        QTest.keyRelease(self.window.canvas, Qt.Key.Key_Space)
+
+    def escape(self) -> None:
+        """Press Escape."""
+        self.key(Qt.Key.Key_Escape)
+
+    def wheel(self, at: Vector, notches: int) -> None:
+        """Turn the wheel on the canvas."""
+        canvas = self.window.canvas
+        place = QPointF(canvas.to_pixel(*at))
+        require_under_mouse(canvas.viewport(), place)
+        event = QWheelEvent(
+            place,
+            canvas.viewport().mapToGlobal(place),
+            QPoint(),
+            QPoint(0, 120 * notches),
+            Qt.MouseButton.NoButton,
+            _NO_KEYS,
+            Qt.ScrollPhase.NoScrollPhase,
+            False,
+        )
+        QApplication.sendEvent(canvas.viewport(), event)
+        self.settle()
+
+    def drag_pixels(
+        self,
+        plot: PlotWidget,
+        start: QPoint | QPointF,
+        to: QPoint | QPointF,
+        *,
+        keys: Qt.KeyboardModifier = _NO_KEYS,
+        button: Qt.MouseButton = _LEFT,
+    ) -> None:
+        """Drag between two pixels of a plot's viewport."""
+        start, to = QPointF(start), QPointF(to)
+        self.send(plot, QEvent.Type.MouseMove, start, held=False, keys=keys)
+        self.send(plot, QEvent.Type.MouseButtonPress, start, keys=keys, button=button)
+        for step in range(1, _STEPS + 1):
+            between = start + (to - start) * (step / _STEPS)
+            self.send(plot, QEvent.Type.MouseMove, between, keys=keys, button=button)
+        self.send(plot, QEvent.Type.MouseButtonRelease, to, held=False, keys=keys, button=button)
+        self.settle()
+
+    def send(
+        self,
+        plot: PlotWidget,
+        kind: QEvent.Type,
+        pixel: QPoint | QPointF,
+        *,
+        held: bool = True,
+        keys: Qt.KeyboardModifier = _NO_KEYS,
+        button: Qt.MouseButton = _LEFT,
+    ) -> None:
+        """Send one mouse event to a plot's viewport.
+
+        With a button held the mouse may leave the plot, as it may leave it before the release.
+        """
+        place = QPointF(pixel)
+        if kind == QEvent.Type.MouseButtonRelease or (kind == QEvent.Type.MouseMove and held):
+            require_reachable(plot.viewport())
+        else:
+            require_under_mouse(plot.viewport(), place)
+        nothing = Qt.MouseButton.NoButton
+        event = QMouseEvent(
+            kind,
+            place,
+            plot.viewport().mapToGlobal(place),
+            nothing if kind == QEvent.Type.MouseMove else button,
+            button if held else nothing,
+            keys,
+        )
+        QApplication.sendEvent(plot.viewport(), event)
+
+    def open_menu(self, at: Vector) -> QMenu:
+        """Press the right button on the canvas and return the menu that opens."""
+        canvas = self.window.canvas
+        pixel = canvas.to_pixel(*at)
+        self.send(canvas, QEvent.Type.MouseButtonPress, pixel, button=Qt.MouseButton.RightButton)
+        return self._menu_from(canvas.viewport(), QContextMenuEvent.Reason.Mouse, pixel)
+
+    def press_menu_key(self) -> QMenu:
+        """Press the Menu key with the canvas in focus and return the menu that opens."""
+        return self._menu_from(self.window.canvas, QContextMenuEvent.Reason.Keyboard, QPoint())
+
+    def _menu_from(self, widget: QWidget, reason: QContextMenuEvent.Reason, pixel: QPoint) -> QMenu:
+        require_reachable(widget)
+        QApplication.sendEvent(widget, QContextMenuEvent(reason, pixel, widget.mapToGlobal(pixel)))
+        self.settle()
+        return self.menu()
+
+    def menu(self) -> QMenu:
+        """Return the menu that is open."""
+        menu = QApplication.activePopupWidget()
+        if not isinstance(menu, QMenu):
+            raise LookupError("There is no menu open.")
+        return menu
+
+    def choose(self, name: str) -> None:
+        """Click the entry of the open menu that has this objectName."""
+        menu = self.menu()
+        entry = next((each for each in menu.actions() if each.objectName() == name), None)
+        if entry is None:
+            raise LookupError(f"There is no entry called {name!r} in the menu.")
+        require_enabled(entry)
+        QTest.mouseClick(menu, _LEFT, pos=menu.actionGeometry(entry).center())
+        self.settle()
+
+    def settle(self) -> None:
+        """Let Qt deliver what is pending and paint."""
+        for _ in range(2):
+            QGuiApplication.processEvents()
+
+    def wait_for_rest(self, *, up_to_ms: int = _SHORT_MS) -> None:
+        """Wait until numbers, panels and the table have followed the hand: those of this pace or quicker."""
+        wait_for_rest(self.window, up_to_ms=up_to_ms)
+        self.settle()

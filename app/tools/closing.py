@@ -1,0 +1,33 @@
+"""The pen on the first point of an open curve: a click there closes the curve."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from app.document.edits import LEAST_TO_CLOSE, EditError
+from app.tools.machine import Host
+from app.tools.pointer import Hit, Part
+from app.view_model.appending import closed_by_pen
+from app.view_model.curve_view import CurveView
+
+
+def can_end_at(hit: Hit | None, view: CurveView) -> bool:
+    """Whether the curve might end at what is hit: its first point, and there are others to go around."""
+    curve = view.source
+    is_first = hit is not None and hit.part is Part.POINT and hit.index == 0
+    return is_first and not curve.is_closed and len(curve.nodes) >= LEAST_TO_CLOSE
+
+
+def closer(host: Host) -> Callable[[], None]:
+    """Return what closes the curve that is edited, or says why it cannot be closed."""
+
+    def close() -> None:
+        view = host.active_view
+        try:
+            closed = closed_by_pen(host.document, host.active_index, view)
+        except EditError as reason:
+            host.refuse(str(reason))
+            return
+        host.commit(closed, f"Close {view.source.name}")
+
+    return close

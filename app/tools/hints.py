@@ -1,0 +1,108 @@
+"""What a press would do, and what a modifier would change, in words."""
+
+from __future__ import annotations
+
+from app.document.several_curves import NodeGroup
+from app.tools import words
+from app.tools.bend_drag import bend_keys
+from app.tools.closing import can_end_at
+from app.tools.drags import what_handle_sets
+from app.tools.pen_drags import PenAct, pen_act
+from app.tools.pointer import Cursor, Hint, Hit, Part
+from app.tools.transform_box import Grip, ScaleBox
+from app.view_model.curve_view import CurveView
+
+_ENTER = "Enter: finish the curve"
+LOCKED = "“{}” is locked; unlock it in the list of curves to change it."
+
+
+def hint_at(
+    hit: Hit | None,
+    view: CurveView,
+    selection: frozenset[int],
+    *,
+    adding: bool,
+    snaps: bool,
+    shift: bool = False,
+    finished: bool = False,
+) -> Hint:
+    """Return the hint of the Select and Add tools over what belongs to the curve edited, or beside it."""
+    act = pen_act(hit, view, shift=shift, finished=finished) if adding and is_no_part(hit) else None
+    if view.source.locked and act is not PenAct.BEGIN and (adding or hit is not None):
+        return Hint(LOCKED.format(view.source.name))
+    if hit is not None and hit.part is not Part.CURVE:
+        if finished and is_end(hit, view):
+            return Hint(f"Click to go on with this curve · Drag to move point {hit.index}", grab=True)
+        return on_part(hit, view, selection, adding=adding, snaps=snaps)
+    if act is not None:
+        return to_add(act, view, snaps=snaps)
+    if hit is not None:
+        return to_bend(hit, view)
+    return Hint("Drag to select points, Shift adds · Press P to add points · Wheel zooms · Space pans")
+
+
+def on_part(hit: Hit, view: CurveView, selection: frozenset[int], *, adding: bool, snaps: bool) -> Hint:
+    """Return the hint over a point or a handle."""
+    if adding and view.source.family.derivatives and can_end_at(hit, view):
+        return Hint("Click to close the curve · Drag to move point 0", grab=True)
+    if hit.part is Part.POINT:
+        others = len(selection) > 1 and hit.index in selection
+        what = words.points(selection) if others else f"point {hit.index}"
+        text = f"Drag to move {what} · Shift: one axis, a click toggles · Ctrl: {_snap_word(snaps)}"
+        if view.source.family.derivatives:
+            text += " · Alt: pull out its velocity"
+        return Hint(text, grab=True)
+    keys = f"Shift: steps of 15° · Alt: length only · Ctrl: {_snap_word(snaps)}"
+    return Hint(f"Drag to set the {what_handle_sets(hit, view)} · {keys}", grab=True)
+
+
+def on_grip(grip: Grip, group: NodeGroup, refusal: str) -> Hint:
+    """Return the hint over a grip of the box around a group, or why it cannot be changed."""
+    if refusal:
+        return Hint(refusal)
+    what = words.group(group)
+    if grip.rotates:
+        return Hint(f"Drag to rotate {what} · Shift: steps of 15°", cursor=grip.cursor)
+    return Hint(f"Drag to scale {what} · {ScaleBox.keys}", cursor=grip.cursor)
+
+
+def to_bend(hit: Hit, view: CurveView) -> Hint:
+    """Return the hint over the curve, selecting."""
+    keys = bend_keys(view)
+    text = f"Drag to bend the curve at t = {words.number(hit.t)}"
+    return Hint(f"{text} · {keys}" if keys else text, cursor=Cursor.MOVE)
+
+
+def to_add(act: PenAct, view: CurveView, *, snaps: bool) -> Hint:
+    """Return the hint of the Add tool, on the curve or beside it."""
+    if act is PenAct.INSERT:
+        return Hint("Click to insert a point here · Shift: add at the end")
+    keys, index = f"Ctrl: {_snap_word(snaps)}", len(view.source.nodes)
+    if act is PenAct.BEGIN:
+        return Hint(f"Click to begin another curve · Shift: add point {index} to this one · {keys}")
+    if view.source.family.derivatives:
+        drag = "Drag to set its velocity, Shift: steps of 15°"
+    else:
+        drag = "On the curve: insert between neighbours"
+    parts = (f"Click to add point {index}", _ENTER if can_finish(view) else "", drag, keys)
+    return Hint(" · ".join(part for part in parts if part))
+
+
+def can_finish(view: CurveView) -> bool:
+    """Whether there is a curve with an end, so that the pen can finish it and begin another one."""
+    return not view.source.is_closed and len(view.source.nodes) > 1
+
+
+def is_end(hit: Hit, view: CurveView) -> bool:
+    """Whether the last point of an open curve is hit."""
+    is_last = hit.part is Part.POINT and hit.index == len(view.source.nodes) - 1
+    return is_last and not view.source.is_closed
+
+
+def is_no_part(hit: Hit | None) -> bool:
+    """Whether neither a point nor a handle is hit: the curve itself, or nothing."""
+    return hit is None or hit.part is Part.CURVE
+
+
+def _snap_word(snaps: bool) -> str:
+    return "no snap" if snaps else "snap"

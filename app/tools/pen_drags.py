@@ -1,0 +1,161 @@
+"""The drags of the pen: a point appended, inserted, or the first of another curve."""
+
+from __future__ import annotations
+
+import math
+from enum import Enum, auto
+from functools import cached_property
+
+import msgspec
+from msgspec.structs import replace
+
+from app.document import edits
+from app.document.curve_edits import replace_curve
+from app.document.model import Document, Vector
+from app.tools import words
+from app.tools.drags import in_steps, pulled
+from app.tools.pointer import Hit, Part, Pointer
+from app.tools.snapping import Magnet
+from app.view_model.appending import with_point_appended
+from app.view_model.curve_view import CurveView, view_of
+from app.view_model.handles import velocity_from_handle
+from app.view_model.reshape import Reshaped, with_point_inserted
+
+
+class PenAct(Enum):
+    """What a press of the pen does where there is no point and no handle."""
+
+    APPEND = auto()
+    INSERT = auto()
+    BEGIN = auto()
+
+
+def pen_act(hit: Hit | None, view: CurveView, *, shift: bool, finished: bool = False) -> PenAct:
+    """Return what a press does: on the curve insert, beside it append; with Shift append everywhere.
+
+    A closed curve has no end to go on from, and that of a finished one is left alone: beside them another
+    curve begins.
+    """
+    if shift:
+        return PenAct.APPEND
+    if hit is not None and hit.part is Part.CURVE:
+        return PenAct.INSERT
+    return PenAct.BEGIN if view.source.is_closed or finished else PenAct.APPEND
+
+
+def _is_away(pointer: Pointer, press: Pointer) -> bool:
+    """Whether the pointer is no longer where it was pressed."""
+    (x, y), (at_x, at_y) = pointer.pixel, press.pixel
+    return max(abs(x - at_x), abs(y - at_y)) >= 3
+
+
+class AppendPoint(msgspec.Struct, frozen=True):
+    """Put a new last point at the press; dragging sets its velocity, or moves it where there is none."""
+
+    document: Document
+    curve: int
+    view: CurveView
+    press: Pointer
+    magnet: Magnet | None = None
+
+    @property
+    def name(self) -> str:
+        """The name of the step."""
+        return f"Add point {len(self.view.source.nodes)}"
+
+    @property
+    def keys(self) -> str:
+        """What each modifier key would change while it is dragged."""
+        # Where the point lies was decided at the press; only a velocity is still being set.
+        return "Shift: steps of 15°" if self.view.source.family.derivatives else "Ctrl: snap, or not"
+
+    def note_at(self, pointer: Pointer) -> str:
+        """Tell where it goes, and where its velocity points."""
+        place = self._place(pointer)
+        note = f"{self.name} at {words.vector(place)}"
+        if not self._sets_velocity(pointer):
+            return note
+        x, y = self._way(pointer, place)
+        note = f"{note}, velocity at {words.angle(math.degrees(math.atan2(y, x)))}"
+        if self.view.source.is_closed:
+            return note
+        # What will hold when the next point comes.
+        is_first = not self.view.source.nodes
+        return f"{note} · {'the handle stays here' if is_first else 'handles stay at most this long'}"
+
+    def _is_dragged(self, pointer: Pointer) -> bool:
+        return _is_away(pointer, self.press)
+
+    def _sets_velocity(self, pointer: Pointer) -> bool:
+        return self._is_dragged(pointer) and self.view.source.family.derivatives > 0
+
+    def _place(self, pointer: Pointer) -> Vector:
+        moves = self._is_dragged(pointer) and not self._sets_velocity(pointer)
+        held = self.press if pointer.ctrl == self.press.ctrl else replace(self.press, ctrl=pointer.ctrl)
+        return pulled(pointer if moves else held, self.magnet)
+
+    @staticmethod
+    def _way(pointer: Pointer, place: Vector) -> Vector:
+        """Return how far the handle is drawn out, and where to: with Shift in steps."""
+        way = (pointer.position[0] - place[0], pointer.position[1] - place[1])
+        return in_steps(way) if pointer.shift else way
+
+    def document_at(self, pointer: Pointer) -> Document:
+        """Return the document with the new point."""
+        place = self._place(pointer)
+        document = with_point_appended(self.document, self.curve, self.view, place)
+        if not self._sets_velocity(pointer):
+            return document
+        index = len(self.view.source.nodes)
+        view = view_of(document.curves[self.curve])
+        x, y = self._way(pointer, place)
+        velocity = velocity_from_handle(view, index, (place[0] + x, place[1] + y), ahead=True)
+        return edits.set_velocity(document, self.curve, index, velocity)
+
+
+class BeginCurve(AppendPoint, frozen=True):
+    """Put the first point of another curve at the press; the document has the empty curve already."""
+
+    @property
+    def name(self) -> str:
+        """The name of the step."""
+        return f"Begin {self.view.source.name}"
+
+
+class InsertPoint(msgspec.Struct, frozen=True, dict=True):
+    """Insert a point on the curve where it was pressed, the shape kept if possible; dragging moves it."""
+
+    document: Document
+    curve: int
+    view: CurveView
+    hit: Hit
+    press: Pointer
+    magnet: Magnet | None = None
+
+    @property
+    def name(self) -> str:
+        """The name of the step."""
+        return f"Insert point {self.hit.index}"
+
+    keys = "Ctrl: snap, or not"
+
+    def note_at(self, pointer: Pointer) -> str:
+        """Tell where it goes."""
+        if self._is_on_curve(pointer):
+            return f"{self.name} at t = {words.number(self.hit.t)}"
+        return f"{self.name} at {words.vector(pulled(pointer, self.magnet))}"
+
+    def _is_on_curve(self, pointer: Pointer) -> bool:
+        return not _is_away(pointer, self.press)
+
+    @cached_property
+    def on_curve(self) -> Reshaped:
+        """The curve with the point where it was pressed."""
+        return with_point_inserted(self.view, self.hit.t)
+
+    def document_at(self, pointer: Pointer) -> Document:
+        """Return the document with the new point; dragged away it takes its handles along."""
+        document = replace_curve(self.document, self.curve, self.on_curve.curve)
+        if self._is_on_curve(pointer):
+            return document
+        return edits.set_position(document, self.curve, self.hit.index, pulled(pointer, self.magnet))

@@ -1,0 +1,289 @@
+"""Snapping: what a point that is dragged or added is drawn to, and the exact place it gets there."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Collection, Sequence
+from decimal import Decimal
+from enum import StrEnum
+
+import msgspec
+import numpy as np
+
+from app.document.model import Vector
+from app.tools.pointer import Pointer
+from app.view_model.curve_view import CurveView, Floats, Integers
+from app.view_model.nearest import NearestPoint
+
+REACH = 8.0
+"""Pixels within which something snaps."""
+
+
+class SnapKind(StrEnum):
+    """What can be snapped to."""
+
+    GRID = "grid"
+    POINTS = "points"
+    CURVES = "curves"
+    LEVEL = "level"
+
+
+class Snapping(msgspec.Struct, frozen=True):
+    """The person's choice: whether to snap, and to what."""
+
+    on: bool = False
+    kinds: frozenset[SnapKind] = frozenset(SnapKind)
+
+    def is_active(self, pointer: Pointer) -> bool:
+        """Whether to snap now: Ctrl turns it round."""
+        return self.on != pointer.ctrl
+
+
+class Snap(msgspec.Struct, frozen=True):
+    """What was snapped to.
+
+    Attributes
+    ----------
+    position
+        The exact place.
+    label
+        Its name, such as "point 3", "grid" (a crossing of it), "grid x" (one line), "level with point 2".
+    guides
+        The points that the place is level with or straight above; a line is drawn from each.
+    axes
+        Which coordinates were caught.
+    grid_line
+        The coordinate that a line of the grid holds, None where it is none or a crossing.
+    """
+
+    position: Vector
+    label: str
+    guides: tuple[Vector, ...] = ()
+    axes: tuple[int, ...] = (0, 1)
+    grid_line: int | None = None
+
+
+class _Points(msgspec.Struct, frozen=True, eq=False):
+    """Points of one curve, (k, 2), with their numbers; `of` names the curve if it is another."""
+
+    positions: Floats
+    numbers: Integers
+    of: str = ""
+
+    def nearest(self, position: Vector, reach: float) -> tuple[float, Snap] | None:
+        """Return the distance of the nearest point and a snap to it, None beyond `reach`."""
+        if not len(self.positions):
+            return None
+        distances = np.hypot(*(self.positions - position).T)
+        best = int(np.argmin(distances))
+        if distances[best] > reach:
+            return None
+        x, y = self.positions[best].tolist()
+        return float(distances[best]), Snap((x, y), _name(int(self.numbers[best]), self.of))
+
+
+class _Line(msgspec.Struct, frozen=True):
+    """A coordinate to snap to."""
+
+    value: float
+    label: str
+    guide: Vector | None = None
+
+    @property
+    def is_grid(self) -> bool:
+        """Whether it is a line of the grid."""
+        return self.guide is None
+
+
+class Targets(msgspec.Struct, frozen=True):
+    """What there is to snap to, besides the grid.
+
+    Attributes
+    ----------
+    points
+        Points of this and of other curves.
+    neighbours
+        The points whose heights and verticals count, with their names.
+    curves
+        The other curves with their names.
+    """
+
+    points: tuple[_Points, ...] = ()
+    neighbours: tuple[tuple[Vector, str], ...] = ()
+    curves: tuple[tuple[NearestPoint, str], ...] = ()
+
+
+def targets_of(
+    views: Sequence[CurveView], active: int, moving: Collection[int], place: int, kinds: Collection[SnapKind]
+) -> Targets:
+    """Collect what a point of the active curve can snap to.
+
+    Parameters
+    ----------
+    views, active
+        The curves, and which of them is edited.
+    moving
+        Its nodes that move along and are nothing to snap to.
+    place
+        The index of the point that is drawn or about to be added; −1 for what has no neighbours.
+    kinds
+        The kinds wanted; what is not wanted costs nothing.
+    """
+    own = views[active]
+    beside = _neighbours(own, moving, place)
+    others = [view for index, view in enumerate(views) if index != active and view.source.visible]
+    points, curves = [], []
+    if SnapKind.POINTS in kinds:
+        # Not on a neighbour: two coincident points in a row have no distance to go by.
+        points = [_points(own, {*moving, *beside}), *(_points(view, (), view.source.name) for view in others)]
+    if SnapKind.CURVES in kinds:
+        curves = [(NearestPoint(view), view.source.name) for view in others]
+    level = _named(own, beside) if SnapKind.LEVEL in kinds else ()
+    return Targets(tuple(points), level, tuple(curves))
+
+
+def targets_of_handle(
+    views: Sequence[CurveView], active: int, node: int, kinds: Collection[SnapKind]
+) -> Targets:
+    """Collect what the end of a handle of `node` can snap to: level with its node it is a flat tangent."""
+    others = targets_of(views, active, (), -1, kinds)
+    own = views[active]
+    points = others.points
+    if SnapKind.POINTS in kinds:
+        # Not to its own node: a handle of no length has no direction.
+        points = (_points(own, {node}), *others.points[1:])
+    level = _named(own, [node, *_neighbours(own, (), node)]) if SnapKind.LEVEL in kinds else ()
+    return Targets(points, level, others.curves)
+
+
+def targets_of_side(
+    views: Sequence[CurveView], active: int, moving: Collection[int], kinds: Collection[SnapKind]
+) -> Targets:
+    """Collect what a side of the box around `moving` can snap to: it meets points that it is level with."""
+    points: tuple[tuple[Vector, str], ...] = ()
+    if SnapKind.POINTS in kinds:
+        for index, view in enumerate(views):
+            if index == active or view.source.visible:
+                rest = [at for at in range(len(view.points)) if index != active or at not in moving]
+                points += _named(view, rest, "" if index == active else view.source.name)
+    return Targets(neighbours=points)
+
+
+def _named(view: CurveView, indices: Sequence[int], of: str = "") -> tuple[tuple[Vector, str], ...]:
+    nodes = view.source.nodes
+    return tuple((nodes[index].position, _name(index, of)) for index in indices)
+
+
+def _name(index: int, of: str) -> str:
+    return f"point {index} of {of}" if of else f"point {index}"
+
+
+def _points(view: CurveView, without: Collection[int], of: str = "") -> _Points:
+    numbers = np.setdiff1d(np.arange(len(view.points)), np.array(sorted(without), dtype=np.intp))
+    return _Points(view.points[numbers], numbers, of)
+
+
+def _neighbours(view: CurveView, moving: Collection[int], place: int) -> list[int]:
+    if place < 0:
+        return []
+    count = len(view.source.nodes)
+    beside = [place - 1, place + 1]
+    if view.source.is_closed:
+        beside = [index % count for index in beside]
+    return [index for index in beside if 0 <= index < count and index not in moving]
+
+
+class Magnet:
+    """Draws one point to what is near; remembers what it caught.
+
+    Attributes
+    ----------
+    caught
+        What the last `pull` caught, None for nothing.
+    """
+
+    def __init__(
+        self, settings: Callable[[], Snapping], grid: Callable[[], Vector], collect: Callable[[], Targets]
+    ) -> None:
+        self._settings, self._grid, self._collect = settings, grid, collect
+        self._targets: Targets | None = None
+        self._asked: tuple[Vector, float, int | None, bool] | None = None
+        self.caught: Snap | None = None
+
+    def pull(self, position: Vector, pointer: Pointer, axis: int | None = None) -> Vector:
+        """Return where `position` snaps to, itself if nothing is near; with `axis` only along that."""
+        question = (position, pointer.scale, axis, self._settings().is_active(pointer))
+        if question != self._asked:
+            # The same move asks more than once: for the document, and for the words about it.
+            self._asked = question
+            self.caught = self._find(position, REACH / pointer.scale, axis) if question[3] else None
+        return self.caught.position if self.caught is not None else position
+
+    def release(self) -> None:
+        """Forget what was caught."""
+        self.caught = self._asked = None
+
+    def _find(self, position: Vector, reach: float, axis: int | None) -> Snap | None:
+        if self._targets is None:
+            self._targets = self._collect()
+        if axis is None:
+            found = self._on_point(position, reach) or self._on_curve(position, reach)
+            if found is not None:
+                return found
+        return self._on_lines(position, reach, (0, 1) if axis is None else (axis,))
+
+    def _on_point(self, position: Vector, reach: float) -> Snap | None:
+        assert self._targets is not None
+        found = [near for each in self._targets.points if (near := each.nearest(position, reach)) is not None]
+        return min(found, key=lambda each: each[0])[1] if found else None
+
+    def _on_curve(self, position: Vector, reach: float) -> Snap | None:
+        assert self._targets is not None
+        found = [
+            (nearest.distance, Snap(nearest.position, name))
+            for curve, name in self._targets.curves
+            if (nearest := curve.within(position, reach)) is not None
+        ]
+        return min(found, key=lambda each: each[0])[1] if found else None
+
+    def _on_lines(self, position: Vector, reach: float, axes: Sequence[int]) -> Snap | None:
+        caught = {axis: line for axis in axes if (line := self._line(position, reach, axis)) is not None}
+        if not caught:
+            return None
+        x = caught[0].value if 0 in caught else position[0]
+        y = caught[1].value if 1 in caught else position[1]
+        by_grid = [axis for axis, line in caught.items() if line.is_grid]
+        labels = [line.label for line in caught.values()]
+        if len(by_grid) == 2:
+            labels = ["grid"]
+        guides = tuple(line.guide for line in caught.values() if line.guide is not None)
+        grid_line = by_grid[0] if len(by_grid) == 1 else None
+        return Snap((x, y), " · ".join(labels), guides, tuple(caught), grid_line)
+
+    def _line(self, position: Vector, reach: float, axis: int) -> _Line | None:
+        """Return the coordinate to snap to along one axis; a neighbour's comes before the grid's."""
+        assert self._targets is not None
+        value = position[axis]
+        level = [_level(at, name, position, axis) for at, name in self._targets.neighbours]
+        grid = []
+        if SnapKind.GRID in self._settings().kinds:
+            grid = [_Line(grid_value(value, self._grid()[axis]), f"grid {'xy'[axis]}")]
+        for lines in (level, grid):
+            near = [line for line in lines if abs(line.value - value) <= reach]
+            if near:
+                return min(near, key=lambda line: abs(line.value - value))
+        return None
+
+
+def _level(at: Vector, name: str, position: Vector, axis: int) -> _Line:
+    if axis == 1:
+        return _Line(at[1], f"level with {name}", at)
+    side = "above" if position[1] >= at[1] else "below"
+    return _Line(at[0], f"straight {side} {name}", at)
+
+
+def grid_value(value: float, spacing: float) -> float:
+    """Return the multiple of `spacing` nearest to `value`, as the decimal number it is meant to be.
+
+    The third line of a grid of 0.1 lies at 0.3, not at 0.1 · 3 = 0.30000000000000004.
+    """
+    return float(round(value / spacing) * Decimal(repr(spacing)))

@@ -1,0 +1,189 @@
+"""The box around the selected points, or chosen curves: eight grips scale it, a ninth above it rotates."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+
+import msgspec
+import numpy as np
+
+from app.document.model import Document, Vector
+from app.document.several_curves import NodeGroup, mapped
+from app.document.transforms import scaling, with_coordinates
+from app.tools import words
+from app.tools.pointer import Cursor, Pointer
+from app.tools.snapping import Magnet
+from app.view_model.curve_view import CurveView
+
+PADDING = 16.0
+"""Pixels between the points and the box: the grips must not lie on the points."""
+
+_ARM = 26.0
+"""Pixels from the box to the grip that rotates."""
+
+_REACH = 8.0
+
+
+class Grip(msgspec.Struct, frozen=True):
+    """A grip: −1, 0 or 1 in each direction, or the one that rotates."""
+
+    x: int
+    y: int
+    rotates: bool = False
+
+    @property
+    def cursor(self) -> Cursor:
+        """The shape of the pointer over it."""
+        if self.rotates:
+            return Cursor.ROTATE
+        if self.x == 0 or self.y == 0:
+            return Cursor.WIDER if self.y == 0 else Cursor.HIGHER
+        return Cursor.RISING if self.x == self.y else Cursor.FALLING
+
+
+_GRIPS = tuple(Grip(x, y) for x in (-1, 0, 1) for y in (-1, 0, 1) if x or y)
+
+
+class TransformBox(msgspec.Struct, frozen=True):
+    """The bounding box of selected points, or of the points of chosen curves, without padding."""
+
+    low: Vector
+    high: Vector
+
+    @property
+    def centre(self) -> Vector:
+        """Its middle: what is turned and scaled about."""
+        return (self.low[0] / 2 + self.high[0] / 2, self.low[1] / 2 + self.high[1] / 2)
+
+    def padded(self, scale: float) -> tuple[Vector, Vector]:
+        """Return the corners as drawn, at `scale` pixels per unit."""
+        pad = PADDING / scale
+        return (self.low[0] - pad, self.low[1] - pad), (self.high[0] + pad, self.high[1] + pad)
+
+    def grips(self, scale: float) -> list[tuple[Grip, Vector]]:
+        """Return the grips and where they lie; none that would scale a side without length."""
+        low, high = self.padded(scale)
+        middle, useful = self.centre, tuple(b > a for a, b in zip(self.low, self.high, strict=True))
+        columns, rows = (low[0], middle[0], high[0]), (low[1], middle[1], high[1])
+        grips = [
+            (grip, (columns[grip.x + 1], rows[grip.y + 1]))
+            for grip in _GRIPS
+            if (useful[0] or not grip.x) and (useful[1] or not grip.y)
+        ]
+        return [*grips, (Grip(0, 1, rotates=True), (middle[0], high[1] + _ARM / scale))]
+
+    def grip_at(self, pointer: Pointer) -> Grip | None:
+        """Return the grip under the pointer."""
+        away = [
+            (math.dist(place, pointer.position) * pointer.scale, grip)
+            for grip, place in self.grips(pointer.scale)
+        ]
+        distance, grip = min(away, key=lambda each: each[0])
+        return grip if distance <= _REACH else None
+
+
+def box_of(views: Sequence[CurveView], group: NodeGroup) -> TransformBox | None:
+    """Return the box around two or more points that do not all lie in one place."""
+    parts = [views[curve].points[sorted(indices)] for curve, indices in group.parts if indices]
+    if sum(map(len, parts)) < 2:
+        return None
+    low = np.min([points.min(axis=0) for points in parts], axis=0).tolist()
+    high = np.max([points.max(axis=0) for points in parts], axis=0).tolist()
+    return TransformBox((low[0], low[1]), (high[0], high[1])) if low != high else None
+
+
+class ScaleBox(msgspec.Struct, frozen=True):
+    """Scale the selected points, or chosen curves, by a grip of their box.
+
+    What snaps, where there is a `magnet`, is the corner or the side of the box that the grip moves: it lies
+    on the outermost points, the grip beside them.
+    """
+
+    document: Document
+    group: NodeGroup
+    box: TransformBox
+    grip: Grip
+    start: Vector
+    magnet: Magnet | None = None
+
+    keys = "Shift: keep proportions · Alt: about the centre · Ctrl: snap, or not"
+
+    @property
+    def name(self) -> str:
+        """The name of the step."""
+        return f"Scale {words.group(self.group)}"
+
+    def note_at(self, pointer: Pointer) -> str:
+        """Tell the factors."""
+        x, y = self._factors(self._way(pointer), pointer)
+        return f"Scale {words.number(x)}" if x == y else f"Scale {words.number(x)} × {words.number(y)}"
+
+    def document_at(self, pointer: Pointer) -> Document:
+        """Scale about the opposite side, or about the centre with Alt."""
+        way = self._way(pointer)
+        x, y = self._factors(way, pointer)
+        document = mapped(self.document, self.group, scaling(x, y, self._fixed(pointer)))
+        caught = self.magnet.caught if self.magnet is not None else None
+        for axis in caught.axes if caught is not None else ():
+            # To the last bit where it snapped to.
+            document = self._with_side(document, axis, caught.position[axis])  # type: ignore[union-attr]
+        return document
+
+    def _with_side(self, document: Document, axis: int, value: float) -> Document:
+        side, curves = self._corner[axis], self.document.curves
+        for curve, indices in self.group.parts:
+            outermost = [index for index in indices if curves[curve].nodes[index].position[axis] == side]
+            if outermost:
+                document = with_coordinates(document, curve, dict.fromkeys(outermost, value), axis)
+        return document
+
+    @property
+    def _corner(self) -> Vector:
+        """The corner of the box that moves, or the middle of the side."""
+        middle = self.box.centre
+        return (
+            (self.box.low[0], middle[0], self.box.high[0])[self.grip.x + 1],
+            (self.box.low[1], middle[1], self.box.high[1])[self.grip.y + 1],
+        )
+
+    def _fixed(self, pointer: Pointer) -> Vector:
+        middle = self.box.centre
+        if pointer.alt:
+            return middle
+        x = (self.box.high[0], middle[0], self.box.low[0])[self.grip.x + 1]
+        y = (self.box.high[1], middle[1], self.box.low[1])[self.grip.y + 1]
+        return (x, y)
+
+    def _arm(self, pointer: Pointer) -> Vector:
+        """Return the way from what stays to what moves."""
+        corner, fixed = self._corner, self._fixed(pointer)
+        return (float(corner[0] - fixed[0]), float(corner[1] - fixed[1]))
+
+    def _way(self, pointer: Pointer) -> Vector:
+        """Return how far the corner goes, after snapping."""
+        corner, arm = self._corner, self._arm(pointer)
+        way = (pointer.position[0] - self.start[0], pointer.position[1] - self.start[1])
+        axis = None if self.grip.x and self.grip.y else 0 if self.grip.x else 1
+        if pointer.shift:
+            # As far as the way goes along the diagonal; only its longer side can snap without leaving it.
+            # By directions, not by squares: that of a tiny box is nothing to divide by.
+            length = math.hypot(*arm)
+            across, up = arm[0] / length, arm[1] / length
+            along = way[0] * across + way[1] * up
+            way, axis = (along * across, along * up), 0 if abs(arm[0]) >= abs(arm[1]) else 1
+        if self.magnet is None:
+            return way
+        x, y = self.magnet.pull((corner[0] + way[0], corner[1] + way[1]), pointer, axis)
+        return way if self.magnet.caught is None else (x - corner[0], y - corner[1])
+
+    def _factors(self, way: Vector, pointer: Pointer) -> Vector:
+        arm = self._arm(pointer)
+        if pointer.shift:
+            axis = 0 if abs(arm[0]) >= abs(arm[1]) else 1
+            factor = 1 + way[axis] / arm[axis]
+            return (factor, factor)
+        return (
+            1 + way[0] / arm[0] if arm[0] else 1.0,
+            1 + way[1] / arm[1] if arm[1] else 1.0,
+        )

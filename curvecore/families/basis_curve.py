@@ -1,0 +1,181 @@
+"""A curve of which nothing is known but its basis functions."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import ClassVar, NamedTuple, Self
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from curvecore.arrays import (
+    FloatArray,
+    integer,
+    jet_array,
+    number_array,
+    parameter_array,
+    parameter_values,
+    point_array,
+    read_only,
+)
+from curvecore.errors import CurveError
+from curvecore.families.curve import Curve
+from curvecore.families.lagrange import LagrangeCurve
+
+__all__ = ["BasisCurve", "Scheme"]
+
+_STENCIL = np.arange(-3.0, 4.0)
+_FINENESS = 24.0  # stencil steps in the distance of neighbouring parameters
+_AS_GOOD_AS_EQUAL = 1e-9
+
+
+class Scheme(NamedTuple):
+    """Basis functions as somebody writes them down.
+
+    Attributes
+    ----------
+    name : str
+        Of the family, for messages.
+    basis : callable
+        ``basis(t, parameters)``, with t (m,) and parameters (n,) ascending, returns B of shape (m, n), or
+        ``basis(t, parameters, order)`` where `has_orders`. B_i(t_j) is 1 for i = j, else 0.
+    breaks : callable, optional
+        ``breaks(parameters)``: where derivatives may jump, ascending; without it nowhere.
+    has_orders : bool, optional
+        Whether `basis` takes the order of a derivative. Without it derivatives are taken from the polynomial
+        of degree 6 through values of the functions on a fine stencil, which keeps some 9 digits of the first,
+        8 of the second and 6 of the third derivative of functions as smooth as their parameters are spaced.
+    """
+
+    name: str
+    basis: Callable[..., ArrayLike]
+    breaks: Callable[[FloatArray], ArrayLike] | None = None
+    has_orders: bool = False
+
+
+class BasisCurve(Curve):
+    """The curve sum p_i B_i(t) of any cardinal functions B_i, polynomials or not.
+
+    Parameters
+    ----------
+    points : array_like, shape (n, dim)
+        p_i = c(t_i), finite; n >= 2, dim >= 1. Copied.
+    parameters : array_like, shape (n,)
+        t_i, finite and strictly increasing. Copied.
+    scheme : Scheme, optional
+        The functions; those of the class where it has some. What they are at the parameters is checked.
+
+    Raises
+    ------
+    CurveError
+        If an argument does not have the shape or values above, or the functions are not finite, not of the
+        shape (m, n), or not 1 at their own parameter and 0 at the others.
+
+    Examples
+    --------
+    >>> hats = Scheme("hats", lambda t, x: np.stack([np.interp(t, x, e) for e in np.eye(len(x))], axis=1))
+    >>> BasisCurve([[0, 0], [2, 4], [3, 0]], [0, 1, 2], hats).evaluate(0.5)
+    array([1., 2.])
+    """
+
+    __slots__ = ("_breaks", "_scheme")
+
+    title = "Basis functions"
+
+    scheme: ClassVar[Scheme | None] = None
+    _breaks: FloatArray
+    _scheme: Scheme
+
+    def __init__(self, points: ArrayLike, parameters: ArrayLike, scheme: Scheme | None = None) -> None:
+        scheme = self.scheme if scheme is None else scheme
+        if scheme is None:
+            raise CurveError("scheme must be given: this class has no basis functions of its own")
+        data = point_array(points)
+        self._jets = read_only(data[:, None, :])
+        self._parameters = read_only(parameter_array(parameters, len(data)))
+        self._scheme = scheme
+        self._breaks = self._checked_breaks()
+        self._check_cardinal()
+
+    @property
+    def name(self) -> str:  # type: ignore[override]
+        """That of the scheme."""
+        return self._scheme.name
+
+    @property
+    def breaks(self) -> FloatArray:
+        """Where derivatives may jump, ascending, the ends included; shape (k,)."""
+        return self._breaks
+
+    def with_data(self, jets: ArrayLike, parameters: ArrayLike) -> Self:
+        """Return a curve of the same scheme with other data and other parameters; see `Curve`."""
+        return type(self)(jet_array(jets, (*np.shape(jets)[:1], 1))[:, 0], parameters, self._scheme)
+
+    def basis(self, t: ArrayLike, order: int = 0) -> FloatArray:
+        """Return all basis functions, or their derivatives with respect to t; see `Curve`."""
+        at = parameter_values(t).values
+        rank = integer(order, "order", 0)
+        if rank == 0 or self._scheme.has_orders:
+            return self._functions(at, rank)[:, :, None]
+        return self._differences(at, rank)[:, :, None]
+
+    def _functions(self, t: FloatArray, order: int) -> FloatArray:
+        scheme = self._scheme
+        arguments = (t, self._parameters, order) if scheme.has_orders else (t, self._parameters)
+        found = number_array(scheme.basis(*arguments), f"the basis of {scheme.name}")
+        shape = (len(t), len(self._parameters))
+        if found.shape != shape:
+            raise CurveError(
+                f"the basis of {scheme.name} must have the shape (m, n) = {shape}, not {found.shape}"
+            )
+        wrong = np.argwhere(~np.isfinite(found))
+        if len(wrong):
+            k, i = wrong[0].tolist()
+            raise CurveError(f"the basis of {scheme.name} is {found[k, i]} at t = {t[k]}, in function {i}")
+        return found
+
+    def _differences(self, t: FloatArray, order: int) -> FloatArray:
+        """Differentiate the polynomials through the functions at seven places around each t."""
+        joints = self._parameters
+        segment = np.clip(np.searchsorted(joints, t, side="right") - 1, 0, len(joints) - 2)
+        step = np.diff(joints)[segment] / _FINENESS
+        middle = self._inside_of_a_piece(t, 3.0 * step)
+        places = middle[:, None] + step[:, None] * _STENCIL
+        functions = self._functions(places.ravel(), 0).reshape(*places.shape, -1)
+        stencil = LagrangeCurve(np.zeros((_STENCIL.size, 1)), _STENCIL)
+        weights = stencil.basis((t - middle) / step, order)[:, :, 0]
+        with np.errstate(over="ignore", under="ignore"):
+            result: FloatArray = np.einsum("mk,mkn->mn", weights, functions) / step[:, None] ** order
+        return result
+
+    def _inside_of_a_piece(self, t: FloatArray, reach: FloatArray) -> FloatArray:
+        """Return t, moved so far that what is within `reach` lies in the same piece."""
+        piece = np.clip(np.searchsorted(self._breaks, t, side="right") - 1, 0, len(self._breaks) - 2)
+        low, high = self._breaks[piece] + reach, self._breaks[piece + 1] - reach
+        middle = 0.5 * (low + high)
+        inside = np.clip(t, np.minimum(low, middle), np.maximum(high, middle))
+        first, last = self.domain
+        return np.where((t < first) | (t > last), t, inside)
+
+    def _checked_breaks(self) -> FloatArray:
+        ends = self._parameters[[0, -1]]
+        if self._scheme.breaks is None:
+            return read_only(ends)
+        found = number_array(
+            self._scheme.breaks(self._parameters.copy()), f"the breaks of {self._scheme.name}"
+        )
+        if found.ndim != 1 or not (np.isfinite(found).all() and (np.diff(found) > 0.0).all()):
+            raise CurveError(f"the breaks of {self._scheme.name} must be finite and strictly increasing")
+        inner = found[(found > ends[0]) & (found < ends[1])]
+        return read_only(np.concatenate((ends[:1], inner, ends[1:])))
+
+    def _check_cardinal(self) -> None:
+        found = self._functions(self._parameters, 0)
+        off = np.abs(found - np.eye(len(found)))
+        j, i = np.unravel_index(int(off.argmax()), off.shape)
+        if off[j, i] > _AS_GOOD_AS_EQUAL:
+            raise CurveError(
+                f"function {i} of {self._scheme.name} must be {int(i == j)} at parameter {j}, "
+                f"t = {self._parameters[j]}, not {found[j, i]}",
+                (int(j),),
+            )

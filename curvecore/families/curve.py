@@ -1,0 +1,384 @@
+"""What every curve offers, and how all of it follows from its basis functions."""
+
+from __future__ import annotations
+
+from abc import ABC, abstractmethod
+from typing import ClassVar, NamedTuple, Self
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from curvecore.arrays import FloatArray, IntArray, integer, jet_array, parameter_values, read_only
+from curvecore.errors import CurveError
+from curvecore.families.immutable import Immutable
+from curvecore.scaling import LARGEST
+
+__all__ = ["Curve", "Interpolant", "JointDerivatives", "LocalBasis", "Slopes"]
+
+_STEP = 2.0**-13
+"""Of the distance of neighbouring parameters: by how much one is moved for a difference quotient."""
+
+
+class LocalBasis(NamedTuple):
+    """The basis functions that are not zero by construction.
+
+    Attributes
+    ----------
+    segment : ndarray of int, shape (m,)
+        Index i of the segment from joint i to joint i + 1 that holds t.
+    values : ndarray, shape (m, 2, R)
+        ``[k, 0, r]`` is B_ir(t_k) and ``[k, 1, r]`` is B_(i+1)r(t_k).
+    """
+
+    segment: IntArray
+    values: FloatArray
+
+
+class Interpolant(NamedTuple):
+    """Data that one polynomial piece of a curve interpolates: it is of the least degree that does.
+
+    Attributes
+    ----------
+    nodes : ndarray, shape (k,)
+        The piece lies between the first and the last.
+    jets : ndarray, shape (k, R, dim)
+        Its value and R - 1 derivatives there.
+    """
+
+    nodes: FloatArray
+    jets: FloatArray
+
+
+class JointDerivatives(NamedTuple):
+    """Derivatives on one side of joints, and the sizes of the terms they are sums of.
+
+    Attributes
+    ----------
+    values : ndarray, shape (k, 3, dim)
+        c, c', c''.
+    scale : ndarray, shape (k, 3)
+        What their roundings are relative to.
+    """
+
+    values: FloatArray
+    scale: FloatArray
+
+
+class Slopes(NamedTuple):
+    """Control points of derivatives with respect to the local s in [0, 1] of each piece.
+
+    Attributes
+    ----------
+    values : ndarray, shape (k, degree, dim)
+    error : ndarray, shape (k,)
+        What they may be off.
+    """
+
+    values: FloatArray
+    error: FloatArray
+
+
+class Curve(Immutable, ABC):
+    """A parametric curve that is linear in its data.
+
+    c(t) = sum over i, r of B_ir(t) d_ir, where d_i0 = p_i = c(t_i) and, for
+    the families that have them, d_i1 = c'(t_i), d_i2 = c''(t_i) and so on, all
+    per unit of t. Curves are immutable: their arrays are read-only copies.
+
+    A family says what its basis functions are, by `basis`, and where their
+    derivatives may jump, by `breaks`. All else is derived here, correct if
+    slower; families override what they know how to do faster or exactly.
+
+    Attributes
+    ----------
+    name : str
+        The family's, as files store it: of one name, one set of functions for given parameters.
+    title : str
+        The family's, as people read it.
+    derivatives : int
+        How many derivatives belong to each point: R - 1.
+    can_close : bool
+        Whether a last segment may lead back to the first point as smoothly as all others.
+    is_local : bool
+        Whether B_ir is 0 outside of the two segments that meet at t_i; then there is a `local_basis`.
+    is_one_polynomial : bool
+        Whether it is the polynomial of degree n - 1 through its n points.
+    """
+
+    __slots__ = ("_jets", "_parameters")
+
+    name: ClassVar[str]
+    title: ClassVar[str]
+    derivatives: ClassVar[int] = 0
+    can_close: ClassVar[bool] = False
+    is_local: ClassVar[bool] = False
+    is_one_polynomial: ClassVar[bool] = False
+
+    _jets: FloatArray
+    _parameters: FloatArray
+
+    # What a family says
+
+    @abstractmethod
+    def basis(self, t: ArrayLike, order: int = 0) -> FloatArray:
+        """Return all basis functions, or their derivatives with respect to t.
+
+        Parameters
+        ----------
+        t : float or array_like, shape (m,)
+            Finite, inside the domain or not; a scalar counts as m = 1. At a break the piece to the right
+            counts.
+        order : int, optional
+            Order of the derivative, at least 0.
+
+        Returns
+        -------
+        ndarray, shape (m, n, R)
+            ``[k, i, r]`` is B_ir at t_k.
+        """
+
+    @property
+    def breaks(self) -> FloatArray:
+        """Where derivatives may jump, ascending, the ends included; shape (k,)."""
+        return self._parameters[[0, -1]]
+
+    # What the data are
+
+    @property
+    def points(self) -> FloatArray:
+        """The points p_i, shape (n, dim)."""
+        return self.jets[:, 0]
+
+    @property
+    def parameters(self) -> FloatArray:
+        """The parameters t_i, shape (n,), strictly increasing."""
+        return self._parameters
+
+    @property
+    def jets(self) -> FloatArray:
+        """The data d_ir, shape (n, R, dim)."""
+        return self._jets
+
+    @property
+    def domain(self) -> tuple[float, float]:
+        """The first and the last parameter."""
+        return float(self._parameters[0]), float(self._parameters[-1])
+
+    @property
+    def degree(self) -> int | None:
+        """The degree of the polynomial, or of each polynomial piece; None where they are none."""
+        return None
+
+    @property
+    def pieces(self) -> tuple[Curve, ...]:
+        """The curves that this one is a chain of: itself, unless it is a `Chain`."""
+        return (self,)
+
+    @property
+    def row_of_parameter(self) -> IntArray:
+        """For each row of `jets` the index of its parameter; a `Chain` has two rows at its inner ends."""
+        rows = np.arange(len(self._parameters))
+        rows.setflags(write=False)
+        return rows
+
+    @classmethod
+    def from_jets(cls, jets: ArrayLike, parameters: ArrayLike) -> Self:
+        """Return a curve of this family.
+
+        Parameters
+        ----------
+        jets : array_like, shape (n, R, dim)
+            Finite numbers; n >= 2.
+        parameters : array_like, shape (n,)
+            Finite and strictly increasing.
+        """
+        data = jet_array(jets, (len(np.asarray(jets)), cls.derivatives + 1))
+        return cls(*data.swapaxes(0, 1), parameters)  # type: ignore[call-arg]
+
+    def with_data(self, jets: ArrayLike, parameters: ArrayLike) -> Self:
+        """Return a curve of the same family with other data and parameters, as many as there may be."""
+        return self.from_jets(jets, parameters)
+
+    def with_jets(self, jets: ArrayLike) -> Self:
+        """Return the curve with the same parameters and other data.
+
+        Parameters
+        ----------
+        jets : array_like, shape (n, R, dim)
+            Finite numbers.
+
+        Returns
+        -------
+        same type as the curve
+            The parameters are neither copied nor checked again.
+        """
+        curve = object.__new__(type(self))
+        for name in (name for each in type(self).__mro__ for name in getattr(each, "__slots__", ())):
+            setattr(curve, name, None if name in self._caches else getattr(self, name))
+        curve._jets = read_only(jet_array(jets, self._jets.shape[:2]))
+        return curve
+
+    # What follows from the basis
+
+    def evaluate(self, t: ArrayLike, order: int = 0) -> FloatArray:
+        """Return the curve, or a derivative with respect to t.
+
+        Parameters
+        ----------
+        t : float or array_like, shape (m,)
+            As for `basis`.
+        order : int, optional
+            Order of the derivative, at least 0.
+
+        Returns
+        -------
+        ndarray, shape (dim,) or (m, dim)
+            At a parameter t_i and order 0 exactly p_i.
+
+        Raises
+        ------
+        CurveError
+            If t is not finite or has another shape, or order is negative.
+        """
+        at = parameter_values(t)
+        rank = integer(order, "order", 0)
+        basis = self.basis(at.values, rank)
+        with np.errstate(over="ignore", under="ignore", invalid="ignore"):
+            data = self.jets.reshape(-1, self.jets.shape[2])
+            curve = basis.reshape(len(basis), len(data)) @ data
+        if not np.isfinite(curve).all():
+            np.nan_to_num(curve, copy=False, nan=LARGEST)
+        if rank == 0:
+            joint = np.minimum(np.searchsorted(self._parameters, at.values), len(self._parameters) - 1)
+            hit = at.values == self._parameters[joint]
+            curve[hit] = self.points[joint[hit]]
+        return curve[0] if at.is_scalar else curve
+
+    def derivatives_at(self, t: FloatArray, orders: tuple[int, ...]) -> list[FloatArray]:
+        """Return derivatives of several orders at many places, where that takes less than one by one.
+
+        Parameters
+        ----------
+        t : ndarray, shape (m,)
+            Finite.
+        orders : tuple of int
+            Each at least 0.
+
+        Returns
+        -------
+        list of ndarray, shape (m, dim)
+            As from `evaluate`; a family says by how much they may be less accurate.
+        """
+        return [self.evaluate(t, order) for order in orders]
+
+    def local_basis(self, t: ArrayLike, order: int = 0) -> LocalBasis:
+        """Return the basis functions that live on each t's segment, where `is_local`.
+
+        Raises
+        ------
+        CurveError
+            If the family's functions reach further.
+        """
+        raise CurveError("curve must be of a family whose functions are local")
+
+    def support(self, index: int) -> tuple[float, float]:
+        """Return the interval outside of which all B_ir of point `index` are 0, as far as that is known."""
+        if not self.is_local:
+            return self.domain
+        t = self._parameters
+        return float(t[max(index - 1, 0)]), float(t[min(index + 1, len(t) - 1)])
+
+    @property
+    def is_positive(self) -> bool:
+        """Whether no B_i0 is negative in the domain; they add up to 1, so that no error grows there."""
+        return False
+
+    # Polynomial pieces
+
+    def bezier_pieces(self) -> FloatArray | None:
+        """Return the Bezier control points of the pieces between `breaks`, shape (k - 1, degree + 1, dim).
+
+        None where the pieces are no polynomials, or one of a degree as high as the number of points: its
+        control points are of no use to draw it (see `lagrange_to_bezier`).
+        """
+        return None
+
+    def bezier_slopes(self, exponent: int) -> Slopes | None:
+        """Return the control points of the derivatives of `bezier_pieces` times 2**-exponent, from the data.
+
+        They do not depend on how far away the origin is. None where they are not known better than as
+        differences of the control points.
+        """
+        return None
+
+    def interpolants(self) -> list[Interpolant] | None:
+        """Return what each polynomial piece between `breaks` interpolates.
+
+        It is what exact arithmetic needs to know of a curve. None where that is not known.
+        """
+        return None
+
+    # Sides of joints, and changes of the parameters
+
+    def joint_derivatives(self, *, before: bool) -> JointDerivatives:
+        """Return c, c', c'' at the ends of all segments: before t_1, ..., or after t_0, ..., t_(n-2)."""
+        t = self._parameters[1:] if before else self._parameters[:-1]
+        if before:
+            t = np.where(np.isin(t, self.breaks), np.nextafter(t, -np.inf), t)
+        values, scale = [], []
+        for order in range(3):
+            basis = self.basis(t, order).reshape(len(t), -1)
+            data = self.jets.reshape(basis.shape[1], -1)
+            values.append(basis @ data)
+            scale.append((np.abs(basis) @ np.abs(data)).max(axis=1))
+        values[0] = self.points[1:] if before else self.points[:-1]
+        return JointDerivatives(np.stack(values, axis=1), np.stack(scale, axis=1))
+
+    def parameter_derivatives(self, t: ArrayLike) -> FloatArray:
+        """Return dc(t)/dt_i at fixed t and data, for all i.
+
+        Parameters
+        ----------
+        t : float or array_like, shape (m,)
+            A scalar counts as m = 1.
+
+        Returns
+        -------
+        ndarray, shape (m, n, dim)
+            Per unit of t. Here by differences of curves with moved parameters, to some nine digits; the
+            ends are moved outwards only, for a basis may end where they are.
+        """
+        at = parameter_values(t).values
+        moves = [self._moved_by(at, index) for index in range(len(self._parameters))]
+        return np.stack(moves, axis=1)
+
+    def parameter_derivative(self, index: int, t: ArrayLike) -> FloatArray:
+        """Return dc(t)/dt_index, shape (m, dim); see `parameter_derivatives`."""
+        return self.parameter_derivatives(t)[:, index]
+
+    def local_parameter_derivatives(self, t: FloatArray) -> tuple[IntArray, FloatArray]:
+        """Return the segments of t, and dc(t)/dt_i of their two ends, (m, 2, dim), where `is_local`.
+
+        Raises
+        ------
+        CurveError
+            If the family's functions reach further.
+        """
+        raise CurveError("curve must be of a family whose functions are local")
+
+    def _moved_by(self, t: FloatArray, index: int) -> FloatArray:
+        joints = self._parameters
+        gap = float(np.diff(joints[max(index - 1, 0) : index + 2]).min())
+        step = gap * _STEP
+
+        def moved(by: float) -> FloatArray:
+            places = joints.copy()
+            places[index] += by * step
+            return self.with_data(self.jets, places).evaluate(t)
+
+        if 0 < index < len(joints) - 1:
+            # Of order 4: what is left out is the fifth derivative.
+            return (8.0 * (moved(1) - moved(-1)) - (moved(2) - moved(-2))) / (12.0 * step)
+        outwards = -1.0 if index == 0 else 1.0
+        here, one, two, three = (moved(outwards * k) for k in range(4))
+        return outwards * (-11.0 * here + 18.0 * one - 9.0 * two + 2.0 * three) / (6.0 * step)

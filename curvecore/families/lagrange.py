@@ -1,0 +1,233 @@
+"""The interpolating polynomial and its Lagrange basis functions."""
+
+from __future__ import annotations
+
+from typing import Self
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from curvecore.arrays import (
+    FloatArray,
+    integer,
+    jet_array,
+    parameter_array,
+    parameter_values,
+    point_array,
+    read_only,
+)
+from curvecore.families.curve import Curve, Interpolant
+from curvecore.families.nodal_derivatives import derivatives_at_nodes, nodes_serve
+from curvecore.families.product_form import Nodes
+from curvecore.scaling import Scaled, normalise, scale_by_power
+
+__all__ = ["LagrangeCurve"]
+
+
+class LagrangeCurve(Curve):
+    """One polynomial through all points.
+
+    Of degree n - 1: c(t) = sum over i of L_i(t) p_i with L_i(t_j) = 1 for
+    i = j, else 0.
+
+    Parameters
+    ----------
+    points : array_like, shape (n, dim)
+        p_i, finite; n >= 2, dim >= 1. Copied.
+    parameters : array_like, shape (n,)
+        t_i, finite and strictly increasing. Copied.
+
+    Attributes
+    ----------
+    points : ndarray, shape (n, dim)
+        Read-only.
+    parameters : ndarray, shape (n,)
+        Read-only.
+    jets : ndarray, shape (n, 1, dim)
+        The data in the form that all families share; read-only.
+    domain : (float, float)
+        t_0 and t_(n-1).
+    degree : int
+        n - 1.
+
+    Raises
+    ------
+    CurveError
+        If an argument does not have the shape or values above.
+
+    Notes
+    -----
+    With u = 2**-53, values and derivatives differ from the exact ones by at
+    most c u sum |L_i^(order)(t)| |p_i|, c at most about 25 for n <= 60 and of
+    the size of 2 sqrt(n) above: values for any distinct parameters,
+    derivatives where the longest distance between parameters is at most 1e50
+    times the shortest. (Beyond, the terms of a derivative differ by more than
+    the range of exponents that they share; from 1e60 on digits are lost, from
+    1e90 on all of them.) That
+    says nothing about the sum itself: on many uniform parameters it is huge,
+    and no method can do better with points given to 53 bits.
+
+    The first evaluation takes O(n**2) operations more than the later ones,
+    which take O(n) per t; memory beyond the result is bounded. Results beyond the floating point range
+    become the largest finite number of their sign.
+    """
+
+    __slots__ = ("_prepared",)
+    _caches = ("_prepared",)
+
+    name = "lagrange"
+    title = "Lagrange"
+    is_one_polynomial = True
+
+    def __init__(self, points: ArrayLike, parameters: ArrayLike) -> None:
+        data = point_array(points)
+        self._jets = read_only(data[:, None, :])
+        self._parameters = read_only(parameter_array(parameters, len(data)))
+        self._prepared: Nodes | None = None
+
+    @property
+    def _nodes(self) -> Nodes:
+        # Made when first needed: what draws a curve under a hand often knows a shorter way.
+        if self._prepared is None:
+            self._prepared = Nodes.of(self._parameters)
+        return self._prepared
+
+    @classmethod
+    def from_jets(cls, jets: ArrayLike, parameters: ArrayLike) -> Self:
+        """Return the curve with the data `jets`, shape (n, 1, dim), at `parameters`, shape (n,)."""
+        return cls(np.asarray(jets)[:, 0], parameters)
+
+    def weight_ratios(self, index: int) -> FloatArray:
+        """Return w_i / w_index for all i, with w_i = 1 / prod_(j != i) (t_i - t_j).
+
+        Parameters
+        ----------
+        index : int
+            From 0 to n - 1.
+
+        Returns
+        -------
+        ndarray, shape (n,)
+            Infinite or 0 beyond the range of floating point.
+        """
+        weights = self._nodes.weights
+        mantissa = weights.mantissa / weights.mantissa[index]
+        exponent = np.clip(weights.exponent - weights.exponent[index], -5000, 5000)
+        with np.errstate(over="ignore", under="ignore"):
+            return np.asarray(np.ldexp(mantissa, exponent.astype(np.intc)))
+
+    @property
+    def degree(self) -> int:
+        """The degree n - 1."""
+        return len(self._parameters) - 1
+
+    @property
+    def is_positive(self) -> bool:
+        """Whether no L_i is negative in the domain: only those of a straight line are not."""
+        return len(self._parameters) == 2
+
+    def interpolants(self) -> list[Interpolant]:
+        """Return the one polynomial: all points."""
+        return [Interpolant(self._parameters, self._jets)]
+
+    def derivatives_at(self, t: FloatArray, orders: tuple[int, ...]) -> list[FloatArray]:
+        """Return derivatives of several orders at many places.
+
+        Of many t by a short cut: derivatives at the t_i, and interpolation of these. The errors are then up
+        to max sum |L_i(t)| <= 1e5 times larger than those of `evaluate`.
+        """
+        if nodes_serve(self._parameters, self.points, t, orders):
+            basis = self.basis(t)[:, :, 0]
+            nodal = derivatives_at_nodes(self._parameters, self.points, basis, orders)
+            if nodal is not None:
+                return nodal
+        return super().derivatives_at(t, orders)
+
+    def parameter_derivatives(self, t: ArrayLike) -> FloatArray:
+        """Return dc(t)/dt_i = -L_i(t) c'(t_i), shape (m, n, dim)."""
+        (velocity,) = self.derivatives_at(self._parameters, (1,))
+        with np.errstate(over="ignore", under="ignore", invalid="ignore"):
+            moves: FloatArray = -self.basis(t)[:, :, 0, None] * velocity
+        return moves
+
+    def evaluate(self, t: ArrayLike, order: int = 0) -> FloatArray:
+        """Return the curve, or a derivative with respect to t.
+
+        Parameters
+        ----------
+        t : float or array_like, shape (m,)
+            Any finite values; outside the domain the same polynomial.
+        order : int, optional
+            Order of the derivative, at least 0.
+
+        Returns
+        -------
+        ndarray, shape (dim,) or (m, dim)
+            At a parameter t_i and order 0 exactly p_i.
+
+        Raises
+        ------
+        CurveError
+            If t is not finite or has another shape, or order is negative.
+        """
+        at = parameter_values(t)
+        rank = integer(order, "order", 0)
+        # Bringing the points near 1 keeps a sum of large terms that cancel in range.
+        _, exponent = np.frexp(np.abs(self.points).max(axis=0))
+        with np.errstate(under="ignore"):
+            points = np.ldexp(self.points, -exponent)
+        result = np.empty((points.shape[1], at.values.size))
+        with np.errstate(over="ignore", under="ignore"):
+            for part in self._nodes.basis_parts(at.values, rank):
+                values, scale = part.values, exponent[:, None]
+                if part.exponent is not None:
+                    values, common = normalise(Scaled(values, part.exponent))
+                    scale = scale + common
+                result[:, part.where] = scale_by_power(points.T @ values, scale)
+                if rank == 0:
+                    result[:, part.where.start + part.hits.columns] = self.points[part.hits.nodes].T
+        curve = np.ascontiguousarray(result.T)
+        return curve[0] if at.is_scalar else curve
+
+    def basis(self, t: ArrayLike, order: int = 0) -> FloatArray:
+        """Return all basis functions, or their derivatives with respect to t.
+
+        Parameters
+        ----------
+        t : float or array_like, shape (m,)
+            As for `evaluate`; a scalar counts as m = 1.
+        order : int, optional
+            Order of the derivative, at least 0.
+
+        Returns
+        -------
+        ndarray, shape (m, n, 1)
+            ``[k, i, 0]`` is L_i at t_k. Each function lies contiguous in memory.
+        """
+        at = parameter_values(t)
+        rank = integer(order, "order", 0)
+        result = np.empty((len(self._parameters), at.values.size))
+        with np.errstate(over="ignore", under="ignore"):
+            for part in self._nodes.basis_parts(at.values, rank, result):
+                if part.exponent is not None:
+                    result[:, part.where] = scale_by_power(part.values, part.exponent)
+        return result.T[:, :, None]
+
+    def with_jets(self, jets: ArrayLike) -> LagrangeCurve:
+        """Return the curve with the same parameters and other points.
+
+        Parameters
+        ----------
+        jets : array_like, shape (n, 1, dim)
+            Finite numbers.
+
+        Returns
+        -------
+        LagrangeCurve
+            Shares everything that depends on the parameters alone.
+        """
+        curve = object.__new__(LagrangeCurve)
+        curve._jets = read_only(jet_array(jets, (len(self._parameters), 1)))
+        curve._parameters = self._parameters
+        curve._prepared = self._nodes
+        return curve

@@ -1,0 +1,290 @@
+"""Piecewise polynomials with given derivatives at the joints: what the Hermite families share."""
+
+from __future__ import annotations
+
+from typing import ClassVar
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from curvecore.arrays import (
+    FloatArray,
+    IntArray,
+    integer,
+    parameter_array,
+    parameter_values,
+    read_only,
+    unit_values,
+)
+from curvecore.bernstein import bernstein_weights, control_points, evaluate_inside, weighted_columns
+from curvecore.families.curve import Curve, Interpolant, LocalBasis, Slopes
+from curvecore.families.hermite_basis import LeftFunctions, local_coordinates
+from curvecore.families.hermite_ends import next_derivative, slopes_of
+from curvecore.scaling import LARGEST
+
+__all__ = ["PiecewiseHermite"]
+
+_SAFE = 1e300
+_MANY = 10_000  # parameters from which on it pays to ask whether they ascend
+
+
+class PiecewiseHermite(Curve):
+    """Base of the Hermite families; R and the functions differ.
+
+    On a segment of length h, with r + s = 1 the relative distances to its
+    ends, B_ik = h**k f_k(s, r), and each derivative divides by h once more.
+    """
+
+    __slots__ = ("_columns",)
+    _caches = ("_columns",)
+
+    can_close = True
+    is_local = True
+    _functions: ClassVar[tuple[LeftFunctions, ...]]
+
+    _columns: FloatArray | None  # weighted control points, made when first needed
+
+    @property
+    def breaks(self) -> FloatArray:
+        """The parameters: the derivatives that are not given may jump at any joint."""
+        return self._parameters
+
+    @property
+    def is_positive(self) -> bool:
+        """True: B_i0 and B_(i+1)0 are positive on their segment, and add up to 1."""
+        return True
+
+    @property
+    def degree(self) -> int:
+        """The degree of each piece: 2 R - 1."""
+        return len(self._functions) - 1
+
+    def evaluate(self, t: ArrayLike, order: int = 0) -> FloatArray:
+        """Return the curve, or a derivative with respect to t.
+
+        Parameters
+        ----------
+        t : float or array_like, shape (m,)
+            Any finite values. Outside the domain the polynomial of the
+            first or last segment continues; at a joint the segment to the
+            right counts, at the last joint the one to the left.
+        order : int, optional
+            Order of the derivative, at least 0; zeros above the degree.
+
+        Returns
+        -------
+        ndarray, shape (dim,) or (m, dim)
+            At a joint t_i and order 0 exactly p_i.
+
+        Raises
+        ------
+        CurveError
+            If t is not finite or has another shape, or order is negative.
+        """
+        at = parameter_values(t)
+        rank = integer(order, "order", 0)
+        curve = self._evaluate_inside(at.values) if rank == 0 else None
+        if curve is None:
+            curve = self._evaluate_anywhere(at.values, rank)
+        return curve[0] if at.is_scalar else curve
+
+    def local_basis(self, t: ArrayLike, order: int = 0) -> LocalBasis:
+        """Return the 2 R basis functions that live on each t's segment.
+
+        Parameters
+        ----------
+        t : float or array_like, shape (m,)
+            As for `evaluate`; a scalar counts as m = 1.
+        order : int, optional
+            Order of the derivative with respect to t, at least 0.
+
+        Returns
+        -------
+        LocalBasis
+            Everything else in `basis` is zero.
+        """
+        at = parameter_values(t)
+        rank = integer(order, "order", 0)
+        local = self._scaled_basis(at.values, rank)
+        values = local.values
+        with np.errstate(over="ignore", under="ignore", invalid="ignore"):
+            h = np.diff(self._parameters)[local.segment, None]
+            for k in range(values.shape[2]):
+                for _ in range(k - rank):
+                    values[:, :, k] *= h
+                for _ in range(rank - k):
+                    values[:, :, k] /= h
+        if not np.isfinite(values).all():
+            np.nan_to_num(values, copy=False, nan=LARGEST)
+        return local
+
+    def basis(self, t: ArrayLike, order: int = 0) -> FloatArray:
+        """Return all basis functions, or their derivatives with respect to t.
+
+        Parameters
+        ----------
+        t : float or array_like, shape (m,)
+            As for `evaluate`; a scalar counts as m = 1.
+        order : int, optional
+            Order of the derivative, at least 0.
+
+        Returns
+        -------
+        ndarray, shape (m, n, R)
+            ``[k, i, r]`` is B_ir at t_k. All but 2 R entries of a row are
+            zero; `local_basis` leaves those out.
+        """
+        local = self.local_basis(t, order)
+        m, _, width = local.values.shape
+        n = len(self._parameters)
+        result = np.zeros(m * n * width)
+        # B_i and B_(i+1) lie side by side in a row.
+        first = np.arange(0, m * n * width, n * width) + local.segment * width
+        for column, values in enumerate(local.values.reshape(m, 2 * width).T):
+            result[first + column] = values
+        return result.reshape(m, n, width)
+
+    def _set(self, jets: FloatArray, parameters: ArrayLike) -> None:
+        self._parameters = read_only(parameter_array(parameters, len(jets)))
+        self._jets = read_only(jets)
+        self._columns = None
+
+    def bezier_pieces(self) -> FloatArray:
+        """Return the Bezier control points of all segments, shape (n - 1, 2 R, dim).
+
+        Cubic: p, p + h v / 3; quintic: p, p + h v / 5, p + 2 h v / 5 + h**2 a / 20 ahead of a joint, and the
+        mirror image behind it.
+        """
+        return np.nan_to_num(control_points(self._jets, self._parameters))
+
+    def bezier_slopes(self, exponent: int) -> Slopes | None:
+        """Return the control points of the derivatives, from the data; see `Curve.bezier_slopes`."""
+        return slopes_of(np.ldexp(self._jets, -exponent), np.diff(self._parameters)[:, None])
+
+    def interpolants(self) -> list[Interpolant]:
+        """Return the data of both ends of each segment."""
+        t, jets = self._parameters, self._jets
+        return [Interpolant(t[i : i + 2], jets[i : i + 2]) for i in range(len(t) - 1)]
+
+    def parameter_derivatives(self, t: ArrayLike) -> FloatArray:
+        """Return dc(t)/dt_i at fixed data, - sum over r of B_ir(t) c^(r+1)(t_i), shape (m, n, dim)."""
+        at = parameter_values(t).values
+        segment, moves = self.local_parameter_derivatives(at)
+        result = np.zeros((len(at), *self.points.shape))
+        rows = np.arange(len(at))
+        for end in (0, 1):
+            result[rows, segment + end] = moves[:, end]
+        return result
+
+    def local_parameter_derivatives(self, t: FloatArray) -> tuple[IntArray, FloatArray]:
+        """Return the segments of t, and dc(t)/dt_i of their two ends, (m, 2, dim)."""
+        segment, values = self.local_basis(t)
+        moves = np.empty((len(t), 2, self.points.shape[1]))
+        with np.errstate(over="ignore", under="ignore", invalid="ignore"):
+            for end in (0, 1):
+                given = self._jets[segment + end][:, 1:]
+                beyond = next_derivative(self._jets, self._parameters, end)[segment]
+                slopes = np.concatenate([given, beyond[:, None]], axis=1)
+                moves[:, end] = -np.einsum("mr,mrd->md", values[:, end], slopes)
+        return segment, moves
+
+    def evaluate_segments(self, s: ArrayLike) -> FloatArray:
+        """Return the curve at the same relative places of every segment.
+
+        The fastest way to sample a long curve: no parameter has to be
+        located, and all segments are one matrix product.
+
+        Parameters
+        ----------
+        s : array_like, shape (k,)
+            Places in [0, 1], which stand for t_i + s (t_(i+1) - t_i).
+
+        Returns
+        -------
+        ndarray, shape (n - 1, k, dim)
+            At s = 0 and s = 1 exactly the points.
+
+        Raises
+        ------
+        CurveError
+            If s is not finite, has another shape or leaves [0, 1].
+        """
+        places = unit_values(s, "s")
+        columns = self._weighted_controls()
+        weights = np.stack(bernstein_weights(places, 1.0 - places, self.degree), axis=1)
+        with np.errstate(over="ignore", under="ignore", invalid="ignore"):
+            curve = weights @ columns.reshape(len(columns), -1)
+        if not np.isfinite(curve).all():
+            np.nan_to_num(curve, copy=False, nan=LARGEST)
+        return curve.reshape(places.size, columns.shape[1], -1).transpose(2, 0, 1)
+
+    def _weighted_controls(self) -> FloatArray:
+        if self._columns is None:
+            with np.errstate(over="ignore", under="ignore", invalid="ignore"):
+                columns = weighted_columns(control_points(self._jets, self._parameters))
+            if not np.isfinite(columns).all():
+                np.nan_to_num(columns, copy=False, nan=LARGEST)
+            self._columns = read_only(columns)
+        return self._columns
+
+    def _is_inside(self, t: FloatArray) -> bool:
+        return t.size == 0 or bool(t.min() >= self._parameters[0] and t.max() <= self._parameters[-1])
+
+    def _segments(self, t: FloatArray) -> IntArray:
+        """Return the index of the segment that holds each t."""
+        inner = self._parameters[1:-1]
+        if t.size > 4 * inner.size and t.size > _MANY and bool((t[1:] >= t[:-1]).all()):
+            # Few joints sought among many ascending parameters, not the reverse.
+            count = np.diff(np.searchsorted(t, inner), prepend=0, append=t.size)
+            return np.repeat(np.arange(count.size), count)
+        return np.searchsorted(inner, t, side="right")
+
+    def _evaluate_inside(self, t: FloatArray) -> FloatArray | None:
+        """Evaluate through the control points, where that is possible."""
+        if not self._is_inside(t):
+            return None
+        columns = self._weighted_controls()
+        # Near the end of the floating point range the general method is the safe one.
+        if np.abs(columns).max() >= _SAFE:
+            return None
+        return evaluate_inside(t, self._segments(t), self._parameters, columns)
+
+    def _evaluate_anywhere(self, t: FloatArray, order: int) -> FloatArray:
+        """Sum the basis functions times the data, both free of powers of h."""
+        local = self._scaled_basis(t, order)
+        with np.errstate(over="ignore", under="ignore", invalid="ignore"):
+            h = np.diff(self._parameters)[local.segment, None]
+            curve = np.zeros((t.size, self._jets.shape[2]))
+            for end in (0, 1):
+                data = self._jets[local.segment + end]
+                for k in range(data.shape[1]):
+                    term = data[:, k]
+                    for _ in range(k):
+                        term = term * h
+                    curve += local.values[:, end, k, None] * term
+            for _ in range(order):
+                curve /= h
+        if not np.isfinite(curve).all():
+            np.nan_to_num(curve, copy=False, nan=LARGEST)
+        if order == 0:
+            joint = local.segment + (t == self._parameters[local.segment + 1])
+            hit = t == self._parameters[joint]
+            curve[hit] = self.points[joint[hit]]
+        return curve
+
+    def _scaled_basis(self, t: FloatArray, order: int) -> LocalBasis:
+        """Return the functions of the local s, without the powers of h."""
+        joints = self._parameters
+        width = self._jets.shape[1]
+        segment = self._segments(t)
+        values = np.zeros((t.size, 2, width))
+        if order > self.degree:
+            return LocalBasis(segment, values)
+        exact = order > 0 or not self._is_inside(t)
+        with np.errstate(over="ignore", under="ignore", invalid="ignore"):
+            at = local_coordinates(t, joints[segment], joints[segment + 1], exact)
+            for k, function in enumerate(self._functions[order](at)):
+                values[:, 0, k] = function
+            for k, function in enumerate(self._functions[order](at.mirrored())):
+                np.multiply(function, (-1.0) ** (k + order), out=values[:, 1, k])
+        return LocalBasis(segment, values)

@@ -1,0 +1,68 @@
+"""Work beside the window: the last question is answered, earlier ones are forgotten."""
+
+from __future__ import annotations
+
+import threading
+
+import pytest
+
+from app.tasks.debounced_task import DebouncedTask
+from app.tasks.progress import Cancelled
+
+
+@pytest.fixture
+def debounced(qtbot):
+    made = DebouncedTask(settle_ms=1)
+    yield made
+    made.close()
+
+
+def test_only_the_last_question_is_answered(qtbot, debounced):
+    answers = []
+    debounced.ready.connect(answers.append)
+    with qtbot.waitSignal(debounced.ready):
+        for number in range(5):
+            debounced.ask(lambda _report, number=number: number)
+    assert answers == [4]
+    assert not debounced.is_busy
+
+
+def test_running_work_learns_that_nobody_waits_for_it(qtbot, debounced):
+    began, was_stale = threading.Event(), threading.Event()
+
+    def endless(report):
+        began.set()
+        try:
+            while True:
+                report(0.0, "Counting")
+        except Cancelled:
+            was_stale.set()
+            raise
+
+    debounced.ask(endless)
+    qtbot.waitUntil(began.is_set)
+    with qtbot.waitSignal(debounced.ready) as answer:
+        debounced.ask(lambda _report: "second")
+    assert was_stale.is_set()
+    assert answer.args == ["second"]
+
+
+def test_dropped_work_says_nothing(debounced):
+    answers = []
+    debounced.ready.connect(answers.append)
+    debounced.ask(lambda _report: 1)
+    debounced.give_up()
+    assert not debounced._timer.isActive()
+    assert debounced._task is None
+    assert answers == []
+    assert not debounced.is_busy
+
+
+def test_an_exception_reaches_the_window(qtbot, debounced):
+    def fails(_report):
+        raise ValueError("seven")
+
+    with qtbot.captureExceptions() as caught:
+        debounced.ask(fails)
+        qtbot.waitUntil(lambda: not debounced.is_busy and bool(caught))
+    assert str(caught[0][1]) == "seven"

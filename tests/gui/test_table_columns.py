@@ -1,0 +1,196 @@
+"""Columns of the point table that only this file has: a record each, and nothing else."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+from PySide6.QtCore import QItemSelectionModel, QLocale, Qt
+from PySide6.QtGui import QGuiApplication
+from PySide6.QtTest import QTest
+
+from app.document import edits
+from app.document.edits import EditError
+from app.document.model import Document, Family, make_curve
+from app.panels import point_columns
+from app.panels.point_columns import Column
+from app.panels.point_table_delegate import CellEditor
+
+Key, Role = Qt.Key, Qt.ItemDataRole
+CTRL = Qt.KeyboardModifier.ControlModifier
+
+
+def curvatures(view):
+    """Signed curvature at each point; none where there is no curve."""
+    if view.curve is None:
+        return np.full(len(view.source.nodes), np.nan)
+    t = view.parameters[: len(view.source.nodes)]
+    (vx, vy), (ax, ay) = view.curve.evaluate(t, 1).T, view.curve.evaluate(t, 2).T
+    return (vx * ay - vy * ax) / np.hypot(vx, vy) ** 3
+
+
+def distances(view):
+    return np.hypot(*view.points.T)
+
+
+def at_distance(document, curve, _view, index, distance):
+    """Move a point along the ray from the origin."""
+    x, y = document.curves[curve].nodes[index].position
+    if distance < 0:
+        raise EditError("A distance is not negative.")
+    factor = distance / math.hypot(x, y)
+    return edits.set_position(document, curve, index, (x * factor, y * factor))
+
+
+CURVATURE = Column(name="kappa", tip="Signed curvature at the point", get=curvatures)
+DISTANCE = Column(
+    name="r",
+    tip="Distance from the origin",
+    get=distances,
+    set=at_distance,
+    is_estimated=lambda view: np.arange(len(view.source.nodes)) == 1,
+    estimate=lambda curve: f"guessed for {curve.name}",
+)
+
+
+@pytest.fixture(autouse=True)
+def point_locale():
+    before = QLocale()
+    QLocale.setDefault(QLocale.c())
+    yield
+    QLocale.setDefault(before)
+
+
+@pytest.fixture
+def table(monkeypatch, editor):
+    """A table of four points with the two columns behind those that every Lagrange curve has."""
+    monkeypatch.setattr(point_columns, "COLUMNS", (*point_columns.COLUMNS, CURVATURE, DISTANCE))
+    curve = make_curve([(3.0, 4.0), (6.0, 8.0), (0.0, 5.0), (-3.0, 4.0)], family=Family.LAGRANGE)
+    editor.session.change("Begin", lambda _document: Document((curve,)))
+    editor.settle()
+    view = editor.window.point_table
+    editor.window.resize(1600, 900)
+    view.setFocus()
+    return view
+
+
+KAPPA, R = 3, 4
+
+
+def cell(table, row, column, *, adds=False):
+    flags = QItemSelectionModel.SelectionFlag
+    flag = flags.Select if adds else flags.ClearAndSelect
+    table.selectionModel().setCurrentIndex(table.model().index(row, column), flag)
+
+
+def data(table, row, column, role=Role.EditRole):
+    return table.model().data(table.model().index(row, column), role)
+
+
+def paste(table, text):
+    QGuiApplication.clipboard().setText(text)
+    QTest.keyClick(table, Key.Key_V, CTRL)
+
+
+def test_they_are_shown(editor, table):
+    names = [table.model().headerData(column, Qt.Orientation.Horizontal) for column in range(5)]
+    assert names == ["t", "x", "y", "kappa", "r"]
+    tip = table.model().headerData(R, Qt.Orientation.Horizontal, Role.ToolTipRole)
+    assert tip == "Distance from the origin"
+    assert [data(table, row, R) for row in range(4)] == [5.0, 10.0, 5.0, 5.0]
+    expected = curvatures(editor.session.active_view)
+    assert [data(table, row, KAPPA) for row in range(4)] == expected.tolist()
+    assert data(table, 1, R, Role.ToolTipRole) == "r of point 1 = 10.0\nguessed for Curve 1"
+    assert data(table, 1, R, Role.FontRole).italic()
+    assert table.cell_delegate.text(1, R) == "10"
+
+
+def test_their_widths_follow_their_numbers(editor, table):
+    """A small number takes more digits: 7.14e−10."""
+    before = table.cell_delegate.needed_widths(6, 6, table.fontMetrics())
+    editor.session.change("Near", lambda document: edits.set_position(document, 0, 0, (-3e-9 / 7, 4e-9 / 7)))
+    editor.settle()
+    after = table.cell_delegate.needed_widths(6, 6, table.fontMetrics())
+    assert after[R] > before[R]
+    least = table.cell_delegate.needed_widths(3, 3, table.fontMetrics())
+    assert table.horizontalHeader().sectionSize(R) >= least[R]
+
+
+def test_they_are_copied(table):
+    cell(table, 0, R)
+    cell(table, 0, KAPPA, adds=True)
+    cell(table, 1, R, adds=True)
+    QTest.keyClick(table, Key.Key_C, CTRL)
+    rows = [line.split("\t") for line in QGuiApplication.clipboard().text().splitlines()]
+    assert rows == [[repr(data(table, 0, KAPPA)), "5.0"], ["", "10.0"]]
+
+
+def test_one_that_can_be_set_is_typed(editor, table):
+    cell(table, 0, R)
+    QTest.keyClick(table, Key.Key_F2)
+    line = table.findChild(CellEditor)
+    line.selectAll()
+    QTest.keyClicks(line, "20/2")
+    QTest.keyClick(line, Key.Key_Return)
+    assert editor.session.active_curve.nodes[0].position == (6.0, 8.0)
+    assert editor.session.undo_stack.undoText() == "Set r of point 0"
+
+
+def test_what_it_refuses_is_said_and_stays_to_be_mended(editor, table):
+    before = editor.session.document
+    cell(table, 0, R)
+    QTest.keyClick(table, Key.Key_F2)
+    line = table.findChild(CellEditor)
+    line.selectAll()
+    QTest.keyClicks(line, "-1")
+    QTest.keyClick(line, Key.Key_Return)
+    assert line.isVisible()
+    assert editor.status == "r of point 0: A distance is not negative."
+    assert editor.session.document is before
+
+
+def test_it_is_filled(editor, table):
+    cell(table, 0, R)
+    cell(table, 2, R, adds=True)
+    paste(table, "1")
+    assert [data(table, row, R) for row in range(4)] == pytest.approx([1.0, 10.0, 1.0, 5.0])
+    assert editor.session.undo_stack.undoText() == "Fill 2 cells"
+
+
+def test_it_is_pasted(editor, table):
+    cell(table, 1, R)
+    paste(table, "1\n2\n3")
+    assert [data(table, row, R) for row in range(4)] == pytest.approx([5.0, 1.0, 2.0, 3.0])
+    assert editor.session.undo_stack.undoText() == "Paste 3 values"
+
+
+def test_it_is_pasted_by_its_title_into_new_points_too(editor, table):
+    cell(table, 3, R)
+    paste(table, "x\ty\tr\n0\t1\t7\n3\t4\t25")
+    assert editor.session.active_curve.nodes[3].position == pytest.approx((0.0, 7.0))
+    assert editor.session.active_curve.nodes[4].position == pytest.approx((15.0, 20.0))
+    assert editor.session.undo_stack.undoText() == "Paste 2 points"
+
+
+def test_one_that_is_computed_is_neither_typed_nor_pasted(editor, table):
+    before = editor.session.document
+    cell(table, 0, KAPPA)
+    for key in (Key.Key_F2, Key.Key_Return, Key.Key_1):
+        QTest.keyClick(table, key)
+    assert table.state() != table.State.EditingState
+    paste(table, "1")
+    assert editor.status == "kappa is computed and cannot be set."
+    cell(table, 1, KAPPA, adds=True)
+    paste(table, "1")
+    assert editor.session.document is before
+
+
+def test_a_family_shows_those_for_its_derivatives(monkeypatch, editor, table):
+    columns = (*point_columns.COLUMNS, Column(name="s", tip="", get=distances, derivatives=1))
+    monkeypatch.setattr(point_columns, "COLUMNS", columns)
+    editor.choose_family(Family.HERMITE)
+    names = [column.name for column in table.model().columns]
+    assert names == ["t", "x", "y", "vx", "vy", "kappa", "r", "s"]
+    editor.choose_family(Family.LAGRANGE)
+    assert [column.name for column in table.model().columns] == ["t", "x", "y", "kappa", "r"]

@@ -1,0 +1,374 @@
+"""Work beside the window's thread: its result, what it raises, and taking it back."""
+
+from __future__ import annotations
+
+import gc
+import threading
+import time
+import weakref
+from contextlib import suppress
+
+import pytest
+from PySide6.QtCore import QObject, QTimer
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QWidget
+
+from app.tasks import owner, task
+from app.tasks.debounced_task import DebouncedTask
+from app.tasks.owner import TaskOwner, close_all
+from app.tasks.progress import FINAL, part
+from app.tasks.single_task import SHOWN_AFTER_MS, SingleTask
+from app.tasks.task import Task
+
+
+@pytest.fixture
+def jobs(qtbot):
+    made = SingleTask()
+    yield made
+    made.close()
+    until(gc.isenabled)
+
+
+def until(condition, seconds=10):
+    deadline = time.monotonic() + seconds
+    while not condition():
+        assert time.monotonic() < deadline
+        QTest.qWait(2)
+
+
+class Heard:
+    """What came of the work, and in which thread."""
+
+    def __init__(self):
+        self.results, self.problems, self.threads = [], [], []
+
+    def done(self, result):
+        self.results.append(result)
+        self.threads.append(threading.current_thread())
+
+    def failed(self, problem):
+        self.problems.append(problem)
+        self.threads.append(threading.current_thread())
+
+
+def test_the_result_arrives_in_the_windows_thread(jobs):
+    heard, worker = Heard(), []
+
+    def work(report):
+        worker.append(threading.current_thread())
+        report(0.5, "Halfway")
+        return 42
+
+    assert jobs.start("Thinking", work, heard.done, heard.failed)
+    assert jobs.is_busy
+    assert jobs.title == "Thinking"
+    until(lambda: heard.results)
+    assert heard.results == [42]
+    assert heard.threads == [threading.current_thread()]
+    assert worker != heard.threads
+    assert not jobs.is_busy
+
+
+def test_what_is_raised_arrives_there_too(jobs):
+    heard = Heard()
+
+    def work(_report):
+        raise ValueError("no")
+
+    jobs.start("Failing", work, heard.done, heard.failed)
+    until(lambda: heard.problems)
+    assert str(heard.problems[0]) == "no"
+    assert heard.threads == [threading.current_thread()]
+    assert not heard.results
+
+
+def test_nothing_comes_of_work_that_was_taken_back(jobs):
+    heard, ended, went_on = Heard(), [], threading.Event()
+
+    def work(report):
+        went_on.wait(10)
+        report(0.5, "Too late")
+        return "unwanted"
+
+    jobs.ended.connect(lambda: ended.append(True))
+    jobs.start("Waiting", work, heard.done, heard.failed)
+    jobs.cancel()
+    assert not jobs.is_busy
+    assert ended == [True]
+    # The next begins while the first has not noticed yet.
+    assert jobs.start("Next", lambda _report: "wanted", heard.done, heard.failed)
+    until(lambda: heard.results)
+    went_on.set()
+    until(gc.isenabled)
+    assert heard.results == ["wanted"]
+    assert heard.problems == []
+
+
+def test_a_result_that_is_already_on_its_way_is_dropped(jobs):
+    heard, finished = Heard(), threading.Event()
+
+    def work(_report):
+        finished.set()
+        return 1
+
+    jobs.start("Quick", work, heard.done, heard.failed)
+    assert finished.wait(10)
+    jobs._task.thread.join()  # from now on the signal waits in the queue
+    jobs.cancel()
+    until(gc.isenabled)  # it has arrived
+    assert heard.results == []
+
+
+def test_one_thing_at_a_time(jobs):
+    heard, release = Heard(), threading.Event()
+    assert jobs.start("First", lambda _report: release.wait(10), heard.done, heard.failed)
+    assert not jobs.start("Second", lambda _report: 2, heard.done, heard.failed)
+    assert jobs.title == "First"
+    release.set()
+    until(lambda: heard.results)
+    assert heard.results == [True]
+
+
+def test_only_long_work_is_shown(jobs):
+    heard, shown, shares, release = Heard(), [], [], threading.Event()
+    assert jobs._patience.interval() == SHOWN_AFTER_MS
+    jobs._patience.setInterval(60_000)  # so that on no machine "short" takes longer
+    jobs.shown.connect(shown.append)
+    jobs.progressed.connect(lambda share, word: shares.append((share, word)))
+    jobs.start("Short", lambda _report: 1, heard.done, heard.failed)
+    until(lambda: heard.results)
+    assert not jobs._patience.isActive()
+    assert shown == []
+    jobs._patience.setInterval(1)
+
+    def long(report):
+        report(0.25, "Working")
+        release.wait(10)
+
+    jobs.start("Long", long, heard.done, heard.failed)
+    until(lambda: shown and shares)
+    assert shown == ["Long"]
+    assert shares == [(0.25, "Working")]
+    release.set()
+    until(lambda: not jobs.is_busy)
+
+
+def test_closing_waits_until_the_work_has_noticed(jobs):
+    steps = []
+
+    def work(report):
+        while True:
+            report(0.0, "Again")
+            steps.append(1)
+            time.sleep(0.005)
+
+    heard = Heard()
+    jobs.start("Endless", work, heard.done, heard.failed)
+    until(lambda: len(steps) > 3)
+    jobs.close()
+    assert work_threads() == []
+    assert heard.results == heard.problems == []
+
+
+def test_the_last_step_cannot_be_taken_back(jobs):
+    """What has been put in place is there; it must not be called undone."""
+    heard, begun, release = Heard(), threading.Event(), threading.Event()
+
+    def work(report):
+        report(FINAL, "Putting it in place")
+        begun.set()
+        release.wait(10)
+        report(0.5, "Later reports are heard by nobody")
+        return "written"
+
+    jobs.start("Writing", work, heard.done, heard.failed)
+    assert begun.wait(10)
+    assert not jobs.cancel()
+    assert jobs.is_busy
+    release.set()
+    until(lambda: heard.results)
+    assert heard.results == ["written"]
+
+
+class Cyclic(QWidget):
+    """A widget that only the collector frees; with a timer, which no other thread can stop."""
+
+    def __init__(self):
+        super().__init__()
+        self.me = self
+        QTimer(self, interval=10_000).start()
+
+
+def churn(ends):
+    """Make garbage, more than lets a collector begin, until `ends`."""
+    while not ends():
+        assert len([[] for _ in range(2000)]) == 2000
+
+
+@pytest.fixture
+def quick_keeper(qapp, monkeypatch, only_new_garbage):
+    """Look for garbage often, in generations that are soon due."""
+    monkeypatch.setattr(task, "_TICK_MS", 5)
+    monkeypatch.setattr(task, "_keepers", [])
+    before = gc.get_threshold()
+    gc.set_threshold(700, 1, 1)
+    yield
+    until(gc.isenabled)
+    gc.set_threshold(*before)
+
+
+@pytest.mark.parametrize("kind", ["jobs", "debounced", "task"])
+def test_garbage_is_collected_in_the_windows_thread_while_work_runs(quick_keeper, jobs, kind):
+    """Three widgets in cycles were destroyed by the thread of a `DebouncedTask`, and of the autosave.
+
+    Young ones and those of the oldest generation: all go, and while the work goes on.
+    """
+    threads, release = [], threading.Event()
+    widgets = [Cyclic() for _ in range(3)]
+    gc.collect()
+    widgets += [Cyclic() for _ in range(3)]
+    for each in widgets:
+        weakref.finalize(each, lambda: threads.append(threading.current_thread()))
+    debounced = DebouncedTask(settle_ms=0)
+    if kind == "jobs":
+        jobs.start("Churning", lambda _report: churn(release.is_set), print, print)
+    elif kind == "debounced":
+        debounced.ask(lambda _report: churn(release.is_set))
+        until(lambda: not gc.isenabled())
+    else:
+        Task(lambda _report: churn(release.is_set))
+    del each, widgets
+    until(lambda: len(threads) == 6)
+    assert set(threads) == {threading.main_thread()}
+    release.set()
+    until(gc.isenabled)
+
+
+def test_the_oldest_generation_waits_for_what_comes_while_work_runs(quick_keeper):
+    """A twentieth of a second it took at the beginning of nearly every task, and the window stood still."""
+    collected, release = [], threading.Event()
+
+    def note(phase, info):
+        if phase == "start":
+            collected.append(info["generation"])
+
+    for _ in range(3):
+        gc.collect(1)
+    assert gc.get_count()[2] > gc.get_threshold()[2]
+    gc.callbacks.append(note)
+    Task(lambda _report: churn(release.is_set))
+    until(lambda: 2 in collected)
+    gc.callbacks.remove(note)
+    release.set()
+    assert collected[: collected.index(2)].count(1) > gc.get_threshold()[2]
+
+
+def test_what_a_task_refers_to_goes_in_the_windows_thread(qapp):
+    threads = []
+    widget = QWidget()
+    weakref.finalize(widget, lambda: threads.append(threading.current_thread()))
+    Task(lambda _report, widget=widget: None)
+    del widget
+    until(lambda: threads)
+    assert threads == [threading.main_thread()]
+
+
+def test_a_collector_that_was_off_stays_off(qapp):
+    gc.disable()
+    try:
+        Task(lambda _report: None)
+        until(lambda: not task._keepers[0].running)
+        assert not gc.isenabled()
+    finally:
+        gc.enable()
+
+
+def work_threads():
+    return [each for each in threading.enumerate() if each.name == "work"]
+
+
+def test_stopped_work_that_never_asks_is_ended(jobs, monkeypatch):
+    """Stop said "stopped", and the thread went on until the memory was gone."""
+    monkeypatch.setattr(task, "_GRACE_S", 0.02)
+    heard, begun, cleaned = Heard(), threading.Event(), threading.Event()
+
+    def work(_report):
+        try:
+            begun.set()
+            while True:
+                with suppress(Exception):
+                    sum(range(100))
+        finally:
+            cleaned.set()
+
+    jobs.start("Endless", work, heard.done, heard.failed)
+    assert begun.wait(10)
+    assert jobs.cancel()
+    until(lambda: not work_threads())
+    until(gc.isenabled)
+    assert cleaned.is_set()
+    assert heard.results == heard.problems == []
+
+
+def test_closing_ends_what_never_asks_within_its_patience(qapp, monkeypatch):
+    """Work that does not ask kept the window from closing: a `DebouncedTask` waited for it without end."""
+    monkeypatch.setattr(task, "_GRACE_S", 0.02)
+    parent, begun = QObject(), threading.Semaphore(0)
+    debounced = [DebouncedTask(parent, settle_ms=0) for _ in range(2)]
+    stubborn = SingleTask(parent)
+
+    def work(_asks):
+        begun.release()
+        while True:
+            sum(range(100))
+
+    for each in debounced:
+        each.ask(work)
+    stubborn.start("Endless", work, print, print)
+    until(lambda: len(work_threads()) == 3)
+    for _ in range(3):
+        assert begun.acquire(timeout=10)
+    close_all(parent.findChildren(TaskOwner))
+    assert work_threads() == []
+
+
+def test_closing_does_not_wait_for_what_cannot_be_ended(jobs, monkeypatch):
+    """A disk of a network that answers no more, for one."""
+    monkeypatch.setattr(owner, "PATIENCE_S", 0.05)
+    monkeypatch.setattr(task, "_GRACE_S", 0.01)
+    release = threading.Lock()
+    release.acquire()
+    jobs.start("Stuck", lambda _report: release.acquire(timeout=60) and release.release(), print, print)
+    jobs.close()
+    assert len(work_threads()) == 1
+    assert not jobs.is_busy
+    release.release()
+
+
+def test_one_after_the_other(qapp):
+    order, release = [], threading.Event()
+    first = Task(lambda _report: (release.wait(10), order.append(1)))
+    last = Task(lambda _report: order.append(2), after=first)
+    release.set()
+    assert last.wait(10)
+    assert order == [1, 2]
+    until(gc.isenabled)
+    assert last.after is None
+
+
+def test_what_a_task_raises_reaches_the_windows_hook(qtbot):
+    def fails(_task):
+        raise ValueError("eleven")
+
+    with qtbot.captureExceptions() as caught:
+        Task(fails)
+        until(lambda: caught)
+    assert str(caught[0][1]) == "eleven"
+
+
+def test_a_part_of_the_work_reports_its_share_of_the_whole():
+    told = []
+    half = part(lambda share, word: told.append((share, word)), 0.5, 1.0)
+    half(0.0, "a")
+    half(1.0, "b")
+    assert told == [(0.5, "a"), (1.0, "b")]

@@ -1,0 +1,35 @@
+"""Raises a number in a document again and again, beside others who do the same, and prints how often.
+
+Usage: python cas_writer.py FILE SIGNAL ROUNDS
+"""
+
+from __future__ import annotations
+
+import sys
+import time
+from pathlib import Path
+
+from app.document.model import Document, make_curve
+from app.storage.files import ChangedOnDiskError, document_in, read_content, save
+
+
+def main(path: Path, signal: Path, rounds: int) -> None:
+    while not signal.exists():
+        time.sleep(0.001)
+    saved = 0
+    for _ in range(rounds):
+        content = read_content(path)
+        document = document_in(content.data, path)
+        number = document.curves[0].nodes[0].x
+        # Long enough that a half written file would show.
+        nodes = [(number + 1.0, 0.0)] + [(float(index), 1.0) for index in range(200)]
+        try:
+            save(path, Document((make_curve(nodes),)), seen=content.stamp)
+        except ChangedOnDiskError:
+            continue
+        saved += 1
+    print(saved)
+
+
+if __name__ == "__main__":
+    main(Path(sys.argv[1]), Path(sys.argv[2]), int(sys.argv[3]))

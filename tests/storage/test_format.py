@@ -1,0 +1,346 @@
+"""The file format: what is read, what is refused and where, and that nothing changes on the way."""
+
+import contextlib
+import json
+import math
+import struct
+
+import msgspec
+import numpy as np
+import pytest
+from hypothesis import HealthCheck, given, settings
+from hypothesis import strategies as st
+
+from app.document.model import (
+    MAX_MAGNITUDE,
+    AccelerationRule,
+    Curve,
+    Document,
+    Node,
+    Parametrization,
+    ParametrizationKind,
+    VelocityRule,
+    empty_document,
+    make_curve,
+)
+from app.families import FAMILIES, HERMITE, LAGRANGE
+from app.storage import format as file_format
+from app.storage.format import FormatError, decode, encode, validate
+
+quick = settings(max_examples=60, deadline=None, suppress_health_check=[HealthCheck.too_slow])
+
+numbers = st.floats(min_value=-MAX_MAGNITUDE, max_value=MAX_MAGNITUDE)
+vectors = st.none() | st.tuples(numbers, numbers)
+names = st.text(st.characters(codec="utf-8"), max_size=20)
+
+
+@st.composite
+def parametrizations(draw, kinds=tuple(ParametrizationKind)):
+    start, end = sorted(draw(st.lists(numbers, min_size=2, max_size=2, unique=True)))
+    return Parametrization(draw(st.sampled_from(kinds)), draw(st.floats(0, 1)), start, end)
+
+
+@st.composite
+def curves(draw):
+    rule = draw(parametrizations())
+    count = draw(st.integers(0, 6))
+    parameters = sorted(draw(st.lists(numbers, min_size=count, max_size=count, unique=True)))
+    if rule.kind is not ParametrizationKind.MANUAL:
+        parameters = [t if draw(st.booleans()) else None for t in parameters]
+    nodes = tuple(Node(draw(numbers), draw(numbers), t, draw(vectors), draw(vectors)) for t in parameters)
+    return Curve(
+        draw(names),
+        draw(st.sampled_from(FAMILIES)),
+        rule,
+        nodes,
+        draw(st.sampled_from(VelocityRule)),
+        draw(st.sampled_from(AccelerationRule)),
+    )
+
+
+documents = st.lists(curves(), min_size=1, max_size=3).map(lambda found: Document(tuple(found)))
+
+
+def bits(document):
+    """Every float of the document as its eight bytes: equality that tells -0.0 from 0.0."""
+    found = []
+
+    def visit(value):
+        if isinstance(value, float):
+            found.append(struct.pack("<d", value))
+        elif isinstance(value, dict | list | tuple):
+            for item in value.values() if isinstance(value, dict) else value:
+                visit(item)
+
+    visit(msgspec.to_builtins(document, enc_hook=str))
+    return found
+
+
+@quick
+@given(documents)
+def test_round_trip_keeps_every_value_bit_for_bit(document):
+    data = encode(document)
+    again = decode(data)
+    assert again == document
+    assert bits(again) == bits(document)
+    assert encode(again) == data
+
+
+@pytest.mark.parametrize("value", [0.1, 1 / 3, 5e-324, -0.0, 1e12, math.pi * 1e-300, 123456789012.34567])
+def test_awkward_floats_survive(value):
+    document = Document((make_curve([(value, -value)]),))
+    assert bits(decode(encode(document))) == bits(document)
+
+
+def test_numpy_floats_are_floats():
+    document = Document((Curve("", LAGRANGE, Parametrization(), (Node(np.float64(0.1), 0.0),)),))
+    assert decode(encode(document)).curves[0].nodes[0].x == 0.1
+
+
+@pytest.mark.parametrize("count", [0, 1])
+def test_a_sketch_just_begun_survives(count):
+    document = Document((make_curve([(1.0, 2.0)] * count),))
+    assert decode(encode(document)) == document
+
+
+def test_file_reads_well():
+    curve = make_curve([(0, 1), (0.5, 2)], name="Größe ‖c′‖", family=HERMITE)
+    assert encode(Document((curve,))).decode() == (
+        "{\n"
+        '  "format": "curvebench",\n'
+        '  "version": 1,\n'
+        '  "curves": [\n'
+        "    {\n"
+        '      "name": "Größe ‖c′‖",\n'
+        '      "family": "hermite",\n'
+        '      "parametrization": {"kind": "chord_length", "alpha": 0.5, "start": 0.0, "end": 1.0},\n'
+        '      "points": [\n'
+        '        {"x": 0.0, "y": 1.0},\n'
+        '        {"x": 0.5, "y": 2.0}\n'
+        "      ]\n"
+        "    }\n"
+        "  ]\n"
+        "}\n"
+    )
+
+
+@pytest.mark.parametrize(
+    ("node", "message"),
+    [
+        (Node(math.nan, 0.0), "curves[0].points[0].x must lie between -1e12 and 1e12, not nan"),
+        (Node(0.0, -math.inf), "curves[0].points[0].y must lie between -1e12 and 1e12, not -inf"),
+        (Node(0.0, 0.0, velocity=(0.0, math.nan)), "curves[0].points[0].velocity[1] must lie between"),
+        (Node(0.0, 0.0, acceleration=(2e12, 0.0)), "curves[0].points[0].acceleration[0] must lie between"),
+        (Node(True, 0.0), "curves[0].points[0].x must be a number, not True"),
+        (Node(10**5000, 0.0), "curves[0].points[0].x must lie between -1e12 and 1e12, not a larger one"),
+    ],
+)
+def test_encode_refuses_what_decode_would_not_read(node, message):
+    document = Document((Curve("", LAGRANGE, Parametrization(), (node,)),))
+    with pytest.raises(FormatError) as refusal:
+        encode(document)
+    assert str(refusal.value).startswith(message)
+
+
+def test_a_name_that_is_no_text_is_refused():
+    with pytest.raises(FormatError, match=r"curves\[0\]\.name holds a character"):
+        validate(Document((make_curve((), name="\ud800"),)))
+
+
+def good():
+    """A small good file as plain values, to be spoiled."""
+    points = [{"x": float(i), "y": 0.0, "t": i / 4} for i in range(4)]
+    rule = {"kind": "manual", "alpha": 0.5, "start": 0.0, "end": 1.0}
+    curve = {"name": "a", "family": "hermite", "parametrization": rule, "points": points}
+    return {"format": "curvebench", "version": 1, "curves": [curve]}
+
+
+def spoiled(path, value):
+    """The good file with the value at `path` replaced, or removed where `value` is `...`."""
+    content = good()
+    *where, key = path
+    target = content
+    for step in where:
+        target = target[step]
+    if value is ...:
+        del target[key]
+    else:
+        target[key] = value
+    return json.dumps(content).encode()
+
+
+POINT = ("curves", 0, "points", 3)
+RULE = ("curves", 0, "parametrization")
+
+REFUSED_VALUES = [
+    (("format",), ..., "format is missing"),
+    (("format",), "svg", 'it is not a Curvebench document; format must be "curvebench", not "svg"'),
+    (("format",), 7, "format must be text, not a whole number"),
+    (("version",), ..., "version is missing"),
+    (
+        ("version",),
+        7,
+        "it was written by a newer version of Curvebench (format version 7; this program reads 1)",
+    ),
+    (("version",), 0, "version must be 1, not 0"),
+    (("version",), 10**400, "version must be 1, not a number of many digits"),
+    (("version",), True, "version must be a whole number, not true or false"),
+    (("version",), "1", "version must be a whole number, not text"),
+    (("curves",), ..., "curves is missing"),
+    (("curves",), [], "curves must hold at least one curve"),
+    (("curves",), {}, "curves must be a list, not an object {…}"),
+    (("curves", 0), 3, "curves[0] must be an object {…}, not a whole number"),
+    (("surprise",), 1, 'the file has a key that this version does not know: "surprise"'),
+    (("x" * 90,), 1, f'the file has a key that this version does not know: "{"x" * 40}…"'),
+    ((*POINT, "z"), 1.0, 'curves[0].points[3] has a key that this version does not know: "z"'),
+    (("curves", 0, "name"), 5, "curves[0].name must be text, not a whole number"),
+    (("curves", 0, "name"), ..., "curves[0].name is missing"),
+    (
+        ("curves", 0, "family"),
+        "Bézier curve",
+        'curves[0].family is not a choice that this version knows: "Bézier curve"',
+    ),
+    (
+        ("curves", 0, "family"),
+        "x" * 41,
+        f'curves[0].family is not a choice that this version knows: "{"x" * 40}…"',
+    ),
+    (("curves", 0, "family"), 3, "curves[0].family must be text, not a whole number"),
+    (
+        ("curves", 0, "family"),
+        None,
+        "curves[0].family must be text, not null",
+    ),
+    ((*RULE, "kind"), 3, "curves[0].parametrization.kind must be text, not a whole number"),
+    ((*RULE, "alpha"), 1.5, "curves[0].parametrization.alpha must lie between 0 and 1, not 1.5"),
+    ((*RULE, "alpha"), -0.1, "curves[0].parametrization.alpha must lie between 0 and 1, not -0.1"),
+    (
+        (*RULE, "start"),
+        1.0,
+        "curves[0].parametrization.end must be greater than 1.0, the start, not 1.0",
+    ),
+    (
+        (*RULE, "end"),
+        2e12,
+        "curves[0].parametrization.end must lie between -1e12 and 1e12, not 2000000000000.0",
+    ),
+    ((*POINT, "x"), ..., "curves[0].points[3].x is missing"),
+    ((*POINT, "x"), "3", "curves[0].points[3].x must be a number, not text"),
+    ((*POINT, "x"), True, "curves[0].points[3].x must be a number, not true or false"),
+    ((*POINT, "x"), None, "curves[0].points[3].x must be a number, not null"),
+    ((*POINT, "x"), [1.0], "curves[0].points[3].x must be a number, not a list"),
+    ((*POINT, "y"), 1.1e12, "curves[0].points[3].y must lie between -1e12 and 1e12, not 1100000000000.0"),
+    ((*POINT, "velocity"), [1.0], "curves[0].points[3].velocity must be a list of 2 numbers"),
+    ((*POINT, "velocity"), [1.0, 2.0, 3.0], "curves[0].points[3].velocity must be a list of 2 numbers"),
+    ((*POINT, "velocity"), [1.0, "2"], "curves[0].points[3].velocity[1] must be a number, not text"),
+    ((*POINT, "acceleration"), 1.0, "curves[0].points[3].acceleration must be a list or null, not a number"),
+    (
+        (*POINT, "t"),
+        0.5,
+        "curves[0].points[3].t must be greater than 0.5, the t of the point before it, not 0.5",
+    ),
+    (
+        (*POINT, "t"),
+        ...,
+        'curves[0].points[3].t is missing; under "manual" every point carries its parameter',
+    ),
+]
+
+
+@pytest.mark.parametrize(("path", "value", "message"), REFUSED_VALUES)
+def test_wrong_values_are_refused_with_their_place(path, value, message):
+    with pytest.raises(FormatError) as refusal:
+        decode(spoiled(path, value))
+    assert str(refusal.value) == message
+
+
+def test_remembered_parameters_increase_too():
+    content = good()
+    content["curves"][0]["parametrization"]["kind"] = "uniform"
+    points = content["curves"][0]["points"]
+    del points[1]["t"]
+    points[2]["t"] = points[0]["t"]
+    with pytest.raises(FormatError) as refusal:
+        decode(json.dumps(content).encode())
+    assert str(refusal.value) == (
+        "curves[0].points[2].t must be greater than 0.0, the t of points[0], not 0.0"
+    )
+
+
+def with_number(text):
+    """The good file with the text of one number replaced."""
+    return json.dumps(good()).replace('"x": 3.0', f'"x": {text}').encode()
+
+
+REFUSED_TEXTS = [
+    (b"", "the file is empty"),
+    (b" \n", "the file is empty"),
+    (b"\x00" * 8, "it is not JSON; line 1, column 1: invalid character"),
+    (b"\xef\xbb\xbf{}", "the file starts with a byte order mark; save it as UTF-8 without one"),
+    (b'{"format":\n "\xc3\xa4\xff"}', "it is not UTF-8 text; line 2, column 4"),
+    (b'{\n  "format": xx\n}', "it is not JSON; line 2, column 13: invalid character"),
+    (b"[]", "the file must be an object {…}, not a list"),
+    (b'{"format": "curvebench", "version": 1, "curves": [', "it is not JSON; the file ends too early"),
+    (json.dumps(good()).encode() + b"\x00", "it is not JSON; line 1, column "),
+    (json.dumps(good()).encode() + b"{}", "it is not JSON; line 1, column "),
+    (with_number("NaN"), "it is not JSON; line 1, column "),
+    (with_number("Infinity"), "it is not JSON; line 1, column "),
+    (with_number("1e999"), "curves[0].points[3].x must lie between -1e12 and 1e12"),
+    (with_number("1e308"), "curves[0].points[3].x must lie between -1e12 and 1e12, not 1e+308"),
+    (with_number("1" * 10**6), "curves[0].points[3].x must lie between -1e12 and 1e12"),
+    (with_number("01"), "it is not JSON; line 1, column "),
+    (with_number("[" * 10**5), "it is not a Curvebench document; it is nested too deeply"),
+    (with_number('1, "x": 2'), "curves[0].points[3].x appears twice; each key may appear only once"),
+    (
+        b'{"format": "curvebench", "version": ' + b"1" * 10**6 + b"}",
+        "version must lie between -1e12 and 1e12",
+    ),
+    (b'{"q": ' + b"[" * 10**5, "it is not a Curvebench document; it is nested too deeply"),
+    (
+        json.dumps(good()).replace('"version": 1', '"version": 1, "version": 1').encode(),
+        "version appears twice; each key may appear only once",
+    ),
+]
+
+
+@pytest.mark.parametrize(("data", "message"), REFUSED_TEXTS, ids=range(len(REFUSED_TEXTS)))
+def test_bad_text_is_refused(data, message):
+    with pytest.raises(FormatError) as refusal:
+        decode(data)
+    assert str(refusal.value).startswith(message)
+
+
+def test_every_truncation_is_refused():
+    whole = encode(decode(json.dumps(good()).encode())).rstrip()
+    for length in range(len(whole)):
+        with pytest.raises(FormatError):
+            decode(whole[:length])
+
+
+@quick
+@given(st.binary(max_size=60))
+def test_random_bytes_are_refused_with_one_kind_of_objection(data):
+    with pytest.raises(FormatError):
+        decode(data)
+
+
+@quick
+@given(st.integers(0, 10**6), st.binary(min_size=1, max_size=4))
+def test_a_damaged_file_is_read_or_refused(position, damage):
+    data = encode(empty_document())
+    position %= len(data)
+    damaged = data[:position] + damage + data[position + len(damage) :]
+    with contextlib.suppress(FormatError):
+        validate(decode(damaged))
+
+
+def test_the_recursion_guard_leaves_the_reader_usable():
+    with pytest.raises(FormatError):
+        decode(b"[" * 10**5)
+    assert decode(encode(empty_document())) == empty_document()
+
+
+def test_version_and_marker_are_what_is_written():
+    content = json.loads(encode(empty_document()))
+    assert content["format"] == file_format.FORMAT
+    assert content["version"] == file_format.VERSION

@@ -1,0 +1,74 @@
+"""Panels show values and emit what the person meant; only their controllers know the session."""
+
+from __future__ import annotations
+
+import ast
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).resolve().parent.parent
+PANELS = sorted((ROOT / "app/panels").rglob("*.py"))
+
+
+def names_in(tree: ast.AST) -> set[str]:
+    """Every name, attribute, argument, keyword and imported module or name in some code."""
+    found = set()
+    for node in ast.walk(tree):
+        match node:
+            case ast.Name(id=name) | ast.Attribute(attr=name) | ast.arg(arg=name) | ast.alias(name=name):
+                found.add(name)
+            case ast.keyword(arg=str(name)) | ast.ImportFrom(module=str(name)):
+                found.add(name)
+    return found
+
+
+def sessions_in(source: str) -> set[str]:
+    """The names in some code that stand for the session, or for a part of it."""
+    names = names_in(ast.parse(source))
+    return {name for name in names if "session" in name.lower()}
+
+
+@pytest.mark.parametrize("path", PANELS, ids=lambda path: path.relative_to(ROOT).as_posix())
+def test_a_panel_holds_no_session(path):
+    assert sessions_in(path.read_text(encoding="utf-8")) == set()
+
+
+@pytest.mark.parametrize(
+    "code",
+    [
+        "from app.session import Session",
+        "from app import session",
+        "import app.session.history",
+        "def __init__(self, session): pass",
+        "self._session.commit(document, text)",
+        "panel = Panel(session=owner)",
+    ],
+)
+def test_one_that_holds_a_session_is_found(code):
+    assert sessions_in(code)
+
+
+def commits_in(source: str) -> list[int]:
+    """The lines in which a step of the history is made without an edit: the end of a gesture."""
+    return [
+        node.lineno
+        for node in ast.walk(ast.parse(source))
+        if isinstance(node, ast.Call)
+        and isinstance(node.func, ast.Attribute)
+        and (node.func.attr, bool(node.args)) in {("commit", True), ("push", True)}
+        and "stack" not in ast.unparse(node.func)
+    ]
+
+
+def test_only_gestures_commit():
+    """All else changes the document by `Session.change`."""
+    gestures = {"app/controllers/slider_gesture.py"}
+    allowed = ("app/gestures/", "app/tools/", "app/session")
+    found = {
+        path.relative_to(ROOT).as_posix()
+        for path in sorted((ROOT / "app").rglob("*.py"))
+        if commits_in(path.read_text(encoding="utf-8"))
+    }
+    assert {name for name in found if not name.startswith(allowed)} == gestures
+    assert commits_in("session.commit(document, text)") == [1]
