@@ -13,7 +13,6 @@ from app.document.model import ParametrizationKind
 from app.families import FAMILIES, Family
 from app.keymap import call_alone
 from app.labels import menu_text
-from app.panels.parametrization_bar import KIND_NAMES
 from app.view_model.curve_view import CurveView
 
 
@@ -63,10 +62,10 @@ class EditCommands:
     def _fill_parameters_menu(self) -> None:
         menu = self._parts.parameters_menu
         below = menu.insertSeparator(menu.actions()[0])
-        for kind, name in KIND_NAMES.items():
-            action = QAction(name, menu)
+        for kind in ParametrizationKind:
+            action = QAction(kind.label, menu)
             action.setObjectName(f"parameters_{kind}")
-            call_alone(action, f"{name} Parameters")
+            call_alone(action, f"{kind.label} Parameters")
             menu.insertAction(below, action)
             action.triggered.connect(
                 lambda _checked=False, kind=kind: use_parametrization(self._session, kind)

@@ -6,7 +6,6 @@ from typing import TYPE_CHECKING
 
 from app.commands.laboratory_commands import LaboratoryCommands
 from app.commands.parts import Handlers, Parts
-from app.view_model.analysis.laboratory_settings import METHOD_NAMES
 from app.view_model.curve_view import CurveView
 from app.view_model.looks import METHOD_LOOKS
 
@@ -47,7 +46,7 @@ class ErrorPlotCommands:
         from app.view_model.analysis.plot_lines import PlotLine, Scale  # noqa: PLC0415
 
         lines = [
-            PlotLine(METHOD_NAMES[each.calculation], each.t, each.errors, METHOD_LOOKS[each.calculation])
+            PlotLine(each.calculation.label, each.t, each.errors, METHOD_LOOKS[each.calculation])
             for each in error_lines(trial)
         ]
         panel.show_lines(lines, Scale.LOG, TITLE)

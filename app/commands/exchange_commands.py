@@ -17,6 +17,7 @@ from app.commands.import_series import ImportSeries
 from app.commands.parts import Handlers, Parts
 from app.document.import_edits import add_imported
 from app.document.model import Document
+from app.document.words import count_of, listed
 from app.exchange.formats import (
     FORMATS,
     Kind,
@@ -30,7 +31,6 @@ from app.exchange.options import Options
 from app.exchange.reading import import_file
 from app.exchange.writing import export
 from app.file_commands import file_stem
-from app.panels.words import count_of, listed
 from app.storage.files import StorageError, read
 from app.tasks.progress import Report, part
 from app.view_model.curve_view import CurveView

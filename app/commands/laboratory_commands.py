@@ -14,7 +14,7 @@ from app.commands.parts import Handlers, Parts
 from app.overrides import Guarded
 from app.tasks.debounced_task import DebouncedTask
 from app.tasks.progress import Report
-from app.view_model.analysis.laboratory_settings import METHOD_NAMES, LaboratorySettings, Rounding
+from app.view_model.analysis.laboratory_settings import LaboratorySettings, Rounding
 from app.view_model.curve_view import CurveView
 from app.view_model.growth import growth_of_data
 from app.view_model.looks import METHOD_LOOKS
@@ -203,7 +203,7 @@ class LaboratoryCommands(Guarded, QObject):
         heading = ""
         if trial is not None and self._settings.on and trial.view.source.visible:
             traces = tuple(
-                Trace(each.pieces, METHOD_LOOKS[each.calculation], METHOD_NAMES[each.calculation])
+                Trace(each.pieces, METHOD_LOOKS[each.calculation], each.calculation.label)
                 for each in trial.outcomes
             )
             heading = "computing…" if busy else _heading(trial.settings)

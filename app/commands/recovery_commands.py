@@ -148,7 +148,7 @@ def _offers(snapshots: Sequence[Snapshot]) -> list[Offer]:
 
 def _contents(snapshot: Snapshot) -> str:
     """Return when it was kept, to the second, and how much it holds."""
-    from app.panels.words import count_of  # noqa: PLC0415
+    from app.document.words import count_of  # noqa: PLC0415
 
     curves = snapshot.document.curves
     points = count_of(sum(len(each.nodes) for each in curves), "point")

@@ -35,5 +35,5 @@ Small parts:
 
 - ``field_edit``, ``live_slider``, ``setting_slider``, ``elided_label``, ``thumbnail``,
   ``form_parts``, ``fitting``, ``told_spin``, ``work_dialog``, ``choice_style``.
-- ``number_text``, ``words``: numbers and the names of rules, as panels write them.
+- ``number_text``: numbers as panels write them.
 """

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from enum import StrEnum
 from typing import TypeVar
 
@@ -12,12 +13,13 @@ from PySide6.QtWidgets import QComboBox, QFormLayout, QHBoxLayout, QToolButton, 
 
 from app.document import edits
 from app.document.expression import ExpressionError, parse_number
+from app.document.model import AccelerationRule, VelocityRule
+from app.document.words import Named, count_of
 from app.icons import icon
 from app.labels import Label
 from app.overrides import Guarded
 from app.panels.field_edit import FieldEdit
 from app.panels.number_text import decimal_mark, exact_text, rounded_text
-from app.panels.words import ACCELERATION_RULES, VELOCITY_RULES, count_of
 from app.theme import theme_of
 from app.view_model.curve_view import CurveView
 
@@ -64,10 +66,8 @@ class CurveSettings(Guarded, QWidget):
             "End of the interval",
             "t of the last point (of a closed curve: of its return to the first)",
         )
-        self.velocity_box = _rule_box("velocityRule", "Velocity rule", list(VELOCITY_RULES.values()))
-        self.acceleration_box = _rule_box(
-            "accelerationRule", "Acceleration rule", list(ACCELERATION_RULES.values())
-        )
+        self.velocity_box = _rule_box("velocityRule", "Velocity rule", VelocityRule)
+        self.acceleration_box = _rule_box("accelerationRule", "Acceleration rule", AccelerationRule)
         self.reset_button = _reset_button()
         self._facts = _note("curveFacts")
         self._problem = _note("curveProblem")
@@ -112,10 +112,10 @@ class CurveSettings(Guarded, QWidget):
         for edit in (self.name_edit, self.start_edit, self.end_edit):
             edit.left.connect(self._forget_refusal)
         self.velocity_box.activated.connect(
-            lambda row: self.velocity_rule_chosen.emit(list(VELOCITY_RULES)[row])
+            lambda row: self.velocity_rule_chosen.emit(list(VelocityRule)[row])
         )
         self.acceleration_box.activated.connect(
-            lambda row: self.acceleration_rule_chosen.emit(list(ACCELERATION_RULES)[row])
+            lambda row: self.acceleration_rule_chosen.emit(list(AccelerationRule)[row])
         )
         self.reset_button.clicked.connect(self.reset_requested)
 
@@ -139,8 +139,8 @@ class CurveSettings(Guarded, QWidget):
         self.name_edit.show_text(curve.name)
         for edit, value in ((self.start_edit, start), (self.end_edit, end)):
             edit.show_text(exact_text(value, mark).removesuffix(f"{mark}0"), rounded_text(value, mark))
-        self.velocity_box.setCurrentIndex(list(VELOCITY_RULES).index(curve.velocity_rule))
-        self.acceleration_box.setCurrentIndex(list(ACCELERATION_RULES).index(curve.acceleration_rule))
+        self.velocity_box.setCurrentIndex(list(VelocityRule).index(curve.velocity_rule))
+        self.acceleration_box.setCurrentIndex(list(AccelerationRule).index(curve.acceleration_rule))
         derivatives = curve.family.derivatives
         self._form.setRowVisible(self.velocity_box, derivatives > 0)
         self._form.setRowVisible(self.acceleration_box, derivatives > 1)
@@ -227,12 +227,12 @@ def _shape_facts(view: CurveView) -> list[str]:
     return [*facts, count_of(len(corners), "corner")] if corners else facts
 
 
-def _rule_box(name: str, label: str, items: list[str]) -> QComboBox:
+def _rule_box(name: str, label: str, rules: Iterable[Named]) -> QComboBox:
     box = QComboBox()
     box.setObjectName(name)
     box.setAccessibleName(label)
     box.setToolTip(f"{label}: how those that nobody set are estimated")
-    box.addItems(items)
+    box.addItems([each.label for each in rules])
     box.setMinimumContentsLength(8)
     box.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon)
     return box

@@ -8,7 +8,6 @@ from PySide6.QtWidgets import QGridLayout, QWidget
 
 from app.labels import Label
 from app.view_model.analysis.laboratory import Digits
-from app.view_model.analysis.laboratory_settings import METHOD_NAMES
 
 _USUAL_DIGITS = 9
 _SMALLER = 0.75
@@ -50,7 +49,7 @@ class DigitsTable(QWidget):
         self._title.setText(f"At t = {digits.t:.4g}".replace("-", "−"))
         true = [f"{value:.{shown + 2}g}" for value in digits.truth]
         rows = [("True", *map(_aligned, true))]
-        rows += [(METHOD_NAMES[method], *map(_aligned, pair)) for method, pair in digits.rows]
+        rows += [(method.label, *map(_aligned, pair)) for method, pair in digits.rows]
         while len(self._rows) < len(rows):
             self._add_row()
         style = _digits_style(shown)

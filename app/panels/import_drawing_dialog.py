@@ -9,13 +9,13 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from app.document.words import count_of
 from app.exchange.cubics_in import Imported
 from app.labels import Label
 from app.panels.fitting import FittedDialog
 from app.panels.form_parts import into_box
 from app.panels.group_tree import GroupTree
 from app.panels.import_foot import ImportFoot
-from app.panels.words import count_of
 
 _MOST_REMARKS = 8
 

@@ -15,6 +15,7 @@ from PySide6.QtWidgets import (
 )
 
 from app.document.expression import ExpressionError, parse_number
+from app.document.words import count_of
 from app.exchange.table.columns import AFTER, ROLES, WORDS, ColumnMapping, words_on
 from app.exchange.table.curves import Missing
 from app.exchange.table.layout import Layout
@@ -29,26 +30,16 @@ from app.panels.form_parts import choice_box, into_box
 from app.panels.import_foot import ImportFoot
 from app.panels.number_text import decimal_mark, rounded_text
 from app.panels.table_preview import TablePreview
-from app.panels.words import count_of
 from app.panels.work_dialog import WorkDialog
 from app.theme import theme_of
 
 IGNORE = "ignore"
 _SEPARATORS = {"\t": "Tab", ";": "Semicolon ;", ",": "Comma ,", " ": "Blanks"}
-_THINNINGS = {
-    None: "Keep every row",
-    Thinning.CURVE: "Fit a curve within",
-    Thinning.POLYLINE: "Keep corners within",
-}
+_THINNINGS = (None, *Thinning)
 _THINNING_TIP = (
     "Fit a curve: as few points as a smooth curve needs to pass all rows within the distance. "
     "Keep corners: the rows that a polyline within the distance turns at (Douglas–Peucker)"
 )
-_MISSING = {
-    Missing.REFUSE: "Refuse them",
-    Missing.SKIP: "Leave them out",
-    Missing.SPLIT: "End the curve there",
-}
 _SOON_MS = 250
 
 
@@ -76,7 +67,7 @@ class ImportTableDialog(WorkDialog):
         self._soon.timeout.connect(self._use_typed)
         self._connect()
         if source.lines > MANY_ROWS:
-            self.thinning_box.setCurrentIndex(list(_THINNINGS).index(Thinning.CURVE))
+            self.thinning_box.setCurrentIndex(_THINNINGS.index(Thinning.CURVE))
         self._show_preview(preview)
         self._prepare()
 
@@ -95,7 +86,7 @@ class ImportTableDialog(WorkDialog):
             "tableMissing",
             "Rows without numbers",
             "What becomes of rows without numbers",
-            list(_MISSING.values()),
+            [each.label for each in Missing],
         )
         label = Label("Rows without numbers")
         label.setObjectName("tableMissingLabel")
@@ -109,7 +100,8 @@ class ImportTableDialog(WorkDialog):
             "tableFamily", "Family", "The curve through the rows", [family.label for family in FAMILIES]
         )
         self.family_box.setCurrentIndex(FAMILIES.index(HERMITE))
-        self.thinning_box = choice_box("tableThinning", "Rows", _THINNING_TIP, list(_THINNINGS.values()))
+        titles = ["Keep every row", *(each.label for each in Thinning)]
+        self.thinning_box = choice_box("tableThinning", "Rows", _THINNING_TIP, titles)
         self.tolerance_edit = FieldEdit(
             "tableTolerance", "Distance", "How near to stay to every row, in the unit of the table (Enter)"
         )
@@ -226,7 +218,7 @@ class ImportTableDialog(WorkDialog):
         self.jobs.cancel()
         self._prepared = None
         self.ok.setEnabled(False)
-        thinning = list(_THINNINGS)[self.thinning_box.currentIndex()]
+        thinning = _THINNINGS[self.thinning_box.currentIndex()]
         self.tolerance_edit.setEnabled(thinning is not None)
         self.family_box.setEnabled(thinning is None)
         self.family_box.setToolTip(
@@ -238,7 +230,7 @@ class ImportTableDialog(WorkDialog):
             self._show(Prepared(problem="Say which columns are x and y."))
             return
         family = FAMILIES[self.family_box.currentIndex()]
-        missing = list(_MISSING)[self.missing_box.currentIndex()]
+        missing = list(Missing)[self.missing_box.currentIndex()]
         choice = TableChoice(
             self._layout_now, mapping, family, thinning, self._tolerance, self._stem, missing
         )

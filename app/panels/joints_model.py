@@ -12,16 +12,6 @@ from app.panels.number_text import NOTHING, decimal_mark, rounded_text
 from app.theme import LIGHT, Theme
 from app.view_model.analysis.joints import JointRow, Kind
 
-SIGNS = {
-    Kind.SMOOTH: "✓",
-    Kind.ACCELERATION: "△",
-    Kind.SPEED: "◇",
-    Kind.REST: "○",
-    Kind.CORNER: "▲",
-    Kind.BREAK: "✕",
-}
-"""What stands before a joint, so that colour is not all that tells joints apart."""
-
 COLUMNS = ("Joint", "Class", "c", "c′", "c″", "∠", "κ")
 _TIPS = (
     "The joint, by the number of its point: ✓ smooth, △ acceleration jumps, ◇ speed jumps, ▲ corner",
@@ -100,7 +90,7 @@ class JointsModel(Guarded, QAbstractTableModel):
         jumps = [rounded_text(jump, mark, _DIGITS) for jump in row.jumps]
         angle = rounded_text(row.angle, mark, _DIGITS)
         return (
-            f"{SIGNS[row.kind]} {row.joint}",
+            f"{row.kind.value} {row.joint}",
             row.smoothness,
             *jumps,
             angle if angle in ("0", NOTHING) else f"{angle}°",

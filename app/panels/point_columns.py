@@ -18,7 +18,6 @@ from msgspec.structs import replace
 from app.document import edits
 from app.document.edits import EditError
 from app.document.model import Curve, Document, Vector
-from app.panels.words import ACCELERATION_ESTIMATES, VELOCITY_ESTIMATES
 from app.view_model.curve_view import CurveView, Floats
 from app.view_model.jets import explicit_sides
 
@@ -305,11 +304,11 @@ def _derivative_column(
 
 
 def _velocity_estimate(curve: Curve) -> str:
-    return VELOCITY_ESTIMATES[curve.velocity_rule]
+    return curve.velocity_rule.estimate
 
 
 def _acceleration_estimate(curve: Curve) -> str:
-    return ACCELERATION_ESTIMATES[curve.acceleration_rule]
+    return curve.acceleration_rule.estimate
 
 
 _DERIVATIVES = (

@@ -10,6 +10,7 @@ from PySide6.QtGui import QAction, QGuiApplication, QKeySequence, QShowEvent
 from PySide6.QtWidgets import QApplication, QHBoxLayout, QToolButton, QVBoxLayout, QWidget
 
 from app.document.edits import EditError
+from app.document.words import count_of
 from app.exchange.table.clipboard import Block, TableTextError, read_titled_block, write_block
 from app.icons import icon
 from app.labels import Label, html_of
@@ -19,7 +20,6 @@ from app.panels.point_columns import POSITION, Column, known_titles
 from app.panels.point_table_edits import explicit_orders, keeping_sentence
 from app.panels.point_table_model import PointTableModel
 from app.panels.point_table_view import PointTableView
-from app.panels.words import count_of
 from app.theme import Theme, theme_of
 from app.view_model.curve_view import CurveView
 

@@ -20,12 +20,12 @@ from PySide6.QtWidgets import (
 )
 
 from app.document.model import Document
+from app.document.words import count_of
 from app.icons import icon
 from app.labels import Label, tip_of
 from app.overrides import Guarded
 from app.panels.elided_label import ElidedLabel
 from app.panels.thumbnail import thumbnail
-from app.panels.words import count_of
 from app.theme import mix, theme_of
 
 _WIDEST, _SIDE, _BELOW = 640, 40, 44

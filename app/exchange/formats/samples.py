@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from enum import StrEnum
 from functools import partial
 from math import isnan
 from typing import Any
@@ -11,6 +10,7 @@ from typing import Any
 import numpy as np
 
 from app.document.model import Document
+from app.document.words import Named
 from app.exchange.drawing.drawing import Floats
 from app.exchange.errors import ExchangeError
 from app.exchange.formats import Format, Written
@@ -26,12 +26,12 @@ MOST_SAMPLES = 1_000_000
 TITLES = ("t", "x", "y", "vx", "vy", "ax", "ay", "curvature", "length")
 
 
-class Spacing(StrEnum):
+class Spacing(Named):
     """How samples are spread along a curve."""
 
-    T = "t"
-    LENGTH = "length"
-    TOLERANCE = "tolerance"
+    T = "t", "equal steps of t"
+    LENGTH = "length", "equal arc lengths"
+    TOLERANCE = "tolerance", "as the tolerance takes"
 
 
 SPACING = OneOf(
@@ -39,11 +39,7 @@ SPACING = OneOf(
     label="Samples",
     tip="How the rows are spread along each curve",
     default=Spacing.T,
-    choices={
-        Spacing.T: "equal steps of t",
-        Spacing.LENGTH: "equal arc lengths",
-        Spacing.TOLERANCE: "as the tolerance takes",
-    },
+    choices={each: each.label for each in Spacing},
     flag="--by",
     help="equal steps of t or of the arc length, or as many rows as the tolerance takes",
 )

@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
-from enum import StrEnum
 
 import numpy as np
 import numpy.typing as npt
@@ -18,6 +17,7 @@ from app.document.model import (
     ParametrizationKind,
     Vector,
 )
+from app.document.words import Named
 from app.exchange.cubics_in import Imported
 from app.exchange.drawing.drawing import Floats
 from app.exchange.errors import ExchangeError
@@ -39,12 +39,12 @@ CLOSED = "closed "
 """Before the family of a curve whose last row is its first point again."""
 
 
-class Missing(StrEnum):
+class Missing(Named):
     """What becomes of rows without a number for t, x or y."""
 
-    REFUSE = "refuse"
-    SKIP = "skip"
-    SPLIT = "split"
+    REFUSE = "refuse", "Refuse them"
+    SKIP = "skip", "Leave them out"
+    SPLIT = "split", "End the curve there"
 
 
 _PAIRS = {

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from enum import StrEnum
 
 import numpy as np
 import numpy.typing as npt
 
+from app.document.words import Named
 from app.exchange.drawing.drawing import Floats
 from app.exchange.errors import ExchangeError
 from app.tasks.progress import Report, silent
@@ -26,11 +26,11 @@ class TooManyLeftError(ExchangeError):
     """The tolerance is so small that hardly anything is thinned out."""
 
 
-class Thinning(StrEnum):
+class Thinning(Named):
     """What stays within the tolerance of every point."""
 
-    CURVE = "curve"
-    POLYLINE = "polyline"
+    CURVE = "curve", "Fit a curve within"
+    POLYLINE = "polyline", "Keep corners within"
 
 
 @dataclass(frozen=True, eq=False)
