@@ -2,7 +2,7 @@
 
 The layers, top to bottom; a module imports only from its own layer and those above it:
 
-- ``families``: the curve families that there are: the registry that all else reads. No Qt.
+- ``families``: the curve families that there are, in a registry. No Qt.
 - ``document``: immutable values and edits. No Qt, no arrays inside the values.
 - ``storage``: documents on disk: format, migration, atomic write, locks, snapshots. No Qt.
 - ``tasks``: work beside the window's thread: progress, cancelling, debouncing. No Qt in ``progress``.
@@ -13,22 +13,23 @@ The layers, top to bottom; a module imports only from its own layer and those ab
 - ``resources``, ``examples``, ``lessons``: what comes with the program.
 - ``undo_step``: a step of the history.
 - ``session``: the one mutable owner of the current document, its history and the selection.
-- ``analysis``: what is shown over the curve.
 - ``autosave``: keeps a snapshot of what is not saved yet.  ``set_aside``: of what was left for a lesson.
-- ``player``: a motion, and the clock that drives it.
 - ``theme``, ``colours``, ``icons``: how it looks.  ``labels``: words of others as they are written.
 - ``preferences``: what is remembered between starts.  ``settings``, ``settings_file``: the kinds of settings;
   their ini file.
 - ``keymap``: which keys do what.  ``mnemonics``: the letters of menus.
+- ``window_state``: the window's state as a value.  ``analysis``: what is shown over the curve, a part of it.
+- ``player``: a motion, and the clock that drives it.
 - ``disk_watch``: notices when a file may have changed.
 - ``plotting``: what canvas and basis panel share: a pixel map, fast drawing, pan and zoom.
 - ``canvas``, ``panels``: draw a value and report what the person did. They never call each other.
 - ``controllers``: what the person did in a panel becomes a change of the document.
-- ``action_specs``, ``actions``, ``file_commands``, ``commands``: what can be done, and what it does.
-- ``toolbar``, ``menus``, ``docks``, ``window_layout``, ``main_window``: build, dock, connect.
-- ``start``: windows on the screen, soon.  ``display``: whether there is a screen for them.
-- ``crash_report``, ``crash_handler``, ``lifecycle``: what surrounds the windows from start to end.
-- ``cli``, ``cli_commands``, ``cli_options``, ``cli_refusals``: the command line.
+- ``central_area``: the plots and what lies over them.  ``clipboard_watch``: what is on the clipboard.
+- ``actions``, ``docks``, ``file_commands``, ``commands``: what can be done, what it acts on, what it does.
+- ``toolbar``, ``menus``, ``window_layout``, ``main_window``: build, dock, connect.
+- ``diagnostics``: the log, slow frames, reports of crashes.
+- ``lifecycle``: what surrounds the windows from start to end.
+- ``cli``: the command line, and the editor's start.
 - ``testing``: a driver for pytest-qt.
 """
 

@@ -1,4 +1,4 @@
-"""What is shown over the curve beside the curve itself: one owner, whoever switches it."""
+"""Settings of overlays, plots and laboratory, a part of the window's state, and what is said about them."""
 
 from __future__ import annotations
 
@@ -9,6 +9,7 @@ from msgspec.structs import replace
 from PySide6.QtCore import QObject, Signal
 
 from app.view_model.analysis.settings import AnalysisSettings, Ghost, Overlay, Plot
+from app.window_state import WindowState, WindowStore
 
 
 class Analysis(QObject):
@@ -35,18 +36,25 @@ class Analysis(QObject):
     noted = Signal()
     ghost_chosen = Signal(object)
 
-    def __init__(self, parent: QObject | None = None) -> None:
+    def __init__(self, store: WindowStore, parent: QObject | None = None) -> None:
         super().__init__(parent)
-        self.settings = AnalysisSettings()
+        self._store = store
+        store.changed.connect(self._follow_state)
         self.notes: Mapping[Overlay, str] = {}
         self.problem = ""
 
+    @property
+    def settings(self) -> AnalysisSettings:
+        """The settings, a part of the window's state."""
+        return self._store.state.analysis
+
+    def _follow_state(self, before: WindowState, after: WindowState) -> None:
+        if after.analysis != before.analysis:
+            self.changed.emit()
+
     def change(self, **fields: object) -> None:
         """Take other values for some of the settings."""
-        settings = replace(self.settings, **fields)
-        if settings != self.settings:
-            self.settings = settings
-            self.changed.emit()
+        self._store.change(analysis=replace(self.settings, **fields))
 
     def reset(self) -> None:
         """Take all settings back to what they are at the start."""

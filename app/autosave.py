@@ -1,7 +1,8 @@
-"""Keeps a snapshot of what is not saved yet, so that a crash costs a second of work and no more."""
+"""Autosave: a snapshot of what is not saved yet, so that a crash costs a second of work and no more."""
 
 from __future__ import annotations
 
+import logging
 from collections.abc import Callable
 from pathlib import Path
 
@@ -12,14 +13,16 @@ from app.session import Session
 from app.storage.recovery import Origin, SnapshotFile
 from app.tasks.task import Task
 
+_log = logging.getLogger("curvebench.autosave")
+
 DELAY_MS = 1000
 """A second for the timer leaves one for the disk: nobody shall lose more than two."""
 
 _RETRY_MS = 10_000
-"""When to try again after a disk has refused, should nothing be changed before."""
+"""Milliseconds until the next try after a disk has refused, should nothing be changed before."""
 
 _PATIENCE_S = 10.0
-"""How long the end of the program waits for a disk."""
+"""Seconds that the end of the program waits for a disk."""
 
 
 class Autosave(QObject):
@@ -167,5 +170,6 @@ def _written(file: SnapshotFile, document: Document, origin: Origin, committed: 
         # Whatever it is, editing goes on, and the person gets to know.
         reason = problem.__cause__ if isinstance(problem.__cause__, OSError) else problem
         words = getattr(reason, "strerror", None) or str(reason)
+        _log.warning("no snapshot: %s, error %s", type(reason).__name__, getattr(reason, "errno", None))
         return f"Unsaved work cannot be backed up ({words}); save often."
     return ""

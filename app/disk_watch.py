@@ -11,7 +11,7 @@ from PySide6.QtWidgets import QWidget
 from app.overrides import Guarded
 
 _SETTLE_MS = 100
-"""How long after the first sign: one writing of a file gives many."""
+"""Milliseconds after the first sign: one writing of a file gives many."""
 
 
 class DiskWatch(Guarded, QObject):

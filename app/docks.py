@@ -9,8 +9,7 @@ from typing import TypeVar
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QDockWidget, QMainWindow, QWidget
 
-from app.actions import Actions
-from app.commands.curve_commands import CURVE_LIST_BUTTONS
+from app.actions.qactions import Actions
 from app.panels.curve_list import CurveList
 from app.panels.curve_settings import CurveSettings
 from app.panels.fitting import Scrolled
@@ -21,6 +20,11 @@ from app.panels.point_table import PointTable
 from app.session import Session
 
 _LEFT, _RIGHT = Qt.DockWidgetArea.LeftDockWidgetArea, Qt.DockWidgetArea.RightDockWidgetArea
+
+_CURVE_LIST_BUTTONS = (
+    "newCurve", "duplicateCurve", "deleteCurve", "joinCurve", "splitCurve", "reverseCurve", "closeCurve",
+)  # fmt: skip
+"""The actions that stand as buttons under the list of curves."""
 
 _LATE = {
     "jointsDock": "Joints",
@@ -63,7 +67,7 @@ class Docks:
         form = partial(CurveSettings, session.active_view)
         curve, self.curve_settings = self._add("curveDock", "Curve", form)
         curves, self.curve_list = self._add("curvesDock", "Curves", CurveList)
-        self.curve_list.add_buttons([actions[name] for name in CURVE_LIST_BUTTONS])
+        self.curve_list.add_buttons([actions[name] for name in _CURVE_LIST_BUTTONS])
         steps = partial(HistoryPanel, session.undo_stack)
         history, self.history = self._add("historyDock", "History", steps)
         self.image, self.image_panel = self._add("imageDock", "Image", ImagePanel)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
+from enum import Enum
 
 import msgspec
 from PySide6.QtCore import QKeyCombination, QObject, Qt, Signal
@@ -22,7 +23,7 @@ RESERVED = {
 }
 """Keys that, alone or with Shift, belong to the drawing and to the fields; an action cannot have them."""
 
-_ALONE, _NEEDS = "nameAlone", "needs"
+_FULL_NAME, _NEEDS = "fullName", "needs"
 
 
 class Binding(msgspec.Struct, frozen=True):
@@ -144,9 +145,14 @@ class Keymap(QObject):
         self.changed.emit()
 
 
-def call_alone(action: QAction, name: str) -> None:
-    """Give an action a name that stands alone, for where the menu around it is not seen."""
-    action.setProperty(_ALONE, name)
+def action_name(prefix: str, member: Enum) -> str:
+    """Return the name of the action for a member of an enumeration: "ghostQuinticHermite"."""
+    return prefix + "".join(word.capitalize() for word in str(member.value).split("_"))
+
+
+def set_full_name(action: QAction, name: str) -> None:
+    """Give an action a full name, for where the menu around it is not seen."""
+    action.setProperty(_FULL_NAME, name)
 
 
 def say_needs(action: QAction, needs: str) -> None:
@@ -156,13 +162,13 @@ def say_needs(action: QAction, needs: str) -> None:
 
 def why_not(action: QAction) -> str:
     """Return what is missing where an action cannot be used, as a sentence."""
-    needs, name = action.property(_NEEDS), name_alone(action).removesuffix("…")
+    needs, name = action.property(_NEEDS), full_name_of(action).removesuffix("…")
     return f"“{name}” needs {needs}." if needs else f"“{name}” is not possible here."
 
 
-def name_alone(action: QAction) -> str:
+def full_name_of(action: QAction) -> str:
     """Return what an action is called where its menu is not seen."""
-    return str(action.property(_ALONE) or action.text().replace("&", ""))
+    return str(action.property(_FULL_NAME) or action.text().replace("&", ""))
 
 
 def refusal(key: QKeySequence) -> str:

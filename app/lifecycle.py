@@ -1,9 +1,10 @@
-"""What surrounds the windows from start to end: backups, signals, the system's end, crashes."""
+"""Life of the program around its windows: backups, signals, the system's end, crashes."""
 
 from __future__ import annotations
 
 import faulthandler
 import gc
+import logging
 import signal
 import socket
 import sys
@@ -15,15 +16,23 @@ from typing import IO, Any
 from PySide6.QtCore import QObject, QSocketNotifier, QTimer
 from PySide6.QtWidgets import QApplication
 
+from app import diagnostics
 from app.autosave import Autosave, snapshot_folder, state_folder
-from app.crash_handler import CrashHandler
+from app.diagnostics.crash_handler import CrashHandler
+from app.diagnostics.crash_report import versions
+from app.diagnostics.slow_frames import SlowFrames
 from app.document.model import Document
 from app.main_window import MainWindow
 from app.session import Session
 
+_log = logging.getLogger("curvebench.lifecycle")
+
 _SIGNALS = tuple(
     getattr(signal, name) for name in ("SIGTERM", "SIGHUP", "SIGINT", "SIGBREAK") if hasattr(signal, name)
 )
+_LOG_FILE_MS = 1000
+"""Milliseconds until the log goes to its file, too: until then it is in memory."""
+
 _FIRST_SIGNAL_CODE = 128
 """Added to a signal's number it is what a shell expects of a program that the signal ended."""
 
@@ -45,6 +54,9 @@ class Lifecycle(QObject):
         self._autosaves: dict[MainWindow, Autosave] = {}
         self._signals = SignalWatch(self.end, self)
         self._faults = FaultFile()
+        self._log_file: diagnostics.log_file.LogFile | None = None
+        self._log_due = QTimer(self, singleShot=True, interval=_LOG_FILE_MS)
+        self._log_due.timeout.connect(self._open_log_file)
         self.crashes = CrashHandler(self.write_now, self._private_words, self)
         self.crashes.quit_asked.connect(self._save_and_quit)
         self.crashes.interrupted.connect(lambda: self.end(signal.SIGINT))
@@ -53,6 +65,7 @@ class Lifecycle(QObject):
 
     def _watch(self, window: MainWindow) -> None:
         autosave = self._autosaves[window] = Autosave(window.session, snapshot_folder(), self)
+        SlowFrames(window.session.document_changed, window.canvas.painted, window)
         window.keep_with(autosave, self._open_beside)
         window.open_others_with(self._open_window)
         window.closed.connect(lambda: self._finish(window))
@@ -79,6 +92,8 @@ class Lifecycle(QObject):
 
     def start(self) -> None:
         """Take signals and crashes from now on, and offer what was not saved last time."""
+        _log.info("started: %s", versions().replace("\n", "; "))
+        self._log_due.start()
         self._faults.open()
         self._signals.start()
         self.crashes.install()
@@ -90,6 +105,10 @@ class Lifecycle(QObject):
         for window in list(self._autosaves)[:1]:
             window.offer_unsaved_work()
 
+    def _open_log_file(self) -> None:
+        with suppress(OSError):
+            self._log_file = diagnostics.log_file.LogFile(state_folder())
+
     def stop(self) -> None:
         """Give everything back that `start` took."""
         self._application.setQuitOnLastWindowClosed(True)
@@ -97,6 +116,12 @@ class Lifecycle(QObject):
         self.crashes.uninstall()
         self._signals.stop()
         self._faults.close()
+        _log.info("ended")
+        if self._log_due.isActive():
+            self._log_due.stop()
+            self._open_log_file()
+        if self._log_file is not None:
+            self._log_file.close()
 
     def write_now(self) -> bool:
         """Write a backup of everything unsaved; return whether that was possible."""
@@ -114,6 +139,7 @@ class Lifecycle(QObject):
 
     def end(self, number: int = 0) -> None:
         """Keep everything unsaved for the next start, and end the program; `number` is that of a signal."""
+        _log.info("asked to end, signal %d", number)
         self.prepare_for_end()
         for window in self._autosaves:
             window.asks_before_closing = False  # nobody may be there to answer
@@ -193,7 +219,7 @@ class SignalWatch(QObject):
 
 
 class FaultFile:
-    """Where the interpreter writes its last words when the process itself breaks down.
+    """Output of the fault handler, for when the process itself breaks down.
 
     To the terminal where there is one, else to a file in the folder of the program's state.
     """

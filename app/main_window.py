@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from pathlib import Path
 
 from PySide6.QtCore import QEvent, Qt, QTimer, Signal
@@ -19,20 +19,23 @@ from PySide6.QtWidgets import (
     QApplication,
     QDialog,
     QMainWindow,
-    QSplitter,
-    QVBoxLayout,
     QWidget,
 )
 
-from app.actions import Actions
+from app.actions.qactions import Actions
 from app.analysis import Analysis
 from app.autosave import Autosave
-from app.canvas.canvas import Canvas
-from app.commands.connect import Commands
+from app.central_area import CentralArea
+from app.commands.connect import COMMAND_SETS, Commands
+from app.commands.context import WindowContext
 from app.commands.drops import OpenWindow, accepted
+from app.commands.exchange_commands import ExchangeCommands
+from app.commands.file_work import FileWork
 from app.commands.given import Given
-from app.commands.parts import Parts
-from app.commands.recovery_commands import OpenBeside
+from app.commands.image_commands import ImageCommands
+from app.commands.lesson_commands import LessonCommands
+from app.commands.recovery_commands import OpenBeside, RecoveryCommands
+from app.commands.view_commands import ViewCommands
 from app.controllers.curve_settings import CurveSettingsController
 from app.controllers.history import HistoryController
 from app.controllers.image import ImageController
@@ -43,22 +46,17 @@ from app.file_commands import FileCommands, title_of
 from app.icons import app_icon
 from app.menus import Menus
 from app.overrides import Guarded
-from app.panels.basis_pane import BasisPane
-from app.panels.basis_panel import BasisPanel
-from app.panels.message_bar import MessageBar
 from app.panels.parametrization_bar import ParametrizationBar
-from app.panels.plot_panel import PlotPanel
 from app.panels.status_line import StatusLine
 from app.preferences import Preferences
 from app.session import Session
 from app.tasks.single_task import SingleTask
 from app.theme import Theme, ThemeMode, apply_theme, theme_of
 from app.toolbar import Toolbar
-from app.tools.rail import RailTool
-from app.tools.tools import CanvasTool
 from app.view_model.curve_view import CurveView
 from app.view_model.growth import growth_of_points
 from app.window_layout import put_away_floating, restore_layout, when_first_shown
+from app.window_state import WindowState, WindowStore
 
 _PANELS_MS = 100
 """How far the panels may lag behind a drag, in milliseconds; the canvas and the functions never do."""
@@ -87,7 +85,12 @@ class MainWindow(Guarded, QMainWindow):
 
     closed = Signal()
 
-    def __init__(self, session: Session, preferences: Preferences | None = None) -> None:
+    def __init__(
+        self,
+        session: Session,
+        preferences: Preferences | None = None,
+        command_sets: Sequence[type] = COMMAND_SETS,
+    ) -> None:
         super().__init__()
         self.session = session
         self.asks_before_closing = True
@@ -99,21 +102,24 @@ class MainWindow(Guarded, QMainWindow):
         self._dress()
         self.setWindowIcon(app_icon())
         self.setAcceptDrops(True)
-        self.actions_by_name = Actions(self)
-        self.analysis = Analysis(self)
+        self.store = WindowStore(self.preferences, self)
+        self.actions_by_name = Actions(self, command_sets)
+        self.analysis = Analysis(self.store, self)
         self._build_plots()
         self._build_docks()
         self._build_bars()
         self._panels_due = QTimer(self, singleShot=True, interval=_PANELS_MS)
         self._panels_due.timeout.connect(self._render_panels)
         self._files = FileCommands(session, self.preferences, self, self.message_bar.warn)
-        self._commands = Commands(self._parts())
+        self._work = FileWork(session, self.message_bar.warn, self)
+        self._files.beside = self._work.start
+        self._commands = Commands(self._context(), command_sets)
         self._connect()
         self._connect_end()
         restore_layout(self, self.splitter, self.preferences)
         self.plot_panel.hide()
         self.plot_panel.kept_height = self.preferences.plot_height or self.plot_panel.kept_height
-        self._apply_theme_mode()
+        self._render_theme()
         self._render_document()
         self._render_file()
         if self.session.path is None and not self.session.template:
@@ -128,30 +134,14 @@ class MainWindow(Guarded, QMainWindow):
     # Building
 
     def _build_plots(self) -> None:
-        # Each in its parent from the start: what is moved gets its style anew, with all that is in it.
-        self.splitter = QSplitter(Qt.Orientation.Vertical, self)
-        self.setCentralWidget(self.splitter)
-        self.splitter.setObjectName("drawingSplitter")
-        drawing = QWidget(self.splitter)
-        self.canvas = Canvas(CanvasTool(self.session), drawing)
-        self.message_bar = MessageBar(self.canvas.viewport())
-        self.canvas.covered_top = lambda: self.message_bar.covered
-        self.basis_panel = BasisPanel(RailTool(self.session))
-        self.basis_pane = BasisPane(self.basis_panel, self.splitter)
-        self.under_canvas = QVBoxLayout(drawing)
-        self.under_canvas.setContentsMargins(0, 0, 0, 0)
-        self.under_canvas.setSpacing(0)
-        self.under_canvas.addWidget(self.canvas, 1)
-        self.plot_panel = PlotPanel(self.splitter)
-        self.splitter.setStretchFactor(0, 2)
-        self.splitter.setStretchFactor(1, 1)
-        self.splitter.setSizes([560, 280])
-        self.splitter.setChildrenCollapsible(False)
-        # Else what lies behind the window's middle is seen beside the thin line of a handle.
-        self.splitter.setAutoFillBackground(True)
+        central = CentralArea(self.session, self)
+        self.setCentralWidget(central.splitter)
+        self.splitter, self.canvas, self.message_bar = central.splitter, central.canvas, central.message_bar
+        self.basis_panel, self.basis_pane = central.basis_panel, central.basis_pane
+        self.plot_panel, self._central = central.plot_panel, central
 
     def _build_docks(self) -> None:
-        docks = Docks(self, self.session, self.actions_by_name, self._build_dock)
+        docks = self._docks = Docks(self, self.session, self.actions_by_name, self._build_dock)
         self.table_panel, self.curve_settings = docks.table_panel, docks.curve_settings
         self.point_table = docks.table_panel.view
         self.history, self.curve_list = docks.history, docks.curve_list
@@ -171,49 +161,40 @@ class MainWindow(Guarded, QMainWindow):
         self.toolbar = Toolbar(self.actions_by_name, self.parametrization_bar, self)
         self.addToolBar(self.toolbar)
 
-    def _parts(self) -> Parts:
-        return Parts(
-            window=self,
+    def _context(self) -> WindowContext:
+        return WindowContext(
             session=self.session,
+            store=self.store,
+            preferences=self.preferences,
             analysis=self.analysis,
             actions=self.actions_by_name,
             files=self._files,
-            canvas=self.canvas,
-            under_canvas=self.under_canvas,
-            basis_panel=self.basis_panel,
-            basis_pane=self.basis_pane,
-            message_bar=self.message_bar,
-            status_line=self.status_line,
+            work=self._work,
+            window=self,
+            central=self._central,
+            docks=self._docks,
             toolbar=self.toolbar,
-            docks=self.docks,
-            parameters_menu=self.menus.parameters,
-            preferences=self.preferences,
-            curve_list=self.curve_list,
-            set_theme_mode=self.set_theme_mode,
-            image_panel=self.image_panel,
-            image_dock=self.image_dock,
-            splitter=self.splitter,
-            plot_panel=self.plot_panel,
-            lessons_dock=self.lessons_dock,
+            status_line=self.status_line,
         )
 
     # Connecting
 
     def _connect(self) -> None:
         session = self.session
+        self.store.changed.connect(self._show_state)
         session.document_changed.connect(self._render_document)
         session.active_changed.connect(self._render_document)
         session.selection_changed.connect(self._render_selection)
         session.chosen_changed.connect(self._render_chosen)
-        session.hovered_changed.connect(self.canvas.set_hovered)
+        session.hovered_changed.connect(self.canvas.drawing.set_hovered)
         session.hovered_changed.connect(self.basis_panel.set_hovered)
         session.scrub_changed.connect(self._render_scrub)
         session.file_changed.connect(self._render_file)
-        session.interrupted.connect(self.canvas.forget_gesture)
-        session.interrupted.connect(self.basis_panel.forget_gesture)
+        session.interrupted.connect(self.canvas.abandon_gesture)
+        session.interrupted.connect(self.basis_panel.abandon_gesture)
         session.interrupted.connect(self.status_line.forget)
         session.opened.connect(self._fit)
-        session.opened.connect(self.canvas.forget_finished)
+        session.opened.connect(self.canvas.tools.reset)
         session.said.connect(self.status_line.say)
         session.refused.connect(self.status_line.refuse)
         session.offered.connect(self._offer)
@@ -221,8 +202,8 @@ class MainWindow(Guarded, QMainWindow):
             plot.hint_changed.connect(self.status_line.show_hint)
             plot.progress_changed.connect(self.status_line.show_progress)
             plot.gesture_began.connect(self.status_line.begin_gesture)
-        self.basis_panel.drag_changed.connect(self.canvas.hold_ghost)
-        self.parametrization_bar.drag_changed.connect(self.canvas.hold_ghost)
+        self.basis_panel.drag_changed.connect(self.canvas.drawing.hold_ghost)
+        self.parametrization_bar.drag_changed.connect(self.canvas.drawing.hold_ghost)
         self.canvas.pointed_at.connect(self.status_line.show_place)
         self.basis_panel.pointed_at.connect(self.status_line.show_t)
         self.menus.fill_with_files(self.preferences, self._files.open, self._files.open_example)
@@ -292,10 +273,10 @@ class MainWindow(Guarded, QMainWindow):
             self._commands.render(view)
 
     def _render_scrub(self, t: float | None) -> None:
-        self.canvas.set_scrub(t)
+        self.canvas.drawing.set_scrub(t)
         self.basis_panel.set_scrub(t)
         self.status_line.show_scrub(t)
-        self.actions_by_name["toggleScrub"].setChecked(t is not None)
+        self._commands.follow_scrub(t)
 
     def _render_file(self) -> None:
         path = self.session.path
@@ -313,30 +294,27 @@ class MainWindow(Guarded, QMainWindow):
         self._commands.messages.offer(text, self.actions_by_name[action])
 
     def _fit(self) -> None:
-        self.canvas.fit()
-        self.basis_pane.fit()
+        self._central.fit()
 
     def _fit_again(self) -> None:
         """Fit, in the size that the window has at last, what was fitted when its document was opened.
 
         Whoever opens a document says what of it is shown; here nobody chooses anew, for a lesson may be open.
         """
-        self.canvas.fit()
+        self.canvas.framing.fit()
         self.basis_pane.fit_again()
 
     def _show_points(self) -> None:
         """Fit the view where points of the active curve lie outside it."""
-        if not self.canvas.shows_all_points:
+        if not self.canvas.framing.shows_all_points:
             self._fit()
 
     # Theme and layout
 
-    def _apply_theme_mode(self) -> None:
-        self._dress()
-        mode = self.preferences.theme_mode
-        names = {ThemeMode.SYSTEM: "themeSystem", ThemeMode.LIGHT: "themeLight", ThemeMode.DARK: "themeDark"}
-        self.actions_by_name[names[mode]].setChecked(True)
-        self._render_theme()
+    def _show_state(self, before: WindowState, after: WindowState) -> None:
+        if after.theme_mode is not before.theme_mode:
+            self._dress()
+            self._render_theme()
 
     def open_file(self, path: Path) -> None:
         """Open a document, or say why not."""
@@ -348,7 +326,7 @@ class MainWindow(Guarded, QMainWindow):
 
     def keep_with(self, autosave: Autosave, open_beside: OpenBeside) -> None:
         """Keep with `autosave` what is restored in this window; where it is in use, open another."""
-        self._commands.recovery.keep_with(autosave, open_beside)
+        self._commands[RecoveryCommands].keep_with(autosave, open_beside)
 
     def open_others_with(self, open_window: OpenWindow) -> None:
         """Open by `open_window` all documents of a drop but the first."""
@@ -356,19 +334,19 @@ class MainWindow(Guarded, QMainWindow):
 
     def offer_unsaved_work(self) -> None:
         """Offer what was not saved when the program last ended, if there is any."""
-        self._commands.recovery.look()
+        self._commands[RecoveryCommands].look()
 
     def open_lesson(self, name: str) -> None:
         """Begin a lesson."""
-        self._commands.lessons.open(name)
+        self._commands[LessonCommands].open(name)
 
     def export_file(self, path: Path) -> None:
         """Write the document in the format that the ending names, or say why not."""
-        self._commands.exchange.export(path)
+        self._commands[ExchangeCommands].export(path)
 
     def import_file(self, path: Path) -> None:
         """Take in the curves of a file of another format, or say why not."""
-        self._commands.exchange.import_file(path)
+        self._commands[ExchangeCommands].import_file(path)
 
     def ask_before_closing(self) -> None:
         """Ask about unsaved changes when the window is closed, from now on."""
@@ -377,24 +355,23 @@ class MainWindow(Guarded, QMainWindow):
     @property
     def jobs(self) -> SingleTask:
         """What is being read or written beside the window."""
-        return self._commands.work.jobs
+        return self._work.jobs
 
     def apply_preferences(self) -> None:
-        """Take over what the preferences say about grid, unit and snapping."""
-        self._commands.snap.apply_preferences()
+        """Take over what the preferences say now."""
+        self.store.read_preferences()
 
     def add_image(self, path: Path) -> None:
         """Put a picture behind the curves, to trace it, or say why not."""
-        self._commands.images.add(str(path.absolute()))
+        self._commands[ImageCommands].add(str(path.absolute()))
 
     def find_image(self, path: Path) -> None:
         """Show this picture in the place of one that is missing, or say why not."""
-        self._commands.images.find(str(path.absolute()))
+        self._commands[ImageCommands].find(str(path.absolute()))
 
     def set_theme_mode(self, mode: ThemeMode) -> None:
         """Use light or dark colours, or follow the system, from now on."""
-        self.preferences.theme_mode = mode
-        self._apply_theme_mode()
+        self.store.change(theme_mode=mode)
 
     def _dress(self) -> None:
         app = QApplication.instance()
@@ -418,7 +395,7 @@ class MainWindow(Guarded, QMainWindow):
             self._render_theme()
 
     def _remember_layout(self) -> None:
-        self._commands.view.leave_presentation()
+        self.store.change(presentation=False)
         self.preferences.window_geometry = self.saveGeometry()
         self.preferences.window_state = self.saveState()
         self.preferences.splitter_state = self.splitter.saveState()
@@ -437,7 +414,7 @@ class MainWindow(Guarded, QMainWindow):
     def keyPressEvent(self, event: QKeyEvent) -> None:
         if event.key() == Qt.Key.Key_Escape:
             if not self._commands.leave_panel():
-                self._commands.view.escape()
+                self._commands[ViewCommands].escape()
             return
         # What has been used by nobody: the keys of an action that is disabled, for one.
         if why_not := self.actions_by_name.keymap.why_not(event.keyCombination()):

@@ -1,4 +1,4 @@
-"""The menu bar, made from the registry of actions, and the menus of files in it."""
+"""The menu bar, made from the sections of actions, and the menus of files in it."""
 
 from __future__ import annotations
 
@@ -8,10 +8,10 @@ from pathlib import Path
 from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QDockWidget, QMainWindow, QMenu
 
-from app.action_specs import MENUS
-from app.actions import Actions
+from app.actions.qactions import Actions
+from app.actions.sections import CURVE_TANGENTS, FILE_EXAMPLES, FILE_RECENT, MENUS, VIEW_PANELS, Menu, Section
 from app.examples import example_name, example_paths
-from app.keymap import call_alone
+from app.keymap import set_full_name
 from app.labels import menu_text
 from app.mnemonics import give_mnemonics, with_mnemonics
 from app.preferences import Preferences
@@ -22,8 +22,6 @@ class Menus:
 
     Attributes
     ----------
-    parameters
-        The menu in Curve that begins with the rules, which others fill in.
     recent, examples
         The menus in File that `fill_with_files` fills.
     """
@@ -31,42 +29,44 @@ class Menus:
     def __init__(self, window: QMainWindow, actions: Actions) -> None:
         self._actions = actions
         self._window = window
-        for title, marked in zip(MENUS, with_mnemonics(MENUS), strict=True):
-            menu = window.menuBar().addMenu(marked)
-            submenus = self._fill(menu, title)
-            if title == "Curve":
-                self.parameters = submenus["Parameters"]
-                # A tooltip tells why an entry cannot be used.
-                submenus["Tangents"].setToolTipsVisible(True)
+        self._submenus: dict[tuple[Menu, str], QMenu] = {}
+        titles = with_mnemonics([menu.title for menu in MENUS])
+        for menu, marked in zip(MENUS, titles, strict=True):
+            self._fill(window.menuBar().addMenu(marked), menu)
+        self.recent, self.examples = self._submenu(FILE_RECENT), self._submenu(FILE_EXAMPLES)
+        # A tooltip tells why an entry cannot be used.
+        self._submenu(CURVE_TANGENTS).setToolTipsVisible(True)
 
-    def _fill(self, menu: QMenu, title: str) -> dict[str, QMenu]:
-        submenus: dict[str, QMenu] = {}
-        for spec, action in self._actions.of_menu(title):
-            if spec.submenu and spec.submenu not in submenus:
-                if spec.separated:
-                    menu.addSeparator()
-                submenus[spec.submenu] = menu.addMenu(spec.submenu)
-                submenus[spec.submenu].setObjectName(f"{spec.submenu.lower().replace(' ', '_')}Menu")
-            place = submenus.get(spec.submenu, menu)
-            if spec.separated and not place.isEmpty():
+    def _submenu(self, section: Section) -> QMenu:
+        return self._submenus[section.menu, section.submenu]
+
+    def _fill(self, bar_menu: QMenu, menu: Menu) -> None:
+        entries = list(self._actions.of_menu(menu))
+        for section in menu.sections:
+            place = self._place_of(section, bar_menu)
+            actions = [action for each, action in entries if each.section is section]
+            if actions and section.is_separated and not place.isEmpty():
                 place.addSeparator()
-            place.addAction(action)
-            if spec.name == "openDocument":
-                self.recent = menu.addMenu("Open Recent")
-                self.examples = menu.addMenu("Examples")
-            elif spec.name == "toggleSidePanel":
-                self._panels = menu.addMenu("Panels")
-                self._panels.setObjectName("panelsMenu")
-        return submenus
+            place.addActions(actions)
+
+    def _place_of(self, section: Section, menu: QMenu) -> QMenu:
+        """Return the menu of a section; a submenu is made with its first one."""
+        title, key = section.submenu, (section.menu, section.submenu)
+        if title and key not in self._submenus:
+            if section.is_separated:
+                menu.addSeparator()
+            submenu = self._submenus[key] = menu.addMenu(title)
+            submenu.setObjectName(f"{title.lower().replace(' ', '_')}Menu")
+        return self._submenus[key] if title else menu
 
     def fill_with_panels(self, docks: Sequence[QDockWidget]) -> None:
-        """Offer every dock to be shown or put away."""
+        """Offer every dock to be shown or dismissed."""
         for dock in docks:
             action = dock.toggleViewAction()
             action.setObjectName(f"{dock.objectName()}Shown")
             action.setStatusTip(f"Show or put away the panel {dock.windowTitle()}")
-            call_alone(action, f"{dock.windowTitle()} Panel")
-            self._panels.addAction(action)
+            set_full_name(action, f"{dock.windowTitle()} Panel")
+            self._submenu(VIEW_PANELS).addAction(action)
 
     def fill_with_files(
         self,

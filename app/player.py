@@ -11,7 +11,9 @@ from PySide6.QtCore import QObject, Qt, QTimer, Signal
 
 from app.session import Session
 from app.view_model.curve_view import CoreCurve
-from app.view_model.motion import SPEEDS, Course, MotionSettings, Repeat, folded, round_of
+from app.view_model.motion import Course, folded, round_of
+from app.view_model.motion_settings import SPEEDS, MotionSettings, Repeat
+from app.window_state import WindowStore
 
 FRAME_MS = 16
 """Milliseconds from frame to frame; what takes longer drops frames, because the clock is asked each time."""
@@ -24,12 +26,8 @@ class Player(QObject):
 
     Attributes
     ----------
-    settings
-        How the dot runs.
     seconds
         How long the motion has been running, at speed 1.
-    is_open
-        Whether there is a motion at all, playing or paused.
     clock
         Gives seconds; tests put their own here.
 
@@ -44,12 +42,10 @@ class Player(QObject):
     moved = Signal()
     changed = Signal()
 
-    def __init__(self, session: Session, parent: QObject | None = None) -> None:
+    def __init__(self, session: Session, store: WindowStore, parent: QObject | None = None) -> None:
         super().__init__(parent)
-        self._session = session
-        self.settings = MotionSettings()
+        self._session, self._store = session, store
         self.seconds = 0.0
-        self.is_open = False
         self.clock: Callable[[], float] = time.perf_counter
         self._last = 0.0
         self._scrub_before: float | None = None
@@ -62,9 +58,19 @@ class Player(QObject):
         session.scrub_changed.connect(self._follow_scrub)
 
     @property
+    def settings(self) -> MotionSettings:
+        """How the dot runs."""
+        return self._store.state.motion
+
+    @property
+    def is_open(self) -> bool:
+        """Whether there is a motion at all, playing or paused."""
+        return self._store.state.motion_shown
+
+    @property
     def is_playing(self) -> bool:
         """Whether the dot runs."""
-        return self._timer.isActive()
+        return self._store.state.motion_plays
 
     @property
     def course(self) -> Course | None:
@@ -83,13 +89,13 @@ class Player(QObject):
         if course is None or self.is_playing:
             return
         if not self.is_open:
-            self.is_open = True
             self._scrub_before = scrub = self._session.scrub
             self.seconds = course.elapsed_at(scrub) if scrub is not None else 0.0
         if self.settings.repeat is Repeat.ONCE and self.seconds >= course.duration:
             self.seconds = 0.0
         self._last = self.clock()
         self._timer.start()
+        self._store.change(motion_shown=True, motion_plays=True)
         self._show()
         self.changed.emit()
 
@@ -97,19 +103,21 @@ class Player(QObject):
         """Let the dot rest where it is."""
         if self.is_playing:
             self._timer.stop()
+            self._store.change(motion_plays=False)
             self.changed.emit()
 
     def stop(self) -> None:
         """End the motion; the scrub line is where it was before."""
         if self.is_open:
             self._timer.stop()
-            self.is_open = False
+            self._store.change(motion_shown=False, motion_plays=False)
             self._move_scrub(self._scrub_before)
             self.changed.emit()
 
     def change(self, **fields: object) -> None:
         """Take other settings; the dot goes on from where it is."""
-        before, self.settings = self.settings, replace(self.settings, **fields)
+        before = self.settings
+        self._store.change(motion=replace(before, **fields))
         if self.settings == before:
             return
         t = self._session.scrub

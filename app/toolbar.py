@@ -6,7 +6,7 @@ from PySide6.QtCore import QSize, Qt
 from PySide6.QtGui import QResizeEvent, QShowEvent
 from PySide6.QtWidgets import QToolBar, QToolButton, QWidget
 
-from app.actions import Actions
+from app.actions.qactions import Actions
 from app.families import FAMILIES
 from app.overrides import Guarded
 from app.panels.parametrization_bar import ParametrizationBar

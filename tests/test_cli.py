@@ -14,8 +14,8 @@ from PySide6.QtWidgets import QApplication, QDialog, QMainWindow
 
 from app import __version__
 from app.cli import main
+from app.cli.windows import open_windows
 from app.document.model import Document, make_curve
-from app.start import open_windows
 from app.storage.files import load, save
 from app.testing import Editor
 
@@ -61,7 +61,7 @@ def test_convert_and_render_tell_on_a_terminal_how_far_they_are(output, tmp_path
 
     table = tmp_path / "rows.csv"
     table.write_text("x,y\n" + "".join(f"{k},{k % 7}\n" for k in range(12_000)))
-    monkeypatch.setattr("app.cli_commands._PATIENCE", -1.0)
+    monkeypatch.setattr("app.cli.commands._PATIENCE", -1.0)
     monkeypatch.setattr(sys, "stderr", terminal := Terminal())
     word, source = ("convert", str(table)) if output.endswith("json") else ("render", LETTER)
     target = str(tmp_path / output)
@@ -341,7 +341,7 @@ def test_whatever_the_system_refuses_is_said(problem, said, monkeypatch, capsys)
     def fail(*_arguments, **_options):
         raise problem
 
-    monkeypatch.setattr("app.cli_commands.export", fail)
+    monkeypatch.setattr("app.cli.commands.export", fail)
     assert refusal(capsys, "render", LETTER, "-o", "b.png") == (
         f"curvebench render {LETTER} -o b.png failed: {said}."
     )
@@ -359,7 +359,7 @@ def test_ctrl_c_is_quiet(monkeypatch, capsys):
     def interrupted(_path):
         raise KeyboardInterrupt
 
-    monkeypatch.setattr("app.cli_refusals.load", interrupted)
+    monkeypatch.setattr("app.cli.refusals.load", interrupted)
     assert main(["info", LETTER]) == 130
     assert capsys.readouterr() == ("", "")
 

@@ -8,7 +8,7 @@ from pathlib import Path
 import PySide6
 import pytest
 
-from app.display import has_display, missing_library, why_no_window
+from app.cli.display import has_display, missing_library, why_no_window
 from tests.test_cli import run
 
 pytestmark = pytest.mark.skipif(sys.platform != "linux", reason="elsewhere there is always a display")

@@ -1,7 +1,7 @@
 """The canvas: the curve, its points and handles, drawn and grabbed.
 
-- ``canvas_view``: what is shown.  ``canvas``: the widget, with the gestures on it.
-- ``fitting``: which part of the plane is shown.
+- ``canvas``: the widget, which has the tools.  ``scene``: its layers.  ``fitting``: what part of the plane is
+  shown.
 - ``curve_layer``, ``point_layer``, ``point_density``, ``corner_layer``: the curve that is edited.
 - ``other_curves_layer``, ``chosen_curves_layer``: the other curves; those of them that are chosen.
 - ``grid_layer``, ``unit_layer``: grid and unit.
@@ -9,8 +9,8 @@
 - ``annotations``: what explains the curve.  ``figure_layer``, ``trace_layer``, ``file_layer``: overlays and
   ghosts; other versions of the curve; those that the file holds.  ``legend``: what they mean.
 - ``motion_layer``: dots that run, their trails and arrows.
-- ``overlay_layer``: what a gesture shows over it: rubber band, box with grips, what was snapped to, a ruler.
+- ``marks_layer``: what a gesture shows over it: rubber band, box with grips, what was snapped to, a ruler.
 - ``label_place``: where words beside a point cover least.
 - ``pen_layer``: what the pen would make before it is pressed.
-- ``hit_test``: what lies under the pointer.  ``keys``: what keys mean, and the shapes of the pointer.
+- ``hit_test``: what lies under the pointer.
 """

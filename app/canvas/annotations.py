@@ -10,7 +10,7 @@ from PySide6.QtCore import QObject, Signal
 from app.canvas.figure_layer import FigureLayer
 from app.canvas.file_layer import FileLayer
 from app.canvas.trace_layer import Trace, TraceLayer
-from app.plotting.layered_plot import LayeredPlot
+from app.plotting.plot_widget import PlotWidget
 from app.theme import LIGHT
 from app.view_model.analysis.figures import Figure
 from app.view_model.curve_view import CurveView
@@ -39,12 +39,12 @@ class Annotations(QObject):
     ghost_chosen = Signal(object)
     ghost_hidden = Signal(object)
 
-    def __init__(self, plot: LayeredPlot) -> None:
+    def __init__(self, plot: PlotWidget) -> None:
         super().__init__(plot)
         self._plot = plot
-        self._figures = plot.dress(FigureLayer(plot, LIGHT, z=-0.5))
-        self._file_layer = plot.dress(FileLayer(plot, LIGHT))
-        self._traces = plot.dress(TraceLayer(plot, LIGHT))
+        self._figures = plot.layers.style(FigureLayer(plot, LIGHT, z=-0.5))
+        self._file_layer = plot.layers.style(FileLayer(plot, LIGHT))
+        self._traces = plot.layers.style(TraceLayer(plot, LIGHT))
         self.legend: Legend | None = None
 
     # Figures and ghosts
@@ -97,7 +97,7 @@ class Annotations(QObject):
             # Built when there is something to explain: nobody waits for it at the start.
             from app.canvas.legend import Legend  # noqa: PLC0415
 
-            self.legend = self._plot.dress(Legend(self._plot.viewport(), LIGHT))
+            self.legend = self._plot.layers.style(Legend(self._plot.viewport(), LIGHT))
             self.legend.chosen.connect(self.ghost_chosen)
             self.legend.hidden.connect(self.ghost_hidden)
         self.legend.render_rows(group, rows)

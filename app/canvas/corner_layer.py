@@ -7,8 +7,8 @@ from PySide6.QtGui import QPainter, QPen
 
 from app.canvas.point_layer import opacity_of
 from app.colours import point_colours
-from app.plotting.layered_plot import LayeredPlot
 from app.plotting.pixel_map import PixelMap
+from app.plotting.plot_widget import PlotWidget
 from app.theme import Theme
 from app.view_model.curve_view import CurveView
 
@@ -19,12 +19,12 @@ _FAR = 1e5
 class CornerLayer:
     """Draws a square on every corner of the active curve; without corners it costs nothing."""
 
-    def __init__(self, plot: LayeredPlot, theme: Theme) -> None:
+    def __init__(self, plot: PlotWidget, theme: Theme) -> None:
         self.theme = theme
         self.scale = 1.0
         self._corners: list[int] = []
         self._view: CurveView | None = None
-        self._layer = plot.add_layer(self.paint, z=11)
+        self._layer = plot.layers.add(self.paint, z=11)
 
     def render(self, view: CurveView) -> None:
         """Draw the corners of `view` from the next paint on."""

@@ -7,9 +7,10 @@ from PySide6.QtGui import QColor, QFont, QFontMetricsF, QPainter, QPen
 
 from app.colours import curve_colour
 from app.plotting.drawing import Stroke
-from app.plotting.layered_plot import Layer, LayeredPlot
+from app.plotting.layers import Layer
 from app.plotting.pixel_map import Floats, PixelMap
 from app.plotting.plates import inside, write_on_plate
+from app.plotting.plot_widget import PlotWidget
 from app.theme import Theme
 from app.view_model.curve_view import CurveView, Polyline
 
@@ -37,7 +38,7 @@ class CurveLayer:
         Bound of the distance between the curve and the line last drawn, in pixels.
     """
 
-    def __init__(self, plot: LayeredPlot, theme: Theme) -> None:
+    def __init__(self, plot: PlotWidget, theme: Theme) -> None:
         self.theme = theme
         self.scale = 1.0
         self.error = 0.0
@@ -51,7 +52,7 @@ class CurveLayer:
         self._ghost: Floats | None = None
         self._ghost_held = self._is_cased = False
         self._fade = QVariantAnimation(plot, startValue=1.0, endValue=0.0, duration=_GHOST_MS)
-        self._layer: Layer = plot.add_layer(self.paint, z=0)
+        self._layer: Layer = plot.layers.add(self.paint, z=0)
         self._fade.valueChanged.connect(lambda _value: self._layer.update())
         self._fade.finished.connect(self._drop_ghost)
 

@@ -13,10 +13,10 @@ from PySide6.QtGui import QColor, QFont, QFontMetricsF, QPainter
 from app.canvas.curve_layer import TOLERANCE
 from app.plotting.area import AreaFill
 from app.plotting.drawing import MARGIN, Floats, Segments, cut_segments
-from app.plotting.layered_plot import LayeredPlot
 from app.plotting.pens import draw_line, draw_mark, pen_of
 from app.plotting.pixel_map import PixelMap
 from app.plotting.plates import inside, write_on_plate
+from app.plotting.plot_widget import PlotWidget
 from app.theme import Theme
 from app.view_model.analysis.figures import Figure, Shape
 from app.view_model.looks import LOOKS, Look, ghost_look
@@ -43,14 +43,14 @@ class FigureLayer:
     Lines and areas lie under the curve, marks over it and under the points.
     """
 
-    def __init__(self, plot: LayeredPlot, theme: Theme, *, z: float) -> None:
+    def __init__(self, plot: PlotWidget, theme: Theme, *, z: float) -> None:
         self.theme = theme
         self.scale = 1.0
         self.figures: Sequence[Figure] = ()
         self.ghosts: Sequence[GhostView] = ()
         self._area = AreaFill()
         self._font = QFont(plot.font())
-        self._layers = [plot.add_layer(self._paint_below, z=z), plot.add_layer(self._paint_above, z=0.5)]
+        self._layers = [plot.layers.add(self._paint_below, z=z), plot.layers.add(self._paint_above, z=0.5)]
         for layer in self._layers:
             # Even a layer that draws nothing costs every frame its share.
             layer.set_visible(False)

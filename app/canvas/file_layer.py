@@ -9,9 +9,9 @@ from PySide6.QtCore import Qt
 from PySide6.QtGui import QPainter, QPixmap
 
 from app.canvas.curve_layer import TOLERANCE
-from app.plotting.layered_plot import LayeredPlot
 from app.plotting.pens import draw_line, pen_of
 from app.plotting.pixel_map import PixelMap
+from app.plotting.plot_widget import PlotWidget
 from app.theme import Theme
 from app.view_model.curve_view import CurveView
 from app.view_model.looks import FILE_LOOK
@@ -20,14 +20,14 @@ from app.view_model.looks import FILE_LOOK
 class FileLayer:
     """Draws the curves of the file behind those of the document, out of the reach of the mouse."""
 
-    def __init__(self, plot: LayeredPlot, theme: Theme) -> None:
+    def __init__(self, plot: PlotWidget, theme: Theme) -> None:
         self.theme = theme
         self.scale = 1.0
         self._views: Sequence[CurveView] = ()
         self._name = ""
         self._picture: QPixmap | None = None
         self._key: tuple[object, ...] = ()
-        self._layer = plot.add_layer(self.paint, z=-2)
+        self._layer = plot.layers.add(self.paint, z=-2)
         self._layer.set_visible(False)
 
     @property

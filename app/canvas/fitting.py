@@ -1,14 +1,19 @@
-"""Which part of the plane to show: boxes around curves, and ways back into sight."""
+"""Fitting: the part of the plane that shows curves, and ways back into sight."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from typing import NamedTuple
+from collections.abc import Callable, Sequence
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
+from PySide6.QtCore import QPointF
 
+from app.plotting.camera import Camera
 from app.plotting.pixel_map import Floats, PixelMap
 from app.view_model.curve_view import CurveView
+
+if TYPE_CHECKING:
+    from app.canvas.scene import CanvasScene
 
 _FIT_MARGIN = 0.12
 
@@ -61,6 +66,73 @@ def way_back_inside(pixel: float, size: float) -> float:
     if 0 <= pixel <= size:
         return 0.0
     return (margin if pixel < 0 else size - margin) - pixel
+
+
+class Framing:
+    """Fits the drawing into the view of the canvas.
+
+    Attributes
+    ----------
+    covered_top
+        Tells how many pixels at the top a message covers; what is fitted into the view stays clear of it.
+    """
+
+    def __init__(self, camera: Camera, drawing: CanvasScene) -> None:
+        self._camera, self._drawing = camera, drawing
+        self.covered_top: Callable[[], float] = lambda: 0.0
+
+    @property
+    def shows_all_points(self) -> bool:
+        """Whether every point of the active curve is in sight."""
+        view = self._drawing.view
+        return view is None or not len(view.points) or all_inside(self._camera.pixel_map, view.points)
+
+    def shows_curves_from(self, first: int) -> bool:
+        """Whether the curves from this place on lie in sight, as far as `fit` would show them."""
+        return are_in_sight(self._drawing.views[first:], self._camera.pixel_map)
+
+    def fit(self) -> None:
+        """Show all visible curves and the active one; of a wild one, its points and their surroundings.
+
+        Where there are no points the picture to trace is shown.
+        """
+        drawing = self._drawing
+        views = [view for view in drawing.views if view.source.visible or view is drawing.view]
+        if drawing.view is not None and not any(view is drawing.view for view in views):
+            views.append(drawing.view)
+        # A picture may be far larger than what is traced of it; it counts while there is nothing else.
+        box = box_of(views) or drawing.image.box
+        if box is None:
+            self._camera.show_box((-0.5, 4.5), (-0.5, 4.5))
+        else:
+            self._show_below(*box, self.covered_top())
+
+    def _show_below(self, low: Floats, high: Floats, covered: float) -> None:
+        """Show a box below `covered` pixels at the top, on which a message lies."""
+        shown = self._camera.pixel_map
+        room = max(shown.height - covered, 0.5 * shown.height)
+        # As tall as it becomes with equal units along x and y.
+        tall = max(high[1] - low[1], (high[0] - low[0]) * room / shown.width)
+        top = (low[1] + high[1] + tall) / 2 + tall * (shown.height - room) / room
+        self._camera.show_box((low[0], high[0]), ((low[1] + high[1] - tall) / 2, top))
+
+    def selected_pixel(self) -> QPointF | None:
+        """Return where the first selected point lies in the viewport."""
+        view, selected = self._drawing.view, sorted(self._drawing.points.selection)
+        if view is None or not selected or selected[0] >= len(view.points):
+            return None
+        return QPointF(self._camera.to_pixel(*view.points[selected[0]].tolist()))
+
+    def reveal_selected(self) -> None:
+        """Move the view so far that the selected point is in sight."""
+        view, selected = self._drawing.view, self._drawing.points.selection
+        if view is None or len(selected) != 1:
+            return
+        shown = self._camera.pixel_map
+        x, y = shown.point(*view.points[next(iter(selected))].tolist())
+        dx, dy = way_back_inside(x, shown.width), way_back_inside(y, shown.height)
+        if dx or dy:
+            self._camera.pan(dx, dy)
 
 
 def _boxes(views: Sequence[CurveView]) -> Floats:

@@ -11,8 +11,8 @@ from PySide6.QtCore import Qt
 from PySide6.QtGui import QPainter
 
 from app.plotting.drawing import Bars
-from app.plotting.layered_plot import LayeredPlot
 from app.plotting.pixel_map import Floats, PixelMap
+from app.plotting.plot_widget import PlotWidget
 from app.theme import Theme
 
 _LEAST_GAP = 8.0
@@ -27,7 +27,7 @@ _MOST_DIGITS = 15
 class GridLayer:
     """Fine and coarse lines that adapt to the zoom."""
 
-    def __init__(self, plot: LayeredPlot, theme: Theme) -> None:
+    def __init__(self, plot: PlotWidget, theme: Theme) -> None:
         self._plot = plot
         self.theme = theme
         self._visible = True
@@ -35,8 +35,8 @@ class GridLayer:
         self._fine, self._coarse = Bars(), Bars()
         self._fixed = 0.0
         self._steps = (0.0, 0.0)
-        self._layer = plot.add_layer(self.paint, z=-10, is_still=True)
-        plot.map_changed.connect(self._tune_axes)
+        self._layer = plot.layers.add(self.paint, z=-10, is_still=True)
+        plot.camera.changed.connect(self._tune_axes)
         self.set_spacing(0.0)
 
     def set_visible(self, visible: bool) -> None:

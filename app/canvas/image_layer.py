@@ -11,10 +11,10 @@ from PySide6.QtGui import QImage, QPainter, QPen, QPixmap
 from app.canvas.fitting import Box, with_margin
 from app.canvas.page_image import inverted_lightness, is_page
 from app.document.model import ReferenceImage, Vector
-from app.plotting.layered_plot import LayeredPlot
 from app.plotting.pixel_map import PixelMap
+from app.plotting.plot_widget import PlotWidget
 from app.theme import Theme
-from app.tools.image_tool import CORNERS, corner_of
+from app.tools.move_image import CORNERS, corner_of
 from app.tools.pointer import Hit, Part
 
 GRIP_REACH = 12.0
@@ -28,7 +28,7 @@ _MARGIN = 4.0
 class ImageLayer:
     """Draws a picture at its place; a dashed frame where its file is not there."""
 
-    def __init__(self, plot: LayeredPlot, theme: Theme) -> None:
+    def __init__(self, plot: PlotWidget, theme: Theme) -> None:
         self.theme = theme
         self.has_grips = False
         self._image: ReferenceImage | None = None
@@ -39,10 +39,10 @@ class ImageLayer:
         self._is_page: bool | None = None
         # A level for dark paper, and what it was made of.
         self._dark: tuple[QImage, QImage] | None = None
-        self._layer = plot.add_layer(self.paint, z=-6, is_still=True)
+        self._layer = plot.layers.add(self.paint, z=-6, is_still=True)
         self._layer.set_visible(False)
         # The grips lie over curves and points: the mouse is theirs while they show.
-        self._grips = plot.add_layer(self._paint_grips, z=20)
+        self._grips = plot.layers.add(self._paint_grips, z=20)
 
     def render(self, image: ReferenceImage | None, pixels: QImage | None) -> None:
         """Draw this picture from the next paint on."""

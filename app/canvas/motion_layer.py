@@ -10,10 +10,10 @@ from PySide6.QtGui import QColor, QFont, QFontMetricsF, QPainter, QPen
 
 from app.colours import curve_colour
 from app.plotting.drawing import Segments, cut_segments
-from app.plotting.layered_plot import LayeredPlot
 from app.plotting.pens import draw_line
 from app.plotting.pixel_map import PixelMap
 from app.plotting.plates import inside, write_on_plate
+from app.plotting.plot_widget import PlotWidget
 from app.theme import Theme, mix
 from app.view_model.arrow import arrow_segments
 from app.view_model.curve_view import Floats
@@ -30,14 +30,14 @@ _SHORTEST = 3.0
 class MotionLayer:
     """Draws dots that run; the scrub line's own dot lies on top of them."""
 
-    def __init__(self, plot: LayeredPlot, theme: Theme) -> None:
+    def __init__(self, plot: PlotWidget, theme: Theme) -> None:
         self.theme = theme
         self.scale = 1.0
         self.dots: Sequence[Dot] = ()
         self.lines: Sequence[tuple[Role, Floats]] = ()
         self._font = QFont(plot.font())
         self._written: list[QRectF] = []
-        self._layer = plot.add_layer(self.paint, z=9)
+        self._layer = plot.layers.add(self.paint, z=9)
 
     def render(self, dots: Sequence[Dot], lines: Sequence[tuple[Role, Floats]]) -> None:
         """Draw `dots`, and the curves that some of them run along, from the next paint on."""

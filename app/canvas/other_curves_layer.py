@@ -15,8 +15,8 @@ from app.canvas.hit_test import CURVE_REACH, Segments
 from app.colours import curve_colour
 from app.document.model import Vector
 from app.plotting.drawing import Stroke
-from app.plotting.layered_plot import LayeredPlot
 from app.plotting.pixel_map import Floats, PixelMap
+from app.plotting.plot_widget import PlotWidget
 from app.theme import Theme
 from app.tools.pointer import Hit, Part
 from app.view_model.curve_view import CurveView
@@ -39,7 +39,7 @@ class OtherCurvesLayer:
 
     shows_hidden = False
 
-    def __init__(self, plot: LayeredPlot, theme: Theme) -> None:
+    def __init__(self, plot: PlotWidget, theme: Theme) -> None:
         self.theme = theme
         self.scale = 1.0
         self._is_cased = False
@@ -53,7 +53,7 @@ class OtherCurvesLayer:
         self._next = QTimer(plot, singleShot=True, interval=0)
         self._next.timeout.connect(self._update)
         self._outline: _Outline | None = None
-        self._layer = plot.add_layer(self.paint, z=-1)
+        self._layer = plot.layers.add(self.paint, z=-1)
         self._layer.set_visible(False)
 
     def render(self, views: Sequence[CurveView], places: Sequence[int]) -> None:

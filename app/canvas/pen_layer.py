@@ -8,8 +8,8 @@ from PySide6.QtGui import QPainter, QPen
 from app.canvas.curve_layer import TOLERANCE
 from app.document.model import Vector
 from app.plotting.drawing import Stroke
-from app.plotting.layered_plot import LayeredPlot
 from app.plotting.pixel_map import PixelMap
+from app.plotting.plot_widget import PlotWidget
 from app.theme import Theme
 from app.view_model.curve_view import CurveView
 
@@ -19,15 +19,15 @@ _FAR = 1e5
 class PenLayer:
     """Draws a thin line below the curve, so that only what would change is seen, and a ring on the curve."""
 
-    def __init__(self, plot: LayeredPlot, theme: Theme) -> None:
+    def __init__(self, plot: PlotWidget, theme: Theme) -> None:
         self.theme = theme
         self.scale = 1.0
         self._ahead: CurveView | None = None
         self._spot: Vector | None = None
         self._stroke = Stroke()
         self._drawn: tuple[CurveView | None, PixelMap | None] = (None, None)
-        self._line = plot.add_layer(self._paint_line, z=-0.5)
-        self._ring = plot.add_layer(self._paint_ring, z=9.5)
+        self._line = plot.layers.add(self._paint_line, z=-0.5)
+        self._ring = plot.layers.add(self._paint_ring, z=9.5)
 
     def render(self, ahead: CurveView | None, spot: Vector | None) -> None:
         """Draw these from the next paint on; None for nothing."""

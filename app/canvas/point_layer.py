@@ -12,9 +12,9 @@ from app.canvas.point_density import RADIUS, Discs, discs_for, with_neighbours
 from app.plotting.colours import colours_of
 from app.plotting.drawing import Flags
 from app.plotting.fonts import Sizes
-from app.plotting.layered_plot import LayeredPlot
 from app.plotting.pixel_map import Floats, PixelMap
 from app.plotting.plates import write_on_plate
+from app.plotting.plot_widget import PlotWidget
 from app.plotting.stamps import Stamps
 from app.theme import Theme
 from app.view_model.curve_view import CurveView, Integers
@@ -38,20 +38,20 @@ _HIDDEN = 0.35
 class PointLayer:
     """Draws the nodes of the active curve; all in one item."""
 
-    def __init__(self, plot: LayeredPlot, theme: Theme) -> None:
+    def __init__(self, plot: PlotWidget, theme: Theme) -> None:
         self.theme = theme
         self.scale = 1.0
         self.selection: frozenset[int] = frozenset()
         self.hovered = -1
         # While points are added, the handle of the new one is the one under the pointer: ahead of the end.
-        self.is_adding = False
+        self.shows_new_handle = False
         # Over a picture, what is thin and grey needs paper around it to be seen.
         self.over_picture = False
         self.weights: Floats | None = None
         self.scrub: tuple[float, float, float] | None = None
         self._view: CurveView | None = None
         self._handles: list[Handle] = []
-        self._layer = plot.add_layer(self.paint, z=10)
+        self._layer = plot.layers.add(self.paint, z=10)
         self._fonts = Sizes(plot.font())
         self._stamps = Stamps(_disc)
         self._discs_now = Discs(RADIUS, 0.0)
@@ -89,7 +89,7 @@ class PointLayer:
     def _handles_now(self) -> list[Handle]:
         if self._view is None or len(self.selection) != 1:
             return []
-        return handles_of(self._view, next(iter(self.selection)), free=self.is_adding)
+        return handles_of(self._view, next(iter(self.selection)), free=self.shows_new_handle)
 
     def paint(self, painter: QPainter, shown: PixelMap) -> None:
         """Draw weights, handles, points and numbers."""

@@ -9,9 +9,9 @@ import numpy as np
 from PySide6.QtGui import QPainter
 
 from app.plotting.drawing import Floats, Segments, Stroke
-from app.plotting.layered_plot import LayeredPlot
 from app.plotting.pens import line_in_pixels, pen_of
 from app.plotting.pixel_map import PixelMap
+from app.plotting.plot_widget import PlotWidget
 from app.theme import Theme
 from app.view_model.looks import Look
 
@@ -29,13 +29,13 @@ class Trace(msgspec.Struct, frozen=True, eq=False):
 class TraceLayer:
     """Draws groups of traces."""
 
-    def __init__(self, plot: LayeredPlot, theme: Theme) -> None:
+    def __init__(self, plot: PlotWidget, theme: Theme) -> None:
         self.theme = theme
         self.scale = 1.0
         self.groups: dict[str, tuple[Sequence[Trace], bool]] = {}
         self._lines: list[tuple[Look, bool, Stroke | Segments]] = []
         self._drawn_at: tuple[PixelMap, float] | None = None
-        self._layer = plot.add_layer(self.paint, z=0.5)
+        self._layer = plot.layers.add(self.paint, z=0.5)
         self._layer.set_visible(False)
 
     def render(self, group: str, traces: Sequence[Trace], *, faded: bool) -> None:

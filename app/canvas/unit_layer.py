@@ -5,20 +5,20 @@ from __future__ import annotations
 from PySide6.QtCore import QRectF, Qt
 from PySide6.QtGui import QFont, QPainter
 
-from app.plotting.layered_plot import LayeredPlot
 from app.plotting.pixel_map import PixelMap
+from app.plotting.plot_widget import PlotWidget
 from app.theme import Theme
 
 
 class UnitLayer:
     """Writes the unit at the right end of the x axis and the upper end of the y axis."""
 
-    def __init__(self, plot: LayeredPlot, theme: Theme) -> None:
+    def __init__(self, plot: PlotWidget, theme: Theme) -> None:
         self.theme = theme
         self._unit = ""
         self._font = QFont(plot.font())
         self._font.setPointSizeF(max(self._font.pointSizeF() - 1.5, 7.0))
-        self._layer = plot.add_layer(self.paint, z=-5, is_still=True)
+        self._layer = plot.layers.add(self.paint, z=-5, is_still=True)
         self._layer.set_visible(False)
 
     @property

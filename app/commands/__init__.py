@@ -1,7 +1,8 @@
 """What the actions do: each a few lines that turn a trigger into an edit or a change of view.
 
-- ``connect``: connects the actions of a window to all that follows.  ``parts``: the parts of a window that
-  commands act on, and what a set of commands is.
+- ``connect``: makes the command sets of a window and binds the actions that they declare.
+  ``context``: what command sets act on.
+- ``document_commands``: new, open, save and quit.  ``work_commands``: stops what is read or written.
 - ``edit_commands``, ``curve_commands``: history, points, family and parameters; whole curves.
 - ``chosen_commands``, ``curve_clipboard``: what is done to all chosen curves.
 - ``selection_commands``, ``tangent_commands``: transforms of the selected points; their tangents.

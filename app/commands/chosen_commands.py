@@ -2,61 +2,37 @@
 
 from __future__ import annotations
 
+from app.actions.declaration import action
+from app.actions.needs import Need
+from app.actions.sections import CURVE_COLOUR, CURVE_NUMBER, CURVE_PROPERTIES, EDIT_SELECT
+from app.actions.situation import Situation
 from app.colours import CURVE_COLOURS
-from app.commands.parts import Handlers, Parts
+from app.commands.context import WindowContext
 from app.controllers.curve_list import CurveListController
 from app.document.several_curves import active_after_removal, add_copies, named, remove_curves
-from app.view_model.curve_view import CurveView
-
-_VERBS = {"duplicateCurve": "Duplicate", "deleteCurve": "Delete"}
 
 
 class ChosenCommands:
     """What works on several curves as on one."""
 
-    def __init__(self, parts: Parts) -> None:
-        self._parts = parts
-        self._session = parts.session
-        self._actions = parts.actions
-        self._list = CurveListController(parts.session, parts.curve_list)
-        parts.curve_list.view.deletion_wanted.connect(parts.actions["deleteCurve"].trigger)
-
-    def handlers(self) -> Handlers:
-        """Return what each action does."""
-        session, panel = self._session, self._parts.curve_list
-        return {
-            "duplicateCurve": self._duplicate,
-            "deleteCurve": self._delete,
-            "curveVisible": lambda: self._list.switch_visible(session.active_index),
-            "curveLocked": lambda: self._list.switch_locked(session.active_index),
-            "curveColour": lambda: panel.choose_colour(session.active_index),
-            "selectAllCurves": self._choose_all,
-            "onlyThisCurve": self._choose_one,
-        }
-
-    def render(self, view: CurveView) -> None:
-        """Check and enable the actions, and say how many curves they are about."""
-        actions, count = self._actions, len(self._session.chosen_curves)
-        actions["curveVisible"].setChecked(view.source.visible)
-        actions["curveLocked"].setChecked(view.source.locked)
-        actions["selectAllCurves"].setEnabled(count < len(self._session.document.curves))
-        actions["onlyThisCurve"].setEnabled(count > 1)
-        for name, verb in _VERBS.items():
-            actions[name].setText(f"{verb} {count} Curves" if count > 1 else f"{verb} Curve")
-
-    # Choosing
-
-    def _choose_all(self) -> None:
-        session = self._session
-        session.choose_curves(range(len(session.document.curves)))
-        session.say(f"{named(session.document, session.chosen_curves)} chosen.")
-
-    def _choose_one(self) -> None:
-        self._session.choose_curves((self._session.active_index,))
+    def __init__(self, context: WindowContext) -> None:
+        self._context = context
+        self._session = context.session
+        self._list = CurveListController(context.session, context.docks.curve_list)
+        context.docks.curve_list.view.deletion_wanted.connect(context.actions["deleteCurve"].trigger)
 
     # Number
 
+    @action(
+        "duplicateCurve",
+        "Duplicate Curve",
+        CURVE_NUMBER,
+        "Ctrl+D",
+        "duplicate",
+        title=lambda now: f"Duplicate {_curves(now)}",
+    )
     def _duplicate(self) -> None:
+        """Add a copy of the curve, or of all that are chosen, in the same place."""
         session, chosen = self._session, self._session.chosen_curves
         document, order = session.document, sorted(chosen)
         colours = self._next_colours([document.curves[place].colour for place in order])
@@ -77,6 +53,24 @@ class ChosenCommands:
         session.choose_curves(range(first, first + len(order)))
         session.say(f"{len(order)} copies lie on the originals and are chosen; drag one, or G, moves them.")
 
+    @action(
+        "deleteCurve",
+        "Delete Curve",
+        CURVE_NUMBER,
+        "Shift+Del",
+        "delete",
+        title=lambda now: f"Delete {_curves(now)}",
+    )
+    def _delete(self) -> None:
+        """Delete the curve, or all that are chosen."""
+        session, chosen = self._session, self._session.chosen_curves
+        document = session.document
+        session.change(
+            f"Delete {named(document, chosen)}",
+            lambda document: remove_curves(document, chosen),
+            active=active_after_removal(document, chosen, session.active_index),
+        )
+
     def _next_colours(self, colours: list[str]) -> list[str]:
         """Return for each the next colour of the palette that no curve has; what is in ink stays in ink."""
         codes = [code for code in CURVE_COLOURS.values() if code]
@@ -90,11 +84,66 @@ class ChosenCommands:
             used.add(found[-1])
         return found
 
-    def _delete(self) -> None:
-        session, chosen = self._session, self._session.chosen_curves
-        document = session.document
-        session.change(
-            f"Delete {named(document, chosen)}",
-            lambda document: remove_curves(document, chosen),
-            active=active_after_removal(document, chosen, session.active_index),
-        )
+    # How they are shown
+
+    @action(
+        "curveVisible",
+        "Visible",
+        CURVE_PROPERTIES,
+        "Ctrl+H",
+        "eye",
+        full_name="Curve Visible",
+        checked=lambda now: now.view.source.visible,
+    )
+    def _switch_visible(self) -> None:
+        """Show or hide the curve, or all that are chosen."""
+        self._list.switch_visible(self._session.active_index)
+
+    @action(
+        "curveLocked",
+        "Locked",
+        CURVE_PROPERTIES,
+        "Ctrl+L",
+        "lock",
+        full_name="Curve Locked",
+        checked=lambda now: now.view.source.locked,
+    )
+    def _switch_locked(self) -> None:
+        """Keep the curve, or all that are chosen, safe from changes."""
+        self._list.switch_locked(self._session.active_index)
+
+    @action("curveColour", "Colour…", CURVE_COLOUR, icon="palette", full_name="Curve Colour…")
+    def _choose_colour(self) -> None:
+        """Choose the colour of the curve, or of all that are chosen."""
+        self._context.docks.curve_list.choose_colour(self._session.active_index)
+
+    # Choosing
+
+    @action(
+        "selectAllCurves",
+        "Select All Curves",
+        EDIT_SELECT,
+        "Ctrl+Shift+A",
+        needs=Need(
+            "a curve that is not chosen yet", lambda now: len(now.chosen) < len(now.session.document.curves)
+        ),
+    )
+    def _choose_all(self) -> None:
+        """Choose all curves, to move, scale, hide, colour or delete them together."""
+        session = self._session
+        session.choose_curves(range(len(session.document.curves)))
+        session.say(f"{named(session.document, session.chosen_curves)} chosen.")
+
+    @action(
+        "onlyThisCurve",
+        "Only This Curve",
+        EDIT_SELECT,
+        needs=Need("several chosen curves", lambda now: len(now.chosen) > 1),
+    )
+    def _choose_one(self) -> None:
+        """Choose the curve that is edited alone."""
+        self._session.choose_curves((self._session.active_index,))
+
+
+def _curves(now: Situation) -> str:
+    return f"{len(now.chosen)} Curves" if len(now.chosen) > 1 else "Curve"

@@ -6,11 +6,15 @@ from collections.abc import Callable, Sequence
 
 import msgspec
 from msgspec.structs import replace
-from PySide6.QtCore import QMimeData, QObject, Qt, Signal
+from PySide6.QtCore import QMimeData, Qt
 from PySide6.QtGui import QGuiApplication
 
+from app.actions.declaration import action
+from app.actions.needs import HERMITE_POINTS, POINTS_OR_CURVES, Need
+from app.actions.sections import EDIT_CLIPBOARD, EDIT_COPY_AS
+from app.clipboard_watch import DERIVATIVES
+from app.commands.context import WindowContext
 from app.commands.curve_clipboard import CurveClipboard, put_on_clipboard
-from app.commands.parts import Handlers, Parts
 from app.document import curve_edits, edits
 from app.document.edits import EditError
 from app.document.model import Curve, Document, Node
@@ -19,7 +23,6 @@ from app.exchange.table.clipboard import Block, TableTextError, read_titled_bloc
 from app.panels.number_text import decimal_mark, exact_text
 from app.panels.point_columns import known_titles
 from app.storage.format import FormatError, decode, encode
-from app.view_model.curve_view import CurveView
 from app.view_model.pasting import (
     appended,
     appended_with_parameters,
@@ -32,9 +35,6 @@ from app.view_model.pasting import (
 
 POINTS = "application/x-curvebench-points"
 """MIME type of points: a document of one curve that has these points only."""
-
-DERIVATIVES = "application/x-curvebench-derivatives"
-"""MIME type of a node's derivatives: a node of which the position does not count."""
 
 _ON_CANVAS = ("cutPoints", "copyPoints", "pastePoints", "pasteAsCurve", "copyDerivatives", "pasteDerivatives")
 
@@ -51,75 +51,49 @@ class _Pasted(msgspec.Struct, frozen=True):
     note: str = ""
 
 
-class _ClipboardWatch(QObject):
-    """Knows whether there are derivatives on the clipboard.
-
-    Another program may have to be asked for that: it is, when somebody wants to know, and once.
-    """
-
-    changed = Signal()
-
-    def __init__(self, window: QObject) -> None:
-        # A child of the window: the clipboard lives longer.
-        super().__init__(window)
-        self._known: bool | None = None
-        QGuiApplication.clipboard().dataChanged.connect(self._forget)
-
-    @property
-    def holds_derivatives(self) -> bool:
-        """Whether there are some now."""
-        if self._known is None:
-            data = QGuiApplication.clipboard().mimeData()
-            self._known = data is not None and data.hasFormat(DERIVATIVES)
-        return self._known
-
-    def _forget(self) -> None:
-        self._known = None
-        self.changed.emit()
-
-
 class ClipboardCommands:
     """Cut, copy and paste with the canvas in focus; the point table has its own for cells."""
 
-    def __init__(self, parts: Parts) -> None:
-        self._parts = parts
-        self._session = parts.session
-        self._curves = CurveClipboard(parts)
-        self._watch = _ClipboardWatch(parts.window)
-        self._watch.changed.connect(self._render_paste)
+    def __init__(self, context: WindowContext) -> None:
+        self._context = context
+        self._session = context.session
+        self._curves = CurveClipboard(context)
         for name in _ON_CANVAS:
             # The point table and the fields of the panels use the same keys for what they show.
-            parts.actions[name].setShortcutContext(Qt.ShortcutContext.WidgetWithChildrenShortcut)
-            parts.canvas.addAction(parts.actions[name])
-
-    def handlers(self) -> Handlers:
-        """Return what each action does."""
-        return {
-            "cutPoints": self._cut,
-            "copyPoints": self._copy,
-            "pastePoints": lambda: self._paste(self._append),
-            "pasteAsCurve": lambda: self._paste(self._add_curve),
-            "copyDerivatives": self._copy_derivatives,
-            "pasteDerivatives": self._paste_derivatives,
-        }
-
-    def render(self, view: CurveView) -> None:
-        """Enable what needs selected points, and derivatives on the clipboard."""
-        actions, chosen = self._parts.actions, self._session.selection
-        for name in ("cutPoints", "copyPoints"):
-            actions[name].setEnabled(bool(chosen) or self._curves.has_several)
-        has_derivatives = view.source.family.derivatives > 0
-        actions["copyDerivatives"].setEnabled(has_derivatives and len(chosen) == 1 and view.is_current)
-        self._render_paste()
-
-    def _render_paste(self) -> None:
-        has_derivatives = self._session.active_curve.family.derivatives > 0
-        usable = has_derivatives and bool(self._session.selection) and self._watch.holds_derivatives
-        self._parts.actions["pasteDerivatives"].setEnabled(usable)
+            context.actions[name].setShortcutContext(Qt.ShortcutContext.WidgetWithChildrenShortcut)
+            context.central.canvas.addAction(context.actions[name])
 
     # Points
 
+    @action(
+        "cutPoints", "Cut", EDIT_CLIPBOARD, "Ctrl+X", "cut", full_name="Cut Points", needs=POINTS_OR_CURVES
+    )
+    def _cut(self) -> None:
+        """Copy the selected points, or the chosen curves, and delete them."""
+        session, chosen = self._session, self._session.selection
+        if self._curves.has_several:
+            self._curves.cut()
+        if not chosen:
+            return
+        self._copy()
+        if session.change(
+            f"Cut {count_of(len(chosen), 'point')}",
+            lambda document: edits.delete_nodes(document, session.active_index, chosen),
+        ):
+            session.select([])
+            session.say(f"Cut {count_of(len(chosen), 'point')}.")
+
+    @action(
+        "copyPoints",
+        "Copy",
+        EDIT_CLIPBOARD,
+        "Ctrl+C",
+        "copy",
+        full_name="Copy Points",
+        needs=POINTS_OR_CURVES,
+    )
     def _copy(self) -> None:
+        """Copy the selected points with their derivatives, or the chosen curves."""
         view, chosen = self._session.active_view, self._session.selection
         if self._curves.has_several:
             self._curves.copy()
@@ -136,19 +110,15 @@ class ClipboardCommands:
         put_on_clipboard(data)
         self._session.say(f"Copied {count_of(len(clip.nodes), 'point')}.")
 
-    def _cut(self) -> None:
-        session, chosen = self._session, self._session.selection
-        if self._curves.has_several:
-            self._curves.cut()
-        if not chosen:
-            return
-        self._copy()
-        if session.change(
-            f"Cut {count_of(len(chosen), 'point')}",
-            lambda document: edits.delete_nodes(document, session.active_index, chosen),
-        ):
-            session.select([])
-            session.say(f"Cut {count_of(len(chosen), 'point')}.")
+    @action("pastePoints", "Paste", EDIT_CLIPBOARD, "Ctrl+V", "paste", full_name="Paste Points")
+    def _paste_points(self) -> None:
+        """Append the points on the clipboard (two columns x y, or three t x y), or add the curves."""
+        self._paste(self._append)
+
+    @action("pasteAsCurve", "Paste as New Curve", EDIT_CLIPBOARD, "Ctrl+Shift+V")
+    def _paste_as_curve(self) -> None:
+        """Make a curve of the points on the clipboard."""
+        self._paste(self._add_curve)
 
     def _paste(self, put: Callable[[_Pasted], None]) -> None:
         try:
@@ -188,12 +158,23 @@ class ClipboardCommands:
 
     def _show_points(self) -> None:
         """Fit the view if points that were pasted lie outside it."""
-        if not self._parts.canvas.shows_all_points:
-            self._parts.actions["fitView"].trigger()
+        if not self._context.central.canvas.framing.shows_all_points:
+            self._context.actions["fitView"].trigger()
 
     # Derivatives
 
+    @action(
+        "copyDerivatives",
+        "Copy Derivatives",
+        EDIT_COPY_AS,
+        "Ctrl+Alt+C",
+        needs=Need(
+            "one selected point of a Hermite curve",
+            lambda now: HERMITE_POINTS.is_met(now) and len(now.selection) == 1,
+        ),
+    )
     def _copy_derivatives(self) -> None:
+        """Copy the velocity and the acceleration of the selected point."""
         view, index = self._session.active_view, self._session.selected
         if index is None or not view.is_current:
             return
@@ -215,7 +196,18 @@ class ClipboardCommands:
         put_on_clipboard(data)
         self._session.say(f"Copied the derivatives of point {index}.")
 
+    @action(
+        "pasteDerivatives",
+        "Paste Derivatives",
+        EDIT_COPY_AS,
+        "Ctrl+Alt+V",
+        needs=Need(
+            "copied derivatives, and selected points of a Hermite curve",
+            lambda now: now.has_derivatives and bool(now.selection) and now.holds_derivatives(),
+        ),
+    )
     def _paste_derivatives(self) -> None:
+        """Give the selected points the velocity and the acceleration that were copied."""
         session, chosen = self._session, self._session.selection
         jet = _derivatives_on_clipboard()
         if jet is None:

@@ -1,22 +1,25 @@
-"""Connects the actions of a window to what they do."""
+"""The command sets of a window: made, and connected to the actions that they declare."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
-from functools import partial
+from collections.abc import Callable, Mapping, Sequence
+from typing import TypeVar
 
 from PySide6.QtWidgets import QWidget
 
+from app.actions.declaration import Action, all_declared
+from app.actions.situation import Situation
+from app.clipboard_watch import ClipboardWatch
 from app.commands.chosen_commands import ChosenCommands
 from app.commands.clipboard_commands import ClipboardCommands
+from app.commands.context import Closes, Follows, Renders, WindowContext
 from app.commands.context_menus import ContextMenus
 from app.commands.curve_commands import CurveCommands
 from app.commands.disk_commands import DiskCommands
+from app.commands.document_commands import DocumentCommands
 from app.commands.drops import Drops
 from app.commands.edit_commands import EditCommands
-from app.commands.error_plot import ErrorPlotCommands
 from app.commands.exchange_commands import ExchangeCommands
-from app.commands.file_work import FileWork
 from app.commands.focus_commands import FocusCommands
 from app.commands.fresh_hints import FreshHints
 from app.commands.help_commands import HelpCommands
@@ -28,7 +31,6 @@ from app.commands.lesson_commands import LessonCommands
 from app.commands.messages import Messages
 from app.commands.motion_commands import MotionCommands
 from app.commands.overlay_commands import OverlayCommands
-from app.commands.parts import CommandSet, Handlers, LiveSet, Parts
 from app.commands.plot_commands import PlotCommands
 from app.commands.rail_commands import RailCommands
 from app.commands.recovery_commands import RecoveryCommands
@@ -39,138 +41,131 @@ from app.commands.teaching_commands import TeachingCommands
 from app.commands.tool_commands import ToolCommands
 from app.commands.view_commands import ViewCommands
 from app.commands.wiggle_commands import WiggleCommands
+from app.commands.work_commands import WorkCommands
 from app.tasks.owner import TaskOwner, close_all
 from app.view_model.curve_view import CurveView
 
-_DURING_A_GESTURE = {
-    "undo",  # takes the gesture back, and nothing else
-    "selectTool", "addTool", "measureTool",
-    "moveSelection", "scaleSelection", "rotateSelection",
-    "toggleTransformBox", "commandPalette",
-}  # fmt: skip
-"""Commands of the menus File, Edit and Curve that a gesture in flight may go on beside, or that end it."""
+COMMAND_SETS: tuple[type, ...] = (
+    DocumentCommands,
+    ViewCommands,
+    SnapCommands,
+    FocusCommands,
+    ImageCommands,
+    RecoveryCommands,
+    WorkCommands,
+    ExchangeCommands,
+    CurveCommands,
+    OverlayCommands,
+    PlotCommands,
+    HodographCommands,
+    JointCommands,
+    LaboratoryCommands,
+    WiggleCommands,
+    TangentCommands,
+    MotionCommands,
+    LessonCommands,
+    EditCommands,
+    SelectionCommands,
+    ChosenCommands,
+    ClipboardCommands,
+    HelpCommands,
+    RailCommands,
+    DiskCommands,
+    ToolCommands,
+)
+"""What a window can do. Within a section of a menu, actions stand in the order of their sets here."""
+
+_Set = TypeVar("_Set")
+
+
+def all_actions() -> tuple[Action, ...]:
+    """Return all actions of a window, in the order of the menus."""
+    return tuple(each.action for each in all_declared(COMMAND_SETS))
 
 
 class Commands:
-    """All commands of one window."""
+    """All commands of one window.
 
-    def __init__(self, parts: Parts) -> None:
-        self._parts = parts
-        self.view = ViewCommands(parts)
-        self.focus = FocusCommands(parts)
-        self.messages = Messages(parts)
-        self.hints = FreshHints(parts)
-        self.snap = SnapCommands(parts)
-        self.images = ImageCommands(parts, self.messages)
-        self.recovery = RecoveryCommands(parts)
-        self.work = FileWork(parts)
-        parts.files.beside = self.work.start
-        self.exchange = ExchangeCommands(parts, self.work)
-        self.drops = Drops(parts, self.exchange.import_files, self.images.add)
-        curves = CurveCommands(parts)
-        self.hodograph = HodographCommands(parts)
-        self.joints = JointCommands(parts)
-        self.laboratory = LaboratoryCommands(parts)
-        self.wiggle = WiggleCommands(parts)
-        self.tangents = TangentCommands(parts)
-        self.motion = MotionCommands(parts, self.work)
-        self._teaching = TeachingCommands(parts, self.laboratory.open, self.wiggle.explain_widest)
-        self._live: tuple[LiveSet, ...] = (
-            OverlayCommands(parts),
-            PlotCommands(parts),
-            self.hodograph,
-            self.laboratory,
-            self.wiggle,
-            self.motion,
+    Attributes
+    ----------
+    messages
+        The line on the canvas.
+    drops
+        What becomes of files that are dropped on the window.
+    """
+
+    def __init__(self, context: WindowContext, command_sets: Sequence[type]) -> None:
+        self._context = context
+        self.messages = Messages(context)
+        self.hints = FreshHints(context)
+        self._sets = {kind: kind(context) for kind in command_sets}
+        self._live = [each for each in self._sets.values() if isinstance(each, Follows)]
+        self._slow = [each for each in self._sets.values() if isinstance(each, Renders)]
+        images, curves = self[ImageCommands], self[CurveCommands]
+        laboratory, wiggle = self[LaboratoryCommands], self[WiggleCommands]
+        self.drops = Drops(context, self[ExchangeCommands].import_files, images.add)
+        self._teaching = TeachingCommands(context, laboratory.open, wiggle.explain_widest)
+        self.context_menus = ContextMenus(
+            context, curves, wiggle.explain_at, self[TangentCommands].straighten_at
         )
-        self.lessons = LessonCommands(parts)
-        self._sets: tuple[CommandSet, ...] = (*self._live, *self._other_sets(curves))
-        self.context_menus = ContextMenus(parts, curves, self.wiggle.explain_at, self.tangents.straighten_at)
-        self._interrupting = {
-            spec.name
-            for menu in ("File", "Edit", "Curve")
-            for spec, _action in parts.actions.of_menu(menu)
-            if spec.name not in _DURING_A_GESTURE
-        }
-        self._connect()
+        clipboard = ClipboardWatch(context.window)
+        self._had_scrub = False
+        self._now = Situation(context.session, context.store, lambda: clipboard.holds_derivatives)
+        for each in self._sets.values():
+            context.actions.bind(each, self._run)
+        for changed in (context.store.changed, context.session.history_changed, clipboard.changed):
+            changed.connect(self.render_actions)
 
-    def _other_sets(self, curves: CurveCommands) -> tuple[CommandSet, ...]:
-        parts = self._parts
-        return (
-            self.joints,
-            ErrorPlotCommands(parts, self.laboratory),
-            EditCommands(parts),
-            SelectionCommands(parts),
-            curves,
-            ChosenCommands(parts),
-            self.tangents,
-            ClipboardCommands(parts),
-            self.snap,
-            self.view,
-            self.focus,
-            HelpCommands(parts),
-            self.lessons,
-            RailCommands(parts),
-            self.images,
-            DiskCommands(parts),
-            self.recovery,
-            self.work,
-            self.exchange,
-            ToolCommands(parts, self.snap.apply_preferences),
-        )
+    def __getitem__(self, kind: type[_Set]) -> _Set:
+        commands = self._sets[kind]
+        assert isinstance(commands, kind)
+        return commands
 
-    def _connect(self) -> None:
-        for handlers in (self._file_handlers(), *(each.handlers() for each in self._sets)):
-            for name, handler in handlers.items():
-                self._parts.actions[name].triggered.connect(partial(self._run, name, handler))
-
-    def _run(self, name: str, handler: Callable[[], object], _checked: bool = False) -> None:
-        """Carry out a command; one that could change the document does not find a gesture's preview there."""
-        if name in self._interrupting:
-            self._parts.cancel_gesture()
+    def _run(self, action: Action, handler: Callable[[], object], _checked: bool = False) -> None:
+        """Carry out an action; one that could change the document does not find a gesture's preview there."""
+        if action.interrupts:
+            self._context.cancel_gesture()
         handler()
+        # A switch that was clicked shows what is, also where nothing changed.
+        self.render_actions()
+
+    def render_actions(self) -> None:
+        """Enable, check and name the actions as things are now."""
+        self._context.actions.render(self._now)
+
+    def follow_scrub(self, t: float | None) -> None:
+        """Show whether there is a scrub line; where it stands is no matter of actions."""
+        if (t is not None) != self._had_scrub:
+            self._had_scrub = t is not None
+            self.render_actions()
 
     def leave_panel(self) -> bool:
         """Take a gesture back, or go to the canvas from a panel; return whether there was either."""
-        return self._parts.cancel_gesture() or self.focus.back_to_canvas()
+        return self._context.cancel_gesture() or self[FocusCommands].back_to_canvas()
 
     def _build_analysis(self) -> QWidget:
         from app.panels.analysis_panel import AnalysisPanel  # noqa: PLC0415 - late, as all of them
 
-        return AnalysisPanel(self._parts.analysis, self._parts.actions.__getitem__)
-
-    def _file_handlers(self) -> Handlers:
-        files = self._parts.files
-        return {
-            "newDocument": self._new,
-            "openDocument": files.ask_and_open,
-            "saveDocument": files.save,
-            "saveDocumentAs": files.ask_and_save,
-            "quit": self._parts.window.close,
-        }
-
-    def _new(self) -> None:
-        self._parts.files.new()
-        if not self._parts.session.active_curve.nodes:
-            self._parts.actions["addTool"].trigger()
+        return AnalysisPanel(self._context.analysis, self._context.actions.__getitem__)
 
     def build_dock(self, name: str) -> QWidget:
         """Return the content of a dock that is shown for the first time."""
         builders: Mapping[str, Callable[[], QWidget]] = {
             "analysisDock": self._build_analysis,
-            "hodographDock": self.hodograph.build,
-            "jointsDock": self.joints.build,
-            "laboratoryDock": self.laboratory.build_panel,
-            "lessonsDock": self.lessons.build,
-            "wiggleDock": self.wiggle.build_panel,
+            "hodographDock": self[HodographCommands].build,
+            "jointsDock": self[JointCommands].build,
+            "laboratoryDock": self[LaboratoryCommands].build_panel,
+            "lessonsDock": self[LessonCommands].build,
+            "wiggleDock": self[WiggleCommands].build_panel,
         }
         return builders[name]()
 
     def close(self) -> None:
         """Let what runs beside the window end; called before the window goes."""
-        self.exchange.close()
-        self.recovery.close()
-        close_all(self._parts.window.findChildren(TaskOwner))
+        for each in self._sets.values():
+            if isinstance(each, Closes):
+                each.close()
+        close_all(self._context.window.findChildren(TaskOwner))
 
     def follow(self, view: CurveView) -> None:
         """Show what follows a drag frame by frame."""
@@ -179,7 +174,8 @@ class Commands:
 
     def render(self, view: CurveView) -> None:
         """Check and enable actions, and show the line on the canvas, as `view` has it."""
-        for each in self._sets:
+        self.render_actions()
+        for each in self._slow:
             each.render(view)
         self._teaching.render(view)
         self.messages.render(view)

@@ -7,8 +7,8 @@ from collections.abc import Callable
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtWidgets import QMenu
 
+from app.commands.context import WindowContext
 from app.commands.curve_commands import CurveCommands
-from app.commands.parts import Parts
 from app.tools.pointer import Hit, Part
 
 _SEPARATOR = ""
@@ -41,18 +41,18 @@ class ContextMenus:
 
     def __init__(
         self,
-        parts: Parts,
+        context: WindowContext,
         curves: CurveCommands,
         explain_at: Callable[[float], None],
         straighten_at: Callable[[float], None],
     ) -> None:
-        self._parts, self._curves, self._explain_at = parts, curves, explain_at
+        self._context, self._curves, self._explain_at = context, curves, explain_at
         self._straighten_at = straighten_at
-        parts.canvas.menu_requested.connect(self._open_on_canvas)
-        parts.curve_list.menu_requested.connect(lambda place: self._popup(self._menu(_LIST), place))
+        context.central.canvas.menu_requested.connect(self._open_on_canvas)
+        context.docks.curve_list.menu_requested.connect(lambda place: self._popup(self._menu(_LIST), place))
 
     def _open_on_canvas(self, hit: Hit | None, place: QPoint) -> None:
-        session = self._parts.session
+        session = self._context.session
         if hit is not None and hit.part is Part.OTHER_CURVE:
             # One of those that are chosen leaves them chosen: the menu is about all.
             chosen = session.chosen_curves
@@ -69,8 +69,8 @@ class ContextMenus:
 
     def _open_on_edited(self, place: QPoint) -> None:
         """Open the menu for a place on the curve that the right button has made the one edited."""
-        hit = self._parts.canvas.hit_at(place)
-        is_alone = len(self._parts.session.chosen_curves) == 1
+        hit = self._context.central.canvas.hit_at(place)
+        is_alone = len(self._context.session.chosen_curves) == 1
         if hit is not None and hit.part is not Part.OTHER_CURVE and (is_alone or hit.part is Part.CURVE):
             self._open_on_canvas(hit, place)
         else:
@@ -86,7 +86,7 @@ class ContextMenus:
             ("straightHere", "Straight Segment", "straightSegment", self._straighten_at),
             ("explainHere", "Explain This Wiggle", "explainWiggle", self._explain_at),
         ):
-            known = self._parts.actions[icon]
+            known = self._context.actions[icon]
             here = menu.addAction(known.icon(), text)
             here.setObjectName(name)
             here.setStatusTip(known.statusTip())
@@ -98,7 +98,7 @@ class ContextMenus:
         return menu
 
     def _menu(self, names: tuple[str, ...]) -> QMenu:
-        menu = QMenu(self._parts.window)
+        menu = QMenu(self._context.window)
         menu.setObjectName("contextMenu")
         menu.setToolTipsVisible(True)
         menu.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
@@ -106,7 +106,7 @@ class ContextMenus:
             if name == _SEPARATOR:
                 menu.addSeparator()
             else:
-                menu.addAction(self._parts.actions[name])
+                menu.addAction(self._context.actions[name])
         return menu
 
     @staticmethod

@@ -8,7 +8,7 @@ from functools import cache
 from PySide6.QtCore import QMimeData
 from PySide6.QtGui import QGuiApplication
 
-from app.commands.parts import Parts
+from app.commands.context import WindowContext
 from app.document.edits import EditError
 from app.document.model import Document
 from app.document.several_curves import active_after_removal, add_curves, named, remove_curves
@@ -44,9 +44,9 @@ def _take_away() -> None:
 class CurveClipboard:
     """Copies, cuts and pastes the chosen curves; with one alone the clipboard is about its points."""
 
-    def __init__(self, parts: Parts) -> None:
-        self._parts = parts
-        self._session = parts.session
+    def __init__(self, context: WindowContext) -> None:
+        self._context = context
+        self._session = context.session
 
     @property
     def has_several(self) -> bool:

@@ -6,79 +6,74 @@ from collections.abc import Callable
 
 import numpy as np
 
-from app.commands.parts import Handlers, Parts
+from app.actions.declaration import action
+from app.actions.needs import SECOND_CURVE, TWO_POINTS, UNLOCKED_CURVE, Need
+from app.actions.sections import (
+    CURVE_NAME,
+    CURVE_NUMBER,
+    CURVE_ORDER,
+    CURVE_POINTS,
+    CURVE_SHAPE,
+    CURVE_WALK,
+)
+from app.actions.situation import Situation
+from app.commands.context import WindowContext
 from app.document import curve_edits, edits
 from app.document.edits import EditError
 from app.document.model import Curve, Document, Parametrization
 from app.document.several_curves import named, place_in, step_curves
 from app.view_model.closing import with_closed
-from app.view_model.curve_view import CurveView, view_of
+from app.view_model.curve_view import view_of
 from app.view_model.measure import is_kept
 from app.view_model.reshape import Reshaped, reversed_curve, with_point_inserted
 from app.view_model.split_join import joined, split
-
-CURVE_LIST_BUTTONS = (
-    "newCurve", "duplicateCurve", "deleteCurve", "joinCurve", "splitCurve", "reverseCurve", "closeCurve",
-)  # fmt: skip
-"""The actions that stand as buttons under the list of curves."""
 
 
 class CurveCommands:
     """What is done to a curve as a whole."""
 
-    def __init__(self, parts: Parts) -> None:
-        self._parts = parts
-        self._session = parts.session
-        self._actions = parts.actions
-        # The step is known to the history only after the document has been shown.
-        self._session.history_changed.connect(self._render_again)
-
-    def _render_again(self) -> None:
-        self.render(self._session.active_view)
-
-    def handlers(self) -> Handlers:
-        """Return what each action does."""
-        return {
-            "insertPoint": lambda: self._at_scrub(self.insert_at),
-            "keepShape": self._keep_shape,
-            "newCurve": self._new,
-            "joinCurve": self._join,
-            "splitCurve": self._split,
-            "reverseCurve": self._reverse,
-            "closeCurve": self._toggle_closed,
-            "renameCurve": self._rename,
-            "raiseCurve": lambda: self._step("Raise", 1),
-            "lowerCurve": lambda: self._step("Lower", -1),
-            "nextCurve": lambda: self._walk(-1),
-            "previousCurve": lambda: self._walk(1),
-        }
-
-    def render(self, view: CurveView) -> None:
-        """Check and enable the actions."""
-        actions, curve = self._actions, view.source
-        index, count = self._session.active_index, len(self._session.document.curves)
-        actions["closeCurve"].setChecked(curve.is_closed)
-        for name in ("splitCurve", "insertPoint"):
-            actions[name].setEnabled(view.is_current and not curve.locked)
-        actions["keepShape"].setEnabled(self._session.offered_at is not None)
-        actions["joinCurve"].setEnabled(view.is_current and count > 1)
-        actions["reverseCurve"].setEnabled(len(curve.nodes) > 1)
-        chosen = len(self._session.chosen_curves)
-        actions["raiseCurve"].setEnabled(1 < chosen < count or (chosen == 1 and index < count - 1))
-        actions["lowerCurve"].setEnabled(1 < chosen < count or (chosen == 1 and index > 0))
-        for name in ("nextCurve", "previousCurve"):
-            actions[name].setEnabled(count > 1)
+    def __init__(self, context: WindowContext) -> None:
+        self._context = context
+        self._session = context.session
 
     # Number and order
 
+    @action("newCurve", "New Curve", CURVE_NUMBER, "Ctrl+Shift+N", "plus")
     def _new(self) -> None:
+        """Add a curve to the document."""
         session = self._session
         model, place = session.active_curve, session.active_index + 1
         fresh = curve_edits.fresh_curve(session.document, model, Parametrization())
         if session.change(
             f"New {fresh.name}", lambda document: curve_edits.add_curve(document, place, fresh), active=place
         ):
-            self._actions["addTool"].trigger()
+            self._context.actions["addTool"].trigger()
+
+    @action(
+        "raiseCurve",
+        "Raise",
+        CURVE_ORDER,
+        "Alt+Up",
+        "move-up",
+        full_name="Raise Curve",
+        needs=Need("a curve in front of this one", lambda now: _has_curve_beside(now, -1)),
+    )
+    def _raise(self) -> None:
+        """Move the curve up in the list: it is drawn in front of the next one."""
+        self._step("Raise", 1)
+
+    @action(
+        "lowerCurve",
+        "Lower",
+        CURVE_ORDER,
+        "Alt+Down",
+        "move-down",
+        full_name="Lower Curve",
+        needs=Need("a curve behind this one", lambda now: _has_curve_beside(now, 0)),
+    )
+    def _lower(self) -> None:
+        """Move the curve down in the list: it is drawn behind the next one."""
+        self._step("Lower", -1)
 
     def _step(self, verb: str, step: int) -> None:
         session, what = self._session, named(self._session.document, self._session.chosen_curves)
@@ -89,6 +84,16 @@ class CurveCommands:
             where = "front" if step > 0 else "back"
             session.say(f"{what}: one step to the {where}.")
 
+    @action("nextCurve", "Next Curve", CURVE_WALK, "Ctrl+PgDown", needs=SECOND_CURVE)
+    def _go_on(self) -> None:
+        """Edit the next curve down the list."""
+        self._walk(-1)
+
+    @action("previousCurve", "Previous Curve", CURVE_WALK, "Ctrl+PgUp", needs=SECOND_CURVE)
+    def _go_back(self) -> None:
+        """Edit the next curve up the list."""
+        self._walk(1)
+
     def _walk(self, step: int) -> None:
         # The next one is the one below in the list, hence behind.
         session = self._session
@@ -96,6 +101,11 @@ class CurveCommands:
         session.say(f"Editing “{session.active_curve.name}”.")
 
     # Shape
+
+    @action("insertPoint", "Insert Point at the Scrub Line", CURVE_POINTS, "I", "add", needs=UNLOCKED_CURVE)
+    def _insert(self) -> None:
+        """Insert a point on the curve; under manual parameters its shape stays."""
+        self._at_scrub(self.insert_at)
 
     def insert_at(self, t: float) -> None:
         """Insert a point on the active curve at `t`."""
@@ -107,8 +117,18 @@ class CurveCommands:
             if made.parameters_moved:
                 self._session.offer(made.sentence, "keepShape", t)
 
+    @action(
+        "keepShape",
+        "Freeze and Keep the Shape",
+        CURVE_POINTS,
+        icon="lock",
+        needs=Need(
+            "an insertion that has just moved the parameters",
+            lambda now: now.session.offered_at is not None,
+        ),
+    )
     def _keep_shape(self) -> None:
-        """Do the insertion again that has just moved the parameters, with the parameters frozen before it."""
+        """Take the insertion back, freeze the parameters and insert the point again: the shape stays."""
         session, t = self._session, self._session.offered_at
         if t is None:
             return
@@ -138,14 +158,6 @@ class CurveCommands:
             f"{'Split' if others else 'Opened'} at t = {t:.4g}: {done.sentence}",
         )
 
-    def _split(self) -> None:
-        session, chosen = self._session, self._session.selected
-        view = session.active_view
-        if chosen is not None and (view.source.is_closed or 0 < chosen < len(view.source.nodes) - 1):
-            self.split_at(float(view.parameters[chosen]))
-        else:
-            self._at_scrub(self.split_at)
-
     def _at_scrub(self, act: Callable[[float], None]) -> None:
         t = self._session.scrub
         if t is None:
@@ -155,7 +167,17 @@ class CurveCommands:
         else:
             act(t)
 
+    @action(
+        "joinCurve",
+        "Join End to Start",
+        CURVE_SHAPE,
+        "Ctrl+J",
+        "join",
+        full_name="Join Curve End to Start",
+        needs=Need(SECOND_CURVE.words, lambda now: now.view.is_current and SECOND_CURVE.is_met(now)),
+    )
     def _join(self) -> None:
+        """Join the end of the curve to the nearest start of another."""
         session, index = self._session, self._session.active_index
         partner = self._nearest_start()
         if partner is None:
@@ -183,7 +205,29 @@ class CurveCommands:
         ]
         return min(others)[1] if others else None
 
+    @action(
+        "splitCurve", "Split", CURVE_SHAPE, "Ctrl+K", "split", full_name="Split Curve", needs=UNLOCKED_CURVE
+    )
+    def _split(self) -> None:
+        """Split the curve at the selected point, or at the scrub line."""
+        session, chosen = self._session, self._session.selected
+        view = session.active_view
+        if chosen is not None and (view.source.is_closed or 0 < chosen < len(view.source.nodes) - 1):
+            self.split_at(float(view.parameters[chosen]))
+        else:
+            self._at_scrub(self.split_at)
+
+    @action(
+        "reverseCurve",
+        "Reverse",
+        CURVE_SHAPE,
+        "Ctrl+R",
+        "reverse",
+        full_name="Reverse Curve",
+        needs=Need(TWO_POINTS.words, lambda now: len(now.view.source.nodes) > 1),
+    )
     def _reverse(self) -> None:
+        """Run through the curve the other way."""
         view = self._session.active_view
         if not view.is_current:
             self._session.refuse(f"There is no curve to reverse. {view.problem}")
@@ -191,15 +235,23 @@ class CurveCommands:
         if self._reshape(f"Reverse {view.source.name}", lambda: reversed_curve(view)) is not None:
             self._session.select([])
 
+    @action(
+        "closeCurve",
+        "Closed",
+        CURVE_SHAPE,
+        "C",
+        "closed",
+        full_name="Closed Curve",
+        checked=lambda now: now.view.source.is_closed,
+    )
     def _toggle_closed(self) -> None:
+        """Let the curve return smoothly to its first point, or open it."""
         session, view = self._session, self._session.active_view
         closed = not view.source.is_closed
         session.change(
             f"{'Close' if closed else 'Open'} {view.source.name}",
             lambda document: with_closed(document, session.active_index, view, closed),
         )
-        # The switch shows what is, also where nothing changed.
-        self.render(session.active_view)
 
     def _reshape(
         self,
@@ -225,15 +277,25 @@ class CurveCommands:
         session.say(made.sentence)
         return made
 
+    @action("renameCurve", "Rename…", CURVE_NAME, full_name="Rename Curve…")
     def _rename(self) -> None:
-        dock = next(each for each in self._parts.docks if each.objectName() == "curvesDock")
+        """Give the curve another name."""
+        dock = next(each for each in self._context.docks.side if each.objectName() == "curvesDock")
         dock.show()
         dock.raise_()
-        self._parts.curve_list.view.edit_name(self._session.active_index)
+        self._context.docks.curve_list.view.edit_name(self._session.active_index)
 
     def _say_if(self, done: object, text: str) -> None:
         if done:
             self._session.say(text)
+
+
+def _has_curve_beside(now: Situation, end: int) -> bool:
+    """Whether a curve can move towards that end of the list, 0 or -1; of several that are chosen some can."""
+    count = len(now.session.document.curves)
+    if len(now.chosen) != 1:
+        return len(now.chosen) < count
+    return now.session.active_index != range(count)[end]
 
 
 def _with_parts(document: Document, index: int, first: Curve, others: list[Curve]) -> Document:

@@ -6,15 +6,19 @@ from pathlib import Path
 
 from PySide6.QtCore import QObject, QTimer
 
+from app.actions.declaration import action
+from app.actions.needs import Need
+from app.actions.sections import FILE_DISK
+from app.commands.context import WindowContext
 from app.commands.disk_notices import Notice, Standing, about_content, about_lock, about_refusal
-from app.commands.parts import Handlers, Parts
 from app.disk_watch import DiskWatch
 from app.document.model import Document
 from app.panels.file_bar import FileBar
 from app.storage.files import Stamp, StorageError
 from app.storage.format import FormatError
 from app.storage.open_file import FileChange, OpenFile
-from app.view_model.curve_view import CurveView, view_of
+from app.view_model.curve_view import view_of
+from app.window_state import FileAction
 
 _AGAIN_MS = 100
 _LOOKS = 5
@@ -24,18 +28,19 @@ programs may be just writing it."""
 _OWNER_MS = 2000
 """How often to look whether the one who owns the document is still there; a crash gives no sign."""
 
-_NAMES = ("reloadFile", "keepMine", "compareWithFile", "overwriteFile", "takeOver", "editAnyway")
+
+def _need(words: str, possible: FileAction) -> Need:
+    return Need(words, lambda now: possible in now.state.file_actions)
 
 
 class DiskCommands(QObject):
     """Keeps the line about the file in step with the disk, and does what it offers."""
 
-    def __init__(self, parts: Parts) -> None:
-        super().__init__(parts.window)
-        self._parts, self._session = parts, parts.session
-        self._actions = {name: parts.actions[name] for name in (*_NAMES, "saveDocument", "saveDocumentAs")}
+    def __init__(self, context: WindowContext) -> None:
+        super().__init__(context.window)
+        self._context, self._session = context, context.session
         self._bar: FileBar | None = None
-        self._watch = DiskWatch(parts.window)
+        self._watch = DiskWatch(context.window)
         self._watch.stirred.connect(self._look)
         self._again = QTimer(self, singleShot=True)
         self._again.timeout.connect(self._look)
@@ -45,7 +50,7 @@ class DiskCommands(QObject):
         self._standing = Standing.OURS
         self._put_away: set[Notice] = set()
         self._forget()
-        parts.files.refused = self._show_refusal
+        context.files.refused = self._show_refusal
         self._session.file_changed.connect(self._follow)
         self._session.opened.connect(self._say_what_matters)
         self._follow()
@@ -60,20 +65,6 @@ class DiskCommands(QObject):
         self._other: Document | None = None
         self._refusal: Notice | None = None
         self._hide_ghost()
-
-    def handlers(self) -> Handlers:
-        """Return what each action does."""
-        return {
-            "reloadFile": self._reload,
-            "keepMine": self._keep_mine,
-            "compareWithFile": self._compare,
-            "overwriteFile": self._parts.files.overwrite,
-            "takeOver": self._take_over,
-            "editAnyway": self._edit_anyway,
-        }
-
-    def render(self, view: CurveView) -> None:
-        """Nothing here depends on the curves."""
 
     # Keeping in step
 
@@ -102,11 +93,11 @@ class DiskCommands(QObject):
         if file is None:
             return
         if file.is_older:
-            self._parts.status_line.say(
+            self._context.status_line.say(
                 f"{file.path.name} is of an older version; the first save keeps the old file beside it."
             )
         elif file.lock_problem and file.owner is None:
-            self._parts.status_line.say(
+            self._context.status_line.say(
                 f"Others cannot see that {file.path.name} is open here: no lock in its folder "
                 f"({file.lock_problem})."
             )
@@ -137,7 +128,7 @@ class DiskCommands(QObject):
             self._put_away.clear()
             if change is not FileChange.CHANGED:
                 self._hide_ghost()
-            elif self._actions["compareWithFile"].isChecked():
+            elif self._context.store.state.compares_with_file:
                 self._show_ghost()
         if change in (FileChange.GONE, FileChange.SAME) and self._is_refused_for_other_content:
             self._refusal = None  # what it warns of is there no longer
@@ -161,25 +152,26 @@ class DiskCommands(QObject):
 
     def _show(self) -> None:
         """Show what matters most now."""
-        file = self._file
-        is_changed = self._change is FileChange.CHANGED
-        read_only = self._session.is_read_only
-        self._watch.look_every(_OWNER_MS if read_only else 0)
-        enabled = {
-            "reloadFile": file is not None and self._change in (FileChange.SAME, FileChange.CHANGED),
-            "keepMine": self._change in (FileChange.CHANGED, FileChange.UNREADABLE),
-            "compareWithFile": is_changed,
-            "overwriteFile": self._may_overwrite,
-            "takeOver": read_only,
-            "editAnyway": self._standing is Standing.ASKED,
-        }
-        for name, is_enabled in enabled.items():
-            self._actions[name].setEnabled(is_enabled)
+        self._watch.look_every(_OWNER_MS if self._session.is_read_only else 0)
+        self._context.store.change(file_actions=self._possible())
         notice = next((each for each in self._notices() if each not in self._put_away), None)
         if notice is not None:
             self._show_notice(notice)
         elif self._bar is not None:
             self._bar.hide()
+
+    def _possible(self) -> frozenset[FileAction]:
+        """Return what can be done about the file now."""
+        is_there = self._file is not None and self._change in (FileChange.SAME, FileChange.CHANGED)
+        is_possible = {
+            FileAction.RELOAD: is_there,
+            FileAction.KEEP_MINE: self._change in (FileChange.CHANGED, FileChange.UNREADABLE),
+            FileAction.COMPARE: self._change is FileChange.CHANGED,
+            FileAction.OVERWRITE: self._may_overwrite,
+            FileAction.TAKE_OVER: self._session.is_read_only,
+            FileAction.EDIT_ANYWAY: self._standing is Standing.ASKED,
+        }
+        return frozenset(each for each, possible in is_possible.items() if possible)
 
     @property
     def _is_refused_for_other_content(self) -> bool:
@@ -207,11 +199,11 @@ class DiskCommands(QObject):
 
     def _show_notice(self, notice: Notice) -> None:
         if self._bar is None:
-            self._bar = FileBar(self._parts.canvas, self._parts.message_bar)
+            self._bar = FileBar(self._context.central.canvas, self._context.central.message_bar)
             self._bar.closed.connect(self._close)
         self._shown = notice
         self._bar.show_notice(
-            notice.text, [self._actions[name] for name in notice.actions], warns=notice.warns
+            notice.text, [self._context.actions[name] for name in notice.actions], warns=notice.warns
         )
 
     def _close(self) -> None:
@@ -234,7 +226,16 @@ class DiskCommands(QObject):
 
     # What can be done
 
+    @action(
+        "reloadFile",
+        "Reload",
+        FILE_DISK,
+        icon="reset",
+        full_name="Reload File",
+        needs=_need("a file that can be read", FileAction.RELOAD),
+    )
     def _reload(self) -> None:
+        """Take over what the file holds now; Undo brings back what was here."""
         if self._file is None:
             return
         name = self._file.path.name
@@ -246,33 +247,74 @@ class DiskCommands(QObject):
             return
         self._session.say(f"Reloaded {name}; Undo brings back what was here.")
 
+    @action(
+        "keepMine",
+        "Keep Mine",
+        FILE_DISK,
+        full_name="Keep Mine, not the File",
+        needs=_need("a file that was changed outside this window", FileAction.KEEP_MINE),
+    )
     def _keep_mine(self) -> None:
+        """Go on with what is here; the next save replaces the changed file."""
         if self._file is not None:
             self._file.accept()
             # What is here is in no file.
             self._session.undo_stack.resetClean()
             self._follow()
 
+    @action(
+        "compareWithFile",
+        "Compare as Ghost",
+        FILE_DISK,
+        icon="eye",
+        full_name="Compare with File as Ghost",
+        needs=_need("a file that was changed outside this window", FileAction.COMPARE),
+        checked=lambda now: now.state.compares_with_file,
+    )
     def _compare(self) -> None:
-        if self._actions["compareWithFile"].isChecked():
-            self._show_ghost()
-        else:
+        """Show what the file holds now, dashed behind the drawing."""
+        if self._context.store.state.compares_with_file:
             self._hide_ghost()
+        else:
+            self._show_ghost()
 
     def _show_ghost(self) -> None:
         document = self._file.other_document if self._file is not None else None
         if document is None or self._path is None:
             self._hide_ghost()
             return
+        self._context.store.change(compares_with_file=True)
         views = [view_of(curve) for curve in document.curves]
-        self._parts.canvas.annotations.show_file_version(views, f"{self._path.name} on the disk")
+        self._context.central.canvas.drawing.annotations.show_file_version(
+            views, f"{self._path.name} on the disk"
+        )
 
     def _hide_ghost(self) -> None:
-        self._actions["compareWithFile"].setChecked(False)
-        self._parts.canvas.annotations.show_file_version([], "")
+        self._context.store.change(compares_with_file=False)
+        self._context.central.canvas.drawing.annotations.show_file_version([], "")
 
+    @action(
+        "overwriteFile",
+        "Overwrite",
+        FILE_DISK,
+        icon="save",
+        full_name="Overwrite File",
+        needs=_need("", FileAction.OVERWRITE),
+    )
+    def _overwrite(self) -> None:
+        """Replace the changed file by what is here."""
+        self._context.files.overwrite()
+
+    @action(
+        "takeOver",
+        "Take Over",
+        FILE_DISK,
+        icon="unlock",
+        full_name="Take Over the Document",
+        needs=_need("a document that is open read-only", FileAction.TAKE_OVER),
+    )
     def _take_over(self) -> None:
-        """Make the document ours at once if nobody has it; else ask first."""
+        """Make a document yours that is open elsewhere."""
         file = self._file
         if file is None:
             return
@@ -284,7 +326,16 @@ class DiskCommands(QObject):
         self._standing = Standing.ASKED
         self._show()
 
+    @action(
+        "editAnyway",
+        "Edit Anyway",
+        FILE_DISK,
+        icon="unlock",
+        full_name="Edit the Document Anyway",
+        needs=_need("", FileAction.EDIT_ANYWAY),
+    )
     def _edit_anyway(self) -> None:
+        """Take the document over although somebody may be editing it."""
         if self._file is None:
             return
         self._file.take_over()

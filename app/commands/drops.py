@@ -8,8 +8,8 @@ from pathlib import Path
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QDropEvent
 
+from app.commands.context import WindowContext
 from app.commands.given import Given, given
-from app.commands.parts import Parts
 from app.document.words import count_of, listed, names_of
 from app.storage.files import StorageError
 from app.storage.format import FormatError
@@ -52,9 +52,12 @@ class Drops:
     """
 
     def __init__(
-        self, parts: Parts, import_files: Callable[[Iterable[Path]], None], trace: Callable[[str], None]
+        self,
+        context: WindowContext,
+        import_files: Callable[[Iterable[Path]], None],
+        trace: Callable[[str], None],
     ) -> None:
-        self._parts = parts
+        self._context = context
         self._import, self._trace = import_files, trace
         self.open_window: OpenWindow | None = None
 
@@ -65,7 +68,7 @@ class Drops:
         """
         left = [*problems, *self._open(files.documents)]
         # Else a large document, which takes a while, would come in the place of what they were added to.
-        self._parts.files.after_opening(
+        self._context.files.after_opening(
             lambda problem: self._add(files, [problem, *left] if problem else left)
         )
 
@@ -80,11 +83,11 @@ class Drops:
             left.append(f"{count_of(files.elsewhere, 'link')} to no file of this computer left out.")
         self._import(files.imports)
         if left:
-            self._parts.message_bar.warn(" ".join(left))
+            self._context.central.message_bar.warn(" ".join(left))
 
     def _open(self, documents: tuple[Path, ...]) -> list[str]:
         """Open the first document here and the others beside it; return what was left out, and why."""
-        files = self._parts.files
+        files = self._context.files
         if len(documents) < 2:
             for path in documents:
                 files.open(path)
@@ -114,7 +117,7 @@ class Drops:
         if opened:
             windows = "a window of its own" if len(opened) == 1 else "windows of their own"
             names = names_of([path.name for path in opened])
-            self._parts.session.say(f"Opened {names} in {windows}.")
+            self._context.session.say(f"Opened {names} in {windows}.")
         return left
 
 

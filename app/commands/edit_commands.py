@@ -2,105 +2,123 @@
 
 from __future__ import annotations
 
-from functools import partial
-
-from PySide6.QtGui import QAction
-
-from app.commands.parts import Handlers, Parts
+from app.actions.declaration import Action, action, action_for_each
+from app.actions.needs import SELECTED_POINTS, Need
+from app.actions.sections import (
+    CURVE_FAMILY,
+    CURVE_PARAMETERS,
+    CURVE_RULES,
+    CURVE_VELOCITIES,
+    EDIT_DELETE,
+    EDIT_HISTORY,
+    EDIT_SELECT,
+    FILE_BACK,
+)
+from app.actions.situation import Situation
+from app.commands.context import WindowContext
 from app.controllers.parametrization import use_parametrization
 from app.document import edits
 from app.document.model import ParametrizationKind
 from app.families import FAMILIES, Family
-from app.keymap import call_alone
 from app.labels import menu_text
-from app.view_model.curve_view import CurveView
+from app.resources import has_resource
+
+_MOST_KEYS = 10
+"""One more than there are digits for."""
+
+
+def _key_of(family: Family) -> str:
+    """Return the digit of a family's place, for as many as there are digits."""
+    place = list(FAMILIES).index(family) + 1
+    return str(place) if place < _MOST_KEYS else ""
+
+
+def _has_explicit(now: Situation) -> bool:
+    """Whether a selected point has a derivative that was set by hand."""
+    return any(
+        now.view.is_explicit(index, order, ahead=ahead)
+        for index in now.selection
+        for order in (1, 2)
+        for ahead in (False, True)
+    )
+
+
+def _titled(verb: str, step: str) -> str:
+    return f"{verb}: {menu_text(step)}" if step else verb
 
 
 class EditCommands:
     """What changes the document, or takes a change back."""
 
-    def __init__(self, parts: Parts) -> None:
-        self._parts = parts
-        self._session = parts.session
-        self._actions = parts.actions
-        self._fill_parameters_menu()
-        self._session.history_changed.connect(self._render_history)
-        self._render_history()
+    def __init__(self, context: WindowContext) -> None:
+        self._context = context
+        self._session = context.session
 
-    def handlers(self) -> Handlers:
-        """Return what each action does."""
-        return {
-            "undo": self._undo,
-            "goBack": self._go_back,
-            "redo": self._redo,
-            "selectAll": self._select_all,
-            "deleteSelection": self._delete_selection,
-            **{family.action_name: partial(self._use_family, family) for family in FAMILIES},
-            "freezeParameters": self._freeze_parameters,
-            "useUniform": lambda: use_parametrization(self._session, ParametrizationKind.UNIFORM),
-            "resetVelocities": self._reset_derivatives,
-        }
-
-    def render(self, view: CurveView) -> None:
-        """Check and enable the actions."""
-        chosen = self._session.selection
-        for family in FAMILIES:
-            self._actions[family.action_name].setChecked(family == view.source.family)
-        has_curves = len(self._session.chosen_curves) > 1
-        self._actions["deleteSelection"].setEnabled(bool(chosen) or has_curves)
-        has_explicit = any(
-            view.is_explicit(index, order, ahead=ahead)
-            for index in chosen
-            for order in (1, 2)
-            for ahead in (False, True)
-        )
-        self._actions["resetVelocities"].setEnabled(has_explicit)
-        self._actions["freezeParameters"].setEnabled(view.is_current and not view.source.is_manual)
-        is_uniform = view.source.parametrization.kind is ParametrizationKind.UNIFORM
-        self._actions["useUniform"].setEnabled(not is_uniform)
-
-    def _fill_parameters_menu(self) -> None:
-        menu = self._parts.parameters_menu
-        below = menu.insertSeparator(menu.actions()[0])
-        for kind in ParametrizationKind:
-            action = QAction(kind.label, menu)
-            action.setObjectName(f"parameters_{kind}")
-            call_alone(action, f"{kind.label} Parameters")
-            menu.insertAction(below, action)
-            action.triggered.connect(
-                lambda _checked=False, kind=kind: use_parametrization(self._session, kind)
-            )
-
-    def _render_history(self) -> None:
-        stack = self._session.undo_stack
-        for name, can, text in (
-            ("undo", stack.canUndo(), stack.undoText()),
-            ("redo", stack.canRedo(), stack.redoText()),
-        ):
-            verb = name.capitalize()
-            self._actions[name].setEnabled(can)
-            self._actions[name].setText(f"{verb}: {menu_text(text)}" if text else verb)
-        self._actions["goBack"].setEnabled(self._session.beginning.before is not None)
-
+    @action(
+        "undo",
+        "Undo",
+        EDIT_HISTORY,
+        "Ctrl+Z",
+        "undo",
+        needs=Need("a step to take back", lambda now: now.session.undo_stack.canUndo()),
+        title=lambda now: _titled("Undo", now.session.undo_stack.undoText()),
+        during_gesture=True,
+    )
     def _undo(self) -> None:
+        """Take the last step back."""
         # Undo in the middle of a drag takes the drag back, not the step before it.
         stack = self._session.undo_stack
-        if not self._parts.cancel_gesture() and stack.canUndo():
+        if not self._context.cancel_gesture() and stack.canUndo():
             text = stack.undoText()
             stack.undo()
             self._session.say(f"Undone: {text}.")
 
+    @action(
+        "goBack",
+        "Go Back",
+        FILE_BACK,
+        icon="history",
+        full_name="Go Back to What Was Before the Lesson",
+        needs=Need(
+            "work that was left for a lesson or an example",
+            lambda now: now.session.beginning.before is not None,
+        ),
+    )
     def _go_back(self) -> None:
+        """Go back to what was there before this lesson or example; Redo comes here again."""
         self._session.go_back()
         self._session.say("This is as you left it; Redo goes on.")
 
+    @action(
+        "redo",
+        "Redo",
+        EDIT_HISTORY,
+        "Ctrl+Shift+Z, Ctrl+Y",
+        "redo",
+        needs=Need("a step that was taken back", lambda now: now.session.undo_stack.canRedo()),
+        title=lambda now: _titled("Redo", now.session.undo_stack.redoText()),
+    )
     def _redo(self) -> None:
+        """Do the step again."""
         stack = self._session.undo_stack
         if stack.canRedo():
             text = stack.redoText()
             stack.redo()
             self._session.say(f"Redone: {text}.")
 
+    @action_for_each(
+        FAMILIES,
+        lambda family: Action(
+            family.action_name,
+            family.label,
+            CURVE_FAMILY,
+            _key_of(family),
+            family.icon if has_resource("icons", f"{family.icon}.svg") else "spline",
+            family.tip,
+            checked=lambda now: now.view.source.family == family,
+            group="family",
+        ),
+    )
     def _use_family(self, family: Family) -> None:
         session = self._session
         was_closed = session.active_curve.is_closed
@@ -114,10 +132,31 @@ class EditCommands:
                 f"A {family.title} curve cannot close smoothly; it is shown open, "
                 f"and closes again as {closes}."
             )
-        # The toggle shows what is, also where nothing changed.
-        self.render(session.active_view)
 
+    @action_for_each(
+        tuple(ParametrizationKind),
+        lambda kind: Action(
+            f"parameters_{kind}",
+            kind.label,
+            CURVE_RULES,
+            tip=f"Use {kind.label.lower()} parameters",
+            full_name=f"{kind.label} Parameters",
+        ),
+    )
+    def _use_parametrization(self, kind: ParametrizationKind) -> None:
+        use_parametrization(self._session, kind)
+
+    @action(
+        "freezeParameters",
+        "Freeze Parameters",
+        CURVE_PARAMETERS,
+        icon="lock",
+        needs=Need(
+            "parameters that a rule gives", lambda now: now.view.is_current and not now.view.source.is_manual
+        ),
+    )
     def _freeze_parameters(self) -> None:
+        """Keep the parameters as they are: make them manual."""
         session = self._session
         parameters = session.active_view.parameters.tolist()
         session.change(
@@ -125,14 +164,40 @@ class EditCommands:
             lambda document: edits.freeze_parameters(document, session.active_index, parameters),
         )
 
+    @action(
+        "useUniform",
+        "Use Uniform Parameters",
+        CURVE_PARAMETERS,
+        icon="spline",
+        needs=Need(
+            "parameters that are not uniform",
+            lambda now: now.view.source.parametrization.kind is not ParametrizationKind.UNIFORM,
+        ),
+    )
+    def _use_uniform(self) -> None:
+        """Space the parameters evenly, wherever the points lie."""
+        use_parametrization(self._session, ParametrizationKind.UNIFORM)
+
+    @action("selectAll", "Select All", EDIT_SELECT, "Ctrl+A", "select-all", full_name="Select All Points")
     def _select_all(self) -> None:
+        """Select all points."""
         self._session.select(range(len(self._session.active_curve.nodes)))
 
+    @action(
+        "deleteSelection",
+        "Delete",
+        EDIT_DELETE,
+        "Del, Backspace",
+        "delete",
+        full_name="Delete Points",
+        needs=SELECTED_POINTS,
+    )
     def _delete_selection(self) -> None:
+        """Delete the selected points."""
         session, chosen = self._session, self._session.selection
         if not chosen:
             if len(session.chosen_curves) > 1:
-                self._actions["deleteCurve"].trigger()
+                self._context.actions["deleteCurve"].trigger()
             return
         what = f"point {next(iter(chosen))}" if len(chosen) == 1 else f"{len(chosen)} points"
         if session.change(
@@ -140,7 +205,15 @@ class EditCommands:
         ):
             session.select([])
 
+    @action(
+        "resetVelocities",
+        "Reset Derivatives to Estimated",
+        CURVE_VELOCITIES,
+        icon="reset",
+        needs=Need("selected points with a velocity or an acceleration that was set", _has_explicit),
+    )
     def _reset_derivatives(self) -> None:
+        """Let the rules estimate the velocities and accelerations of the selected points again."""
         session, chosen = self._session, self._session.selection
         session.change(
             "Reset derivatives",

@@ -11,10 +11,12 @@ from PySide6.QtCore import QMimeData
 from PySide6.QtGui import QGuiApplication
 from PySide6.QtWidgets import QFileDialog, QWidget
 
+from app.actions.declaration import action
+from app.actions.needs import Need
+from app.actions.sections import EDIT_COPY_AS, FILE_EXCHANGE
+from app.commands.context import WindowContext
 from app.commands.curve_clipboard import put_on_clipboard
-from app.commands.file_work import FileWork
 from app.commands.import_series import ImportSeries
-from app.commands.parts import Handlers, Parts
 from app.document.import_edits import add_imported
 from app.document.model import Document
 from app.document.words import count_of, listed
@@ -33,7 +35,6 @@ from app.exchange.writing import export
 from app.file_commands import file_stem
 from app.storage.files import StorageError, read
 from app.tasks.progress import Report, part
-from app.view_model.curve_view import CurveView
 
 if TYPE_CHECKING:
     from app.exchange.choice import ExportChoice
@@ -51,40 +52,35 @@ _SVG_TYPE = "image/svg+xml"
 _COPY_WIDTH = 1600
 _MOST_REMARKS = 3
 
+_ANY_CURVE = Need(
+    "a curve through two points or more",
+    lambda now: now.view.curve is not None or len(now.session.views) > 1,
+)
+
 
 class ExchangeCommands:
     """Files of other formats, in and out, beside the window's own thread."""
 
-    def __init__(self, parts: Parts, work: FileWork) -> None:
-        self._parts, self._work = parts, work
-        self._session, self._preferences = parts.session, parts.preferences
+    def __init__(self, context: WindowContext) -> None:
+        self._context, self._work = context, context.work
+        self._session, self._preferences = context.session, context.preferences
         self._dialog: ExportDialog | None = None
         self._documents = self._meant_for = 0
-        self._series = ImportSeries(self._begin, lambda: not work.jobs.is_busy, parts.message_bar.warn)
-        work.jobs.ended.connect(self._series.go_on)
-        parts.session.opened.connect(self._count_document)
-        parts.session.document_changed.connect(self._show_in_dialog)
-        parts.session.active_changed.connect(self._show_in_dialog)
-
-    def handlers(self) -> Handlers:
-        """Return what each action does."""
-        return {
-            "importFile": self._ask_and_import,
-            "exportPicture": self._ask_and_export,
-            "copyImage": self._copy_image,
-            "copyPathData": self._copy_path_data,
-        }
-
-    def render(self, view: CurveView) -> None:
-        """Enable what needs a curve."""
-        for name in ("copyImage", "copyPathData"):
-            self._parts.actions[name].setEnabled(view.curve is not None or len(self._session.views) > 1)
+        self._series = ImportSeries(
+            self._begin, lambda: not self._work.jobs.is_busy, context.central.message_bar.warn
+        )
+        self._work.jobs.ended.connect(self._series.go_on)
+        context.session.opened.connect(self._count_document)
+        context.session.document_changed.connect(self._show_in_dialog)
+        context.session.active_changed.connect(self._show_in_dialog)
 
     # In
 
+    @action("importFile", "Import…", FILE_EXCHANGE, "Ctrl+I", "import")
     def _ask_and_import(self) -> None:
+        """Take in curves from SVG, DXF, a table or another document."""
         folder = str(self._preferences.last_folder)
-        names, _ = QFileDialog.getOpenFileNames(self._parts.window, "Import", folder, _filters())
+        names, _ = QFileDialog.getOpenFileNames(self._context.window, "Import", folder, _filters())
         if names and not self._work.refuse_second():
             self.import_files([Path(name) for name in names])
 
@@ -173,14 +169,14 @@ class ExchangeCommands:
     def _ask_where(self, path: Path, found: Imported) -> None:
         from app.panels.import_drawing_dialog import ImportDrawingDialog  # noqa: PLC0415
 
-        dialog = ImportDrawingDialog(path.name, found, self._parts.window)
+        dialog = ImportDrawingDialog(path.name, found, self._context.window)
         dialog.chosen.connect(lambda taken, anew: self._take_in(path, taken.document, taken.deviation, anew))
         self._ask(dialog)
 
     def _ask_about_table(self, path: Path, table: _OpenTable) -> None:
         from app.panels.import_table_dialog import ImportTableDialog  # noqa: PLC0415
 
-        dialog = ImportTableDialog(path.name, path.stem, table.source, table.preview, self._parts.window)
+        dialog = ImportTableDialog(path.name, path.stem, table.source, table.preview, self._context.window)
         dialog.chosen.connect(lambda prepared, anew: self._take_table(path, prepared, anew))
         self._ask(dialog)
 
@@ -200,7 +196,7 @@ class ExchangeCommands:
     def _add(self, path: Path, new: Document, deviation: float, anew: bool) -> None:
         """Add the curves as one step, to this document or to a new one."""
         if anew:
-            if not self._parts.files.may_discard():
+            if not self._context.files.may_discard():
                 return
             self._session.new()
         document, first = add_imported(self._session.document, new)
@@ -211,8 +207,8 @@ class ExchangeCommands:
             self._session.choose_curves(range(first, first + len(new.curves)))
         self._preferences.last_folder = path.parent
         # What is in sight stays where the person put it, but for a document that holds nothing else.
-        if first == 0 or not self._parts.canvas.shows_curves_from(first):
-            self._parts.actions["fitView"].trigger()
+        if first == 0 or not self._context.central.canvas.framing.shows_curves_from(first):
+            self._context.actions["fitView"].trigger()
         count = sum(len(curve.nodes) for curve in new.curves)
         what = f"{count_of(len(new.curves), 'curve')}, {count_of(count, 'point')}"
         exact = f"at most {deviation:.2g} from the file" if deviation else "exact"
@@ -220,12 +216,14 @@ class ExchangeCommands:
 
     # Out
 
+    @action("exportPicture", "Export…", FILE_EXCHANGE, "Ctrl+E", "export")
     def _ask_and_export(self) -> None:
+        """Export a picture, splines, code or numbers."""
         from app.exchange.choice import choice_from  # noqa: PLC0415
         from app.panels.export_dialog import ExportDialog  # noqa: PLC0415
 
         if self._dialog is None:
-            self._dialog = ExportDialog(choice_from(self._preferences.export_choice), self._parts.window)
+            self._dialog = ExportDialog(choice_from(self._preferences.export_choice), self._context.window)
             self._dialog.chosen.connect(self._ask_where_to)
             self._dialog.finished.connect(self._forget_dialog)
         self._show_in_dialog()
@@ -250,7 +248,7 @@ class ExchangeCommands:
         self._preferences.export_choice = text_of(choice)
         start = self._preferences.last_folder / f"{file_stem(self._session)}{choice.ending}"
         kind = f"{choice.format.title} (*{choice.ending})"
-        name, _ = QFileDialog.getSaveFileName(self._parts.window, "Export", str(start), kind)
+        name, _ = QFileDialog.getSaveFileName(self._context.window, "Export", str(start), kind)
         if not name:
             return
         path = with_ending(Path(name), choice.ending)
@@ -289,12 +287,13 @@ class ExchangeCommands:
         """Say what was left out of a file that was written."""
         more = [f"And {len(remarks) - _MOST_REMARKS} more."] if len(remarks) > _MOST_REMARKS else []
         if remarks:
-            self._parts.message_bar.warn(" ".join([*remarks[:_MOST_REMARKS], *more]))
+            self._context.central.message_bar.warn(" ".join([*remarks[:_MOST_REMARKS], *more]))
 
     # To the clipboard
 
+    @action("copyImage", "Copy as Image", EDIT_COPY_AS, "Ctrl+Shift+C", needs=_ANY_CURVE)
     def _copy_image(self) -> None:
-        """Put the curves on the clipboard as a PNG without paper and as SVG."""
+        """Copy all curves as a picture without paper, PNG and SVG."""
         document, unit = self._session.document, self._preferences.unit_name
 
         def work(report: Report) -> tuple[bytes, bytes]:
@@ -318,7 +317,9 @@ class ExchangeCommands:
         put_on_clipboard(data)
         self._session.say("Copied the curves as an image: PNG without paper, and SVG.")
 
+    @action("copyPathData", "Copy as SVG Path", EDIT_COPY_AS, needs=_ANY_CURVE)
     def _copy_path_data(self) -> None:
+        """Copy all curves as the path data of an SVG."""
         document = self._session.document
 
         def work(report: Report) -> Written:

@@ -1,4 +1,4 @@
-"""What is read from files and written to them beside the window: its bar, its end, and how it is stopped."""
+"""What is read from files and written to them beside the window."""
 
 from __future__ import annotations
 
@@ -6,21 +6,25 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
-from app.commands.parts import Handlers, Parts
+from PySide6.QtCore import QObject
+
 from app.exchange.errors import ExchangeError
-from app.panels.job_bar import JobBar
+from app.session import Session
 from app.storage.files import StorageError
 from app.storage.format import FormatError
 from app.tasks.single_task import SingleTask
 from app.tasks.task import Work
-from app.view_model.curve_view import CurveView
 
 _EXPECTED = (ExchangeError, StorageError, FormatError)
-_AFTER_HINT = 1
 
 
 class FileWork:
-    """One thing at a time for one window; the status line tells how far it is.
+    """One thing at a time for one window.
+
+    Parameters
+    ----------
+    warn
+        Shows why something was not done.
 
     Attributes
     ----------
@@ -28,22 +32,10 @@ class FileWork:
         What is being done.
     """
 
-    def __init__(self, parts: Parts) -> None:
-        self._parts = parts
-        self.jobs = SingleTask(parts.window)
-        self._bar: JobBar | None = None
+    def __init__(self, session: Session, warn: Callable[[str], object], window: QObject) -> None:
+        self._session, self._warning = session, warn
+        self.jobs = SingleTask(window)
         self._stopped: Callable[[], object] = lambda: None
-        self.jobs.shown.connect(self._show_bar)
-        self.jobs.ended.connect(self._hide_bar)
-        self.jobs.progressed.connect(self._show_share)
-        parts.actions["cancelWork"].setEnabled(False)
-
-    def handlers(self) -> Handlers:
-        """Return what each action does."""
-        return {"cancelWork": self._cancel}
-
-    def render(self, view: CurveView) -> None:
-        """Leave it: work goes on whatever the curve becomes."""
 
     def start(
         self,
@@ -77,7 +69,7 @@ class FileWork:
     def refuse_second(self) -> bool:
         """Say that one thing is done at a time, and return True, while something is being done."""
         if self.jobs.is_busy:
-            self._parts.session.refuse(f"{self.jobs.title} is still going on; stop it first.")
+            self._session.refuse(f"{self.jobs.title} is still going on; stop it first.")
         return self.jobs.is_busy
 
     def refuse(self, path: Path, what: str, problem: Exception) -> None:
@@ -86,33 +78,18 @@ class FileWork:
 
     def _warn(self, sentence: str) -> None:
         if sentence:
-            self._parts.message_bar.warn(sentence)
+            self._warning(sentence)
 
-    def _cancel(self) -> None:
+    def cancel(self) -> None:
+        """Stop what is being done, and say so."""
         if self.jobs.is_busy:
             # Other work may begin as soon as this has ended.
             title, leave = self.jobs.title, self._stopped
             stopped = self.jobs.cancel()
             end = "was stopped; nothing has changed" if stopped else "cannot be stopped any more"
-            self._parts.session.say(f"{title} {end}.")
+            self._session.say(f"{title} {end}.")
             if stopped:
                 leave()
-
-    def _show_bar(self, title: str) -> None:
-        if self._bar is None:
-            self._bar = JobBar(self._parts.actions["cancelWork"])
-            self._parts.status_line.insertPermanentWidget(_AFTER_HINT, self._bar)
-        self._bar.begin(title)
-        self._parts.actions["cancelWork"].setEnabled(True)
-
-    def _hide_bar(self) -> None:
-        self._parts.actions["cancelWork"].setEnabled(False)
-        if self._bar is not None:
-            self._bar.hide()
-
-    def _show_share(self, share: float, _word: str) -> None:
-        if self._bar is not None:
-            self._bar.show_share(share)
 
 
 def why_not(path: Path, what: str, problem: Exception) -> str:

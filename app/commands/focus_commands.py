@@ -7,37 +7,37 @@ from collections.abc import Iterator
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QApplication, QDockWidget, QWidget
 
-from app.commands.parts import Handlers, Parts
-from app.view_model.curve_view import CurveView
+from app.actions.declaration import action
+from app.actions.sections import VIEW_FOCUS
+from app.commands.context import WindowContext
 
 
 class FocusCommands:
     """Moves the focus between canvas, functions, plots, panels and toolbar."""
 
-    def __init__(self, parts: Parts) -> None:
-        self._parts = parts
+    def __init__(self, context: WindowContext) -> None:
+        self._context = context
         self._named = ""
-
-    def handlers(self) -> Handlers:
-        """Return what each action does."""
-        return {
-            "nextPanel": lambda: self._walk(1),
-            "previousPanel": lambda: self._walk(-1),
-            "openMenuBar": self._open_menu_bar,
-        }
-
-    def render(self, view: CurveView) -> None:
-        """Nothing to enable: there is always a panel to go to."""
 
     def back_to_canvas(self) -> bool:
         """Leave the panel that has the focus for the canvas; return whether one had it."""
-        parts, here = self._parts, QApplication.focusWidget()
-        panels = (*parts.docks, parts.lessons_dock, parts.toolbar)
+        context, here = self._context, QApplication.focusWidget()
+        panels = (*context.docks.side, context.docks.lessons, context.toolbar)
         if here is None or not any(panel.isAncestorOf(here) for panel in panels):
             return False
-        parts.canvas.setFocus(Qt.FocusReason.ShortcutFocusReason)
-        parts.status_line.unsay(self._named)
+        context.central.canvas.setFocus(Qt.FocusReason.ShortcutFocusReason)
+        context.status_line.unsay(self._named)
         return True
+
+    @action("nextPanel", "Next Panel", VIEW_FOCUS, "F6")
+    def _go_on(self) -> None:
+        """Go on to the next panel with the keyboard."""
+        self._walk(1)
+
+    @action("previousPanel", "Previous Panel", VIEW_FOCUS, "Shift+F6")
+    def _go_back(self) -> None:
+        """Go back to the panel before."""
+        self._walk(-1)
 
     def _walk(self, step: int) -> None:
         stops = list(self._stops())
@@ -47,20 +47,28 @@ class FocusCommands:
         panel, target = stops[(start + step) % len(stops)]
         target.setFocus(Qt.FocusReason.TabFocusReason if step > 0 else Qt.FocusReason.BacktabFocusReason)
         self._named = f"{_title_of(panel)}."
-        self._parts.session.say(self._named)
+        self._context.session.say(self._named)
 
     def _stops(self) -> Iterator[tuple[QWidget, QWidget]]:
         """Yield every panel in sight and what in it takes the focus."""
-        parts = self._parts
-        docks = sorted((*parts.docks, parts.lessons_dock), key=lambda dock: (dock.x(), dock.y()))
-        panels: list[QWidget] = [parts.canvas, parts.basis_panel, parts.plot_panel, *docks, parts.toolbar]
+        context = self._context
+        docks = sorted((*context.docks.side, context.docks.lessons), key=lambda dock: (dock.x(), dock.y()))
+        panels: list[QWidget] = [
+            context.central.canvas,
+            context.central.basis_panel,
+            context.central.plot_panel,
+            *docks,
+            context.toolbar,
+        ]
         for panel in panels:
             target = first_in(panel) if _is_in_sight(panel) else None
             if target is not None:
                 yield panel, target
 
+    @action("openMenuBar", "Menu Bar", VIEW_FOCUS, "F10")
     def _open_menu_bar(self) -> None:
-        bar = self._parts.window.menuBar()
+        """Open the first menu, to go on with the arrows."""
+        bar = self._context.window.menuBar()
         if bar.isVisible():
             bar.setActiveAction(bar.actions()[0])
 

@@ -7,9 +7,10 @@ from typing import TYPE_CHECKING
 from PySide6.QtWidgets import QMessageBox
 
 from app import __version__
-from app.action_specs import MENUS
-from app.commands.parts import Handlers, Parts
-from app.view_model.curve_view import CurveView
+from app.actions.declaration import action
+from app.actions.sections import HELP_ALL, MENUS
+from app.commands.context import WindowContext
+from app.tools.add import ADD
 
 if TYPE_CHECKING:
     from app.panels.shortcut_sheet import ShortcutSheet
@@ -18,37 +19,33 @@ if TYPE_CHECKING:
 class HelpCommands:
     """The Help menu."""
 
-    def __init__(self, parts: Parts) -> None:
-        self._parts = parts
+    def __init__(self, context: WindowContext) -> None:
+        self._context = context
         self._sheet: ShortcutSheet | None = None
 
-    def handlers(self) -> Handlers:
-        """Return what each action does."""
-        return {"showShortcuts": self._show_shortcuts, "about": self._about}
-
-    def render(self, view: CurveView) -> None:
-        """Help is always there."""
-
+    @action("showShortcuts", "Keys and Mouse", HELP_ALL, "F1", "help")
     def _show_shortcuts(self) -> None:
-        """Show the keys of the moment, or put the sheet away."""
+        """Show what keys and mouse do."""
         from app.panels.shortcut_sheet import Moment, ShortcutSheet  # noqa: PLC0415 - not at the start
 
-        parts = self._parts
+        context = self._context
         if self._sheet is None:
-            self._sheet = ShortcutSheet(parts.window, over=parts.window.centralWidget() or parts.window)
+            self._sheet = ShortcutSheet(context.window, over=context.window.centralWidget() or context.window)
         if self._sheet.isVisible():
             self._sheet.put_away()
             return
         moment = Moment(
-            adding=parts.actions["addTool"].isChecked(),
-            selected=len(parts.session.selection),
-            has_derivatives=parts.session.active_curve.family.derivatives > 0,
-            curves=len(parts.session.chosen_curves),
+            adding=context.store.state.uses(ADD),
+            selected=len(context.session.selection),
+            has_derivatives=context.session.active_curve.family.derivatives > 0,
+            curves=len(context.session.chosen_curves),
         )
-        self._sheet.open(moment, [(menu, parts.actions.shortcuts(menu)) for menu in MENUS])
+        self._sheet.open(moment, [(menu.title, context.actions.shortcuts(menu)) for menu in MENUS])
 
+    @action("about", "About Curvebench", HELP_ALL)
     def _about(self) -> None:
-        box = QMessageBox(self._parts.window)
+        """Version and licence."""
+        box = QMessageBox(self._context.window)
         box.setObjectName("aboutBox")
         box.setWindowTitle("About Curvebench")
         box.setText(f"Curvebench {__version__}")

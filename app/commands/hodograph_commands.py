@@ -7,8 +7,12 @@ from typing import TYPE_CHECKING
 
 from PySide6.QtWidgets import QDockWidget, QWidget
 
-from app.commands.parts import Handlers, Parts
+from app.actions.declaration import action
+from app.actions.sections import PLOTS_IN_PLANE
+from app.commands.context import WindowContext
 from app.tasks.debounced_task import DebouncedTask
+from app.tools.rail import SCRUB_ALONG
+from app.tools.toolbox import Toolbox
 from app.view_model.curve_view import CurveView
 
 if TYPE_CHECKING:
@@ -19,31 +23,25 @@ if TYPE_CHECKING:
 class HodographCommands:
     """Keeps the hodograph in step with curve and scrub line."""
 
-    def __init__(self, parts: Parts) -> None:
-        self._parts = parts
+    def __init__(self, context: WindowContext) -> None:
+        self._context = context
         self._panel: HodographPanel | None = None
-        self._task = DebouncedTask(parts.window)
+        self._task = DebouncedTask(context.window)
         self._task.ready.connect(self._show)
-        parts.session.scrub_changed.connect(self._show_scrub)
-
-    def handlers(self) -> Handlers:
-        """Return what each action does."""
-        return {"plotHodograph": self._bring_up}
-
-    def render(self, view: CurveView) -> None:
-        """Do nothing: the hodograph says itself why it is empty."""
+        context.session.scrub_changed.connect(self._show_scrub)
 
     def build(self) -> QWidget:
         """Build the panel; called when its dock is first shown."""
         from app.panels.hodograph_panel import HodographPanel  # noqa: PLC0415
 
-        self._panel = HodographPanel()
-        self._panel.changed.connect(lambda: self.follow(self._parts.session.active_view))
-        self._panel.plot.scrub_asked.connect(self._parts.session.set_scrub)
+        self._panel = HodographPanel(Toolbox(self._context.session, SCRUB_ALONG))
+        self._panel.changed.connect(lambda: self.follow(self._context.session.active_view))
         return self._panel
 
+    @action("plotHodograph", "Hodograph…", PLOTS_IN_PLANE, icon="hodograph", full_name="Plot Hodograph…")
     def _bring_up(self) -> None:
-        dock = self._parts.window.findChild(QDockWidget, "hodographDock")
+        """Draw the velocity c′ as a curve in the plane, with the origin."""
+        dock = self._context.window.findChild(QDockWidget, "hodographDock")
         assert dock is not None
         dock.show()
         dock.raise_()
@@ -75,14 +73,14 @@ class HodographCommands:
         self._show(compute())
 
     def _show(self, hodograph: Hodograph) -> None:
-        panel, session = self._shown, self._parts.session
+        panel, session = self._shown, self._context.session
         if panel is not None:
             owners = len(session.active_curve.nodes)
             panel.plot.render_hodograph(hodograph, owners, calm=session.is_previewing)
             self._show_scrub(session.scrub)
 
     def _show_scrub(self, t: float | None) -> None:
-        panel, view = self._shown, self._parts.session.active_view
+        panel, view = self._shown, self._context.session.active_view
         if panel is None:
             return
         from app.view_model.analysis.hodograph import derivative_at  # noqa: PLC0415

@@ -5,29 +5,34 @@ from __future__ import annotations
 from math import ceil, log10
 from pathlib import Path
 
-from PySide6.QtGui import QAction, QActionGroup, QImage
+from PySide6.QtGui import QImage
 from PySide6.QtWidgets import QDockWidget, QFileDialog
 
+from app.actions.declaration import action
+from app.actions.needs import Need
+from app.actions.sections import FILE_IMAGE
 from app.canvas.image_file import ImageFileError, read_image
-from app.commands.messages import Messages
-from app.commands.parts import Handlers, Parts
+from app.commands.context import WindowContext
 from app.document.image_edits import set_image, set_image_file
 from app.document.model import ReferenceImage
-from app.tools.image_tool import ImageTool
+from app.tools.move_image import MOVE_IMAGE
 from app.view_model.curve_view import CurveView
+from app.window_state import WindowState
 
 _PICTURES = "Pictures (*.png *.jpg *.jpeg);;All files (*)"
 _MISSING = "The reference image is not shown. {}"
 _SHARE = 0.8
 """Part of the canvas that a new picture fills."""
 
+_AN_IMAGE = Need("a reference image", lambda now: now.session.document.image is not None)
+
 
 class ImageCommands:
     """Reads the picture that the document names, and changes what it names."""
 
-    def __init__(self, parts: Parts, messages: Messages) -> None:
-        self._parts, self._messages = parts, messages
-        self._session, self._actions = parts.session, parts.actions
+    def __init__(self, context: WindowContext) -> None:
+        self._context = context
+        self._session, self._actions = context.session, context.actions
         self._is_loaded = False
         self._loaded_path = ""
         self._pixels: QImage | None = None
@@ -36,24 +41,11 @@ class ImageCommands:
         # What stood in front when the panel came; it comes back when the panel goes.
         self._in_front_before: list[QDockWidget] = []
         names = ("moveImage", "findImage", "removeImage")
-        parts.image_panel.add_buttons([self._actions[name] for name in names])
+        context.docks.image_panel.add_buttons([self._actions[name] for name in names])
         # Another document may name the same file, which may have changed meanwhile.
-        parts.session.opened.connect(self._forget_file)
-        # Choosing what the mouse does to points gives it back to them.
-        tools = self._actions["selectTool"].actionGroup()
-        assert tools is not None
-        self._tools, self._tool_before = tools, tools.checkedAction()
-        tools.triggered.connect(self._leave_moving)
+        context.session.opened.connect(self._forget_file)
+        context.store.changed.connect(self._show_state)
         self._show_dock(False)
-
-    def handlers(self) -> Handlers:
-        """Return what each action does."""
-        return {
-            "addImage": self._ask_and_add,
-            "moveImage": self._toggle_moving,
-            "findImage": self._ask_and_find,
-            "removeImage": self._remove,
-        }
 
     def render(self, view: CurveView) -> None:
         """Show the picture of the document, or say why it cannot be shown."""
@@ -66,32 +58,24 @@ class ImageCommands:
         if image is None:
             self._loaded_path, self._pixels, self._problem = "", None, ""
         had_one, self._shown = self._shown is not None, image
-        self._parts.canvas.set_image(image, self._pixels)
-        self._parts.image_panel.render_image(image)
-        self._parts.image_panel.show_problem(self._problem)
-        self._messages.set_image_problem(self._problem and _MISSING.format(self._problem))
-        self._enable(image)
+        self._context.central.canvas.drawing.set_image(image, self._pixels)
+        self._context.docks.image_panel.render_image(image)
+        self._context.docks.image_panel.show_problem(self._problem)
+        self._context.store.change(image_problem=self._problem and _MISSING.format(self._problem))
+        if image is None or image.locked:
+            self._context.store.change(moves_image=False)
         if had_one != (image is not None):
             self._show_dock(image is not None)
 
-    def _enable(self, image: ReferenceImage | None) -> None:
-        can_move = image is not None and not image.locked
-        self._actions["moveImage"].setEnabled(can_move)
-        if not can_move:
-            self._leave_moving()
-        for name in ("findImage", "removeImage"):
-            self._actions[name].setEnabled(image is not None)
-
     def _show_dock(self, shown: bool) -> None:
         """Show the panel while there is a picture; without one it is disabled and stays away."""
-        dock = self._parts.image_dock
+        dock = self._context.docks.image
         dock.setEnabled(shown)
         dock.toggleViewAction().setVisible(shown)
-        side_panel = self._actions["toggleSidePanel"].isChecked()
-        presenting = self._actions["presentation"].isChecked()
-        in_front = [each for each in self._parts.docks if not each.visibleRegion().isEmpty()]
-        covered = self._parts.window.tabifiedDockWidgets(dock) if dock in in_front and not shown else []
-        dock.setVisible(shown and side_panel and not presenting)
+        state = self._context.store.state
+        in_front = [each for each in self._context.docks.side if not each.visibleRegion().isEmpty()]
+        covered = self._context.window.tabifiedDockWidgets(dock) if dock in in_front and not shown else []
+        dock.setVisible(shown and state.side_panel and not state.presentation)
         # A tab that appears comes to the front, and one that goes brings its neighbour there; undo and redo
         # must not turn the page over.
         for each in (*in_front, *(each for each in covered if each in self._in_front_before)):
@@ -112,7 +96,9 @@ class ImageCommands:
 
     # What the person did
 
+    @action("addImage", "Reference Image…", FILE_IMAGE, icon="image")
     def _ask_and_add(self) -> None:
+        """Put a PNG or JPEG picture behind the curves, to trace it."""
         path = self._ask("Reference Image")
         if path:
             self.add(path)
@@ -122,19 +108,36 @@ class ImageCommands:
         pixels = self._read(path)
         if pixels is None:
             return
-        x_min, y_min, x_max, y_max = self._parts.canvas.pixel_map.box
+        x_min, y_min, x_max, y_max = self._context.central.canvas.pixel_map.box
         scale = _SHARE * min((x_max - x_min) / pixels.width(), (y_max - y_min) / pixels.height())
         width, height = pixels.width() * scale, pixels.height() * scale
         x, y = (x_min + x_max - width) / 2, (y_min + y_max - height) / 2
         # As many decimals as make a difference on the screen: 0, not −4.4e−16.
-        decimals = ceil(-log10(self._parts.canvas.pixel_size))
+        decimals = ceil(-log10(self._context.central.canvas.camera.pixel_size))
         x, y = round(x, decimals) + 0.0, round(y, decimals) + 0.0
         image = ReferenceImage(path, x, y, width, height)
         if self._session.change("Add image", lambda document: set_image(document, image)):
-            self._parts.image_dock.raise_()
+            self._context.docks.image.raise_()
             self._session.say("File › Move Image drags and scales the image; the panel fades it.")
 
+    @action(
+        "moveImage",
+        "Move Image",
+        FILE_IMAGE,
+        icon="move",
+        needs=Need("a reference image that is not locked", lambda now: _can_move(now.session.document.image)),
+        checked=lambda now: now.state.moves_image,
+    )
+    def _toggle_moving(self) -> None:
+        """Drag the reference image, and scale it by its corners; points are out of reach meanwhile."""
+        store = self._context.store
+        store.change(moves_image=not store.state.moves_image)
+        if store.state.moves_image:
+            self._session.say(MOVE_IMAGE.hint)
+
+    @action("findImage", "Find Image…", FILE_IMAGE, needs=_AN_IMAGE)
     def _ask_and_find(self) -> None:
+        """Say where the file of the reference image is."""
         path = self._ask("Find Image")
         if path:
             self.find(path)
@@ -147,8 +150,8 @@ class ImageCommands:
             self._session.change("Find image", lambda document: set_image_file(document, path, aspect))
 
     def _ask(self, title: str) -> str:
-        folder = str(self._parts.preferences.last_folder)
-        name, _ = QFileDialog.getOpenFileName(self._parts.window, title, folder, _PICTURES)
+        folder = str(self._context.preferences.last_folder)
+        name, _ = QFileDialog.getOpenFileName(self._context.window, title, folder, _PICTURES)
         return str(Path(name).absolute()) if name else ""
 
     def _read(self, path: str) -> QImage | None:
@@ -156,35 +159,18 @@ class ImageCommands:
         try:
             return read_image(path)
         except ImageFileError as problem:
-            self._parts.message_bar.warn(str(problem))
+            self._context.central.message_bar.warn(str(problem))
             return None
 
+    @action("removeImage", "Remove Image", FILE_IMAGE, needs=_AN_IMAGE)
     def _remove(self) -> None:
+        """Take the reference image out of the document."""
         self._session.change("Remove image", lambda document: set_image(document, None))
 
-    def _leave_moving(self, _tool: QAction | None = None) -> None:
-        if self._actions["moveImage"].isChecked():
-            self._actions["moveImage"].setChecked(False)
-            self._toggle_moving()
+    def _show_state(self, before: WindowState, after: WindowState) -> None:
+        if after.moves_image != before.moves_image:
+            self._context.central.canvas.lay_tool_above(MOVE_IMAGE if after.moves_image else None)
 
-    def _toggle_moving(self) -> None:
-        moving = self._actions["moveImage"].isChecked()
-        self._parts.canvas.set_image_tool(ImageTool(self._session) if moving else None)
-        self._light_tools(lit=not moving)
-        if moving:
-            self._session.say(
-                "Drag the image to move it, a corner to scale it; Escape goes back to the points."
-            )
 
-    def _light_tools(self, *, lit: bool) -> None:
-        """Let no tool for points look as if it were in use while the mouse has the picture."""
-        policy = QActionGroup.ExclusionPolicy
-        if not lit:
-            self._tool_before = self._tools.checkedAction() or self._tool_before
-            self._tools.setExclusionPolicy(policy.ExclusiveOptional)
-            if self._tool_before is not None:
-                self._tool_before.setChecked(False)
-            return
-        if self._tools.checkedAction() is None and self._tool_before is not None:
-            self._tool_before.setChecked(True)
-        self._tools.setExclusionPolicy(policy.Exclusive)
+def _can_move(image: ReferenceImage | None) -> bool:
+    return image is not None and not image.locked

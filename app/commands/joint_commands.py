@@ -7,7 +7,9 @@ from typing import TYPE_CHECKING
 from PySide6.QtGui import QGuiApplication
 from PySide6.QtWidgets import QDockWidget, QWidget
 
-from app.commands.parts import Handlers, Parts
+from app.actions.declaration import action
+from app.actions.sections import ANALYSIS_JOINTS
+from app.commands.context import WindowContext
 from app.view_model.curve_view import CurveView
 
 if TYPE_CHECKING:
@@ -23,22 +25,18 @@ _LEAST = 1e-6
 class JointCommands:
     """Keeps the certificate in step with the curve, at the pace of the panels."""
 
-    def __init__(self, parts: Parts) -> None:
-        self._parts = parts
+    def __init__(self, context: WindowContext) -> None:
+        self._context = context
         self._panel: JointsPanel | None = None
         self._view: CurveView | None = None
-
-    def handlers(self) -> Handlers:
-        """Return what each action does."""
-        return {"showJoints": self._bring_up, "copyJoints": self._copy}
 
     def build(self) -> QWidget:
         """Build the panel; called when its dock is first shown."""
         from app.panels.joints_panel import JointsPanel  # noqa: PLC0415
 
-        self._panel = JointsPanel(self._parts.actions["copyJoints"])
+        self._panel = JointsPanel(self._context.actions["copyJoints"])
         self._panel.visited.connect(self._visit)
-        self._panel.shown.connect(lambda: self.render(self._parts.session.active_view))
+        self._panel.shown.connect(lambda: self.render(self._context.session.active_view))
         return self._panel
 
     def render(self, view: CurveView) -> None:
@@ -52,25 +50,29 @@ class JointCommands:
 
             self._view = view
             panel.render_certificate(certificate_of(view))
-        panel.set_selection(self._parts.session.selection)
+        panel.set_selection(self._context.session.selection)
 
+    @action("showJoints", "Joint Certificate", ANALYSIS_JOINTS, icon="joints")
     def _bring_up(self) -> None:
-        dock = self._parts.window.findChild(QDockWidget, "jointsDock")
+        """Measure how smooth the curve is at each joint."""
+        dock = self._context.window.findChild(QDockWidget, "jointsDock")
         assert dock is not None
         dock.show()
         dock.raise_()
 
+    @action("copyJoints", "Copy Joint Certificate", ANALYSIS_JOINTS, icon="copy")
     def _copy(self) -> None:
+        """Copy what was measured at the joints as a table of text."""
         from app.view_model.analysis.joints import as_text, certificate_of  # noqa: PLC0415
 
-        certificate = certificate_of(self._parts.session.active_view)
+        certificate = certificate_of(self._context.session.active_view)
         QGuiApplication.clipboard().setText(as_text(certificate))
-        self._parts.session.say(f"Copied: {certificate.summary}")
+        self._context.session.say(f"Copied: {certificate.summary}")
 
     def _visit(self, row: JointRow) -> None:
         """Look at a joint close up, and select its point."""
         x, y = row.place
         half = max(_CLOSE_UP * row.reach, _LEAST)
-        self._parts.canvas.show_box((x - half, x + half), (y - half, y + half))
-        self._parts.session.select([row.joint])
-        self._parts.session.say(f"Joint {row.joint} close up; F shows the whole curve again.")
+        self._context.central.canvas.camera.show_box((x - half, x + half), (y - half, y + half))
+        self._context.session.select([row.joint])
+        self._context.session.say(f"Joint {row.joint} close up; F shows the whole curve again.")

@@ -5,12 +5,15 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from msgspec.structs import replace
-from PySide6.QtCore import QEvent, QObject, Signal
+from PySide6.QtCore import QEvent, QObject
 from PySide6.QtWidgets import QDockWidget, QWidget
 
+from app.actions.declaration import action
+from app.actions.sections import ANALYSIS_EXPLAIN, PLOTS_OVER_T
 from app.canvas.trace_layer import Trace
+from app.commands.context import WindowContext
 from app.commands.dock_room import make_room_once
-from app.commands.parts import Handlers, Parts
+from app.commands.error_plot import ErrorPlot
 from app.overrides import Guarded
 from app.tasks.debounced_task import DebouncedTask
 from app.tasks.progress import Report
@@ -34,18 +37,11 @@ class LaboratoryCommands(Guarded, QObject):
 
     It is on from the moment its dock is looked at until the dock is closed: with another tab in front the
     computed curves stay on the canvas.
-
-    Signals
-    -------
-    tried
-        Another `Trial` is known, or none (None); its `error_lines` can be plotted.
     """
 
-    tried = Signal(object)
-
-    def __init__(self, parts: Parts) -> None:
-        super().__init__(parts.window)
-        self._parts, self._session, self._analysis = parts, parts.session, parts.analysis
+    def __init__(self, context: WindowContext) -> None:
+        super().__init__(context.window)
+        self._context, self._session, self._analysis = context, context.session, context.analysis
         self._panel: LaboratoryPanel | None = None
         self._asked: tuple[CurveView, LaboratorySettings] | None = None
         self._trial: Trial | None = None
@@ -55,8 +51,9 @@ class LaboratoryCommands(Guarded, QObject):
         self._task, self._digits_task, self._cost_task = (
             DebouncedTask(self), DebouncedTask(self, settle_ms=0), DebouncedTask(self)
         )  # fmt: skip
-        self._dock = next(each for each in parts.docks if each.objectName() == "laboratoryDock")
+        self._dock = next(each for each in context.docks.side if each.objectName() == "laboratoryDock")
         self._dock.installEventFilter(self)
+        self._error_plot = ErrorPlot(context.central.plot_panel)
         self._connect()
 
     def _connect(self) -> None:
@@ -65,29 +62,22 @@ class LaboratoryCommands(Guarded, QObject):
         self._dock.visibilityChanged.connect(self._look)
         self._analysis.changed.connect(lambda: self.follow(self._session.active_view))
         self._session.scrub_changed.connect(self._ask_digits)
+        self._context.store.changed.connect(self._plot_errors)
         self._task.ready.connect(self._take)
         self._task.busy_changed.connect(lambda _busy: self._show())
         self._digits_task.ready.connect(self._take_digits)
         self._cost_task.ready.connect(self._take_cost)
         self._cost_task.busy_changed.connect(lambda _busy: self._show_cost())
 
-    def handlers(self) -> Handlers:
-        """Return what each action does."""
-        return {"toggleLaboratory": self._toggle}
-
     def build_panel(self) -> QWidget:
         """Return the content of the dock; called when it is first looked at."""
         # Imported when it is wanted: nobody waits for it at the start.
         from app.panels.laboratory_panel import LaboratoryPanel  # noqa: PLC0415
 
-        self._panel = LaboratoryPanel(self._analysis, self._parts.actions["plotErrors"])
+        self._panel = LaboratoryPanel(self._analysis, self._context.actions["plotErrors"])
         self._panel.cost_shown.connect(lambda: self._ask_cost(self._session.active_view))
         self._panel.render_view(self._session.active_view)
         return self._panel
-
-    def render(self, view: CurveView) -> None:
-        """Check the action."""
-        self._parts.actions["toggleLaboratory"].setChecked(self._settings.on)
 
     @property
     def trial(self) -> Trial | None:
@@ -102,11 +92,19 @@ class LaboratoryCommands(Guarded, QObject):
 
     def _switch(self, on: bool) -> None:
         self._analysis.change(laboratory=replace(self._settings, on=on))
-        self._parts.actions["toggleLaboratory"].setChecked(on)
 
+    @action(
+        "toggleLaboratory",
+        "Stability Laboratory",
+        ANALYSIS_EXPLAIN,
+        "Ctrl+Alt+L",
+        "laboratory",
+        checked=lambda now: now.state.analysis.laboratory.on,
+    )
     def _toggle(self) -> None:
+        """Compute the curve with few digits, by several methods, and see which of them fail."""
         # In a presentation it may be on and out of sight: then it is called for.
-        if self._parts.actions["toggleLaboratory"].isChecked() or not self._dock.isVisible():
+        if not (self._settings.on and self._dock.isVisible()):
             self.open()
         else:
             self._dock.close()
@@ -116,11 +114,27 @@ class LaboratoryCommands(Guarded, QObject):
         self._dock.show()
         self._dock.raise_()
         self._switch(True)
-        make_room_once(self._parts.window, self._dock, _HEIGHT)
+        make_room_once(self._context.window, self._dock, _HEIGHT)
+
+    @action(
+        "plotErrors",
+        "Errors of the Methods",
+        PLOTS_OVER_T,
+        icon="plot-errors",
+        full_name="Plot Errors of the Methods",
+        checked=lambda now: now.state.error_plot,
+    )
+    def _toggle_errors(self) -> None:
+        """Plot the error of each method of the laboratory over t."""
+        store = self._context.store
+        store.change(error_plot=not store.state.error_plot)
+        if store.state.error_plot:
+            # What it plots is computed here.
+            self.open()
 
     def _look(self, visible: bool) -> None:
         self._is_seen = visible
-        if visible and self._parts.window.isVisible():
+        if visible and self._context.window.isVisible():
             self._switch(True)
             self._ask_cost(self._session.active_view)
 
@@ -153,8 +167,8 @@ class LaboratoryCommands(Guarded, QObject):
         self._problem = ""
         for task in (self._task, self._digits_task, self._cost_task):
             task.give_up()
-        self._parts.canvas.annotations.render_traces(_GROUP, ())
-        self.tried.emit(None)
+        self._context.central.canvas.drawing.annotations.render_traces(_GROUP, ())
+        self._plot_errors()
 
     def _take(self, result: object) -> None:
         from app.view_model.analysis.laboratory import Refused, Trial  # noqa: PLC0415 — loaded by the worker
@@ -162,7 +176,7 @@ class LaboratoryCommands(Guarded, QObject):
         self._trial = result if isinstance(result, Trial) else None
         self._problem = result.reason if isinstance(result, Refused) else ""
         self._show()
-        self.tried.emit(self._trial)
+        self._plot_errors()
         self._ask_digits()
 
     def _ask_digits(self) -> None:
@@ -195,7 +209,7 @@ class LaboratoryCommands(Guarded, QObject):
 
     def _show(self) -> None:
         busy, trial = self._task.is_busy, self._trial
-        basis = self._parts.basis_panel.basis
+        basis = self._context.central.basis_panel.basis
         if self._panel is not None:
             lebesgue = growth_of_data(self._session.active_view, basis) if basis is not None else None
             self._panel.render_trial(trial, lebesgue, busy=busy, problem=self._problem)
@@ -207,7 +221,10 @@ class LaboratoryCommands(Guarded, QObject):
                 for each in trial.outcomes
             )
             heading = "computing…" if busy else _heading(trial.settings)
-        self._parts.canvas.annotations.render_traces(_GROUP, traces, heading, faded=busy)
+        self._context.central.canvas.drawing.annotations.render_traces(_GROUP, traces, heading, faded=busy)
+
+    def _plot_errors(self) -> None:
+        self._error_plot.show(self._trial if self._context.store.state.error_plot else None)
 
     def _show_cost(self) -> None:
         if self._panel is not None:

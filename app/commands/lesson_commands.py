@@ -9,7 +9,9 @@ from typing import TYPE_CHECKING
 
 from msgspec.structs import replace
 
-from app.commands.parts import Handlers, Parts
+from app.actions.declaration import action
+from app.actions.sections import HELP_ALL
+from app.commands.context import WindowContext
 from app.storage.files import load
 from app.undo_step import Beginning
 from app.view_model.curve_view import CurveView
@@ -43,18 +45,14 @@ class LessonCommands:
     began: undo goes back to the lesson before, and to the step that it was left at.
     """
 
-    def __init__(self, parts: Parts) -> None:
-        self._parts = parts
+    def __init__(self, context: WindowContext) -> None:
+        self._context = context
         self._panel: LessonPanel | None = None
         self._lesson: Lesson | None = None
         self._given: Document | None = None
         self._visits: dict[Beginning, _Visit] = {}
         self._switched_on: list[str] = []
-        parts.lessons_dock.visibilityChanged.connect(parts.actions["toggleLessons"].setChecked)
-
-    def handlers(self) -> Handlers:
-        """Return what each action does."""
-        return {"toggleLessons": self._toggle}
+        context.docks.lessons.visibilityChanged.connect(lambda shown: context.store.change(lessons=shown))
 
     def render(self, view: CurveView) -> None:
         """Tick the goal when the curve meets it."""
@@ -74,11 +72,11 @@ class LessonCommands:
 
     @property
     def _visit(self) -> _Visit:
-        return self._visits.setdefault(self._parts.session.beginning, _Visit())
+        return self._visits.setdefault(self._context.session.beginning, _Visit())
 
     def open(self, name: str) -> None:
         """Begin the lesson of this name."""
-        dock = self._parts.lessons_dock
+        dock = self._context.docks.lessons
         dock.show()
         # In a window that is not on the screen yet nothing is shown; but the panel follows the document.
         dock.fill()
@@ -94,7 +92,7 @@ class LessonCommands:
         panel.step_chosen.connect(self._go)
         panel.action_wanted.connect(self._trigger)
         # Now, and so after the window itself, which shows the usual part of another document.
-        self._parts.session.opened.connect(self._follow_document)
+        self._context.session.opened.connect(self._follow_document)
         return panel
 
     @cached_property
@@ -103,32 +101,34 @@ class LessonCommands:
 
         return [load_lesson(name) for name in lesson_names()]
 
+    @action("toggleLessons", "Lessons", HELP_ALL, "F4", "lessons", checked=lambda now: now.state.lessons)
     def _toggle(self) -> None:
-        self._parts.lessons_dock.setVisible(self._parts.actions["toggleLessons"].isChecked())
+        """Learn why a curve goes where it goes, in ten lessons."""
+        self._context.docks.lessons.setVisible(not self._context.store.state.lessons)
 
     def _begin(self, number: int) -> None:
         """Open a lesson's document; what was there before stays in the history, or is asked about."""
         lesson = self._lessons[number]
-        self._parts.files.open_example(lesson.document, f"Lesson {number + 1}: {lesson.title}")
+        self._context.files.open_example(lesson.document, f"Lesson {number + 1}: {lesson.title}")
 
     def _begin_again(self) -> None:
-        session = self._parts.session
+        session = self._context.session
         if self._lesson is not None and (session.undo_stack.count() or session.path is not None):
-            self._parts.files.open_example(self._lesson.document, "Begin Again")
+            self._context.files.open_example(self._lesson.document, "Begin Again")
         else:
             self._go(0)
 
     def _clear_the_desk(self) -> None:
         """Put away what another lesson, or somebody before it, has switched on."""
         for name in _DESK:
-            if self._parts.actions[name].isChecked():
+            if self._context.actions[name].isChecked():
                 self._trigger(name)
-        self._parts.analysis.reset()
+        self._context.analysis.reset()
         self._switched_on.clear()
 
     def _follow_document(self) -> None:
         """Show the lesson whose document is open now, at the step where it was left; else the gallery."""
-        copied = self._parts.session.beginning.copied
+        copied = self._context.session.beginning.copied
         lesson = next((each for each in self._lessons if each.document == copied), None)
         if lesson is None:
             if self._lesson is not None:
@@ -137,10 +137,10 @@ class LessonCommands:
         self._clear_the_desk()
         self._lesson, self._given = lesson, load(lesson.document)
         step = self._visit.step
-        if self._parts.session.document == self._given:
+        if self._context.session.document == self._given:
             self._activate(lesson.steps[step].curve)
         self._show(step)
-        self._parts.basis_pane.fit_functions()
+        self._context.central.basis_pane.fit_functions()
 
     def _go(self, step: int) -> None:
         """Go to a step of the lesson that is open; beyond its end, to the next lesson."""
@@ -157,7 +157,7 @@ class LessonCommands:
             return
         self._show(step)
         self._activate(self._lesson.steps[step].curve)
-        self._parts.basis_pane.fit_functions()
+        self._context.central.basis_pane.fit_functions()
 
     def _show(self, step: int) -> None:
         assert self._panel is not None
@@ -166,17 +166,17 @@ class LessonCommands:
         self._visit.step = step
         self._panel.show_step(self._lesson, step, is_last=self._lesson is self._lessons[-1])
         self._set_up(self._lesson.steps[step])
-        self.render(self._parts.session.active_view)
+        self.render(self._context.session.active_view)
 
     def _put_away(self, but: Collection[str]) -> None:
         """Switch off what the step before has switched on, `but` what the next one shows as well."""
         for name in self._switched_on:
-            if name not in but and self._parts.actions[name].isChecked():
-                self._parts.actions[name].trigger()
+            if name not in but and self._context.actions[name].isChecked():
+                self._context.actions[name].trigger()
         self._switched_on = [name for name in self._switched_on if name in but]
 
     def _activate(self, name: str) -> None:
-        session = self._parts.session
+        session = self._context.session
         for index, curve in enumerate(session.document.curves):
             if curve.name == name:
                 session.activate(index)
@@ -184,14 +184,14 @@ class LessonCommands:
     def _set_up(self, step: Step) -> None:
         self._set_up_analysis(step.settings)
         for name in step.show:
-            if not self._parts.actions[name].isChecked():
+            if not self._context.actions[name].isChecked():
                 self._trigger(name)
                 self._switched_on.append(name)
 
     def _set_up_analysis(self, settings: Mapping[str, object]) -> None:
         from app.view_model.analysis.laboratory_settings import Calculation  # noqa: PLC0415
 
-        analysis = self._parts.analysis
+        analysis = self._context.analysis
         errors = {_ERRORS[name]: value for name, value in settings.items() if name in _ERRORS}
         experiment = {name: value for name, value in settings.items() if name not in _ERRORS}
         if isinstance(count := experiment.get("methods"), int):
@@ -199,5 +199,5 @@ class LessonCommands:
         analysis.change(**errors, laboratory=replace(analysis.settings.laboratory, **experiment))
 
     def _trigger(self, name: str) -> None:
-        if name in self._parts.actions:
-            self._parts.actions[name].trigger()
+        if name in self._context.actions:
+            self._context.actions[name].trigger()

@@ -5,9 +5,11 @@ from __future__ import annotations
 from PySide6.QtCore import QObject
 from PySide6.QtGui import QAction
 
-from app.commands.parts import Parts
+from app.commands.context import WindowContext
 from app.document.model import ParametrizationKind
+from app.tools.add import ADD
 from app.view_model.curve_view import CurveView
+from app.window_state import WindowState
 
 _GREETING = "Drag a point and watch its functions below. P adds points, F1 shows all keys."
 _EMPTY = "Press P, then click on the canvas to add points; two of them make a curve."
@@ -27,14 +29,14 @@ class Messages(QObject):
     A sentence that was put away stays away as long as there is nothing else to say.
     """
 
-    def __init__(self, parts: Parts) -> None:
-        super().__init__(parts.window)
-        self._bar, self._session = parts.message_bar, parts.session
-        self._use_uniform, self._find_image = parts.actions["useUniform"], parts.actions["findImage"]
-        self._add_tool = parts.actions["addTool"]
-        self._add_tool.toggled.connect(self._render_again)
+    def __init__(self, context: WindowContext) -> None:
+        super().__init__(context.window)
+        self._bar, self._session = context.central.message_bar, context.session
+        self._use_uniform, self._find_image = context.actions["useUniform"], context.actions["findImage"]
+        self._store = context.store
+        self._store.changed.connect(self._show_state)
         self._greeting = ""
-        self._image_problem = ""
+        self._image_problem = self._store.state.image_problem
         self._put_away = ""
         self._offered: tuple[str, QAction] | None = None
         self._bar.closed.connect(self._forget_closed)
@@ -58,13 +60,8 @@ class Messages(QObject):
 
     def _begin_anew(self) -> None:
         self._put_away = self._greeting = ""
+        self._image_problem = self._store.state.image_problem
         self.render(self._session.active_view)
-
-    def set_image_problem(self, text: str) -> None:
-        """Say what is wrong with the picture to trace, as long as nothing more urgent is; empty: nothing."""
-        if text != self._image_problem:
-            self._image_problem = text
-            self.render(self._session.active_view)
 
     def offer(self, text: str, action: QAction) -> None:
         """Say what has happened, with a button for `action`, until the document is another one."""
@@ -76,8 +73,12 @@ class Messages(QObject):
         self._greeting = _GREETING
         self.render(self._session.active_view)
 
-    def _render_again(self, _on: bool) -> None:
-        self.render(self._session.active_view)
+    def _show_state(self, before: WindowState, after: WindowState) -> None:
+        if after.image_problem != before.image_problem:
+            self._image_problem = after.image_problem
+            self.render(self._session.active_view)
+        elif after.uses(ADD) != before.uses(ADD):
+            self.render(self._session.active_view)
 
     def _forget_greeting(self) -> None:
         if self._greeting:
@@ -115,7 +116,7 @@ class Messages(QObject):
         if self._put_away in (_EMPTY, _EMPTY_ADDING):
             # Put away with one tool it stays away with another.
             return self._put_away, False
-        return _EMPTY_ADDING if self._add_tool.isChecked() else _EMPTY, False
+        return _EMPTY_ADDING if self._store.state.uses(ADD) else _EMPTY, False
 
     def _sentence(self, view: CurveView) -> tuple[str, bool]:
         """Return the most urgent sentence, empty for none, and whether it is a warning."""

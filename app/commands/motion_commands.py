@@ -2,47 +2,75 @@
 
 from __future__ import annotations
 
-from functools import partial
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NamedTuple
 
-from app.commands.file_work import FileWork
-from app.commands.parts import Handlers, Parts
+from app.actions.declaration import Action, action, action_for_each
+from app.actions.needs import CURVE_THROUGH_TWO, Need
+from app.actions.sections import MOTION_MORE, MOTION_PACE, MOTION_REPEAT, MOTION_RUN
+from app.commands.context import WindowContext
 from app.view_model.curve_view import CurveView
+from app.view_model.motion_settings import Pace, Repeat
 
 if TYPE_CHECKING:
     from app.commands.motion_stage import MotionStage
 
 
+class _Repeat(NamedTuple):
+    """What happens at the end, and what its action says."""
+
+    repeat: Repeat
+    name: str
+    text: str
+    tip: str
+    full_name: str
+    icon: str = ""
+
+
+class _Pace(NamedTuple):
+    """What grows evenly, and what its action says."""
+
+    pace: Pace
+    name: str
+    text: str
+    tip: str
+    full_name: str
+
+
+_REPEATS = (
+    _Repeat(
+        Repeat.ONCE, "motionOnce", "Once", "Run to the end of the curve and rest there", "Play Motion Once"
+    ),
+    _Repeat(Repeat.LOOP, "motionLoop", "Loop", "Begin again at the end", "Loop Motion", "loop"),
+    _Repeat(Repeat.PING_PONG, "motionPingPong", "Ping-Pong", "Run to and fro", "Ping-Pong Motion"),
+)
+
+_PACES = (
+    _Pace(
+        Pace.PARAMETER,
+        "motionByT",
+        "By t",
+        "Let t grow evenly: the dot is as fast as c′ says",
+        "Motion by t",
+    ),
+    _Pace(
+        Pace.LENGTH,
+        "motionByLength",
+        "By Arc Length",
+        "Let the length grow evenly: the dot is equally fast everywhere",
+        "Motion by Arc Length",
+    ),
+)
+
+
 class MotionCommands:
     """The actions of a motion; what they act on is made when the first of them is used."""
 
-    def __init__(self, parts: Parts, work: FileWork) -> None:
-        self._parts, self._work = parts, work
+    def __init__(self, context: WindowContext) -> None:
+        self._context = context
         self._stage: MotionStage | None = None
-        for name in ("motionLoop", "motionByT"):
-            parts.actions[name].setChecked(True)
-        parts.actions["stopMotion"].setEnabled(False)
-
-    def handlers(self) -> Handlers:
-        """Return what each action does."""
-        names = ("motionOnce", "motionLoop", "motionPingPong", "motionByT", "motionByLength")
-        return {
-            "playMotion": self._play,
-            "stopMotion": self._stop,
-            "motionSlower": lambda: self.stage.player.change_speed(-1),
-            "motionFaster": lambda: self.stage.player.change_speed(1),
-            **{name: partial(self._choose, name) for name in names},
-            "motionCompare": self._compare,
-            "exportMotion": self._export,
-        }
 
     def render(self, view: CurveView) -> None:
-        """Enable what needs a curve."""
-        actions = self._parts.actions
-        for name in ("motionCompare", "exportMotion"):
-            actions[name].setEnabled(view.is_current)
-        is_open = self._stage is not None and self._stage.player.is_open
-        actions["playMotion"].setEnabled(view.is_current or is_open)
+        """Measure anew what is kept as it is during a drag."""
         if self._stage is not None:
             self._stage.settle(view)
 
@@ -53,8 +81,8 @@ class MotionCommands:
             # Nobody waits at the start for what is perhaps never played.
             from app.commands.motion_stage import MotionStage  # noqa: PLC0415
 
-            self._stage = MotionStage(self._parts, self._work)
-            self._stage.settle(self._parts.session.active_view)
+            self._stage = MotionStage(self._context)
+            self._stage.settle(self._context.session.active_view)
         return self._stage
 
     def follow(self, view: CurveView) -> None:
@@ -62,26 +90,90 @@ class MotionCommands:
         if self._stage is not None:
             self._stage.follow()
 
+    @action(
+        "playMotion",
+        "Play",
+        MOTION_RUN,
+        "K",
+        "play",
+        full_name="Play Motion",
+        needs=Need(CURVE_THROUGH_TWO.words, lambda now: now.view.is_current or now.state.motion_shown),
+        checked=lambda now: now.state.motion_plays,
+    )
     def _play(self) -> None:
+        """Let a dot run along the curve, with its velocity and acceleration; again to pause."""
         self.stage.play_or_pause()
 
-    def _compare(self) -> None:
-        self.stage.compare()
-
-    def _export(self) -> None:
-        self.stage.ask_and_export()
-
+    @action(
+        "stopMotion",
+        "Stop",
+        MOTION_RUN,
+        icon="stop",
+        full_name="Stop Motion",
+        needs=Need("a motion that is shown", lambda now: now.state.motion_shown),
+    )
     def _stop(self) -> None:
+        """End the motion (Escape)."""
         self.stage.player.stop()
 
-    def _choose(self, name: str) -> None:
-        from app.view_model.motion import Pace, Repeat  # noqa: PLC0415
+    @action("motionSlower", "Slower", MOTION_RUN, "J", "slower", full_name="Slower Motion")
+    def _slow_down(self) -> None:
+        """Play slower."""
+        self.stage.player.change_speed(-1)
 
-        fields: dict[str, dict[str, object]] = {
-            "motionOnce": {"repeat": Repeat.ONCE},
-            "motionLoop": {"repeat": Repeat.LOOP},
-            "motionPingPong": {"repeat": Repeat.PING_PONG},
-            "motionByT": {"pace": Pace.PARAMETER},
-            "motionByLength": {"pace": Pace.LENGTH},
-        }
-        self.stage.player.change(**fields[name])
+    @action("motionFaster", "Faster", MOTION_RUN, "L", "faster", full_name="Faster Motion")
+    def _speed_up(self) -> None:
+        """Play faster."""
+        self.stage.player.change_speed(1)
+
+    @action_for_each(
+        _REPEATS,
+        lambda each: Action(
+            each.name,
+            each.text,
+            MOTION_REPEAT,
+            "",
+            each.icon,
+            each.tip,
+            each.full_name,
+            checked=lambda now: now.state.motion.repeat is each.repeat,
+            group="motionRepeat",
+        ),
+    )
+    def _use_repeat(self, each: _Repeat) -> None:
+        self.stage.player.change(repeat=each.repeat)
+
+    @action_for_each(
+        _PACES,
+        lambda each: Action(
+            each.name,
+            each.text,
+            MOTION_PACE,
+            "",
+            "",
+            each.tip,
+            each.full_name,
+            checked=lambda now: now.state.motion.pace is each.pace,
+            group="motionPace",
+        ),
+    )
+    def _use_pace(self, each: _Pace) -> None:
+        self.stage.player.change(pace=each.pace)
+
+    @action(
+        "motionCompare",
+        "Compare Cubic and Quintic",
+        MOTION_MORE,
+        icon="compare",
+        full_name="Compare Motion, Cubic and Quintic",
+        needs=CURVE_THROUGH_TWO,
+        checked=lambda now: now.state.motion.compares,
+    )
+    def _compare(self) -> None:
+        """Let the cubic and the quintic Hermite curve through these points run side by side."""
+        self.stage.compare()
+
+    @action("exportMotion", "Export Motion…", MOTION_MORE, icon="film", needs=CURVE_THROUGH_TWO)
+    def _export(self) -> None:
+        """Write the motion as GIF, APNG or MP4."""
+        self.stage.ask_and_export()

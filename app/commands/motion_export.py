@@ -7,15 +7,15 @@ from pathlib import Path
 
 from PySide6.QtWidgets import QApplication, QFileDialog, QWidget
 
-from app.commands.file_work import FileWork
-from app.commands.parts import Parts
+from app.commands.context import WindowContext
 from app.exchange.drawing.animation import Film, FilmFormat, write_film
 from app.exchange.drawing.styles import DARK, LIGHT
 from app.file_commands import file_stem
 from app.panels.motion_dialog import MotionDialog
 from app.tasks.progress import Report
 from app.theme import theme_of
-from app.view_model.motion import MotionSettings, round_of
+from app.view_model.motion import round_of
+from app.view_model.motion_settings import MotionSettings
 
 
 class MotionExport:
@@ -27,29 +27,29 @@ class MotionExport:
         Lets the person choose a file; tests answer themselves.
     """
 
-    def __init__(self, parts: Parts, work: FileWork) -> None:
-        self._parts, self._work = parts, work
+    def __init__(self, context: WindowContext) -> None:
+        self._context = context
         self._dialog: MotionDialog | None = None
         self._settings = MotionSettings()
         self.ask_name: Callable[[QWidget, Path, str], str] = _ask_name
 
     def ask(self, settings: MotionSettings) -> None:
         """Let the person say how large and how long."""
-        view = self._parts.session.active_view
+        view = self._context.session.active_view
         if view.curve is None:
             return
         self._settings = settings
         if self._dialog is None:
-            self._dialog = MotionDialog(self._parts.window)
+            self._dialog = MotionDialog(self._context.window)
             self._dialog.accepted_as.connect(self._ask_where)
         start, end = view.curve.domain
         self._dialog.open_for(round_of(end - start, settings.repeat) / settings.speed)
 
     def _ask_where(self, form: FilmFormat) -> None:
-        parts, ending = self._parts, form.ending
-        start = parts.preferences.last_folder / f"{file_stem(parts.session)}{ending}"
+        context, ending = self._context, form.ending
+        start = context.preferences.last_folder / f"{file_stem(context.session)}{ending}"
         kinds = f"{form.title} (*{ending})"
-        name = self.ask_name(parts.window, start, kinds)
+        name = self.ask_name(context.window, start, kinds)
         if name:
             path = Path(name)
             self.write(path if path.suffix else path.with_name(path.name + ending), self._film())
@@ -58,7 +58,7 @@ class MotionExport:
         assert self._dialog is not None
         dialog, settings = self._dialog, self._settings
         return Film(
-            curve=self._parts.session.active_index,
+            curve=self._context.session.active_index,
             width=dialog.width_box.value(),
             fps=dialog.fps_box.value(),
             seconds=dialog.seconds_box.value(),
@@ -71,16 +71,16 @@ class MotionExport:
 
     def write(self, path: Path, film: Film) -> None:
         """Write the motion of the document as it is now."""
-        document = self._parts.session.document
+        document = self._context.session.document
 
         def work(report: Report) -> None:
             write_film(document, path, film, report=report)
 
         def done(_result: None) -> None:
-            self._parts.preferences.last_folder = path.parent
-            self._parts.session.say(f"Wrote {path.name}, {film.frames} frames.")
+            self._context.preferences.last_folder = path.parent
+            self._context.session.say(f"Wrote {path.name}, {film.frames} frames.")
 
-        self._work.start(f"Writing {path.name}", work, done, path, "written")
+        self._context.work.start(f"Writing {path.name}", work, done, path, "written")
 
 
 def _ask_name(window: QWidget, start: Path, kinds: str) -> str:

@@ -5,15 +5,14 @@ from __future__ import annotations
 from PySide6.QtCore import QEvent, QObject
 from PySide6.QtWidgets import QApplication
 
-from app.commands.file_work import FileWork
+from app.commands.context import WindowContext
 from app.commands.motion_export import MotionExport
-from app.commands.parts import Parts
 from app.overrides import Guarded
 from app.panels.motion_bar import MotionBar
 from app.player import Player
 from app.theme import theme_of
 from app.view_model.curve_view import CurveView, Floats
-from app.view_model.motion import Course, Pace, Repeat
+from app.view_model.motion import Course
 from app.view_model.motion_picture import (
     RIVALS,
     Role,
@@ -24,26 +23,18 @@ from app.view_model.motion_picture import (
     scales_of,
 )
 
-_CHECKED = {
-    "motionOnce": Repeat.ONCE,
-    "motionLoop": Repeat.LOOP,
-    "motionPingPong": Repeat.PING_PONG,
-    "motionByT": Pace.PARAMETER,
-    "motionByLength": Pace.LENGTH,
-}
-
 
 class MotionStage(Guarded, QObject):
     """Shows what the player plays."""
 
-    def __init__(self, parts: Parts, work: FileWork) -> None:
-        super().__init__(parts.window)
-        self._parts = parts
-        self.player = Player(parts.session, self)
-        self._bar = MotionBar(parts.actions.__getitem__, parts.window)
+    def __init__(self, context: WindowContext) -> None:
+        super().__init__(context.window)
+        self._context = context
+        self.player = Player(context.session, context.store, self)
+        self._bar = MotionBar(context.actions.__getitem__, context.window)
         self._bar.hide()
-        parts.under_canvas.addWidget(self._bar)
-        self.export = MotionExport(parts, work)
+        context.central.under_canvas.addWidget(self._bar)
+        self.export = MotionExport(context)
         self._rivals: dict[Role, CurveView] = {}
         self._rivals_of: CurveView | None = None
         self._courses: dict[Role, Course] = {}
@@ -51,7 +42,7 @@ class MotionStage(Guarded, QObject):
         self._bar.speed_chosen.connect(lambda speed: self.player.change(speed=speed))
         self.player.moved.connect(self.draw)
         self.player.changed.connect(self._render)
-        parts.window.installEventFilter(self)
+        context.window.installEventFilter(self)
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         """Give the button its icon again when the colours are others."""
@@ -71,7 +62,7 @@ class MotionStage(Guarded, QObject):
 
     def compare(self) -> None:
         """Let cubic and quintic run side by side, or the curve alone again."""
-        compares = self._parts.actions["motionCompare"].isChecked()
+        compares = not self.player.settings.compares
         self.player.change(compares=compares)
         if compares:
             self.player.play()
@@ -84,7 +75,7 @@ class MotionStage(Guarded, QObject):
 
     def settle(self, view: CurveView) -> None:
         """Measure anew what is kept as it is during a drag: the scale of the arrows, and the jumps."""
-        if not self.player.is_open or self._parts.session.is_previewing:
+        if not self.player.is_open or self._context.session.is_previewing:
             return
         self._scales = None
         self.draw()
@@ -100,22 +91,22 @@ class MotionStage(Guarded, QObject):
 
     def draw(self) -> None:
         """Draw the dots where they are now."""
-        player, parts = self.player, self._parts
+        player, context = self.player, self._context
         course = player.course if player.is_open else None
         if course is None:
-            parts.canvas.render_motion(())
+            context.central.canvas.drawing.render_motion(())
             if player.is_open:
-                self._bar.show_dots((), parts.session.active_view.problem)
+                self._bar.show_dots((), context.session.active_view.problem)
             return
         courses = {Role.OWN: course, **self._courses_to_compare()}
         if self._scales is None:
             self._scales = scales_of(list(courses.values()))
         dots = dots_at(courses, player.seconds, player.settings.repeat, self._scales)
-        parts.canvas.render_motion(dots, self._lines())
+        context.central.canvas.drawing.render_motion(dots, self._lines())
         self._bar.show_dots(dots, "")
 
     def _courses_to_compare(self) -> dict[Role, Course]:
-        settings, view = self.player.settings, self._parts.session.active_view
+        settings, view = self.player.settings, self._context.session.active_view
         if not settings.compares:
             self._rivals, self._rivals_of = {}, None
             return {}
@@ -130,22 +121,16 @@ class MotionStage(Guarded, QObject):
 
     def _lines(self) -> list[tuple[Role, Floats]]:
         """Return the curves that are compared, but for the one that is drawn anyway."""
-        family = self._parts.session.active_view.source.family
+        family = self._context.session.active_view.source.family
         return [(role, view.polyline) for role, view in self._rivals.items() if RIVALS[role] != family]
 
     def _render(self) -> None:
-        actions, player = self._parts.actions, self.player
-        actions["playMotion"].setChecked(player.is_playing)
-        actions["stopMotion"].setEnabled(player.is_open)
-        settings = player.settings
-        for name, value in _CHECKED.items():
-            actions[name].setChecked(value in (settings.repeat, settings.pace))
-        actions["motionCompare"].setChecked(settings.compares)
+        player = self.player
         self._render_bar()
         self._bar.setVisible(player.is_open)
-        self.settle(self._parts.session.active_view)
+        self.settle(self._context.session.active_view)
         if not player.is_open:
-            self._parts.canvas.render_motion(())
+            self._context.central.canvas.drawing.render_motion(())
 
     def _render_bar(self) -> None:
         theme = theme_of(QApplication.palette())

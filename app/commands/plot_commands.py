@@ -3,13 +3,18 @@
 from __future__ import annotations
 
 from functools import partial
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 from PySide6.QtCore import QTimer
 
-from app.commands.parts import Handlers, Parts
+from app.actions.declaration import Action, action_for_each
+from app.actions.sections import PLOTS_OVER_T
+from app.commands.context import WindowContext
+from app.keymap import action_name
 from app.tasks.debounced_task import DebouncedTask
+from app.tools.rail import SCRUB
+from app.tools.toolbox import Toolbox
 from app.view_model.analysis.settings import Plot
 from app.view_model.curve_view import CurveView
 from app.view_model.growth import growth_of_points
@@ -18,14 +23,22 @@ if TYPE_CHECKING:
     from app.panels.plot_pane import PlotPane
     from app.view_model.analysis.plot_lines import PlotData
 
-PLOTS = {
-    "plotSpeed": Plot.SPEED,
-    "plotAcceleration": Plot.ACCELERATION,
-    "plotJerk": Plot.JERK,
-    "plotCurvature": Plot.CURVATURE,
-    "plotLebesgue": Plot.LEBESGUE,
-}
-"""The plot that each action switches."""
+
+class _Plot(NamedTuple):
+    """A plot over t, and what its action says."""
+
+    kind: Plot
+    text: str
+    tip: str
+
+
+_PLOTS = (
+    _Plot(Plot.SPEED, "Speed", "Plot the speed |c′| over t, below the basis functions"),
+    _Plot(Plot.ACCELERATION, "Acceleration", "Plot the size of the acceleration |c″| over t"),
+    _Plot(Plot.JERK, "Jerk", "Plot |c‴| over t: how fast the acceleration changes"),
+    _Plot(Plot.CURVATURE, "Curvature", "Plot the curvature κ over t, positive where the curve turns left"),
+    _Plot(Plot.LEBESGUE, "Lebesgue Function", "Plot Λ(t): how many times errors of the points can grow at t"),
+)
 
 _CALM_MS = 300
 """How long after the last change of the visible part the scales fit again."""
@@ -40,37 +53,30 @@ class PlotCommands:
     Nothing of them is built or computed while none is switched on.
     """
 
-    def __init__(self, parts: Parts) -> None:
-        self._parts = parts
-        self._task = DebouncedTask(parts.window)
+    def __init__(self, context: WindowContext) -> None:
+        self._context = context
+        self._task = DebouncedTask(context.window)
         self._task.ready.connect(self._show_settled)
-        self._calm = QTimer(parts.window, singleShot=True, interval=_CALM_MS)
+        self._calm = QTimer(context.window, singleShot=True, interval=_CALM_MS)
         self._calm.timeout.connect(self._fit_values)
         self._own: list[PlotData] = []
         self._plotted: CurveView | None = None
         self._was_calm = False
-        parts.analysis.changed.connect(self._render_settings)
-        parts.plot_panel.changed.connect(self._follow_added)
-        parts.session.scrub_changed.connect(self._show_scrub)
-        parts.session.interrupted.connect(self._forget_gesture)
-        parts.basis_panel.map_changed.connect(self._follow_range)
-
-    def handlers(self) -> Handlers:
-        """Return what each action does."""
-        return {name: partial(self._switch, name) for name in PLOTS}
-
-    def render(self, view: CurveView) -> None:
-        """Do nothing: plots can be switched at any time."""
+        context.analysis.changed.connect(self._arrange)
+        context.central.plot_panel.changed.connect(self._follow_added)
+        context.session.scrub_changed.connect(self._show_scrub)
+        context.session.interrupted.connect(self._forget_gesture)
+        context.central.basis_panel.camera.changed.connect(self._follow_range)
 
     def follow(self, view: CurveView) -> None:
         """Plot `view`; during a drag the scales only grow."""
-        calm = self._parts.session.is_previewing
+        calm = self._context.session.is_previewing
         if self._is_on and not (self._shows_same(view) and calm == self._was_calm):
             self._plot(view, calm=calm)
 
     def _shows_same(self, view: CurveView) -> bool:
         """Whether only points have moved, and nothing but the Lebesgue function is plotted."""
-        others = self._parts.analysis.settings.plots - {Plot.LEBESGUE}
+        others = self._context.analysis.settings.plots - {Plot.LEBESGUE}
         if others or self._plotted is None or not view.is_current:
             return False
         same = view.source.family == self._plotted.source.family
@@ -79,45 +85,53 @@ class PlotCommands:
 
     @property
     def _is_on(self) -> bool:
-        return bool(self._parts.analysis.settings.plots or self._parts.plot_panel.added)
+        return bool(self._context.analysis.settings.plots or self._context.central.plot_panel.added)
 
     # Which plots there are
 
-    def _switch(self, name: str) -> None:
-        self._parts.analysis.show_plot(PLOTS[name], self._parts.actions[name].isChecked())
-
-    def _render_settings(self) -> None:
-        shown = self._parts.analysis.settings.plots
-        for name, plot in PLOTS.items():
-            self._parts.actions[name].setChecked(plot in shown)
-        self._arrange()
+    @action_for_each(
+        _PLOTS,
+        lambda plot: Action(
+            action_name("plot", plot.kind),
+            plot.text,
+            PLOTS_OVER_T,
+            "",
+            f"plot-{plot.kind}",
+            plot.tip,
+            f"Plot {plot.text}",
+            checked=lambda now: plot.kind in now.state.analysis.plots,
+        ),
+    )
+    def _switch(self, plot: _Plot) -> None:
+        analysis = self._context.analysis
+        analysis.show_plot(plot.kind, plot.kind not in analysis.settings.plots)
 
     def _arrange(self) -> None:
         """Show or hide the panel, and plot."""
-        panel = self._parts.plot_panel
+        panel = self._context.central.plot_panel
         if not self._is_on:
             self._task.give_up()
             panel.hide()
             if panel.pane is not None:
                 # Else they would stand there when the panel is next opened, until others are computed.
-                panel.pane.canvas.render_plots([], self._parts.session.active_view.parameters, calm=False)
+                panel.pane.canvas.render_plots([], self._context.session.active_view.parameters, calm=False)
             return
         pane = panel.fill(self._build)
         # What it was before: on its way to the screen the panel gets other heights.
         kept = panel.kept_height if panel.isHidden() else 0
         panel.show()
-        count = len(self._parts.analysis.settings.plots) + len(panel.added)
+        count = len(self._context.analysis.settings.plots) + len(panel.added)
         self._make_room(max(pane.wanted_height(count), kept))
-        pane.canvas.set_t_range(*self._parts.basis_panel.t_range)
-        pane.canvas.set_scrub(self._parts.session.scrub)
-        self._plot(self._parts.session.active_view, calm=self._parts.session.is_previewing)
+        pane.canvas.camera.show_t(*self._context.central.basis_panel.camera.t_range)
+        pane.canvas.set_scrub(self._context.session.scrub)
+        self._plot(self._context.session.active_view, calm=self._context.session.is_previewing)
 
     def _follow_added(self) -> None:
         """Show what others have added; where only their values are other ones, the rest stays."""
-        pane = self._parts.plot_panel.pane
-        count = len(self._parts.analysis.settings.plots) + len(self._parts.plot_panel.added)
+        pane = self._context.central.plot_panel.pane
+        count = len(self._context.analysis.settings.plots) + len(self._context.central.plot_panel.added)
         if self._is_on and pane is not None and count == len(pane.canvas.plots):
-            self._show(self._own, calm=self._parts.session.is_previewing)
+            self._show(self._own, calm=self._context.session.is_previewing)
         else:
             self._arrange()
 
@@ -125,23 +139,22 @@ class PlotCommands:
         # Imported when there is something to plot: nobody waits for it at the start.
         from app.panels.plot_canvas import PlotCanvas  # noqa: PLC0415
         from app.panels.plot_pane import PlotPane  # noqa: PLC0415
-        from app.tools.rail import RailTool  # noqa: PLC0415
         from app.view_model.analysis.plots import SYMBOLS  # noqa: PLC0415
 
-        parts = self._parts
-        canvas = PlotCanvas(RailTool(parts.session))
-        canvas.range_asked.connect(parts.basis_panel.set_t_range)
+        context = self._context
+        canvas = PlotCanvas(Toolbox(context.session, SCRUB))
+        canvas.camera.range_asked.connect(context.central.basis_panel.camera.show_t)
         canvas.scrub_nudged.connect(self._nudge_scrub)
-        canvas.hint_changed.connect(parts.status_line.show_hint)
-        canvas.pointed_at.connect(parts.status_line.show_t)
-        choices = [(SYMBOLS[plot], parts.actions[name]) for name, plot in PLOTS.items()]
+        canvas.hint_changed.connect(context.status_line.show_hint)
+        canvas.pointed_at.connect(context.status_line.show_t)
+        choices = [(SYMBOLS[plot], context.actions[action_name("plot", plot)]) for plot in Plot]
         pane = PlotPane(canvas, choices)
-        pane.close_asked.connect(lambda: parts.analysis.change(plots=frozenset()))
+        pane.close_asked.connect(lambda: context.analysis.change(plots=frozenset()))
         return pane
 
     def _make_room(self, height: int) -> None:
         """Give the plots that height, first of the canvas, then of the basis functions."""
-        splitter = self._parts.splitter
+        splitter = self._context.central.splitter
         canvas, basis, plots = splitter.sizes()
         total = canvas + basis + plots
         missing = max(height - plots, 0)
@@ -157,16 +170,16 @@ class PlotCommands:
         from app.view_model.analysis.plot_samples import is_slow  # noqa: PLC0415
         from app.view_model.analysis.plots import orders_of, plots_of  # noqa: PLC0415
 
-        pane, kinds = self._parts.plot_panel.pane, self._parts.analysis.settings.plots
+        pane, kinds = self._context.central.plot_panel.pane, self._context.analysis.settings.plots
         assert pane is not None
         self._plotted, self._was_calm = view if view.is_current else None, calm
         if not view.is_current:
             self._task.give_up()
             pane.canvas.say(view.problem)
             return
-        basis = self._parts.basis_panel.basis
+        basis = self._context.central.basis_panel.basis
         constant = growth_of_points(view, basis)
-        compute = partial(plots_of, view, kinds, pane.canvas.t_range, pane.canvas.columns, constant)
+        compute = partial(plots_of, view, kinds, pane.canvas.camera.t_range, pane.canvas.columns, constant)
         if orders_of(kinds) and is_slow(view):
             pane.canvas.set_waiting()
             self._task.ask(lambda _report: compute())
@@ -176,55 +189,55 @@ class PlotCommands:
 
     def _show_settled(self, plots: list[PlotData]) -> None:
         if self._is_on:
-            self._show(plots, calm=self._parts.session.is_previewing)
+            self._show(plots, calm=self._context.session.is_previewing)
 
     def _show(self, own: list[PlotData], *, calm: bool) -> None:
-        pane = self._parts.plot_panel.pane
+        pane = self._context.central.plot_panel.pane
         assert pane is not None
         self._own = own
-        plots = [*own, *self._parts.plot_panel.added]
-        pane.canvas.render_plots(plots, self._parts.session.active_view.parameters, calm=calm)
+        plots = [*own, *self._context.central.plot_panel.added]
+        pane.canvas.render_plots(plots, self._context.session.active_view.parameters, calm=calm)
         self._show_values()
 
     def _fit_values(self) -> None:
         """Fit the scales again, after the visible part of t has changed."""
-        if self._is_on and not self._parts.session.is_previewing:
-            self._plot(self._parts.session.active_view, calm=False)
+        if self._is_on and not self._context.session.is_previewing:
+            self._plot(self._context.session.active_view, calm=False)
 
     def _follow_range(self) -> None:
         if self._is_on:
-            pane = self._parts.plot_panel.pane
+            pane = self._context.central.plot_panel.pane
             assert pane is not None
-            pane.canvas.set_t_range(*self._parts.basis_panel.t_range)
-            self._plot(self._parts.session.active_view, calm=True)
+            pane.canvas.camera.show_t(*self._context.central.basis_panel.camera.t_range)
+            self._plot(self._context.session.active_view, calm=True)
             self._calm.start()
 
     # The scrub line
 
     def _show_scrub(self, t: float | None) -> None:
         if self._is_on:
-            pane = self._parts.plot_panel.pane
+            pane = self._context.central.plot_panel.pane
             assert pane is not None
             pane.canvas.set_scrub(t)
             self._show_values()
 
     def _nudge_scrub(self, by: float) -> None:
         """Move the scrub line along t; without one, show it in the middle of what is visible."""
-        session, pane = self._parts.session, self._parts.plot_panel.pane
+        session, pane = self._context.session, self._context.central.plot_panel.pane
         if session.active_view.curve is None or pane is None:
             return
         start, end = session.active_view.curve.domain
-        t = sum(pane.canvas.t_range) / 2 if session.scrub is None else session.scrub + by
+        t = sum(pane.canvas.camera.t_range) / 2 if session.scrub is None else session.scrub + by
         session.set_scrub(min(max(t, start), end))
 
     def _show_values(self) -> None:
         from app.view_model.analysis.plots import SYMBOLS, values_at  # noqa: PLC0415
 
-        panel, t = self._parts.plot_panel, self._parts.session.scrub
+        panel, t = self._context.central.plot_panel, self._context.session.scrub
         assert panel.pane is not None
         values: dict[str, float] = {}
         if t is not None:
-            known = values_at(self._parts.session.active_view, self._parts.analysis.settings.plots, t)
+            known = values_at(self._context.session.active_view, self._context.analysis.settings.plots, t)
             values |= {SYMBOLS[plot]: value for plot, value in known.items()}
             for plot in panel.added:
                 for line in plot.lines:
@@ -232,6 +245,6 @@ class PlotCommands:
         panel.pane.show_values(t, values)
 
     def _forget_gesture(self) -> None:
-        pane = self._parts.plot_panel.pane
+        pane = self._context.central.plot_panel.pane
         if pane is not None:
-            pane.canvas.forget_gesture()
+            pane.canvas.abandon_gesture()

@@ -10,13 +10,14 @@ from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from app.actions.declaration import action
+from app.actions.sections import FILE_RECOVERY
 from app.autosave import Autosave, snapshot_folder
-from app.commands.parts import Handlers, Parts
+from app.commands.context import WindowContext
 from app.document.model import Document
 from app.file_commands import NEW_NAME
 from app.set_aside import SetAside
 from app.storage.recovery import Found, Snapshot, list_snapshots
-from app.view_model.curve_view import CurveView
 
 if TYPE_CHECKING:
     from app.panels.recovery_bar import Offer, RecoveryBar
@@ -29,8 +30,8 @@ OpenBeside = Callable[[Document, Path | None], Autosave]
 class RecoveryCommands:
     """Unsaved work: restored, discarded or left for later."""
 
-    def __init__(self, parts: Parts) -> None:
-        self._parts = parts
+    def __init__(self, context: WindowContext) -> None:
+        self._context = context
         self._bar: RecoveryBar | None = None
         self._found = Found()
         self._autosave: Autosave | None = None
@@ -40,7 +41,7 @@ class RecoveryCommands:
     def keep_with(self, autosave: Autosave, open_beside: OpenBeside) -> None:
         """Keep with `autosave` what is restored here; where there is other work, restore it elsewhere."""
         self._autosave, self._open_beside = autosave, open_beside
-        self._set_aside = SetAside(self._parts.session, snapshot_folder(), self._parts.window)
+        self._set_aside = SetAside(self._context.session, snapshot_folder(), self._context.window)
 
     def close(self) -> None:
         """Keep for the next start what is not decided, and what only the history of this window holds."""
@@ -48,17 +49,12 @@ class RecoveryCommands:
         if self._set_aside is not None:
             self._set_aside.leave()
 
-    def handlers(self) -> Handlers:
-        """Return what each action does, by the action's name."""
-        return {"recoverWork": self._look_again}
-
-    def render(self, view: CurveView) -> None:
-        """Follow the active curve; there is nothing to follow."""
-
+    @action("recoverWork", "Recover Unsaved Work", FILE_RECOVERY, icon="history")
     def _look_again(self) -> None:
+        """Offer what was not saved when the program last ended."""
         self.look()
         if not self._found.snapshots and not self._found.damaged:
-            self._parts.session.say("There is no unsaved work.")
+            self._context.session.say("There is no unsaved work.")
         elif self._bar is not None:
             self._bar.take_focus()
 
@@ -82,7 +78,7 @@ class RecoveryCommands:
         from app.panels.recovery_bar import RecoveryBar  # noqa: PLC0415
 
         if self._bar is None:
-            self._bar = RecoveryBar(self._parts.canvas)
+            self._bar = RecoveryBar(self._context.central.canvas)
             self._bar.restore_asked.connect(self._restore)
             self._bar.discard_asked.connect(self._discard)
             self._bar.later_asked.connect(self._later)
@@ -97,10 +93,10 @@ class RecoveryCommands:
         return snapshot
 
     def _restore(self, index: int) -> None:
-        session = self._parts.session
+        session = self._context.session
         # Another window, rather than a question about the work in this one.
         open_beside = self._open_beside if session.is_modified else None
-        if open_beside is None and not self._parts.files.may_discard():
+        if open_beside is None and not self._context.files.may_discard():
             return
         snapshot = self._take(index)
         origin, autosave = snapshot.origin, self._autosave
@@ -117,11 +113,11 @@ class RecoveryCommands:
 
     def _discard(self, index: int) -> None:
         self._take(index).discard()
-        self._parts.session.say("The unsaved work was deleted.")
+        self._context.session.say("The unsaved work was deleted.")
 
     def _later(self, index: int) -> None:
         self._take(index).leave()
-        self._parts.session.say("It is kept; the next start asks again.")
+        self._context.session.say("It is kept; the next start asks again.")
 
 
 def _offers(snapshots: Sequence[Snapshot]) -> list[Offer]:

@@ -2,80 +2,158 @@
 
 from __future__ import annotations
 
-from functools import partial
+from typing import NamedTuple
 
-from app.commands.parts import Handlers, Parts
+from app.actions.declaration import Action, action, action_for_each
+from app.actions.needs import THREE_SELECTED, TWO_SELECTED
+from app.actions.sections import (
+    EDIT_ALIGN_ACROSS,
+    EDIT_ALIGN_UP,
+    EDIT_DISTRIBUTE,
+    EDIT_TRANSFORM,
+    EDIT_TRANSFORM_BOX,
+    Section,
+)
+from app.commands.context import WindowContext
 from app.document.transforms import Edge, align_nodes, distribute_nodes
 from app.tools import words
 from app.tools.transform import TransformKind
-from app.view_model.curve_view import CurveView
+from app.window_state import WindowState
 
-_TRANSFORMS = {
-    "moveSelection": TransformKind.MOVE,
-    "scaleSelection": TransformKind.SCALE,
-    "rotateSelection": TransformKind.ROTATE,
-}
-_ALIGNMENTS = {
-    "alignLeft": Edge.LEFT,
-    "alignCentre": Edge.CENTRE,
-    "alignRight": Edge.RIGHT,
-    "alignTop": Edge.TOP,
-    "alignMiddle": Edge.MIDDLE,
-    "alignBottom": Edge.BOTTOM,
-}
-_DISTRIBUTIONS = {"distributeHorizontally": 0, "distributeVertically": 1}
-_AXIS_WORDS = ("horizontally", "vertically")
+
+class _Transform(NamedTuple):
+    """A transform by the pointer, and what its action says."""
+
+    kind: TransformKind
+    text: str
+    key: str
+    tip: str
+
+
+class _Alignment(NamedTuple):
+    """Where points are put, and what the action says."""
+
+    edge: Edge
+    section: Section
+    tip: str
+
+
+_TRANSFORMS = (
+    _Transform(
+        TransformKind.MOVE, "Move", "G",
+        "Move what is selected or chosen, or else all points, with the pointer; type x, Tab, y",
+    ),
+    _Transform(
+        TransformKind.SCALE, "Scale", "S",
+        "Scale what is selected or chosen, or else all points, with the pointer; type a factor, or x, Tab, y",
+    ),
+    _Transform(
+        TransformKind.ROTATE, "Rotate", "R",
+        "Rotate what is selected or chosen, or else all points, with the pointer; type the angle",
+    ),
+)  # fmt: skip
+
+_ALIGNMENTS = (
+    _Alignment(Edge.LEFT, EDIT_ALIGN_ACROSS, "Put the selected points below the leftmost one"),
+    _Alignment(Edge.CENTRE, EDIT_ALIGN_ACROSS, "Put the selected points on one vertical, halfway"),
+    _Alignment(Edge.RIGHT, EDIT_ALIGN_ACROSS, "Put the selected points below the rightmost one"),
+    _Alignment(Edge.TOP, EDIT_ALIGN_UP, "Put the selected points level with the highest one"),
+    _Alignment(Edge.MIDDLE, EDIT_ALIGN_UP, "Put the selected points on one horizontal, halfway"),
+    _Alignment(Edge.BOTTOM, EDIT_ALIGN_UP, "Put the selected points level with the lowest one"),
+)
 
 
 class SelectionCommands:
     """What is done to several points at once."""
 
-    def __init__(self, parts: Parts) -> None:
-        self._parts = parts
-        self._session = parts.session
-        self._actions = parts.actions
-        shows_box = parts.preferences.transform_box
-        self._actions["toggleTransformBox"].setChecked(shows_box)
-        parts.canvas.set_box_visible(shows_box)
+    def __init__(self, context: WindowContext) -> None:
+        self._context = context
+        self._session = context.session
+        context.central.canvas.change_tool_settings(shows_box=context.store.state.transform_box)
+        context.store.changed.connect(self._show_state)
 
-    def handlers(self) -> Handlers:
-        """Return what each action does."""
-        return {
-            **{name: partial(self._begin, kind) for name, kind in _TRANSFORMS.items()},
-            **{name: partial(self._align, edge) for name, edge in _ALIGNMENTS.items()},
-            **{name: partial(self._distribute, axis) for name, axis in _DISTRIBUTIONS.items()},
-            "toggleTransformBox": self._toggle_box,
-        }
+    def _show_state(self, before: WindowState, after: WindowState) -> None:
+        if after.transform_box != before.transform_box:
+            self._context.central.canvas.change_tool_settings(shows_box=after.transform_box)
 
-    def render(self, view: CurveView) -> None:
-        """Enable what there are enough points for."""
-        count = len(self._session.selection)
-        # The transforms act on all points where none is selected, and say so where there is none at all.
-        for names, least in ((_ALIGNMENTS, 2), (_DISTRIBUTIONS, 3)):
-            for name in names:
-                self._actions[name].setEnabled(count >= least)
-
-    def _begin(self, kind: TransformKind) -> None:
-        if self._parts.canvas.is_moving_image:
+    @action_for_each(
+        _TRANSFORMS,
+        lambda each: Action(
+            f"{each.kind.name.lower()}Selection",
+            each.text,
+            EDIT_TRANSFORM,
+            each.key,
+            each.text.lower(),
+            each.tip,
+            f"{each.text} Points",
+            during_gesture=True,
+        ),
+    )
+    def _begin(self, each: _Transform) -> None:
+        if self._context.store.state.moves_image:
             self._session.refuse("The image is being moved now; Escape goes back to the points.")
         else:
-            self._parts.canvas.begin_transform(kind)
+            self._context.central.canvas.begin_transform(each.kind)
 
-    def _align(self, edge: Edge) -> None:
+    @action_for_each(
+        _ALIGNMENTS,
+        lambda each: Action(
+            f"align{each.edge.name.capitalize()}",
+            each.edge.name.capitalize(),
+            each.section,
+            "",
+            f"align-{each.edge.name.lower()}",
+            each.tip,
+            f"Align {each.edge.name.capitalize()}",
+            needs=TWO_SELECTED,
+        ),
+    )
+    def _align(self, each: _Alignment) -> None:
         session, chosen = self._session, self._session.selection
         session.change(
-            f"Align {words.points(chosen)} {edge.value}",
-            lambda document: align_nodes(document, session.active_index, chosen, edge),
+            f"Align {words.points(chosen)} {each.edge.value}",
+            lambda document: align_nodes(document, session.active_index, chosen, each.edge),
         )
 
-    def _distribute(self, axis: int) -> None:
+    @action(
+        "distributeHorizontally",
+        "Distribute Horizontally",
+        EDIT_DISTRIBUTE,
+        icon="distribute-horizontally",
+        needs=THREE_SELECTED,
+    )
+    def _distribute_horizontally(self) -> None:
+        """Space the selected points evenly from left to right."""
+        self._distribute(0, "horizontally")
+
+    @action(
+        "distributeVertically",
+        "Distribute Vertically",
+        EDIT_DISTRIBUTE,
+        icon="distribute-vertically",
+        needs=THREE_SELECTED,
+    )
+    def _distribute_vertically(self) -> None:
+        """Space the selected points evenly from bottom to top."""
+        self._distribute(1, "vertically")
+
+    def _distribute(self, axis: int, way: str) -> None:
         session, chosen = self._session, self._session.selection
         session.change(
-            f"Distribute {words.points(chosen)} {_AXIS_WORDS[axis]}",
+            f"Distribute {words.points(chosen)} {way}",
             lambda document: distribute_nodes(document, session.active_index, chosen, axis),
         )
 
+    @action(
+        "toggleTransformBox",
+        "Box with Grips",
+        EDIT_TRANSFORM_BOX,
+        icon="transform-box",
+        full_name="Transform Box with Grips",
+        checked=lambda now: now.state.transform_box,
+        during_gesture=True,
+    )
     def _toggle_box(self) -> None:
-        shows_box = self._actions["toggleTransformBox"].isChecked()
-        self._parts.preferences.transform_box = shows_box
-        self._parts.canvas.set_box_visible(shows_box)
+        """Show a box with grips around two or more selected points, or around chosen curves."""
+        store = self._context.store
+        store.change(transform_box=not store.state.transform_box)

@@ -1,39 +1,38 @@
-"""Snapping, the grid's spacing and the unit, as the preferences have them."""
+"""Snapping, the grid's spacing and the unit, as the window's state has them."""
 
 from __future__ import annotations
 
-from app.commands.parts import Handlers, Parts
+from app.actions.declaration import action
+from app.actions.sections import VIEW_DRAWING
+from app.commands.context import WindowContext
 from app.tools.snapping import Snapping
-from app.view_model.curve_view import CurveView
+from app.window_state import WindowState
 
 
 class SnapCommands:
-    """Keeps the canvas in step with the preferences about grid and snapping."""
+    """Keeps the canvas in step with what was chosen about grid and snapping."""
 
-    def __init__(self, parts: Parts) -> None:
-        self._parts = parts
-        self.apply_preferences()
+    def __init__(self, context: WindowContext) -> None:
+        self._context = context
+        self._show_state(None, context.store.state)
+        context.store.changed.connect(self._show_state)
 
-    def handlers(self) -> Handlers:
-        """Return what each action does."""
-        return {"toggleSnap": self._toggle}
+    def _show_state(self, _before: WindowState | None, state: WindowState) -> None:
+        canvas = self._context.central.canvas
+        snapping = Snapping(state.snap_on, state.snap_kinds)
+        canvas.change_tool_settings(snapping=snapping, unit=state.unit_name)
+        canvas.drawing.grid.set_spacing(state.grid_spacing)
+        canvas.drawing.units.unit = state.unit_name
+        self._context.status_line.unit = state.unit_name
 
-    def render(self, view: CurveView) -> None:
-        """Snapping can be switched at any time."""
-
-    def apply_preferences(self) -> None:
-        """Take over what the preferences say now."""
-        preferences, canvas = self._parts.preferences, self._parts.canvas
-        snapping = Snapping(preferences.snap_on, preferences.snap_kinds)
-        self._parts.actions["toggleSnap"].setChecked(snapping.on)
-        canvas.set_snapping(snapping)
-        canvas.grid.set_spacing(preferences.grid_spacing)
-        canvas.set_unit(preferences.unit_name)
-        self._parts.status_line.unit = preferences.unit_name
-
+    @action("toggleSnap", "Snap", VIEW_DRAWING, "Shift+S", "magnet", checked=lambda now: now.state.snap_on)
     def _toggle(self) -> None:
-        on = self._parts.actions["toggleSnap"].isChecked()
-        self._parts.preferences.snap_on = on
-        self.apply_preferences()
-        words = "Points snap; hold Ctrl not to." if on else "Points move freely; hold Ctrl to snap."
-        self._parts.session.say(words)
+        """Snap to grid, points and curves; Ctrl while dragging turns it round."""
+        store = self._context.store
+        # Another window may have remembered other ones meanwhile.
+        store.read_preferences()
+        store.change(snap_on=not store.state.snap_on)
+        on = store.state.snap_on
+        self._context.session.say(
+            "Points snap; hold Ctrl not to." if on else "Points move freely; hold Ctrl to snap."
+        )

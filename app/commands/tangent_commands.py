@@ -2,22 +2,24 @@
 
 from __future__ import annotations
 
+import enum
 from collections.abc import Callable, Collection, Sequence
 
-from app.commands.parts import Handlers, Parts
+from app.actions.declaration import action
+from app.actions.needs import HERMITE_CURVE, HERMITE_POINTS, Need
+from app.actions.sections import CURVE_TANGENTS, CURVE_VELOCITIES
+from app.actions.situation import Situation
+from app.commands.context import WindowContext
 from app.document import edits
 from app.document.curve_edits import replace_curve
 from app.document.edits import EditError
 from app.document.model import Curve, Document, Node
 from app.document.straight_edits import corners_of, ends_of, why_not_straight
-from app.keymap import tool_tip
 from app.tools import words
 from app.view_model.curve_view import CurveView
 from app.view_model.handles import with_velocities_pulled
 from app.view_model.smoothness import ENDS_STAY, inner_nodes, made_smooth, with_corners
 from app.view_model.straight import segment_at, segments_between, with_straight_segments
-
-_KINDS = ("tangentSmooth", "tangentCorner", "tangentEstimated")
 
 _VISIBLE = 16.0
 """Pixels from a point at which a handle is clear of the point's disc."""
@@ -26,47 +28,48 @@ _MOST_NAMED = 3
 """Points or segments that a sentence names one by one."""
 
 
+class Tangent(enum.Enum):
+    """What a tangent is."""
+
+    SMOOTH = enum.auto()
+    CORNER = enum.auto()
+    ESTIMATED = enum.auto()
+
+
 class TangentCommands:
     """The menu Curve › Tangents."""
 
-    def __init__(self, parts: Parts) -> None:
-        self._parts = parts
-        self._session = parts.session
+    def __init__(self, context: WindowContext) -> None:
+        self._context = context
+        self._session = context.session
 
-    def handlers(self) -> Handlers:
-        """Return what each action does."""
-        return {
-            "tangentSmooth": self._make_smooth,
-            "tangentCorner": self._make_corners,
-            "tangentEstimated": lambda: self._apply("Estimate", self._estimate),
-            "pullVelocity": lambda: self._reshape("Pull out velocity of", self._pulled),
-            "straightSegment": self._straighten_chosen,
-        }
+    @action(
+        "tangentSmooth",
+        "Smooth",
+        CURVE_TANGENTS,
+        "Alt+1",
+        "spline",
+        full_name="Smooth Tangents",
+        needs=HERMITE_POINTS,
+        checked=lambda now: _tangents(now) == {Tangent.SMOOTH},
+    )
+    def _make_smooth(self) -> None:
+        """One velocity on both sides of the selected points."""
+        view, chosen = self._session.active_view, sorted(self._session.selection)
+        if self._reshape("Smooth", made_smooth):
+            self._tell(f"Smooth at {_points(chosen)}.", view, chosen)
 
-    def render(self, view: CurveView) -> None:
-        """Enable the actions where there are points with tangents, and mark what all of them are."""
-        chosen = self._session.selection
-        usable = bool(chosen) and view.source.family.derivatives > 0 and view.is_current
-        kinds = {_tangent_at(view.source.nodes[index]) for index in chosen} if usable else set()
-        for name in _KINDS:
-            self._parts.actions[name].setEnabled(usable)
-            self._parts.actions[name].setChecked(kinds == {name})
-        self._parts.actions["pullVelocity"].setEnabled(usable)
-        self._render_straight(view)
-
-    def _render_straight(self, view: CurveView) -> None:
-        action = self._parts.actions["straightSegment"]
-        reason = why_not_straight(view.source.family)
-        action.setEnabled(not reason and view.is_current)
-        action.setToolTip(reason or tool_tip(action))
-
-    def _pulled(self, view: CurveView, chosen: Collection[int]) -> Curve:
-        pulled = with_velocities_pulled(view, chosen, _VISIBLE * self._parts.canvas.pixel_size)
-        if pulled == view.source:
-            what = "velocity stands" if len(chosen) == 1 else "velocities stand"
-            raise EditError(f"The {what} out already; drag the square handle.")
-        return pulled
-
+    @action(
+        "tangentCorner",
+        "Corner",
+        CURVE_TANGENTS,
+        "Alt+2",
+        "corner",
+        "A velocity of its own on either side of the selected points",
+        "Corner Tangents",
+        needs=HERMITE_POINTS,
+        checked=lambda now: _tangents(now) == {Tangent.CORNER},
+    )
     def _make_corners(self) -> None:
         view, chosen = self._session.active_view, sorted(self._session.selection)
         inner = inner_nodes(view.source, chosen)
@@ -74,10 +77,59 @@ class TangentCommands:
         if self._reshape("Corner at", with_corners, inner or chosen):
             self._tell(f"Corner at {_points(inner)}{left_out}.", view, inner)
 
-    def _make_smooth(self) -> None:
-        view, chosen = self._session.active_view, sorted(self._session.selection)
-        if self._reshape("Smooth", made_smooth):
-            self._tell(f"Smooth at {_points(chosen)}.", view, chosen)
+    @action(
+        "tangentEstimated",
+        "Estimated",
+        CURVE_TANGENTS,
+        "Alt+3",
+        "reset",
+        full_name="Estimated Tangents",
+        needs=HERMITE_POINTS,
+        checked=lambda now: _tangents(now) == {Tangent.ESTIMATED},
+    )
+    def _make_estimated(self) -> None:
+        """Let the rules estimate the tangents of the selected points."""
+        self._apply("Estimate", self._estimate)
+
+    @action(
+        "straightSegment",
+        "Straight Segment",
+        CURVE_TANGENTS,
+        "Alt+4",
+        "straight",
+        needs=Need(
+            HERMITE_CURVE.words,
+            lambda now: now.view.is_current and not why_not_straight(now.view.source.family),
+            why=lambda now: why_not_straight(now.view.source.family),
+        ),
+    )
+    def _straighten_chosen(self) -> None:
+        """Make the segments between neighbouring selected points straight, with corners at their ends."""
+        session = self._session
+        segments = segments_between(session.active_curve, session.selection)
+        if segments:
+            self._straighten(segments)
+        else:
+            session.refuse("Select two neighbouring points, or click with the right button on the segment.")
+
+    @action(
+        "pullVelocity",
+        "Pull Out Velocity",
+        CURVE_VELOCITIES,
+        "",
+        "spline-pointer",
+        "Give the selected points velocities of their own, with handles to drag; Alt+drag a point does too",
+        needs=HERMITE_POINTS,
+    )
+    def _pull_velocities(self) -> None:
+        self._reshape("Pull out velocity of", self._pulled)
+
+    def _pulled(self, view: CurveView, chosen: Collection[int]) -> Curve:
+        pulled = with_velocities_pulled(view, chosen, _VISIBLE * self._context.central.canvas.pixel_size)
+        if pulled == view.source:
+            what = "velocity stands" if len(chosen) == 1 else "velocities stand"
+            raise EditError(f"The {what} out already; drag the square handle.")
+        return pulled
 
     def _tell(self, done: str, before: CurveView, chosen: Collection[int]) -> None:
         """Say what was done, and which tangents beside it were written down to keep the shape."""
@@ -93,14 +145,6 @@ class TangentCommands:
     def straighten_at(self, t: float) -> None:
         """Make the segment of the active curve straight that runs through `t`."""
         self._straighten([segment_at(self._session.active_view, t)])
-
-    def _straighten_chosen(self) -> None:
-        session = self._session
-        segments = segments_between(session.active_curve, session.selection)
-        if segments:
-            self._straighten(segments)
-        else:
-            session.refuse("Select two neighbouring points, or click with the right button on the segment.")
 
     def _straighten(self, segments: Sequence[int]) -> None:
         session, view = self._session, self._session.active_view
@@ -152,8 +196,6 @@ class TangentCommands:
         change = self._session.change(
             f"{verb} {words.points(points)}", lambda document: edit(document, points)
         )
-        # A mark that was clicked off shows what is, also where nothing changed.
-        self.render(self._session.active_view)
         return change.is_done
 
 
@@ -173,9 +215,14 @@ def _points(indices: Collection[int]) -> str:
     return f"points {', '.join(first)} and {last}"
 
 
-def _tangent_at(node: Node) -> str:
-    """Return the name of the action that makes a node what it is."""
+def _tangents(now: Situation) -> set[Tangent]:
+    """Return what the tangents at the selected points are."""
+    usable = HERMITE_POINTS.is_met(now)
+    return {_tangent_at(now.view.source.nodes[index]) for index in now.selection} if usable else set()
+
+
+def _tangent_at(node: Node) -> Tangent:
     if node.corner:
-        return "tangentCorner"
+        return Tangent.CORNER
     set_by_hand = node.velocity is not None or node.acceleration is not None
-    return "tangentSmooth" if set_by_hand else "tangentEstimated"
+    return Tangent.SMOOTH if set_by_hand else Tangent.ESTIMATED

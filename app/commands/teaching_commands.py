@@ -6,7 +6,7 @@ from collections.abc import Callable
 
 from PySide6.QtCore import QObject
 
-from app.commands.parts import Parts
+from app.commands.context import WindowContext
 from app.labels import Label
 from app.panels.teaching_badge import TeachingBadge
 from app.view_model.analysis.teaching import Topic, Warned, warnings_of
@@ -18,17 +18,17 @@ class TeachingCommands(QObject):
     """Shows the badge; what was put away comes back when it has been mended and happens again."""
 
     def __init__(
-        self, parts: Parts, open_laboratory: Callable[[], None], explain: Callable[[], None]
+        self, context: WindowContext, open_laboratory: Callable[[], None], explain: Callable[[], None]
     ) -> None:
-        super().__init__(parts.window)
-        self._parts, self._session = parts, parts.session
+        super().__init__(context.window)
+        self._context, self._session = context, context.session
         self._away: set[tuple[int, Topic]] = set()
         self._shown: Warned | None = None
         self._known: tuple[CurveView, list[Warned]] | None = None
         self._badge = TeachingBadge()
-        parts.status_line.addPermanentWidget(self._badge)
+        context.status_line.addPermanentWidget(self._badge)
         self._badge.hide()
-        self._plain = parts.status_line.findChild(Label, "lebesgueConstant")
+        self._plain = context.status_line.findChild(Label, "lebesgueConstant")
         self._badge.laboratory_wanted.connect(open_laboratory)
         self._badge.explanation_wanted.connect(explain)
         self._badge.put_away.connect(self._put_away)
@@ -49,7 +49,7 @@ class TeachingCommands(QObject):
 
     def _warnings(self, view: CurveView) -> list[Warned]:
         if self._known is None or self._known[0] is not view:
-            basis = self._parts.basis_panel.basis
+            basis = self._context.central.basis_panel.basis
             self._known = (
                 view,
                 warnings_of(view, growth_of_points(view, basis)) if basis is not None else [],

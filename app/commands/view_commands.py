@@ -5,80 +5,78 @@ from __future__ import annotations
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QDockWidget
 
+from app.actions.declaration import Action, action, action_for_each
+from app.actions.needs import CURVE_DRAWN, HERMITE_CURVE
+from app.actions.sections import (
+    EDIT_TOOLS,
+    VIEW_DRAWING,
+    VIEW_SHOWN,
+    VIEW_SIZE,
+    VIEW_THEME,
+    VIEW_ZOOM,
+)
+from app.commands.context import WindowContext
 from app.commands.dock_room import put_idle_docks_away
-from app.commands.parts import Handlers, Parts
 from app.panels.late_dock import LateDock
 from app.plotting.scrolling import ZOOM_STEP
 from app.theme import ThemeMode
-from app.tools.tools import ToolKind
-from app.view_model.curve_view import CurveView
+from app.tools.registry import TOOLS
+from app.tools.select import SELECT
+from app.tools.tool import ToolRecord
+from app.window_state import WindowState
 
-_TOOL_HINTS = {
-    ToolKind.SELECT: "Drag points and handles; P adds points.",
-    ToolKind.ADD: "Click to add points; Enter finishes the curve; V or Escape goes back to selecting.",
-    ToolKind.MEASURE: "Drag to measure; V or Escape goes back to selecting.",
-}
 _SCALES = (0.75, 1.0, 1.25, 1.5, 2.0, 2.5, 3.0)
+
+
+_THEMES = (
+    (ThemeMode.SYSTEM, "Theme: as the System", "Light or dark, as the system is"),
+    (ThemeMode.LIGHT, "Theme: Light", "Light colours"),
+    (ThemeMode.DARK, "Theme: Dark", "Dark colours"),
+)
 
 
 class ViewCommands:
     """What changes how things are shown."""
 
-    def __init__(self, parts: Parts) -> None:
-        self._parts = parts
-        self._session = parts.session
-        self._actions = parts.actions
-        self._scale = 1.0
+    def __init__(self, context: WindowContext) -> None:
+        self._context = context
+        self._session, self._store = context.session, context.store
         self._before_presentation = b""
         self._before_folding = b""
-        for name in ("selectTool", "toggleGrid", "toggleBasis", "toggleSidePanel"):
-            self._actions[name].setChecked(True)
-        self._actions["toggleEstimates"].setChecked(parts.preferences.with_estimates)
-        parts.basis_pane.offer_estimates(self._actions["toggleEstimates"])
-        parts.basis_pane.set_with_estimates(parts.preferences.with_estimates)
+        pane = context.central.basis_pane
+        pane.offer_estimates(context.actions["toggleEstimates"])
+        pane.set_with_estimates(self._store.state.with_estimates)
+        self._store.changed.connect(self._show_state)
 
-    def handlers(self) -> Handlers:
-        """Return what each action does."""
-        set_mode = self._parts.set_theme_mode
-        return {
-            "selectTool": lambda: self._use_tool(ToolKind.SELECT),
-            "addTool": lambda: self._use_tool(ToolKind.ADD),
-            "measureTool": lambda: self._use_tool(ToolKind.MEASURE),
-            "fitView": self._fit,
-            "zoomIn": lambda: self._zoom(ZOOM_STEP),
-            "zoomOut": lambda: self._zoom(1 / ZOOM_STEP),
-            "toggleGrid": self._toggle_grid,
-            "toggleScrub": self._toggle_scrub,
-            "toggleBasis": self._toggle_basis,
-            "toggleEstimates": self._toggle_estimates,
-            "toggleSidePanel": self._toggle_side_panel,
-            "enlarge": lambda: self._change_scale(1),
-            "shrink": lambda: self._change_scale(-1),
-            "usualSize": lambda: self._set_scale(1.0),
-            "presentation": self._toggle_presentation,
-            "themeSystem": lambda: set_mode(ThemeMode.SYSTEM),
-            "themeLight": lambda: set_mode(ThemeMode.LIGHT),
-            "themeDark": lambda: set_mode(ThemeMode.DARK),
-        }
-
-    def render(self, view: CurveView) -> None:
-        """Enable what needs a curve."""
-        self._actions["toggleScrub"].setEnabled(view.curve is not None)
-        self._actions["toggleEstimates"].setEnabled(view.source.family.derivatives > 0)
+    def _show_state(self, before: WindowState, after: WindowState) -> None:
+        central = self._context.central
+        if after.grid != before.grid:
+            central.canvas.drawing.grid.set_visible(after.grid)
+        if after.basis != before.basis:
+            central.basis_pane.setVisible(after.basis)
+        if after.with_estimates != before.with_estimates:
+            central.basis_pane.set_with_estimates(after.with_estimates)
+            central.basis_pane.render_view(self._session.active_view)
+        if after.side_panel != before.side_panel:
+            self._show_side_panel(after)
+        if after.presentation != before.presentation:
+            self._present() if after.presentation else self._end_presentation()
+        if after.scale != before.scale:
+            self._show_scale(after.scale, after.scale / before.scale)
 
     def escape(self) -> None:
         """Step back: gesture in flight, tool, motion, presentation, scrub line, selection, chosen curves."""
-        session = self._session
-        if self._parts.cancel_gesture() or self._parts.canvas.put_away():
+        session, state = self._session, self._store.state
+        if self._context.cancel_gesture() or self._context.central.canvas.dismiss():
             return
-        if any(self._actions[name].isChecked() for name in ("addTool", "measureTool", "explainWiggle")):
-            self._actions["selectTool"].trigger()
-        elif self._actions["moveImage"].isChecked():
-            self._actions["moveImage"].trigger()
-        elif self._actions["stopMotion"].isEnabled():
-            self._actions["stopMotion"].trigger()
-        elif self._actions["presentation"].isChecked():
-            self._actions["presentation"].trigger()
+        if state.moves_image:
+            self._context.actions["moveImage"].trigger()
+        elif state.tool is not SELECT:
+            self._context.actions[SELECT.action].trigger()
+        elif state.motion_shown:
+            self._context.actions["stopMotion"].trigger()
+        elif state.presentation:
+            self._store.change(presentation=False)
         elif session.scrub is not None:
             session.set_scrub(None)
         elif session.selection:
@@ -86,47 +84,127 @@ class ViewCommands:
         else:
             session.choose_curves((session.active_index,))
 
-    def _use_tool(self, kind: ToolKind) -> None:
-        self._parts.canvas.set_tool(kind)
-        self._parts.status_line.show_hint(_TOOL_HINTS[kind])
+    @action_for_each(
+        TOOLS,
+        lambda tool: Action(
+            tool.action,
+            tool.title,
+            EDIT_TOOLS,
+            tool.key,
+            tool.icon,
+            tool.tip,
+            tool.full_name,
+            checked=lambda now: now.state.uses(tool),
+            group="tool",
+            during_gesture=True,
+        ),
+    )
+    def _use_tool(self, tool: ToolRecord) -> None:
+        # Taken anew, a tool ends what it was doing.
+        self._context.central.canvas.choose_tool(tool)
+        self._store.change(tool=tool, moves_image=False)
+        self._context.status_line.show_hint(tool.hint)
 
+    # Zoom
+
+    @action("fitView", "Fit", VIEW_ZOOM, "F", "fit", full_name="Fit View")
     def _fit(self) -> None:
-        self._parts.canvas.fit()
-        self._parts.basis_pane.fit()
+        """Show all visible curves; without points the reference image."""
+        self._context.central.fit()
+
+    @action("zoomIn", "Zoom In", VIEW_ZOOM, "+, =", "zoom-in")
+    def _zoom_in(self) -> None:
+        """Zoom in on the canvas."""
+        self._zoom(ZOOM_STEP)
+
+    @action("zoomOut", "Zoom Out", VIEW_ZOOM, "-", "zoom-out")
+    def _zoom_out(self) -> None:
+        """Zoom out on the canvas."""
+        self._zoom(1 / ZOOM_STEP)
 
     def _zoom(self, factor: float) -> None:
-        canvas = self._parts.canvas
-        canvas.zoom(factor, canvas.centre())
+        camera = self._context.central.canvas.camera
+        camera.zoom(factor, camera.centre())
 
+    # What is shown
+
+    @action(
+        "toggleGrid",
+        "Grid",
+        VIEW_DRAWING,
+        "Ctrl+'",
+        "grid",
+        full_name="Show Grid",
+        checked=lambda now: now.state.grid,
+    )
     def _toggle_grid(self) -> None:
-        self._parts.canvas.grid.set_visible(self._actions["toggleGrid"].isChecked())
+        """Show or hide the grid."""
+        self._store.change(grid=not self._store.state.grid)
 
+    @action(
+        "toggleScrub",
+        "Scrub Line",
+        VIEW_SHOWN,
+        "T",
+        "spline",
+        needs=CURVE_DRAWN,
+        checked=lambda now: now.session.scrub is not None,
+    )
     def _toggle_scrub(self) -> None:
+        """Show a point running along the curve and the weight of every point."""
         session = self._session
         if session.scrub is not None or session.active_view.curve is None:
             session.set_scrub(None)
-            self._actions["toggleScrub"].setChecked(False)
             return
         start, end = session.active_view.curve.domain
         session.set_scrub(start + 0.4 * (end - start))
         session.say("Drag the scrub line in the basis panel; every point shows its weight there.")
 
+    @action(
+        "toggleBasis",
+        "Basis Functions",
+        VIEW_SHOWN,
+        "F8",
+        "panel-bottom",
+        checked=lambda now: now.state.basis,
+    )
     def _toggle_basis(self) -> None:
-        self._parts.basis_pane.setVisible(self._actions["toggleBasis"].isChecked())
+        """Show or hide the basis functions."""
+        self._store.change(basis=not self._store.state.basis)
 
+    @action(
+        "toggleEstimates",
+        "Functions with Estimates",
+        VIEW_SHOWN,
+        "Shift+F8",
+        "cardinal",
+        full_name="Basis Functions with Estimates",
+        needs=HERMITE_CURVE,
+        checked=lambda now: now.state.with_estimates,
+    )
     def _toggle_estimates(self) -> None:
-        shown = self._actions["toggleEstimates"].isChecked()
-        self._parts.preferences.with_estimates = shown
-        self._parts.basis_pane.set_with_estimates(shown)
-        self._parts.basis_pane.render_view(self._session.active_view)
+        """Show what each point does with the velocities estimated from it, not the family's functions."""
+        self._store.change(with_estimates=not self._store.state.with_estimates)
 
+    @action(
+        "toggleSidePanel",
+        "Side Panel",
+        VIEW_SHOWN,
+        "F9",
+        "panel-right",
+        checked=lambda now: now.state.side_panel,
+    )
     def _toggle_side_panel(self) -> None:
-        window, shown = self._parts.window, self._actions["toggleSidePanel"].isChecked()
+        """Show or hide the panels at the side."""
+        self._store.change(side_panel=not self._store.state.side_panel)
+
+    def _show_side_panel(self, state: WindowState) -> None:
+        window, shown = self._context.window, state.side_panel
         # The layout of a presentation is none to come back to.
-        keeps_layout = not self._actions["presentation"].isChecked()
+        keeps_layout = not state.presentation
         if not shown and keeps_layout:
             self._before_folding = bytes(window.saveState().data())
-        for dock in self._parts.docks:
+        for dock in self._context.docks.side:
             # A dock that has nothing to show is disabled, and stays away.
             dock.setVisible(shown and dock.isEnabled())
         if shown and keeps_layout and self._before_folding:
@@ -134,47 +212,91 @@ class ViewCommands:
             window.restoreState(self._before_folding)
             put_idle_docks_away(window)
 
+    # How large
+
+    @action("enlarge", "Larger Drawing", VIEW_SIZE, "Ctrl+=, Ctrl++", "plus")
+    def _enlarge(self) -> None:
+        """Enlarge points, lines and type, for a projector."""
+        self._change_scale(1)
+
+    @action("shrink", "Smaller Drawing", VIEW_SIZE, "Ctrl+-")
+    def _shrink(self) -> None:
+        """Make points, lines and type smaller."""
+        self._change_scale(-1)
+
+    @action("usualSize", "Usual Drawing", VIEW_SIZE, "Ctrl+0")
+    def _use_usual_scale(self) -> None:
+        """Points, lines and type as they usually are."""
+        self._set_scale(1.0)
+
     def _change_scale(self, step: int) -> None:
-        self._set_scale(_SCALES[max(0, min(_SCALES.index(self._scale) + step, len(_SCALES) - 1))])
+        place = _SCALES.index(self._store.state.scale) + step
+        self._set_scale(_SCALES[max(0, min(place, len(_SCALES) - 1))])
 
     def _set_scale(self, scale: float) -> None:
-        factor, self._scale = scale / self._scale, scale
-        self._parts.canvas.set_scale(self._scale)
-        self._parts.basis_panel.set_scale(self._scale)
-        self._parts.plot_panel.set_scale(self._scale)
-        docks = (*self._parts.docks, self._parts.lessons_dock)
-        late = [dock for dock in docks if isinstance(dock, LateDock)]
+        self._store.change(scale=scale)
+        self._session.say(f"Drawing at {scale:.0%}.")
+
+    def _show_scale(self, scale: float, factor: float) -> None:
+        central, docks = self._context.central, self._context.docks
+        for plots in (central.canvas, central.basis_panel, central.plot_panel):
+            plots.set_scale(scale)
+        late = [dock for dock in (*docks.side, docks.lessons) if isinstance(dock, LateDock)]
         for dock in late:
             dock.set_scale(scale)
         seen = [dock for dock in late if dock.isVisible() and not dock.visibleRegion().isEmpty()]
         widths = [round(dock.width() * factor) for dock in seen]
-        self._parts.window.resizeDocks(seen, widths, Qt.Orientation.Horizontal)
-        self._session.say(f"Drawing at {self._scale:.0%}.")
+        self._context.window.resizeDocks(seen, widths, Qt.Orientation.Horizontal)
 
+    # Presentation
+
+    @action(
+        "presentation",
+        "Presentation",
+        VIEW_SIZE,
+        "F11",
+        "presentation",
+        checked=lambda now: now.state.presentation,
+    )
     def _toggle_presentation(self) -> None:
-        parts, window = self._parts, self._parts.window
-        if self._actions["presentation"].isChecked():
-            self._before_presentation = bytes(window.saveState().data())
-            docks = [dock for dock in parts.docks if dock not in self._kept_for_a_lesson()]
-            for part in (parts.toolbar, window.menuBar(), parts.status_line, *docks):
-                part.hide()
-            # Not showFullScreen, which forgets that a window was maximised.
-            window.setWindowState(window.windowState() | Qt.WindowState.WindowFullScreen)
-            return
+        """Hide everything but canvas and basis functions."""
+        self._store.change(presentation=not self._store.state.presentation)
+
+    def _present(self) -> None:
+        context, window = self._context, self._context.window
+        self._before_presentation = bytes(window.saveState().data())
+        docks = [dock for dock in context.docks.side if dock not in self._kept_for_a_lesson()]
+        for part in (context.toolbar, window.menuBar(), context.status_line, *docks):
+            part.hide()
+        # Not showFullScreen, which forgets that a window was maximised.
+        window.setWindowState(window.windowState() | Qt.WindowState.WindowFullScreen)
+
+    def _end_presentation(self) -> None:
+        window = self._context.window
         window.setWindowState(window.windowState() & ~Qt.WindowState.WindowFullScreen)
         window.menuBar().show()
-        parts.status_line.show()
+        self._context.status_line.show()
         window.restoreState(self._before_presentation)
         put_idle_docks_away(window)
 
     def _kept_for_a_lesson(self) -> list[QDockWidget]:
         """Return what a lesson needs at hand while it is presented: the laboratory, if it is in front."""
-        if not self._parts.lessons_dock.isVisible():
-            return []
-        is_wanted = self._actions["toggleLaboratory"].isChecked()
-        return [dock for dock in self._parts.docks if is_wanted and dock.objectName() == "laboratoryDock"]
+        docks = self._context.docks
+        is_wanted = docks.lessons.isVisible() and self._store.state.analysis.laboratory.on
+        return [dock for dock in docks.side if is_wanted and dock.objectName() == "laboratoryDock"]
 
-    def leave_presentation(self) -> None:
-        """Bring the panels back before the layout is remembered."""
-        if self._actions["presentation"].isChecked():
-            self._actions["presentation"].trigger()
+    # Theme
+
+    @action_for_each(
+        _THEMES,
+        lambda theme: Action(
+            f"theme{theme[0].name.capitalize()}",
+            theme[1],
+            VIEW_THEME,
+            tip=theme[2],
+            checked=lambda now: now.state.theme_mode is theme[0],
+            group="theme",
+        ),
+    )
+    def _use_theme(self, theme: tuple[ThemeMode, str, str]) -> None:
+        self._store.change(theme_mode=theme[0])

@@ -7,13 +7,16 @@ from typing import TYPE_CHECKING
 from PySide6.QtCore import QObject
 from PySide6.QtWidgets import QWidget
 
+from app.actions.declaration import action
+from app.actions.needs import CURVE_THROUGH_TWO
+from app.actions.sections import ANALYSIS_EXPLAIN
 from app.canvas.trace_layer import Trace
+from app.commands.context import WindowContext
 from app.commands.dock_room import make_room_once
-from app.commands.parts import Handlers, Parts
 from app.document.model import Document
 from app.tasks.debounced_task import DebouncedTask
 from app.tasks.progress import Report
-from app.tools.tools import ToolKind
+from app.tools.explain import EXPLAIN
 from app.view_model.curve_view import CurveView
 from app.view_model.looks import CURE_LOOK
 
@@ -28,9 +31,9 @@ _HEIGHT = 460
 class WiggleCommands(QObject):
     """Explains the curve where the scrub line stands, as long as its dock is in sight."""
 
-    def __init__(self, parts: Parts) -> None:
-        super().__init__(parts.window)
-        self._parts, self._session = parts, parts.session
+    def __init__(self, context: WindowContext) -> None:
+        super().__init__(context.window)
+        self._context, self._session = context, context.session
         self._panel: WigglePanel | None = None
         self._cures: Cures | None = None
         self._asked: tuple[Document, int, int] | None = None
@@ -38,7 +41,7 @@ class WiggleCommands(QObject):
         self._task = DebouncedTask(self)
         self._task.ready.connect(self._take)
         self._task.busy_changed.connect(lambda _busy: self._show_cures())
-        self._dock = next(each for each in parts.docks if each.objectName() == "wiggleDock")
+        self._dock = next(each for each in context.docks.side if each.objectName() == "wiggleDock")
         # Behind another tab a dock is visible to Qt, but not in the sense of this signal.
         self._is_seen = False
         self._dock.visibilityChanged.connect(self._look)
@@ -46,10 +49,6 @@ class WiggleCommands(QObject):
 
     def _follow_scrub(self) -> None:
         self.follow(self._session.active_view)
-
-    def handlers(self) -> Handlers:
-        """Return what each action does."""
-        return {"explainWiggle": self._use_tool}
 
     def build_panel(self) -> QWidget:
         """Return the content of the dock; called when it is first looked at."""
@@ -61,16 +60,23 @@ class WiggleCommands(QObject):
         self._panel.chosen.connect(self._apply)
         return self._panel
 
-    def render(self, view: CurveView) -> None:
-        """Enable what needs a curve."""
-        self._parts.actions["explainWiggle"].setEnabled(view.is_current)
-
     # Where
 
+    @action(
+        "explainWiggle",
+        "Explain a Wiggle",
+        ANALYSIS_EXPLAIN,
+        "W",
+        "explain",
+        needs=CURVE_THROUGH_TWO,
+        checked=lambda now: now.state.uses(EXPLAIN),
+        group="tool",
+    )
     def _use_tool(self) -> None:
-        """Explain the widest swing at once, and then wherever the person clicks."""
-        self._parts.canvas.set_tool(ToolKind.EXPLAIN)
-        self._parts.status_line.show_hint("Click on the curve where it swings out; V goes back to Select.")
+        """Click on the curve where it swings out: who pulls it there, and what would calm it."""
+        self._context.central.canvas.choose_tool(EXPLAIN)
+        self._context.store.change(tool=EXPLAIN, moves_image=False)
+        self._context.status_line.show_hint(EXPLAIN.hint)
         if self._session.scrub is None:
             self._explain_widest()
         self._open()
@@ -96,7 +102,7 @@ class WiggleCommands(QObject):
         self._dock.show()
         self._dock.raise_()
         self.follow(self._session.active_view)
-        make_room_once(self._parts.window, self._dock, _HEIGHT)
+        make_room_once(self._context.window, self._dock, _HEIGHT)
 
     def _look(self, visible: bool) -> None:
         self._is_seen = visible
@@ -149,7 +155,7 @@ class WiggleCommands(QObject):
     def _preview(self, key: str) -> None:
         cure = self._cure(key)
         traces = (Trace((cure.points,), CURE_LOOK, cure.label),) if cure is not None else ()
-        self._parts.canvas.annotations.render_traces(_GROUP, traces, "Preview")
+        self._context.central.canvas.drawing.annotations.render_traces(_GROUP, traces, "Preview")
 
     def _apply(self, key: str) -> None:
         cure = self._cure(key)

@@ -7,7 +7,7 @@ from collections.abc import Callable
 from app.document.model import Document
 from app.panels.live_slider import LiveSlider
 from app.session import Session
-from app.tools.machine import CANCELLED
+from app.tools.drag_machine import CANCELLED
 
 
 class SliderGesture:

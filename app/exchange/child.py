@@ -18,10 +18,10 @@ from typing import IO
 
 import msgspec
 
-from app.document.coding import from_plain, to_plain
 from app.exchange import READER_PROCESS
 from app.exchange.cubics_in import Imported
 from app.exchange.errors import ExchangeError
+from app.storage.coding import from_plain, to_plain
 from app.storage.format import FormatError, validate
 from app.tasks.progress import Report, silent
 

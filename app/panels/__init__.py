@@ -6,7 +6,6 @@ Beside the canvas:
   ``basis_panel``: the gestures on it.  ``basis_hits``: what lies under the pointer.  ``tick_edit``: a t typed
   at its tick.  ``basis_layers``, ``function_lines``, ``crest_names``: functions, t-rail, scrub line, painted.
 - ``plot_panel``, ``plot_pane``, ``plot_canvas``, ``plot_layers``, ``value_scale``: plots over t.
-  ``plot_over_t``: what they share with the basis functions.
 - ``motion_bar``: the controls of a motion.  ``parametrization_bar``: the rule for the t_i and its α.
 
 In docks:
@@ -37,3 +36,7 @@ Small parts:
   ``form_parts``, ``fitting``, ``told_spin``, ``work_dialog``, ``choice_style``.
 - ``number_text``: numbers as panels write them.
 """
+
+import lazy_loader as lazy
+
+__getattr__, __dir__, __all__ = lazy.attach_stub(__name__, __file__)

@@ -14,9 +14,9 @@ from app.panels.crest_names import CrestNames
 from app.panels.function_lines import Drawing, FunctionLines, way_to_draw
 from app.plotting.colours import colours_of
 from app.plotting.fonts import Sizes
-from app.plotting.layered_plot import LayeredPlot
 from app.plotting.pens import with_dashes
 from app.plotting.pixel_map import Floats, PixelMap
+from app.plotting.plot_widget import PlotWidget
 from app.plotting.stamps import Stamps
 from app.theme import Theme, mix
 from app.view_model.basis_view import BasisView
@@ -48,7 +48,7 @@ _MOST_PENS = 1000
 class FunctionLayer:
     """All basis functions, in one item."""
 
-    def __init__(self, plot: LayeredPlot, theme: Theme) -> None:
+    def __init__(self, plot: PlotWidget, theme: Theme) -> None:
         self.theme = theme
         self.scale = 1.0
         self._pens: dict[tuple[int, float, int], QPen] = {}
@@ -57,7 +57,7 @@ class FunctionLayer:
         self._basis: BasisView | None = None
         self._lines: FunctionLines | None = None
         self._names = CrestNames(plot, self.refresh)
-        self._layer = plot.add_layer(self.paint, z=0)
+        self._layer = plot.layers.add(self.paint, z=0)
 
     def render(self, basis: BasisView | None) -> None:
         """Draw these functions from the next paint on."""
@@ -172,7 +172,7 @@ class FunctionLayer:
 class RailLayer:
     """The t-rail: a tick for each t_i in the colour of its point; and the scrub line above it."""
 
-    def __init__(self, plot: LayeredPlot, theme: Theme) -> None:
+    def __init__(self, plot: PlotWidget, theme: Theme) -> None:
         self.theme = theme
         self.scale = 1.0
         self.selection: frozenset[int] = frozenset()
@@ -183,7 +183,7 @@ class RailLayer:
         self._owners: Sequence[int] = ()
         self._count = 0
         self._fonts = Sizes(plot.font())
-        self._layer = plot.add_layer(self.paint, z=10)
+        self._layer = plot.layers.add(self.paint, z=10)
 
     def render(self, basis: BasisView | None) -> None:
         """Draw a tick at every knot from the next paint on."""

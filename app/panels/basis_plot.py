@@ -1,4 +1,4 @@
-"""What the basis panel shows: every basis function over t, the t-rail at its foot, and the scrub line."""
+"""Plot of every basis function over t, with the t-rail at its foot and the scrub line."""
 
 from __future__ import annotations
 
@@ -7,9 +7,10 @@ from PySide6.QtCore import QPointF, Signal
 from PySide6.QtWidgets import QWidget
 
 from app.panels.basis_layers import FunctionLayer, RailLayer, rail_height
-from app.panels.plot_over_t import PlotOverT
-from app.plotting.layered_plot import GREATEST_SPAN
+from app.plotting.camera import GREATEST_SPAN, CameraOverT
+from app.plotting.tool_plot import ToolPlot
 from app.theme import LIGHT
+from app.tools.toolbox import Toolbox
 from app.view_model.basis_view import BasisView, basis_view
 from app.view_model.cardinal_view import CardinalView, cardinal_view
 from app.view_model.curve_view import CurveView
@@ -19,7 +20,7 @@ _PADDING = 0.035
 _WHAT = "The basis functions"
 
 
-class BasisPlot(PlotOverT):
+class BasisPlot(ToolPlot):
     """Draws all basis functions of the active curve; x axis t. No gestures.
 
     Signals
@@ -30,16 +31,19 @@ class BasisPlot(PlotOverT):
 
     extent_changed = Signal(object)
 
-    def __init__(self, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+    camera: CameraOverT
+    camera_class = CameraOverT
+
+    def __init__(self, tools: Toolbox, parent: QWidget | None = None) -> None:
+        super().__init__(tools, parent)
         self.setObjectName("basisPanel")
         self._view: CurveView | None = None
         self._basis: BasisView | None = None
         self._values: tuple[float, float] = _CALM_RANGE
         self._held_domain: tuple[float, float] | None = None
         self._with_estimates = False
-        self._functions = self.dress(FunctionLayer(self, LIGHT))
-        self._rail = self.dress(RailLayer(self, LIGHT))
+        self._functions = self.layers.style(FunctionLayer(self, LIGHT))
+        self._rail = self.layers.style(RailLayer(self, LIGHT))
         self.getViewBox().sigResized.connect(self._show_values)
         self.set_with_estimates(False)
 
@@ -123,14 +127,14 @@ class BasisPlot(PlotOverT):
         if domain is not None:
             start, end = domain
             padding = _PADDING * (end - start)
-            self.set_t_range(start - padding, end + padding)
+            self.camera.show_t(start - padding, end + padding)
         self._show_values()
 
     def _hold_domain(self) -> None:
         """Keep the interval in view as it is while a drag changes it: ticks must not run from the pointer."""
         self._held_domain = self._domain()
 
-    def _let_go_of_domain(self) -> None:
+    def _release_domain(self) -> None:
         """Show the whole interval if the drag that ends has changed it."""
         held, self._held_domain = self._held_domain, None
         if held is not None and self._domain() != held:
@@ -182,7 +186,7 @@ class BasisPlot(PlotOverT):
         """Return where in the viewport the tick at `t` is grabbed."""
         shown = self.pixel_map
         area = QPointF(shown.point(t, 0.0)[0], shown.height - rail_height(self._rail.scale) + 8)
-        return self._area_origin() + area
+        return self.camera.origin + area
 
 
 def _is_of(basis: BasisView | None, view: CurveView, cardinals: bool) -> bool:

@@ -38,7 +38,7 @@ from PySide6.QtWidgets import (
 )
 from shiboken6 import isValid
 
-from app.keymap import name_alone, native, why_not
+from app.keymap import full_name_of, native, why_not
 from app.labels import Label
 from app.overrides import Guarded
 from app.panels.fuzzy import Named, ranked
@@ -58,7 +58,7 @@ class Command(msgspec.Struct, frozen=True):
     @property
     def name(self) -> str:
         """What it is called, in words that stand alone."""
-        return name_alone(self.action)
+        return full_name_of(self.action)
 
 
 class CommandPalette(Guarded, QFrame):

@@ -14,8 +14,8 @@ from PySide6.QtGui import QFont, QFontMetricsF, QPainter, QPixmap
 
 from app.plotting.colours import colours_of
 from app.plotting.halo import Halo
-from app.plotting.layered_plot import LayeredPlot
 from app.plotting.pixel_map import Floats, PixelMap
+from app.plotting.plot_widget import PlotWidget
 from app.theme import Theme
 from app.view_model.basis_view import BasisView
 from app.view_model.curve_view import Integers
@@ -80,7 +80,7 @@ class CrestNames:
         Has them written once more, when functions that changed have come to rest.
     """
 
-    def __init__(self, plot: LayeredPlot, again: Callable[[], None]) -> None:
+    def __init__(self, plot: PlotWidget, again: Callable[[], None]) -> None:
         self._font = QFont(plot.font())
         self._made_of: tuple[object, ...] = ()
         self._sheet = QPixmap()

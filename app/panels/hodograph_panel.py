@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 from PySide6.QtCore import QEvent, QPointF, QRectF, Qt, Signal
-from PySide6.QtGui import QFont, QKeyEvent, QPainter, QPen, QShowEvent
+from PySide6.QtGui import QFont, QPainter, QPen, QShowEvent
 from PySide6.QtWidgets import QButtonGroup, QHBoxLayout, QSizePolicy, QToolButton, QVBoxLayout, QWidget
 
 from app.icons import icon
@@ -15,9 +15,11 @@ from app.panels.number_text import decimal_mark, rounded_text
 from app.plotting.colours import colours_of
 from app.plotting.drawing import MARGIN, Segments, Stroke, cut_segments
 from app.plotting.pixel_map import PixelMap
-from app.plotting.plot_widget import PlotWidget
+from app.plotting.tool_plot import ToolPlot
 from app.theme import LIGHT, Theme, theme_of
-from app.tools.pointer import Pointer
+from app.tools.pointer import Hit, Part, Pointer
+from app.tools.tool import Tool
+from app.tools.toolbox import Toolbox
 from app.view_model.analysis.hodograph import Hodograph
 
 _MARGIN = 1.12
@@ -25,22 +27,15 @@ _NUMBERED_UP_TO = 16
 _NAMES = {1: ("c′", "velocity"), 2: ("c″", "acceleration")}
 
 
-class HodographPlot(PlotWidget):
+class HodographPlot(ToolPlot):
     """Draws the hodograph; equal aspect, the origin marked. Drag along the curve to scrub.
 
     The view box's coordinates are those of the derivative over a power of ten, `unit`: pyqtgraph loses
     ranges above 1e150.
-
-    Signals
-    -------
-    scrub_asked
-        The scrub line shall be at this t, or nowhere (None).
     """
 
-    scrub_asked = Signal(object)
-
-    def __init__(self, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self, tools: Toolbox, parent: QWidget | None = None) -> None:
+        super().__init__(tools, parent)
         self.setObjectName("hodograph")
         self.setAccessibleName("Hodograph")
         self.setAccessibleDescription("The velocity as a curve in the plane; drag along it to scrub.")
@@ -54,9 +49,8 @@ class HodographPlot(PlotWidget):
         self.note = ""
         self.is_fitted = True
         self._reach = 0.0
-        self._scrubs = False
-        self._scrub_before: float | None = None
-        self._layer = self.add_layer(self.paint_layer, z=0)
+        self._layer = self.layers.add(self.paint_layer, z=0)
+        self.camera.steered.connect(self._leave)
 
     def render_hodograph(self, hodograph: Hodograph, owners: int, *, calm: bool) -> None:
         """Show a hodograph of a curve with so many nodes; while `calm`, the view only grows."""
@@ -88,45 +82,24 @@ class HodographPlot(PlotWidget):
         points = np.vstack([points[np.isfinite(points).all(axis=1)], np.zeros((1, 2))])
         low, high = points.min(axis=0), points.max(axis=0)
         size = max(float((high - low).max()), 1e-6) * (_MARGIN - 1)
-        self.show_box((low[0] - size, high[0] + size), (low[1] - size, high[1] + size))
+        self.camera.show_box((low[0] - size, high[0] + size), (low[1] - size, high[1] + size))
 
-    def zoom(self, factor: float, pixel: QPointF) -> None:
+    def _leave(self) -> None:
         self.is_fitted = False
-        super().zoom(factor, pixel)
-
-    def pan(self, dx: float, dy: float) -> None:
-        self.is_fitted = False
-        super().pan(dx, dy)
 
     def set_theme(self, theme: Theme) -> None:
         self.theme = theme
         super().set_theme(theme)
 
-    # Gestures
-
-    def pressed(self, pointer: Pointer) -> None:
-        self._scrubs, self._scrub_before = True, self.scrub[0] if self.scrub is not None else None
-        self.moved(pointer)
-
-    def moved(self, pointer: Pointer) -> None:
-        """Scrub to the nearest place of the hodograph."""
-        if not self._scrubs or self.hodograph is None or not len(self.hodograph.t):
-            return
+    def hit(self, pointer: Pointer, tool: Tool) -> Hit | None:
+        """Return the nearest place of the hodograph, however far."""
+        if self.hodograph is None or not len(self.hodograph.t):
+            return None
         pixels = self.pixel_map.points(self.hodograph.points / self.unit)
         with np.errstate(all="ignore"):
             distances = np.nan_to_num(np.hypot(*(pixels - pointer.pixel).T), nan=np.inf)
-        self.scrub_asked.emit(float(self.hodograph.t[int(np.argmin(distances))]))
-
-    def released(self, pointer: Pointer) -> None:
-        self._scrubs = False
-
-    def keyPressEvent(self, event: QKeyEvent) -> None:
-        if event.key() == Qt.Key.Key_Escape and self._scrubs:
-            self._scrubs = False
-            self.scrub_asked.emit(self._scrub_before)
-            event.accept()
-        else:
-            super().keyPressEvent(event)
+        t = float(self.hodograph.t[int(np.argmin(distances))])
+        return Hit(Part.CURVE, -1, pointer.position, t=t)
 
     # Painting
 
@@ -211,11 +184,11 @@ class HodographPanel(Guarded, QWidget):
 
     changed = Signal()
 
-    def __init__(self, parent: QWidget | None = None) -> None:
+    def __init__(self, tools: Toolbox, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setObjectName("hodographPanel")
         self.order = 1
-        self.plot = HodographPlot()
+        self.plot = HodographPlot(tools)
         self._value = ElidedLabel()
         self._value.setObjectName("hodographValue")
         self._value.setAccessibleName("Derivative at the scrub line")

@@ -12,6 +12,7 @@ from PySide6.QtCore import QEvent, QPointF, QRectF, QSize, Qt
 from PySide6.QtGui import QColor, QPainter, QPen, QWheelEvent
 from PySide6.QtWidgets import QWidget
 
+from app.plotting.camera import FixedCamera
 from app.plotting.pens import colour_of, draw_line
 from app.plotting.pixel_map import PixelMap
 from app.plotting.plot_widget import PlotWidget
@@ -39,6 +40,8 @@ class LogLine:
 class LogPlot(PlotWidget):
     """Draws lines over x."""
 
+    camera_class = FixedCamera
+
     def __init__(self, name: str, label: str, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setObjectName(name)
@@ -48,7 +51,7 @@ class LogPlot(PlotWidget):
         self.setMinimumHeight(120)
         self._marker: float | None = None
         self._lines: list[tuple[Floats, LogLine]] = []
-        self._layer = self.add_layer(self._paint, z=0)
+        self._layer = self.layers.add(self._paint, z=0)
         self._dress()
 
     def sizeHint(self) -> QSize:
@@ -73,12 +76,12 @@ class LogPlot(PlotWidget):
         low, high = math.floor(min(low, high - _LEAST_DECADES)), math.ceil(high)
         right = right if right > left else left + 1.0
         margin = _MARGIN * (right - left)
-        self.show_box((left - margin, right + margin), (low, high))
+        self.camera.show_box((left - margin, right + margin), (low, high))
         self.getAxis("left").setTicks([_decades(low, high)])
         self.getAxis("bottom").setTicks([_decades(math.ceil(left), math.floor(right))])
 
     def _paint(self, painter: QPainter, shown: PixelMap) -> None:
-        theme = self._theme
+        theme = self.layers.theme
         painter.setRenderHint(QPainter.RenderHint.Antialiasing, True)
         painter.setPen(QPen(QColor(theme.grid_fine), 1.0))
         _, low, _, high = shown.box
@@ -97,29 +100,22 @@ class LogPlot(PlotWidget):
     ) -> None:
         """Write a line's name above it to the left, or below it to the right, near its end."""
         x, y = shown.points(points[-len(points) // (2 if below else 5) :])[0].tolist()
-        painter.setPen(colour_of(line.look, self._theme))
+        painter.setPen(colour_of(line.look, self.layers.theme))
         box = QRectF(x + 6, y + 2, 200, 18) if below else QRectF(x - 206, y - 24, 200, 18)
         side = Qt.AlignmentFlag.AlignLeft if below else Qt.AlignmentFlag.AlignRight
         painter.drawText(box, int(side | Qt.AlignmentFlag.AlignBottom), line.label)
 
     def _paint_marker(self, painter: QPainter, shown: PixelMap, marker: float) -> None:
         x = shown.point(math.log10(marker), 0.0)[0]
-        painter.setPen(QPen(self._theme.accent, 1.0))
+        painter.setPen(QPen(self.layers.theme.accent, 1.0))
         painter.drawLine(QPointF(x, 0), QPointF(x, shown.height))
         side = Qt.AlignmentFlag.AlignLeft if x < shown.width - 80 else Qt.AlignmentFlag.AlignRight
         left = x + 4 if side == Qt.AlignmentFlag.AlignLeft else x - 84
         painter.drawText(QRectF(left, 2, 80, 18), int(side), f"n = {marker:g}")
 
-    # It stands in a panel that scrolls, and shows all there is.
-
+    # It stands in a panel that scrolls.
     def wheelEvent(self, event: QWheelEvent) -> None:
         event.ignore()
-
-    def pan(self, dx: float, dy: float) -> None:
-        """Stay: everything is in sight."""
-
-    def zoom(self, factor: float, pixel: QPointF) -> None:
-        """Stay: everything is in sight."""
 
     def changeEvent(self, event: QEvent) -> None:
         super().changeEvent(event)

@@ -19,8 +19,8 @@ from app.icons import icon
 from app.mnemonics import plain
 from app.panels.elided_label import ElidedLabel
 from app.theme import Theme
-from app.view_model.motion import SPEEDS, MotionSettings, Pace, Repeat
 from app.view_model.motion_picture import Dot, Role, short
+from app.view_model.motion_settings import SPEEDS, MotionSettings, Pace, Repeat
 
 _READ_MS = 80
 """Numbers that change faster cannot be read."""

@@ -10,12 +10,12 @@ from PySide6.QtGui import QKeyEvent
 from PySide6.QtWidgets import QWidget
 
 from app.panels.plot_layers import PlotLayer, ScrubLayer, bands
-from app.panels.plot_over_t import PlotOverT
 from app.panels.value_scale import ValueScale
+from app.plotting.camera import CameraOverT
 from app.plotting.pixel_map import Floats
+from app.plotting.tool_plot import ToolPlot
 from app.theme import LIGHT
-from app.tools.pointer import Pointer
-from app.tools.rail import RailTool
+from app.tools.toolbox import Toolbox
 from app.view_model.analysis.plot_lines import PlotData
 
 _PIXELS_A_NUMBER = 24.0
@@ -25,38 +25,33 @@ _EDGE = 7.0
 _DIRECTIONS = {Qt.Key.Key_Left: -1, Qt.Key.Key_Right: 1}
 
 
-class PlotCanvas(PlotOverT):
+class PlotCanvas(ToolPlot):
     """Draws plots; x axis t. A drag scrubs, the wheel zooms along t.
 
     The view box's own y runs from 0 to 1 over the height; every plot has its scale within.
 
     Signals
     -------
-    range_asked
-        Another part of t shall be visible: (start, end).
     scrub_nudged
         The scrub line shall move by so much along t: an arrow key was pressed.
-    hint_changed
-        What a press here would do (a sentence).
-    pointed_at
-        The parameter t under the pointer, or None when it has left.
     """
 
-    range_asked = Signal(float, float)
     scrub_nudged = Signal(float)
-    hint_changed = Signal(str)
-    pointed_at = Signal(object)
 
-    def __init__(self, tool: RailTool, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+    camera: CameraOverT
+    camera_class = CameraOverT
+
+    def __init__(self, tools: Toolbox, parent: QWidget | None = None) -> None:
+        super().__init__(tools, parent)
+        # Whose t axis it shares decides what is seen.
+        self.camera.led = True
         self.setObjectName("plotCanvas")
         self.setAccessibleName("Plots over t")
         self.setAccessibleDescription("Speed, curvature and the like over t; drag to move the scrub line.")
-        self._tool = tool
         self._scales: dict[str, ValueScale] = {}
         self._ticks: list[tuple[float, str]] = []
-        self._lines = self.dress(PlotLayer(self, LIGHT))
-        self._scrub = self.dress(ScrubLayer(self, LIGHT, self._lines))
+        self._lines = self.layers.style(PlotLayer(self, LIGHT))
+        self._scrub = self.layers.style(ScrubLayer(self, LIGHT, self._lines))
         self.getViewBox().setYRange(0.0, 1.0, padding=0)
         self.getViewBox().sigResized.connect(self._number_axis)
         self._number_axis()
@@ -137,50 +132,8 @@ class PlotCanvas(PlotOverT):
             self._ticks = ticks
             self.getAxis("left").setTicks([ticks])
 
-    def choose_t_range(self, start: float, end: float) -> None:
-        """Ask for this part of t: whoever shares the t axis decides, and says so by `set_t_range`."""
-        self.range_asked.emit(start, end)
-
-    # Gestures
-
-    @property
-    def is_dragging(self) -> bool:
-        """Whether a gesture is in flight."""
-        return self._tool.is_pressed
-
-    def cancel_gesture(self) -> bool:
-        """Drop the gesture in flight; return whether there was one."""
-        return self._tool.cancel()
-
-    def forget_gesture(self) -> None:
-        """Drop the gesture in flight; the document is another one."""
-        self._tool.forget()
-
-    def pressed(self, pointer: Pointer) -> None:
-        self._tool.press(pointer, self._scrub.scrub)
-
-    def moved(self, pointer: Pointer) -> None:
-        if self._tool.is_pressed:
-            self._tool.move(pointer)
-        self.pointed_at.emit(pointer.position[0])
-
-    def released(self, pointer: Pointer) -> None:
-        if self._tool.is_pressed:
-            self._tool.release(pointer)
-
-    def hovered_at(self, pointer: Pointer) -> None:
-        self.hint_changed.emit("Drag, or press ← →, to scrub (Shift: ten times as far) · Wheel zooms along t")
-        self.pointed_at.emit(pointer.position[0])
-
-    def left(self) -> None:
-        if not self._tool.is_pressed:
-            self.hint_changed.emit("")
-            self.pointed_at.emit(None)
-
     def keyPressEvent(self, event: QKeyEvent) -> None:
-        if event.key() == Qt.Key.Key_Escape and self.cancel_gesture():
-            event.accept()
-        elif event.key() in _DIRECTIONS:
+        if event.key() in _DIRECTIONS:
             steps = 10 if event.modifiers() & Qt.KeyboardModifier.ShiftModifier else 1
             self.scrub_nudged.emit(_DIRECTIONS[Qt.Key(event.key())] * steps / self.pixel_map.sx)
             event.accept()

@@ -11,9 +11,9 @@ from PySide6.QtGui import QFont, QPainter, QPen
 
 from app.panels.value_scale import ValueScale
 from app.plotting.drawing import Segments, Stroke, cut_segments
-from app.plotting.layered_plot import LayeredPlot
 from app.plotting.pens import colour_of, line_in_pixels, with_dashes
 from app.plotting.pixel_map import Floats, PixelMap
+from app.plotting.plot_widget import PlotWidget
 from app.theme import Theme
 from app.view_model.analysis.plot_lines import PlotData, PlotLine
 from app.view_model.looks import DASHED
@@ -62,7 +62,7 @@ def bands(count: int, height: float, scale: float) -> list[Band]:
 class PlotLayer:
     """All plots, in one item."""
 
-    def __init__(self, plot: LayeredPlot, theme: Theme) -> None:
+    def __init__(self, plot: PlotWidget, theme: Theme) -> None:
         self.theme = theme
         self.scale = 1.0
         self.plots: Sequence[PlotData] = ()
@@ -73,7 +73,7 @@ class PlotLayer:
         self._strokes: list[list[Stroke | Segments]] = []
         self._strokes_of: tuple[object, ...] = ()
         self._font = QFont(plot.font())
-        self._layer = plot.add_layer(self.paint, z=0)
+        self._layer = plot.layers.add(self.paint, z=0)
 
     def refresh(self) -> None:
         """Draw again after one of the attributes was set."""
@@ -239,12 +239,12 @@ def _by_columns(x: Floats, y: Floats, shown: PixelMap) -> Segments:
 class ScrubLayer:
     """The scrub line, and a dot on every line where it crosses."""
 
-    def __init__(self, plot: LayeredPlot, theme: Theme, plots: PlotLayer) -> None:
+    def __init__(self, plot: PlotWidget, theme: Theme, plots: PlotLayer) -> None:
         self.theme = theme
         self.scale = 1.0
         self.scrub: float | None = None
         self._plots = plots
-        self._layer = plot.add_layer(self.paint, z=10)
+        self._layer = plot.layers.add(self.paint, z=10)
 
     def refresh(self) -> None:
         """Draw again after one of the attributes was set."""

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from PySide6.QtCore import QPointF, Qt
 from PySide6.QtGui import QKeyEvent, QMouseEvent
+from PySide6.QtWidgets import QWidget
 
-from app.plotting.layered_plot import LayeredPlot
+from app.plotting.camera import Camera
 
 
 class Panning:
@@ -14,8 +15,8 @@ class Panning:
     Every method takes an event that the plot received; what concerns other gestures is left alone.
     """
 
-    def __init__(self, plot: LayeredPlot) -> None:
-        self._plot = plot
+    def __init__(self, camera: Camera, viewport: QWidget) -> None:
+        self._camera, self._viewport = camera, viewport
         self._from: QPointF | None = None
         self._button = Qt.MouseButton.MiddleButton
         self._space_down = False
@@ -37,7 +38,7 @@ class Panning:
         )
         if means_it and not self.is_active:
             self._from, self._button = event.position(), event.button()
-            self._plot.viewport().setCursor(Qt.CursorShape.ClosedHandCursor)
+            self._viewport.setCursor(Qt.CursorShape.ClosedHandCursor)
         return means_it
 
     def move(self, event: QMouseEvent) -> bool:
@@ -46,7 +47,7 @@ class Panning:
             return False
         moved = event.position() - self._from
         self._from = event.position()
-        self._plot.pan(moved.x(), moved.y())
+        self._camera.pan(moved.x(), moved.y())
         return True
 
     def release(self, event: QMouseEvent) -> bool:
@@ -68,10 +69,10 @@ class Panning:
             self._space_down = down
             self._show_cursor()
 
-    def forget_key(self) -> None:
+    def reset_key(self) -> None:
         """Count Space as released: in another window its release is never heard of."""
         self._space_down = False
 
     def _show_cursor(self) -> None:
         shape = Qt.CursorShape.OpenHandCursor if self._space_down else Qt.CursorShape.ArrowCursor
-        self._plot.viewport().setCursor(shape)
+        self._viewport.setCursor(shape)

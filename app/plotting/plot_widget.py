@@ -1,12 +1,17 @@
-"""A plot that hears mouse and keys: it pans and zooms, and hands everything else on as pointers.
+"""A plot that we paint ourselves, with mouse and keys: it pans and zooms, and hands everything else on.
 
-pyqtgraph's own mouse layer is bypassed (it throttles moves and tests every item).
+pyqtgraph supplies the view box, the axes and the ranges; its own mouse layer is bypassed (it throttles moves
+and tests every item).
 """
 
 from __future__ import annotations
 
+from typing import Any
+
+import pyqtgraph as pg
 from msgspec.structs import replace
-from PySide6.QtCore import QEvent, QPointF, Qt
+from pyqtgraph.graphicsItems.ViewBox.ViewBox import ChildGroup
+from PySide6.QtCore import QEvent, QPoint, QPointF, QRectF, Qt, Signal
 from PySide6.QtGui import (
     QContextMenuEvent,
     QEnterEvent,
@@ -14,14 +19,28 @@ from PySide6.QtGui import (
     QKeyEvent,
     QMouseEvent,
     QNativeGestureEvent,
+    QPainter,
+    QPaintEvent,
+    QPen,
+    QResizeEvent,
     QWheelEvent,
 )
-from PySide6.QtWidgets import QWidget
+from PySide6.QtWidgets import QGraphicsView, QSizePolicy, QWidget
 
-from app.plotting.layered_plot import LayeredPlot
+from app.overrides import Guarded, guard_library
+from app.plotting.axes import Axes
+from app.plotting.camera import Camera
+from app.plotting.layers import LayerStack
 from app.plotting.panning import Panning
+from app.plotting.pixel_map import PixelMap
 from app.plotting.scrolling import Scrolling
+from app.theme import Theme, theme_of
 from app.tools.pointer import Pointer
+
+_FOCUS_WIDTH = 2
+
+# Whatever a plot is made of: Qt calls their overrides as it calls ours.
+guard_library(pg.GraphicsView, pg.GraphicsScene, pg.ViewBox, ChildGroup, pg.AxisItem)
 
 _MODIFIERS = {Qt.Key.Key_Shift: "shift", Qt.Key.Key_Control: "ctrl", Qt.Key.Key_Alt: "alt"}
 """Keys that change what a gesture does, and which part of a pointer tells."""
@@ -39,19 +58,126 @@ _FLAGS = {
 }
 
 
-class PlotWidget(LayeredPlot):
-    """A plot that pans and zooms by mouse, wheel and trackpad, on which a subclass builds its gestures."""
+class PlotWidget(Guarded, pg.GraphicsView):  # type: ignore[misc]  # pyqtgraph has no types
+    """A plot that pans and zooms by mouse, wheel and trackpad.
+
+    Attributes
+    ----------
+    camera
+        Which part of the plane is seen.
+    layers
+        What is painted.
+
+    Signals
+    -------
+    painted
+        The viewport has been painted.
+    """
+
+    painted = Signal()
+
+    camera_class: type[Camera] = Camera
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self._panning, self._scrolling = Panning(self), Scrolling(self)
-        self._menu_refused = False
+        self._box = pg.ViewBox(enableMenu=False)
+        self._axes = Axes(self._box)
+        self.camera = self.camera_class(self, self._box)
+        self.layers = LayerStack(self.viewport(), lambda: self.camera.area)
+        self._panning = Panning(self.camera, self.viewport())
+        self._scrolling = Scrolling(self.camera, self.viewport())
+        self._menu_refused = self._shows_focus = False
         # Where the mouse was heard of last, None once it has left; and whether its left button was down.
         self._hand: Pointer | None = None
         self._is_held = False
+        self._set_up_view()
+        self._axes.set_scale(self.font(), 1.0)
+        self.camera.changed.connect(self._repaint_all)
+
+    def _set_up_view(self) -> None:
+        self.setCentralItem(self._axes.frame)
+        self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
+        self.enableMouse(False)
+        # The paper is in the picture of what is still; Qt need not keep another one of it.
+        self.setCacheMode(QGraphicsView.CacheModeFlag.CacheNone)
+        # Every pixel is painted here: Qt need not paint paper below.
+        self.viewport().setAttribute(Qt.WidgetAttribute.WA_OpaquePaintEvent)
+        # A dropped file is the window's business.
+        self.setAcceptDrops(False)
         self.setMouseTracking(True)
         self.viewport().setMouseTracking(True)
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
+
+    def getViewBox(self) -> Any:  # noqa: ANN401, N802 - as in pyqtgraph's PlotWidget
+        """Return the view box."""
+        return self._box
+
+    def getAxis(self, side: str) -> Any:  # noqa: ANN401, N802 - as in pyqtgraph's PlotWidget
+        """Return the axis "left" or "bottom"."""
+        return self._axes[side]
+
+    @property
+    def pixel_map(self) -> PixelMap:
+        """The present map from the plane to the pixels of the plot area."""
+        return self.camera.pixel_map
+
+    def to_pixel(self, x: float, y: float) -> QPoint:
+        """Return the viewport pixel nearest to a point of the plane."""
+        return self.camera.to_pixel(x, y)
+
+    def to_plane(self, pixel: QPoint | QPointF) -> tuple[float, float]:
+        """Return the point of the plane at a viewport pixel."""
+        return self.camera.to_plane(pixel)
+
+    # Painting
+
+    def set_theme(self, theme: Theme) -> None:
+        """Take the colours of `theme`."""
+        self.layers.set_theme(theme)
+        self.setBackground(theme.paper)
+        self._axes.set_theme(theme)
+        self._repaint_all()
+
+    def set_scale(self, scale: float) -> None:
+        """Enlarge lines and numbers, for a projector."""
+        self.layers.set_scale(scale)
+        self._axes.set_scale(self.font(), scale)
+        self._repaint_all()
+
+    def _repaint_all(self) -> None:
+        self.layers.reset_ground()
+        self.viewport().update()
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        super().resizeEvent(event)
+        if hasattr(self, "layers"):
+            # pyqtgraph resizes while it is being built.
+            self.camera.reset_origin()
+            self.layers.reset_ground()
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        origin, area = self.camera.origin, self.camera.area
+        if not area.contains(event.rect()):
+            super().paintEvent(event)
+        with QPainter(self.viewport()) as painter:
+            painter.setClipRect(area)
+            self.layers.paint(painter, self.camera.pixel_map, origin)
+        if self._shows_focus:
+            self._paint_focus()
+        self.painted.emit()
+
+    def _paint_focus(self) -> None:
+        painter = QPainter(self.viewport())
+        painter.setPen(QPen(theme_of(self.palette()).accent, _FOCUS_WIDTH))
+        inset = _FOCUS_WIDTH / 2
+        painter.drawRect(QRectF(self.viewport().rect()).adjusted(inset, inset, -inset, -inset))
+        painter.end()
+
+    def _show_focus(self, shown: bool) -> None:
+        """Frame the plot while it has the keyboard's focus, or not."""
+        if shown != self._shows_focus:
+            self._shows_focus = shown
+            self.viewport().update()
 
     # A subclass fills in these.
 
@@ -88,7 +214,7 @@ class PlotWidget(LayeredPlot):
         """Return the record of a mouse event (or of a bare viewport position)."""
         position = event if isinstance(event, QPointF) else event.position()
         held = Qt.KeyboardModifier.NoModifier if isinstance(event, QPointF) else event.modifiers()
-        pixel = self.area_pixel(position)
+        pixel = self.camera.area_pixel(position)
         return Pointer(
             position=self.pixel_map.plane(*pixel),
             pixel=pixel,
@@ -107,7 +233,7 @@ class PlotWidget(LayeredPlot):
                 return
         self.setFocus(Qt.FocusReason.MouseFocusReason)
         if self._is_held and event.button() == Qt.MouseButton.LeftButton:
-            self._let_go()  # the release was never heard of
+            self._release()  # the release was never heard of
         if not self._panning.press(event) and event.button() == Qt.MouseButton.LeftButton:
             self._hand, self._is_held = self.pointer_at(event), True
             self.pressed(self._hand)
@@ -131,7 +257,7 @@ class PlotWidget(LayeredPlot):
             elif not event.buttons():
                 if self._is_held:
                     # The release went elsewhere: to a list that a key has opened, for instance.
-                    self._let_go()
+                    self._release()
                 self.hovered_at(self._hand)
         event.accept()
 
@@ -145,7 +271,7 @@ class PlotWidget(LayeredPlot):
     def event(self, event: QEvent) -> bool:
         if event.type() == QEvent.Type.WindowBlocked:
             # A dialog takes the mouse, and the release with it.
-            self._let_go()
+            self._release()
         if (
             event.type() == QEvent.Type.ShortcutOverride
             and isinstance(event, QKeyEvent)
@@ -160,10 +286,10 @@ class PlotWidget(LayeredPlot):
             return True
         return bool(super().event(event))
 
-    def _let_go(self) -> None:
+    def _release(self) -> None:
         """Drop what the mouse is doing here, panning too."""
         self._is_held = False
-        self._panning.forget_key()
+        self._panning.reset_key()
         self._panning.stop()
         if self.is_dragging:
             self.cancel_gesture()
@@ -213,10 +339,10 @@ class PlotWidget(LayeredPlot):
 
     def focusInEvent(self, event: QFocusEvent) -> None:
         # Whoever came by mouse sees the pointer.
-        self.show_focus(event.reason() in _BY_KEYS)
+        self._show_focus(event.reason() in _BY_KEYS)
         super().focusInEvent(event)
 
     def focusOutEvent(self, event: QFocusEvent) -> None:
-        self.show_focus(False)
-        self._panning.forget_key()
+        self._show_focus(False)
+        self._panning.reset_key()
         super().focusOutEvent(event)

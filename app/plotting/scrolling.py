@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from PySide6.QtCore import QPointF, Qt
 from PySide6.QtGui import QInputDevice, QNativeGestureEvent, QWheelEvent
+from PySide6.QtWidgets import QWidget
 
-from app.plotting.layered_plot import LayeredPlot
+from app.plotting.camera import Camera
 
 ZOOM_STEP = 1.2
 """Zoom factor of one notch of the wheel."""
@@ -27,8 +28,8 @@ class Scrolling:
     trackpads.
     """
 
-    def __init__(self, plot: LayeredPlot) -> None:
-        self._plot = plot
+    def __init__(self, camera: Camera, viewport: QWidget) -> None:
+        self._camera, self._viewport = camera, viewport
         self._zooms = False
 
     def wheel(self, event: QWheelEvent) -> None:
@@ -39,21 +40,21 @@ class Scrolling:
         if self._zooms:
             notches = event.angleDelta().y() / _NOTCH
             if notches:
-                self._plot.zoom(ZOOM_STEP**notches, event.position())
+                self._camera.zoom(ZOOM_STEP**notches, event.position())
             return
         moved = _moved(event)
         if not moved.isNull():
-            self._plot.pan(moved.x(), moved.y())
+            self._camera.pan(moved.x(), moved.y())
 
     def pinch(self, event: QNativeGestureEvent) -> bool:
         """Zoom by two fingers that move apart or together; return whether the gesture is that."""
         if event.gestureType() != Qt.NativeGestureType.ZoomNativeGesture:
             return False
-        place = QPointF(self._plot.viewport().mapFromGlobal(event.globalPosition()))
+        place = QPointF(self._viewport.mapFromGlobal(event.globalPosition()))
         # Each event tells by how much of itself the picture grows.
         factor = 1.0 + event.value()
         if factor > 0:
-            self._plot.zoom(factor, place)
+            self._camera.zoom(factor, place)
         return True
 
 

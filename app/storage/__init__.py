@@ -2,11 +2,15 @@
 
 - ``format``: documents to and from bytes, strictly.  ``image_path``: where the file of a picture lies.
 - ``migration``: older versions of the format, step by step.  ``all_within``: a quick look at many numbers.
-  ``repeated_keys``: what typed decoding passes over.
+  ``repeated_keys``: what typed decoding passes over.  ``coding``: values that are no plain JSON values.
 - ``files``: bytes to and from disk, so that nothing is ever half written; ``file_access``: who may read
-  them; ``temporary``: temporary files, and removing stale ones.
+  them; ``temporary``: temporary files, and removing stale ones; ``reasons``: why something failed, in words.
 - ``lock``: lock files that name their owner; ``system_lock``: locks of the operating system, on files and
-  folders; ``processes``: whether a process still runs.
+  folders; ``processes``, ``ps``: whether a process still runs.  ``digests``: SHA-256.
 - ``open_file``: the file behind an open document: what was seen of it, and the lock.
 - ``recovery``: snapshots of what is not saved.
 """
+
+import lazy_loader as lazy
+
+__getattr__, __dir__, __all__ = lazy.attach_stub(__name__, __file__)

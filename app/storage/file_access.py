@@ -1,4 +1,4 @@
-"""Who may read and write a file: kept where one file takes the place of another."""
+"""Permissions of a file, kept where another one takes its place."""
 
 from __future__ import annotations
 

@@ -8,18 +8,22 @@ one (measured with Qt 6.12).
 from __future__ import annotations
 
 import errno
+import logging
 import os
 import stat
-from collections.abc import Callable
-from contextlib import suppress
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager, suppress
 from pathlib import Path
+from time import perf_counter
 
 import msgspec
 
+from app import storage
 from app.document.model import Document
 from app.storage.file_access import keep_access
 from app.storage.format import VERSION, decode, encode, version_of
 from app.storage.image_path import relative_to, resolved
+from app.storage.reasons import quoted, reason_of, why_unreadable, why_unwritable
 from app.storage.system_lock import folder_lock
 from app.storage.temporary import TEMPORARY_PREFIX, temporary_name
 
@@ -40,15 +44,16 @@ __all__ = [
     "write",
 ]
 
+_log = logging.getLogger("curvebench.storage")
+
 MAX_BYTES = 256 * 2**20
 """Largest file that is read: some four million points; beyond it a file is hardly a drawing."""
 
 _FOLDER_SYNC_UNSUPPORTED = frozenset({errno.EINVAL, errno.ENOTSUP, errno.EACCES})
-_DISK_FULL = frozenset({errno.ENOSPC, getattr(errno, "EDQUOT", errno.ENOSPC)})
 
 
 class Stamp(msgspec.Struct, frozen=True):
-    """What a file was when it was read or written: enough to notice that it is another one now."""
+    """Fingerprint of a file when it was read or written: enough to notice that it is another one now."""
 
     size: int
     modified: int
@@ -66,7 +71,7 @@ class Stamp(msgspec.Struct, frozen=True):
 
 
 class Content(msgspec.Struct, frozen=True):
-    """What a file holds, and what it was at that moment."""
+    """The content of a file, and its stamp at that moment."""
 
     data: bytes
     stamp: Stamp
@@ -153,7 +158,7 @@ def _look_once_more(path: str | os.PathLike[str], target: Path, seen: Stamp | No
     version = version_of(found.data)
     if version is not None and version > VERSION:
         raise NewerVersionError(
-            f"{_name(path)} was written by a newer version of Curvebench and stays as it is. "
+            f"{quoted(path)} was written by a newer version of Curvebench and stays as it is. "
             "Save under another name."
         )
     if version is not None and version < VERSION:
@@ -162,7 +167,7 @@ def _look_once_more(path: str | os.PathLike[str], target: Path, seen: Stamp | No
 
 def _changed(path: str | os.PathLike[str]) -> ChangedOnDiskError:
     return ChangedOnDiskError(
-        f"{_name(path)} was changed by another program since it was opened. "
+        f"{quoted(path)} was changed by another program since it was opened. "
         "Save under another name, or look at what changed first."
     )
 
@@ -212,6 +217,13 @@ def read(path: str | os.PathLike[str]) -> bytes:
 
 def read_content(path: str | os.PathLike[str]) -> Content:
     """Return what the file at `path` holds, and what it is now; see `read`."""
+    with _logged("read") as size:
+        content = _content(path)
+        size.append(len(content.data))
+    return content
+
+
+def _content(path: str | os.PathLike[str]) -> Content:
     # Without O_NONBLOCK, opening a pipe would wait for a writer.
     flags = os.O_RDONLY | getattr(os, "O_NONBLOCK", 0) | getattr(os, "O_BINARY", 0)
     try:
@@ -226,18 +238,29 @@ def read_content(path: str | os.PathLike[str]) -> Content:
     except StorageError:
         raise
     except FileNotFoundError as problem:
-        raise MissingError(_why_unreadable(path, problem)) from problem
+        raise MissingError(why_unreadable(path, problem)) from problem
     except (OSError, ValueError) as problem:
-        raise StorageError(_why_unreadable(path, problem)) from problem
+        raise StorageError(why_unreadable(path, problem)) from problem
     if len(data) > MAX_BYTES:
-        raise StorageError(f"{_name(path)} is larger than {MAX_BYTES // 2**20} MB; open a smaller file.")
+        raise StorageError(f"{quoted(path)} is larger than {MAX_BYTES // 2**20} MB; open a smaller file.")
     return Content(data, _stamp(status, data))
 
 
-def _stamp(status: os.stat_result, data: bytes) -> Stamp:
-    import hashlib  # noqa: PLC0415 - seven milliseconds that a start without a file does without
+@contextmanager
+def _logged(what: str) -> Iterator[list[int]]:
+    """Log how many bytes were read or written, and how long that took, or the code of the error."""
+    began, size = perf_counter(), list[int]()
+    try:
+        yield size
+    except StorageError as problem:
+        code = getattr(problem.__cause__, "errno", None)
+        _log.info("not %s: %s", what, errno.errorcode.get(code or 0, type(problem).__name__))
+        raise
+    _log.debug("%s %d bytes in %.0f ms", what, *size, 1e3 * (perf_counter() - began))
 
-    digest = hashlib.sha256(data).digest()
+
+def _stamp(status: os.stat_result, data: bytes) -> Stamp:
+    digest = storage.digests.sha256(data)
     return Stamp(status.st_size, status.st_mtime_ns, status.st_ino, status.st_dev, digest)
 
 
@@ -261,6 +284,15 @@ def write(
         If any step fails; the old file is then untouched, except where the disk failed to confirm the
         very last step, which is then said.
     """
+    with _logged("written") as size:
+        stamp = _write(path, data, before_replacing)
+        size.append(len(data))
+    return stamp
+
+
+def _write(
+    path: str | os.PathLike[str], data: bytes, before_replacing: Callable[[Path], None] | None
+) -> Stamp:
     try:
         target = Path(os.path.realpath(path))
         _refuse_unwritable(path, target)
@@ -277,7 +309,7 @@ def write(
     except StorageError:
         raise
     except (OSError, ValueError) as problem:
-        raise StorageError(_why_unwritable(path, problem)) from problem
+        raise StorageError(why_unwritable(path, problem)) from problem
     stamp = _stamp(status, data)
     _confirm(path, target.parent, stamp)
     return stamp
@@ -291,7 +323,7 @@ def _refuse_unwritable(path: str | os.PathLike[str], target: Path) -> None:
     _refuse_irregular(path, status)
     # Replacing a file needs no permission on the file itself, so that a write-protected one would go too.
     if not os.access(target, os.W_OK):
-        raise StorageError(f"{_name(path)} is write-protected. Save under another name.")
+        raise StorageError(f"{quoted(path)} is write-protected. Save under another name.")
 
 
 def _write_temporary(folder: Path, data: bytes, like: Path) -> tuple[Path, os.stat_result]:
@@ -333,7 +365,7 @@ def _confirm(path: str | os.PathLike[str], folder: Path, stamp: Stamp) -> None:
         if problem.errno in _FOLDER_SYNC_UNSUPPORTED:
             return
         raise UnconfirmedError(
-            f"{_name(path)} was written, but the disk did not confirm it ({_reason(problem)}). "
+            f"{quoted(path)} was written, but the disk did not confirm it ({reason_of(problem)}). "
             "Save a copy on another disk.",
             stamp,
         ) from problem
@@ -341,44 +373,8 @@ def _confirm(path: str | os.PathLike[str], folder: Path, stamp: Stamp) -> None:
 
 def _refuse_irregular(path: str | os.PathLike[str], status: os.stat_result) -> None:
     if stat.S_ISDIR(status.st_mode):
-        raise StorageError(f"{_name(path)} is a folder. Choose a file.")
+        raise StorageError(f"{quoted(path)} is a folder. Choose a file.")
     if not stat.S_ISREG(status.st_mode):
-        raise StorageError(f"{_name(path)} is a pipe or a device. Choose an ordinary file.")
+        raise StorageError(f"{quoted(path)} is a pipe or a device. Choose an ordinary file.")
     if status.st_size > MAX_BYTES:
-        raise StorageError(f"{_name(path)} is larger than {MAX_BYTES // 2**20} MB. Choose a smaller file.")
-
-
-def _why_unreadable(path: str | os.PathLike[str], problem: Exception) -> str:
-    code = getattr(problem, "errno", None)
-    if code in (errno.ENOENT, errno.ENOTDIR):
-        return f"There is no file {_name(path)}. Check its name and folder."
-    if code in (errno.EACCES, errno.EPERM):
-        return f"{_name(path)} may not be read. Ask its owner for permission, or choose another file."
-    if code == errno.ELOOP:
-        return f"{_name(path)} is a link that leads back to itself. Choose another file."
-    return f"{_name(path)} cannot be read ({_reason(problem)}). Choose another file."
-
-
-def _why_unwritable(path: str | os.PathLike[str], problem: Exception) -> str:
-    code = getattr(problem, "errno", None)
-    if code in (errno.ENOENT, errno.ENOTDIR):
-        return f"The folder of {_name(path)} does not exist. Choose another folder."
-    if code in _DISK_FULL:
-        return f"The disk is full; {_name(path)} was not written. Free some space or choose another disk."
-    if code in (errno.EACCES, errno.EPERM, errno.EROFS):
-        return f"{_name(path)} may not be written in that folder. Choose another folder."
-    if code == errno.ELOOP:
-        return f"{_name(path)} is a link that leads back to itself. Choose another name."
-    if code == errno.ENAMETOOLONG:
-        return f"The name of {_name(path)} is too long. Choose a shorter one."
-    return f"{_name(path)} was not written ({_reason(problem)}). Choose another folder or disk."
-
-
-def _reason(problem: Exception) -> str:
-    return getattr(problem, "strerror", None) or str(problem)
-
-
-def _name(path: str | os.PathLike[str]) -> str:
-    """Return the path as it may stand in a sentence, whatever bytes it holds."""
-    text = os.fspath(path)
-    return f"“{text.encode('utf-8', 'replace').decode('utf-8')}”"
+        raise StorageError(f"{quoted(path)} is larger than {MAX_BYTES // 2**20} MB. Choose a smaller file.")

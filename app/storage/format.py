@@ -15,7 +15,6 @@ from typing import Literal
 import msgspec
 from msgspec.structs import replace
 
-from app.document.coding import from_plain, to_plain
 from app.document.model import (
     MAX_MAGNITUDE,
     Curve,
@@ -27,6 +26,7 @@ from app.document.model import (
     Vector,
 )
 from app.storage.all_within import all_within
+from app.storage.coding import from_plain, to_plain
 from app.storage.migration import can_migrate, migrated
 from app.storage.repeated_keys import repeated_key
 
@@ -47,7 +47,7 @@ class FormatError(ValueError):
 
 
 class _Header(msgspec.Struct):
-    """What every version of the format has; everything else in the file is skipped."""
+    """The head that every version of the format has; everything else in the file is skipped."""
 
     format: str
     version: int

@@ -1,4 +1,4 @@
-"""Where the file of a reference image lies: relative in a document's file, absolute while it is open.
+"""Path of a reference image: relative in a document's file, absolute while it is open.
 
 So a document and its picture can be moved together, and saving elsewhere never loses the picture.
 """
@@ -14,7 +14,7 @@ from msgspec.structs import replace
 from app.document.model import Document
 
 PICTURE_SUFFIXES = (".png", ".jpg", ".jpeg")
-"""How the names of files end that are pictures to trace."""
+"""Endings of the files that are pictures to trace."""
 
 
 def resolved(document: Document, folder: str) -> Document:

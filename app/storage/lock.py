@@ -14,6 +14,7 @@ from __future__ import annotations
 import os
 import platform
 import stat
+import sys
 import time
 import weakref
 from contextlib import suppress
@@ -22,7 +23,11 @@ from pathlib import Path
 import msgspec
 
 from app.storage.processes import Process, is_alive, this_process
+from app.storage.reasons import reason_of
 from app.storage.system_lock import folder_lock, try_lock
+
+if sys.platform != "win32":
+    import pwd
 
 OLD = 24 * 3600.0
 """Seconds after which an owner who cannot be asked may have forgotten the document."""
@@ -116,7 +121,7 @@ class ProcessLock:
 
 
 class LockResult(msgspec.Struct, frozen=True):
-    """What came of asking for a lock: one of the three is there.
+    """Result of asking for a lock: one of the three is there.
 
     Attributes
     ----------
@@ -131,6 +136,14 @@ class LockResult(msgspec.Struct, frozen=True):
     lock: ProcessLock | None = None
     owner: Owner | None = None
     problem: str = ""
+
+    def __str__(self) -> str:
+        """Return what came of it without anybody's name."""
+        if self.owner is None:
+            return "ours" if self.lock is not None else f"impossible ({self.problem})"
+        if self.owner.is_this_process:
+            return "of another window"
+        return "of another program of this person" if self.owner.is_same_person else "of somebody else"
 
 
 def lock_place(target: Path) -> Path:
@@ -160,7 +173,7 @@ def acquire(place: Path, *, is_private: bool = False) -> LockResult:
         # Somebody was quicker, in a folder that cannot be locked.
         return LockResult(owner=owner_of(place), problem="it is being opened elsewhere")
     except (OSError, ValueError) as problem:
-        return LockResult(problem=_reason(problem))
+        return LockResult(problem=reason_of(problem))
 
 
 def take_over(place: Path) -> LockResult:
@@ -173,7 +186,7 @@ def take_over(place: Path) -> LockResult:
             place.unlink(missing_ok=True)
             return LockResult(lock=ProcessLock(place))
     except (OSError, ValueError) as problem:
-        return LockResult(problem=_reason(problem))
+        return LockResult(problem=reason_of(problem))
 
 
 def owner_of(place: Path) -> Owner | None:
@@ -216,10 +229,6 @@ def _remove(place: Path, stale: Owner) -> bool:
         return False
     place.unlink(missing_ok=True)
     return True
-
-
-def _reason(problem: Exception) -> str:
-    return getattr(problem, "strerror", None) or str(problem)
 
 
 def _new_owner() -> Owner:
@@ -281,9 +290,7 @@ def _shown(name: str) -> str:
 
 def _user() -> str:
     """Return the name under which the person is logged in."""
-    try:
-        import pwd  # noqa: PLC0415 - not there on Windows
-    except ImportError:
+    if sys.platform == "win32":
         return os.environ.get("USERNAME", "")
     with suppress(KeyError, OSError):
         return pwd.getpwuid(os.geteuid()).pw_name

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import logging
 import os
 from enum import Enum
 from pathlib import Path
@@ -15,6 +16,8 @@ from app.storage.files import MissingError, Stamp, StorageError, UnconfirmedErro
 from app.storage.format import VERSION, FormatError, version_of
 from app.storage.lock import LockResult, Owner, ProcessLock, acquire, lock_place, owner_of, take_over
 from app.storage.temporary import remove_stale
+
+_log = logging.getLogger("curvebench.storage")
 
 _LARGE = 50_000
 """Bytes from which a document is opened beside the window: about a hundred curves, a tenth of a second."""
@@ -37,7 +40,7 @@ class LockedError(StorageError):
 
 
 class FileChange(Enum):
-    """What has become of a file since it was seen last; the value says it in words."""
+    """Change of a file since it was seen last; the value says it in words."""
 
     SAME = ""
     CHANGED = "Another program has changed the file."
@@ -55,7 +58,7 @@ class Opened(msgspec.Struct, frozen=True):
 
 
 class Reading(msgspec.Struct, frozen=True):
-    """What a document's file holds, with plain values alone, and what the file was when it was read."""
+    """Document read from a file, with plain values alone, and the stamp of the file then."""
 
     document: Document
     stamp: Stamp
@@ -69,7 +72,7 @@ class Reading(msgspec.Struct, frozen=True):
 
 
 class OpenFile:
-    """What one window knows of its document's file.
+    """The file of a window's document, as far as the window knows it.
 
     Attributes
     ----------
@@ -110,6 +113,8 @@ class OpenFile:
         # What somebody writes between the reading and the lock is noticed like any later change.
         result = _lock_for(path, previous)
         remove_stale(_target(path).parent)
+        _log.info("opened a document, version %d, %s", found.version, _counts(found.document))
+        _log.info("its lock is %s", str(result))
         return Opened(found.document, cls(path, found.stamp, result, found.version))
 
     @classmethod
@@ -162,6 +167,7 @@ class OpenFile:
             self.stamp, self.change = problem.stamp, FileChange.SAME
             raise
         self.version, self.change = VERSION, FileChange.SAME
+        _log.info("saved a document: %s", _counts(document))
         remove_stale(_target(self.path).parent)
 
     def _refuse_if_not_ours(self) -> None:
@@ -199,11 +205,13 @@ class OpenFile:
     def lose_to(self, owner: Owner) -> None:
         """Take note that somebody else has the file now."""
         self.owner, self._lock = owner, None
+        _log.info("the lock is %s now", str(LockResult(owner=owner)))
 
     def take_over(self) -> None:
         """Make the file ours, whoever has it open."""
         if not self.take_if_free():
             self._take(take_over(_lock_place(self.path)))
+            _log.info("the lock was taken over")
 
     def close(self) -> None:
         """Tell the others that the file is open here no longer."""
@@ -290,6 +298,11 @@ def _lock_for(path: Path, previous: OpenFile | None) -> LockResult:
 
 def _lock_place(path: Path) -> Path:
     return lock_place(_target(path))
+
+
+def _counts(document: Document) -> str:
+    points = sum(len(curve.nodes) for curve in document.curves)
+    return f"{len(document.curves)} curves, {points} points"
 
 
 def _version(data: bytes) -> int:

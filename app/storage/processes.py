@@ -1,4 +1,4 @@
-"""Which process this is, and whether another one still runs: for locks and for what a crash left behind."""
+"""Identity of a process, and whether another one still runs: for locks and for what a crash left behind."""
 
 from __future__ import annotations
 
@@ -11,10 +11,12 @@ from pathlib import Path
 
 import msgspec
 
+from app import storage
+
 _PROC = Path("/proc")
 _ENDED = frozenset("ZXx")
 _START_FIELD = 19
-"""Where the start time stands after the name in ``/proc/PID/stat``: field 22 (proc_pid_stat(5))."""
+"""Index of the start time after the name in ``/proc/PID/stat``: field 22 (proc_pid_stat(5))."""
 
 
 class Process(msgspec.Struct, frozen=True):
@@ -49,12 +51,10 @@ def _process(pid: int) -> Process:
 @lru_cache(maxsize=1)
 def machine() -> str:
     """Return a name of this computer that others hardly have: computers named “localhost” are many."""
-    import hashlib  # noqa: PLC0415 - the start of the editor does without
-
     identity = ""
     with suppress(OSError, ValueError):
         identity = Path("/etc/machine-id").read_text(encoding="ascii").strip()
-    return hashlib.sha256(f"{identity}/{platform.node()}".encode()).hexdigest()[:16]
+    return storage.digests.sha256(f"{identity}/{platform.node()}".encode()).hex()[:16]
 
 
 def is_alive(process: Process) -> bool | None:
@@ -84,7 +84,7 @@ def _started(pid: int) -> str | None:
     if sys.platform == "linux":
         return _started_on_linux(pid)
     if os.name == "posix":
-        return _started_elsewhere(pid)
+        return storage.ps.started(pid)
     return ""  # Windows: signals there end a process instead of asking for it.
 
 
@@ -102,18 +102,6 @@ def _started_on_linux(pid: int) -> str | None:
     if fields[0] in _ENDED:
         return None
     return f"{_boot()}/{_numbering()}/{fields[_START_FIELD]}"
-
-
-def _started_elsewhere(pid: int) -> str | None:
-    import subprocess  # noqa: PLC0415 - the start of the editor does without
-
-    try:
-        done = subprocess.run(["ps", "-o", "lstart=", "-p", str(pid)], capture_output=True, check=False)
-    except OSError:
-        return ""
-    if done.stderr:
-        return ""  # A ps that does not know what it was asked.
-    return " ".join(done.stdout.decode("ascii", "replace").split()) or None
 
 
 @lru_cache(maxsize=1)

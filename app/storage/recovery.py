@@ -6,6 +6,7 @@ lock: as long as the process runs that writes the snapshot, nobody else is offer
 
 from __future__ import annotations
 
+import logging
 import math
 import os
 import time
@@ -15,11 +16,14 @@ from typing import Literal
 
 import msgspec
 
+from app import storage
 from app.document.model import Document
 from app.storage.files import Stamp, StorageError, load, read, read_content, write
 from app.storage.format import FormatError, decode, encode
 from app.storage.lock import ProcessLock, acquire
 from app.storage.temporary import remove_stale
+
+_log = logging.getLogger("curvebench.storage")
 
 SUFFIX = ".snapshot.json"
 DAMAGED = ".damaged"
@@ -98,7 +102,7 @@ class Snapshot(msgspec.Struct, frozen=True):
 
 
 class Found(msgspec.Struct, frozen=True):
-    """What a folder holds: snapshots of processes that have ended, latest first, and damaged ones.
+    """Snapshots in a folder: those of processes that have ended, latest first, and damaged ones.
 
     The damaged ones have been set aside under another name; nothing is deleted that might be of use.
     """
@@ -188,6 +192,7 @@ def list_snapshots(folder: Path) -> Found:
             damaged.append(_set_aside(file))
             lock.release()
     snapshots.sort(key=lambda each: -each.written)
+    _log.info("found %d snapshots, and %d damaged ones", len(snapshots), len(damaged))
     return Found(tuple(snapshots), tuple(damaged))
 
 
@@ -207,10 +212,7 @@ def _record_of(text: bytes, origin: Origin) -> bytes:
 
 
 def _checksum(text: bytes) -> str:
-    # Imported with the first snapshot: the start has no need of it.
-    import hashlib  # noqa: PLC0415
-
-    return hashlib.sha256(text).hexdigest()
+    return storage.digests.sha256(text).hex()
 
 
 def _load(file: Path, lock: ProcessLock) -> Snapshot:

@@ -11,7 +11,7 @@ from app.document.model import Node
 
 
 class _Place(str):
-    """Where in an object a key is repeated, such as ``.points[3].x``."""
+    """Place in an object of a key that is repeated, such as ``.points[3].x``."""
 
 
 class _Points(msgspec.Struct):

@@ -8,7 +8,7 @@ from app.tasks.owner import TaskOwner
 from app.tasks.task import Task, Work
 
 SETTLE_MS = 100
-"""How long nothing must have changed before a task begins, in milliseconds."""
+"""Milliseconds without a change before a task begins."""
 
 
 class DebouncedTask(TaskOwner):

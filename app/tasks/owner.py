@@ -10,7 +10,7 @@ from PySide6.QtCore import QObject
 from app.tasks.task import Task, stopped_tasks
 
 PATIENCE_S = 3.0
-"""How long a window that closes waits until its work has noticed."""
+"""Seconds that a window that closes waits until its work has noticed."""
 
 
 class TaskOwner(QObject):

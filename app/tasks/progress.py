@@ -1,4 +1,4 @@
-"""How long work says how far it is, and hears that it is no longer wanted.
+"""Reports of long work: it says how far it is, and hears that it is no longer wanted.
 
 Work that may take longer than a moment takes a `Report` and calls it now and then.
 """

@@ -11,7 +11,7 @@ from app.tasks.owner import TaskOwner
 from app.tasks.task import Task, Work
 
 SHOWN_AFTER_MS = 200
-"""What is done sooner needs no bar."""
+"""Milliseconds of work that need no bar."""
 
 
 class SingleTask(TaskOwner):

@@ -7,7 +7,9 @@ long, and goes on in a process of its own (``exchange.child``); the thread then 
 
 from __future__ import annotations
 
+import ctypes
 import gc
+import logging
 import sys
 import threading
 import time
@@ -20,14 +22,19 @@ from shiboken6 import isValid
 
 from app.tasks.progress import FINAL, Cancelled, Report
 
+_log = logging.getLogger("curvebench.tasks")
+
 _GRACE_S = 1.0
 """After this a stopped task that has not noticed is ended from outside."""
 
 _TELL_EVERY_S = 0.04
+_LONG_S = 1.0
+"""Work that takes so long is logged as a rule."""
+
 _TICK_MS = 100
 
 Work = Callable[[Report], Any]
-"""What a task does: it reports how far it is, and ends with `Cancelled` when it is not wanted any more."""
+"""The work of a task: it reports how far it is, and ends with `Cancelled` when it is not wanted any more."""
 
 
 class Task:
@@ -65,7 +72,9 @@ class Task:
         self._is_final, self._told_at = False, 0.0
         self._stopped_at: float | None = None
         self.thread = threading.Thread(target=self._run, name="work", daemon=True)
+        self._began = time.monotonic()
         self._keeper.take(self)
+        _log.debug("%s begins", self._name)
         self.thread.start()
 
     def stop(self) -> bool:
@@ -95,8 +104,6 @@ class Task:
         """
         now = time.monotonic()
         if self._stopped_at is not None and now - self._stopped_at >= _GRACE_S and self.thread.is_alive():
-            import ctypes  # noqa: PLC0415 - well-behaved work never needs it
-
             self._stopped_at = now  # what cleans up behind it gets as long
             identity = ctypes.c_ulong(self.thread.ident or 0)
             ctypes.pythonapi.PyThreadState_SetAsyncExc(identity, ctypes.py_object(_Ended))
@@ -111,6 +118,21 @@ class Task:
         if self.told is not None and not self._is_final and now - self._told_at > _TELL_EVERY_S:
             self._told_at = now
             self._keeper.reported.emit(self, share, word)
+
+    @property
+    def _name(self) -> str:
+        """The function that does the work: what the person calls it may hold the name of a file."""
+        work = getattr(self._work, "func", self._work)  # of a partial
+        return str(getattr(work, "__qualname__", type(work).__name__))
+
+    def log_end(self) -> None:
+        """Log what came of it, and how long that took."""
+        how = "was cancelled" if self.is_stopped else "ended"
+        if self.problem is not None:
+            how = f"failed ({type(self.problem).__name__})"
+        seconds = time.monotonic() - self._began
+        level = logging.INFO if self.problem is not None or seconds > _LONG_S else logging.DEBUG
+        _log.log(level, "%s %s after %.0f ms", self._name, how, 1e3 * seconds)
 
     def raise_problem(self) -> None:
         """Give what was raised, if anything was, to `sys.excepthook`."""
@@ -176,6 +198,7 @@ class _Keeper(QObject):
             return
         task.thread.join()  # it has a few steps to go after its signal
         task.after = None
+        task.log_end()
         self.running.discard(task)
         if not self.running:
             self._timer.stop()

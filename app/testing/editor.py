@@ -13,7 +13,7 @@ from PySide6.QtGui import QAction, QGuiApplication, QImage
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QDockWidget, QWidget
 
-from app.display import has_display
+from app.cli.display import has_display
 from app.document.model import Curve, ParametrizationKind, Vector
 from app.families import FAMILIES, Family
 from app.main_window import MainWindow
@@ -198,7 +198,7 @@ class Editor(InputDriver):
 
     def handle(self, kind: int = 1, *, ahead: bool = True) -> Handle:
         """Return a handle of the selected point: kind 1 velocity, 2 acceleration."""
-        for handle in self.window.canvas.handles:
+        for handle in self.window.canvas.drawing.points.handles:
             if handle.kind == kind and handle.ahead == ahead:
                 return handle
         raise LookupError("The selected point has no such handle.")
@@ -216,9 +216,9 @@ class Editor(InputDriver):
     def grip(self, x: int = 0, y: int = 0) -> Vector:
         """Return where a grip of the box around the selection lies: x, y in −1, 0, 1; 0, 0 rotates."""
         canvas = self.window.canvas
-        if canvas.overlay.box is None:
+        if canvas.marks.box is None:
             raise LookupError("No box is shown; it takes two selected points.")
-        for each, place in canvas.overlay.box.grips(canvas.pixel_map.sx):
+        for each, place in canvas.marks.box.grips(canvas.pixel_map.sx):
             if each.rotates if (x, y) == (0, 0) else (each.x, each.y, each.rotates) == (x, y, False):
                 return place
         raise LookupError("The box has no such grip.")

@@ -34,7 +34,7 @@ class BendCurve(msgspec.Struct, frozen=True):
         """What modifiers change."""
         return bend_keys(self.view)
 
-    def note_at(self, pointer: Pointer) -> str:
+    def readout_at(self, pointer: Pointer) -> str:
         """Tell where, and what changes."""
         changing = {
             BendWith.ALL: "points and derivatives change",

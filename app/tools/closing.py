@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from app.document.edits import LEAST_TO_CLOSE, EditError
-from app.tools.machine import Host
+from app.tools.drag_machine import EditingHost
 from app.tools.pointer import Hit, Part
 from app.view_model.appending import closed_by_pen
 from app.view_model.curve_view import CurveView
@@ -18,7 +18,7 @@ def can_end_at(hit: Hit | None, view: CurveView) -> bool:
     return is_first and not curve.is_closed and len(curve.nodes) >= LEAST_TO_CLOSE
 
 
-def closer(host: Host) -> Callable[[], None]:
+def closer(host: EditingHost) -> Callable[[], None]:
     """Return what closes the curve that is edited, or says why it cannot be closed."""
 
     def close() -> None:

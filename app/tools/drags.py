@@ -12,7 +12,7 @@ from app.document.several_curves import NodeGroup, moved
 from app.document.transforms import decimal_product, step_nodes
 from app.tools import words
 from app.tools.pointer import Hit, Part, Pointer
-from app.tools.snapping import Magnet
+from app.tools.snapping import Snapper
 from app.view_model.curve_view import CurveView
 from app.view_model.handles import acceleration_from_handle, velocity_from_handle
 
@@ -35,7 +35,7 @@ class MovePoints(msgspec.Struct, frozen=True):
     Attributes
     ----------
     grip
-        The curve and the node that snaps, where there is a `magnet`.
+        The curve and the node that snaps, where there is a `snapper`.
     axis
         0 or 1 where an axis is locked from the start.
     """
@@ -43,7 +43,7 @@ class MovePoints(msgspec.Struct, frozen=True):
     document: Document
     group: NodeGroup
     start: Vector
-    magnet: Magnet | None = None
+    snapper: Snapper | None = None
     grip: tuple[int, int] = (-1, -1)
     axis: int | None = None
 
@@ -54,9 +54,9 @@ class MovePoints(msgspec.Struct, frozen=True):
 
     keys = "Shift: along one axis · Ctrl: snap, or not"
 
-    def note_at(self, pointer: Pointer) -> str:
+    def readout_at(self, pointer: Pointer) -> str:
         """Tell where one point is and how far it came; of several, how far they came."""
-        way, target = self.way_at(pointer)
+        way, target = self.displacement_at(pointer)
         one = self.group.only_node
         if one is None:
             return f"{self.name} by {words.vector(way)}"
@@ -64,7 +64,7 @@ class MovePoints(msgspec.Struct, frozen=True):
 
     def place_at(self, pointer: Pointer) -> Vector:
         """Return where the node is that is held, to the last bit where it snapped to."""
-        return self._place(*self.way_at(pointer))
+        return self._place(*self.displacement_at(pointer))
 
     def _place(self, by: Vector, target: Vector | None) -> Vector:
         curve, index = self.grip if self.grip[1] >= 0 else self.group.first_node
@@ -73,14 +73,14 @@ class MovePoints(msgspec.Struct, frozen=True):
 
     def document_at(self, pointer: Pointer) -> Document:
         """Move by the whole way from the press."""
-        by, target = self.way_at(pointer)
+        by, target = self.displacement_at(pointer)
         document = moved(self.document, self.group, by)
         if target is not None:
             # To the last bit where it snapped to: p + (q − p) may miss q by a rounding.
             document = edits.set_position(document, *self.grip, target)
         return document
 
-    def way_at(self, pointer: Pointer) -> tuple[Vector, Vector | None]:
+    def displacement_at(self, pointer: Pointer) -> tuple[Vector, Vector | None]:
         """Return how far the points go, and where exactly the grip ends if it snapped."""
         way = _minus(pointer.position, self.start)
         axis = self.axis
@@ -88,11 +88,11 @@ class MovePoints(msgspec.Struct, frozen=True):
             axis = 0 if abs(way[0]) >= abs(way[1]) else 1
         way = _along_axis(way, axis)
         curve, node = self.grip
-        if self.magnet is None or node < 0:
+        if self.snapper is None or node < 0:
             return way, None
         held = self.document.curves[curve].nodes[node].position
-        target = self.magnet.pull(_plus(held, way), pointer, axis)
-        if self.magnet.caught is None:
+        target = self.snapper.snap(_plus(held, way), pointer, axis)
+        if self.snapper.caught is None:
             return way, None
         return _minus(target, held), target
 
@@ -105,7 +105,7 @@ class NudgePoints(MovePoints, frozen=True):
         """The name of the step."""
         return f"Nudge {words.group(self.group)}"
 
-    def note_at(self, pointer: Pointer) -> str:
+    def readout_at(self, pointer: Pointer) -> str:
         """Tell where one point is now, and the step."""
         return _nudged(self.group, self.document_at(pointer), pointer.position)
 
@@ -126,7 +126,7 @@ class StepPoints(msgspec.Struct, frozen=True):
 
     keys = ""
 
-    def note_at(self, pointer: Pointer) -> str:
+    def readout_at(self, pointer: Pointer) -> str:
         """Tell where one point is now, and the step."""
         return _nudged(self.group, self.document_at(pointer), self._step)
 
@@ -174,7 +174,7 @@ class DragHandle(msgspec.Struct, frozen=True):
     view: CurveView
     hit: Hit
     start: Vector
-    magnet: Magnet | None = None
+    snapper: Snapper | None = None
 
     @property
     def name(self) -> str:
@@ -183,7 +183,7 @@ class DragHandle(msgspec.Struct, frozen=True):
 
     keys = "Shift: steps of 15° · Alt: length only · Ctrl: snap, or not"
 
-    def note_at(self, pointer: Pointer) -> str:
+    def readout_at(self, pointer: Pointer) -> str:
         """Tell the derivative by its length and direction."""
         what = what_handle_sets(self.hit, self.view)
         return f"{what[0].upper()}{what[1:]}: {words.polar(self._derivative_at(pointer))}"
@@ -209,13 +209,13 @@ class DragHandle(msgspec.Struct, frozen=True):
         return in_steps(free) if pointer.shift else free
 
     def _snapped(self, tip: Vector, pointer: Pointer) -> Vector:
-        if self.magnet is None:
+        if self.snapper is None:
             return tip
         if pointer.shift or pointer.alt:
             # An angle or a direction that is held leaves nothing to be drawn elsewhere.
-            self.magnet.release()
+            self.snapper.reset()
             return tip
-        return self.magnet.pull(tip, pointer)
+        return self.snapper.snap(tip, pointer)
 
 
 def _along_direction(v: Vector, direction: Vector) -> Vector:
@@ -244,7 +244,7 @@ class PullVelocity(msgspec.Struct, frozen=True):
     curve: int
     view: CurveView
     index: int
-    magnet: Magnet | None = None
+    snapper: Snapper | None = None
 
     @property
     def name(self) -> str:
@@ -253,13 +253,13 @@ class PullVelocity(msgspec.Struct, frozen=True):
 
     keys = "Ctrl: snap, or not"
 
-    def note_at(self, pointer: Pointer) -> str:
+    def readout_at(self, pointer: Pointer) -> str:
         """Tell the velocity by its length and direction."""
         velocity = words.polar(self._velocity_at(pointer))
         return f"Velocity of {_side_of(self.view, self.index, ahead=True)}: {velocity}"
 
     def _velocity_at(self, pointer: Pointer) -> Vector:
-        return velocity_from_handle(self.view, self.index, pulled(pointer, self.magnet), ahead=True)
+        return velocity_from_handle(self.view, self.index, snapped(pointer, self.snapper), ahead=True)
 
     def document_at(self, pointer: Pointer) -> Document:
         """Put the handle ahead of the node under the pointer."""
@@ -279,6 +279,6 @@ class Refuse(msgspec.Struct, frozen=True):
         raise edits.EditError(self.reason)
 
 
-def pulled(pointer: Pointer, magnet: Magnet | None) -> Vector:
-    """Return where the pointer is, or what the magnet draws it to."""
-    return magnet.pull(pointer.position, pointer) if magnet is not None else pointer.position
+def snapped(pointer: Pointer, snapper: Snapper | None) -> Vector:
+    """Return where the pointer is, or what it snaps to."""
+    return snapper.snap(pointer.position, pointer) if snapper is not None else pointer.position

@@ -1,4 +1,4 @@
-"""What a press would do, and what a modifier would change, in words."""
+"""Hints: the sentence about what a press would do, and what a modifier would change."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from app.tools import words
 from app.tools.bend_drag import bend_keys
 from app.tools.closing import can_end_at
 from app.tools.drags import what_handle_sets
-from app.tools.pen_drags import PenAct, pen_act
+from app.tools.pen_drags import PenAct
 from app.tools.pointer import Cursor, Hint, Hit, Part
 from app.tools.transform_box import Grip, ScaleBox
 from app.view_model.curve_view import CurveView
@@ -16,35 +16,17 @@ _ENTER = "Enter: finish the curve"
 LOCKED = "“{}” is locked; unlock it in the list of curves to change it."
 
 
-def hint_at(
-    hit: Hit | None,
-    view: CurveView,
-    selection: frozenset[int],
-    *,
-    adding: bool,
-    snaps: bool,
-    shift: bool = False,
-    finished: bool = False,
-) -> Hint:
-    """Return the hint of the Select and Add tools over what belongs to the curve edited, or beside it."""
-    act = pen_act(hit, view, shift=shift, finished=finished) if adding and is_no_part(hit) else None
-    if view.source.locked and act is not PenAct.BEGIN and (adding or hit is not None):
+def to_select(hit: Hit | None, view: CurveView, selection: frozenset[int], *, snaps: bool) -> Hint:
+    """Return the hint of the Select tool over what belongs to the curve edited, or beside it."""
+    if hit is None:
+        return Hint("Drag to select points, Shift adds · Press P to add points · Wheel zooms · Space pans")
+    if view.source.locked:
         return Hint(LOCKED.format(view.source.name))
-    if hit is not None and hit.part is not Part.CURVE:
-        if finished and is_end(hit, view):
-            return Hint(f"Click to go on with this curve · Drag to move point {hit.index}", grab=True)
-        return on_part(hit, view, selection, adding=adding, snaps=snaps)
-    if act is not None:
-        return to_add(act, view, snaps=snaps)
-    if hit is not None:
-        return to_bend(hit, view)
-    return Hint("Drag to select points, Shift adds · Press P to add points · Wheel zooms · Space pans")
+    return to_bend(hit, view) if hit.part is Part.CURVE else on_part(hit, view, selection, snaps=snaps)
 
 
-def on_part(hit: Hit, view: CurveView, selection: frozenset[int], *, adding: bool, snaps: bool) -> Hint:
+def on_part(hit: Hit, view: CurveView, selection: frozenset[int], *, snaps: bool) -> Hint:
     """Return the hint over a point or a handle."""
-    if adding and view.source.family.derivatives and can_end_at(hit, view):
-        return Hint("Click to close the curve · Drag to move point 0", grab=True)
     if hit.part is Part.POINT:
         others = len(selection) > 1 and hit.index in selection
         what = words.points(selection) if others else f"point {hit.index}"
@@ -71,6 +53,17 @@ def to_bend(hit: Hit, view: CurveView) -> Hint:
     keys = bend_keys(view)
     text = f"Drag to bend the curve at t = {words.number(hit.t)}"
     return Hint(f"{text} · {keys}" if keys else text, cursor=Cursor.MOVE)
+
+
+def to_add_on_part(
+    hit: Hit, view: CurveView, selection: frozenset[int], *, snaps: bool, finished: bool
+) -> Hint:
+    """Return the hint of the Add tool over a point or a handle."""
+    if finished and is_end(hit, view):
+        return Hint(f"Click to go on with this curve · Drag to move point {hit.index}", grab=True)
+    if view.source.family.derivatives and can_end_at(hit, view):
+        return Hint("Click to close the curve · Drag to move point 0", grab=True)
+    return on_part(hit, view, selection, snaps=snaps)
 
 
 def to_add(act: PenAct, view: CurveView, *, snaps: bool) -> Hint:

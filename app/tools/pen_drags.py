@@ -13,9 +13,9 @@ from app.document import edits
 from app.document.curve_edits import replace_curve
 from app.document.model import Document, Vector
 from app.tools import words
-from app.tools.drags import in_steps, pulled
+from app.tools.drags import in_steps, snapped
 from app.tools.pointer import Hit, Part, Pointer
-from app.tools.snapping import Magnet
+from app.tools.snapping import Snapper
 from app.view_model.appending import with_point_appended
 from app.view_model.curve_view import CurveView, view_of
 from app.view_model.handles import velocity_from_handle
@@ -56,7 +56,7 @@ class AppendPoint(msgspec.Struct, frozen=True):
     curve: int
     view: CurveView
     press: Pointer
-    magnet: Magnet | None = None
+    snapper: Snapper | None = None
 
     @property
     def name(self) -> str:
@@ -69,7 +69,7 @@ class AppendPoint(msgspec.Struct, frozen=True):
         # Where the point lies was decided at the press; only a velocity is still being set.
         return "Shift: steps of 15°" if self.view.source.family.derivatives else "Ctrl: snap, or not"
 
-    def note_at(self, pointer: Pointer) -> str:
+    def readout_at(self, pointer: Pointer) -> str:
         """Tell where it goes, and where its velocity points."""
         place = self._place(pointer)
         note = f"{self.name} at {words.vector(place)}"
@@ -92,7 +92,7 @@ class AppendPoint(msgspec.Struct, frozen=True):
     def _place(self, pointer: Pointer) -> Vector:
         moves = self._is_dragged(pointer) and not self._sets_velocity(pointer)
         held = self.press if pointer.ctrl == self.press.ctrl else replace(self.press, ctrl=pointer.ctrl)
-        return pulled(pointer if moves else held, self.magnet)
+        return snapped(pointer if moves else held, self.snapper)
 
     @staticmethod
     def _way(pointer: Pointer, place: Vector) -> Vector:
@@ -130,7 +130,7 @@ class InsertPoint(msgspec.Struct, frozen=True, dict=True):
     view: CurveView
     hit: Hit
     press: Pointer
-    magnet: Magnet | None = None
+    snapper: Snapper | None = None
 
     @property
     def name(self) -> str:
@@ -139,11 +139,11 @@ class InsertPoint(msgspec.Struct, frozen=True, dict=True):
 
     keys = "Ctrl: snap, or not"
 
-    def note_at(self, pointer: Pointer) -> str:
+    def readout_at(self, pointer: Pointer) -> str:
         """Tell where it goes."""
         if self._is_on_curve(pointer):
             return f"{self.name} at t = {words.number(self.hit.t)}"
-        return f"{self.name} at {words.vector(pulled(pointer, self.magnet))}"
+        return f"{self.name} at {words.vector(snapped(pointer, self.snapper))}"
 
     def _is_on_curve(self, pointer: Pointer) -> bool:
         return not _is_away(pointer, self.press)
@@ -158,4 +158,4 @@ class InsertPoint(msgspec.Struct, frozen=True, dict=True):
         document = replace_curve(self.document, self.curve, self.on_curve.curve)
         if self._is_on_curve(pointer):
             return document
-        return edits.set_position(document, self.curve, self.hit.index, pulled(pointer, self.magnet))
+        return edits.set_position(document, self.curve, self.hit.index, snapped(pointer, self.snapper))

@@ -1,4 +1,4 @@
-"""Where the pointer is, and what lies under it."""
+"""The pointer: its place, the keys that are held, and what lies under it."""
 
 from __future__ import annotations
 
@@ -89,8 +89,11 @@ class Pointer(msgspec.Struct, frozen=True):
 
 
 class Cursor(Enum):
-    """The shape of the pointer, where it is another than the tool's."""
+    """Shape of the pointer: that of a tool, or of what a press would do."""
 
+    ARROW = auto()
+    CROSS = auto()
+    HAND = auto()
     MOVE = auto()
     WIDER = auto()
     HIGHER = auto()
@@ -100,8 +103,12 @@ class Cursor(Enum):
 
 
 class Hint(msgspec.Struct, frozen=True):
-    """What a press here would do: a sentence, whether something can be grabbed, the shape of the pointer."""
+    """The effect of a press: a sentence, whether something can be grabbed, the shape of the pointer."""
 
     text: str = ""
     grab: bool = False
     cursor: Cursor | None = None
+
+    def cursor_over(self, idle: Cursor) -> Cursor:
+        """Return the shape of the pointer; `idle` where a press means nothing in particular."""
+        return self.cursor or (Cursor.HAND if self.grab else idle)

@@ -52,7 +52,7 @@ class DragTicks(msgspec.Struct, frozen=True):
         """What each key would change."""
         return "E: all ticks on that side"
 
-    def note_at(self, pointer: Pointer) -> str:
+    def readout_at(self, pointer: Pointer) -> str:
         """Return where the grabbed tick is, and how many go along."""
         by, moving = self._way(pointer)
         text = f"t of point {self.node} = {words.number(self.parameters[self.grabbed] + by)}"

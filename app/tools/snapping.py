@@ -1,4 +1,4 @@
-"""Snapping: what a point that is dragged or added is drawn to, and the exact place it gets there."""
+"""Snapping: targets near a point that is dragged or added, and the exact place of each."""
 
 from __future__ import annotations
 
@@ -60,6 +60,11 @@ class Snap(msgspec.Struct, frozen=True):
     guides: tuple[Vector, ...] = ()
     axes: tuple[int, ...] = (0, 1)
     grid_line: int | None = None
+
+
+def with_snap(text: str, caught: Snap | None) -> str:
+    """Return a sentence about a gesture, with what it has snapped to."""
+    return f"{text} · snapped to: {caught.label}" if caught is not None and text else text
 
 
 class _Points(msgspec.Struct, frozen=True, eq=False):
@@ -192,13 +197,13 @@ def _neighbours(view: CurveView, moving: Collection[int], place: int) -> list[in
     return [index for index in beside if 0 <= index < count and index not in moving]
 
 
-class Magnet:
-    """Draws one point to what is near; remembers what it caught.
+class Snapper:
+    """Snaps one point to what is near, and remembers what it caught.
 
     Attributes
     ----------
     caught
-        What the last `pull` caught, None for nothing.
+        What the last `snap` caught, None for nothing.
     """
 
     def __init__(
@@ -209,7 +214,7 @@ class Magnet:
         self._asked: tuple[Vector, float, int | None, bool] | None = None
         self.caught: Snap | None = None
 
-    def pull(self, position: Vector, pointer: Pointer, axis: int | None = None) -> Vector:
+    def snap(self, position: Vector, pointer: Pointer, axis: int | None = None) -> Vector:
         """Return where `position` snaps to, itself if nothing is near; with `axis` only along that."""
         question = (position, pointer.scale, axis, self._settings().is_active(pointer))
         if question != self._asked:
@@ -218,7 +223,7 @@ class Magnet:
             self.caught = self._find(position, REACH / pointer.scale, axis) if question[3] else None
         return self.caught.position if self.caught is not None else position
 
-    def release(self) -> None:
+    def reset(self) -> None:
         """Forget what was caught."""
         self.caught = self._asked = None
 

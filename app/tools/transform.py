@@ -1,9 +1,8 @@
-"""Move, scale and rotate by keys: the pointer moves with no button down, and a number may be typed."""
+"""Move, scale and rotate: the drag of a transform, by the pointer or by a typed amount."""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
 from enum import Enum
 
 import msgspec
@@ -14,9 +13,8 @@ from app.document.several_curves import NodeGroup, mapped, moved
 from app.document.transforms import rotation, scaling
 from app.tools import words
 from app.tools.drags import MovePoints
-from app.tools.machine import DragMachine, Host
 from app.tools.pointer import Pointer
-from app.tools.snapping import Magnet
+from app.tools.snapping import Snapper
 from app.tools.typed_amount import TypedAmount
 
 _LEAST_ARM = 20.0
@@ -24,11 +22,24 @@ _LEAST_ARM = 20.0
 
 
 class TransformKind(Enum):
-    """What is done to the selection."""
+    """What is done to the selection.
 
-    MOVE = "Move"
-    SCALE = "Scale"
-    ROTATE = "Rotate"
+    Attributes
+    ----------
+    title
+        The word for it.
+    key
+        The key that begins it, and goes on with it where another one is in flight.
+    keys
+        What keys change meanwhile.
+    """
+
+    MOVE = ("Move", "g", "X or Y: one axis · Ctrl: snap, or not · type a number, or x Tab y")
+    SCALE = ("Scale", "s", "X or Y: one axis · type a number, or x Tab y")
+    ROTATE = ("Rotate", "r", "Shift: steps of 15° · type a number")
+
+    def __init__(self, title: str, key: str, keys: str) -> None:
+        self.title, self.key, self.keys = title, key, keys
 
 
 class Transform(msgspec.Struct, frozen=True):
@@ -40,7 +51,7 @@ class Transform(msgspec.Struct, frozen=True):
         What is scaled and rotated about.
     start
         Where the pointer was when it began.
-    magnet, grip
+    snapper, grip
         For a move: what snaps, and which node of which curve.
     axis
         0 or 1 where an axis is locked.
@@ -57,7 +68,7 @@ class Transform(msgspec.Struct, frozen=True):
     group: NodeGroup
     centre: Vector
     start: Vector
-    magnet: Magnet
+    snapper: Snapper
     grip: tuple[int, int]
     axis: int | None = None
     typed: TypedAmount = TypedAmount()
@@ -67,7 +78,7 @@ class Transform(msgspec.Struct, frozen=True):
     @property
     def name(self) -> str:
         """The name of the step."""
-        return f"{self.kind.value} {'all ' if self._is_all else ''}{words.group(self.group)}"
+        return f"{self.kind.title} {'all ' if self._is_all else ''}{words.group(self.group)}"
 
     @property
     def _is_all(self) -> bool:
@@ -80,16 +91,33 @@ class Transform(msgspec.Struct, frozen=True):
             return "Shift: steps of 15°"
         if self.typed.is_pair:
             return f"{self.typed.keys} · Enter or click: done"
-        turn = {
-            TransformKind.MOVE: "X or Y: one axis · Ctrl: snap, or not · type a number, or x Tab y",
-            TransformKind.SCALE: "X or Y: one axis · type a number, or x Tab y",
-            TransformKind.ROTATE: "Shift: steps of 15° · type a number",
-        }[self.kind]
-        return f"{turn} · Enter or click: done"
+        return f"{self.kind.keys} · Enter or click: done"
 
-    def note_at(self, pointer: Pointer) -> str:
+    def with_key(self, key: str) -> Transform | None:
+        """Return the transform that a key makes of it, of another kind, axis or amount, if it means one."""
+        kind = next((kind for kind in TransformKind if kind.key == key), None)
+        if kind is not None:
+            return replace(self, kind=kind, typed=TypedAmount())
+        if key in ("x", "y", "tab") and self.kind is TransformKind.ROTATE:
+            return None
+        if key in ("x", "y"):
+            axis = "xy".index(key)
+            locked = None if self.axis == axis else axis
+            return replace(self, axis=locked, typed=self.typed.joined(axis))
+        if key == "tab":
+            return replace(self, axis=None, typed=self.typed.after_tab(self.axis))
+        typed = self.typed.after(key)
+        return replace(self, typed=typed) if typed is not None else None
+
+    @property
+    def locked_axis(self) -> tuple[Vector, int] | None:
+        """A point on the axis that is locked, and which it is; None where none is."""
+        is_locked = self.axis is not None and self.kind is not TransformKind.ROTATE
+        return (self.centre, self.axis) if is_locked and self.axis is not None else None
+
+    def readout_at(self, pointer: Pointer) -> str:
         """Tell the amount; of all points because none is selected, that too."""
-        note, one = f"{self.kind.value} {self._amount_at(pointer)}", self.group.only_node
+        note, one = f"{self.kind.title} {self._amount_at(pointer)}", self.group.only_node
         if self._is_all:
             what = words.group(self.group)
             return f"All {what}: {note[0].lower()}{note[1:]}"
@@ -123,7 +151,7 @@ class Transform(msgspec.Struct, frozen=True):
         """Transform by the whole amount since the beginning."""
         if self.kind is TransformKind.MOVE:
             if self.typed.counts:
-                self.magnet.release()
+                self.snapper.reset()
                 return moved(self.document, self.group, self._way(pointer))
             return self._move().document_at(pointer)
         if self.kind is TransformKind.ROTATE:
@@ -133,11 +161,11 @@ class Transform(msgspec.Struct, frozen=True):
         return mapped(self.document, self.group, by)
 
     def _move(self) -> MovePoints:
-        return MovePoints(self.document, self.group, self.start, self.magnet, self.grip, self.axis)
+        return MovePoints(self.document, self.group, self.start, self.snapper, self.grip, self.axis)
 
     def _way(self, pointer: Pointer) -> Vector:
         if not self.typed.counts:
-            return self._move().way_at(pointer)[0]
+            return self._move().displacement_at(pointer)[0]
         if self.typed.is_pair:
             return self.typed.pair(0.0)
         amount = self.typed.number(0.0)
@@ -166,65 +194,3 @@ class Transform(msgspec.Struct, frozen=True):
 
 def _direction(centre: Vector, place: Vector) -> float:
     return math.degrees(math.atan2(place[1] - centre[1], place[0] - centre[0]))
-
-
-class ModalTransform:
-    """The transform that keys began, and what further keys make of it."""
-
-    def __init__(self, host: Host, machine: DragMachine) -> None:
-        self._host, self._machine = host, machine
-        self._transform: Transform | None = None
-        self.last: Pointer | None = None
-
-    @property
-    def now(self) -> Transform | None:
-        """The transform in flight."""
-        return self._transform if self._machine.is_pressed else None
-
-    def begin(self, transform: Transform, pointer: Pointer) -> None:
-        """Begin; the document follows the pointer from now on."""
-        self._transform, self.last = transform, pointer
-        self._machine.press_at_once(pointer, transform)
-
-    def follow(self, pointer: Pointer) -> None:
-        """Follow the pointer, no button down."""
-        self.last = pointer
-        self._machine.move(pointer)
-
-    def finish(self, pointer: Pointer) -> None:
-        """Make it a step of the history."""
-        self._machine.release(pointer)
-        self._transform = None
-
-    def drop(self) -> None:
-        """Forget it; the machine has been told."""
-        self._transform = None
-
-    def key(self, key: str) -> bool:
-        """Take a key: a digit, ".", "-", "tab", "x", "y", "g", "s", "r", "backspace" or "enter"."""
-        now, last = self.now, self.last
-        if now is None or last is None:
-            return False
-        if key == "enter":
-            self.finish(last)
-            return True
-        change = self._change(now, key)
-        if change is None:
-            return False
-        self._transform = change()
-        self._machine.exchange(last, self._transform)
-        return True
-
-    def _change(self, now: Transform, key: str) -> Callable[[], Transform] | None:
-        kinds = {"g": TransformKind.MOVE, "s": TransformKind.SCALE, "r": TransformKind.ROTATE}
-        if key in kinds:
-            return lambda: replace(now, kind=kinds[key], typed=TypedAmount())
-        if key in ("x", "y", "tab") and now.kind is TransformKind.ROTATE:
-            return None
-        if key in ("x", "y"):
-            axis = "xy".index(key)
-            return lambda: replace(now, axis=None if now.axis == axis else axis, typed=now.typed.joined(axis))
-        if key == "tab":
-            return lambda: replace(now, axis=None, typed=now.typed.after_tab(now.axis))
-        typed = now.typed.after(key)
-        return (lambda: replace(now, typed=typed)) if typed is not None else None

@@ -13,7 +13,7 @@ from app.document.several_curves import NodeGroup, mapped
 from app.document.transforms import scaling, with_coordinates
 from app.tools import words
 from app.tools.pointer import Cursor, Pointer
-from app.tools.snapping import Magnet
+from app.tools.snapping import Snapper
 from app.view_model.curve_view import CurveView
 
 PADDING = 16.0
@@ -96,7 +96,7 @@ def box_of(views: Sequence[CurveView], group: NodeGroup) -> TransformBox | None:
 class ScaleBox(msgspec.Struct, frozen=True):
     """Scale the selected points, or chosen curves, by a grip of their box.
 
-    What snaps, where there is a `magnet`, is the corner or the side of the box that the grip moves: it lies
+    What snaps, where there is a `snapper`, is the corner or the side of the box that the grip moves: it lies
     on the outermost points, the grip beside them.
     """
 
@@ -105,7 +105,7 @@ class ScaleBox(msgspec.Struct, frozen=True):
     box: TransformBox
     grip: Grip
     start: Vector
-    magnet: Magnet | None = None
+    snapper: Snapper | None = None
 
     keys = "Shift: keep proportions · Alt: about the centre · Ctrl: snap, or not"
 
@@ -114,7 +114,7 @@ class ScaleBox(msgspec.Struct, frozen=True):
         """The name of the step."""
         return f"Scale {words.group(self.group)}"
 
-    def note_at(self, pointer: Pointer) -> str:
+    def readout_at(self, pointer: Pointer) -> str:
         """Tell the factors."""
         x, y = self._factors(self._way(pointer), pointer)
         return f"Scale {words.number(x)}" if x == y else f"Scale {words.number(x)} × {words.number(y)}"
@@ -124,7 +124,7 @@ class ScaleBox(msgspec.Struct, frozen=True):
         way = self._way(pointer)
         x, y = self._factors(way, pointer)
         document = mapped(self.document, self.group, scaling(x, y, self._fixed(pointer)))
-        caught = self.magnet.caught if self.magnet is not None else None
+        caught = self.snapper.caught if self.snapper is not None else None
         for axis in caught.axes if caught is not None else ():
             # To the last bit where it snapped to.
             document = self._with_side(document, axis, caught.position[axis])  # type: ignore[union-attr]
@@ -172,10 +172,10 @@ class ScaleBox(msgspec.Struct, frozen=True):
             across, up = arm[0] / length, arm[1] / length
             along = way[0] * across + way[1] * up
             way, axis = (along * across, along * up), 0 if abs(arm[0]) >= abs(arm[1]) else 1
-        if self.magnet is None:
+        if self.snapper is None:
             return way
-        x, y = self.magnet.pull((corner[0] + way[0], corner[1] + way[1]), pointer, axis)
-        return way if self.magnet.caught is None else (x - corner[0], y - corner[1])
+        x, y = self.snapper.snap((corner[0] + way[0], corner[1] + way[1]), pointer, axis)
+        return way if self.snapper.caught is None else (x - corner[0], y - corner[1])
 
     def _factors(self, way: Vector, pointer: Pointer) -> Vector:
         arm = self._arm(pointer)

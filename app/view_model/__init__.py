@@ -14,7 +14,8 @@
 - ``arc_lengths``: how long it is, to a relative accuracy.
 - ``straight``: segments made straight, the rest of the curve kept.
 - ``pasting``: points carried from one curve to another.
-- ``motion``: from time to parameter.  ``motion_picture``, ``arrow``: what is drawn and said of a motion.
+- ``motion``, ``motion_settings``: from time to parameter; how the dot runs.
+  ``motion_picture``, ``arrow``: what is drawn and said of a motion.
 - ``looks``, ``palette``: how lines and marks look; the colours of points.
 - ``goals``: what a lesson asks for.
 - ``node_arrays``, ``flattener``: what one view hands on to the next, so that only what changed is computed.

@@ -6,54 +6,19 @@ motion is the real one.
 
 from __future__ import annotations
 
-import enum
-
 import msgspec
 import numpy as np
 
 from app.view_model.arc_lengths import arc_lengths_of
 from app.view_model.curve_view import CoreCurve, Floats, Integers
+from app.view_model.motion_settings import Pace, Repeat
 from curvecore.lengths import ArcLength
-
-SPEEDS = (0.1, 0.25, 0.5, 1.0, 2.0, 4.0)
 
 ACCURACY = 1e-6
 """Error allowed in arc lengths, against the whole length: below a pixel."""
 
 STATIONS = 60
 """Equal steps of time from one end of a curve to the other; trails are dots at some of them."""
-
-
-class Repeat(enum.StrEnum):
-    """What happens at the end of the curve."""
-
-    ONCE = "once"
-    LOOP = "loop"
-    PING_PONG = "ping-pong"
-
-
-class Pace(enum.StrEnum):
-    """What grows evenly with time."""
-
-    PARAMETER = "t"
-    LENGTH = "length"
-
-
-class MotionSettings(msgspec.Struct, frozen=True):
-    """How the dot runs; neither saved with the document nor undone.
-
-    Attributes
-    ----------
-    speed
-        Seconds of the motion in a second of the clock.
-    compares
-        Whether the cubic and the quintic Hermite curve through the same points run side by side.
-    """
-
-    speed: float = 1.0
-    repeat: Repeat = Repeat.LOOP
-    pace: Pace = Pace.PARAMETER
-    compares: bool = False
 
 
 def round_of(duration: float, repeat: Repeat) -> float:

@@ -189,7 +189,7 @@ def test_a_parameter_of_a_thousand(open_wave, beside):
     editor = open_wave(1000, LAGRANGE, ParametrizationKind.CHEBYSHEV)
     panel = editor.window.basis_panel
     tick = panel.rail_pixel(editor.parameters[500])
-    panel.zoom(100.0, tick)
+    panel.camera.zoom(100.0, tick)
     assert beside("Lagrange n = 1000, a parameter", lambda: drag_tick(editor), 0.2, n=1000)
 
 
@@ -218,7 +218,7 @@ def test_a_point_dragged_under_all_that_explains_the_curve(open_wave, beside, fa
     error = "error of points" if not errors[1] else "and parameters"
     what = f"{NAMES[family]} n = 20, comb, band ({error}), Λ(t), ghosts"
     assert beside(what, lambda: drag_point(editor, ["canvas"]), 6.5)
-    assert len(editor.window.canvas.annotations.ghosts) == 2
+    assert len(editor.window.canvas.drawing.annotations.ghosts) == 2
 
 
 @pytest.mark.parametrize("family", FAMILIES)

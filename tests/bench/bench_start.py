@@ -48,15 +48,21 @@ window.plot(x, np.sin(7 * x))
 OURS = (
     _BEGIN
     + """
-import app.cli, app.start
-app.cli.has_display = lambda: True
-open_windows = app.start.open_windows
-def open_and_watch(*what):
-    from PySide6.QtCore import QTimer
-    (window,) = open_windows(*what)
-    window.canvas.painted.connect(lambda: QTimer.singleShot(0, done))
-    return [window]
-app.start.open_windows = open_and_watch
+import app.cli.start
+app.cli.start.has_display = lambda: True
+make_application = app.cli.start._application
+def make_and_watch():
+    application = make_application()
+    import app.cli.windows
+    open_windows = app.cli.windows.open_windows
+    def open_and_watch(*what):
+        from PySide6.QtCore import QTimer
+        (window,) = open_windows(*what)
+        window.canvas.painted.connect(lambda: QTimer.singleShot(0, done))
+        return [window]
+    app.cli.windows.open_windows = open_and_watch
+    return application
+app.cli.start._application = make_and_watch
 import os
 """
     + _END

@@ -18,7 +18,7 @@ from app.exchange.errors import ExchangeError
 from app.families import FAMILIES
 from app.storage.files import StorageError
 from app.tasks.progress import FINAL, Cancelled
-from app.view_model.motion import Pace, Repeat
+from app.view_model.motion_settings import Pace, Repeat
 from app.view_model.palette import ACCENT, PAPER, colour_on
 
 # Frames are painted with the application of the window where there is one; without, see tests/test_cli.py.

@@ -46,9 +46,8 @@ PASSING = {
     # Where the pointer was last, before it left, and with which button.
     *("_hand", "_last", "_modal", "_place_now", "_pointer", "_button", "Scrolling._zooms"),
     *(
-        "CanvasTool.grid",
-        "Choosing.entered",
-        "Magnets._hovered",
+        "CurvePicker.entered",
+        "Snappers._hovered",
         "RailTool._function",
         "RailTool._scrubbing_from",
     ),

@@ -22,12 +22,14 @@ from fingerprint import Fingerprint, differences, named_actions
 from PySide6.QtCore import QCoreApplication, QEvent, QObject, QSettings
 from PySide6.QtWidgets import QApplication, QDockWidget, QMenu, QWidget
 
+from app.commands.motion_commands import MotionCommands
+from app.commands.recovery_commands import RecoveryCommands
 from app.panels.command_palette import CommandPalette
 from app.panels.late_dock import LateDock
 from app.panels.plot_panel import USUAL_HEIGHT
 from app.panels.shortcut_sheet import ShortcutSheet
 from app.testing import Editor
-from app.view_model.motion import MotionSettings
+from app.view_model.motion_settings import MotionSettings
 
 
 class KeptEditor:
@@ -101,7 +103,7 @@ class KeptEditor:
         session.clock = time.monotonic
         # With what was computed for it before.
         session._replace(self._sketch, None, views=self._views)
-        fading = window.canvas._curve_layer._fade
+        fading = window.canvas.drawing.curve._fade
         fading.setCurrentTime(fading.duration())
         self._reset_actions()
         self._reset_settings()
@@ -145,7 +147,7 @@ class KeptEditor:
 
     def _keep_without_autosave(self) -> None:
         """Let a new window's work be kept by nobody, where a test has had it kept and has ended that."""
-        recovery = self._editor.window._commands.recovery
+        recovery = self._editor.window._commands[RecoveryCommands]
         recovery.leave()
         if recovery._autosave is not None and recovery._autosave._is_closed:
             recovery._set_aside.leave()
@@ -167,10 +169,10 @@ class KeptEditor:
     def _reset_drawing(self) -> None:
         """Take back what is neither a setting nor shown by an action that is checked."""
         window = self._editor.window
-        if window._commands.view._scale != 1.0:
+        if window.store.state.scale != 1.0:
             window.actions_by_name["usualSize"].trigger()
         window.plot_panel.kept_height = USUAL_HEIGHT
-        if (stage := window._commands.motion._stage) is not None:
+        if (stage := window._commands[MotionCommands]._stage) is not None:
             stage.player.change(**msgspec.structs.asdict(MotionSettings()))
             stage.player.clock = time.perf_counter
 

@@ -22,7 +22,7 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QMessageBox, QPushButton, QVBoxLayout, QWidget
 
 from app.autosave import snapshot_folder
-from app.canvas.canvas import Canvas
+from app.cli.windows import open_windows
 from app.icons import _IconEngine, icon
 from app.lifecycle import Lifecycle
 from app.main_window import MainWindow
@@ -35,9 +35,9 @@ from app.panels.point_table_model import PointTableModel
 from app.panels.point_table_view import PointTableView
 from app.panels.preferences_dialog import PreferencesDialog
 from app.panels.weight_bars import WeightBars
-from app.plotting.layered_plot import Layer, LayeredPlot
+from app.plotting.layers import Layer
 from app.plotting.plot_widget import PlotWidget
-from app.start import open_windows
+from app.plotting.tool_plot import ToolPlot
 from app.tasks.debounced_task import DebouncedTask, Task
 from app.testing import Editor
 from app.toolbar import Toolbar
@@ -146,13 +146,13 @@ def compute_beside_the_window(editor: Editor) -> None:
 PLACES = (
     Place(Layer, "paint", lambda editor: editor.window.canvas.grab()),
     Place(Layer, "paint", paint_behind_a_dialog),
-    Place(LayeredPlot, "paintEvent", lambda editor: editor.window.canvas.viewport().repaint()),
+    Place(PlotWidget, "paintEvent", lambda editor: editor.window.canvas.viewport().repaint()),
     Place(pg.AxisItem, "paint", lambda editor: editor.window.canvas.grab()),
     Place(
         pg.ViewBox, "resizeEvent", lambda editor: editor.window.resize(editor.window.size() + QSize(40, 40))
     ),
-    Place(Canvas, "event", press_arrow),
-    Place(Canvas, "keyPressEvent", press_arrow),
+    Place(ToolPlot, "event", press_arrow),
+    Place(ToolPlot, "keyPressEvent", press_arrow),
     Place(PlotWidget, "mouseMoveEvent", lambda editor: editor.hover((0.5, 0.5))),
     Place(PlotWidget, "mousePressEvent", lambda editor: editor.press((0.5, 0.5))),
     Place(PlotWidget, "wheelEvent", lambda editor: editor.wheel((0.5, 0.5), 1)),

@@ -431,8 +431,8 @@ class RandomPerson:
         place = None
         if plot is canvas and view.source.nodes and chance < 0.35:
             place = self.choose.choice(view.source.nodes).position
-        elif plot is canvas and canvas.handles and chance < 0.45:
-            place = self.choose.choice(canvas.handles).position
+        elif plot is canvas and canvas.drawing.points.handles and chance < 0.45:
+            place = self.choose.choice(canvas.drawing.points.handles).position
         elif plot is canvas and view.curve is not None and chance < 0.65:
             place = tuple(view.curve.evaluate(self.choose.uniform(*view.curve.domain)))
         elif plot is self.window.basis_panel and len(view.parameters) and chance < 0.5:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from PySide6.QtGui import QActionGroup
 from PySide6.QtWidgets import QMenu, QToolBar, QToolButton
 
-from app.action_specs import SPECS
+from app.commands.connect import all_actions
 
 
 def in_menu(menu: QMenu):
@@ -20,17 +20,17 @@ def in_menu(menu: QMenu):
 def test_every_action_stands_in_one_menu_once(editor):
     bar = editor.window.menuBar()
     shown = [name for entry in bar.actions() for name in in_menu(entry.menu())]
-    names = [spec.name for spec in SPECS]
+    names = [each.name for each in all_actions()]
     assert len(set(names)) == len(names)
     assert {name: shown.count(name) for name in names} == dict.fromkeys(names, 1)
 
 
 def test_every_action_says_what_it_does(editor):
-    for spec in SPECS:
-        action = editor.action(spec.name)
-        assert action.text(), spec.name
-        assert action.toolTip() not in {"", action.text()}, spec.name
-        assert action.statusTip() == spec.tip, spec.name
+    for each in all_actions():
+        action = editor.action(each.name)
+        assert action.text(), each.name
+        assert action.toolTip() not in {"", action.text()}, each.name
+        assert action.statusTip() == each.tip, each.name
 
 
 def test_actions_of_which_one_is_checked_are_in_one_group(editor):
@@ -39,8 +39,9 @@ def test_actions_of_which_one_is_checked_are_in_one_group(editor):
         frozenset(action.objectName() for action in group.actions())
         for group in editor.window.findChildren(QActionGroup)
     }
+    actions = all_actions()
     wanted = {
-        spec.group: frozenset(each.name for each in SPECS if each.group == spec.group) for spec in SPECS
+        one.group: frozenset(each.name for each in actions if each.group == one.group) for one in actions
     }
     assert groups == {names for group, names in wanted.items() if group}
 

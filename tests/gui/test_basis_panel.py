@@ -40,26 +40,26 @@ def test_dragging_a_tick_changes_t_and_makes_the_parameters_manual(editor, panel
 @pytest.mark.parametrize("to", [0.8, "far to the right"])
 def test_after_a_drag_of_the_last_tick_its_interval_is_shown_and_undo_shows_the_same(editor, panel, to):
     """The range stayed -0.035 to 1.035, a tick at 1.4 out of sight; undo and redo showed another one."""
-    before = panel.t_range
+    before = panel.camera.t_range
     start = panel.rail_pixel(1.0)
     end = panel.rail_pixel(to) if to == 0.8 else start + QPointF(300, 0)
     editor.send(panel, QEvent.Type.MouseButtonPress, start)
     editor.send(panel, QEvent.Type.MouseMove, start + (end - start) / 2)
     editor.send(panel, QEvent.Type.MouseMove, end)
-    assert panel.t_range == before
+    assert panel.camera.t_range == before
     editor.send(panel, QEvent.Type.MouseButtonRelease, end, held=False)
     last = editor.parameters[-1]
     assert (last > 1.2) is (to != 0.8)
-    assert panel.t_range == pytest.approx((-0.035 * last, 1.035 * last))
-    shown = panel.t_range
+    assert panel.camera.t_range == pytest.approx((-0.035 * last, 1.035 * last))
+    shown = panel.camera.t_range
     editor.trigger("undo")
-    assert panel.t_range == pytest.approx(before)
+    assert panel.camera.t_range == pytest.approx(before)
     editor.trigger("redo")
-    assert panel.t_range == pytest.approx(shown)
+    assert panel.camera.t_range == pytest.approx(shown)
 
 
 def test_escape_leaves_the_part_of_t_that_is_shown(editor, panel):
-    panel.set_t_range(0.9, 1.1)
+    panel.camera.show_t(0.9, 1.1)
     editor.settle()
     start = panel.rail_pixel(1.0)
     editor.send(panel, QEvent.Type.MouseButtonPress, start)
@@ -67,16 +67,16 @@ def test_escape_leaves_the_part_of_t_that_is_shown(editor, panel):
     assert editor.parameters[-1] > 1.0
     editor.key(Qt.Key.Key_Escape)
     assert editor.parameters[-1] == 1.0
-    assert panel.t_range == pytest.approx((0.9, 1.1))
+    assert panel.camera.t_range == pytest.approx((0.9, 1.1))
     editor.send(panel, QEvent.Type.MouseButtonRelease, start + QPointF(60, 0), held=False)
-    assert panel.t_range == pytest.approx((0.9, 1.1))
+    assert panel.camera.t_range == pytest.approx((0.9, 1.1))
 
 
 def test_a_drag_inside_the_interval_leaves_the_part_of_t_that_is_shown(editor, panel):
-    panel.set_t_range(0.2, 0.8)
+    panel.camera.show_t(0.2, 0.8)
     editor.settle()
     editor.drag_parameter(3, to=editor.parameters[3] + 0.02)
-    assert panel.t_range == pytest.approx((0.2, 0.8))
+    assert panel.camera.t_range == pytest.approx((0.2, 0.8))
 
 
 def test_functions_are_told_apart_by_numbers_at_their_crests(editor, panel):
@@ -250,20 +250,20 @@ def test_scrubbing_shows_the_weights_that_add_up_to_one(editor):
     editor.scrub(0.37)
     canvas = editor.window.canvas
     assert editor.session.scrub == pytest.approx(0.37, abs=2e-3)
-    assert canvas.weights.sum() == pytest.approx(1.0, abs=1e-12)
+    assert canvas.drawing.points.weights.sum() == pytest.approx(1.0, abs=1e-12)
     exact = editor.session.active_view.curve.evaluate(editor.session.scrub)
-    assert canvas.scrub_point == pytest.approx(tuple(exact))
+    assert canvas.drawing.points.scrub[1:] == pytest.approx(tuple(exact))
     assert editor.session.undo_stack.count() == 0
     editor.escape()
     assert editor.session.scrub is None
-    assert canvas.weights is None
+    assert canvas.drawing.points.weights is None
 
 
 def test_the_weights_follow_when_a_point_is_dragged_under_the_scrub_line(editor):
     editor.scrub(0.37)
-    before = editor.window.canvas.weights.copy()
+    before = editor.window.canvas.drawing.points.weights.copy()
     editor.drag_point(2, to=(0.2, 4.5))
-    assert not np.allclose(editor.window.canvas.weights, before)
+    assert not np.allclose(editor.window.canvas.drawing.points.weights, before)
 
 
 def test_the_scrub_line_stays_on_the_curve(editor, panel):
@@ -314,7 +314,7 @@ def test_a_point_dragged_at_frozen_parameters_leaves_the_functions_alone(editor,
 
 def test_wheel_zooms_along_t_alone(editor, panel):
     _, y_min, _, y_max = panel.pixel_map.box
-    panel.zoom(2.0, QPointF(panel.to_pixel(0.5, 0.5)))
+    panel.camera.zoom(2.0, QPointF(panel.to_pixel(0.5, 0.5)))
     editor.settle()
     x_min, new_y_min, x_max, new_y_max = panel.pixel_map.box
     assert x_max - x_min < 0.6

@@ -28,7 +28,7 @@ POINTS = ((0.0, 0.0), (1.0, 2.0), (3.0, 2.0), (4.0, 0.0))
 def arch(editor):
     """Four points of an arch."""
     editor.session.commit(Document((make_curve(POINTS),)), "Begin")
-    editor.window.canvas.show_box((-3, 7), (-3, 5))
+    editor.window.canvas.camera.show_box((-3, 7), (-3, 5))
     editor.settle()
     return editor
 
@@ -300,7 +300,7 @@ def test_with_a_shift_allowed_the_change_is_the_least_that_can_be():
 def test_a_far_pull_ends_the_same_by_every_way(arch, family, keys):
     arch.choose_family(family)
     arch.choose_parametrization(ParametrizationKind.CHORD_LENGTH)
-    arch.window.canvas.show_box((-15, 15), (-8, 18))
+    arch.window.canvas.camera.show_box((-15, 15), (-8, 18))
     _, start = middle(arch)
     far = (start[0] - 9.0, start[1] + 13.0)
     results = []

@@ -57,20 +57,20 @@ def test_a_drag_repaints_the_curve_and_neither_axes_nor_grid(arch, monkeypatch):
 
     arch.wait_for_rest()
     monkeypatch.setattr(pg.GraphicsView, "paintEvent", paint_all)
-    ground = canvas._ground
+    ground = canvas.layers._ground
     canvas.painted.connect(paint_area)
     arch.press(arch.point(1))
     for step in range(1, 4):
         arch.move((1, 2 + 0.2 * step))
     assert painted.count("area") >= 3
     assert "all" not in painted
-    assert canvas._ground is ground
+    assert canvas.layers._ground is ground
     arch.release((1, 2.6))
-    canvas.pan(10, 0)
+    canvas.camera.pan(10, 0)
     arch.settle()
     canvas.painted.disconnect(paint_area)
     assert "all" in painted
-    assert canvas._ground is not ground
+    assert canvas.layers._ground is not ground
 
 
 def test_press_and_drag_sets_the_velocity_of_a_new_point(editor):
@@ -324,7 +324,7 @@ def test_what_is_hovered_follows_the_view(arch):
     arch.wheel((0, 0), 3)
     arch.hover(arch.point(2))
     assert arch.session.hovered == 2
-    arch.window.canvas.pan(150, 0)
+    arch.window.canvas.camera.pan(150, 0)
     arch.settle()
     assert arch.session.hovered == -1
 
@@ -332,9 +332,9 @@ def test_what_is_hovered_follows_the_view(arch):
 def test_an_end_has_a_handle_on_its_free_side_only_while_points_are_added(arch):
     arch.choose_family(HERMITE)
     arch.select_point(3)
-    assert [handle.ahead for handle in arch.window.canvas.handles] == [False]
+    assert [handle.ahead for handle in arch.window.canvas.drawing.points.handles] == [False]
     arch.trigger("addTool")
-    assert {handle.ahead for handle in arch.window.canvas.handles} == {True, False}
+    assert {handle.ahead for handle in arch.window.canvas.drawing.points.handles} == {True, False}
     arch.trigger("selectTool")
 
 

@@ -100,7 +100,7 @@ def test_the_constant_on_screen_is_that_of_the_points(uneven):
     (plot,) = uneven.window.plot_panel.pane.canvas.plots
     assert plot.levels[0].name == "Lebesgue constant Λ = 8.56"
     uneven.scrub(0.4)
-    weights = uneven.window.canvas.weights
+    weights = uneven.window.canvas.drawing.points.weights
     assert weights == pytest.approx(uneven.session.active_view.cardinal.basis(uneven.session.scrub)[0])
     assert np.abs(weights).sum() > 7
     # A velocity that is set does not follow its point any more, though no parameter has changed.

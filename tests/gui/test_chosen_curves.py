@@ -369,7 +369,7 @@ def test_locked_curves_are_named_and_nothing_happens_half(five):
     five.hover(on_curve(five, 4))
     assert five.window.status_line.hint == sentence
     # What cannot be moved has no grips.
-    assert five.window.canvas.overlay.box is None
+    assert five.window.canvas.marks.box is None
     assert step_name(five) == "Lock 2 curves"
 
 
@@ -443,7 +443,7 @@ def test_bending_and_points_of_the_edited_curve_work_as_ever(five):
 )
 def test_keys_transform_all_chosen_by_a_typed_amount(five, key, typed, name):
     choose(five, "BC")
-    box = five.window.canvas.overlay.box
+    box = five.window.canvas.marks.box
     assert (box.low, box.high) == ((0, 2), (3, 5))
     five.hover((1.5, 4.4))
     five.key(getattr(Qt.Key, f"Key_{key}"))
@@ -527,7 +527,7 @@ def test_a_grip_snaps_a_side_to_the_grid_in_all_curves(five):
     choose(five, "BC")
     five.window.preferences.grid_spacing = 0.3
     five.window.apply_preferences()
-    five.window.canvas.set_snapping(Snapping(True, frozenset({SnapKind.GRID})))
+    five.window.canvas.change_tool_settings(snapping=Snapping(True, frozenset({SnapKind.GRID})))
     x, y = five.grip(1, 0)
     five.drag((x, y), (x + 0.62, y))
     assert [positions(five, row)[3][0] for row in (1, 2)] == [3.6, 3.6]
@@ -535,7 +535,7 @@ def test_a_grip_snaps_a_side_to_the_grid_in_all_curves(five):
 
 def test_the_point_under_the_pointer_snaps_to_a_curve_that_stays(five):
     choose(five, "BC")
-    five.window.canvas.set_snapping(Snapping(True, frozenset({SnapKind.POINTS})))
+    five.window.canvas.change_tool_settings(snapping=Snapping(True, frozenset({SnapKind.POINTS})))
     x, y = five.session.views[2].curve.evaluate(0.97)
     end, goal = positions(five, 2)[3], positions(five, 3)[2]
     five.drag((x, y), (x + goal[0] - end[0] + 0.02, y + goal[1] - end[1] - 0.02))
@@ -546,7 +546,7 @@ def test_the_point_under_the_pointer_snaps_to_a_curve_that_stays(five):
 def test_arrows_nudge_all_chosen_and_are_one_step(five):
     before = five.session.document
     choose(five, "BD")
-    step = five.window.canvas.pixel_size
+    step = five.window.canvas.camera.pixel_size
     for _ in range(3):
         five.key(Qt.Key.Key_Left)
     five.key(Qt.Key.Key_Up, SHIFT)
@@ -571,9 +571,9 @@ def test_selected_points_go_before_chosen_curves(five):
 
 def test_the_box_is_there_for_several_curves_only(five):
     choose(five, "BD")
-    assert five.window.canvas.overlay.box is not None
+    assert five.window.canvas.marks.box is not None
     five.trigger("onlyThisCurve")
-    assert five.window.canvas.overlay.box is None
+    assert five.window.canvas.marks.box is None
 
 
 # Seen
@@ -581,7 +581,7 @@ def test_the_box_is_there_for_several_curves_only(five):
 
 def test_chosen_curves_are_drawn_with_rings(five):
     canvas = five.window.canvas
-    accent = five.window.canvas._theme.accent
+    accent = five.window.canvas.layers.theme.accent
 
     def ringed(row):
         """Whether the accent stands around a point, and paper within."""
@@ -619,7 +619,7 @@ def test_a_chosen_curve_that_is_hidden_is_faint_and_moves_along(five):
     five.drag((x, y), (x + 0.5, y))
     assert moved_by(five, before, 1) == pytest.approx(moved_by(five, before, 3))
     five.trigger("onlyThisCurve")
-    assert five.window.canvas._chosen_curves.hit(
+    assert five.window.canvas.drawing.selected.hit(
         five.window.canvas.to_pixel(*on_curve(five, 3)).toTuple(), five.window.canvas.pixel_map
     ) is None  # fmt: skip
 
@@ -628,19 +628,19 @@ def test_what_is_not_dragged_is_not_painted_anew(five):
     choose(five, "BDE")
     canvas = five.window.canvas
     five.settle()
-    pictures = canvas._other_curves._picture, canvas._chosen_curves._picture
+    pictures = canvas.drawing.others._picture, canvas.drawing.selected._picture
     five.press(five.point(1))
     five.move((1.3, 3.5))
     five.move((1.4, 3.6))
-    assert (canvas._other_curves._picture, canvas._chosen_curves._picture) == pictures
+    assert (canvas.drawing.others._picture, canvas.drawing.selected._picture) == pictures
     five.escape()
     # The others stay while all that are chosen are dragged.
     start = on_curve(five, 3)
     five.press(start)
     five.move((start[0] + 0.3, start[1]))
     five.move((start[0] + 0.5, start[1]))
-    assert canvas._other_curves._picture is pictures[0]
-    assert canvas._chosen_curves._picture is not pictures[1]
+    assert canvas.drawing.others._picture is pictures[0]
+    assert canvas.drawing.selected._picture is not pictures[1]
     five.escape()
 
 

@@ -7,10 +7,10 @@ from PySide6.QtCore import Qt
 from PySide6.QtGui import QAction
 from PySide6.QtTest import QTest
 
-from app.action_specs import SPECS
+from app.commands.connect import all_actions
 from app.document.model import ParametrizationKind
 from app.families import HERMITE, QUINTIC_HERMITE
-from app.keymap import name_alone
+from app.keymap import full_name_of
 from app.panels.command_palette import CommandPalette
 from app.panels.fuzzy import fitness
 
@@ -77,9 +77,9 @@ def test_everything_in_the_registry_and_in_the_menus_is_found(editor, palette, t
     editor.session.save(path)
     editor.window.open_file(path)
     found = set(editor.find_command(""))
-    for spec in SPECS:
-        if spec.name != "commandPalette":
-            assert name_alone(editor.action(spec.name)) in found
+    for each in all_actions():
+        if each.name != "commandPalette":
+            assert full_name_of(editor.action(each.name)) in found
     assert "of yesterday.curve.json" in found
     assert {"Centripetal Parameters", "Letter S", "Points Panel"} <= found
     editor.window.preferences.clear_recent_files()

@@ -17,10 +17,10 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QDialog, QLabel, QPlainTextEdit, QPushButton
 
 from app.autosave import snapshot_folder
-from app.crash_handler import CrashHandler
-from app.crash_report import report_of, versions
+from app.cli.windows import open_windows
+from app.diagnostics.crash_handler import CrashHandler
+from app.diagnostics.crash_report import report_of, versions
 from app.lifecycle import FaultFile, Lifecycle
-from app.start import open_windows
 from app.storage import files
 from app.storage.recovery import list_snapshots
 from app.testing import Editor
@@ -130,8 +130,8 @@ def test_the_work_is_kept_before_anything_is_said(guarded, qtbot):
 
 
 def test_without_a_backup_it_says_what_to_do(guarded, qtbot):
-    snapshot_folder().parent.parent.mkdir(parents=True, exist_ok=True)
-    snapshot_folder().parent.write_text("in the way")
+    snapshot_folder().parent.mkdir(parents=True, exist_ok=True)
+    snapshot_folder().write_text("in the way")
     guarded.drag_point(1, to=(2, 3))
     raise_soon(guarded, qtbot, ZeroDivisionError())
     (dialog,) = dialogs()
@@ -187,7 +187,9 @@ def test_escape_goes_on(guarded, qtbot):
 
 
 def test_a_fault_while_painting_is_told_and_painting_goes_on(guarded, qtbot, monkeypatch):
-    layer = next(layer for layer in guarded.window.canvas._layers if layer.is_visible and not layer.is_still)
+    layer = next(
+        layer for layer in guarded.window.canvas.layers._layers if layer.is_visible and not layer.is_still
+    )
     failed = []
 
     def fail(*_arguments):
@@ -295,8 +297,8 @@ def test_the_end_of_the_system_asks_nothing_and_keeps_the_work(guarded):
 
 
 def test_the_end_of_the_system_still_asks_about_work_that_is_not_safe(guarded):
-    snapshot_folder().parent.parent.mkdir(parents=True, exist_ok=True)
-    snapshot_folder().parent.write_text("in the way")
+    snapshot_folder().parent.mkdir(parents=True, exist_ok=True)
+    snapshot_folder().write_text("in the way")
     guarded.drag_point(1, to=(2, 3))
     guarded.lifecycle.prepare_for_end()
     assert guarded.window.asks_before_closing

@@ -86,25 +86,25 @@ def test_the_curve_is_seen_between_sixty_points(wave):
     far = math.dist(canvas.to_pixel(0, 0).toTuple(), canvas.to_pixel(0.1, 0.0998).toTuple())
     assert far < 16
     assert ink_share(wave) > 0.9
-    assert canvas.points_note == ""
+    assert canvas.drawing.points.note == ""
 
 
 def test_of_a_ribbon_of_points_only_the_chosen_are_drawn_and_a_note_says_so(wave):
     canvas = wave.window.canvas
-    canvas.zoom(0.12, canvas.centre())
+    canvas.camera.zoom(0.12, canvas.camera.centre())
     wave.settle()
-    assert canvas.points_note == "60 points: selection only · zoom in to see all"
+    assert canvas.drawing.points.note == "60 points: selection only · zoom in to see all"
     wave.select([30])
     chosen = canvas.grab().toImage()
     wave.select([])
     assert canvas.grab().toImage() != chosen
     wave.fit()
-    assert canvas.points_note == ""
+    assert canvas.drawing.points.note == ""
 
 
 def test_a_point_that_is_not_drawn_is_grabbed_all_the_same(wave):
     canvas = wave.window.canvas
-    canvas.zoom(0.12, canvas.centre())
+    canvas.camera.zoom(0.12, canvas.camera.centre())
     wave.settle()
     wave.click(wave.point(59))
     assert wave.session.selection == {59}
@@ -118,10 +118,10 @@ def test_discs_find_their_size_after_points_came_together_without_another_event(
     document = wave.session.document
     wave.session.commit(scaled(document, 0.1), "Shrink")
     wave.wait_for_rest()
-    assert canvas.points_note.startswith("60 points")
+    assert canvas.drawing.points.note.startswith("60 points")
     wave.session.undo_stack.undo()
     wave.wait_for_rest()
-    assert canvas.points_note == ""
+    assert canvas.drawing.points.note == ""
 
 
 def scaled(document, factor):

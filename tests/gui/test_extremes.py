@@ -14,7 +14,7 @@ from app.document.edits import EditError
 from app.document.kept_handles import stretched
 from app.document.model import Curve, Document, Node, Parametrization, ParametrizationKind, make_curve
 from app.families import HERMITE, QUINTIC_HERMITE
-from app.plotting.layered_plot import GREATEST_SPAN
+from app.plotting.camera import GREATEST_SPAN
 from app.plotting.pixel_map import PixelMap
 from app.view_model.curve_view import squeeze_of, view_of
 
@@ -73,7 +73,7 @@ def test_the_pen_far_away_on_an_interval_of_timestamps_divides_by_nothing(opened
     interval = Parametrization(start=1.7e9, end=1.7e9 + 1)
     nodes = (Node(0.0, 0.0, velocity=(1.0, 0.0)), Node(1.0, 1.0))
     editor = opened(Curve("Time", HERMITE, interval, nodes))
-    editor.window.canvas.show_box((-3.3e7, 3.3e7), (-3e7, 3e7))
+    editor.window.canvas.camera.show_box((-3.3e7, 3.3e7), (-3e7, 3e7))
     editor.settle()
     editor.trigger("addTool")
     editor.click((3e7, 1e7))
@@ -123,7 +123,7 @@ def test_a_tiny_box_is_scaled_in_proportion(opened, size):
     editor = opened(make_curve([(0, 0), (size, 2 * size), (3 * size, size)]))
     editor.select([0, 1, 2])
     x, y = editor.grip(1, 1)
-    way = 40 * editor.window.canvas.pixel_size
+    way = 40 * editor.window.canvas.camera.pixel_size
     editor.drag((float(x), float(y)), (x + way, y + way), keys=Qt.KeyboardModifier.ShiftModifier)
     factor = editor.point(2)[0] / (3 * size)
     assert factor > 1.05
@@ -149,7 +149,7 @@ def test_a_line_that_has_too_few_vertices_says_how_far_it_is_off(opened):
     editor = opened(replace(make_curve(points.tolist()), parametrization=rule))
     canvas = editor.window.canvas
     canvas.grab()
-    assert re.fullmatch(r"Drawn within [1-9][0-9.]* pixels", canvas.drawing_note)
+    assert re.fullmatch(r"Drawn within [1-9][0-9.]* pixels", canvas.drawing.curve.said)
     opened(make_curve(points[:5].tolist()))
     canvas.grab()
-    assert canvas.drawing_note == ""
+    assert canvas.drawing.curve.said == ""

@@ -211,18 +211,18 @@ def test_compare_shows_the_file_dashed_and_named(saved, path, until):
     before = saved.screenshot()
     saved.answer_file_message("compareWithFile")
     canvas = saved.window.canvas
-    assert canvas.annotations.file_version == "drawing.curve.json on the disk"
-    assert [row.text for row in canvas.annotations.legend.rows] == ["drawing.curve.json on the disk"]
+    assert canvas.drawing.annotations.file_version == "drawing.curve.json on the disk"
+    assert [row.text for row in canvas.drawing.annotations.legend.rows] == ["drawing.curve.json on the disk"]
     assert saved.screenshot() != before
     save(path, OTHERS)  # another one: the ghost goes with it
-    until(lambda: saved.window.canvas.annotations._file_layer._views[0].points[-1, 0] == 5.0)
+    until(lambda: saved.window.canvas.drawing.annotations._file_layer._views[0].points[-1, 0] == 5.0)
     saved.answer_file_message("compareWithFile")
-    assert canvas.annotations.file_version == ""
-    assert canvas.annotations.legend.isHidden()
+    assert canvas.drawing.annotations.file_version == ""
+    assert canvas.drawing.annotations.legend.isHidden()
     assert saved.file_message
     saved.answer_file_message("compareWithFile")
     saved.answer_file_message("keepMine")
-    assert canvas.annotations.file_version == ""
+    assert canvas.drawing.annotations.file_version == ""
 
 
 def test_saving_over_an_unseen_change_asks(saved, path):

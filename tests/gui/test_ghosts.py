@@ -18,11 +18,15 @@ from app.view_model.looks import ghost_look
 
 
 def shown(editor):
-    return {ghost.ghost: ghost.view for ghost in editor.window.canvas.annotations.ghosts if not ghost.is_real}
+    return {
+        ghost.ghost: ghost.view
+        for ghost in editor.window.canvas.drawing.annotations.ghosts
+        if not ghost.is_real
+    }
 
 
 def rows(editor):
-    return [row.text for row in editor.window.canvas.annotations.legend.rows]
+    return [row.text for row in editor.window.canvas.drawing.annotations.legend.rows]
 
 
 def press(editor, qtbot, name):
@@ -64,12 +68,14 @@ def test_the_legend_makes_a_ghost_real_in_one_step(editor, qtbot):
 
 def test_one_legend_explains_ghosts_and_the_laboratory(editor, qtbot):
     editor.trigger("toggleLaboratory")
-    qtbot.waitUntil(lambda: bool(editor.window.canvas.annotations.traces("laboratory")[0]), timeout=20_000)
+    qtbot.waitUntil(
+        lambda: bool(editor.window.canvas.drawing.annotations.traces("laboratory")[0]), timeout=20_000
+    )
     editor.trigger("ghostUniform")
     ghosts, computed = ["Lagrange · Chord length", "Uniform"], ["Monomials", "Lagrange"]
     # Whatever came first: the curve itself never stands under the heading of another group.
     assert rows(editor) == [*ghosts, "Computed with 4 digits", *computed]
-    legend = editor.window.canvas.annotations.legend
+    legend = editor.window.canvas.drawing.annotations.legend
     assert editor.window.canvas.viewport().rect().contains(legend.geometry())
     editor.trigger("toggleLaboratory")
     assert rows(editor) == ghosts
@@ -84,8 +90,8 @@ def test_the_legend_hides_a_ghost(editor, qtbot):
     assert set(shown(editor)) == {Ghost(family=HERMITE)}
     assert not editor.action("ghostUniform").isChecked()
     press(editor, qtbot, "legendHide_hermite")
-    assert not editor.window.canvas.annotations.ghosts
-    assert editor.window.canvas.annotations.legend.isHidden()
+    assert not editor.window.canvas.drawing.annotations.ghosts
+    assert editor.window.canvas.drawing.annotations.legend.isHidden()
 
 
 def test_the_dock_shows_ghosts_and_makes_them_real(editor, qtbot):
@@ -111,7 +117,7 @@ def test_a_ghost_that_cannot_be_says_so(editor):
     editor.trigger("ghostChordLength")
     moved = set_position(editor.session.document, 0, 1, editor.point(0))
     editor.session.commit(moved, "Move")
-    row = editor.window.canvas.annotations.legend.rows[1]
+    row = editor.window.canvas.drawing.annotations.legend.rows[1]
     assert (row.text, row.is_muted) == ("Chord length: none", True)
     assert row.tip
 
@@ -126,11 +132,11 @@ def test_a_long_polynomial_appears_when_the_drag_is_over(editor):
     assert set(shown(editor)) == {Ghost(family=LAGRANGE)}
     editor.press(editor.point(120))
     editor.move((2.0, 1.0))
-    (ghost,) = editor.window.canvas.annotations.ghosts
+    (ghost,) = editor.window.canvas.drawing.annotations.ghosts
     assert not ghost.is_drawn
-    assert editor.window.canvas.annotations.legend.rows[1].text == "Lagrange …"
+    assert editor.window.canvas.drawing.annotations.legend.rows[1].text == "Lagrange …"
     editor.release((2.0, 1.0))
-    (ghost,) = editor.window.canvas.annotations.ghosts
+    (ghost,) = editor.window.canvas.drawing.annotations.ghosts
     assert ghost.is_drawn
     line = ghost.line(1e-3, (0, 0, 4, 4))
     assert np.linalg.norm(line - editor.point(120), axis=1).min() < 1e-9
@@ -138,7 +144,7 @@ def test_a_long_polynomial_appears_when_the_drag_is_over(editor):
 
 def test_a_ghost_is_painted_in_its_colour(editor):
     editor.trigger("ghostUniform")
-    editor.window.canvas.annotations.legend.hide()
+    editor.window.canvas.drawing.annotations.legend.hide()
     canvas = editor.window.canvas
     image, theme = canvas.grab().toImage(), theme_of(canvas.palette())
     wanted = colour_of(ghost_look(Ghost(kind=ParametrizationKind.UNIFORM)), theme)

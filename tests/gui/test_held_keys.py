@@ -27,7 +27,7 @@ def arch(editor):
     document = Document((make_curve(POINTS, family=HERMITE),))
     document = edits.set_parametrization(document, 0, ParametrizationKind.UNIFORM, [])
     editor.session.commit(document, "Begin")
-    editor.window.canvas.show_box((-3, 7), (-3, 5))
+    editor.window.canvas.camera.show_box((-3, 7), (-3, 5))
     editor.settle()
     return editor
 
@@ -45,7 +45,7 @@ def let_go(editor, key):
 def shown(editor):
     """Everything a gesture shows: the document, what is selected, what lies over the drawing, the words."""
     session, canvas = editor.session, editor.window.canvas
-    return session.document, session.selection, canvas.overlay, editor.window.status_line.text
+    return session.document, session.selection, canvas.marks, editor.window.status_line.text
 
 
 def begin(editor, what):
@@ -111,7 +111,7 @@ def test_a_key_pressed_or_let_go_counts_at_once_and_the_release_keeps_what_is_sh
     hold(arch, key)
     arch.release(to, keys=FLAGS[key])
     assert shown(arch)[:2] == changed[:2]
-    assert arch.window.canvas.overlay.ruler == changed[2].ruler
+    assert arch.window.canvas.marks.ruler == changed[2].ruler
 
 
 @pytest.mark.parametrize(("what", "key"), DRAGS[::5])
@@ -136,7 +136,7 @@ def test_escape_takes_it_back_with_the_key_held(arch, what, key):
     let_go(arch, key)
     assert arch.session.document is before
     assert what != "band" or arch.session.selection == {0}
-    assert arch.window.canvas.overlay.band is arch.window.canvas.overlay.ruler is None
+    assert arch.window.canvas.marks.band is arch.window.canvas.marks.ruler is None
 
 
 @pytest.mark.parametrize(
@@ -168,10 +168,10 @@ def test_a_transform_by_keys_hears_them_too(arch, key, held, end):
 def test_a_transform_begun_with_the_pointer_elsewhere_hears_them(arch):
     arch.select([1, 2])
     arch.trigger("moveSelection")
-    free = arch.window.canvas.overlay
+    free = arch.window.canvas.marks
     hold(arch, Key.Key_Control)
     assert free.snap is None
-    assert arch.window.canvas.overlay.snap is not None
+    assert arch.window.canvas.marks.snap is not None
     arch.escape()
 
 
@@ -181,7 +181,7 @@ def test_the_picture_keeps_to_an_axis_at_once(arch, tmp_path):
     assert image.save(str(tmp_path / "red.png"))
     arch.window.add_image(tmp_path / "red.png")
     arch.trigger("moveImage")
-    assert arch.window.canvas.is_moving_image
+    assert arch.window.canvas.tools.tool.finds_image
     before = arch.session.document.image
     middle = (before.x + before.width / 2, before.y + before.height / 2)
     to = (middle[0] + 1.0, middle[1] + 0.4)

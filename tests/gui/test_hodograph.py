@@ -89,7 +89,7 @@ def test_the_acceleration_can_be_drawn_instead(editor, qtbot, hodograph):
 
 def test_a_zoom_stays_until_fit_is_pressed(editor, qtbot, hodograph):
     fitted = hodograph.pixel_map.box
-    hodograph.zoom(4.0, hodograph.to_pixel(0, 0).toPointF())
+    hodograph.camera.zoom(4.0, hodograph.to_pixel(0, 0).toPointF())
     editor.drag_point(2, to=(1.0, 3.5))
     assert hodograph.pixel_map.box[2] - hodograph.pixel_map.box[0] < 0.5 * (fitted[2] - fitted[0])
     qtbot.mouseClick(editor.window.findChild(QToolButton, "fitHodograph"), Qt.MouseButton.LeftButton)

@@ -23,6 +23,7 @@ from PySide6.QtWidgets import (
     QSpinBox,
 )
 
+from app.commands.exchange_commands import ExchangeCommands
 from app.document.model import Document, make_curve
 from app.exchange.options import Options
 from app.exchange.writing import export
@@ -104,7 +105,7 @@ def test_a_table_comes_in_as_one_step(editor, tmp_path):
     assert [node.position for node in curve.nodes] == [(0.5, 1), (2, 3.25), (4, 0)]
     assert len(editor.session.document.curves) == len(before.curves) + 1
     assert editor.status == "Imported pond.csv: 1 curve, 3 points, exact."
-    assert editor.window.canvas.shows_all_points
+    assert editor.window.canvas.framing.shows_all_points
     assert editor.session.undo_stack.undoText() == "Import pond.csv"
     editor.trigger("undo")
     assert editor.session.document == before
@@ -680,7 +681,7 @@ def test_one_thing_at_a_time(editor, busy, tmp_path):
 
 def test_an_export_that_is_stopped_leaves_the_old_file(editor, tmp_path):
     old = write(tmp_path / "out.csv", "mine")
-    editor.window._commands.exchange.export(old, Options(own={"samples": 100_000}))
+    editor.window._commands[ExchangeCommands].export(old, Options(own={"samples": 100_000}))
     assert editor.window.jobs.is_busy
     shown_bar(editor)
     editor.trigger("cancelWork")

@@ -21,7 +21,7 @@ POINTS = ((0.0, 0.0), (1.0, 2.0), (3.0, 2.0), (4.0, 0.0))
 def arch(editor):
     """Four points of an arch, not saved."""
     editor.session.commit(Document((make_curve(POINTS, family=HERMITE),)), "Begin")
-    editor.window.canvas.show_box((-3, 7), (-3, 5))
+    editor.window.canvas.camera.show_box((-3, 7), (-3, 5))
     editor.settle()
     return editor
 
@@ -68,7 +68,7 @@ def test_a_dialog_takes_the_gesture_back(arch, what):
     canvas = arch.window.canvas
     assert not canvas.is_dragging
     assert (arch.session.document, arch.session.undo_stack.count()) == (document, steps)
-    assert (canvas.overlay.band, canvas.overlay.ruler, canvas.overlay.note) == (None, None, None)
+    assert (canvas.marks.band, canvas.marks.ruler, canvas.marks.note) == (None, None, None)
     arch.trigger("selectTool")
     arch.window.status_line.forget_said()
     arch.hover(arch.point(2))
@@ -144,7 +144,7 @@ def test_a_list_that_a_key_opens_takes_the_release_but_leaves_no_gesture(arch):
     arch.window.findChild(CommandPalette).close()
     arch.hover((2, 3))
     assert not arch.window.canvas.is_dragging
-    assert arch.window.canvas.overlay.band is None
+    assert arch.window.canvas.marks.band is None
     assert "Escape cancels" not in arch.status
     assert arch.session.document is document
 

@@ -22,8 +22,10 @@ def test_what_is_planted_is_found(editor, monkeypatch):
     planted = {
         "window.canvas._is_held": lambda patch: patch.setattr(canvas, "_is_held", True),
         "window.canvas.of_a_test": lambda patch: patch.setattr(canvas, "of_a_test", 1, raising=False),
-        "window.canvas._layers.count": lambda patch: patch.setattr(canvas, "_layers", canvas._layers[:-1]),
-        "window.canvas._tool.snapping": lambda patch: patch.setattr(canvas._tool, "snapping", None),
+        "window.canvas.layers._layers.count": lambda patch: patch.setattr(
+            canvas.layers, "_layers", canvas.layers._layers[:-1]
+        ),
+        "window.canvas.tools.settings": lambda patch: patch.setattr(canvas.tools, "settings", None),
         "window.session.clock": lambda patch: patch.setattr(session, "clock", Clock()),
         "window.session.selection": lambda patch: patch.setattr(session, "selection", frozenset([1])),
         "window.session.say": lambda patch: patch.setattr(session, "say", lambda _text: None),

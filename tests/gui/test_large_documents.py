@@ -5,9 +5,9 @@ from __future__ import annotations
 import pytest
 from PySide6.QtWidgets import QDialog
 
+from app.cli.windows import open_windows
 from app.document.model import Document, make_curve
 from app.families import HERMITE
-from app.start import open_windows
 from app.storage import files
 from app.testing import Editor
 from tests.effort import calls_of
@@ -110,10 +110,10 @@ def test_what_is_wrong_with_a_large_file_is_said(editor, large, tmp_path):
 def test_many_curves_are_painted_in_steps(editor, large, qtbot):
     """One paint took 0.5 s with 5,000 curves."""
     canvas, steps = editor.window.canvas, []
-    layer = canvas._other_curves
+    layer = canvas.drawing.others
     canvas.painted.connect(lambda: steps.append(layer._painted))
     editor.session.open(large)
-    canvas.show_box((-1, 41), (-1, 26))
+    canvas.camera.show_box((-1, 41), (-1, 26))
     qtbot.waitUntil(lambda: COUNT - 1 in steps)
     assert 400 in steps
     picture = canvas.grab().toImage()

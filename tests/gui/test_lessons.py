@@ -16,7 +16,7 @@ from PySide6.QtWidgets import (
     QToolButton,
 )
 
-from app.action_specs import SPECS
+from app.commands.connect import all_actions
 from app.lessons import LessonError, lesson_names, load_lesson, parse_lesson
 from app.main_window import MainWindow
 from app.panels.basis_layers import rail_height
@@ -28,7 +28,7 @@ from app.view_model.curve_view import view_of
 from app.view_model.goals import standing_of
 
 NAMES = lesson_names()
-ACTIONS = {spec.name for spec in SPECS}
+NAMED = {each.name for each in all_actions()}
 STEPS = [(name, number) for name in NAMES for number in range(len(load_lesson(name).steps))]
 
 
@@ -37,7 +37,7 @@ def test_what_a_step_names_exists_and_its_goal_is_still_to_be_reached(name, numb
     lesson = load_lesson(name)
     step, document = lesson.steps[number], load(lesson.document)
     assert step.text
-    assert {*step.show} <= ACTIONS
+    assert {*step.show} <= NAMED
     (curve,) = [curve for curve in document.curves if curve.name == step.curve] or document.curves[:1]
     assert curve.name == step.curve or not step.curve
     if step.goal is not None:
@@ -277,7 +277,7 @@ def test_the_next_lesson_is_a_step_that_undo_takes_back(editor, qtbot):
     assert editor.session.is_modified
     assert place(editor) == "5 of 5"
     assert not editor.action("toggleLaboratory").isChecked()
-    assert editor.window.canvas.shows_all_points
+    assert editor.window.canvas.framing.shows_all_points
     click(qtbot, find(editor, QPushButton, "lessonBack"))
     assert "Reached" in find(editor, QLabel, "lessonGoal").text()
     assert editor.session.document is work

@@ -193,7 +193,7 @@ def test_a_single_tick_among_many_is_drawn_as_large_as_ticks_get(open_wave):
     """Zoomed far out, all lie in one place: the gap to the next was infinite, and its half no number."""
     editor = open_wave(65, HERMITE)
     panel = editor.window.basis_panel
-    panel.zoom(1e-5, QPointF(panel.centre()))
+    panel.camera.zoom(1e-5, QPointF(panel.camera.centre()))
     image = panel.grab().toImage()
     place = panel.rail_pixel(0.5).toPoint()
     assert image.pixelColor(place) != image.pixelColor(place.x() + 60, place.y())

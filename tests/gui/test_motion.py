@@ -21,6 +21,7 @@ from PySide6.QtWidgets import (
     QToolButton,
 )
 
+from app.commands.motion_commands import MotionCommands
 from app.document import edits
 from app.document.model import ParametrizationKind, VelocityRule
 from app.exchange.drawing.animation import write_film
@@ -70,7 +71,7 @@ class Motion:
 
     @property
     def dots(self):
-        return self.editor.window.canvas.dots
+        return self.editor.window.canvas.drawing.dots
 
 
 @pytest.fixture
@@ -124,7 +125,7 @@ def test_canvas_and_basis_panel_show_the_same_dot(editor, motion):
     motion.wait(0.3)
     (dot,) = motion.dots
     assert dot.t == pytest.approx(0.3)
-    assert editor.window.canvas.scrub_point == pytest.approx(dot.place)
+    assert editor.window.canvas.drawing.points.scrub[1:] == pytest.approx(dot.place)
     assert [arrow.text[:3] for arrow in dot.arrows] == ["|v|", "|a|"]
     curve = editor.session.active_view.curve
     assert dot.speed == pytest.approx(np.linalg.norm(curve.evaluate(0.3, 1)))
@@ -347,7 +348,7 @@ def export(editor, motion, path, **fields):
         box = dialog.findChild(kinds[name], name)
         box.selectAll()
         QTest.keyClicks(box, str(value))
-    stage = editor.window._commands.motion.stage
+    stage = editor.window._commands[MotionCommands].stage
     stage.export.ask_name = lambda _window, _start, _kinds: str(path)
     QTest.mouseClick(dialog.findChild(QPushButton, "filmExport"), LEFT)
 
@@ -468,7 +469,7 @@ def test_nothing_is_made_before_it_is_used(new_editor):
     assert window.findChild(Player) is None
     assert window.findChild(MotionBar) is None
     new_editor.send(window.canvas, QEvent.Type.MouseMove, window.canvas.to_pixel(0, 0), held=False)
-    assert window.canvas.dots == ()
+    assert window.canvas.drawing.dots == ()
 
 
 def test_its_choices_are_named_as_in_the_menu_but_for_the_underlined_letters(new_editor):
@@ -482,12 +483,12 @@ def test_its_choices_are_named_as_in_the_menu_but_for_the_underlined_letters(new
 
 def test_weights_make_room_for_the_dot_and_come_back(editor, qtbot):
     editor.scrub(0.4)
-    assert editor.window.canvas.weights is not None
+    assert editor.window.canvas.drawing.points.weights is not None
     editor.trigger("playMotion")
-    qtbot.waitUntil(lambda: bool(editor.window.canvas.dots))
-    assert editor.window.canvas.weights is None
+    qtbot.waitUntil(lambda: bool(editor.window.canvas.drawing.dots))
+    assert editor.window.canvas.drawing.points.weights is None
     editor.trigger("stopMotion")
-    assert editor.window.canvas.weights is not None
+    assert editor.window.canvas.drawing.points.weights is not None
 
 
 def test_keys_typed_beside_a_field_of_the_dialog_leave_the_curve_alone(editor, qtbot):

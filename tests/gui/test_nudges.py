@@ -26,7 +26,7 @@ class Clock:
 def arch(editor):
     editor.session.clock = Clock()
     editor.session.commit(Document((make_curve(POINTS),)), "Begin")
-    editor.window.canvas.show_box((-3, 7), (-3, 5))
+    editor.window.canvas.camera.show_box((-3, 7), (-3, 5))
     editor.settle()
     return editor
 

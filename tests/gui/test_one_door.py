@@ -314,7 +314,7 @@ def test_derivatives_beyond_all_that_can_be_kept_are_refused_with_a_sentence(edi
 def test_a_picture_at_the_end_of_the_plane_is_not_nudged_farther(editor, tmp_path):
     image = ReferenceImage(str(tmp_path / "none.png"), 1e12, 0.0, 1.0, 1.0)
     editor.session.commit(Document(editor.session.document.curves, image), "Begin")
-    editor.window.canvas.show_box((1e12 - 1, 1e12), (0, 1))
+    editor.window.canvas.camera.show_box((1e12 - 1, 1e12), (0, 1))
     editor.trigger("moveImage")
     editor.window.canvas.setFocus()
     editor.key(Qt.Key.Key_Right, Qt.KeyboardModifier.ShiftModifier)

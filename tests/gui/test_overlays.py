@@ -8,16 +8,17 @@ from PySide6.QtCore import QPoint, QPointF, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QCheckBox, QLabel, QLineEdit, QSlider, QToolButton
 
-from app.commands.overlay_commands import OVERLAYS
 from app.document.edits import set_position
 from app.document.model import ParametrizationKind
 from app.families import HERMITE
+from app.keymap import action_name
 from app.theme import ThemeMode
 from app.view_model.analysis.figures import Style
+from app.view_model.analysis.settings import Overlay
 
 
 def figures(editor, style):
-    return [figure for figure in editor.window.canvas.annotations.figures if figure.style is style]
+    return [figure for figure in editor.window.canvas.drawing.annotations.figures if figure.style is style]
 
 
 def first(editor, style):
@@ -30,7 +31,7 @@ def longest(editor, style=Style.COMB_TEETH):
 
 
 def legend(editor):
-    shown = editor.window.canvas.annotations.legend
+    shown = editor.window.canvas.drawing.annotations.legend
     return [row.text for row in shown.rows] if shown is not None and shown.isVisible() else []
 
 
@@ -85,7 +86,7 @@ def test_an_overlay_follows_a_drag(editor, name):
     editor.escape()
     assert np.array_equal(first(editor, LIVE[name]), before, equal_nan=True)
     editor.trigger(name)
-    assert not editor.window.canvas.annotations.figures
+    assert not editor.window.canvas.drawing.annotations.figures
     assert not legend(editor)
 
 
@@ -121,7 +122,7 @@ def test_the_window_may_close_while_something_is_computed(editor):
 
 def test_switches_of_the_dock_and_actions_agree(dock, qtbot):
     editor = dock
-    for name, overlay in OVERLAYS.items():
+    for name, overlay in ((action_name("overlay", each), each) for each in Overlay):
         switch = panel(editor, QCheckBox, f"{name}Switch")
         qtbot.keyClick(switch, Qt.Key.Key_Space)
         assert editor.action(name).isChecked()
@@ -250,8 +251,8 @@ def test_without_a_curve_nothing_is_drawn_and_the_dock_says_why(dock, qtbot):
     # Point 1 onto point 0: chord length has no parameters for these.
     moved = set_position(editor.session.document, 0, 1, editor.point(0))
     editor.session.commit(moved, "Move")
-    assert not editor.window.canvas.annotations.figures
-    assert not editor.window.canvas.annotations.ghosts
+    assert not editor.window.canvas.drawing.annotations.figures
+    assert not editor.window.canvas.drawing.annotations.ghosts
     problem = panel(editor, QLabel, "analysisProblem")
     qtbot.waitUntil(lambda: "distinct" in problem.text() or "coincide" in problem.text())
     editor.trigger("undo")
@@ -287,7 +288,7 @@ def test_legend_and_dock_change_with_the_theme(dock):
     for mode in (ThemeMode.DARK, ThemeMode.LIGHT):
         editor.window.set_theme_mode(mode)
         editor.settle()
-        shown = editor.window.canvas.annotations.legend
+        shown = editor.window.canvas.drawing.annotations.legend
         image = shown.grab().toImage()
         dark = image.pixelColor(image.width() - 5, image.height() // 2).lightnessF() < 0.5
         assert dark == (mode is ThemeMode.DARK)
@@ -296,7 +297,7 @@ def test_legend_and_dock_change_with_the_theme(dock):
 def test_a_press_on_the_legend_is_meant_for_the_canvas(editor):
     """What lies below a line of the legend can be dragged all the same."""
     editor.trigger("overlayVelocities")
-    canvas, shown = editor.window.canvas, editor.window.canvas.annotations.legend
+    canvas, shown = editor.window.canvas, editor.window.canvas.drawing.annotations.legend
     place = canvas.to_plane(QPointF(shown.geometry().center()))
     editor.drag_point(7, place)
     label = shown.findChildren(QLabel)[1]

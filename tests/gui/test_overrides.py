@@ -226,7 +226,7 @@ def test_document_and_history_agree_after_a_step_that_failed(editor, faults, mon
         assert session.document is session.committed
         assert session.document == states[stack.index()]
         assert session.active_view.source is session.document.curves[0]
-        assert editor.window.canvas._view is session.active_view
+        assert editor.window.canvas.drawing.view is session.active_view
         return stack.index()
 
     assert planted(lambda: editor.trigger("undo")) == 2

@@ -174,7 +174,7 @@ def test_a_point_that_is_being_inserted_is_not_drawn_to_itself(pen):
     away = (x + 12 * pen.pixel, y + 3 * pen.pixel)
     pen.move(away)
     pen.move((away[0] + 4 * pen.pixel, away[1]), keys=CTRL)
-    snap = pen.window.canvas.overlay.snap
+    snap = pen.window.canvas.marks.snap
     assert snap is None or "point 1" not in snap.label
     pen.escape()
 
@@ -214,7 +214,7 @@ def test_escape_takes_back_a_velocity_drawn_in_steps(pen):
 def test_what_ctrl_does_is_told_where_a_drag_moves_the_point(pen):
     pen.choose_family(LAGRANGE)
     pen.press(at(pen, 300, 150))
-    spacing = pen.window.canvas.grid_spacing[0]
+    spacing = pen.window.canvas.tools.grid()[0]
     by_the_grid = (12 * spacing + 3 * pen.pixel, 9 * spacing + 2 * pen.pixel)
     pen.move(by_the_grid)
     assert "Ctrl: snap, or not" in pen.status
@@ -233,16 +233,16 @@ def test_measuring_goes_in_steps_with_shift(pen, to, angle):
     assert "Shift: steps of 15° · Ctrl: snap, or not" in hint(pen)
     pen.press(start)
     pen.move(at(pen, *to), keys=SHIFT)
-    ruler = pen.window.canvas.overlay.ruler
+    ruler = pen.window.canvas.marks.ruler
     assert ruler.text.endswith(f" · {angle}")
     assert "Shift: steps of 15° · Ctrl: snap, or not" in pen.status
     assert math.dist(ruler.start, ruler.end) == pytest.approx(
         math.dist(start, at(pen, *to)), abs=2 * pen.pixel
     )
     pen.move(at(pen, *to))
-    assert not pen.window.canvas.overlay.ruler.text.endswith(f" · {angle}")
+    assert not pen.window.canvas.marks.ruler.text.endswith(f" · {angle}")
     pen.escape()
-    assert pen.window.canvas.overlay.ruler is None
+    assert pen.window.canvas.marks.ruler is None
     pen.release(at(pen, *to))
 
 

@@ -44,7 +44,7 @@ def drawn(editor, family):
 
 def ahead(editor):
     """The curve shown ahead, as a value."""
-    view = editor.window.canvas.overlay.ahead
+    view = editor.window.canvas.marks.ahead
     return view.source if view is not None else None
 
 
@@ -109,7 +109,7 @@ def test_it_goes_with_a_press_and_escape_brings_nothing_back(hermite):
 
 
 def test_it_snaps(hermite):
-    spacing = hermite.window.canvas.grid_spacing[0]
+    spacing = hermite.window.canvas.tools.grid()[0]
     near = (12 * spacing + 3 * hermite.pixel, 9 * spacing + 2 * hermite.pixel)
     hermite.move(near, held=False, keys=CTRL)
     assert ahead(hermite).nodes[3].position == pytest.approx((12 * spacing, 9 * spacing), rel=1e-12)
@@ -133,14 +133,14 @@ def test_none_where_a_press_begins_another_curve(hermite):
 def test_on_the_curve_the_spot_is_shown_instead(hermite):
     x, y = map(float, hermite.session.active_view.curve.evaluate(0.3))
     hermite.hover((x + hermite.pixel, y + 2 * hermite.pixel))
-    spot = hermite.window.canvas.overlay.spot
+    spot = hermite.window.canvas.marks.spot
     assert ahead(hermite) is None
     hermite.click((x + hermite.pixel, y + 2 * hermite.pixel))
     assert hermite.point(1) == pytest.approx(spot, abs=0.5 * hermite.pixel)
-    assert hermite.window.canvas.overlay.spot is None
+    assert hermite.window.canvas.marks.spot is None
     hermite.escape()
     hermite.hover((x, y))
-    assert hermite.window.canvas.overlay.spot is None
+    assert hermite.window.canvas.marks.spot is None
 
 
 def test_none_over_points_on_locked_curves_and_on_empty_ones(hermite):

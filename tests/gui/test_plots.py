@@ -145,19 +145,19 @@ def test_the_lebesgue_constant_of_the_plot_is_that_of_the_status_line(editor):
 def test_both_panels_show_the_same_part_of_t_whichever_is_zoomed_or_panned(editor):
     editor.trigger("plotSpeed")
     basis, plots = editor.window.basis_panel, canvas(editor)
-    assert plots.t_range == pytest.approx(basis.t_range)
+    assert plots.camera.t_range == pytest.approx(basis.camera.t_range)
     wheel(editor, plots, plots.to_pixel(0.3, 0.5), 3)
-    zoomed = basis.t_range
+    zoomed = basis.camera.t_range
     assert zoomed[1] - zoomed[0] < 0.7
-    assert plots.t_range == pytest.approx(zoomed)
+    assert plots.camera.t_range == pytest.approx(zoomed)
     wheel(editor, basis, basis.to_pixel(0.3, 0.5), -2)
-    assert plots.t_range == pytest.approx(basis.t_range)
-    assert plots.t_range != pytest.approx(zoomed)
-    before = basis.t_range
+    assert plots.camera.t_range == pytest.approx(basis.camera.t_range)
+    assert plots.camera.t_range != pytest.approx(zoomed)
+    before = basis.camera.t_range
     start = plots.to_pixel(0.3, 0.5)
     editor.drag_pixels(plots, start, start + QPoint(40, 0), button=Qt.MouseButton.MiddleButton)
-    assert basis.t_range[0] < before[0]
-    assert plots.t_range == pytest.approx(basis.t_range)
+    assert basis.camera.t_range[0] < before[0]
+    assert plots.camera.t_range == pytest.approx(basis.camera.t_range)
 
 
 def test_the_same_t_stands_below_the_same_t(editor):
@@ -172,7 +172,7 @@ def test_a_zoom_shows_more_of_the_part_that_is_seen(editor):
     editor.trigger("plotSpeed")
     plots = canvas(editor)
     wheel(editor, plots, plots.to_pixel(0.3, 0.5), 12)
-    start, end = plots.t_range
+    start, end = plots.camera.t_range
     assert line(editor).t[0] >= start - 1e-12
     assert line(editor).t[-1] <= end + 1e-12
     assert len(line(editor).t) > 100
@@ -348,11 +348,11 @@ def test_the_plots_zoom_while_the_basis_functions_are_hidden(editor):
     editor.trigger("plotSpeed")
     editor.trigger("toggleBasis")
     plots = canvas(editor)
-    before = plots.t_range
+    before = plots.camera.t_range
     wheel(editor, plots, plots.to_pixel(0.3, 0.5), 3)
-    assert plots.t_range[1] - plots.t_range[0] < 0.7 * (before[1] - before[0])
+    assert plots.camera.t_range[1] - plots.camera.t_range[0] < 0.7 * (before[1] - before[0])
     editor.trigger("toggleBasis")
-    assert editor.window.basis_panel.t_range == pytest.approx(plots.t_range)
+    assert editor.window.basis_panel.camera.t_range == pytest.approx(plots.camera.t_range)
 
 
 def test_the_scale_stays_while_t_is_zoomed_and_fits_when_it_rests(editor, qtbot):

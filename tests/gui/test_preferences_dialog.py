@@ -77,7 +77,7 @@ def test_the_unit_is_shown_at_the_axes_and_in_the_status_line(editor, dialog):
 def test_a_grid_spacing_is_typed_as_an_expression_and_can_be_adaptive_again(editor, dialog):
     retype(dialog.grid_edit, "1/4")
     assert editor.window.preferences.grid_spacing == 0.25
-    assert editor.window.canvas.grid_spacing == (0.25, 0.25)
+    assert editor.window.canvas.tools.grid() == (0.25, 0.25)
     assert dialog.grid_edit.text() == "0.25"
     retype(dialog.grid_edit, "adaptive")
     assert editor.window.preferences.grid_spacing == 0
@@ -116,7 +116,7 @@ def test_a_grid_of_fixed_spacing_is_never_too_dense(decades):
 
 def test_the_lines_lie_at_the_spacing(editor):
     canvas = editor.window.canvas
-    canvas.grid.set_spacing(0.3)
+    canvas.drawing.grid.set_spacing(0.3)
     editor.settle()
     x_min, _, x_max, _ = canvas.pixel_map.box
     levels = canvas.getAxis("bottom").tickValues(x_min, x_max, canvas.pixel_map.width)
@@ -126,7 +126,7 @@ def test_the_lines_lie_at_the_spacing(editor):
     editor.wheel((1, 1), -12)
     wide = canvas.getAxis("bottom").tickValues(x_min, x_max, canvas.pixel_map.width)
     assert wide[1][0] > 0.3
-    canvas.grid.set_spacing(0.0)
+    canvas.drawing.grid.set_spacing(0.0)
     editor.settle()
 
 
@@ -136,10 +136,10 @@ def test_the_labels_of_a_fixed_grid_are_exact(editor):
     assert tick_labels([0.3 - 0.1 * 3, 3 * 0.1], 1.0, 0.1) == ["0", "0.3"]
     axis = editor.window.canvas.getAxis("left")
     own = axis.tickStrings([0.25], 1.0, 0.25)
-    editor.window.canvas.grid.set_spacing(0.25)
+    editor.window.canvas.drawing.grid.set_spacing(0.25)
     assert axis.tickStrings([0.25], 1.0, 0.25) == ["0.25"]
     editor.settle()
-    editor.window.canvas.grid.set_spacing(0.0)
+    editor.window.canvas.drawing.grid.set_spacing(0.0)
     assert axis.tickStrings([0.25], 1.0, 0.25) == own
 
 

@@ -110,7 +110,7 @@ def test_at_the_edge_of_reach_there_is_a_click_or_a_band_but_never_both(three, p
     place = (x + pixels * three.pixel * 0.7, y + pixels * three.pixel * 0.7)
     three.press(place)
     three.move((place[0] + 0.3, place[1] + 0.3))
-    edited, has_band = three.curve.name, three.window.canvas.overlay.band is not None
+    edited, has_band = three.curve.name, three.window.canvas.marks.band is not None
     assert (edited == "C") != has_band
     three.escape()
     three.release(place)

@@ -282,22 +282,22 @@ def test_arrows_without_a_selection_do_nothing(editor, panel):
 
 def until_it_faded(canvas, qtbot):
     """Wait for the end of the fading; how long all of it takes is not the question."""
-    fading = canvas._curve_layer._fade
+    fading = canvas.drawing.curve._fade
     fading.setCurrentTime(max(fading.currentTime(), fading.duration() - 50))
-    qtbot.waitUntil(lambda: canvas.ghost_opacity == 0, timeout=20_000)
+    qtbot.waitUntil(lambda: canvas.drawing.curve.ghost_opacity == 0, timeout=20_000)
 
 
 def test_a_ghost_of_the_curve_stands_still_while_a_tick_is_dragged_and_fades(editor, panel, qtbot):
     canvas = editor.window.canvas
     start = panel.rail_pixel(editor.parameters[3])
-    assert canvas.ghost_opacity == 0
+    assert canvas.drawing.curve.ghost_opacity == 0
     editor.send(panel, QEvent.Type.MouseButtonPress, start)
     for way in (10, 20, 30):
         editor.send(panel, QEvent.Type.MouseMove, start + QPointF(way, 0))
         editor.settle()
-        assert canvas.ghost_opacity == 1
+        assert canvas.drawing.curve.ghost_opacity == 1
     editor.send(panel, QEvent.Type.MouseButtonRelease, start + QPointF(30, 0), held=False)
-    assert 0 < canvas.ghost_opacity <= 1
+    assert 0 < canvas.drawing.curve.ghost_opacity <= 1
     until_it_faded(canvas, qtbot)
 
 
@@ -316,9 +316,9 @@ def test_the_alpha_slider_has_a_ghost_too(editor):
     slider.setSliderDown(True)
     slider.setSliderPosition(70)
     slider.setSliderPosition(20)
-    assert canvas.ghost_opacity == 1
+    assert canvas.drawing.curve.ghost_opacity == 1
     slider.setSliderDown(False)
-    assert canvas.ghost_opacity > 0
+    assert canvas.drawing.curve.ghost_opacity > 0
 
 
 # The right button takes a drag back

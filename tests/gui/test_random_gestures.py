@@ -19,10 +19,14 @@ from app.families import FAMILIES, HERMITE, LAGRANGE
 from app.plotting.pixel_map import PixelMap
 from app.session import Session
 from app.storage.format import decode, encode, validate
+from app.tools.explain import EXPLAIN
 from app.tools.pointer import Hit, Part, Pointer
-from app.tools.rail import RailTool
+from app.tools.rail import RAIL
+from app.tools.registry import TOOLS
+from app.tools.select import SELECT
 from app.tools.snapping import Snapping
-from app.tools.tools import CanvasTool, ToolKind
+from app.tools.tool_settings import ToolSettings
+from app.tools.toolbox import Toolbox
 from app.tools.transform import TransformKind
 from app.view_model.handles import handles_of
 
@@ -50,13 +54,14 @@ class Gestures(RuleBasedStateMachine):
             make_curve([(0, -1), (2, -0.5), (4, -1)], name="Base", family=HERMITE),
         )
         self.session._replace(Document(curves), None)
-        self.tool, self.rail = CanvasTool(self.session), RailTool(self.session)
-        self.tool.grid = (0.5, 0.5)
+        self.tool, self.rail = Toolbox(self.session, SELECT), Toolbox(self.session, RAIL)
+        self.tool.hit_test, self.tool.grid = self.hit, lambda: (0.5, 0.5)
+        self.rail.hit_test = lambda _pointer, _tool: self.tick
         self.now = 0.0
         self.session.clock = lambda: self.now
         # As the window connects them.
-        self.session.interrupted.connect(self.tool.forget)
-        self.session.interrupted.connect(self.rail.forget)
+        self.session.interrupted.connect(self.tool.abandon)
+        self.session.interrupted.connect(self.rail.abandon)
         self.values, self.at = [self.session.document], 0
         self.saved = None
 
@@ -115,15 +120,14 @@ class Gestures(RuleBasedStateMachine):
     def pointer(self, position, held=None):
         return Pointer(position, SHOWN.point(*position), scale=SHOWN.sx, **(held or {}))
 
-    def pointer_with_hit(self, position, held):
+    def hit(self, pointer, tool):
         view, chosen = self.session.active_view, self.session.selection
         handles = handles_of(view, next(iter(chosen))) if len(chosen) == 1 else []
-        pixel = SHOWN.point(*position)
         polyline = view.flattened(TOLERANCE, SHOWN.box) if view.curve is not None else None
-        hit = hit_test(pixel, SHOWN, view, polyline, chosen, handles)
-        if hit is None and self.tool.kind is ToolKind.SELECT and self.on_other(pixel):
-            hit = Hit(Part.OTHER_CURVE, self.other, position)
-        return Pointer(position, pixel, hit, scale=SHOWN.sx, **held)
+        hit = hit_test(pointer.pixel, SHOWN, view, polyline, chosen, handles)
+        if hit is None and tool.finds_other_curves and self.on_other(pointer.pixel):
+            hit = Hit(Part.OTHER_CURVE, self.other, pointer.position)
+        return hit
 
     @property
     def other(self):
@@ -149,7 +153,7 @@ class Gestures(RuleBasedStateMachine):
         if what == "other" and (other := self.session.views[self.other]).is_current:
             start, end = other.curve.domain
             return tuple(other.curve.evaluate(start + (end - start) * (number + 0.3) / 41).tolist())
-        if what == "grip" and (box := self.tool.overlay().box) is not None:
+        if what == "grip" and (box := self.tool.marks().box) is not None:
             grips = box.grips(SHOWN.sx)
             return grips[number % len(grips)][1]
         return anywhere
@@ -171,25 +175,25 @@ class Gestures(RuleBasedStateMachine):
             assert self.session.document is before
         self.note()
 
-    @rule(kind=st.sampled_from(list(ToolKind)), snapping=st.booleans())
-    def choose_tool(self, kind, snapping):
-        self.tool.put_away()
-        self.tool.kind, self.tool.snapping = kind, Snapping(snapping)
+    @rule(record=st.sampled_from((*TOOLS, EXPLAIN)), snapping=st.booleans())
+    def choose_tool(self, record, snapping):
+        self.tool.choose(record)
+        self.tool.settings = ToolSettings(Snapping(snapping))
 
     @rule(aim=aims, held=modifiers, moves=moves, ending=endings)
     def drag(self, aim, held, moves, ending):
         at = self.aimed(aim)
-        self.tool.hover(self.pointer_with_hit(at, held))
-        self.tool.press(self.pointer_with_hit(at, held))
+        self.tool.hover(self.pointer(at, held))
+        self.tool.press(self.pointer(at, held))
         for position, modified in moves:
             self.tool.move(self.pointer(position, modified))
             self.tool.progress()
-            self.tool.overlay()
+            self.tool.marks()
         self.end(self.tool, ending, self.pointer(*moves[-1]))
 
     @rule(aim=aims, held=modifiers)
     def click(self, aim, held):
-        pointer = self.pointer_with_hit(self.aimed(aim), held)
+        pointer = self.pointer(self.aimed(aim), held)
         self.tool.press(pointer)
         self.tool.release(pointer)
         self.note()
@@ -201,10 +205,10 @@ class Gestures(RuleBasedStateMachine):
         for position, modified in moves:
             self.tool.move(self.pointer(position, modified))
         for key in keys:
-            self.tool.transform_key(key)
+            self.tool.key(key)
             self.tool.progress()
         if ending == "release":
-            self.tool.transform_key("enter")
+            self.tool.key("enter")
             self.note()
         else:
             self.end(self.tool, ending, self.pointer(at))
@@ -216,8 +220,8 @@ class Gestures(RuleBasedStateMachine):
             return
         knot %= len(view.parameters)
         t = float(view.parameters[knot])
-        hit = Hit(Part.TICK, view.owner(knot), (t, 0.0), knot=knot)
-        self.rail.press(Pointer((t, 0.0), (100 * t, 0.0), hit), None)
+        self.tick = Hit(Part.TICK, view.owner(knot), (t, 0.0), knot=knot)
+        self.rail.press(Pointer((t, 0.0), (100 * t, 0.0)))
         pointer = Pointer((to / 100, 0.0), (float(to), 0.0))
         self.rail.move(pointer)
         self.end(self.rail, ending, pointer)

@@ -276,7 +276,7 @@ def test_the_hint_says_what_a_press_does(traced):
 def test_choosing_a_tool_gives_the_mouse_back_to_the_points(traced, tool):
     traced.trigger("moveImage")
     traced.trigger(tool)
-    assert not traced.window.canvas.is_moving_image
+    assert not traced.window.canvas.tools.tool.finds_image
     assert not traced.action("moveImage").isChecked()
 
 
@@ -298,7 +298,7 @@ def test_a_locked_one_stays(traced):
     image = image_of(traced)
     assert image.locked
     assert not traced.action("moveImage").isEnabled()
-    assert not traced.window.canvas.is_moving_image
+    assert not traced.window.canvas.tools.tool.finds_image
     assert not panel_of(traced).x_edit.isEnabled()
     traced.drag(middle(image), (0, 0))
     assert image_of(traced) == image
@@ -341,7 +341,7 @@ def test_removing_it(traced):
     traced.trigger("removeImage")
     assert image_of(traced) is None
     assert not traced.window.image_dock.isVisible()
-    assert not traced.window.canvas.is_moving_image
+    assert not traced.window.canvas.tools.tool.finds_image
     traced.trigger("undo")
     assert image_of(traced) is not None
 
@@ -507,7 +507,7 @@ def test_far_zooms_draw_without_complaint(qtbot, tmp_path):
     for notches in (-60, 110, -100):
         # Where the picture is in the end, far out of sight.
         canvas = editor.window.canvas
-        editor.wheel(canvas.to_plane(canvas.centre()), notches)
+        editor.wheel(canvas.to_plane(canvas.camera.centre()), notches)
         editor.screenshot()
 
 
@@ -515,7 +515,7 @@ def test_far_zooms_draw_without_complaint(qtbot, tmp_path):
     "box", [((-0.1, 0.7), (0.3, 1.1)), ((1e5, 3e5), (-7e4, 1e5)), ((1e-4, 3e-4), (0, 2e-4))]
 )
 def test_a_new_picture_lies_at_short_numbers(editor, tmp_path, box):
-    editor.window.canvas.show_box(*box)
+    editor.window.canvas.camera.show_box(*box)
     editor.window.add_image(picture(tmp_path / "red.png"))
     image = image_of(editor)
     for value in (image.x, image.y):

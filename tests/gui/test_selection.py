@@ -25,7 +25,7 @@ def arch(editor):
     """Four points of an arch."""
     editor.session.commit(Document((make_curve(POINTS),)), "Begin")
     editor.fit()
-    editor.window.canvas.show_box((-3, 7), (-3, 5))
+    editor.window.canvas.camera.show_box((-3, 7), (-3, 5))
     editor.settle()
     return editor
 
@@ -74,14 +74,14 @@ def test_a_drag_with_shift_moves_the_point_under_it_alone(arch):
 def test_the_rubber_band_selects_live(arch):
     arch.press((-1, 3))
     arch.move((2, 1))
-    assert arch.window.canvas.overlay.band is not None
+    assert arch.window.canvas.marks.band is not None
     assert arch.session.selection == {1}
     assert arch.status.startswith("Point 1 selected")
     arch.move((3.5, 1))
     assert arch.session.selection == {1, 2}
     arch.release((3.5, 1))
     assert arch.session.selection == {1, 2}
-    assert arch.window.canvas.overlay.band is None
+    assert arch.window.canvas.marks.band is None
 
 
 def test_shift_adds_with_the_band_and_a_click_with_shift_keeps(arch):
@@ -105,7 +105,7 @@ def test_escape_brings_back_what_was_selected_before_the_band(arch):
 
 
 def test_tab_moves_the_view_to_a_point_out_of_sight(arch):
-    arch.window.canvas.show_box((-0.5, 1.5), (-0.5, 1.5))
+    arch.window.canvas.camera.show_box((-0.5, 1.5), (-0.5, 1.5))
     arch.settle()
     arch.select([0])
     for index in (1, 2, 3):
@@ -148,7 +148,7 @@ def test_a_typed_angle_rotates_exactly_about_the_centre(arch):
     arch.key(Key.Key_R)
     arch.type_amount("90")
     assert arch.status.startswith("Rotate 90°")
-    assert arch.window.canvas.overlay.note.text == "Rotate 90°"
+    assert arch.window.canvas.marks.note.text == "Rotate 90°"
     arch.key(Key.Key_Return)
     assert points(arch).tolist() == [[3, -1], [1, 0], [1, 2], [3, 3]]
     assert text_of_undo(arch) == "Rotate 4 points"
@@ -182,7 +182,7 @@ def test_an_axis_is_locked_and_freed(arch):
     arch.key(Key.Key_Y)
     arch.move((2, 3.5), held=False)
     assert arch.point(1)[0] == 1.0
-    assert arch.window.canvas.overlay.axis is not None
+    assert arch.window.canvas.marks.axis is not None
     arch.key(Key.Key_Y)
     assert arch.point(1)[0] == pytest.approx(2, abs=2 * arch.pixel)
     arch.key(Key.Key_X)
@@ -213,7 +213,7 @@ def test_a_transform_can_be_cancelled(arch, key, way):
     assert arch.session.undo_stack.count() == steps
     arch.move((2, 2), held=False)
     assert arch.session.document is document
-    assert arch.window.canvas.overlay.note is None
+    assert arch.window.canvas.marks.note is None
 
 
 def test_s_follows_the_pointer_away_from_the_centre(arch):
@@ -337,15 +337,15 @@ def test_a_grip_can_be_let_go_with_escape(arch, place):
 
 def test_points_in_a_row_have_no_grips_that_would_do_nothing(arch):
     arch.select([1, 2])
-    box = arch.window.canvas.overlay.box
+    box = arch.window.canvas.marks.box
     assert {(each.x, each.y) for each, _ in box.grips(50) if not each.rotates} == {(-1, 0), (1, 0)}
 
 
 def test_the_box_can_be_hidden_and_stays_hidden(arch):
     arch.select([0, 1])
-    assert arch.window.canvas.overlay.box is not None
+    assert arch.window.canvas.marks.box is not None
     arch.trigger("toggleTransformBox")
-    assert arch.window.canvas.overlay.box is None
+    assert arch.window.canvas.marks.box is None
     assert not arch.window.preferences.transform_box
 
 

@@ -589,7 +589,7 @@ def test_a_point_is_inserted_at_the_scrub_line(three):
 def test_the_others_are_drawn_in_their_colours_and_repainted_only_when_something_changed(three):
     three.click_in_list(2, Spot.SWATCH)
     three.choose("colour_Vermillion")
-    layer = three.window.canvas._other_curves
+    layer = three.window.canvas.drawing.others
     picture = layer._picture
     assert picture is not None
     three.drag_point(1, to=(1.3, 4.4))
@@ -605,19 +605,19 @@ def test_the_others_are_drawn_in_their_colours_and_repainted_only_when_something
     ]
     assert max(colour.red() - colour.blue() for colour in colours) > 60
     layer._seconds = 0.0  # as if painting had taken no time
-    three.window.canvas.zoom(1.2, three.window.canvas.centre())
+    three.window.canvas.camera.zoom(1.2, three.window.canvas.camera.centre())
     three.settle()
     assert layer._picture is not picture
 
 
 def test_many_curves_are_moved_along_while_the_view_moves_and_painted_when_it_rests(three, qtbot):
     canvas = three.window.canvas
-    layer = canvas._other_curves
+    layer = canvas.drawing.others
     three.settle()
     layer._seconds = 1.0  # as if painting had taken a second
     picture = layer._picture
-    canvas.zoom(1.2, canvas.centre())
-    canvas.pan(30, 10)
+    canvas.camera.zoom(1.2, canvas.camera.centre())
+    canvas.camera.pan(30, 10)
     three.settle()
     assert layer._picture is picture
     shown, place = canvas.pixel_map, picture.place_in(canvas.pixel_map)
@@ -630,7 +630,7 @@ def test_many_curves_are_moved_along_while_the_view_moves_and_painted_when_it_re
 def test_a_corner_is_marked(three):
     three.select([1])
     three.trigger("tangentCorner")
-    assert three.window.canvas._corner_layer._corners == [1]
+    assert three.window.canvas.drawing.corners._corners == [1]
     assert three.screenshot().width() > 0
 
 

@@ -8,6 +8,7 @@ from PySide6.QtGui import QKeySequence
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QLabel, QWidget
 
+from app.actions.sections import CURVE
 from app.families import HERMITE, LAGRANGE
 from app.keymap import refusal
 from app.panels.preferences_dialog import PreferencesDialog
@@ -53,9 +54,7 @@ def test_recorded_keys_work_at_once_everywhere(editor, keys):
     assert shown(keys, "familyHermite") == "Ctrl+U"
     action = editor.action("familyHermite")
     assert action.toolTip().endswith("(Ctrl+U)")
-    assert ("Ctrl+U", "Cubic pieces with given velocities") in editor.window.actions_by_name.shortcuts(
-        "Curve"
-    )
+    assert ("Ctrl+U", "Cubic pieces with given velocities") in editor.window.actions_by_name.shortcuts(CURVE)
     keys.window().hide()
     # Offscreen nobody else hands the keyboard back.
     editor.window.activateWindow()

@@ -21,7 +21,7 @@ from app.testing import wait_for_rest
 @pytest.fixture
 def arch(editor):
     editor.session.commit(Document((make_curve(((0.0, 0.0), (1.0, 2.0), (3.0, 2.0), (4.0, 0.0))),)), "Begin")
-    editor.window.canvas.show_box((-3, 7), (-3, 5))
+    editor.window.canvas.camera.show_box((-3, 7), (-3, 5))
     editor.settle()
     return editor
 
@@ -50,7 +50,7 @@ def test_fit_shows_the_picture_while_there_are_no_points(editor, picture):
     editor.window.add_image(picture)
     image = editor.session.document.image
     corners = (image.x, image.y), (image.x + image.width, image.y + image.height)
-    editor.window.canvas.show_box((1000, 1010), (1000, 1010))
+    editor.window.canvas.camera.show_box((1000, 1010), (1000, 1010))
     QTest.keyClick(editor.window.canvas, Qt.Key.Key_F)
     editor.settle()
     assert in_sight(editor, *corners)
@@ -92,9 +92,9 @@ def test_a_file_given_at_the_start_opens_with_the_margins_of_fit(qtbot, file, tm
     wait_for_rest(window)
     QApplication.processEvents()
     opened = window.canvas.pixel_map.box
-    window.canvas.fit()
+    window.canvas.framing.fit()
     assert window.canvas.pixel_map.box == pytest.approx(opened)
-    assert window.canvas.shows_all_points
+    assert window.canvas.framing.shows_all_points
 
 
 # Words over the canvas
@@ -148,7 +148,7 @@ def test_a_tool_takes_the_mouse_back_from_the_picture(arch, picture, name):
     arch.trigger("moveImage")
     arch.trigger(name)
     assert not arch.action("moveImage").isChecked()
-    assert not arch.window.canvas.is_moving_image
+    assert not arch.window.canvas.tools.tool.finds_image
     assert [n for n in ("selectTool", "addTool", "measureTool") if arch.action(n).isChecked()] == [name]
     arch.trigger(name)
     assert arch.action(name).isChecked()
@@ -190,12 +190,12 @@ def test_folding_the_side_does_not_bring_it_back(arch, picture):
 
 def test_a_locked_curve_has_no_box_to_scale_it_by(arch):
     arch.select([0, 1, 2])
-    assert arch.window.canvas.overlay.box is not None
+    assert arch.window.canvas.marks.box is not None
     arch.trigger("curveLocked")
     assert arch.session.active_curve.locked
-    assert arch.window.canvas.overlay.box is None
+    assert arch.window.canvas.marks.box is None
     arch.trigger("curveLocked")
-    assert arch.window.canvas.overlay.box is not None
+    assert arch.window.canvas.marks.box is not None
 
 
 def test_derivatives_can_be_pasted_only_when_some_were_copied(arch):
@@ -219,7 +219,7 @@ def test_derivatives_can_be_pasted_only_when_some_were_copied(arch):
 def readout(editor):
     """Where the readout stands, in pixels of the canvas."""
     editor.screenshot()
-    return editor.window.canvas.readout_rect
+    return editor.window.canvas.drawing.marks.readout_rect
 
 
 @pytest.mark.parametrize("grip", [(1, 1), (-1, -1), (1, 0), (0, -1), (0, 0)])
@@ -230,7 +230,7 @@ def test_a_readout_stands_clear_of_the_grip_and_the_points(arch, grip):
     arch.press(start)
     arch.move(to)
     plate, canvas = readout(arch), arch.window.canvas
-    assert arch.window.canvas.overlay.note is not None
+    assert arch.window.canvas.marks.note is not None
     assert plate.width() > 30
     hand = canvas.pixel_map.point(*to)
     for place in (hand, *(canvas.pixel_map.point(*arch.point(index)) for index in range(4))):

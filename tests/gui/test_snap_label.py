@@ -22,7 +22,7 @@ SIZE = QSizeF(40, 16)
 def snapping(editor):
     """A Hermite curve over a grid of 0.5, to which points snap."""
     editor.session.commit(Document((make_curve(POINTS, family=HERMITE),)), "Begin")
-    editor.window.canvas.show_box((-3, 7), (-3, 5))
+    editor.window.canvas.camera.show_box((-3, 7), (-3, 5))
     editor.window.preferences.grid_spacing = 0.5
     editor.trigger("toggleSnap")
     return editor
@@ -80,15 +80,17 @@ def test_the_words_cover_neither_the_number_nor_the_curve(snapping, index, to):
     canvas = snapping.window.canvas
     snapping.press(snapping.point(index))
     snapping.move((to[0] + 2 * snapping.pixel, to[1] + 2 * snapping.pixel))
-    label = canvas.snap_label_rect
+    label = canvas.drawing.marks.snap_label_rect
     shown = canvas.pixel_map
-    number = next(centre for number, (centre, _) in enumerate(canvas._point_layer.numbers) if number == index)
+    number = next(
+        centre for number, (centre, _) in enumerate(canvas.drawing.points.numbers) if number == index
+    )
     assert not label.contains(number)
     view = snapping.session.active_view
     t = np.linspace(*view.curve.domain, 4001)
     covered = [label.contains(QPointF(*pixel)) for pixel in shown.points(view.curve.evaluate(t)).tolist()]
     assert not any(covered)
-    place = shown.point(*canvas.overlay.snap.position)
+    place = shown.point(*canvas.marks.snap.position)
     assert label.adjusted(-12, -12, 12, 12).contains(QPointF(*place))
     snapping.escape()
 
@@ -111,19 +113,19 @@ def test_one_line_of_the_grid_is_shown_as_a_line(snapping):
     snapping.trigger("addTool")
     place = (5.5, 1.73)
     snapping.hover(place)
-    snap = snapping.window.canvas.overlay.snap
+    snap = snapping.window.canvas.marks.snap
     assert (snap.label, snap.grid_line, snap.axes) == ("grid x", 0, (0,))
     assert has_accent(snapping, place, (30, 60))
     snapping.hover((5.5, 1.5))
-    snap = snapping.window.canvas.overlay.snap
+    snap = snapping.window.canvas.marks.snap
     assert (snap.label, snap.grid_line, snap.axes) == ("grid", None, (0, 1))
     assert has_accent(snapping, (5.5, 1.5), (2, 8))
     assert not has_accent(snapping, (5.5, 1.5), (30, 60))
     snapping.hover((5.73, 1.5))
-    snap = snapping.window.canvas.overlay.snap
+    snap = snapping.window.canvas.marks.snap
     assert (snap.label, snap.grid_line) == ("grid y", 1)
     snapping.escape()
-    assert snapping.window.canvas.overlay.snap is None
+    assert snapping.window.canvas.marks.snap is None
     assert not has_accent(snapping, place, (30, 60))
 
 
@@ -131,10 +133,10 @@ def test_a_drag_along_one_axis_names_the_line_that_holds_it(snapping):
     document = snapping.session.document
     snapping.press(snapping.point(1))
     snapping.move((2.5 + 2 * snapping.pixel, 2.1), keys=SHIFT)
-    assert snapping.window.canvas.overlay.snap.label == "grid x"
+    assert snapping.window.canvas.marks.snap.label == "grid x"
     assert snapping.status.endswith("snapped to: grid x")
     snapping.escape()
-    assert snapping.window.canvas.overlay.snap is None
+    assert snapping.window.canvas.marks.snap is None
     snapping.release((2.5, 2.1))
     assert snapping.session.document is document
 
@@ -142,7 +144,7 @@ def test_a_drag_along_one_axis_names_the_line_that_holds_it(snapping):
 def test_level_with_a_neighbour_and_on_a_line_of_the_grid(snapping):
     snapping.press(snapping.point(1))
     snapping.move((1.5 + 2 * snapping.pixel, 2.11 + 2 * snapping.pixel))
-    snap = snapping.window.canvas.overlay.snap
+    snap = snapping.window.canvas.marks.snap
     assert (snap.label, snap.grid_line) == ("grid x · level with point 2", 0)
     assert len(snap.guides) == 1
     snapping.escape()

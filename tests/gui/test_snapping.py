@@ -14,7 +14,7 @@ from app.families import HERMITE, QUINTIC_HERMITE
 from app.preferences import Preferences
 from app.testing import Editor
 from app.tools.pointer import Pointer
-from app.tools.snapping import Magnet, SnapKind, Snapping, grid_value, targets_of
+from app.tools.snapping import SnapKind, Snapper, Snapping, grid_value, targets_of
 from app.view_model.curve_view import view_of
 from app.view_model.nearest import NearestPoint
 
@@ -31,7 +31,7 @@ def pair(editor):
     two = make_curve(OTHER, name="Base", family=HERMITE)
     document = edits.set_parametrization(Document((one, two)), 0, ParametrizationKind.UNIFORM, [])
     editor.session.commit(document, "Begin")
-    editor.window.canvas.show_box((-3, 7), (-3, 5))
+    editor.window.canvas.camera.show_box((-3, 7), (-3, 5))
     editor.window.preferences.grid_spacing = 0.5
     editor.trigger("toggleSnap")
     return editor
@@ -58,11 +58,11 @@ def test_grid_values_are_the_numbers_that_are_meant(value, spacing, expected):
 
 def snap_of(position, *, kinds=frozenset(SnapKind), grid=(1.0, 1.0), axis=None, moving=(1,), ctrl=False):
     views = [view_of(make_curve(POINTS)), view_of(make_curve(OTHER, name="Base"))]
-    magnet = Magnet(
+    snapper = Snapper(
         lambda: Snapping(True, kinds), lambda: grid, lambda: targets_of(views, 0, moving, moving[0], kinds)
     )
-    place = magnet.pull(position, Pointer(position, (0, 0), scale=100.0, ctrl=ctrl), axis)
-    return place, magnet.caught.label if magnet.caught is not None else None
+    place = snapper.snap(position, Pointer(position, (0, 0), scale=100.0, ctrl=ctrl), axis)
+    return place, snapper.caught.label if snapper.caught is not None else None
 
 
 def test_what_is_nearest_is_caught_within_eight_pixels():
@@ -112,11 +112,11 @@ def test_a_dragged_point_lands_exactly_on_the_grid(pair):
     pair.press(pair.point(1))
     pair.move(near(pair, (1.5, 3.5)))
     assert pair.point(1) == (1.5, 3.5)
-    assert pair.window.canvas.overlay.snap.label == "grid"
+    assert pair.window.canvas.marks.snap.label == "grid"
     assert "snapped to: grid" in pair.status
     pair.release(near(pair, (1.5, 3.5)))
     assert pair.point(1) == (1.5, 3.5)
-    assert pair.window.canvas.overlay.snap is None
+    assert pair.window.canvas.marks.snap is None
 
 
 def test_escape_puts_the_mark_away_too(pair):
@@ -125,7 +125,7 @@ def test_escape_puts_the_mark_away_too(pair):
     pair.move(near(pair, (1.5, 3.5)))
     pair.escape()
     assert pair.session.document is document
-    assert pair.window.canvas.overlay.snap is None
+    assert pair.window.canvas.marks.snap is None
     pair.release((0, 0))
 
 
@@ -150,12 +150,12 @@ def test_a_selection_moves_with_its_grip_on_the_grid(pair):
 def test_a_new_point_snaps_and_shows_it_before_the_press(pair):
     pair.trigger("addTool")
     pair.hover(near(pair, (5.5, 1.5)))
-    assert pair.window.canvas.overlay.snap.position == (5.5, 1.5)
+    assert pair.window.canvas.marks.snap.position == (5.5, 1.5)
     pair.click(near(pair, (5.5, 1.5)))
     assert pair.point(4) == (5.5, 1.5)
     pair.trigger("selectTool")
     pair.hover((-2, 4))
-    assert pair.window.canvas.overlay.snap is None
+    assert pair.window.canvas.marks.snap is None
 
 
 def test_a_move_by_keys_snaps(pair):
@@ -185,12 +185,12 @@ def test_the_corner_of_the_box_lands_exactly_on_the_grid(pair):
     assert pair.point(2) == (4.5, 3.5)
     assert pair.point(0) == (0, 0)
     assert pair.point(1) == pytest.approx((1.03 * 4.5 / 3.07, 2.04 * 3.5 / 2.11))
-    assert pair.window.canvas.overlay.snap.position == (4.5, 3.5)
+    assert pair.window.canvas.marks.snap.position == (4.5, 3.5)
     assert pair.status.endswith("snapped to: grid")
     pair.release(at)
     assert pair.point(2) == (4.5, 3.5)
     assert pair.session.undo_stack.undoText() == "Scale 3 points"
-    assert pair.window.canvas.overlay.snap is None
+    assert pair.window.canvas.marks.snap is None
 
 
 def test_the_corner_of_the_box_lands_exactly_on_a_point_of_another_curve(pair):
@@ -205,8 +205,8 @@ def test_the_corner_of_the_box_meets_another_curve(pair):
     pair.window.preferences.snap_kinds = {SnapKind.CURVES}
     pair.window.apply_preferences()
     at = drag_grip(pair, 1, -1, (1.03, 0.0), place)
-    assert pair.window.canvas.overlay.snap.label == "Base"
-    assert pair.window.canvas.overlay.snap.position == (pair.point(1)[0], pair.point(0)[1])
+    assert pair.window.canvas.marks.snap.label == "Base"
+    assert pair.window.canvas.marks.snap.position == (pair.point(1)[0], pair.point(0)[1])
     pair.release(at)
 
 
@@ -214,7 +214,7 @@ def test_the_corner_of_the_box_meets_another_curve(pair):
 def test_a_side_of_the_box_snaps_along_its_way(pair, to, label):
     pair.select([0, 1, 2])
     at = drag_grip(pair, 1, 0, (3.07, 1.055), (to, 1.055))
-    assert pair.window.canvas.overlay.snap.label == label
+    assert pair.window.canvas.marks.snap.label == label
     pair.release(at)
     assert pair.point(2) == (to, 2.11)
 
@@ -231,13 +231,13 @@ def test_a_scaled_box_is_free_with_ctrl_and_escape_takes_it_back(pair):
     document = pair.session.document
     at = drag_grip(pair, 1, 1, (3.07, 2.11), (4.5, 3.5), keys=CTRL)
     assert pair.point(2) != (4.5, 3.5)
-    assert pair.window.canvas.overlay.snap is None
+    assert pair.window.canvas.marks.snap is None
     pair.move(at)
     assert pair.point(2) == (4.5, 3.5)
     pair.escape()
     pair.release(at)
     assert pair.session.document is document
-    assert pair.window.canvas.overlay.snap is None
+    assert pair.window.canvas.marks.snap is None
 
 
 @pytest.fixture
@@ -260,19 +260,19 @@ def test_the_end_of_a_handle_snaps(quintic, kind, target, label):
     start = handle_end(quintic, kind)
     quintic.press(start)
     quintic.move(near(quintic, target, dx=0))
-    assert quintic.window.canvas.overlay.snap.label == label
+    assert quintic.window.canvas.marks.snap.label == label
     assert f"snapped to: {label}" in quintic.status
     quintic.release(near(quintic, target, dx=0))
     along = 1 if label.startswith("level") else slice(None)
     assert np.array(handle_end(quintic, kind))[along] == pytest.approx(np.array(target)[along], abs=1e-12)
-    assert quintic.window.canvas.overlay.snap is None
+    assert quintic.window.canvas.marks.snap is None
 
 
 def test_the_end_of_a_handle_meets_another_curve(quintic):
     place = tuple(quintic.session.views[1].curve.evaluate(0.3))
     quintic.press(handle_end(quintic, 1))
     quintic.move(near(quintic, place))
-    snap = quintic.window.canvas.overlay.snap
+    snap = quintic.window.canvas.marks.snap
     assert snap.label == "Base"
     assert handle_end(quintic, 1) == pytest.approx(snap.position, abs=1e-12)
     quintic.release(place)
@@ -284,13 +284,13 @@ def test_a_handle_is_free_with_ctrl_and_at_a_held_angle_or_direction(quintic, ke
     quintic.press(handle_end(quintic, 1))
     quintic.move(near(quintic, (2.5, 3.5)), keys=keys)
     assert math.dist(handle_end(quintic, 1), (2.5, 3.5)) > quintic.pixel
-    assert quintic.window.canvas.overlay.snap is None
+    assert quintic.window.canvas.marks.snap is None
     quintic.move(near(quintic, (2.5, 3.5)))
-    assert quintic.window.canvas.overlay.snap is not None
+    assert quintic.window.canvas.marks.snap is not None
     quintic.escape()
     quintic.release((0, 0))
     assert quintic.session.document is document
-    assert quintic.window.canvas.overlay.snap is None
+    assert quintic.window.canvas.marks.snap is None
 
 
 def test_a_velocity_pulled_out_of_a_point_snaps(quintic):
@@ -305,21 +305,21 @@ def test_a_closed_curve_is_measured_from_all_its_points(pair):
     pair.trigger("closeCurve")
     pair.trigger("measureTool")
     pair.hover(near(pair, pair.point(3)))
-    assert pair.window.canvas.overlay.snap.label == "point 3"
+    assert pair.window.canvas.marks.snap.label == "point 3"
 
 
 def test_the_grid_that_is_snapped_to_is_the_one_on_screen(editor):
     canvas = editor.window.canvas
-    canvas.show_box((0, 10), (0, 8))
-    wide = canvas.grid_spacing
-    canvas.show_box((0, 0.1), (0, 0.08))
-    assert canvas.grid_spacing[0] == pytest.approx(wide[0] / 100)
-    for spacing in (*wide, *canvas.grid_spacing):
+    canvas.camera.show_box((0, 10), (0, 8))
+    wide = canvas.tools.grid()
+    canvas.camera.show_box((0, 0.1), (0, 0.08))
+    assert canvas.tools.grid()[0] == pytest.approx(wide[0] / 100)
+    for spacing in (*wide, *canvas.tools.grid()):
         assert len(f"{spacing!r}") <= 6
-    canvas.grid.set_spacing(0.25)
-    assert canvas.grid_spacing == (0.25, 0.25)
+    canvas.drawing.grid.set_spacing(0.25)
+    assert canvas.tools.grid() == (0.25, 0.25)
     for width in (1e-3, 1.0, 1e4, 1e9):
-        canvas.show_box((0, width), (0, width))
+        canvas.camera.show_box((0, width), (0, width))
         editor.settle()
         assert sum(len(values) for _, values in canvas.getAxis("bottom").tickValues(0, width, 800)) < 200
 
@@ -338,7 +338,7 @@ def test_settings_are_remembered(qtbot, tmp_path):
     assert (again.grid_spacing, again.unit_name) == (0.1, "mm")
     second = Editor(qtbot, preferences=again)
     assert second.action("toggleSnap").isChecked()
-    assert second.window.canvas.grid_spacing == (0.1, 0.1)
+    assert second.window.canvas.tools.grid() == (0.1, 0.1)
 
 
 @pytest.mark.parametrize(
@@ -364,19 +364,19 @@ def test_foreign_settings_give_the_default_and_a_sentence(tmp_path, key, value, 
 
 def test_measuring_changes_nothing_and_snaps(pair):
     pair.window.preferences.unit_name = "mm"
-    pair.window._commands.snap.apply_preferences()
+    pair.window.apply_preferences()
     document = pair.session.document
     pair.trigger("measureTool")
     pair.press(near(pair, POINTS[0]))
     pair.move(near(pair, (3.0, 4.0)))
-    ruler = pair.window.canvas.overlay.ruler
+    ruler = pair.window.canvas.marks.ruler
     assert (ruler.start, ruler.end) == (POINTS[0], (3.0, 4.0))
     assert ruler.text == "5 mm · Δx 3 · Δy 4 · 53.1°"
     assert pair.status.startswith(ruler.text)
     pair.release(near(pair, (3.0, 4.0)))
-    assert pair.window.canvas.overlay.ruler == ruler
+    assert pair.window.canvas.marks.ruler == ruler
     pair.escape()
-    assert pair.window.canvas.overlay.ruler is None
+    assert pair.window.canvas.marks.ruler is None
     assert pair.action("measureTool").isChecked()
     pair.escape()
     assert pair.action("selectTool").isChecked()
@@ -388,9 +388,9 @@ def test_measuring_can_be_cancelled_and_does_not_swallow_undo(pair):
     pair.press((0, 3))
     pair.move((2, 3))
     pair.escape()
-    assert pair.window.canvas.overlay.ruler is None
+    assert pair.window.canvas.marks.ruler is None
     pair.release((2, 3))
-    assert pair.window.canvas.overlay.ruler is None
+    assert pair.window.canvas.marks.ruler is None
     pair.drag((0, 3), (2, 3))
     pair.trigger("undo")
     assert len(pair.session.document.curves) == 1
@@ -400,4 +400,4 @@ def test_a_point_is_measured_not_dragged(pair):
     pair.trigger("measureTool")
     pair.drag(pair.point(1), (2, 3))
     assert pair.point(1) == POINTS[1]
-    assert pair.window.canvas.overlay.ruler.start == POINTS[1]
+    assert pair.window.canvas.marks.ruler.start == POINTS[1]

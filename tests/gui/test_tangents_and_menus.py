@@ -9,7 +9,7 @@ from PySide6.QtCore import QLocale, QMimeData, Qt
 from PySide6.QtGui import QGuiApplication
 from PySide6.QtTest import QTest
 
-from app.commands.clipboard_commands import DERIVATIVES
+from app.clipboard_watch import DERIVATIVES
 from app.document import edits
 from app.document.model import (
     AccelerationRule,
@@ -432,7 +432,7 @@ def test_the_menu_of_the_canvas_has_snap_beside_grid(wave):
 def test_points_pasted_out_of_sight_are_brought_into_view(wave, name):
     wave.paste_text("40 0\n50 10")
     wave.trigger(name)
-    assert wave.window.canvas.shows_all_points
+    assert wave.window.canvas.framing.shows_all_points
 
 
 def test_a_new_curve_begins_with_parameters_of_its_own(wave):

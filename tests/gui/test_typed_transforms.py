@@ -22,7 +22,7 @@ def arch(editor):
     """Five points, none selected."""
     curves = (make_curve(POINTS, name="Arch"), make_curve([(0, -2), (4, -2)], name="Base"))
     editor.session.commit(Document(curves), "Begin")
-    editor.window.canvas.show_box((-3, 7), (-3, 5))
+    editor.window.canvas.camera.show_box((-3, 7), (-3, 5))
     editor.select([])
     editor.hover((-1, 3))
     return editor
@@ -53,7 +53,7 @@ def test_with_nothing_selected_they_act_on_all_points(arch, key, typed, expected
     arch.type_amount(typed)
     assert arch.status.startswith(status)
     assert "Escape cancels" in arch.status
-    assert arch.window.canvas.overlay.note.text == status
+    assert arch.window.canvas.marks.note.text == status
     arch.key(Key.Key_Return)
     assert points(arch) == pytest.approx(np.array(expected), abs=1e-12)
     assert undo_text(arch) == name

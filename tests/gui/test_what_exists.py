@@ -14,7 +14,7 @@ from app.document import edits
 from app.document.model import Document, Node, make_curve
 from app.families import HERMITE, LAGRANGE
 from app.session import Session
-from app.tools.machine import DragMachine
+from app.tools.drag_machine import DragMachine
 from app.tools.pointer import Pointer
 
 EDGE = 1e12
@@ -55,7 +55,7 @@ def assert_exists(session):
 
 def test_after_a_fit_the_pointer_has_plain_floats(editor):
     for plot in (editor.window.canvas, editor.window.basis_panel):
-        places = [*plot.to_plane(QPointF(50.5, 60.0)), *plot.pixel_map.box, plot.pixel_size]
+        places = [*plot.to_plane(QPointF(50.5, 60.0)), *plot.pixel_map.box, plot.camera.pixel_size]
         assert [type(value) for value in places] == [float] * 7
 
 
@@ -68,7 +68,7 @@ def test_a_point_clicked_after_a_fit_goes_a_step_of_the_grid(editor):
     new = editor.session.selected
     x, y = editor.point(new)
     editor.key(Qt.Key.Key_Right)
-    assert editor.point(new) == pytest.approx((x + editor.window.canvas.grid_spacing[0], y), abs=1e-15)
+    assert editor.point(new) == pytest.approx((x + editor.window.canvas.tools.grid()[0], y), abs=1e-15)
 
 
 def test_what_a_program_commits_becomes_plain(odd_values):

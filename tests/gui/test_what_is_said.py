@@ -153,6 +153,7 @@ def test_a_drag_on_the_rail_tells_t_and_that_escape_cancels(pair):
     start, to = panel.rail_pixel(pair.parameters[1]), panel.rail_pixel(0.4)
     pair.send(panel, QEvent.Type.MouseButtonPress, start)
     pair.send(panel, QEvent.Type.MouseMove, to)
+    pair.settle()
     assert pair.status.startswith("t of point 1 = 0.4")
     assert pair.status.endswith("E: all ticks on that side · Escape cancels")
     panel.setFocus()

@@ -15,7 +15,7 @@ RIGHT, UP = Qt.Key.Key_Right, Qt.Key.Key_Up
 @pytest.fixture
 def arch(editor):
     editor.session.commit(Document((make_curve(((0.0, 0.0), (1.0, 2.0), (3.0, 2.0), (4.0, 0.0))),)), "Begin")
-    editor.window.canvas.show_box((-3, 7), (-3, 5))
+    editor.window.canvas.camera.show_box((-3, 7), (-3, 5))
     editor.settle()
     return editor
 
@@ -36,7 +36,7 @@ def test_a_dragged_point_tells_where_it_is(arch):
 
 
 def test_a_point_that_snaps_tells_its_own_place_and_not_the_hand_s(arch):
-    near = arch.window.canvas.grid_spacing[0] * 3
+    near = arch.window.canvas.tools.grid()[0] * 3
     arch.press(arch.point(1), keys=CTRL)
     arch.move((1 + near + 3 * arch.pixel, 2 + 2 * arch.pixel), keys=CTRL)
     place = arch.point(1)
@@ -76,7 +76,7 @@ def test_a_transform_by_key_tells_where_its_one_point_is(arch):
     arch.trigger("moveSelection")
     arch.type_amount("2")
     assert arch.status.startswith("Move 2, 0 · Point 1 at 3, 2 · ")
-    assert arch.window.canvas.overlay.note.text == "Move 2, 0"
+    assert arch.window.canvas.marks.note.text == "Move 2, 0"
     arch.hover((1.5, 2.5))
     assert shown_place(arch) == "x 3   y 2"
     arch.key(Qt.Key.Key_S)
@@ -97,6 +97,6 @@ def test_nudges_say_where_the_point_is_and_the_step(arch):
 def test_nudges_on_the_grid_say_its_step(arch):
     arch.trigger("toggleSnap")
     arch.select([2])
-    fine = arch.window.canvas.grid_spacing[0]
+    fine = arch.window.canvas.tools.grid()[0]
     arch.key(RIGHT)
     assert arch.status == f"Point 2 at {3 + fine:.4g}, 2 · step {fine:.4g}, 0"

@@ -10,6 +10,7 @@ from PySide6.QtGui import QEnterEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QLabel, QPushButton
 
+from app.commands.wiggle_commands import WiggleCommands
 from app.document.model import Document, Parametrization, ParametrizationKind, make_curve
 from app.families import HERMITE, LAGRANGE, QUINTIC_HERMITE
 from app.panels.wiggle_panel import WigglePanel
@@ -33,7 +34,7 @@ def with_runge(editor):
 
 
 def commands(editor):
-    return editor.window._commands.wiggle
+    return editor.window._commands[WiggleCommands]
 
 
 def panel(editor):
@@ -59,7 +60,7 @@ def text(editor, name):
 
 
 def ghosts(editor):
-    return editor.window.canvas.annotations.traces("cure")[0]
+    return editor.window.canvas.drawing.annotations.traces("cure")[0]
 
 
 def hover(widget):

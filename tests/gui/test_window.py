@@ -32,6 +32,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from app.cli.windows import open_windows
 from app.document.edits import rename_curve, set_velocity
 from app.document.model import ParametrizationKind
 from app.families import HERMITE, LAGRANGE, QUINTIC_HERMITE
@@ -41,7 +42,6 @@ from app.mnemonics import plain
 from app.preferences import Preferences
 from app.resources import resource
 from app.session import Session
-from app.start import open_windows
 from app.storage.files import load
 from app.storage.format import encode
 from app.testing import Editor

@@ -16,7 +16,7 @@ import msgspec
 import pytest
 
 from app.storage import lock as lock_module
-from app.storage import processes
+from app.storage import processes, ps
 from app.storage.lock import OLD, Owner, acquire, lock_place, owner_of, take_over
 from app.storage.processes import Process, is_alive, is_number_alive, machine, this_process
 from app.storage.system_lock import try_lock
@@ -133,7 +133,7 @@ def test_a_process_of_another_container_cannot_be_judged():
 @pytest.mark.skipif(shutil.which("ps") is None, reason="there is no ps")
 def test_where_there_is_no_proc_ps_tells(monkeypatch):
     """As on macOS."""
-    monkeypatch.setattr(processes, "_started", processes._started_elsewhere)
+    monkeypatch.setattr(processes, "_started", ps.started)
     own = Process(machine(), os.getpid(), processes._started(os.getpid()))
     assert own.started
     assert is_alive(own)
@@ -147,7 +147,7 @@ def test_the_system_tells_of_an_owner_that_cannot_be_asked(target):
     code = """\
         import sys
         from pathlib import Path
-        from app.storage import processes
+        from app.storage import processes, ps
         processes._numbering = lambda: "another container"
         from app.storage.lock import acquire, lock_place
         result = acquire(lock_place(Path(sys.argv[1])))

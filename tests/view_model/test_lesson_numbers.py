@@ -15,7 +15,7 @@ import numpy as np
 import pytest
 from msgspec.structs import replace
 
-from app.action_specs import SPECS
+from app.commands.connect import all_actions
 from app.document.model import ParametrizationKind
 from app.families import HERMITE
 from app.lessons import lesson_names, load_lesson
@@ -184,7 +184,7 @@ def with_uniform(count):
 
 def key(name):
     """The key of an action that is a digit."""
-    return float(next(spec.shortcut for spec in SPECS if spec.name == name))
+    return float(next(each.key for each in all_actions() if each.name == name))
 
 
 def points_of(number, name=None):

@@ -12,7 +12,7 @@ from app.document.model import Curve, Node, Parametrization, ParametrizationKind
 from app.examples import first_sketch
 from app.families import HERMITE, QUINTIC_HERMITE, Family
 from app.view_model.curve_view import view_of
-from app.view_model.motion import STATIONS, Course, Pace, Repeat, folded, round_of, runs_back
+from app.view_model.motion import STATIONS, Course, folded, round_of, runs_back
 from app.view_model.motion_picture import (
     TRAIL,
     ArrowKind,
@@ -24,6 +24,7 @@ from app.view_model.motion_picture import (
     rivals_of,
     scales_of,
 )
+from app.view_model.motion_settings import Pace, Repeat
 from curvecore import HermiteCurve, LagrangeCurve
 
 QUARTERS = np.arange(0.0, 12.0, 0.25)

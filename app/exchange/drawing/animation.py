@@ -26,8 +26,9 @@ from app.exchange.formats import format_of
 from app.storage.files import write
 from app.tasks.progress import FINAL, Report, silent
 from app.view_model.curve_view import view_of
-from app.view_model.motion import Course, Pace, Repeat, round_of
+from app.view_model.motion import Course, round_of
 from app.view_model.motion_picture import COLOURS, Role, rivals_of
+from app.view_model.motion_settings import Pace, Repeat
 
 if TYPE_CHECKING:
     from PIL import Image

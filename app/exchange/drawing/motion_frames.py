@@ -15,8 +15,9 @@ from app.exchange.drawing.drawing import Drawing, Frame, drawing_of
 from app.exchange.drawing.image import paint_drawing
 from app.view_model.arrow import arrow_segments
 from app.view_model.curve_view import Floats
-from app.view_model.motion import Repeat, round_of
+from app.view_model.motion import round_of
 from app.view_model.motion_picture import COLOURS, RADII, TRAIL, Dot, Role, colour_of, dots_at, scales_of
+from app.view_model.motion_settings import Repeat
 from app.view_model.palette import ACCENT, PAPER, colour_on
 
 _NOMINAL = 640.0

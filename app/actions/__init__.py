@@ -1,0 +1,8 @@
+"""Actions: declared on their handlers, read by menus, toolbar, palette, keys and tests.
+
+- ``declaration``: the decorators `action` and `action_for_each`, and what they say of an action.
+- ``sections``: the menus, and the sections in which actions stand.
+- ``needs``: what must be there before an action can be used, in words and as a predicate.
+- ``situation``: what actions are enabled, checked and named by.
+- ``qactions``: the QActions of a window, made from the declarations.
+"""

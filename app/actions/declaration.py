@@ -1,0 +1,159 @@
+"""Actions are declared where they are handled.
+
+A decorator on the method says everything about an action::
+
+    class OverlayCommands:
+        @action("newSeed", "New Seed", OVERLAYS_ERRORS, icon="seed")
+        def _new_seed(self) -> None:
+            '''Draw other random errors.'''
+
+        @action_for_each(OVERLAYS, lambda each: Action(f"overlay{each.title}", …))
+        def _switch(self, overlay: Overlay) -> None:
+            …
+
+What an action does is said by the docstring of its handler: it is the action's tip.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator
+from functools import partial
+from typing import ParamSpec, TypeVar
+
+import msgspec
+from msgspec.structs import replace
+
+from app.actions.needs import NOTHING, Need
+from app.actions.sections import Section
+from app.actions.situation import Situation
+
+_DECLARED = "declared_actions"
+
+_Handler = TypeVar("_Handler", bound=Callable[..., object])
+_Record = TypeVar("_Record")
+_Fields = ParamSpec("_Fields")
+
+
+class Action(msgspec.Struct, frozen=True):
+    """What an action is called, how it is reached, where it stands and what it needs.
+
+    Attributes
+    ----------
+    name
+        The QAction's objectName.
+    text
+        Menu text, without mnemonic.
+    section
+        Where in the menus it stands.
+    key
+        One or more key sequences, comma separated; empty for none.
+    icon
+        A file of resources/icons, without suffix; empty for none.
+    tip
+        What it does, for tooltip and status line; where empty, the first line of the handler's docstring.
+    full_name
+        What it is called where its menu is not seen: in the palette and the list of keys; the text itself
+        where empty.
+    needs
+        What must be there before it can be used.
+    checked
+        Whether it is on; makes it a switch.
+    group
+        Name of the group of which one is on; empty for a switch of its own.
+    title
+        Its text where that changes.
+    during_gesture
+        Whether it leaves a gesture in flight alone, in a menu whose actions interrupt.
+    """
+
+    name: str
+    text: str
+    section: Section
+    key: str = ""
+    icon: str = ""
+    tip: str = ""
+    full_name: str = ""
+    needs: Need = NOTHING
+    checked: Callable[[Situation], bool] | None = None
+    group: str = ""
+    title: Callable[[Situation], str] | None = None
+    during_gesture: bool = False
+
+    @property
+    def interrupts(self) -> bool:
+        """Whether a gesture in flight is taken back before it begins."""
+        return self.section.menu.interrupts and not self.during_gesture
+
+
+class Declared(msgspec.Struct, frozen=True):
+    """An action, and the handler on which it was declared.
+
+    Attributes
+    ----------
+    handler
+        Called with the command set, and with the record that the action stands for, if any.
+    """
+
+    action: Action
+    handler: Callable[..., object]
+    record: tuple[object, ...] = ()
+
+    def bound_to(self, commands: object) -> Callable[[], object]:
+        """Return what the action does, for one command set."""
+        return partial(self.handler, commands, *self.record)
+
+
+class Decorator:
+    """Declares the method that it is put on as the handler of actions."""
+
+    def __init__(self, described: Callable[[], Iterable[tuple[Action, tuple[object, ...]]]]) -> None:
+        self._described = described
+
+    def __call__(self, handler: _Handler) -> _Handler:
+        """Declare `handler`, and leave it as it is."""
+        setattr(handler, _DECLARED, self._described)
+        return handler
+
+
+def _decorator_of(make: Callable[_Fields, Action]) -> Callable[_Fields, Decorator]:
+    def declare(*fields: _Fields.args, **more: _Fields.kwargs) -> Decorator:
+        described = make(*fields, **more)
+        return Decorator(lambda: [(described, ())])
+
+    return declare
+
+
+action = _decorator_of(Action)
+"""Declare the decorated method as the handler of an action; takes the fields of `Action`."""
+
+
+def action_for_each(
+    records: Iterable[_Record] | Callable[[], Iterable[_Record]], describe: Callable[[_Record], Action]
+) -> Decorator:
+    """Declare the decorated method as the handler of one action for each record, which it is called with.
+
+    There may be more records by the time that a window is made.
+    """
+    return Decorator(
+        lambda: [(describe(each), (each,)) for each in (records() if callable(records) else records)]
+    )
+
+
+def declared_by(commands: type) -> Iterator[Declared]:
+    """Yield the actions that a command set declares, in the order of its methods."""
+    for member in vars(commands).values():
+        described = getattr(member, _DECLARED, None)
+        if described is not None:
+            tip = _first_line(member)
+            for each, record in described():
+                yield Declared(each if each.tip else replace(each, tip=tip), member, record)
+
+
+def _first_line(handler: Callable[..., object]) -> str:
+    return (handler.__doc__ or "").strip().partition("\n")[0].removesuffix(".")
+
+
+def all_declared(command_sets: Iterable[type]) -> list[Declared]:
+    """Return the actions of some command sets, in the order of the menus."""
+    found = [each for commands in command_sets for each in declared_by(commands)]
+    return sorted(found, key=lambda each: each.action.section.place)

@@ -1,0 +1,48 @@
+"""What must be there before an action can be used: the words for the person, and the predicate."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import msgspec
+
+from app.actions.situation import Situation
+
+
+class Need(msgspec.Struct, frozen=True):
+    """What an action needs.
+
+    Attributes
+    ----------
+    words
+        What must be there, to follow "needs"; empty where nothing short says it.
+    is_met
+        Whether it is there.
+    why
+        What the tooltip says instead of all else; empty for the usual one.
+    """
+
+    words: str
+    is_met: Callable[[Situation], bool]
+    why: Callable[[Situation], str] | None = None
+
+
+NOTHING = Need("", lambda _now: True)
+
+SELECTED_POINTS = Need("selected points", lambda now: bool(now.selection) or len(now.chosen) > 1)
+POINTS_OR_CURVES = Need("selected points, or several chosen curves", SELECTED_POINTS.is_met)
+TWO_SELECTED = Need("two selected points or more", lambda now: len(now.selection) > 1)
+THREE_SELECTED = Need("three selected points or more", lambda now: len(now.selection) > 2)
+HERMITE_CURVE = Need("a Hermite curve", lambda now: now.has_derivatives)
+HERMITE_POINTS = Need(
+    "selected points of a Hermite curve",
+    lambda now: bool(now.selection) and now.has_derivatives and now.view.is_current,
+)
+CURVE_THROUGH_TWO = Need("a curve through two points or more", lambda now: now.view.is_current)
+CURVE_DRAWN = Need(CURVE_THROUGH_TWO.words, lambda now: now.view.curve is not None)
+UNLOCKED_CURVE = Need(
+    "a curve through two points or more that is not locked",
+    lambda now: now.view.is_current and not now.view.source.locked,
+)
+TWO_POINTS = Need("two points or more", lambda now: len(now.view.points) > 1)
+SECOND_CURVE = Need("a second curve", lambda now: len(now.session.document.curves) > 1)

@@ -1,0 +1,102 @@
+"""The QActions of a window, made from the declarations of its command sets."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator
+from functools import cache, partial
+
+from PySide6.QtGui import QAction, QActionGroup, QKeySequence
+from PySide6.QtWidgets import QWidget
+
+from app.actions.declaration import Action, all_declared, declared_by
+from app.actions.sections import Menu
+from app.actions.situation import Situation
+from app.icons import icon
+from app.keymap import Binding, Keymap, full_name_of, keys_text, say_needs, set_full_name, tool_tip
+from app.theme import Theme
+
+
+class Actions:
+    """The QActions of one window, by name."""
+
+    def __init__(self, window: QWidget, command_sets: Iterable[type]) -> None:
+        self.keymap = Keymap(window)
+        self._window = window
+        self._groups: dict[str, QActionGroup] = {}
+        self._declared = [each.action for each in all_declared(command_sets)]
+        self._actions = {each.name: self._make(each) for each in self._declared}
+
+    def _make(self, each: Action) -> QAction:
+        action = QAction(each.text, self._window)
+        action.setObjectName(each.name)
+        if each.full_name:
+            set_full_name(action, each.full_name)
+        if each.needs.words:
+            say_needs(action, each.needs.words)
+            action.enabledChanged.connect(lambda _on: action.setToolTip(tool_tip(action)))
+        action.setStatusTip(each.tip or each.text)
+        action.setCheckable(each.checked is not None)
+        if each.group:
+            if each.group not in self._groups:
+                self._groups[each.group] = QActionGroup(self._window)
+            self._groups[each.group].addAction(action)
+        name = full_name_of(action).removesuffix("…")
+        self.keymap.add(Binding(action, name, each.section.menu.title, _sequences(each.key)))
+        return action
+
+    def bind(self, commands: object, run: Callable[[Action, Callable[[], object], bool], object]) -> None:
+        """Let the actions that a command set declares be carried out by it, each through `run`."""
+        for each in declared_by(type(commands)):
+            act = partial(run, each.action, each.bound_to(commands))
+            self._actions[each.action.name].triggered.connect(act)
+
+    def attach(self, window: QWidget) -> None:
+        """Let the window hear the keys: of actions in menus alone they are dead while the menu bar is hidden.
+
+        Late: from then on every change of an action is an event for the window.
+        """
+        window.addActions(list(self._actions.values()))
+
+    def __getitem__(self, name: str) -> QAction:
+        return self._actions[name]
+
+    def __contains__(self, name: str) -> bool:
+        return name in self._actions
+
+    def of_menu(self, menu: Menu) -> Iterator[tuple[Action, QAction]]:
+        """Yield the actions that stand in `menu`, in order."""
+        for each in self._declared:
+            if each.section.menu is menu:
+                yield each, self._actions[each.name]
+
+    def shortcuts(self, menu: Menu) -> list[tuple[str, str]]:
+        """Return (keys, what they do) of the actions of `menu` that can be used now."""
+        rows = []
+        for each, action in self.of_menu(menu):
+            keys = keys_text(action.shortcuts())
+            if keys and action.isEnabled():
+                rows.append((keys, each.tip or each.text))
+        return rows
+
+    def render(self, now: Situation) -> None:
+        """Enable, check and name all actions as the situation has it."""
+        for each in self._declared:
+            action = self._actions[each.name]
+            action.setEnabled(each.needs.is_met(now))
+            if each.checked is not None:
+                action.setChecked(each.checked(now))
+            if each.title is not None:
+                action.setText(each.title(now))
+            if each.needs.why is not None:
+                action.setToolTip(each.needs.why(now) or tool_tip(action))
+
+    def set_theme(self, theme: Theme) -> None:
+        """Tint the icons for `theme`."""
+        for each in self._declared:
+            if each.icon:
+                self._actions[each.name].setIcon(icon(each.icon, theme))
+
+
+@cache
+def _sequences(keys: str) -> tuple[QKeySequence, ...]:
+    return tuple(QKeySequence(part) for part in keys.split(", ")) if keys else ()

@@ -1,0 +1,130 @@
+"""The menus of the window, and the sections in them: an action names its section.
+
+Menus and sections stand in the order in which they are made; within a section, actions stand in the order of
+their definition: of the command sets, then of the methods.
+"""
+
+from __future__ import annotations
+
+from itertools import count
+
+import msgspec
+
+MENUS: list[Menu] = []
+"""The menus of the menu bar, in order."""
+
+_places = count()
+
+
+class Section(msgspec.Struct, frozen=True):
+    """Entries that stand together in a menu, or in a submenu of it.
+
+    Attributes
+    ----------
+    menu, submenu
+        Where it stands; without a submenu in the menu itself.
+    is_separated
+        Whether a separator stands before it; of the first section of a submenu, before the submenu.
+    place
+        Its place among all sections.
+    """
+
+    menu: Menu
+    submenu: str
+    is_separated: bool
+    place: int
+
+
+class Menu:
+    """A menu of the menu bar.
+
+    Attributes
+    ----------
+    title
+        Its text, without mnemonic.
+    interrupts
+        Whether its actions take back a gesture in flight before they begin: they may change the document.
+    sections
+        What it is made of.
+    """
+
+    def __init__(self, title: str, *, interrupts: bool = False) -> None:
+        self.title, self.interrupts = title, interrupts
+        self.sections: list[Section] = []
+        MENUS.append(self)
+
+    def section(self, submenu: str = "", *, is_separated: bool = True) -> Section:
+        """Return a new section at the end of the menu."""
+        self.sections.append(Section(self, submenu, is_separated, next(_places)))
+        return self.sections[-1]
+
+
+FILE = Menu("File", interrupts=True)
+FILE_OPEN = FILE.section()
+FILE_RECENT = FILE.section("Open Recent", is_separated=False)
+FILE_EXAMPLES = FILE.section("Examples", is_separated=False)
+FILE_BACK = FILE.section(is_separated=False)
+FILE_SAVE = FILE.section()
+FILE_DISK = FILE.section("Disk", is_separated=False)
+FILE_EXCHANGE = FILE.section()
+FILE_IMAGE = FILE.section()
+FILE_RECOVERY = FILE.section()
+FILE_WORK = FILE.section()
+FILE_QUIT = FILE.section()
+
+EDIT = Menu("Edit", interrupts=True)
+EDIT_HISTORY = EDIT.section()
+EDIT_TOOLS = EDIT.section()
+EDIT_SELECT = EDIT.section()
+EDIT_TRANSFORM = EDIT.section("Transform", is_separated=False)
+EDIT_TRANSFORM_BOX = EDIT.section("Transform")
+EDIT_ALIGN_ACROSS = EDIT.section("Align and Distribute", is_separated=False)
+EDIT_ALIGN_UP = EDIT.section("Align and Distribute")
+EDIT_DISTRIBUTE = EDIT.section("Align and Distribute")
+EDIT_DELETE = EDIT.section(is_separated=False)
+EDIT_CLIPBOARD = EDIT.section()
+EDIT_COPY_AS = EDIT.section()
+EDIT_PROGRAM = EDIT.section()
+
+CURVE = Menu("Curve", interrupts=True)
+CURVE_FAMILY = CURVE.section()
+CURVE_POINTS = CURVE.section("Points")
+CURVE_TANGENTS = CURVE.section("Tangents", is_separated=False)
+CURVE_VELOCITIES = CURVE.section("Tangents")
+CURVE_RULES = CURVE.section("Parameters", is_separated=False)
+CURVE_PARAMETERS = CURVE.section("Parameters")
+CURVE_STARTS = CURVE.section("Parameters")
+CURVE_NUMBER = CURVE.section()
+CURVE_SHAPE = CURVE.section()
+CURVE_PROPERTIES = CURVE.section("Properties")
+CURVE_COLOUR = CURVE.section("Properties")
+CURVE_NAME = CURVE.section("Properties", is_separated=False)
+CURVE_ORDER = CURVE.section("Order", is_separated=False)
+CURVE_WALK = CURVE.section("Order")
+
+ANALYSIS = Menu("Analysis")
+OVERLAYS_SHAPE = ANALYSIS.section("Overlays", is_separated=False)
+OVERLAYS_POLYGONS = ANALYSIS.section("Overlays")
+OVERLAYS_ERRORS = ANALYSIS.section("Overlays")
+GHOSTS_FAMILY = ANALYSIS.section("Ghosts", is_separated=False)
+GHOSTS_RULE = ANALYSIS.section("Ghosts")
+PLOTS_OVER_T = ANALYSIS.section("Plots", is_separated=False)
+PLOTS_IN_PLANE = ANALYSIS.section("Plots")
+ANALYSIS_JOINTS = ANALYSIS.section()
+ANALYSIS_EXPLAIN = ANALYSIS.section()
+MOTION_RUN = ANALYSIS.section("Motion", is_separated=False)
+MOTION_REPEAT = ANALYSIS.section("Motion")
+MOTION_PACE = ANALYSIS.section("Motion")
+MOTION_MORE = ANALYSIS.section("Motion")
+
+VIEW = Menu("View")
+VIEW_ZOOM = VIEW.section()
+VIEW_DRAWING = VIEW.section()
+VIEW_SHOWN = VIEW.section(is_separated=False)
+VIEW_PANELS = VIEW.section("Panels", is_separated=False)
+VIEW_FOCUS = VIEW.section(is_separated=False)
+VIEW_SIZE = VIEW.section()
+VIEW_THEME = VIEW.section()
+
+HELP = Menu("Help")
+HELP_ALL = HELP.section()

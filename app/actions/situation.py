@@ -1,0 +1,50 @@
+"""What actions are enabled, checked and named by."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from app.session import Session
+from app.view_model.curve_view import CurveView
+from app.window_state import WindowState, WindowStore
+
+
+class Situation:
+    """The document, the selection and the window's state as they are now.
+
+    Attributes
+    ----------
+    session
+        The document, its history and the selection.
+    holds_derivatives
+        Whether there are derivatives on the clipboard; another program may have to be asked for that.
+    """
+
+    def __init__(self, session: Session, store: WindowStore, holds_derivatives: Callable[[], bool]) -> None:
+        self.session, self._store = session, store
+        self.holds_derivatives = holds_derivatives
+
+    @property
+    def state(self) -> WindowState:
+        """The window's state."""
+        return self._store.state
+
+    @property
+    def view(self) -> CurveView:
+        """The active curve."""
+        return self.session.active_view
+
+    @property
+    def selection(self) -> frozenset[int]:
+        """The selected points."""
+        return self.session.selection
+
+    @property
+    def chosen(self) -> frozenset[int]:
+        """The chosen curves."""
+        return self.session.chosen_curves
+
+    @property
+    def has_derivatives(self) -> bool:
+        """Whether the active curve's family has velocities."""
+        return self.session.active_curve.family.derivatives > 0

@@ -1,0 +1,221 @@
+"""Marks of a gesture over the drawing: rubber band, box with grips, snaps, a ruler, amounts."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+
+from PySide6.QtCore import QPointF, QRectF, QSizeF, Qt
+from PySide6.QtGui import QColor, QFontMetricsF, QPainter, QPen
+
+from app.canvas.label_place import Surroundings, free_corner
+from app.document.model import Vector
+from app.plotting.fonts import Sizes
+from app.plotting.halo import Halo
+from app.plotting.pixel_map import PixelMap
+from app.plotting.plates import beyond, write_on_plate
+from app.plotting.plot_widget import PlotWidget
+from app.theme import Theme
+from app.tools.marks import GestureMarks, Note, Ruler
+from app.tools.snapping import Snap
+from app.tools.transform_box import TransformBox
+
+_GRIP, _FAR = 3.5, 1e6
+_ARM = 9
+"""Length of the arms of the cross where something is caught."""
+
+_GRID_LINE, _NUMBER_ENDS = 60, 27
+"""Half the length of what is shown of a line of the grid, and how far the number of a point reaches."""
+
+_LABEL_GAP = (8.0, 7.0)
+"""Pixels between a point and the words about what it snapped to."""
+
+_CLEAR = 18.0
+"""Pixels between a readout and its place: a selected point with its ring, or a grip, stays free."""
+
+
+class MarksLayer:
+    """Draws `GestureMarks` on top of everything.
+
+    Attributes
+    ----------
+    marks
+        What is drawn.
+    readout_rect, snap_label_rect
+        Where the last readout of a gesture stood, and the words about the last snap, in pixels of the area.
+    """
+
+    def __init__(self, plot: PlotWidget, theme: Theme, around: Callable[[Vector], Surroundings]) -> None:
+        self.theme = theme
+        self.scale = 1.0
+        self.marks = GestureMarks()
+        # Tells what words beside a pixel should not cover.
+        self._around = around
+        self.readout_rect = self.snap_label_rect = QRectF()
+        self._halo = Halo()
+        self._fonts = Sizes(plot.font())
+        self._layer = plot.layers.add(self.paint, z=20)
+
+    def render(self, marks: GestureMarks) -> None:
+        """Draw `marks` from the next paint on."""
+        if marks != self.marks:
+            self.marks = marks
+            self._layer.update()
+
+    def paint(self, painter: QPainter, shown: PixelMap) -> None:
+        """Draw what there is."""
+        marks = self.marks
+        painter.setFont(self._fonts.times(0.95 * self.scale))
+        if marks.box is not None:
+            self._paint_box(painter, shown, marks.box)
+        if marks.band is not None:
+            self._paint_band(painter, shown, *marks.band)
+        if marks.axis is not None:
+            self._paint_axis(painter, shown, *marks.axis)
+        if marks.ruler is not None:
+            self._paint_ruler(painter, shown, marks.ruler)
+        if marks.snap is not None:
+            self._paint_snap(painter, shown, marks.snap)
+        if marks.note is not None:
+            self._paint_note(painter, shown, marks.note)
+
+    def _pen(self, width: float = 1.0, style: Qt.PenStyle = Qt.PenStyle.SolidLine) -> QPen:
+        return QPen(self.theme.accent, width * self.scale, style)
+
+    # Box and band
+
+    def _paint_box(self, painter: QPainter, shown: PixelMap, box: TransformBox) -> None:
+        low, high = box.padded(shown.sx)
+        frame = _rectangle(shown, low, high)
+        if not _is_drawable(frame.left(), frame.top(), frame.right(), frame.bottom()):
+            return
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing, True)
+        painter.setBrush(Qt.BrushStyle.NoBrush)
+        painter.setPen(self._pen(style=Qt.PenStyle.DashLine))
+        painter.drawRect(frame)
+        for grip, place in box.grips(shown.sx):
+            pixel = QPointF(*shown.point(*place))
+            if grip.rotates:
+                painter.setPen(self._pen())
+                painter.drawLine(QPointF(pixel.x(), frame.top()), pixel)
+            self._paint_grip(painter, pixel, round_=grip.rotates)
+
+    def _paint_grip(self, painter: QPainter, pixel: QPointF, *, round_: bool) -> None:
+        size = _GRIP * self.scale
+        painter.setPen(self._pen(1.2))
+        painter.setBrush(self.theme.paper)
+        square = QRectF(pixel.x() - size, pixel.y() - size, 2 * size, 2 * size)
+        if round_:
+            painter.drawEllipse(square.adjusted(-0.5, -0.5, 0.5, 0.5))
+        else:
+            painter.drawRect(square)
+
+    def _paint_band(self, painter: QPainter, shown: PixelMap, start: Vector, end: Vector) -> None:
+        fill = QColor(self.theme.accent)
+        fill.setAlphaF(0.10)
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing, False)
+        painter.setPen(self._pen())
+        painter.setBrush(fill)
+        edge = QRectF(-20, -20, shown.width + 40, shown.height + 40)
+        painter.drawRect(_rectangle(shown, start, end).intersected(edge))
+
+    # Snapping, axis and ruler
+
+    def _paint_axis(self, painter: QPainter, shown: PixelMap, through: Vector, axis: int) -> None:
+        x, y = shown.point(*through)
+        if not _is_drawable(x, y):
+            return
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing, False)
+        painter.setPen(self._pen(style=Qt.PenStyle.DotLine))
+        if axis == 0:
+            painter.drawLine(QPointF(0, y), QPointF(shown.width, y))
+        else:
+            painter.drawLine(QPointF(x, 0), QPointF(x, shown.height))
+
+    def _paint_snap(self, painter: QPainter, shown: PixelMap, snap: Snap) -> None:
+        place = shown.point(*snap.position)
+        if not _is_drawable(*place):
+            return
+        pixel = QPointF(*place)
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing, True)
+        painter.setPen(self._pen(style=Qt.PenStyle.DashLine))
+        for guide in snap.guides:
+            from_ = shown.point(*guide)
+            if _is_drawable(*from_):
+                painter.drawLine(QPointF(*from_), pixel)
+        around = self._around(place)
+        # A caught x is shown by a piece of its vertical, a caught y by one of its horizontal.
+        for axis in snap.axes:
+            along = QPointF(0, self.scale) if axis == 0 else QPointF(self.scale, 0)
+            if axis == snap.grid_line:
+                self._paint_grid_line(painter, pixel, along, around.words)
+            else:
+                painter.setPen(self._pen(1.5))
+                painter.drawLine(pixel - along * _ARM, pixel + along * _ARM)
+        self._paint_label(painter, shown, pixel, snap.label, around)
+
+    def _paint_grid_line(
+        self, painter: QPainter, pixel: QPointF, along: QPointF, words: Sequence[QRectF]
+    ) -> None:
+        """Draw a piece of a line of the grid, long and dashed: a short one would look like a crossing."""
+        painter.setPen(self._pen(style=Qt.PenStyle.DashLine))
+        for way in (along, -along):
+            near = QRectF(pixel, pixel + way * _NUMBER_ENDS).normalized().adjusted(-1, -1, 1, 1)
+            has_number = any(near.intersects(each) for each in words)
+            painter.drawLine(pixel + way * (_NUMBER_ENDS if has_number else 0), pixel + way * _GRID_LINE)
+
+    def _paint_ruler(self, painter: QPainter, shown: PixelMap, ruler: Ruler) -> None:
+        start, end = shown.point(*ruler.start), shown.point(*ruler.end)
+        if not _is_drawable(*start, *end):
+            return
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing, True)
+        corner = QPointF(end[0], start[1])
+        painter.setPen(self._pen(style=Qt.PenStyle.DotLine))
+        painter.drawPolyline([QPointF(*start), corner, QPointF(*end)])
+        painter.setPen(self._pen(1.5))
+        painter.drawLine(QPointF(*start), QPointF(*end))
+        for place in (start, end):
+            painter.drawEllipse(QPointF(*place), 2.5 * self.scale, 2.5 * self.scale)
+        dx, dy = end[0] - start[0], end[1] - start[1]
+        # On the side where the right angle is not, clear of the points at the ends.
+        way = QPointF(abs(dy) * (-1 if dx >= 0 else 1), abs(dx) * (-1 if dy <= 0 else 1))
+        middle = QPointF((start[0] + end[0]) / 2, (start[1] + end[1]) / 2)
+        self._write_beyond(painter, shown, middle, (way, -way), ruler.text)
+
+    # Words
+
+    def _paint_note(self, painter: QPainter, shown: PixelMap, note: Note) -> None:
+        place = shown.point(*note.position)
+        if _is_drawable(*place):
+            way = QPointF(*place) - QPointF(*shown.point(*note.work))
+            aside = QPointF(-way.y(), way.x())
+            self._write_beyond(painter, shown, QPointF(*place), (way, aside, -aside, -way), note.text)
+
+    def _write_beyond(
+        self, painter: QPainter, shown: PixelMap, place: QPointF, ways: Sequence[QPointF], text: str
+    ) -> None:
+        """Write beside a place, away from what is worked on."""
+        plate = self.readout_rect = beyond(place, ways, _CLEAR * self.scale, self._size(painter, text), shown)
+        write_on_plate(painter, plate, text, self.theme.paper, self.theme.accent)
+
+    @staticmethod
+    def _size(painter: QPainter, text: str) -> QSizeF:
+        metrics = QFontMetricsF(painter.font())
+        return QSizeF(metrics.horizontalAdvance(text) + 10, metrics.height() + 4)
+
+    def _paint_label(
+        self, painter: QPainter, shown: PixelMap, pixel: QPointF, text: str, around: Surroundings
+    ) -> None:
+        """Write beside a point, where it covers least of the curve and no number."""
+        size, gap = self._size(painter, text), (_LABEL_GAP[0] * self.scale, _LABEL_GAP[1] * self.scale)
+        self.snap_label_rect = free_corner(pixel, size, gap, around, shown)
+        theme = self.theme
+        self._halo.write(painter, self.snap_label_rect, text, theme.paper, theme.accent, 2 * self.scale)
+
+
+def _rectangle(shown: PixelMap, a: Vector, b: Vector) -> QRectF:
+    return QRectF(QPointF(*shown.point(*a)), QPointF(*shown.point(*b))).normalized()
+
+
+def _is_drawable(*pixels: float) -> bool:
+    """Tell whether Qt can take these numbers: neither endless nor absurdly far away."""
+    return all(abs(pixel) < _FAR for pixel in pixels)

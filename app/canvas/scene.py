@@ -1,0 +1,206 @@
+"""Scene of the canvas: its layers, and the values rendered into them."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
+import msgspec
+import numpy as np
+from PySide6.QtGui import QImage
+
+from app.canvas.annotations import Annotations
+from app.canvas.chosen_curves_layer import ChosenCurvesLayer
+from app.canvas.corner_layer import CornerLayer
+from app.canvas.curve_layer import CurveLayer
+from app.canvas.grid_layer import GridLayer
+from app.canvas.hit_test import hit_test
+from app.canvas.image_layer import ImageLayer
+from app.canvas.label_place import Surroundings, number_box, segments_near
+from app.canvas.marks_layer import MarksLayer
+from app.canvas.other_curves_layer import OtherCurvesLayer
+from app.canvas.pen_layer import PenLayer
+from app.canvas.point_layer import PointLayer
+from app.canvas.unit_layer import UnitLayer
+from app.document.model import Curve, ReferenceImage, Vector
+from app.plotting.drawing import cut_segments
+from app.plotting.tool_plot import ToolPlot
+from app.theme import LIGHT
+from app.tools.marks import GestureMarks
+from app.tools.pointer import Hit, Pointer
+from app.tools.tool import Tool
+from app.view_model.basis_view import weights_at
+from app.view_model.curve_view import CurveView, Floats
+
+if TYPE_CHECKING:
+    from app.canvas.motion_layer import MotionLayer
+    from app.view_model.motion_picture import Dot, Role
+
+
+class CanvasScene:
+    """The layers of the canvas.
+
+    Attributes
+    ----------
+    view, views
+        The curve that is edited, None before the first; all curves of the document.
+    image
+        The picture to trace.
+    grid, units
+        The grid behind the drawing; the unit at the axes.
+    others, selected
+        The curves that are not edited; those of them that are selected together with it.
+    curve, points, corners
+        The curve that is edited.
+    annotations
+        What explains it: figures, ghosts, other versions, the legend.
+    marks, pen
+        What a gesture shows over it; what the pen would make.
+    """
+
+    def __init__(self, plot: ToolPlot) -> None:
+        self._plot = plot
+        self.view: CurveView | None = None
+        self.views: Sequence[CurveView] = ()
+        self._scrub: float | None = None
+        style = plot.layers.style
+        self.image = style(ImageLayer(plot, LIGHT))
+        self.grid = style(GridLayer(plot, LIGHT))
+        self.units = style(UnitLayer(plot, LIGHT))
+        self.others = style(OtherCurvesLayer(plot, LIGHT))
+        self.selected = style(ChosenCurvesLayer(plot, LIGHT))
+        self.curve = style(CurveLayer(plot, LIGHT))
+        self.annotations = Annotations(plot)
+        self.points = style(PointLayer(plot, LIGHT))
+        self.corners = style(CornerLayer(plot, LIGHT))
+        self.marks = style(MarksLayer(plot, LIGHT, self._surroundings_of))
+        self.pen = style(PenLayer(plot, LIGHT))
+        self._motion: MotionLayer | None = None
+
+    # Curves
+
+    def render_view(self, view: CurveView) -> None:
+        """Show the curve that is edited; a ghost of the old one fades when a rule has changed."""
+        self._show_ghost_of_other_rules(view)
+        self.view = view
+        self.curve.render(view)
+        self._show_weights()
+        self.points.render(view)
+        self.corners.render(view)
+
+    def render_others(self, views: Sequence[CurveView], active: int, selected: frozenset[int]) -> None:
+        """Show the other curves of the document behind the one that is edited; some are selected with it."""
+        self.views = views
+        others = [place for place in range(len(views)) if place != active]
+        self.others.render(views, [place for place in others if place not in selected])
+        self.selected.render(views, [place for place in others if place in selected])
+
+    def set_selection(self, selection: frozenset[int]) -> None:
+        """Show which points are selected."""
+        self.points.selection = selection
+        self.points.refresh()
+
+    def set_hovered(self, index: int) -> None:
+        """Light up a point (−1 for none)."""
+        self.points.hovered = index
+        self.points.refresh()
+
+    def set_image(self, image: ReferenceImage | None, pixels: QImage | None) -> None:
+        """Show a picture behind the curves; without `pixels` the frame where it belongs."""
+        self.image.render(image, pixels)
+        for layer in (self.curve, self.others):
+            layer.set_cased(pixels is not None)
+        self.points.over_picture = pixels is not None
+
+    # Ghost
+
+    def _show_ghost_of_other_rules(self, view: CurveView) -> None:
+        old = self.view
+        if old is None or self._plot.is_dragging or not old.is_current or not view.is_current:
+            return
+        same_nodes = old.source.nodes == view.source.nodes
+        if same_nodes and _rules(old.source) != _rules(view.source):
+            polyline = self.curve.polyline(self._plot.pixel_map)
+            if polyline is not None:
+                self.curve.show_ghost(polyline.points)
+
+    def hold_ghost(self, held: bool) -> None:
+        """Keep a ghost of the curve as it is now while something is dragged elsewhere; then let it fade."""
+        if not held:
+            self.curve.release_ghost()
+            return
+        polyline = self.curve.polyline(self._plot.pixel_map)
+        if polyline is not None:
+            self.curve.hold_ghost(polyline.points)
+
+    # Scrub line and motion
+
+    def set_scrub(self, t: float | None) -> None:
+        """Show the point of the curve at `t` and every point's weight there; None removes both."""
+        self._scrub = t
+        self._show_weights()
+        self.points.refresh()
+
+    def _show_weights(self) -> None:
+        layer, view, t = self.points, self.view, self._scrub
+        if t is None or view is None or view.curve is None or not view.is_current:
+            layer.weights = layer.scrub = None
+            return
+        x, y = view.curve.evaluate(t)
+        # Where a dot runs, weights would cover it, and it tells its own numbers.
+        layer.weights = None if self.dots else weights_at(view, t)
+        layer.scrub = (t, float(x), float(y))
+
+    def render_motion(self, dots: Sequence[Dot], lines: Sequence[tuple[Role, Floats]] = ()) -> None:
+        """Show dots that run, and the curves that some of them run along."""
+        if self._motion is None:
+            # Made when something runs: nobody waits for it at the start.
+            from app.canvas.motion_layer import MotionLayer  # noqa: PLC0415
+
+            self._motion = self._plot.layers.style(MotionLayer(self._plot, LIGHT))
+        had_dots = bool(self.dots)
+        self._motion.render(dots, lines)
+        if bool(dots) != had_dots:
+            self._show_weights()
+            self.points.refresh()
+
+    @property
+    def dots(self) -> Sequence[Dot]:
+        """The dots that run."""
+        return self._motion.dots if self._motion is not None else ()
+
+    # Gestures
+
+    def show_marks(self, marks: GestureMarks) -> None:
+        """Show what a gesture, or the pen before a press, has over the drawing."""
+        self.marks.render(marks)
+        self.pen.render(marks.ahead, marks.spot)
+
+    def hit(self, pointer: Pointer, tool: Tool) -> Hit | None:
+        """Return what of the drawing a tool hits at the pointer."""
+        shown, pixel, points = self._plot.pixel_map, pointer.pixel, self.points
+        if tool.finds_image:
+            return self.image.hit(pixel, shown)
+        if self.view is None:
+            return None
+        polyline = self.curve.polyline(shown)
+        hit = hit_test(pixel, shown, self.view, polyline, points.selection, points.handles)
+        if hit is None and tool.finds_other_curves:
+            return self.selected.hit(pixel, shown) or self.others.hit(pixel, shown)
+        return hit
+
+    def _surroundings_of(self, pixel: Vector) -> Surroundings:
+        """Return what words beside a pixel should not cover: curve, handles, and numbers of points."""
+        shown, layer = self._plot.pixel_map, self.points
+        lines = [(*shown.point(*each.anchor), *shown.point(*each.position)) for each in layer.handles]
+        segments = np.array(lines).reshape(-1, 4)
+        polyline = self.curve.polyline(shown)
+        if polyline is not None:
+            segments = np.vstack([segments, segments_near(polyline.points, pixel, shown)])
+        words = [number_box(centre, length, layer.scale) for centre, length in layer.numbers]
+        return Surroundings(cut_segments(segments, shown.width, shown.height), words)
+
+
+def _rules(curve: Curve) -> Curve:
+    """Return a curve without what does not shape it."""
+    return msgspec.structs.replace(curve, name="", colour="", visible=True, locked=False)

@@ -1,0 +1,11 @@
+"""The command line: the editor, and commands that need no window.
+
+- ``command_line``: what was typed, and which command it is.  ``refusals``: what cannot be done, in one line.
+- ``commands``: render, convert, info and lesson.  ``options``: theirs.
+- ``start``: the editor's start.  ``windows``: its first windows.  ``application``: Qt's application.
+- ``display``: whether there is a screen for them.
+"""
+
+import lazy_loader as lazy
+
+__getattr__, __dir__, __all__ = lazy.attach_stub(__name__, __file__)

@@ -1,0 +1,6 @@
+# Modules that are imported when they are first used.
+from . import application as application
+from . import commands as commands
+from . import start as start
+from . import windows as windows
+from .command_line import main as main

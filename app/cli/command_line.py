@@ -1,0 +1,101 @@
+"""The command line: open the editor, render a document without a display, print facts about it."""
+
+from __future__ import annotations
+
+import argparse
+import io
+import os
+import sys
+from collections.abc import Sequence
+
+from app import __version__, cli
+from app.cli.refusals import RefusalError, one_line, reason_of, say
+from app.diagnostics.log import log_options, logged
+from app.exchange import READER_PROCESS
+from app.storage.files import StorageError
+
+_INTERRUPTED = 130
+"""What a shell expects of a program that Ctrl+C ended."""
+
+_COMMANDS = ("render", "convert", "info", "lesson")
+
+_DESCRIPTION = """\
+Sketch parametric polynomial curves and see why they go where they go.
+
+  curvebench [FILE ...]            open the editor, one window for each document
+  curvebench render FILE -o OUT    write a picture of FILE, without a display
+  curvebench convert IN OUT        read and write tables, drawings, code and formulas
+  curvebench info FILE             print facts about the curves in FILE
+  curvebench lesson [NAME]         open the editor with a lesson, or list the lessons
+"""
+_EPILOG = "A file that is called “render”, “convert”, “info” or “lesson” opens as ./render and so on."
+
+
+def main(arguments: Sequence[str] | None = None) -> int:
+    """Run the command line and return its exit code: 0, or 1 with one line on stderr.
+
+    Parameters
+    ----------
+    arguments
+        What follows the program's name; by default that of this process.
+
+    Raises
+    ------
+    SystemExit
+        With code 2 for wrong usage, 0 after ``--help`` and ``--version``.
+    """
+    words = list(sys.argv[1:] if arguments is None else arguments)
+    if isinstance(sys.stdout, io.TextIOWrapper):
+        # A terminal that knows no α shall still show the rest.
+        sys.stdout.reconfigure(errors="backslashreplace")
+    try:
+        options, words = log_options().parse_known_args(words)
+        with logged(options.log):
+            code = _run(words)
+        say(end="")  # what was printed by others
+    except BrokenPipeError:
+        return _leave_closed_pipe()
+    except KeyboardInterrupt:
+        return _INTERRUPTED
+    except (RefusalError, StorageError) as problem:
+        message = str(problem)
+    except OSError as problem:
+        # Whatever it is: which command failed, on which files, and what the system says of it.
+        message = f"{' '.join(['curvebench', *words])} failed: {reason_of(problem)}."
+    else:
+        return code
+    print(f"curvebench: {one_line(message)}", file=sys.stderr)
+    return 1
+
+
+def _run(words: list[str]) -> int:
+    if words[:1] == [READER_PROCESS] and len(words) == 2:
+        # A bundle starts itself for this: it has no interpreter besides.
+        from app.exchange.child import main as read_drawing  # noqa: PLC0415
+
+        read_drawing(words[1])
+        return 0
+    if words and words[0] in _COMMANDS:
+        return cli.commands.run_command(words)
+    return cli.start.edit(_editor_parser().parse_args(words).files)
+
+
+def _editor_parser() -> argparse.ArgumentParser:
+    parser = argparse.ArgumentParser(
+        "curvebench",
+        usage="curvebench [FILE ...]  |  curvebench render | convert | info | lesson …",
+        description=_DESCRIPTION,
+        epilog=_EPILOG,
+        formatter_class=argparse.RawDescriptionHelpFormatter,
+        parents=[log_options()],
+    )
+    parser.add_argument("--version", action="version", version=f"curvebench {__version__}")
+    parser.add_argument("files", nargs="*", metavar="FILE", help="documents (*.curve.json), files to import")
+    return parser
+
+
+def _leave_closed_pipe() -> int:
+    """Leave quietly when the reader of the output is gone (``| head``), as Unix programs do."""
+    # Otherwise the interpreter would try to flush, and complain, once more on its way out.
+    os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+    return 0

@@ -1,0 +1,328 @@
+"""The commands that need no window, and the lessons: render, convert, info, lesson."""
+
+from __future__ import annotations
+
+import argparse
+import json
+import math
+import sys
+from collections.abc import Iterable, Iterator, Sequence
+from contextlib import contextmanager
+from decimal import ROUND_UP, Context
+from functools import partial
+from pathlib import Path
+from time import perf_counter
+from typing import TYPE_CHECKING, Any
+
+from msgspec.structs import replace
+
+from app import cli
+from app.cli.options import (
+    STYLES,
+    add_convert_options,
+    add_motion_options,
+    add_picture_options,
+    columns_to_read,
+    own_options,
+    picture_options,
+    positive_number,
+)
+from app.cli.refusals import RefusalError, load_document, one_line, say
+from app.diagnostics.log import log_options
+from app.exchange.drawing.animation import FILMS
+from app.exchange.errors import ExchangeError
+from app.exchange.formats import FORMATS, can_import, endings_of
+from app.exchange.reading import ImportOptions, import_file
+from app.exchange.writing import export
+from app.families import FAMILIES
+from app.lessons import LessonError, find_lesson, lesson_names, load_lesson
+from app.tasks.progress import Report, part
+
+if TYPE_CHECKING:
+    from app.document.model import Document
+    from app.exchange.cubics_in import Imported
+    from app.exchange.facts import CurveFacts, Growth
+
+# A bound that was rounded to the nearest would not be one.
+_ONE_DIGIT_UP = Context(prec=1, rounding=ROUND_UP)
+
+_CONVERT = "Read a file of one format and write another; prints the largest deviation from the true curves."
+
+_MANY_CURVES = 20
+"""Curves beyond which it is said how to take some of them."""
+
+_PATIENCE = 0.2
+"""Seconds of work without a word, and between two words."""
+
+
+def run_command(words: Sequence[str]) -> int:
+    """Run the command that `words` begin with and return the exit code.
+
+    Raises
+    ------
+    RefusalError
+        If what was asked cannot be done.
+    """
+    options = _command_parser().parse_args(words)
+    try:
+        return _COMMAND_OF[options.command](options)
+    except ExchangeError as problem:
+        raise RefusalError(str(problem)) from None
+
+
+def _command_parser() -> argparse.ArgumentParser:
+    parser = argparse.ArgumentParser("curvebench")
+    commands = parser.add_subparsers(dest="command", required=True)
+    add = partial(commands.add_parser, parents=[log_options()])
+    render = add("render", help="write a picture", description="Write a picture of a document.")
+    render.add_argument("file", metavar="FILE")
+    render.add_argument(
+        "-o",
+        "--output",
+        required=True,
+        metavar="OUT",
+        help=f"the picture; ends in {', '.join(_picture_endings())}",
+    )
+    render.add_argument(
+        "--tolerance",
+        type=positive_number,
+        metavar="X",
+        help="largest deviation from the true curve, in the document's unit (default: 1e-5 of its size)",
+    )
+    add_picture_options(render)
+    add_motion_options(render)
+    add_convert_options(add("convert", help="read and write other formats", description=_CONVERT))
+    info = add("info", help="print facts", description="Print facts about a document's curves.")
+    info.add_argument("file", metavar="FILE")
+    info.add_argument("--json", action="store_true", help="as JSON")
+    lesson = add(
+        "lesson", help="open a lesson", description="Open the editor with a lesson, or list the lessons."
+    )
+    lesson.add_argument("name", metavar="NAME", nargs="?", help="a lesson's name or number")
+    return parser
+
+
+def _document_of(options: argparse.Namespace) -> Document:
+    """Return the document that a command is about, or say which command takes files of other formats."""
+    try:
+        return load_document(options.file)
+    except RefusalError:
+        if not can_import(Path(options.file)):
+            raise
+        reads = f"“curvebench {options.command}” reads documents, “curvebench convert” other formats, too"
+        raise RefusalError(f"“{options.file}” is no document (*.curve.json): {reads}.") from None
+
+
+def _render(options: argparse.Namespace) -> int:
+    name = options.output.lower()
+    pictures, films = endings_of(FORMATS.pictures), endings_of(FILMS)
+    # What both can be is a film where a motion was asked for.
+    if name.endswith(films) and (options.motion or not name.endswith(pictures)):
+        return _render_film(options)
+    if not name.endswith(pictures):
+        if Path(options.output).is_dir():
+            raise RefusalError(f"“{options.output}” is a folder. Choose a file.")
+        endings = _picture_endings()
+        known = f"{', '.join(endings[:-1])} or {endings[-1]}"
+        raise RefusalError(f"“{options.output}” does not end in a known format for pictures; use {known}.")
+    document = _document_of(options)
+    with _told_on_terminals() as report:
+        made = export(document, options.output, picture_options(options, document).reporting(report))
+    _tell(made.remarks)
+    return 0
+
+
+def _tell(remarks: Iterable[str]) -> None:
+    """Print what was left out or is otherwise, line by line, beside the output."""
+    for remark in remarks:
+        print(f"curvebench: {one_line(remark)}", file=sys.stderr)
+
+
+def _picture_endings() -> tuple[str, ...]:
+    """Return the endings of what `render` writes, each once."""
+    return tuple(dict.fromkeys((*endings_of(FORMATS.pictures), *endings_of(FILMS))))
+
+
+def _render_film(options: argparse.Namespace) -> int:
+    # Takes modules along that the editor does without at its start.
+    from app.exchange.drawing.animation import Film, first_round, write_film  # noqa: PLC0415
+    from app.view_model.motion_settings import Pace, Repeat  # noqa: PLC0415
+
+    document, repeat = _document_of(options), Repeat(options.motion or "loop")
+    film = Film(
+        width=options.width or Film.width,
+        fps=options.fps,
+        seconds=options.seconds or first_round(document, repeat),
+        repeat=repeat,
+        pace=Pace(options.pace),
+        style=STYLES[options.theme or "light"],
+        points=options.points,
+    )
+    write_film(document, options.output, film)
+    return 0
+
+
+def _convert(options: argparse.Namespace) -> int:
+    from app.exchange.parts import rounded_up  # noqa: PLC0415
+
+    with _told_on_terminals() as report:
+        source = import_file(
+            options.file,
+            ImportOptions(
+                tolerance=options.tolerance,
+                thin=options.thin,
+                corners=options.corners,
+                family=FAMILIES.named(options.family),
+                columns=columns_to_read(options),
+                missing=options.missing,
+                only=options.only,
+            ),
+            report=part(report, 0.0, 0.5),
+        )
+        wanted = replace(
+            picture_options(options, source.document),
+            own=own_options(options),
+            report=part(report, 0.5, 1.0),
+        )
+        written = export(source.document, options.output, wanted)
+    _tell((*source.remarks, *_on_groups(source, options.only), *written.remarks))
+    total = rounded_up(source.deviation + written.deviation)
+    say(f"{one_line(options.output)}: largest deviation from the true curves {total:g}")
+    return 0
+
+
+def _on_groups(source: Imported, only: Sequence[str]) -> tuple[str, ...]:
+    """Return what could be taken alone, where there are more curves than somebody may have meant."""
+    count = len(source.document.curves)
+    if only or not source.groups or count <= _MANY_CURVES:
+        return ()
+    return (f"These are {count} curves; --only NAME takes those of a group. There is {source.contents()}.",)
+
+
+def _info(options: argparse.Namespace) -> int:
+    # Takes modules along that the editor does without.
+    from app.exchange.facts import facts_of  # noqa: PLC0415
+
+    document = _document_of(options)
+    with _told_on_terminals() as report:
+        facts = facts_of(document, report)
+    if options.json:
+        content = {"file": options.file, "curves": [_as_json(each) for each in facts]}
+        say(json.dumps(content, indent=2, ensure_ascii=False, allow_nan=False))
+    else:
+        say("\n\n".join(_as_text(each) for each in facts))
+    return 0
+
+
+@contextmanager
+def _told_on_terminals() -> Iterator[Report]:
+    """Lend a report that writes how far work has come to a terminal, from 0.2 s on; the line goes with it."""
+    began = last = perf_counter()
+
+    def report(share: float, word: str) -> None:
+        nonlocal last
+        now = perf_counter()
+        if share < 1.0 and sys.stderr.isatty() and now - began > _PATIENCE and now - last > _PATIENCE:
+            last = now
+            print(f"\r{word}: {share:.0%}\033[K", end="", file=sys.stderr, flush=True)
+
+    try:
+        yield report
+    finally:
+        if last > began:
+            print("\r\033[K", end="", file=sys.stderr, flush=True)
+
+
+def _lesson(options: argparse.Namespace) -> int:
+    if options.name is None:
+        for number, name in enumerate(lesson_names(), start=1):
+            say(f"{number:2}  {name.partition('_')[2]:28}{load_lesson(name).title}")
+        return 0
+    try:
+        return cli.start.edit((), find_lesson(options.name))
+    except LessonError as problem:
+        raise RefusalError(str(problem)) from None
+
+
+_COMMAND_OF = {"render": _render, "convert": _convert, "info": _info, "lesson": _lesson}
+
+
+def _as_json(facts: CurveFacts) -> dict[str, Any]:
+    """Return the facts as plain values; what is not known is null."""
+    rule = facts.parametrization
+    box = dict(zip(("left", "bottom", "right", "top"), facts.box, strict=True)) if facts.box else None
+    length = {"about": facts.length.value, "error": facts.length.error} if facts.length else None
+    return {
+        "name": facts.name,
+        "family": facts.family.name,
+        "degree": facts.degree,
+        "points": facts.points,
+        "closed": facts.closed,
+        "corners": facts.corners,
+        "visible": facts.visible,
+        "parametrization": {"kind": rule.kind, "alpha": rule.alpha, "start": rule.start, "end": rule.end},
+        "domain": facts.domain,
+        "lebesgue_constant": _finite_only(facts.lebesgue_constant),
+        "length": length,
+        "box": box,
+        "warnings": facts.warnings,
+    }
+
+
+def _as_text(facts: CurveFacts) -> str:
+    rows = [("family", facts.family.full_title)]
+    if facts.degree is not None:
+        rows.append(("degree", f"{facts.degree}" + (" on every segment" if facts.family.derivatives else "")))
+    rows += [("points", _points_text(facts)), ("parametrization", _rule_text(facts))]
+    if facts.domain is not None:
+        rows.append(("domain", f"{facts.domain[0]:g} to {facts.domain[1]:g}"))
+    if facts.length is not None:
+        rows.append(("length", _length_text(*facts.length)))
+    if facts.lebesgue_constant is not None:
+        rows.append(("Λ (Lebesgue)", _growth_text(facts.lebesgue_constant)))
+    if facts.box is not None:
+        left, bottom, right, top = facts.box
+        rows.append(("box", f"about x {_edges_text(left, right)}, y {_edges_text(bottom, top)}"))
+    if not facts.visible:
+        rows.append(("hidden", "not drawn in pictures"))
+    rows += [("warning", warning) for warning in facts.warnings]
+    return "\n".join([one_line(facts.name), *(f"  {key:<16} {value}" for key, value in rows)])
+
+
+def _edges_text(low: float, high: float) -> str:
+    """Return two edges of a box; what is no more than rounding beside the larger of them is 0."""
+    noise = sys.float_info.epsilon * max(abs(low), abs(high))
+    low, high = (0.0 if abs(edge) <= noise else edge for edge in (low, high))
+    return f"{low:.6g} to {high:.6g}"
+
+
+def _finite_only(growth: Growth | None) -> dict[str, float | None] | None:
+    """Return the constants by name; null stands for one beyond all floats."""
+    if growth is None:
+        return None
+    return {name: value if math.isfinite(value) else None for name, value in growth._asdict().items()}
+
+
+def _growth_text(growth: Growth) -> str:
+    if growth.data == growth.points:
+        return f"{growth.points:.3g}"
+    return f"{growth.points:.3g} (were the estimated derivatives to stay: {growth.data:.3g})"
+
+
+def _length_text(value: float, bound: float) -> str:
+    """Return a length with as many digits as its bound is worth, and a bound that covers their rounding."""
+    texts = (f"{value:.{digits}g}" for digits in range(9, 18))
+    text = next((each for each in texts if abs(float(each) - value) <= bound), repr(value))
+    error = bound + abs(float(text) - value)
+    return f"about {text} (error at most {_ONE_DIGIT_UP.create_decimal_from_float(error):g})"
+
+
+def _points_text(facts: CurveFacts) -> str:
+    corners = f"{facts.corners} of them " + ("a corner" if facts.corners == 1 else "corners")
+    parts = [str(facts.points), *(["closed"] if facts.closed else []), *([corners] if facts.corners else [])]
+    return ", ".join(parts)
+
+
+def _rule_text(facts: CurveFacts) -> str:
+    kind = facts.parametrization.kind.replace("_", " ")
+    return f"{kind}, α = {facts.parametrization.alpha:g}" if kind == "power" else kind

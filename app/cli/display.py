@@ -1,0 +1,120 @@
+"""Check for a display: without one Qt ends the process in words of its own."""
+
+from __future__ import annotations
+
+import ctypes
+import os
+import re
+import sys
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from typing import Final
+
+_PACKAGES: Final = {
+    "libEGL.so.1": "libegl1",
+    "libGL.so.1": "libgl1",
+    "libfontconfig.so.1": "libfontconfig1",
+    "libdbus-1.so.3": "libdbus-1-3",
+    "libglib-2.0.so.0": "libglib2.0-0",
+    "libxkbcommon.so.0": "libxkbcommon0",
+    "libxkbcommon-x11.so.0": "libxkbcommon-x11-0",
+    "libX11-xcb.so.1": "libx11-xcb1",
+    "libxcb-cursor.so.0": "libxcb-cursor0",
+    "libxcb-icccm.so.4": "libxcb-icccm4",
+    "libxcb-image.so.0": "libxcb-image0",
+    "libxcb-keysyms.so.1": "libxcb-keysyms1",
+    "libxcb-randr.so.0": "libxcb-randr0",
+    "libxcb-render-util.so.0": "libxcb-render-util0",
+    "libxcb-shape.so.0": "libxcb-shape0",
+    "libxcb-xkb.so.1": "libxcb-xkb1",
+}
+"""Libraries that Qt needs of the system, and the packages of Debian and Ubuntu that have them."""
+
+_NONE = "There is no display to open a window on."
+
+
+def has_display() -> bool:
+    """Whether the environment names a display, or how to do without."""
+    names = ("DISPLAY", "WAYLAND_DISPLAY", "QT_QPA_PLATFORM")
+    return sys.platform != "linux" or any(os.environ.get(name) for name in names)
+
+
+@contextmanager
+def why_no_window(plugins: Path) -> Iterator[str]:
+    """Yield why Qt could open no window, as a sentence; empty where it can, as far as that is known before.
+
+    Only X11 is tried out: with Wayland at hand, or a platform that the person chose, Qt finds its own way.
+    What is loaded here Qt does not load again. The application is to be made within: an X server that has no
+    other client starts anew when we leave it, and would then not answer Qt.
+
+    Parameters
+    ----------
+    plugins
+        Where Qt's platforms lie.
+    """
+    if not has_display():
+        yield _NONE
+    elif not _is_x11():
+        yield ""
+    elif problem := _loading_problem(plugins / "libqxcb.so"):
+        yield missing_library(problem)
+    else:
+        with _connected() as answers:
+            yield "" if answers else f"The display “{os.environ.get('DISPLAY', '')}” does not answer."
+
+
+def _is_x11() -> bool:
+    platform = os.environ.get("QT_QPA_PLATFORM", "")
+    is_chosen = platform.startswith("xcb") or (not platform and not os.environ.get("WAYLAND_DISPLAY"))
+    return sys.platform == "linux" and is_chosen
+
+
+def _loading_problem(plugin: Path) -> str:
+    try:
+        if plugin.exists():
+            ctypes.CDLL(str(plugin))
+    except OSError as problem:
+        return str(problem)
+    return ""
+
+
+def missing_library(problem: str) -> str:
+    """Return which package has the library that a loader misses, as a sentence; empty for other problems."""
+    match = re.match(r"(lib[\w.+-]+\.so[\w.]*): cannot open shared object file", problem)
+    if match is None:
+        return ""
+    missing = {match[1]: _PACKAGES.get(match[1], "")} | _also_missing()
+    packages = [package for package in missing.values() if package]
+    where = f" On Debian and Ubuntu: sudo apt install {' '.join(packages)}" if packages else ""
+    return f"Qt needs {', '.join(missing)}, which this system does not have.{where}"
+
+
+def _also_missing() -> dict[str, str]:
+    """Return all that is missing at once: nobody shall install one, to be told of the next."""
+    missing = {}
+    for name, package in _PACKAGES.items():
+        try:
+            ctypes.CDLL(name)
+        except OSError:
+            missing[name] = package
+    return missing
+
+
+@contextmanager
+def _connected() -> Iterator[bool]:
+    """Connect to the X server that DISPLAY names; yield whether it lets us in."""
+    try:
+        xcb = ctypes.CDLL("libxcb.so.1")
+    except OSError:
+        yield True  # Qt will say so itself
+        return
+    xcb.xcb_connect.restype = ctypes.c_void_p
+    xcb.xcb_connect.argtypes = [ctypes.c_char_p, ctypes.c_void_p]
+    xcb.xcb_connection_has_error.argtypes = xcb.xcb_disconnect.argtypes = [ctypes.c_void_p]
+    # There is always a connection object, one that tells of an error where nobody answers.
+    connection = xcb.xcb_connect(None, None)
+    try:
+        yield not xcb.xcb_connection_has_error(connection)
+    finally:
+        xcb.xcb_disconnect(connection)

@@ -1,0 +1,86 @@
+"""The start of the editor: windows on the screen, soon."""
+
+from __future__ import annotations
+
+import gc
+import sys
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from app import cli
+from app.cli.display import has_display, missing_library
+from app.cli.refusals import RefusalError, load_document
+from app.commands.given import given
+from app.storage.files import StorageError
+from app.storage.open_file import is_large
+
+if TYPE_CHECKING:
+    from PySide6.QtWidgets import QApplication
+
+_WITHOUT = "“curvebench render” and “curvebench info” need none."
+
+
+def edit(files: Sequence[str], lesson: str = "") -> int:
+    """Open a window for every document, or one with the first sketch; return when the last is closed.
+
+    What is no document is imported or traced in the first window, which also says what cannot be read.
+    """
+    problems = _problems_of(files)
+    able = [path for path in files if path not in problems]
+    if problems and not able:
+        raise next(iter(problems.values()))  # before any window opens
+    if not has_display():
+        raise RefusalError(f"There is no display to open a window on. {_WITHOUT}")
+    with no_garbage_sought():
+        application = _application()
+        sentences = [f"{str(each).removesuffix('.')}." for each in problems.values()]
+        windows = cli.windows.open_windows(able, sentences)
+        if lesson:
+            windows[0].open_lesson(lesson)
+    return cli.windows.run(application, windows)
+
+
+def _problems_of(files: Sequence[str]) -> dict[str, RefusalError | StorageError]:
+    """Return why files cannot be opened, imported or traced; those that can be are left out.
+
+    A large document is read once, beside its window, which says what is wrong with it.
+    """
+    documents = given(map(Path, files)).documents
+    problems: dict[str, RefusalError | StorageError] = {}
+    for path in files:
+        is_document = Path(path) in documents and not is_large(Path(path))
+        if is_document or not Path(path).is_file():
+            try:
+                load_document(path)
+            except (RefusalError, StorageError) as problem:
+                problems[path] = problem
+    return problems
+
+
+def _application() -> QApplication:
+    try:
+        return cli.application.qt_application(_WITHOUT)
+    except ImportError as problem:
+        if sentence := missing_library(str(problem)):
+            raise RefusalError(sentence) from problem
+        raise
+
+
+@contextmanager
+def no_garbage_sought() -> Iterator[None]:
+    """Make what the program keeps as long as it runs: no garbage is sought in it, then or later.
+
+    That takes some 8 % off the start, and a while off every later search. Where Qt runs already, this is no
+    start, and nothing happens.
+    """
+    if "PySide6.QtWidgets" in sys.modules:
+        yield
+        return
+    gc.disable()
+    try:
+        yield
+    finally:
+        gc.freeze()
+        gc.enable()

@@ -1,0 +1,189 @@
+"""The camera of a plot: which part of the plane is seen, and where it lies on the screen."""
+
+from __future__ import annotations
+
+import pyqtgraph as pg
+from PySide6.QtCore import QObject, QPoint, QPointF, QRect, Signal
+
+from app.plotting.pixel_map import PixelMap
+
+_INSET = 2
+"""Pixels by which layers stay inside the plot area: what is nearer to its edge belongs to the axes."""
+
+_LEAST_SPAN = 1e-9
+
+GREATEST_SPAN = 1e13
+"""Longest range of an axis: pyqtgraph shrinks a longer one about its middle, wherever that lies."""
+
+
+class Camera(QObject):
+    """Zooms and pans, and maps the plane to pixels.
+
+    Signals
+    -------
+    changed
+        Another part of the plane is visible.
+    steered
+        The person has zoomed or panned.
+
+    Parameters
+    ----------
+    view
+        The graphics view that shows the plot.
+    box
+        Its view box, which keeps the ranges.
+    """
+
+    changed = Signal()
+    steered = Signal()
+
+    def __init__(self, view: pg.GraphicsView, box: pg.ViewBox) -> None:
+        super().__init__(view)
+        self._view, self._box = view, box
+        self._map: PixelMap | None = None
+        self._origin: QPointF | None = None
+        self._area = QRect()
+        box.setMouseEnabled(x=False, y=False)
+        box.disableAutoRange()
+        box.setLimits(
+            minXRange=_LEAST_SPAN, maxXRange=GREATEST_SPAN, minYRange=_LEAST_SPAN, maxYRange=GREATEST_SPAN
+        )
+        box.sigRangeChanged.connect(self._reset)
+        box.sigResized.connect(self._reset)
+
+    def _reset(self) -> None:
+        self._map = self._origin = None
+        self.changed.emit()
+
+    def reset_origin(self) -> None:
+        """Find out anew where the plot area lies; the widget has another size."""
+        self._origin = None
+
+    # Plane and pixels
+
+    @property
+    def pixel_map(self) -> PixelMap:
+        """The present map from the plane to the pixels of the plot area."""
+        if self._map is None:
+            box = self._box
+            (x_range, y_range), rect = box.viewRange(), box.rect()
+            self._map = PixelMap.of_ranges(tuple(x_range), tuple(y_range), rect.width(), rect.height())
+        return self._map
+
+    @property
+    def origin(self) -> QPointF:
+        """The place in the viewport where the plot area begins."""
+        if self._origin is None:
+            box = self._box
+            self._origin = QPointF(self._view.viewportTransform().map(box.mapToScene(QPointF(0, 0))))
+            rect = box.rect().translated(self._origin)
+            self._area = rect.adjusted(_INSET, _INSET, -_INSET, -_INSET).toAlignedRect()
+        return self._origin
+
+    @property
+    def area(self) -> QRect:
+        """The part of the viewport that layers paint on, as it was found when it was last painted."""
+        return self._area
+
+    def to_pixel(self, x: float, y: float) -> QPoint:
+        """Return the viewport pixel nearest to a point of the plane."""
+        return (self.origin + QPointF(*self.pixel_map.point(x, y))).toPoint()
+
+    def to_plane(self, pixel: QPoint | QPointF) -> tuple[float, float]:
+        """Return the point of the plane at a viewport pixel."""
+        return self.pixel_map.plane(*self.area_pixel(QPointF(pixel)))
+
+    def area_pixel(self, pixel: QPointF) -> tuple[float, float]:
+        """Return a viewport pixel as a pixel of the plot area."""
+        moved = pixel - self.origin
+        return (moved.x(), moved.y())
+
+    @property
+    def pixel_size(self) -> float:
+        """The size of a pixel in the plane, along x."""
+        return 1.0 / self.pixel_map.sx
+
+    def centre(self) -> QPointF:
+        """Return the middle of the plot area in viewport pixels, where the zoom actions zoom."""
+        shown = self.pixel_map
+        return self.origin + QPointF(shown.width / 2, shown.height / 2)
+
+    # What is seen
+
+    def show_box(self, x_range: tuple[float, float], y_range: tuple[float, float]) -> None:
+        """Show this part of the plane."""
+        self._box.setRange(xRange=x_range, yRange=y_range, padding=0)
+
+    def zoom(self, factor: float, pixel: QPointF) -> None:
+        """Zoom in by `factor` (out where it is below one), keeping what lies under the pixel there."""
+        self.steered.emit()
+        x, y = self.to_plane(pixel)
+        x_min, y_min, x_max, y_max = self.pixel_map.box
+        if not _LEAST_SPAN < (x_max - x_min) / factor < GREATEST_SPAN:
+            return
+        self.show_box(
+            (x + (x_min - x) / factor, x + (x_max - x) / factor),
+            (y + (y_min - y) / factor, y + (y_max - y) / factor),
+        )
+
+    def pan(self, dx: float, dy: float) -> None:
+        """Move the drawing by pixels."""
+        self.steered.emit()
+        shown = self.pixel_map
+        x_min, y_min, x_max, y_max = shown.box
+        by_x, by_y = -dx / shown.sx, dy / shown.sy
+        self.show_box((x_min + by_x, x_max + by_x), (y_min + by_y, y_max + by_y))
+
+
+class CameraOverT(Camera):
+    """The camera of a plot over t: it zooms and pans along t alone.
+
+    Signals
+    -------
+    range_asked
+        The person wants to see another part of t: (start, end). A camera that is `led` leaves it at that: who
+        shares its axis decides, and says so by `show_t`.
+    """
+
+    range_asked = Signal(float, float)
+
+    def __init__(self, view: pg.GraphicsView, box: pg.ViewBox) -> None:
+        super().__init__(view, box)
+        self.led = False
+
+    @property
+    def t_range(self) -> tuple[float, float]:
+        """The part of t that is visible."""
+        start, _, end, _ = self.pixel_map.box
+        return start, end
+
+    def show_t(self, start: float, end: float) -> None:
+        """Show this part of t."""
+        self._box.setXRange(start, end, padding=0)
+
+    def _ask(self, start: float, end: float) -> None:
+        self.range_asked.emit(start, end)
+        if not self.led:
+            self.show_t(start, end)
+
+    def zoom(self, factor: float, pixel: QPointF) -> None:
+        """Zoom along t."""
+        t, _ = self.to_plane(pixel)
+        start, end = self.t_range
+        self._ask(t + (start - t) / factor, t + (end - t) / factor)
+
+    def pan(self, dx: float, dy: float) -> None:
+        """Move along t."""
+        start, end = self.t_range
+        by = -dx / self.pixel_map.sx
+        self._ask(start + by, end + by)
+
+
+class FixedCamera(Camera):
+    """The camera of a plot that shows all there is."""
+
+    def zoom(self, factor: float, pixel: QPointF) -> None:
+        """Stay: everything is in sight."""
+
+    def pan(self, dx: float, dy: float) -> None:
+        """Stay: everything is in sight."""

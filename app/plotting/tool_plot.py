@@ -1,0 +1,202 @@
+"""A plot with tools: what the mouse and keys do goes to the tool in use, and what it says is told."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import QEvent, Qt, QTimer, Signal
+from PySide6.QtGui import QKeyEvent
+from PySide6.QtWidgets import QWidget
+
+from app.plotting.keys import ARROWS, cursor_of, factor_of, key_name
+from app.plotting.plot_widget import PlotWidget
+from app.tools.pointer import Hint, Hit, Pointer
+from app.tools.tool import Tool
+from app.tools.toolbox import Toolbox
+
+
+class ToolPlot(PlotWidget):
+    """Turns mouse and keys into events of a tool.
+
+    Attributes
+    ----------
+    tools
+        The tools of this plot.
+
+    Signals
+    -------
+    hint_changed
+        What a press here would do (a sentence).
+    progress_changed
+        How far the gesture in flight has come (a sentence); empty when it has ended.
+    gesture_began, gesture_ended
+        A press begins a gesture; none is in flight any more.
+    pointed_at
+        The place under the pointer, or None when it has left: the position on a canvas, t over t.
+    """
+
+    hint_changed = Signal(str)
+    progress_changed = Signal(str)
+    gesture_began = Signal()
+    gesture_ended = Signal()
+    pointed_at = Signal(object)
+
+    def __init__(self, tools: Toolbox, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.tools = tools
+        tools.hit_test = self.hit
+        self._words_due = QTimer(self, singleShot=True, interval=0)
+        self._words_due.timeout.connect(self._tell)
+
+    # A subclass fills in these.
+
+    def hit(self, pointer: Pointer, tool: Tool) -> Hit | None:
+        """Return what of the plot a tool hits at the pointer."""
+        return None
+
+    def place_of(self, pointer: Pointer) -> object:
+        """Return what is told of the place under the pointer: t."""
+        return pointer.position[0]
+
+    def show_marks(self) -> None:
+        """Draw what the tool shows over the plot."""
+
+    def walk(self, forward: bool) -> bool:
+        """Go to the next thing with Tab, or to the one before; return whether there is one."""
+        return False
+
+    # Gestures
+
+    @property
+    def is_dragging(self) -> bool:
+        """Whether a gesture is in flight."""
+        return self.tools.is_pressed
+
+    def cancel_gesture(self) -> bool:
+        """Take the gesture in flight back; return whether there was one."""
+        cancelled = self.tools.cancel()
+        self._end_gesture()
+        return cancelled
+
+    def abandon_gesture(self) -> None:
+        """Drop the gesture in flight; the document is another one."""
+        self.tools.abandon()
+        self._end_gesture()
+
+    def dismiss(self) -> bool:
+        """Remove what the tool has left on the plot; return whether there was something."""
+        found = self.tools.dismiss()
+        self.show_marks()
+        return found
+
+    def pressed(self, pointer: Pointer) -> None:
+        self.gesture_began.emit()
+        self.tools.press(pointer)
+        self._show_progress()
+
+    def moved(self, pointer: Pointer) -> None:
+        self.tools.move(pointer)
+        self.show_marks()
+        # The eye is on the curve: words come once that has been painted.
+        self._words_due.start()
+
+    def released(self, pointer: Pointer) -> None:
+        self._words_due.stop()
+        self.tools.release(pointer)
+        self._end_gesture()
+        x, y = pointer.pixel
+        if 0 <= x <= self.pixel_map.width and 0 <= y <= self.pixel_map.height:
+            self.hovered_at(pointer)
+        else:
+            self.left()
+
+    def hovered_at(self, pointer: Pointer) -> None:
+        if self.tools.is_transforming:
+            self.moved(pointer)
+            return
+        hint = self.tools.hover(pointer)
+        self._show_cursor(hint)
+        self.hint_changed.emit(hint.text)
+        self.show_marks()
+        self.pointed_at.emit(self.place_of(pointer))
+
+    def hover_again(self) -> None:
+        """Tell anew what lies under a pointer that rests while the view moves, or the document."""
+        if self._hand is not None and not self.is_dragging and not self._panning.is_active:
+            self.hovered_at(self._pointer_now())
+
+    def left(self) -> None:
+        if not self.is_dragging:
+            self._hand = None
+            self.tools.leave()
+            self.show_marks()
+            self.hint_changed.emit("")
+            self.pointed_at.emit(None)
+
+    def _pointer_now(self) -> Pointer:
+        """Return where the pointer is in the plane as it is shown now; in the middle if it is elsewhere."""
+        shown = self.pixel_map
+        pixel = self._hand.pixel if self._hand is not None else (shown.width / 2, shown.height / 2)
+        return Pointer(shown.plane(*pixel), pixel, scale=shown.sx)
+
+    def _end_gesture(self) -> None:
+        self.show_marks()
+        self.progress_changed.emit("")
+        self.gesture_ended.emit()
+
+    def _show_progress(self) -> None:
+        self.show_marks()
+        self.progress_changed.emit(self.tools.progress())
+
+    def _tell(self) -> None:
+        """Say how far the gesture has come, and where the pointer is."""
+        self.progress_changed.emit(self.tools.progress())
+        if self._hand is not None:
+            self.pointed_at.emit(self.place_of(self._hand))
+
+    def _show_cursor(self, hint: Hint) -> None:
+        if not self._panning.owns_cursor:
+            self.viewport().setCursor(cursor_of(hint.cursor_over(self.tools.tool.cursor), self.layers.theme))
+
+    # Keys
+
+    def event(self, event: QEvent) -> bool:
+        if event.type() == QEvent.Type.ShortcutOverride and isinstance(event, QKeyEvent):
+            # While a transform is in flight, digits and letters are its own and no shortcuts.
+            key = key_name(event)
+            if key is not None and self.tools.tool.claims(key):
+                event.accept()
+                return True
+        return bool(super().event(event))
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        is_escape = event.key() == Qt.Key.Key_Escape
+        if (is_escape and (self.cancel_gesture() or self.dismiss())) or self._takes(event):
+            event.accept()
+        else:
+            super().keyPressEvent(event)
+
+    def _takes(self, event: QKeyEvent) -> bool:
+        """Give the tool a key; return whether it is the tool's."""
+        key = key_name(event)
+        return (key is not None and self.give_key(key)) or self._nudge(event)
+
+    def give_key(self, key: str) -> bool:
+        """Give the tool a key by name; return whether it is the tool's, also where it means nothing now."""
+        claimed, was_dragging = self.tools.tool.claims(key), self.is_dragging
+        taken = self.tools.key(key)
+        if taken and was_dragging:
+            self._show_progress()
+        if taken and not self.is_dragging:
+            self.hovered_at(self._pointer_now())
+        return taken or claimed
+
+    def _nudge(self, event: QKeyEvent) -> bool:
+        """Move what the tool moves by a pixel or a step of the grid: with Shift ten, with Ctrl a tenth."""
+        direction = ARROWS.get(Qt.Key(event.key()))
+        if direction is None or event.modifiers() & Qt.KeyboardModifier.AltModifier:
+            return False
+        return self.tools.nudge(direction, self.camera.pixel_size, factor_of(event))
+
+    def focusNextPrevChild(self, forward: bool) -> bool:
+        # Tab belongs to a transform in flight; no gesture lets it lead elsewhere.
+        self.give_key("tab")
+        return self.is_dragging or self.walk(forward) or bool(super().focusNextPrevChild(forward))

@@ -1,0 +1,3 @@
+# Modules that are imported when they are first used.
+from . import digests as digests
+from . import ps as ps

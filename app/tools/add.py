@@ -1,0 +1,202 @@
+"""The tool that adds points: appended, inserted on the curve, or the first of another curve."""
+
+from __future__ import annotations
+
+import math
+from functools import partial
+
+from app.document.curve_edits import add_curve, fresh_curve
+from app.document.model import Vector
+from app.tools import hints
+from app.tools.closing import can_end_at, closer
+from app.tools.drag_machine import EditingHost
+from app.tools.marks import GestureMarks
+from app.tools.parts import press_on_part
+from app.tools.pen_drags import AppendPoint, BeginCurve, InsertPoint, PenAct, pen_act
+from app.tools.pointer import Hint, Hit
+from app.tools.tool import Tool, ToolContext, ToolRecord
+from app.view_model.curve_view import CurveView, view_of
+from app.view_model.pen_preview import view_with_point
+
+
+class AddTool(Tool):
+    """Adds points, and begins another curve beside one that is closed or finished.
+
+    Which curves are finished is neither in the document nor in its history: it only says what the next press
+    means.
+    """
+
+    shows_new_handle = True
+
+    def __init__(self) -> None:
+        # The finished curves, by their places and names.
+        self._finished: set[tuple[int, str]] = set()
+        # What a press would make of the curve that `_seen` shows.
+        self._seen: CurveView | None = None
+        self._ahead: CurveView | None = None
+        self._spot: Vector | None = None
+        self._place: Vector | None = None
+
+    def reset(self) -> None:
+        """Forget which curves are finished; another document is open."""
+        self._finished.clear()
+
+    def end(self) -> None:
+        """Show nothing of what a press would do."""
+        self._seen = self._ahead = self._spot = self._place = None
+
+    # Finished curves
+
+    def _is_finished(self, host: EditingHost) -> bool:
+        """Whether the person has finished the curve that is edited, so that the next press begins another."""
+        return _key(host) in self._finished and hints.can_finish(host.active_view)
+
+    def key(self, context: ToolContext, key: str) -> bool:
+        """Finish the curve that is edited with Enter, or say why not."""
+        host = context.host
+        if key != "enter" or context.drags.is_pressed or context.view.source.is_closed:
+            return False
+        if not hints.can_finish(context.view):
+            host.refuse("A curve needs two points before it can be finished.")
+            return True
+        self._finished.add(_key(host))
+        host.select([])
+        host.say(f"“{context.view.source.name}” is finished; the next press begins another curve.")
+        return True
+
+    def _goes_on_at(self, hit: Hit, host: EditingHost) -> bool:
+        """Whether a click on what is hit goes on with a finished curve."""
+        view = host.active_view
+        return self._is_finished(host) and hints.is_end(hit, view) and not view.source.locked
+
+    def _go_on(self, host: EditingHost) -> None:
+        """Go on with the finished curve."""
+        self._finished.discard(_key(host))
+        count = len(host.active_view.source.nodes)
+        host.select([count - 1])
+        host.say(f"Going on with “{host.active_view.source.name}”; the next press adds point {count}.")
+
+    # Presses
+
+    def press(self, context: ToolContext) -> None:
+        """Begin what a press here does."""
+        host, hit = context.host, context.hit
+        if hit is not None and not hints.is_no_part(hit):
+            self._press_on_part(context, hit)
+            return
+        act = self._act(context)
+        if act is PenAct.BEGIN:
+            self._begin(context)
+        elif context.view.source.locked:
+            host.refuse(hints.LOCKED.format(context.view.source.name))
+        elif act is PenAct.INSERT and hit is not None:
+            _insert(context, hit)
+        else:
+            self._append(context)
+
+    def _press_on_part(self, context: ToolContext, hit: Hit) -> None:
+        if can_end_at(hit, context.view):
+            press_on_part(context, hit, closer(context.host))
+        elif self._goes_on_at(hit, context.host):
+            press_on_part(context, hit, partial(self._go_on, context.host))
+        else:
+            press_on_part(context, hit)
+
+    def _act(self, context: ToolContext) -> PenAct:
+        finished = self._is_finished(context.host)
+        return pen_act(context.hit, context.view, shift=context.pointer.shift, finished=finished)
+
+    def _append(self, context: ToolContext) -> None:
+        host = context.host
+        index, key = len(context.view.source.nodes), _key(host)
+        snapper = context.snappers.for_new(index)
+        append = AppendPoint(host.document, host.active_index, context.view, context.pointer, snapper)
+        # Only when it is done: Escape leaves a finished curve finished.
+        done = partial(self._finished.discard, key)
+        context.drags.press_at_once(context.pointer, append, on_done=done, makes=index)
+
+    def _begin(self, context: ToolContext) -> None:
+        """Begin another curve; it is the one that is edited from the press on."""
+        host = context.host
+        model, place = context.view.source, host.active_index + 1
+        fresh = fresh_curve(host.document, model, model.parametrization)
+        document = add_curve(host.document, place, fresh)
+        self._finished.discard((place, fresh.name))
+        begin = BeginCurve(document, place, view_of(fresh), context.pointer, context.snappers.for_new(-1))
+        context.drags.press_at_once(context.pointer, begin, active=place, makes=0)
+
+    # What a press would do
+
+    def hover(self, context: ToolContext) -> Hint:
+        """Return what a press here would do, and show it."""
+        hit, view, selection = context.hit, context.view, context.host.selection
+        act = self._act(context) if hints.is_no_part(hit) else None
+        place = (
+            {PenAct.APPEND: len(view.source.nodes), PenAct.BEGIN: -1}.get(act) if act is not None else None
+        )
+        if place is not None:
+            context.preview_snap(place)
+        self._look_ahead(context, act)
+        snaps, finished = context.settings.snapping.on, self._is_finished(context.host)
+        if view.source.locked and act is not PenAct.BEGIN:
+            return Hint(hints.LOCKED.format(view.source.name))
+        if act is not None or hit is None:
+            return hints.to_add(act or PenAct.APPEND, view, snaps=snaps)
+        return hints.to_add_on_part(hit, view, selection, snaps=snaps, finished=finished)
+
+    def _look_ahead(self, context: ToolContext, act: PenAct | None) -> None:
+        """Find out what a press here would make of the curve."""
+        host, view, hit, caught = context.host, context.view, context.hit, context.snappers.caught
+        is_here = math.isfinite(context.pointer.position[0]) and not view.source.locked
+        self._spot = hit.position if is_here and act is PenAct.INSERT and hit is not None else None
+        if not is_here or act is not PenAct.APPEND:
+            self._seen, self._ahead, self._place = view, None, None
+            return
+        place = caught.position if caught is not None else context.pointer.position
+        if place != self._place or view is not self._seen:
+            self._ahead = view_with_point(host.document, host.active_index, view, place, self._ahead)
+        self._seen, self._place = view, place
+
+    def marks(self, context: ToolContext) -> GestureMarks:
+        """Return the curve with one point more, or the spot to insert one at."""
+        is_shown = self._seen is context.view and not context.drags.is_pressed
+        return GestureMarks(
+            snap=context.snappers.caught,
+            ahead=self._ahead if is_shown else None,
+            spot=self._spot if is_shown else None,
+        )
+
+
+def _key(host: EditingHost) -> tuple[int, str]:
+    return host.active_index, host.active_view.source.name
+
+
+def _insert(context: ToolContext, hit: Hit) -> None:
+    host = context.host
+    snapper = context.snappers.for_points((hit.index,), hit.index)
+    insert = InsertPoint(host.document, host.active_index, context.view, hit, context.pointer, snapper)
+    context.drags.press_at_once(
+        context.pointer, insert, on_done=lambda: _say_outcome(host, insert), makes=hit.index
+    )
+
+
+def _say_outcome(host: EditingHost, insert: InsertPoint) -> None:
+    made = insert.on_curve
+    if host.active_view.source != made.curve:
+        return  # dragged off the curve: the change is what was wanted
+    if made.parameters_moved:
+        host.offer(made.sentence, "keepShape", insert.hit.t)
+    else:
+        host.say(made.sentence)
+
+
+ADD = ToolRecord(
+    name="add",
+    make=AddTool,
+    hint="Click to add points; Enter finishes the curve; V or Escape goes back to selecting.",
+    action="addTool",
+    title="Add Points",
+    key="P",
+    icon="add",
+    tip="Click to add points; drag to set a velocity",
+)

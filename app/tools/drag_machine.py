@@ -1,0 +1,262 @@
+"""State machine of all drags: threshold, preview, commit, cancel."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Collection, Hashable
+from typing import Protocol, runtime_checkable
+
+import msgspec
+
+from app.document.edits import EditError
+from app.document.model import Document, Vector
+from app.tools.pointer import Pointer
+from app.view_model.curve_view import CurveView
+
+THRESHOLD = 3.0
+"""Pixels the pointer must travel before a press becomes a drag."""
+
+CANCELLED = "Cancelled."
+"""What is said when Escape has taken a gesture back."""
+
+
+class EditingHost(Protocol):
+    """Document, selection and messages of a session, as the tools use them."""
+
+    active_index: int
+    selection: frozenset[int]
+    chosen_curves: frozenset[int]
+    scrub: float | None
+
+    @property
+    def document(self) -> Document:
+        """The current document."""
+
+    @property
+    def views(self) -> list[CurveView]:
+        """The views of all curves."""
+
+    @property
+    def active_view(self) -> CurveView:
+        """The view of the active curve."""
+
+    def preview(self, document: Document, *, active: int | None = None) -> bool:
+        """Show a document for the length of the gesture; edit its curve `active` where that is another.
+
+        Return whether it is shown; it is not where that curve is locked.
+        """
+
+    def commit(
+        self, document: Document, text: str, *, active: int | None = None, run: Hashable = None
+    ) -> object:
+        """Make it a step of the history; true where it is one. Quick steps of the same run are one."""
+
+    def cancel(self) -> None:
+        """Drop the preview."""
+
+    def select(self, indices: Collection[int]) -> None:
+        """Select nodes."""
+
+    def set_hovered(self, index: int) -> None:
+        """Say which node the pointer is over."""
+
+    def activate(self, index: int) -> None:
+        """Edit another curve."""
+
+    def choose_curves(self, indices: Collection[int], active: int | None = None) -> None:
+        """Choose curves to work on together."""
+
+    def set_scrub(self, t: float | None) -> None:
+        """Move the scrub line."""
+
+    def say(self, text: str) -> None:
+        """Show a sentence in the status line."""
+
+    def refuse(self, text: str) -> None:
+        """Say that something was not done, and why."""
+
+    def offer(self, text: str, action: str, at: float | None = None) -> None:
+        """Show a sentence, and a button for an action about the parameter `at`."""
+
+
+class Drag(Protocol):
+    """A drag: the document at a place of the pointer."""
+
+    @property
+    def name(self) -> str:
+        """The name of the step in the history."""
+
+    def document_at(self, pointer: Pointer) -> Document:
+        """Return the document for this position, computed from the press, never from the last move."""
+
+
+@runtime_checkable
+class HasReadout(Protocol):
+    """A drag that tells its amount while it goes on."""
+
+    @property
+    def keys(self) -> str:
+        """What each modifier key would change."""
+
+    def readout_at(self, pointer: Pointer) -> str:
+        """Return the amount, such as "Rotate 30°"."""
+
+
+class _Press(msgspec.Struct):
+    pixel: Vector
+    drag: Drag | None
+    on_click: Callable[[], None] | None
+    moving: bool
+    last: Document | None = None
+    refused: str = ""
+    on_done: Callable[[], None] | None = None
+    active: int | None = None
+    makes: int | None = None
+    selection: frozenset[int] | None = None
+
+
+class DragMachine:
+    """Turns press, move and release into preview, commit and cancel.
+
+    A press becomes a drag after `THRESHOLD` pixels; before that a release is a click.
+    """
+
+    def __init__(self, host: EditingHost) -> None:
+        self._host = host
+        self._press: _Press | None = None
+
+    @property
+    def is_pressed(self) -> bool:
+        """Whether a gesture is in flight."""
+        return self._press is not None
+
+    @property
+    def is_moving(self) -> bool:
+        """Whether the gesture in flight has become a drag."""
+        return self._press is not None and self._press.moving
+
+    def press(self, pointer: Pointer, drag: Drag | None, on_click: Callable[[], None] | None = None) -> None:
+        """Begin: `drag` takes over past the threshold, `on_click` is called if there is no drag."""
+        self._press = _Press(pointer.pixel, drag, on_click, moving=False)
+
+    def press_at_once(
+        self,
+        pointer: Pointer,
+        drag: Drag,
+        on_done: Callable[[], None] | None = None,
+        *,
+        makes: int | None = None,
+        active: int | None = None,
+    ) -> None:
+        """Begin a drag that shows its effect at the press (a new point) and commits without any move.
+
+        `on_done` is called after the commit; `active` is the curve to edit from the press on, where the drag
+        makes another one. The node that it `makes` is selected as soon as it is there. What is selected now
+        is selected again when the drag is cancelled, or refused.
+        """
+        self._press = _Press(
+            pointer.pixel,
+            drag,
+            None,
+            moving=True,
+            on_done=on_done,
+            active=active,
+            makes=makes,
+            selection=self._host.selection,
+        )
+        self._step(pointer)
+
+    def move(self, pointer: Pointer) -> None:
+        """Follow the pointer."""
+        press = self._press
+        if press is None or press.drag is None:
+            return
+        if not press.moving:
+            press.moving = math.dist(pointer.pixel, press.pixel) >= THRESHOLD
+        if press.moving:
+            self._step(pointer)
+
+    def _step(self, pointer: Pointer) -> None:
+        press = self._press
+        assert press is not None
+        assert press.drag is not None
+        try:
+            document = press.drag.document_at(pointer)
+        except EditError as reason:
+            press.refused = str(reason)
+            self._host.refuse(press.refused)
+            return
+        press.last, press.refused = document, ""
+        if self._host.preview(document, active=press.active) and press.makes is not None:
+            self._host.select([press.makes])
+            press.makes = None
+
+    def nudge(self, pointer: Pointer, drag: Drag, run: Hashable) -> None:
+        """Do at once what a drag to `pointer` would do; quick nudges of the same run are one step."""
+        try:
+            is_done = self._host.commit(drag.document_at(pointer), drag.name, run=run)
+        except EditError as reason:
+            self._host.refuse(str(reason))
+            return
+        if is_done and isinstance(drag, HasReadout):
+            self._host.say(drag.readout_at(pointer))
+
+    def exchange(self, pointer: Pointer, drag: Drag) -> None:
+        """Go on with another drag from the same press: an axis was locked, an amount typed."""
+        if self._press is not None:
+            self._press.drag = drag
+            self._step(pointer)
+
+    def progress_at(self, pointer: Pointer) -> str:
+        """Return the amount of the drag in flight and what modifiers would change, or why it is refused."""
+        press = self._press
+        if press is None or not press.moving:
+            return ""
+        if press.refused or not isinstance(press.drag, HasReadout):
+            return press.refused
+        parts = (press.drag.readout_at(pointer), press.drag.keys, "Escape cancels")
+        return " · ".join(part for part in parts if part)
+
+    def place_at(self, pointer: Pointer) -> Vector | None:
+        """Return where the node is that the drag in flight holds, None where it holds none.
+
+        A drag that holds one has a method `place_at`, too.
+        """
+        press = self._press
+        if press is None or not press.moving or press.refused:
+            return None
+        # Asked at every move, where isinstance of a protocol takes ten times as long.
+        place_at: Callable[[Pointer], Vector | None] | None = getattr(press.drag, "place_at", None)
+        return place_at(pointer) if place_at is not None else None
+
+    def release(self, pointer: Pointer) -> None:
+        """End: commit what the drag made, or click."""
+        self.move(pointer)
+        press, self._press = self._press, None
+        if press is None:
+            return
+        if press.moving and press.drag is not None and press.last is not None:
+            if not self._host.commit(press.last, press.drag.name, active=press.active):
+                if press.selection is not None:
+                    self._host.select(press.selection)
+            elif press.on_done is not None:
+                press.on_done()
+        elif not press.moving and press.on_click is not None:
+            press.on_click()
+
+    def cancel(self) -> bool:
+        """Drop the gesture in flight and everything it showed; return whether there was one."""
+        press = self._press
+        self.reset()
+        if press is None:
+            return False
+        self._host.cancel()
+        if press.selection is not None:
+            self._host.select(press.selection)
+        if press.moving:
+            self._host.say(CANCELLED)
+        return True
+
+    def reset(self) -> None:
+        """Drop the gesture in flight without touching the document: somebody else has replaced it."""
+        self._press = None

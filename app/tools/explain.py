@@ -1,0 +1,30 @@
+"""The tool that explains the curve where it is clicked."""
+
+from __future__ import annotations
+
+from app.tools.pointer import Hint, Part
+from app.tools.tool import Tool, ToolContext, ToolRecord
+
+
+class ExplainTool(Tool):
+    """Puts the scrub line where the curve was clicked: what explains the curve stands there."""
+
+    def press(self, context: ToolContext) -> None:
+        """Move the scrub line here."""
+        hit = context.hit
+        if hit is not None and hit.part is Part.CURVE:
+            context.host.set_scrub(hit.t)
+        else:
+            context.host.refuse("Click on the curve itself, where it swings out.")
+
+    def hover(self, context: ToolContext) -> Hint:
+        """Return what a press here would do."""
+        text = "Click on the curve where it swings out · V goes back to Select"
+        return Hint(text, grab=context.hit is not None)
+
+
+EXPLAIN = ToolRecord(
+    name="explain",
+    make=ExplainTool,
+    hint="Click on the curve where it swings out; V goes back to Select.",
+)

@@ -1,0 +1,71 @@
+"""Marks of a gesture over the drawing: a value that the canvas draws."""
+
+from __future__ import annotations
+
+import msgspec
+from msgspec.structs import asdict, replace
+
+from app.document.model import Vector
+from app.tools.snapping import Snap
+from app.tools.transform_box import TransformBox
+from app.view_model.curve_view import CurveView
+
+
+class Note(msgspec.Struct, frozen=True):
+    """A few words beside a place.
+
+    Attributes
+    ----------
+    work
+        The middle of what is worked on: the words stand on the side of the place where that is not.
+    """
+
+    position: Vector
+    text: str
+    work: Vector
+
+
+class Ruler(msgspec.Struct, frozen=True):
+    """A measured distance."""
+
+    start: Vector
+    end: Vector
+    text: str
+
+
+class GestureMarks(msgspec.Struct, frozen=True):
+    """All marks at once; None for what is not there.
+
+    Attributes
+    ----------
+    band
+        Two opposite corners of the rubber band.
+    box
+        The box with grips around the selected points.
+    snap
+        What the pointer has snapped to.
+    ruler
+        What is measured.
+    note
+        The amount of a transform, beside the pointer.
+    axis
+        The locked axis (0 or 1) and a point on it.
+    ahead
+        The curve as it would be with a point where the pen is.
+    spot
+        Where on the curve the pen would insert a point.
+    """
+
+    band: tuple[Vector, Vector] | None = None
+    box: TransformBox | None = None
+    snap: Snap | None = None
+    ruler: Ruler | None = None
+    note: Note | None = None
+    axis: tuple[Vector, int] | None = None
+    ahead: CurveView | None = None
+    spot: Vector | None = None
+
+    def above(self, below: GestureMarks) -> GestureMarks:
+        """Return both; of what both have, this."""
+        own = {name: value for name, value in asdict(self).items() if value is not None}
+        return replace(below, **own)

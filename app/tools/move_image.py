@@ -1,0 +1,105 @@
+"""The tool that moves and scales the picture to trace."""
+
+from __future__ import annotations
+
+import math
+
+import msgspec
+
+from app.document.edits import EditError
+from app.document.image_edits import move_image, scale_image
+from app.document.model import Document, ReferenceImage, Vector
+from app.tools.pointer import Cursor, Hint, Part, Pointer
+from app.tools.tool import Tool, ToolContext, ToolRecord
+
+CORNERS = ((0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0))
+"""The corners of a picture as shares of its width and height, counterclockwise from the lower left."""
+
+_LEAST_FACTOR = 1e-3
+
+
+def corner_of(image: ReferenceImage, corner: int) -> Vector:
+    """Return where a corner of the picture lies."""
+    share_x, share_y = CORNERS[corner]
+    return (image.x + share_x * image.width, image.y + share_y * image.height)
+
+
+class MoveImage(msgspec.Struct, frozen=True):
+    """Move the picture with the pointer; Shift keeps to one axis."""
+
+    document: Document
+    start: Vector
+    name: str = "Move image"
+
+    def document_at(self, pointer: Pointer) -> Document:
+        """Move by the whole way from the press."""
+        by = (pointer.position[0] - self.start[0], pointer.position[1] - self.start[1])
+        if pointer.shift:
+            by = (by[0], 0.0) if abs(by[0]) >= abs(by[1]) else (0.0, by[1])
+        return move_image(self.document, by)
+
+
+class ScaleImage(msgspec.Struct, frozen=True):
+    """Scale the picture by a corner; the opposite corner stays, and so does the aspect."""
+
+    document: Document
+    corner: int
+    start: Vector
+    name: str = "Scale image"
+
+    def document_at(self, pointer: Pointer) -> Document:
+        """Let the diagonal follow the pointer as far as it goes along it."""
+        image = self.document.image
+        assert image is not None
+        fixed = (self.corner + 2) % 4
+        anchor, tip = corner_of(image, fixed), corner_of(image, self.corner)
+        diagonal = (tip[0] - anchor[0], tip[1] - anchor[1])
+        by = (pointer.position[0] - self.start[0], pointer.position[1] - self.start[1])
+        length = math.hypot(*diagonal)
+        # Divided twice, because the square of a length of 1e-200 would be zero.
+        along = (by[0] * (diagonal[0] / length) + by[1] * (diagonal[1] / length)) / length
+        return scale_image(self.document, CORNERS[fixed], max(1 + along, _LEAST_FACTOR))
+
+
+class MoveImageTool(Tool):
+    """Moves and scales the picture to trace: points are out of reach meanwhile."""
+
+    cursor = Cursor.ARROW
+    finds_image = True
+
+    def press(self, context: ToolContext) -> None:
+        """Begin to move the picture, or to scale it by a corner."""
+        document, hit, pointer = context.host.document, context.hit, context.pointer
+        if hit is None or document.image is None or document.image.locked:
+            context.drags.press(pointer, None)
+        elif hit.part is Part.IMAGE_CORNER:
+            context.drags.press(pointer, ScaleImage(document, hit.knot, pointer.position))
+        else:
+            context.drags.press(pointer, MoveImage(document, pointer.position))
+
+    def nudge(self, context: ToolContext, direction: Vector, pixel: float, factor: float) -> bool:
+        """Move the picture by a pixel."""
+        host, by = context.host, (direction[0] * factor * pixel, direction[1] * factor * pixel)
+        if host.document.image is None or host.document.image.locked:
+            return True
+        try:
+            host.commit(move_image(host.document, by), "Nudge image", run="image")
+        except EditError as reason:
+            host.refuse(str(reason))
+        return True
+
+    def hover(self, context: ToolContext) -> Hint:
+        """Return what a press here would do."""
+        hit = context.hit
+        if hit is None:
+            return Hint("Moving the image · Drag it, or one of its corners to scale it · Escape goes back")
+        if hit.part is Part.IMAGE_CORNER:
+            return Hint("Drag to scale the image; the opposite corner stays · Escape cancels", grab=True)
+        return Hint("Drag to move the image · Shift: along one axis · Arrows: by a pixel", grab=True)
+
+
+MOVE_IMAGE = ToolRecord(
+    name="move_image",
+    make=MoveImageTool,
+    hint="Drag the image to move it, a corner to scale it; Escape goes back to the points.",
+)

@@ -1,0 +1,56 @@
+"""Presses on points and handles, which mean the same to the tools that select and add points."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from app.document.several_curves import nodes_of
+from app.tools import hints
+from app.tools.drag_machine import Drag
+from app.tools.drags import DragHandle, MovePoints, PullVelocity, Refuse
+from app.tools.pointer import Hit, Part
+from app.tools.tool import ToolContext
+
+
+def press_on_part(context: ToolContext, hit: Hit, click: Callable[[], None] | None = None) -> None:
+    """Begin to drag a point or a handle; a click does `click`, or else selects."""
+    if hit.part is not Part.POINT:
+        _press_on_handle(context, hit)
+        return
+    selecting = click_on(context, hit.index)
+    if hit.index not in context.host.selection:
+        # Alone, for a drag with Shift moves this point along an axis; only a click adds it to the others.
+        context.host.select([hit.index])
+    drag = unless_locked(context, _point_drag(context, hit))
+    context.drags.press(context.pointer, drag, on_click=click or selecting)
+
+
+def click_on(context: ToolContext, index: int) -> Callable[[], None]:
+    """Return what a click selects: a point alone, or with Shift added to the others or taken away."""
+    host, before, shift = context.host, context.host.selection, context.pointer.shift
+    return lambda: host.select(before ^ {index} if shift else [index])
+
+
+def unless_locked(context: ToolContext, drag: Drag) -> Drag:
+    """Return the drag, or one that is refused because the curve is locked."""
+    source = context.view.source
+    return Refuse(hints.LOCKED.format(source.name)) if source.locked else drag
+
+
+def _press_on_handle(context: ToolContext, hit: Hit) -> None:
+    host, pointer = context.host, context.pointer
+    snapper = context.snappers.for_handle(hit.index)
+    handle = DragHandle(host.document, host.active_index, context.view, hit, pointer.position, snapper)
+    # A drag drags the handle; a click means what lies below it, for a click does nothing to a handle.
+    below = click_on(context, hit.over) if hit.over >= 0 else None
+    context.drags.press(pointer, unless_locked(context, handle), below)
+
+
+def _point_drag(context: ToolContext, hit: Hit) -> MovePoints | PullVelocity:
+    host, pointer = context.host, context.pointer
+    if pointer.alt and context.view.source.family.derivatives:
+        snapper = context.snappers.for_handle(hit.index)
+        return PullVelocity(host.document, host.active_index, context.view, hit.index, snapper)
+    snapper = context.snappers.for_points(host.selection, hit.index)
+    group, grip = nodes_of(host.active_index, host.selection), (host.active_index, hit.index)
+    return MovePoints(host.document, group, pointer.position, snapper, grip)

@@ -1,0 +1,11 @@
+"""The registry of the tools that a person chooses for the canvas.
+
+To add one: a file with a subclass of `Tool` and its `ToolRecord`, named here.
+"""
+
+from app.tools.add import ADD
+from app.tools.measure import MEASURE
+from app.tools.select import SELECT
+from app.tools.tool import ToolRecord
+
+TOOLS: tuple[ToolRecord, ...] = (SELECT, ADD, MEASURE)

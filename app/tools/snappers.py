@@ -1,0 +1,106 @@
+"""The snappers of the canvas: what the thing that is dragged, placed or measured now is drawn to."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Collection
+
+from app.document.model import Document, Vector
+from app.document.several_curves import NodeGroup
+from app.tools.drag_machine import EditingHost
+from app.tools.pointer import Pointer
+from app.tools.snapping import (
+    Snap,
+    SnapKind,
+    Snapper,
+    Snapping,
+    Targets,
+    targets_of,
+    targets_of_handle,
+    targets_of_side,
+)
+from app.tools.transform_box import Grip
+from app.view_model.curve_view import CurveView
+
+
+class Snappers:
+    """Makes the snapper of each gesture.
+
+    Attributes
+    ----------
+    now
+        The snapper in use, None for none.
+    """
+
+    def __init__(
+        self, host: EditingHost, settings: Callable[[], Snapping], grid: Callable[[], Vector]
+    ) -> None:
+        self._host, self._settings, self._grid = host, settings, grid
+        self.now: Snapper | None = None
+        # The snapper of the last hover, and what it was made for.
+        self._hovered: tuple[tuple[Document, int, int, Snapping], Snapper] | None = None
+
+    def for_points(self, moving: Collection[int], place: int) -> Snapper:
+        """Return the snapper of a point at `place`, −1 for none in particular, while `moving` points move."""
+        host = self._host
+        return self._make(lambda: targets_of(host.views, host.active_index, moving, place, self._kinds))
+
+    def for_new(self, place: int) -> Snapper:
+        """Return the snapper of a point that is put at `place`, −1 for the first of another curve."""
+        # What there is before the press: later the new point would be drawn to itself.
+        views, active = self._host.views, self._host.active_index
+        return self._make(lambda: targets_of(views, active, (), place, self._kinds))
+
+    def for_handle(self, node: int) -> Snapper:
+        """Return the snapper of the end of a handle."""
+        host = self._host
+        return self._make(lambda: targets_of_handle(host.views, host.active_index, node, self._kinds))
+
+    def for_group(self, group: NodeGroup, place: int = -1) -> Snapper:
+        """Return the snapper of what moves together: of the point at `place`, where it is of one curve."""
+        if not group.is_several:
+            return self.for_points(group.parts[0][1], place)
+        return self._make(lambda: targets_of(*self._beside(group), -1, self._kinds))
+
+    def for_grip(self, grip: Grip, group: NodeGroup) -> Snapper:
+        """Return the snapper of a corner or a side of the box around a group."""
+        if grip.x and grip.y:
+            return self.for_group(group)
+        return self._make(lambda: targets_of_side(*self._beside(group), self._kinds))
+
+    def _beside(self, group: NodeGroup) -> tuple[list[CurveView], int, Collection[int]]:
+        """Return the views without other curves that move along, which is active, and what moves of it."""
+        host, moving = self._host, dict(group.parts)
+        places = [
+            place for place in range(len(host.views)) if place == host.active_index or place not in moving
+        ]
+        return (
+            [host.views[place] for place in places],
+            places.index(host.active_index),
+            moving[host.active_index],
+        )
+
+    def _make(self, collect: Callable[[], Targets]) -> Snapper:
+        self.now = Snapper(self._settings, self._grid, collect)
+        return self.now
+
+    @property
+    def _kinds(self) -> Collection[SnapKind]:
+        return self._settings().kinds
+
+    def show_before_press(self, pointer: Pointer, place: int) -> None:
+        """Show where a press at `pointer` would put the point of index `place`."""
+        host, settings = self._host, self._settings()
+        made_for = (host.document, host.active_index, place, settings)
+        if self._hovered is None or self._hovered[0] != made_for:
+            self._hovered = (made_for, self.for_points((), place))
+        self.now = self._hovered[1]
+        self.now.snap(pointer.position, pointer)
+
+    @property
+    def caught(self) -> Snap | None:
+        """What the snapper in use has caught."""
+        return self.now.caught if self.now is not None else None
+
+    def reset(self) -> None:
+        """Use none."""
+        self.now = None

@@ -1,0 +1,168 @@
+"""Target of the transforms: the selected points, or else all of several selected curves."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+
+from app.document.edits import EditError
+from app.document.model import Vector
+from app.document.several_curves import NodeGroup, nodes_of, whole_curves
+from app.tools.drag_machine import EditingHost
+from app.tools.drags import MovePoints, NudgePoints, StepPoints
+from app.tools.pointer import Pointer
+from app.tools.snappers import Snappers
+from app.tools.transform import Transform, TransformKind
+from app.tools.transform_box import Grip, ScaleBox, TransformBox, box_of
+from app.view_model.curve_view import CurveView
+
+
+class TransformTarget:
+    """The selected points of the active curve; with none and several curves chosen, those curves.
+
+    It says what is meant, and makes the drags that transform it.
+    """
+
+    def __init__(self, host: EditingHost, snappers: Snappers) -> None:
+        self._host, self._snappers = host, snappers
+        # The last group with its box, and the views and sets of indices they were found for.
+        self._known: tuple[Sequence[CurveView], frozenset[int], frozenset[int]] | None = None
+        self._found: tuple[NodeGroup | None, TransformBox | None] = (None, None)
+
+    @property
+    def group(self) -> NodeGroup | None:
+        """The nodes that are transformed together, None for none."""
+        return self._now()[0]
+
+    @property
+    def box(self) -> TransformBox | None:
+        """The box around them, where there are two or more."""
+        return self._now()[1]
+
+    def _now(self) -> tuple[NodeGroup | None, TransformBox | None]:
+        host = self._host
+        views, selection, chosen = host.views, host.selection, host.chosen_curves
+        known = self._known
+        if known is None or known[0] is not views or known[1:] != (selection, chosen):
+            self._known = (views, selection, chosen)
+            group = self._group()
+            self._found = (group, box_of(views, group) if group is not None else None)
+        return self._found
+
+    def _group(self) -> NodeGroup | None:
+        host = self._host
+        if host.selection:
+            return nodes_of(host.active_index, host.selection)
+        return self.curves
+
+    @property
+    def curves(self) -> NodeGroup | None:
+        """The chosen curves where there are several, whatever points are selected."""
+        host = self._host
+        return whole_curves(host.document, host.chosen_curves) if len(host.chosen_curves) > 1 else None
+
+    @property
+    def for_keys(self) -> NodeGroup:
+        """What keys transform: the same, or else all nodes of the curve that is edited."""
+        return self.group or nodes_of(
+            self._host.active_index, range(len(self._host.active_view.source.nodes))
+        )
+
+    @property
+    def refusal_of_keys(self) -> str:
+        """Why keys cannot transform anything: it is locked, or there is nothing."""
+        group, source = self.for_keys, self._host.active_view.source
+        if not any(indices for _, indices in group.parts):
+            return f"“{source.name}” has no points yet; press P to add some."
+        return self._refusal_of(group)
+
+    @property
+    def refusal(self) -> str:
+        """Why it cannot be changed: what of it is locked; empty where nothing is."""
+        return self._refusal_of(self.group)
+
+    @property
+    def refusal_of_curves(self) -> str:
+        """The same for the chosen curves, whatever points are selected."""
+        return self._refusal_of(self.curves)
+
+    def _refusal_of(self, group: NodeGroup | None) -> str:
+        try:
+            if group is not None:
+                group.refuse_locked(self._host.document)
+        except EditError as reason:
+            return str(reason)
+        return ""
+
+    @property
+    def centre(self) -> Vector:
+        """The middle of the box, or the one point, of what keys transform."""
+        group, box = self._now()
+        if group is None:
+            group = self.for_keys
+            box = box_of(self._host.views, group)
+        if box is not None:
+            return box.centre
+        for curve, indices in group.parts:
+            if indices:
+                return self._host.document.curves[curve].nodes[min(indices)].position
+        return (0.0, 0.0)
+
+    # Drags
+
+    def transform(self, kind: TransformKind, pointer: Pointer) -> Transform:
+        """Return the transform that begins at `pointer`; with nothing selected, of all points."""
+        group = self.for_keys
+        grip = self._nearest(group, pointer)
+        snapper = self._snappers.for_group(group, grip[1])
+        return Transform(
+            kind,
+            self._host.document,
+            group,
+            self.centre,
+            pointer.position,
+            snapper,
+            grip,
+            everything=self.group is None,
+        )
+
+    def _nearest(self, group: NodeGroup, pointer: Pointer) -> tuple[int, int]:
+        """Return the curve and the index of the node that is nearest to the pointer: it snaps."""
+        curves = self._host.document.curves
+        places = [(curve, index) for curve, indices in group.parts for index in indices]
+        return min(
+            places,
+            key=lambda at: math.dist(curves[at[0]].nodes[at[1]].position, pointer.position),
+            default=(-1, -1),
+        )
+
+    def grip_at(self, pointer: Pointer) -> tuple[TransformBox, Grip] | None:
+        """Return the box and its grip under the pointer."""
+        box = self.box
+        grip = box.grip_at(pointer) if box is not None else None
+        return (box, grip) if box is not None and grip is not None else None
+
+    def scaling(self, box: TransformBox, grip: Grip, pointer: Pointer) -> ScaleBox:
+        """Return the drag of a grip that scales."""
+        group = self.group
+        assert group is not None
+        snapper = self._snappers.for_grip(grip, group)
+        return ScaleBox(self._host.document, group, box, grip, pointer.position, snapper)
+
+    def moving_curves(self, pointer: Pointer) -> MovePoints | None:
+        """Return the drag of the chosen curves by one of them, None where only one is chosen."""
+        group = self.curves
+        if group is None:
+            return None
+        grip = self._nearest(group, pointer)
+        return MovePoints(
+            self._host.document, group, pointer.position, self._snappers.for_group(group, grip[1]), grip
+        )
+
+    def by_key(self, direction: Vector, step: Vector | None, factor: float) -> NudgePoints | StepPoints:
+        """Return the move by a key: by `factor` steps of the grid, or without a `step` to the pointer."""
+        document, group = self._host.document, self.group
+        assert group is not None
+        if step is None:
+            return NudgePoints(document, group, (0.0, 0.0))
+        return StepPoints(document, group, direction, step, factor)

@@ -1,0 +1,209 @@
+"""A tool: what mouse and keys do while it is in use, and the context that comes with each event."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+
+import msgspec
+from msgspec.structs import replace
+
+from app.document.model import Vector
+from app.tools.drag_machine import DragMachine, EditingHost
+from app.tools.marks import GestureMarks, Note
+from app.tools.pointer import Cursor, Hint, Hit, Part, Pointer
+from app.tools.snappers import Snappers
+from app.tools.snapping import SnapKind, with_snap
+from app.tools.target import TransformTarget
+from app.tools.tool_settings import ToolSettings
+from app.view_model.curve_view import CurveView
+
+
+class ToolContext(msgspec.Struct, frozen=True):
+    """One event, with everything that a tool needs to answer it.
+
+    Attributes
+    ----------
+    pointer
+        Position, modifier keys, and what lies under the pointer.
+    host
+        The session: the document, its views, the selection, and the way to change them.
+    settings
+        Snapping, the unit, whether there is a box with grips.
+    grid
+        Tells the spacing of the grid along x and y.
+    drags
+        Begins a drag, follows it, makes it a step of the history.
+    snappers
+        Makes what a drag snaps with.
+    target
+        The selected points or curves that transforms act on.
+    hit_test
+        Finds what lies under a pointer.
+    """
+
+    pointer: Pointer
+    host: EditingHost
+    settings: ToolSettings
+    grid: Callable[[], Vector]
+    drags: DragMachine
+    snappers: Snappers
+    target: TransformTarget
+    hit_test: Callable[[Pointer], Hit | None]
+
+    @property
+    def hit(self) -> Hit | None:
+        """What lies under the pointer."""
+        return self.pointer.hit
+
+    @property
+    def view(self) -> CurveView:
+        """The curve that is edited."""
+        return self.host.active_view
+
+    def at(self, pointer: Pointer) -> ToolContext:
+        """Return the context of an event somewhere else."""
+        return replace(self, pointer=pointer)
+
+    def with_hit(self) -> ToolContext:
+        """Return the context with what lies under the pointer now."""
+        return self.at(replace(self.pointer, hit=self.hit_test(self.pointer)))
+
+    def preview_snap(self, place: int) -> None:
+        """Show where a press would put the point of index `place`, −1 for none in particular."""
+        if self.settings.snapping.is_active(self.pointer) and math.isfinite(self.pointer.position[0]):
+            self.snappers.show_before_press(self.pointer, place)
+
+    def progress(self) -> str:
+        """Return how far the drag in flight has come, and what it has snapped to."""
+        return with_snap(self.drags.progress_at(self.pointer), self.snappers.caught)
+
+    def note(self) -> Note | None:
+        """Return the amount of the drag in flight, to stand beside the pointer."""
+        text = self.drags.progress_at(self.pointer).partition(" · ")[0]
+        return Note(self.pointer.position, text, self.target.centre) if text else None
+
+
+class Tool:
+    """A tool of a plot: by default it begins nothing, and follows a drag that it has begun.
+
+    Its own state is that of its gesture; everything else comes with each event. A tool that changes the
+    document begins a drag in `press` (``context.drags.press``), and the rest follows from that: threshold,
+    preview, one step of the history, Escape.
+
+    Attributes
+    ----------
+    cursor
+        The shape of the pointer where a press means nothing in particular.
+    finds_other_curves, finds_image
+        Whether other curves than the one that is edited can be hit; whether nothing but the picture can.
+    shows_new_handle
+        Whether the selected point shows the handle that a press there would pull out.
+    lasts_one_gesture
+        Whether it gives way to the tool below it when its gesture has ended.
+    """
+
+    cursor = Cursor.CROSS
+    finds_other_curves = False
+    finds_image = False
+    shows_new_handle = False
+    lasts_one_gesture = False
+
+    @property
+    def is_busy(self) -> bool:
+        """Whether a gesture is in flight that is no drag."""
+        return False
+
+    # Events
+
+    def press(self, context: ToolContext) -> None:
+        """Begin a gesture."""
+
+    def move(self, context: ToolContext) -> None:
+        """Follow the pointer while a gesture is in flight."""
+        context.drags.move(context.pointer)
+
+    def release(self, context: ToolContext) -> None:
+        """End the gesture."""
+        context.drags.release(context.pointer)
+
+    def hover(self, context: ToolContext) -> Hint:
+        """Return what a press here would do."""
+        return Hint()
+
+    def key(self, context: ToolContext, key: str) -> bool:
+        """Take a key, such as "enter" or "x"; return whether it meant something."""
+        return False
+
+    def claims(self, key: str) -> bool:
+        """Whether a key is for the tool that would be a shortcut otherwise."""
+        return False
+
+    def nudge(self, context: ToolContext, direction: Vector, pixel: float, factor: float) -> bool:
+        """Move the selected points, or curves, by a step of the grid or, not snapping, a pixel.
+
+        Return whether the arrow key meant something.
+        """
+        group, snapping = context.target.group, context.settings.snapping
+        if group is None:
+            return True
+        by: Vector = (direction[0] * pixel * factor, direction[1] * pixel * factor)
+        snaps = snapping.on and SnapKind.GRID in snapping.kinds
+        drag = context.target.by_key(direction, context.grid() if snaps else None, factor)
+        context.drags.nudge(Pointer(by, (0.0, 0.0)), drag, ("points", group))
+        return True
+
+    def cancel(self, context: ToolContext) -> None:
+        """Take the gesture in flight back."""
+        context.drags.cancel()
+
+    def end(self) -> None:
+        """Drop what belongs to one gesture: it has ended, or another begins."""
+
+    def dismiss(self) -> bool:
+        """Remove what was left on the plot; return whether there was something."""
+        return False
+
+    def reset(self) -> None:
+        """Forget everything; another document is open."""
+
+    # What is shown meanwhile
+
+    def lit(self, hit: Hit | None) -> int:
+        """Return the point that lights up with what lies under the pointer, −1 for none."""
+        return hit.index if hit is not None and hit.part is Part.POINT else -1
+
+    def marks(self, context: ToolContext) -> GestureMarks:
+        """Return what is drawn over the plot."""
+        return GestureMarks(snap=context.snappers.caught)
+
+    def progress(self, context: ToolContext) -> str:
+        """Return how far the gesture in flight has come, as a sentence for the status line."""
+        return context.progress()
+
+
+class ToolRecord(msgspec.Struct, frozen=True, kw_only=True):
+    """A tool as it is chosen.
+
+    Attributes
+    ----------
+    name
+        Its name in the program.
+    make
+        Makes the tool of one plot.
+    hint
+        What the status line says when it has been chosen.
+    action, title, full_name, key, icon, tip
+        What the action has by which it is chosen: object name, text in a menu and where no menu stands
+        around it, keys, icon, tooltip. Empty where a feature has an action of its own for it.
+    """
+
+    name: str
+    make: Callable[[], Tool]
+    hint: str
+    action: str = ""
+    title: str = ""
+    full_name: str = ""
+    key: str = ""
+    icon: str = ""
+    tip: str = ""

@@ -1,0 +1,231 @@
+"""The tools of one plot: which is in use, and the events that go to it."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+
+from app.document.model import Vector
+from app.tools.drag_machine import DragMachine, EditingHost
+from app.tools.marks import GestureMarks
+from app.tools.pointer import Hint, Hit, Pointer
+from app.tools.snappers import Snappers
+from app.tools.target import TransformTarget
+from app.tools.tool import Tool, ToolContext, ToolRecord
+from app.tools.tool_settings import ToolSettings
+from app.tools.transform import TransformKind
+from app.tools.transform_tool import begin_transform
+
+HitTest = Callable[[Pointer, Tool], Hit | None]
+"""Finds what of the plot lies under the pointer, as far as a tool can hit it."""
+
+
+def _no_grid() -> Vector:
+    return (1.0, 1.0)
+
+
+def _hit_nothing(_pointer: Pointer, _tool: Tool) -> Hit | None:
+    return None
+
+
+class Toolbox:
+    """Gives events to the tool in use, each with its context.
+
+    A tool may lie above the one that is chosen, for a while: the transform that a key has begun, or the one
+    that moves the picture. Then the events are its own.
+
+    Attributes
+    ----------
+    record
+        The tool that is chosen.
+    hit_test
+        Finds what lies under the pointer; whoever shows the plot sets it.
+    settings
+        What the person has chosen.
+    grid
+        Tells the spacing of the grid along x and y at the present zoom; whoever shows the plot sets it.
+    """
+
+    def __init__(self, host: EditingHost, record: ToolRecord) -> None:
+        self.record = record
+        self.hit_test: HitTest = _hit_nothing
+        self.settings = ToolSettings()
+        self.grid: Callable[[], Vector] = _no_grid
+        self._host = host
+        self._drags = DragMachine(host)
+        self._snappers = Snappers(host, lambda: self.settings.snapping, lambda: self.grid())  # noqa: PLW0108 - it is set later
+        self._target = TransformTarget(host, self._snappers)
+        self._made = {record.name: record.make()}
+        self._chosen = self._made[record.name]
+        self._above: Tool | None = None
+        self._pointer = Pointer((0.0, 0.0), (0.0, 0.0))
+
+    @property
+    def tool(self) -> Tool:
+        """The tool in use."""
+        return self._above or self._chosen
+
+    @property
+    def context(self) -> ToolContext:
+        """The context of the last event, as things are now."""
+        return ToolContext(
+            self._pointer,
+            self._host,
+            self.settings,
+            self.grid,
+            self._drags,
+            self._snappers,
+            self._target,
+            lambda pointer: self.hit_test(pointer, self.tool),
+        )
+
+    @property
+    def is_pressed(self) -> bool:
+        """Whether a gesture is in flight."""
+        return self._drags.is_pressed or self.tool.is_busy
+
+    @property
+    def is_dragging(self) -> bool:
+        """Whether what is in flight changes the document."""
+        return self._drags.is_pressed
+
+    @property
+    def is_transforming(self) -> bool:
+        """Whether a transform follows the pointer with no button down."""
+        return self._above is not None and self._above.lasts_one_gesture
+
+    # Which tool
+
+    def choose(self, record: ToolRecord) -> None:
+        """Use another tool from now on."""
+        self.cancel()
+        self._chosen.dismiss()
+        self.record = record
+        self._chosen = self._of(record)
+
+    def lay_above(self, record: ToolRecord | None) -> None:
+        """Use a tool in place of the one that is chosen, until None gives way to that again."""
+        self.cancel()
+        self._above = self._of(record) if record is not None else None
+
+    def _of(self, record: ToolRecord) -> Tool:
+        if record.name not in self._made:
+            self._made[record.name] = record.make()
+        return self._made[record.name]
+
+    def begin_transform(self, kind: TransformKind, pointer: Pointer) -> bool:
+        """Let the selected points or curves follow the pointer; return whether they do."""
+        if self.is_transforming:
+            return self.key(kind.key)
+        if self.is_pressed:
+            return False
+        self._above = begin_transform(kind, self._at(pointer))
+        return self._above is not None
+
+    # Events
+
+    def press(self, pointer: Pointer) -> None:
+        """Begin a gesture, or end the one that keys began."""
+        if not self.is_transforming:
+            self._end()
+        self.tool.press(self._at(pointer).with_hit())
+        self._give_way()
+
+    def move(self, pointer: Pointer) -> None:
+        """Follow the pointer."""
+        self.tool.move(self._at(pointer))
+
+    def release(self, pointer: Pointer) -> None:
+        """End the gesture."""
+        self.tool.release(self._at(pointer))
+        self._give_way()
+        self._end()
+
+    def hover(self, pointer: Pointer) -> Hint:
+        """Return what a press here would do."""
+        tool, context = self.tool, self._at(pointer)
+        if self.is_transforming:
+            return tool.hover(context)
+        context = context.with_hit()
+        self._host.set_hovered(tool.lit(context.hit))
+        self._snappers.reset()
+        return tool.hover(context)
+
+    def leave(self) -> None:
+        """Show nothing of what a press would do: the pointer has left."""
+        self._host.set_hovered(-1)
+        self._snappers.reset()
+        self.tool.hover(self._at(Pointer((math.inf, math.inf), (math.inf, math.inf))))
+
+    def key(self, key: str) -> bool:
+        """Give the tool a key; return whether it meant something."""
+        taken = self.tool.key(self.context, key)
+        self._give_way()
+        return taken
+
+    def nudge(self, direction: Vector, pixel: float, factor: float = 1.0) -> bool:
+        """Move what the tool moves by an arrow key; return whether the key meant something."""
+        return not self.is_pressed and self.tool.nudge(self.context, direction, pixel, factor)
+
+    def walk(self, step: int) -> bool:
+        """Select the next (1) or previous (−1) point; return whether there is one."""
+        host = self._host
+        count = len(host.active_view.source.nodes)
+        here = max(host.selection) if host.selection and step > 0 else min(host.selection, default=count)
+        index = here + step if host.selection or step < 0 else 0
+        if not 0 <= index < count:
+            return False
+        host.select([index])
+        return True
+
+    def cancel(self) -> bool:
+        """Take the gesture in flight back; return whether there was one."""
+        was_pressed = self.is_pressed
+        self.tool.cancel(self.context)
+        self._give_way()
+        self._end()
+        return was_pressed
+
+    def abandon(self) -> None:
+        """Drop the gesture in flight; the document is somebody else's now."""
+        self._drags.reset()
+        self._give_way()
+        self._end()
+
+    def dismiss(self) -> bool:
+        """Remove what the tool has left on the plot; return whether there was something."""
+        return self._chosen.dismiss()
+
+    def reset(self) -> None:
+        """Forget what concerns the document; another one is open."""
+        for tool in self._made.values():
+            tool.reset()
+
+    def _at(self, pointer: Pointer) -> ToolContext:
+        self._pointer = pointer
+        return self.context
+
+    def _end(self) -> None:
+        self.tool.end()
+        self._snappers.reset()
+
+    def _give_way(self) -> None:
+        """Go back to the tool that is chosen when the one above it has done what it was there for."""
+        if self.is_transforming and not self._drags.is_pressed:
+            self._above = None
+            self._end()
+
+    # What is shown
+
+    def marks(self) -> GestureMarks:
+        """Return what is drawn over the plot."""
+        marks = self._chosen.marks(self.context)
+        return self._above.marks(self.context).above(marks) if self._above is not None else marks
+
+    def progress(self) -> str:
+        """Return how far the gesture in flight has come, as a sentence for the status line."""
+        return self.tool.progress(self.context)
+
+    def place(self) -> Vector | None:
+        """Return where the point is that is dragged, None while none is."""
+        return self._drags.place_at(self._pointer)

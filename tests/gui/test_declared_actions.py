@@ -1,0 +1,150 @@
+"""An action that is declared on its handler is everywhere; nothing else has to be written."""
+
+from __future__ import annotations
+
+import pytest
+from PySide6.QtCore import Qt
+from PySide6.QtGui import QAction
+from PySide6.QtWidgets import QLabel
+
+from app.actions.declaration import Action, action, action_for_each, all_declared
+from app.actions.needs import Need
+from app.actions.sections import ANALYSIS, CURVE_SHAPE, PLOTS_IN_PLANE
+from app.commands.connect import COMMAND_SETS, all_actions
+from app.main_window import MainWindow
+from app.mnemonics import plain
+from app.panels.shortcut_editor import ShortcutEditor
+from app.panels.shortcut_sheet import ShortcutSheet
+from app.session import Session
+from app.testing import Editor
+
+TIP = "Count the selected points aloud"
+
+
+class CountingCommands:
+    """All that a new action takes: a command set with one decorated method."""
+
+    def __init__(self, context):
+        self._context = context
+        self.counted = []
+
+    @action(
+        "countPoints",
+        "Count Aloud",
+        PLOTS_IN_PLANE,
+        "Ctrl+Alt+F7",
+        "measure",
+        full_name="Count Points Aloud",
+        needs=Need("one selected point", lambda now: len(now.selection) == 1),
+        tip=TIP,
+    )
+    def _count(self):
+        self.counted.append(len(self._context.session.selection))
+
+
+class SwitchCommands:
+    """An action for each of some records, which are read when a window is made."""
+
+    records: list[str]
+
+    def __init__(self, context):
+        self._context = context
+
+    @action_for_each(
+        lambda: SwitchCommands.records,
+        lambda name: Action(
+            f"title{name}",
+            name,
+            CURVE_SHAPE,
+            tip=f"Call it {name}",
+            checked=lambda now: now.session.active_curve.name == name,
+            title=lambda now: f"{name} of {len(now.session.document.curves)}",
+        ),
+    )
+    def _switch(self, name):
+        self._context.session.say(name)
+
+
+@pytest.fixture
+def counting(qtbot):
+    """An editor whose window has one command set more."""
+    window = MainWindow(Session(), command_sets=(*COMMAND_SETS, CountingCommands))
+    qtbot.addWidget(window)
+    with qtbot.waitExposed(window):
+        window.show()
+    window.asks_before_closing = False
+    editor = Editor.on(window)
+    editor.fit()
+    return editor
+
+
+def entries(menu):
+    return [each.objectName() for each in menu.actions() if not each.isSeparator()]
+
+
+def submenu(window, *titles):
+    menu = window.menuBar()
+    for title in titles:
+        (menu,) = (each.menu() for each in menu.actions() if plain(each.text()) == title)
+    return menu
+
+
+def test_it_stands_in_its_menu_and_says_what_it_does(counting):
+    shown = counting.action("countPoints")
+    assert entries(submenu(counting.window, "Analysis", "Plots"))[-2:] == ["plotHodograph", "countPoints"]
+    assert shown.text() == "Count Aloud"
+    assert shown.statusTip() == TIP
+    assert shown.toolTip().splitlines() == [f"{TIP} (Ctrl+Alt+F7)", "Needs one selected point"]
+    assert not shown.icon().isNull()
+
+
+def test_it_is_enabled_by_what_it_needs_and_done_by_its_key(counting, qtbot):
+    commands = counting.window._commands[CountingCommands]
+    held = Qt.KeyboardModifier.ControlModifier | Qt.KeyboardModifier.AltModifier
+    qtbot.keyClick(counting.window.canvas, Qt.Key.Key_F7, held)
+    assert commands.counted == []
+    assert counting.window.status_line.text == "“Count Points Aloud” needs one selected point."
+    counting.select([1])
+    assert counting.action("countPoints").isEnabled()
+    assert counting.action("countPoints").toolTip() == f"{TIP} (Ctrl+Alt+F7)"
+    qtbot.keyClick(counting.window.canvas, Qt.Key.Key_F7, held)
+    assert commands.counted == [1]
+    counting.select([0, 1])
+    assert not counting.action("countPoints").isEnabled()
+
+
+def test_palette_keys_and_sheet_know_it(counting):
+    assert counting.find_command("count aloud")[0] == "Count Points Aloud"
+    keys = ShortcutEditor(counting.window.actions_by_name.keymap, counting.window)
+    names = [keys.table.item(row, 0).data(Qt.ItemDataRole.UserRole) for row in range(keys.table.rowCount())]
+    assert "countPoints" in names
+    counting.select([1])
+    assert ("Ctrl+Alt+F7", TIP) in counting.window.actions_by_name.shortcuts(ANALYSIS)
+    counting.trigger("showShortcuts")
+    sheet = counting.window.findChild(ShortcutSheet)
+    assert sheet.isVisible()
+    assert TIP in [label.text() for label in sheet.findChildren(QLabel)]
+
+
+def test_records_that_come_later_have_their_actions_in_the_next_window(qtbot):
+    SwitchCommands.records = ["Curve 1", "Sketch"]
+    assert [each.action.name for each in all_declared([SwitchCommands])] == ["titleCurve 1", "titleSketch"]
+    SwitchCommands.records = ["Curve 1", "Sketch", "Arch"]
+    window = MainWindow(Session(), command_sets=(*COMMAND_SETS, SwitchCommands))
+    qtbot.addWidget(window)
+    window.asks_before_closing = False
+    shown = entries(submenu(window, "Curve"))
+    assert shown.index("titleArch") == shown.index("titleSketch") + 1
+    assert window.findChild(QAction, "titleArch").text() == "Arch of 1"
+    window.findChild(QAction, "titleArch").trigger()
+    # A click does not check it: only what is so does.
+    assert not window.findChild(QAction, "titleArch").isChecked()
+
+
+def test_every_declared_action_has_one_name_and_one_handler():
+    """By construction each has a handler: one without could not be declared."""
+    declared = all_declared(COMMAND_SETS)
+    names = [each.action.name for each in declared]
+    assert names == [each.name for each in all_actions()]
+    assert len(set(names)) == len(names) > 150
+    assert all(callable(each.handler) for each in declared)

@@ -1,0 +1,151 @@
+"""A tool is one file: shown by one that only these tests have."""
+
+from __future__ import annotations
+
+import msgspec
+import pytest
+from PySide6.QtCore import QEvent, Qt
+
+from app.document import edits
+from app.document.model import Document, Node
+from app.tools.marks import GestureMarks, Ruler
+from app.tools.pointer import Cursor, Hint
+from app.tools.registry import TOOLS
+from app.tools.select import SELECT
+from app.tools.tool import Tool, ToolRecord
+
+HINT = "Drag to put a point above where you pressed"
+
+
+class Raise(msgspec.Struct, frozen=True):
+    """A drag that appends a point to the curve, straight above the press."""
+
+    document: Document
+    curve: int
+    foot: tuple[float, float]
+    name: str = "Raise point"
+    keys: str = "No keys"
+
+    def head(self, pointer):
+        return (self.foot[0], pointer.position[1])
+
+    def readout_at(self, pointer):
+        return f"Raised to {pointer.position[1]:.1f}"
+
+    def document_at(self, pointer):
+        count = len(self.document.curves[self.curve].nodes)
+        return edits.insert_nodes(self.document, self.curve, count, [Node(*self.head(pointer))])
+
+
+class RaiseTool(Tool):
+    """Puts a point straight above the press."""
+
+    cursor = Cursor.HIGHER
+
+    def __init__(self):
+        self.drag = None
+
+    def press(self, context):
+        self.drag = Raise(context.host.document, context.host.active_index, context.pointer.position)
+        context.drags.press(context.pointer, self.drag)
+
+    def hover(self, context):
+        return Hint(HINT)
+
+    def end(self):
+        self.drag = None
+
+    def marks(self, context):
+        if self.drag is None:
+            return GestureMarks()
+        return GestureMarks(ruler=Ruler(self.drag.foot, self.drag.head(context.pointer), "up"))
+
+
+RAISE = ToolRecord(name="raise", make=RaiseTool, hint="Drag upwards.")
+FOOT, HEAD = (2.0, 1.0), (2.5, 3.0)
+
+
+@pytest.fixture
+def raising(editor):
+    editor.window.canvas.choose_tool(RAISE)
+    yield editor
+    editor.trigger("selectTool")
+
+
+def ink(editor):
+    """How much of the ruler's colour there is beside its foot."""
+    canvas = editor.window.canvas
+    picture, place = canvas.grab().toImage(), canvas.viewport().mapTo(canvas, canvas.to_pixel(2.0, 2.0))
+    accent = canvas.layers.theme.accent
+    near = (picture.pixelColor(place.x() + dx, place.y()) for dx in range(-3, 4))
+    return min(abs(each.red() - accent.red()) + abs(each.blue() - accent.blue()) for each in near)
+
+
+def test_its_hint_and_its_cursor_are_shown(raising):
+    raising.hover(HEAD)
+    assert raising.window.findChild(object, "hint").text() == HINT
+    assert raising.window.canvas.viewport().cursor().shape() == Qt.CursorShape.SizeVerCursor
+
+
+def test_a_drag_is_one_step_and_what_it_shows_is_drawn(raising):
+    session, canvas = raising.session, raising.window.canvas
+    before, steps = session.document, session.undo_stack.count()
+    raising.press(FOOT)
+    for height in (1.5, 2.0, 3.0):
+        raising.move((2.5, height))
+    assert raising.status.startswith("Raised to 3.0 · No keys")
+    assert canvas.marks.ruler.text == "up"
+    assert ink(raising) < 60
+    raising.release(HEAD)
+    assert raising.point(-1) == pytest.approx((FOOT[0], HEAD[1]), abs=raising.pixel)
+    assert session.undo_stack.count() == steps + 1
+    assert session.undo_stack.undoText() == "Raise point"
+    assert canvas.marks == GestureMarks()
+    raising.trigger("undo")
+    assert session.document == before
+
+
+@pytest.mark.parametrize("way_out", ["escape", "right button"])
+def test_a_drag_can_be_taken_back(raising, way_out):
+    session, canvas = raising.session, raising.window.canvas
+    before, steps = session.document, session.undo_stack.count()
+    raising.press(FOOT)
+    raising.move(HEAD)
+    assert session.document != before
+    if way_out == "escape":
+        raising.escape()
+    else:
+        pixel = canvas.to_pixel(*HEAD)
+        raising.send(canvas, QEvent.Type.MouseButtonPress, pixel, button=Qt.MouseButton.RightButton)
+    raising.release(HEAD)
+    assert (session.document, session.undo_stack.count()) == (before, steps)
+    assert canvas.marks == GestureMarks()
+
+
+def test_transforms_and_arrows_work_beside_it_and_escape_goes_back_to_select(raising):
+    canvas, session = raising.window.canvas, raising.session
+    raising.select([1])
+    x, y = raising.point(1)
+    raising.key(Qt.Key.Key_Right)
+    assert raising.point(1)[0] > x
+    raising.key(Qt.Key.Key_G)
+    raising.type_amount("2")
+    raising.key(Qt.Key.Key_Return)
+    assert raising.point(1) == pytest.approx((x + 2, y), abs=2 * raising.pixel)
+    assert canvas.tools.record is RAISE
+    raising.escape()
+    assert canvas.tools.record is SELECT
+    assert session.selection == {1}
+
+
+def test_every_tool_has_what_its_action_shows(editor):
+    for record in TOOLS:
+        action = editor.action(record.action)
+        editor.trigger(record.action)
+        assert editor.window.canvas.tools.record is record
+        assert action.isChecked()
+        assert action.text().replace("&", "") == record.title
+        assert action.shortcut().toString() == record.key
+        assert record.tip in action.toolTip()
+        assert record.hint
+    editor.trigger(SELECT.action)
