@@ -11,7 +11,6 @@ The layers, top to bottom; a module imports only from its own layer and those ab
 - ``exchange``: files in and out. Qt only in ``image`` and ``motion_frames``.
 - ``overrides``: exceptions end in the method that Qt called.
 - ``resources``, ``examples``, ``lessons``: what comes with the program.
-- ``undo_step``: a step of the history.
 - ``session``: the one mutable owner of the current document, its history and the selection.
 - ``autosave``: keeps a snapshot of what is not saved yet.  ``set_aside``: of what was left for a lesson.
 - ``theme``, ``colours``, ``icons``: how it looks.  ``labels``: words of others as they are written.

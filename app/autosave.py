@@ -97,7 +97,7 @@ class Autosave(QObject):
         self._soon.stop()
         self._kept, self._has_written = session.document, True
         file, document, committed = self._file, session.document, session.committed
-        origin = Origin(session.path, session.file.stamp if session.file is not None else None)
+        origin = Origin(session.path, session.files.file.stamp if session.files.file is not None else None)
         return self._do(lambda: _written(file, document, origin, committed), self._report)
 
     def _do(self, work: Callable[[], object], then: Callable[[Task], object] | None = None) -> Task:

@@ -84,7 +84,7 @@ class FileCommands:
 
     def _open_large(self, path: Path, beside: StartWork) -> None:
         """Read a document, and compute its curves, beside the window, which shows how far that is."""
-        begun = self._session.beginning
+        begun = self._session.files.beginning
 
         def work(report: Report) -> tuple[Reading, list[CurveView]]:
             report(0.0, "Reading")
@@ -108,7 +108,7 @@ class FileCommands:
                 end()
 
         def take(reading: Reading, views: list[CurveView]) -> None:
-            if self._session.beginning is not begun:
+            if self._session.files.beginning is not begun:
                 self._session.refuse(
                     f"{path.name} was not opened, for another document was opened meanwhile."
                 )
@@ -147,7 +147,7 @@ class FileCommands:
         session.cancel()
         leaves_work = session.path is None and session.is_modified
         is_open = self._open(
-            path, partial(session.open_copy, text=text), remember=False, asks=session.path is not None
+            path, partial(session.files.open_copy, text=text), remember=False, asks=session.path is not None
         )
         if is_open and leaves_work:
             session.offer("What you had before is kept.", "goBack")
@@ -177,8 +177,10 @@ class FileCommands:
 
     def save(self) -> bool:
         """Save to the document's file, or ask for one; return whether it was saved."""
-        file = self._session.file
-        if self._session.path is None or (self._session.is_read_only and file and not file.take_if_free()):
+        file = self._session.files.file
+        if self._session.path is None or (
+            self._session.files.is_read_only and file and not file.take_if_free()
+        ):
             return self.ask_and_save()
         return self._save(self._session.path)
 
@@ -189,7 +191,7 @@ class FileCommands:
     def ask_and_save(self) -> bool:
         """Let the person choose a file and save there."""
         start = self._session.path or self._preferences.last_folder / (file_stem(self._session) + SUFFIX)
-        if self._session.is_read_only:
+        if self._session.files.is_read_only:
             start = start.with_name(f"{file_stem(self._session)} copy{SUFFIX}")
         name, _ = QFileDialog.getSaveFileName(self._window, "Save As", str(start), _DOCUMENTS)
         if not name:
@@ -203,7 +205,7 @@ class FileCommands:
         return self._save(path)
 
     def _save(self, path: Path, *, overwrite: bool = False) -> bool:
-        file = self._session.file
+        file = self._session.files.file
         was_older = file is not None and file.is_older and file.is_at(path)
         try:
             self._session.save(path, overwrite=overwrite)
@@ -226,7 +228,7 @@ class FileCommands:
         """Ask what to do with unsaved changes; return whether the document may be replaced."""
         self._session.cancel()
         # The watch may be waiting whether another program goes on writing.
-        self._session.look_at_file()
+        self._session.files.check()
         if not self._session.is_modified:
             return True
         answer = self._ask_about_changes()
@@ -234,10 +236,10 @@ class FileCommands:
             return self.save()
         return answer == QMessageBox.StandardButton.Discard
 
-    def let_go(self) -> None:
+    def release(self) -> None:
         """Tell others that the document is open here no longer."""
-        if self._session.file is not None:
-            self._session.file.close()
+        if self._session.files.file is not None:
+            self._session.files.file.close()
 
     def _ask_about_changes(self) -> int:
         asked, told = _question_about(self._session)
@@ -260,7 +262,7 @@ class FileCommands:
 def _question_about(session: Session) -> tuple[str, str]:
     """Return what is asked before a document goes that is not in its file, and why."""
     name = _short(title_of(session)) if session.path is not None else "the sketch"
-    file = session.file
+    file = session.files.file
     why = f"{file.change.value} " if file is not None and file.has_lost_document else ""
     if session.has_changes:
         return f"Save the changes to {name}?", f"{why}Without saving they are lost."
@@ -275,7 +277,7 @@ def _short(name: str) -> str:
 
 def title_of(session: Session) -> str:
     """Return what the document is called: its file; a curve's name would change with the order of curves."""
-    return session.path.name if session.path is not None else session.template or "Untitled"
+    return session.path.name if session.path is not None else session.files.beginning.title or "Untitled"
 
 
 def file_stem(session: Session) -> str:

@@ -75,7 +75,7 @@ class Lifecycle(QObject):
     def _open_beside(self, document: Document, path: Path | None) -> Autosave:
         """Go on with unsaved work in another window, and return what keeps it."""
         session = Session()
-        session.restore(document, path)
+        session.files.restore(document, path)
         return self._autosaves[self._show(session)]
 
     def _open_window(self, path: Path) -> None:
@@ -134,7 +134,7 @@ class Lifecycle(QObject):
         The system calls this before it ends, and closes the windows afterwards or does not even do that.
         """
         for window, autosave in self._autosaves.items():
-            window.session.look_at_file()
+            window.session.files.check()
             window.asks_before_closing = not autosave.write_now()
 
     def end(self, number: int = 0) -> None:

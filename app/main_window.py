@@ -23,9 +23,11 @@ from PySide6.QtWidgets import (
 )
 
 from app.actions.qactions import Actions
+from app.actions.situation import Situation
 from app.analysis import Analysis
 from app.autosave import Autosave
 from app.central_area import CentralArea
+from app.clipboard_watch import ClipboardWatch
 from app.commands.connect import COMMAND_SETS, Commands
 from app.commands.context import WindowContext
 from app.commands.drops import OpenWindow, accepted
@@ -41,6 +43,7 @@ from app.controllers.history import HistoryController
 from app.controllers.image import ImageController
 from app.controllers.parametrization import ParametrizationController
 from app.controllers.point_table import PointTableController
+from app.controllers.rail import RailController
 from app.docks import Docks
 from app.file_commands import FileCommands, title_of
 from app.icons import app_icon
@@ -49,13 +52,13 @@ from app.overrides import Guarded
 from app.panels.parametrization_bar import ParametrizationBar
 from app.panels.status_line import StatusLine
 from app.preferences import Preferences
-from app.session import Session
+from app.session import Message, MessageKind, Session
 from app.tasks.single_task import SingleTask
 from app.theme import Theme, ThemeMode, apply_theme, theme_of
 from app.toolbar import Toolbar
 from app.view_model.curve_view import CurveView
 from app.view_model.growth import growth_of_points
-from app.window_layout import put_away_floating, restore_layout, when_first_shown
+from app.window_layout import hide_floating, restore_layout, when_first_shown
 from app.window_state import WindowState, WindowStore
 
 _PANELS_MS = 100
@@ -103,7 +106,9 @@ class MainWindow(Guarded, QMainWindow):
         self.setWindowIcon(app_icon())
         self.setAcceptDrops(True)
         self.store = WindowStore(self.preferences, self)
-        self.actions_by_name = Actions(self, command_sets)
+        self._clipboard = ClipboardWatch(self)
+        now = Situation(session, self.store, self._clipboard)
+        self.actions_by_name = Actions(self, command_sets, now)
         self.analysis = Analysis(self.store, self)
         self._build_plots()
         self._build_docks()
@@ -122,7 +127,7 @@ class MainWindow(Guarded, QMainWindow):
         self._render_theme()
         self._render_document()
         self._render_file()
-        if self.session.path is None and not self.session.template:
+        if self.session.path is None and not self.session.files.beginning.title:
             # Who opens a document came to work on it.
             self._commands.messages.greet()
         if self.preferences.complaint:
@@ -168,6 +173,7 @@ class MainWindow(Guarded, QMainWindow):
             preferences=self.preferences,
             analysis=self.analysis,
             actions=self.actions_by_name,
+            clipboard=self._clipboard,
             files=self._files,
             work=self._work,
             window=self,
@@ -195,9 +201,7 @@ class MainWindow(Guarded, QMainWindow):
         session.interrupted.connect(self.status_line.forget)
         session.opened.connect(self._fit)
         session.opened.connect(self.canvas.tools.reset)
-        session.said.connect(self.status_line.say)
-        session.refused.connect(self.status_line.refuse)
-        session.offered.connect(self._offer)
+        session.message.connect(self._tell)
         for plot in (self.canvas, self.basis_panel):
             plot.hint_changed.connect(self.status_line.show_hint)
             plot.progress_changed.connect(self.status_line.show_progress)
@@ -214,10 +218,11 @@ class MainWindow(Guarded, QMainWindow):
             ImageController(session, self.image_panel),
             HistoryController(session, self.history),
             ParametrizationController(session, self.parametrization_bar),
+            RailController(session, self.basis_panel),
         )
 
     def _connect_end(self) -> None:
-        for end in (self._files.let_go, self._commands.close, self._remember_layout, self._close_dialogs):
+        for end in (self._files.release, self._commands.close, self._remember_layout, self._close_dialogs):
             self.closed.connect(end)
 
     # Rendering: from values to widgets, never back
@@ -282,11 +287,20 @@ class MainWindow(Guarded, QMainWindow):
         path = self.session.path
         name = title_of(self.session).replace("[*]", "[*][*]")
         self.setWindowFilePath(str(path) if path is not None else "")
-        read_only = " (read-only)" if self.session.is_read_only else ""
+        read_only = " (read-only)" if self.session.files.is_read_only else ""
         self.setWindowTitle(f"{name}[*]{read_only} – Curvebench")
         if self.isWindowModified() != self.session.is_modified:
             # Qt writes the title anew, whatever is there.
             self.setWindowModified(self.session.is_modified)
+
+    def _tell(self, message: Message) -> None:
+        match message.kind:
+            case MessageKind.SAID:
+                self.status_line.say(message.text)
+            case MessageKind.REFUSED:
+                self.status_line.refuse(message.text)
+            case MessageKind.OFFERED:
+                self._offer(message.text, message.action)
 
     def _offer(self, text: str, action: str) -> None:
         self._render_commands()
@@ -400,7 +414,7 @@ class MainWindow(Guarded, QMainWindow):
         self.preferences.window_state = self.saveState()
         self.preferences.splitter_state = self.splitter.saveState()
         self.preferences.plot_height = self.plot_panel.kept_height
-        put_away_floating(self)
+        hide_floating(self)
 
     # Qt's events
 

@@ -8,7 +8,7 @@ from PySide6.QtCore import QEvent, QObject, QSize, QTimer
 from PySide6.QtGui import QScreen
 from PySide6.QtWidgets import QDockWidget, QMainWindow, QSplitter
 
-from app.commands.dock_room import put_idle_docks_away
+from app.commands.dock_room import hide_idle_docks
 from app.overrides import Guarded
 from app.panels.fitting import room_on
 from app.preferences import Preferences
@@ -37,7 +37,7 @@ def restore_layout(window: QMainWindow, splitter: QSplitter, preferences: Prefer
     parts = preferences.splitter_state
     if not parts.isEmpty() and not splitter.restoreState(parts):
         preferences.refuse("window/splitter", "it is no layout")
-    put_idle_docks_away(window)
+    hide_idle_docks(window)
     if floating_docks(window):
         when_first_shown(window, lambda: _lift(window))
 
@@ -52,7 +52,7 @@ def floating_docks(window: QMainWindow) -> list[QDockWidget]:
     return [dock for dock in window.findChildren(QDockWidget) if dock.isFloating() and not dock.isHidden()]
 
 
-def put_away_floating(window: QMainWindow) -> None:
+def hide_floating(window: QMainWindow) -> None:
     """Let undocked docks go with their window; Qt leaves them on the screen while another one is open."""
     for dock in floating_docks(window):
         dock.hide()

@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-import enum
-
 import msgspec
 from msgspec.structs import replace
 from PySide6.QtCore import QObject, Signal
 
 from app.preferences import Preferences
+from app.storage.open_file import FileChange
 from app.theme import ThemeMode
 from app.tools.select import SELECT
 from app.tools.snapping import SnapKind
@@ -17,15 +16,25 @@ from app.view_model.analysis.settings import AnalysisSettings
 from app.view_model.motion_settings import MotionSettings
 
 
-class FileAction(enum.Enum):
-    """What can be done about a document's file while it is open."""
+class FileSituation(msgspec.Struct, frozen=True):
+    """How the document stands to its file.
 
-    RELOAD = enum.auto()
-    KEEP_MINE = enum.auto()
-    COMPARE = enum.auto()
-    OVERWRITE = enum.auto()
-    TAKE_OVER = enum.auto()
-    EDIT_ANYWAY = enum.auto()
+    Attributes
+    ----------
+    change
+        What has become of the file since it was last read or written here; None without a file.
+    is_read_only
+        Whether somebody else owns it.
+    may_overwrite
+        Whether saving was, or would be, refused because it holds something else.
+    is_asked
+        Whether the person wants to take it over, and has been told that somebody may be editing it.
+    """
+
+    change: FileChange | None = None
+    is_read_only: bool = False
+    may_overwrite: bool = False
+    is_asked: bool = False
 
 
 class WindowState(msgspec.Struct, frozen=True):
@@ -51,8 +60,8 @@ class WindowState(msgspec.Struct, frozen=True):
         Whether the errors of the laboratory's methods are plotted.
     motion, motion_shown, motion_plays
         How the dot runs, whether there is one, and whether it runs now.
-    compares_with_file, file_actions
-        Whether the file's content is shown as a ghost, and what can be done about the file.
+    file, compares_with_file
+        How the document stands to its file, and whether what that holds is shown as a ghost.
     is_working
         Whether a file is being read or written.
     image_problem
@@ -80,7 +89,7 @@ class WindowState(msgspec.Struct, frozen=True):
     motion_shown: bool = False
     motion_plays: bool = False
     compares_with_file: bool = False
-    file_actions: frozenset[FileAction] = frozenset()
+    file: FileSituation = FileSituation()
     is_working: bool = False
     image_problem: str = ""
 

@@ -1,15 +1,14 @@
 """Actions are declared where they are handled.
 
-A decorator on the method says everything about an action::
+A decorator on the method of a command set says everything about an action::
 
-    class OverlayCommands:
-        @action("newSeed", "New Seed", OVERLAYS_ERRORS, icon="seed")
-        def _new_seed(self) -> None:
-            '''Draw other random errors.'''
+    @action("newSeed", "New Seed", OVERLAYS_ERRORS, icon="seed")
+    def _new_seed(self) -> None:
+        '''Draw other random errors.'''
 
-        @action_for_each(OVERLAYS, lambda each: Action(f"overlay{each.title}", …))
-        def _switch(self, overlay: Overlay) -> None:
-            …
+    @action_for_each(OVERLAYS, lambda each: Action(f"overlay{each.title}", …))
+    def _switch(self, overlay: Overlay) -> None:
+        …
 
 What an action does is said by the docstring of its handler: it is the action's tip.
 """

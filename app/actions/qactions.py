@@ -19,12 +19,12 @@ from app.theme import Theme
 class Actions:
     """The QActions of one window, by name."""
 
-    def __init__(self, window: QWidget, command_sets: Iterable[type]) -> None:
+    def __init__(self, window: QWidget, command_sets: Iterable[type], now: Situation) -> None:
         self.keymap = Keymap(window)
-        self._window = window
+        self._window, self._now = window, now
         self._groups: dict[str, QActionGroup] = {}
-        self._declared = [each.action for each in all_declared(command_sets)]
-        self._actions = {each.name: self._make(each) for each in self._declared}
+        self._declared = {each.action.name: each.action for each in all_declared(command_sets)}
+        self._actions = {name: self._make(each) for name, each in self._declared.items()}
 
     def _make(self, each: Action) -> QAction:
         action = QAction(each.text, self._window)
@@ -65,7 +65,7 @@ class Actions:
 
     def of_menu(self, menu: Menu) -> Iterator[tuple[Action, QAction]]:
         """Yield the actions that stand in `menu`, in order."""
-        for each in self._declared:
+        for each in self._declared.values():
             if each.section.menu is menu:
                 yield each, self._actions[each.name]
 
@@ -78,10 +78,16 @@ class Actions:
                 rows.append((keys, each.tip or each.text))
         return rows
 
-    def render(self, now: Situation) -> None:
+    def is_on(self, name: str) -> bool:
+        """Whether what an action switches is on; False of what is no switch."""
+        checked = self._declared[name].checked
+        return checked is not None and checked(self._now)
+
+    def render(self) -> None:
         """Enable, check and name all actions as the situation has it."""
-        for each in self._declared:
-            action = self._actions[each.name]
+        now = self._now
+        for name, each in self._declared.items():
+            action = self._actions[name]
             action.setEnabled(each.needs.is_met(now))
             if each.checked is not None:
                 action.setChecked(each.checked(now))
@@ -92,9 +98,9 @@ class Actions:
 
     def set_theme(self, theme: Theme) -> None:
         """Tint the icons for `theme`."""
-        for each in self._declared:
+        for name, each in self._declared.items():
             if each.icon:
-                self._actions[each.name].setIcon(icon(each.icon, theme))
+                self._actions[name].setIcon(icon(each.icon, theme))
 
 
 @cache

@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-
+from app.clipboard_watch import ClipboardWatch
 from app.session import Session
 from app.view_model.curve_view import CurveView
 from app.window_state import WindowState, WindowStore
@@ -16,13 +15,10 @@ class Situation:
     ----------
     session
         The document, its history and the selection.
-    holds_derivatives
-        Whether there are derivatives on the clipboard; another program may have to be asked for that.
     """
 
-    def __init__(self, session: Session, store: WindowStore, holds_derivatives: Callable[[], bool]) -> None:
-        self.session, self._store = session, store
-        self.holds_derivatives = holds_derivatives
+    def __init__(self, session: Session, store: WindowStore, clipboard: ClipboardWatch) -> None:
+        self.session, self._store, self._clipboard = session, store, clipboard
 
     @property
     def state(self) -> WindowState:
@@ -43,6 +39,11 @@ class Situation:
     def chosen(self) -> frozenset[int]:
         """The chosen curves."""
         return self.session.chosen_curves
+
+    @property
+    def has_copied_derivatives(self) -> bool:
+        """Whether there are derivatives on the clipboard; another program may have to be asked for that."""
+        return self._clipboard.holds_derivatives
 
     @property
     def has_derivatives(self) -> bool:

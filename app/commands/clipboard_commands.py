@@ -203,7 +203,7 @@ class ClipboardCommands:
         "Ctrl+Alt+V",
         needs=Need(
             "copied derivatives, and selected points of a Hermite curve",
-            lambda now: now.has_derivatives and bool(now.selection) and now.holds_derivatives(),
+            lambda now: now.has_derivatives and bool(now.selection) and now.has_copied_derivatives,
         ),
     )
     def _paste_derivatives(self) -> None:

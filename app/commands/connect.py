@@ -8,8 +8,6 @@ from typing import TypeVar
 from PySide6.QtWidgets import QWidget
 
 from app.actions.declaration import Action, all_declared
-from app.actions.situation import Situation
-from app.clipboard_watch import ClipboardWatch
 from app.commands.chosen_commands import ChosenCommands
 from app.commands.clipboard_commands import ClipboardCommands
 from app.commands.context import Closes, Follows, Renders, WindowContext
@@ -108,13 +106,11 @@ class Commands:
         self.context_menus = ContextMenus(
             context, curves, wiggle.explain_at, self[TangentCommands].straighten_at
         )
-        clipboard = ClipboardWatch(context.window)
         self._had_scrub = False
-        self._now = Situation(context.session, context.store, lambda: clipboard.holds_derivatives)
         for each in self._sets.values():
             context.actions.bind(each, self._run)
-        for changed in (context.store.changed, context.session.history_changed, clipboard.changed):
-            changed.connect(self.render_actions)
+        for changed in (context.store.changed, context.session.history_changed, context.clipboard.changed):
+            changed.connect(context.actions.render)
 
     def __getitem__(self, kind: type[_Set]) -> _Set:
         commands = self._sets[kind]
@@ -127,17 +123,13 @@ class Commands:
             self._context.cancel_gesture()
         handler()
         # A switch that was clicked shows what is, also where nothing changed.
-        self.render_actions()
-
-    def render_actions(self) -> None:
-        """Enable, check and name the actions as things are now."""
-        self._context.actions.render(self._now)
+        self._context.actions.render()
 
     def follow_scrub(self, t: float | None) -> None:
         """Show whether there is a scrub line; where it stands is no matter of actions."""
         if (t is not None) != self._had_scrub:
             self._had_scrub = t is not None
-            self.render_actions()
+            self._context.actions.render()
 
     def leave_panel(self) -> bool:
         """Take a gesture back, or go to the canvas from a panel; return whether there was either."""
@@ -174,7 +166,7 @@ class Commands:
 
     def render(self, view: CurveView) -> None:
         """Check and enable actions, and show the line on the canvas, as `view` has it."""
-        self.render_actions()
+        self._context.actions.render()
         for each in self._slow:
             each.render(view)
         self._teaching.render(view)

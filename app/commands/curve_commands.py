@@ -19,14 +19,13 @@ from app.actions.sections import (
 from app.actions.situation import Situation
 from app.commands.context import WindowContext
 from app.document import curve_edits, edits
-from app.document.edits import EditError
 from app.document.model import Curve, Document, Parametrization
 from app.document.several_curves import named, place_in, step_curves
 from app.view_model.closing import with_closed
 from app.view_model.curve_view import view_of
 from app.view_model.measure import is_kept
 from app.view_model.reshape import Reshaped, reversed_curve, with_point_inserted
-from app.view_model.split_join import joined, split
+from app.view_model.split_join import Split, joined, split
 
 
 class CurveCommands:
@@ -143,20 +142,15 @@ class CurveCommands:
 
     def split_at(self, t: float) -> None:
         """Split the active curve at `t`."""
-        session, index = self._session, self._session.active_index
-        try:
-            done = split(session.active_view, t)
-        except EditError as reason:
-            session.refuse(str(reason))
-            return
-        first, *others = done.curves
-        self._say_if(
-            session.change(
-                f"Split {session.active_curve.name}",
-                lambda document: _with_parts(document, index, first, others),
-            ),
-            f"{'Split' if others else 'Opened'} at t = {t:.4g}: {done.sentence}",
-        )
+        session, done = self._session, list[Split]()
+
+        def edit(document: Document) -> Document:
+            done.append(split(session.active_view, t))
+            return _with_parts(document, session.active_index, *done[0].curves)
+
+        if session.change(f"Split {session.active_curve.name}", edit):
+            verb = "Split" if len(done[0].curves) > 1 else "Opened"
+            session.say(f"{verb} at t = {t:.4g}: {done[0].sentence}")
 
     def _at_scrub(self, act: Callable[[float], None]) -> None:
         t = self._session.scrub
@@ -262,20 +256,16 @@ class CurveCommands:
         active: int | None = None,
     ) -> Reshaped | None:
         """Put what `make` returns in the place of the active curve, and say what that changed."""
-        session = self._session
-        try:
-            made = make()
-        except EditError as reason:
-            session.refuse(str(reason))
+        session, made = self._session, list[Reshaped]()
+
+        def edit(document: Document) -> Document:
+            made.append(make())
+            return then(curve_edits.replace_curve(document, session.active_index, made[0].curve))
+
+        if not session.change(text, edit, active=active):
             return None
-        if not session.change(
-            text,
-            lambda document: then(curve_edits.replace_curve(document, session.active_index, made.curve)),
-            active=active,
-        ):
-            return None
-        session.say(made.sentence)
-        return made
+        session.say(made[0].sentence)
+        return made[0]
 
     @action("renameCurve", "Rename…", CURVE_NAME, full_name="Rename Curve…")
     def _rename(self) -> None:
@@ -284,10 +274,6 @@ class CurveCommands:
         dock.show()
         dock.raise_()
         self._context.docks.curve_list.view.edit_name(self._session.active_index)
-
-    def _say_if(self, done: object, text: str) -> None:
-        if done:
-            self._session.say(text)
 
 
 def _has_curve_beside(now: Situation, end: int) -> bool:
@@ -298,7 +284,7 @@ def _has_curve_beside(now: Situation, end: int) -> bool:
     return now.session.active_index != range(count)[end]
 
 
-def _with_parts(document: Document, index: int, first: Curve, others: list[Curve]) -> Document:
+def _with_parts(document: Document, index: int, first: Curve, *others: Curve) -> Document:
     document = curve_edits.replace_curve(document, index, first)
     for offset, curve in enumerate(others, start=1):
         document = curve_edits.add_curve(document, index + offset, curve)

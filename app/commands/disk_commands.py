@@ -18,7 +18,7 @@ from app.storage.files import Stamp, StorageError
 from app.storage.format import FormatError
 from app.storage.open_file import FileChange, OpenFile
 from app.view_model.curve_view import view_of
-from app.window_state import FileAction
+from app.window_state import FileSituation
 
 _AGAIN_MS = 100
 _LOOKS = 5
@@ -28,9 +28,7 @@ programs may be just writing it."""
 _OWNER_MS = 2000
 """How often to look whether the one who owns the document is still there; a crash gives no sign."""
 
-
-def _need(words: str, possible: FileAction) -> Need:
-    return Need(words, lambda now: possible in now.state.file_actions)
+_CHANGED_OUTSIDE = "a file that was changed outside this window"
 
 
 class DiskCommands(QObject):
@@ -48,8 +46,8 @@ class DiskCommands(QObject):
         self._path: Path | None = None
         self._stamp: Stamp | None = None
         self._standing = Standing.OURS
-        self._put_away: set[Notice] = set()
-        self._forget()
+        self._dismissed: set[Notice] = set()
+        self._reset()
         context.files.refused = self._show_refusal
         self._session.file_changed.connect(self._follow)
         self._session.opened.connect(self._say_what_matters)
@@ -57,7 +55,7 @@ class DiskCommands(QObject):
         # A document that was opened before there was a window.
         self._say_what_matters()
 
-    def _forget(self) -> None:
+    def _reset(self) -> None:
         """Begin anew, with what was just opened, saved or reloaded."""
         self._again.stop()
         self._looks = 0
@@ -70,14 +68,14 @@ class DiskCommands(QObject):
 
     def _follow(self) -> None:
         """Take note of another file, or of the same one saved."""
-        file = self._session.file
+        file = self._session.files.file
         stamp = file.stamp if file is not None else None
         if file is not self._file or stamp is not self._stamp:
             self._stamp = stamp
-            self._forget()
+            self._reset()
         if file is not self._file:
             self._file = file
-            self._put_away.clear()
+            self._dismissed.clear()
             is_other = file is not None and file.owner is not None
             self._standing = Standing.OPENED_ELSEWHERE if is_other else Standing.OURS
         if self._session.path != self._path:
@@ -89,7 +87,7 @@ class DiskCommands(QObject):
 
     def _say_what_matters(self) -> None:
         """Say what one should know about a file that was just opened."""
-        file = self._session.file
+        file = self._session.files.file
         if file is None:
             return
         if file.is_older:
@@ -125,14 +123,14 @@ class DiskCommands(QObject):
         is_news = change is not self._change or self._other is not file.other_document
         self._change, self._other = change, file.other_document
         if is_news:
-            self._put_away.clear()
+            self._dismissed.clear()
             if change is not FileChange.CHANGED:
                 self._hide_ghost()
             elif self._context.store.state.compares_with_file:
                 self._show_ghost()
         if change in (FileChange.GONE, FileChange.SAME) and self._is_refused_for_other_content:
             self._refusal = None  # what it warns of is there no longer
-        self._session.note_file_change(change)
+        self._session.files.note(change)
 
     def _check_lock(self, file: OpenFile) -> None:
         owner = file.check_lock()
@@ -152,26 +150,20 @@ class DiskCommands(QObject):
 
     def _show(self) -> None:
         """Show what matters most now."""
-        self._watch.look_every(_OWNER_MS if self._session.is_read_only else 0)
-        self._context.store.change(file_actions=self._possible())
-        notice = next((each for each in self._notices() if each not in self._put_away), None)
+        self._watch.look_every(_OWNER_MS if self._session.files.is_read_only else 0)
+        self._context.store.change(
+            file=FileSituation(
+                change=self._change if self._file is not None else None,
+                is_read_only=self._session.files.is_read_only,
+                may_overwrite=self._may_overwrite,
+                is_asked=self._standing is Standing.ASKED,
+            )
+        )
+        notice = next((each for each in self._notices() if each not in self._dismissed), None)
         if notice is not None:
             self._show_notice(notice)
         elif self._bar is not None:
             self._bar.hide()
-
-    def _possible(self) -> frozenset[FileAction]:
-        """Return what can be done about the file now."""
-        is_there = self._file is not None and self._change in (FileChange.SAME, FileChange.CHANGED)
-        is_possible = {
-            FileAction.RELOAD: is_there,
-            FileAction.KEEP_MINE: self._change in (FileChange.CHANGED, FileChange.UNREADABLE),
-            FileAction.COMPARE: self._change is FileChange.CHANGED,
-            FileAction.OVERWRITE: self._may_overwrite,
-            FileAction.TAKE_OVER: self._session.is_read_only,
-            FileAction.EDIT_ANYWAY: self._standing is Standing.ASKED,
-        }
-        return frozenset(each for each, possible in is_possible.items() if possible)
 
     @property
     def _is_refused_for_other_content(self) -> bool:
@@ -183,7 +175,7 @@ class DiskCommands(QObject):
             FileChange.CHANGED,
             FileChange.UNREADABLE,
         )
-        return is_other and not self._session.is_read_only
+        return is_other and not self._session.files.is_read_only
 
     def _notices(self) -> list[Notice]:
         """Return what there is to say, the most urgent first."""
@@ -200,20 +192,20 @@ class DiskCommands(QObject):
     def _show_notice(self, notice: Notice) -> None:
         if self._bar is None:
             self._bar = FileBar(self._context.central.canvas, self._context.central.message_bar)
-            self._bar.closed.connect(self._close)
+            self._bar.closed.connect(self._dismiss)
         self._shown = notice
         self._bar.show_notice(
             notice.text, [self._context.actions[name] for name in notice.actions], warns=notice.warns
         )
 
-    def _close(self) -> None:
-        """Put the sentence away; if there is another one behind it, show that."""
+    def _dismiss(self) -> None:
+        """Dismiss the sentence; if there is another one behind it, show that."""
         if self._shown is self._refusal:
             self._refusal = None
         elif self._standing is Standing.ASKED:
             self._standing = Standing.OPENED_ELSEWHERE
         else:
-            self._put_away.add(self._shown)
+            self._dismissed.add(self._shown)
         self._show()
 
     def _show_refusal(self, path: Path, sentence: str, problem: StorageError) -> None:
@@ -232,7 +224,10 @@ class DiskCommands(QObject):
         FILE_DISK,
         icon="reset",
         full_name="Reload File",
-        needs=_need("a file that can be read", FileAction.RELOAD),
+        needs=Need(
+            "a file that can be read",
+            lambda now: now.state.file.change in (FileChange.SAME, FileChange.CHANGED),
+        ),
     )
     def _reload(self) -> None:
         """Take over what the file holds now; Undo brings back what was here."""
@@ -240,7 +235,7 @@ class DiskCommands(QObject):
             return
         name = self._file.path.name
         try:
-            self._session.reload()
+            self._session.files.reload()
         except (FormatError, StorageError) as problem:
             self._refusal = Notice(f"{name} was not reloaded: {problem}", ("saveDocumentAs",))
             self._show()
@@ -252,7 +247,10 @@ class DiskCommands(QObject):
         "Keep Mine",
         FILE_DISK,
         full_name="Keep Mine, not the File",
-        needs=_need("a file that was changed outside this window", FileAction.KEEP_MINE),
+        needs=Need(
+            _CHANGED_OUTSIDE,
+            lambda now: now.state.file.change in (FileChange.CHANGED, FileChange.UNREADABLE),
+        ),
     )
     def _keep_mine(self) -> None:
         """Go on with what is here; the next save replaces the changed file."""
@@ -268,7 +266,10 @@ class DiskCommands(QObject):
         FILE_DISK,
         icon="eye",
         full_name="Compare with File as Ghost",
-        needs=_need("a file that was changed outside this window", FileAction.COMPARE),
+        needs=Need(
+            _CHANGED_OUTSIDE,
+            lambda now: now.state.file.change is FileChange.CHANGED,
+        ),
         checked=lambda now: now.state.compares_with_file,
     )
     def _compare(self) -> None:
@@ -299,7 +300,7 @@ class DiskCommands(QObject):
         FILE_DISK,
         icon="save",
         full_name="Overwrite File",
-        needs=_need("", FileAction.OVERWRITE),
+        needs=Need("", lambda now: now.state.file.may_overwrite),
     )
     def _overwrite(self) -> None:
         """Replace the changed file by what is here."""
@@ -311,7 +312,7 @@ class DiskCommands(QObject):
         FILE_DISK,
         icon="unlock",
         full_name="Take Over the Document",
-        needs=_need("a document that is open read-only", FileAction.TAKE_OVER),
+        needs=Need("a document that is open read-only", lambda now: now.state.file.is_read_only),
     )
     def _take_over(self) -> None:
         """Make a document yours that is open elsewhere."""
@@ -332,7 +333,7 @@ class DiskCommands(QObject):
         FILE_DISK,
         icon="unlock",
         full_name="Edit the Document Anyway",
-        needs=_need("", FileAction.EDIT_ANYWAY),
+        needs=Need("", lambda now: now.state.file.is_asked),
     )
     def _edit_anyway(self) -> None:
         """Take the document over although somebody may be editing it."""

@@ -27,7 +27,7 @@ def make_room_once(window: QMainWindow, dock: QDockWidget, height: int) -> None:
     QTimer.singleShot(0, dock, lambda: _make_width(window, dock))
 
 
-def put_idle_docks_away(window: QMainWindow) -> None:
+def hide_idle_docks(window: QMainWindow) -> None:
     """Hide the docks that have nothing to show (they are disabled) after a layout was restored."""
     for dock in window.findChildren(QDockWidget):
         if not dock.isEnabled():

@@ -81,12 +81,12 @@ class EditCommands:
         full_name="Go Back to What Was Before the Lesson",
         needs=Need(
             "work that was left for a lesson or an example",
-            lambda now: now.session.beginning.before is not None,
+            lambda now: now.session.files.beginning.before is not None,
         ),
     )
     def _go_back(self) -> None:
         """Go back to what was there before this lesson or example; Redo comes here again."""
-        self._session.go_back()
+        self._session.files.go_back()
         self._session.say("This is as you left it; Redo goes on.")
 
     @action(

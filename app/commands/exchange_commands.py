@@ -148,12 +148,12 @@ class ExchangeCommands:
             dialog.reject()
             self._session.say(f"{names} left out.")
 
-        def forget() -> None:
+        def release() -> None:
             self._session.opened.disconnect(leave)
             self._series.changed = None
 
         self._session.opened.connect(leave)
-        dialog.finished.connect(forget)
+        dialog.finished.connect(release)
         dialog.rejected.connect(self._series.end)
         dialog.foot.rest_skipped.connect(skip_rest)
         dialog.foot.show_turn(self._series.turn)
@@ -225,11 +225,11 @@ class ExchangeCommands:
         if self._dialog is None:
             self._dialog = ExportDialog(choice_from(self._preferences.export_choice), self._context.window)
             self._dialog.chosen.connect(self._ask_where_to)
-            self._dialog.finished.connect(self._forget_dialog)
+            self._dialog.finished.connect(self._release_dialog)
         self._show_in_dialog()
         _open(self._dialog)
 
-    def _forget_dialog(self) -> None:
+    def _release_dialog(self) -> None:
         self._dialog = None
 
     def _show_in_dialog(self) -> None:

@@ -43,7 +43,7 @@ class ImageCommands:
         names = ("moveImage", "findImage", "removeImage")
         context.docks.image_panel.add_buttons([self._actions[name] for name in names])
         # Another document may name the same file, which may have changed meanwhile.
-        context.session.opened.connect(self._forget_file)
+        context.session.opened.connect(self._reset_file)
         context.store.changed.connect(self._show_state)
         self._show_dock(False)
 
@@ -90,7 +90,7 @@ class ImageCommands:
         except ImageFileError as problem:
             self._problem = str(problem)
 
-    def _forget_file(self) -> None:
+    def _reset_file(self) -> None:
         self._is_loaded, self._loaded_path = False, ""
         self.render(self._session.active_view)
 

@@ -151,7 +151,7 @@ class LaboratoryCommands(Guarded, QObject):
         settings = self._settings
         if not settings.on:
             if self._asked is not None:
-                self._forget()
+                self._reset()
             return
         if self._asked == (view, settings):
             return
@@ -162,7 +162,7 @@ class LaboratoryCommands(Guarded, QObject):
         self._task.ask(lambda report: _compute(view, settings, report))
         self._ask_cost(view)
 
-    def _forget(self) -> None:
+    def _reset(self) -> None:
         self._asked = self._trial = None
         self._problem = ""
         for task in (self._task, self._digits_task, self._cost_task):

@@ -12,8 +12,8 @@ from msgspec.structs import replace
 from app.actions.declaration import action
 from app.actions.sections import HELP_ALL
 from app.commands.context import WindowContext
+from app.session import Beginning
 from app.storage.files import load
-from app.undo_step import Beginning
 from app.view_model.curve_view import CurveView
 
 if TYPE_CHECKING:
@@ -72,7 +72,7 @@ class LessonCommands:
 
     @property
     def _visit(self) -> _Visit:
-        return self._visits.setdefault(self._context.session.beginning, _Visit())
+        return self._visits.setdefault(self._context.session.files.beginning, _Visit())
 
     def open(self, name: str) -> None:
         """Begin the lesson of this name."""
@@ -121,14 +121,14 @@ class LessonCommands:
     def _clear_the_desk(self) -> None:
         """Put away what another lesson, or somebody before it, has switched on."""
         for name in _DESK:
-            if self._context.actions[name].isChecked():
+            if self._context.actions.is_on(name):
                 self._trigger(name)
         self._context.analysis.reset()
         self._switched_on.clear()
 
     def _follow_document(self) -> None:
         """Show the lesson whose document is open now, at the step where it was left; else the gallery."""
-        copied = self._context.session.beginning.copied
+        copied = self._context.session.files.beginning.copied
         lesson = next((each for each in self._lessons if each.document == copied), None)
         if lesson is None:
             if self._lesson is not None:
@@ -150,7 +150,7 @@ class LessonCommands:
             self._begin(self._lessons.index(self._lesson) + 1)
             return
         if step == _GALLERY:
-            self._put_away(but=())
+            self._switch_off(but=())
             self._lesson = None
             assert self._panel is not None
             self._panel.show_gallery()
@@ -162,16 +162,16 @@ class LessonCommands:
     def _show(self, step: int) -> None:
         assert self._panel is not None
         assert self._lesson is not None
-        self._put_away(but=self._lesson.steps[step].show)
+        self._switch_off(but=self._lesson.steps[step].show)
         self._visit.step = step
         self._panel.show_step(self._lesson, step, is_last=self._lesson is self._lessons[-1])
         self._set_up(self._lesson.steps[step])
         self.render(self._context.session.active_view)
 
-    def _put_away(self, but: Collection[str]) -> None:
+    def _switch_off(self, but: Collection[str]) -> None:
         """Switch off what the step before has switched on, `but` what the next one shows as well."""
         for name in self._switched_on:
-            if name not in but and self._context.actions[name].isChecked():
+            if name not in but and self._context.actions.is_on(name):
                 self._context.actions[name].trigger()
         self._switched_on = [name for name in self._switched_on if name in but]
 
@@ -184,7 +184,7 @@ class LessonCommands:
     def _set_up(self, step: Step) -> None:
         self._set_up_analysis(step.settings)
         for name in step.show:
-            if not self._context.actions[name].isChecked():
+            if not self._context.actions.is_on(name):
                 self._trigger(name)
                 self._switched_on.append(name)
 

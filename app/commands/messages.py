@@ -26,7 +26,7 @@ _BY_DISTANCE = (
 class Messages(QObject):
     """Keeps the line in step with the active curve.
 
-    A sentence that was put away stays away as long as there is nothing else to say.
+    A sentence that was dismissed stays away as long as there is nothing else to say.
     """
 
     def __init__(self, context: WindowContext) -> None:
@@ -37,16 +37,16 @@ class Messages(QObject):
         self._store.changed.connect(self._show_state)
         self._greeting = ""
         self._image_problem = self._store.state.image_problem
-        self._put_away = ""
+        self._dismissed = ""
         self._offered: tuple[str, QAction] | None = None
-        self._bar.closed.connect(self._forget_closed)
-        self._session.interrupted.connect(self._forget_offer)
+        self._bar.closed.connect(self._dismiss)
+        self._session.interrupted.connect(self._reset_offer)
         self._session.opened.connect(self._begin_anew)
-        self._session.history_changed.connect(self._forget_greeting)
+        self._session.history_changed.connect(self._reset_greeting)
 
-    def _forget_closed(self, text: str) -> None:
+    def _dismiss(self, text: str) -> None:
         """Say it once: the panel of the image goes on saying it, and the greeting is for the first start."""
-        self._put_away = text
+        self._dismissed = text
         if text == self._image_problem:
             self._image_problem = ""
         if text == self._greeting:
@@ -54,18 +54,18 @@ class Messages(QObject):
         if self._offered is not None and text == self._offered[0]:
             self._offered = None
 
-    def _forget_offer(self) -> None:
+    def _reset_offer(self) -> None:
         # What is shown comes from the document that follows.
         self._offered = None
 
     def _begin_anew(self) -> None:
-        self._put_away = self._greeting = ""
+        self._dismissed = self._greeting = ""
         self._image_problem = self._store.state.image_problem
         self.render(self._session.active_view)
 
     def offer(self, text: str, action: QAction) -> None:
         """Say what has happened, with a button for `action`, until the document is another one."""
-        self._offered, self._put_away = (text, action), ""
+        self._offered, self._dismissed = (text, action), ""
         self.render(self._session.active_view)
 
     def greet(self) -> None:
@@ -80,7 +80,7 @@ class Messages(QObject):
         elif after.uses(ADD) != before.uses(ADD):
             self.render(self._session.active_view)
 
-    def _forget_greeting(self) -> None:
+    def _reset_greeting(self) -> None:
         if self._greeting:
             self._greeting = ""
             self.render(self._session.active_view)
@@ -88,9 +88,9 @@ class Messages(QObject):
     def render(self, view: CurveView) -> None:
         """Show what `view` needs said."""
         text, warns = self._sentence(view)
-        if text != self._put_away:
-            self._put_away = ""
-        if not text or text == self._put_away:
+        if text != self._dismissed:
+            self._dismissed = ""
+        if not text or text == self._dismissed:
             self._bar.hide()
         elif self._offered is not None and text == self._offered[0]:
             self._bar.offer(*self._offered)
@@ -113,9 +113,9 @@ class Messages(QObject):
             return "", False
         if self._image_problem:
             return self._image_problem, True
-        if self._put_away in (_EMPTY, _EMPTY_ADDING):
+        if self._dismissed in (_EMPTY, _EMPTY_ADDING):
             # Put away with one tool it stays away with another.
-            return self._put_away, False
+            return self._dismissed, False
         return _EMPTY_ADDING if self._store.state.uses(ADD) else _EMPTY, False
 
     def _sentence(self, view: CurveView) -> tuple[str, bool]:

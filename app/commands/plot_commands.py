@@ -65,7 +65,7 @@ class PlotCommands:
         context.analysis.changed.connect(self._arrange)
         context.central.plot_panel.changed.connect(self._follow_added)
         context.session.scrub_changed.connect(self._show_scrub)
-        context.session.interrupted.connect(self._forget_gesture)
+        context.session.interrupted.connect(self._abandon_gesture)
         context.central.basis_panel.camera.changed.connect(self._follow_range)
 
     def follow(self, view: CurveView) -> None:
@@ -244,7 +244,7 @@ class PlotCommands:
                     values[line.name or plot.symbol] = line.value_at(t)
         panel.pane.show_values(t, values)
 
-    def _forget_gesture(self) -> None:
+    def _abandon_gesture(self) -> None:
         pane = self._context.central.plot_panel.pane
         if pane is not None:
             pane.canvas.abandon_gesture()

@@ -104,7 +104,7 @@ class RecoveryCommands:
         if open_beside is not None:
             autosave = open_beside(snapshot.document, path)
         else:
-            session.restore(snapshot.document, path)
+            session.files.restore(snapshot.document, path)
         if autosave is not None and autosave.write_now():
             snapshot.discard()
         else:

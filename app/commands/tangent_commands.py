@@ -125,7 +125,8 @@ class TangentCommands:
         self._reshape("Pull out velocity of", self._pulled)
 
     def _pulled(self, view: CurveView, chosen: Collection[int]) -> Curve:
-        pulled = with_velocities_pulled(view, chosen, _VISIBLE * self._context.central.canvas.pixel_size)
+        pixel = self._context.central.canvas.camera.pixel_size
+        pulled = with_velocities_pulled(view, chosen, _VISIBLE * pixel)
         if pulled == view.source:
             what = "velocity stands" if len(chosen) == 1 else "velocities stand"
             raise EditError(f"The {what} out already; drag the square handle.")
@@ -148,16 +149,15 @@ class TangentCommands:
 
     def _straighten(self, segments: Sequence[int]) -> None:
         session, view = self._session, self._session.active_view
-        try:
+
+        def edit(document: Document) -> Document:
             made = with_straight_segments(view, segments)
-        except EditError as reason:
-            session.refuse(str(reason))
-            return
-        if made == view.source:
-            session.refuse("That is straight already.")
-            return
+            if made == view.source:
+                raise EditError("That is straight already.")
+            return replace_curve(document, session.active_index, made)
+
         text = _straight_text(view.source, segments)
-        if not session.change(text, lambda document: replace_curve(document, session.active_index, made)):
+        if not session.change(text, edit):
             return
         corners = corners_of(view.source, segments)
         ends = {index for each in segments for index in ends_of(view.source, each)}

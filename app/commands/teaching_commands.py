@@ -31,7 +31,7 @@ class TeachingCommands(QObject):
         self._plain = context.status_line.findChild(Label, "lebesgueConstant")
         self._badge.laboratory_wanted.connect(open_laboratory)
         self._badge.explanation_wanted.connect(explain)
-        self._badge.put_away.connect(self._put_away)
+        self._badge.put_away.connect(self._dismiss)
         self._session.opened.connect(self._begin_anew)
 
     def render(self, view: CurveView) -> None:
@@ -56,7 +56,7 @@ class TeachingCommands(QObject):
             )
         return self._known[1]
 
-    def _put_away(self) -> None:
+    def _dismiss(self) -> None:
         if self._shown is not None:
             self._away.add((self._session.active_index, self._shown.topic))
             self.render(self._session.active_view)

@@ -16,7 +16,7 @@ from app.actions.sections import (
     VIEW_ZOOM,
 )
 from app.commands.context import WindowContext
-from app.commands.dock_room import put_idle_docks_away
+from app.commands.dock_room import hide_idle_docks
 from app.panels.late_dock import LateDock
 from app.plotting.scrolling import ZOOM_STEP
 from app.theme import ThemeMode
@@ -210,7 +210,7 @@ class ViewCommands:
         if shown and keeps_layout and self._before_folding:
             # Shown one by one, docks share the height anew and change which tab is in front.
             window.restoreState(self._before_folding)
-            put_idle_docks_away(window)
+            hide_idle_docks(window)
 
     # How large
 
@@ -277,7 +277,7 @@ class ViewCommands:
         window.menuBar().show()
         self._context.status_line.show()
         window.restoreState(self._before_presentation)
-        put_idle_docks_away(window)
+        hide_idle_docks(window)
 
     def _kept_for_a_lesson(self) -> list[QDockWidget]:
         """Return what a lesson needs at hand while it is presented: the laboratory, if it is in front."""

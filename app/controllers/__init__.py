@@ -1,9 +1,9 @@
-"""What the person did in a panel becomes a change of the document: one controller for each panel.
+"""Controllers: by them what the person did in a panel becomes a change of the document.
 
 A panel holds no session: it shows a value and emits what the person meant. Its controller connects that to
 `Session.change`, and tells the panel why something was refused.
 
-- ``point_table``, ``curve_settings``, ``curve_list``, ``image``, ``parametrization``: by the panel.
+- ``point_table``, ``curve_settings``, ``curve_list``, ``image``, ``parametrization``, ``rail``: by the panel.
 - ``history``: how the list of steps begins.
 - ``slider_gesture``: a slider that changes the document live.
 """

@@ -6,7 +6,7 @@ from collections.abc import Callable
 
 from app.document import edits
 from app.document.model import AccelerationRule, Document, VelocityRule
-from app.panels.curve_settings import CurveSettings, explicit_orders
+from app.panels.curve_settings import CurveSettings, orders_set
 from app.session import Session
 
 
@@ -42,7 +42,7 @@ class CurveSettingsController:
     def _reset_all(self) -> None:
         def reset(document: Document, index: int) -> Document:
             everyone = range(len(document.curves[index].nodes))
-            orders = explicit_orders(self._session.active_view)
+            orders = orders_set(self._session.active_view)
             return edits.estimate_derivatives(document, index, everyone, orders)
 
         self._change("Reset all to estimated", reset)

@@ -17,8 +17,8 @@ from app.view_model.arc_lengths import lengths_of
 from app.view_model.curve_view import CoreCurve, CurveView, view_of
 from app.view_model.growth import growths_of_points
 from curvecore import Length
-from curvecore.geometry import Box, bounding_boxes, pieces_of
-from curvecore.pieces import BezierPieces
+from curvecore.analysis.geometry import Box, bounding_boxes, pieces_of
+from curvecore.bezier.pieces import BezierPieces
 from curvecore.scaling import LARGEST
 
 LENGTH_TOLERANCE = 1e-9

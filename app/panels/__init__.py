@@ -32,8 +32,9 @@ Words and dialogs:
 
 Small parts:
 
+- ``action_switch``: buttons that show an action.
 - ``field_edit``, ``live_slider``, ``setting_slider``, ``elided_label``, ``thumbnail``,
-  ``form_parts``, ``fitting``, ``told_spin``, ``work_dialog``, ``choice_style``.
+  ``form_parts``, ``tool_buttons``, ``fitting``, ``told_spin``, ``work_dialog``, ``choice_style``.
 - ``number_text``: numbers as panels write them.
 """
 

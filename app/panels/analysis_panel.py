@@ -1,10 +1,11 @@
-"""What can be drawn over the curve: switches, their settings, and what they measure."""
+"""Analysis panel: switches of the overlays, their settings and measurements."""
 
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import partial
 
-from PySide6.QtCore import QEvent, QSize, Qt, QTimer
+from PySide6.QtCore import QEvent, Qt, QTimer
 from PySide6.QtGui import QAction, QIcon
 from PySide6.QtWidgets import (
     QCheckBox,
@@ -13,24 +14,25 @@ from PySide6.QtWidgets import (
     QHBoxLayout,
     QScrollArea,
     QSizePolicy,
-    QToolButton,
     QVBoxLayout,
     QWidget,
 )
 
 from app.analysis import Analysis
-from app.document.expression import ExpressionError, parse_number
+from app.document.expression import ExpressionError
 from app.labels import Label
 from app.overrides import Guarded
-from app.panels.field_edit import FieldEdit
+from app.panels.action_switch import mirror
+from app.panels.field_edit import NumberEdit, read_number
 from app.panels.number_text import decimal_mark, exact_text, rounded_text
 from app.panels.setting_slider import SettingSlider, count_slider, scale_slider
+from app.panels.tool_buttons import action_button, tool_button
 from app.plotting.pens import SIGN, sign_pixmap
 from app.theme import theme_of
 from app.view_model.analysis.settings import Ghost, Overlay, all_ghosts
 
 _NOTES_MS = 60
-"""How far the words may lag behind a drag, in milliseconds."""
+"""Milliseconds that the words may lag behind a drag."""
 
 
 class AnalysisPanel(Guarded, QScrollArea):
@@ -110,29 +112,24 @@ class AnalysisPanel(Guarded, QScrollArea):
         box = QCheckBox(action.text())
         box.setObjectName(f"{name}Switch")
         box.setAccessibleName(action.text())
-        box.setToolTip(action.toolTip())
-        box.setChecked(action.isChecked())
-        box.clicked.connect(action.trigger)
-        action.toggled.connect(box.setChecked)
+        mirror(box, action)
         return box
 
     def _make_errors(self) -> QWidget:
         """Return the fields that band and ensemble share, and the button for other random numbers."""
-        self.point_error = FieldEdit(
+        self.point_error = NumberEdit(
             "pointError",
             "Error of the points",
             "Largest error of every point; velocities and accelerations stay (a number or an expression)",
+            _error_size,
         )
-        self.parameter_error = FieldEdit(
+        self.parameter_error = NumberEdit(
             "parameterError",
             "Error of the parameters",
             "Largest error of every t; for the band to first order (a number or an expression)",
+            _error_size,
         )
-        seed = QToolButton()
-        seed.setDefaultAction(self._actions("newSeed"))
-        seed.setObjectName("newSeedButton")
-        seed.setAccessibleName("New Seed")
-        seed.setIconSize(QSize(16, 16))
+        seed = action_button(self._actions("newSeed"))
         errors = QWidget()
         layout = QHBoxLayout(errors)
         layout.setContentsMargins(24, 0, 0, 0)
@@ -147,11 +144,8 @@ class AnalysisPanel(Guarded, QScrollArea):
         row = self._rows.rowCount()
         box = self._ghost_boxes[ghost] = self._switch(ghost.action_name)
         box.setIconSize(SIGN)
-        use = QToolButton()
-        use.setText("Use")
-        use.setObjectName(f"use_{ghost.name}")
-        use.setAccessibleName(f"Use {box.text()}")
-        use.setToolTip(f"Make this the curve: {box.text()}")
+        words = box.text()
+        use = tool_button(f"use_{ghost.name}", f"Use {words}", f"Make this the curve: {words}", text="Use")
         use.clicked.connect(lambda: self._analysis.ghost_chosen.emit(ghost))
         self._rows.addWidget(box, row, 0)
         self._rows.addWidget(use, row, 1, Qt.AlignmentFlag.AlignRight)
@@ -162,7 +156,8 @@ class AnalysisPanel(Guarded, QScrollArea):
         self._analysis.changed.connect(self._render)
         self._analysis.noted.connect(self._note_soon)
         for edit, field in ((self.point_error, "point_error"), (self.parameter_error, "parameter_error")):
-            edit.committed.connect(lambda text, edit=edit, field=field: self._type(edit, field, text))
+            edit.entered.connect(partial(self._set_error, field))
+            edit.refused.connect(self._refuse)
             edit.left.connect(lambda: self._refuse(""))
 
     # Rendering: nothing here writes back
@@ -209,23 +204,21 @@ class AnalysisPanel(Guarded, QScrollArea):
 
     # What the person did
 
-    def _type(self, edit: FieldEdit, field: str, text: str) -> None:
-        try:
-            value = parse_number(text, decimal_mark())
-        except ExpressionError as reason:
-            self._refuse(str(reason))
-            edit.keep(text)
-            return
-        if value < 0:
-            self._refuse("The size of an error cannot be negative.")
-            edit.keep(text)
-            return
+    def _set_error(self, field: str, value: float) -> None:
         self._analysis.change(**{field: value})
         self._render()
 
     def _refuse(self, reason: str) -> None:
         self._refusal = reason
         self._render_notes()
+
+
+def _error_size(text: str) -> float:
+    """Return the size of an error that was typed."""
+    value = read_number(text)
+    if value < 0:
+        raise ExpressionError("The size of an error cannot be negative.")
+    return value
 
 
 def _note(name: str) -> Label:

@@ -1,4 +1,4 @@
-"""What lies under the pointer in the basis panel."""
+"""Hit test of the basis panel."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What the basis panel draws: the functions, the t-rail and the scrub line."""
+"""Layers of the basis panel: the functions, the t-rail and the scrub line."""
 
 from __future__ import annotations
 

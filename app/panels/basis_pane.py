@@ -8,6 +8,7 @@ from PySide6.QtWidgets import QHBoxLayout, QSizePolicy, QToolButton, QVBoxLayout
 
 from app.labels import Label
 from app.overrides import Guarded
+from app.panels.action_switch import mirror
 from app.panels.basis_panel import BasisPanel
 from app.panels.choice_style import choice_style
 from app.panels.elided_label import ElidedLabel
@@ -31,7 +32,7 @@ _SOON_MS = 33
 
 
 _LEAST_HEADER = QSize(260, 100)
-"""What the header may ask for."""
+"""Largest minimum size of the header."""
 
 
 class BasisPane(Guarded, QWidget):
@@ -65,10 +66,7 @@ class BasisPane(Guarded, QWidget):
 
     def offer_estimates(self, action: QAction) -> None:
         """Put the switch between the family's functions and cardinal ones into the header."""
-        self._estimates.setToolTip(action.toolTip())
-        self._estimates.setChecked(action.isChecked())
-        self._estimates.clicked.connect(action.trigger)
-        action.toggled.connect(self._estimates.setChecked)
+        mirror(self._estimates, action)
 
     def set_with_estimates(self, shown: bool) -> None:
         """Show what each point does with the estimates that follow it, or the family's functions."""

@@ -7,12 +7,10 @@ from PySide6.QtCore import QPoint, QPointF, Qt, Signal
 from PySide6.QtGui import QContextMenuEvent, QFocusEvent, QKeyEvent, QMouseEvent
 from PySide6.QtWidgets import QWidget
 
-from app.document.edits import EditError
 from app.panels.basis_hits import hit_test
 from app.panels.basis_plot import BasisPlot
 from app.panels.tick_edit import TickEdit
 from app.tools.pointer import Hit, Part, Pointer
-from app.tools.rail import select_tick, set_tick
 from app.tools.tool import Tool
 from app.tools.toolbox import Toolbox
 
@@ -24,18 +22,25 @@ class BasisPanel(BasisPlot):
     -------
     drag_changed
         Ticks are being dragged, or no longer.
+    tick_pointed
+        A menu about the tick of a point is wanted.
     menu_requested
         The menu of the t-rail is wanted at a place of the screen.
+
+    Attributes
+    ----------
+    tick_edit
+        Reports a t that was typed.
     """
 
     drag_changed = Signal(bool)
+    tick_pointed = Signal(int)
     menu_requested = Signal(QPoint)
 
     def __init__(self, tools: Toolbox, parent: QWidget | None = None) -> None:
         super().__init__(tools, parent)
         self._ripple_down = False
         self.tick_edit = TickEdit(self)
-        self.tick_edit.typed.connect(self._set_tick)
         self.gesture_began.connect(self._hold_domain)
         self.gesture_ended.connect(self._release_domain)
         self.gesture_ended.connect(lambda: self.drag_changed.emit(False))
@@ -82,17 +87,6 @@ class BasisPanel(BasisPlot):
         place = self.rail_pixel(t) - QPointF(0, 8)
         self.tick_edit.open(knot, t, QPointF(self.viewport().mapTo(self, place.toPoint())))
 
-    def _set_tick(self, knot: int, t: float) -> None:
-        if self._basis is None or knot >= self._basis.count:
-            self.tick_edit.close_and_return()
-            return
-        try:
-            set_tick(self.tools.context.host, knot, t)
-        except EditError as reason:
-            self.tick_edit.refuse(reason)
-            return
-        self.tick_edit.close_and_return()
-
     def menu_wanted(self, event: QContextMenuEvent) -> None:
         """Ask for the menu of the t-rail."""
         self._select_for_menu(event)
@@ -107,7 +101,7 @@ class BasisPanel(BasisPlot):
             return
         hit = self._hit_at(QPointF(event.pos()))
         if hit is not None and hit.part is Part.TICK:
-            select_tick(self.tools.context.host, hit.index)
+            self.tick_pointed.emit(hit.index)
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         if event.key() == Qt.Key.Key_E and not event.modifiers():

@@ -1,4 +1,4 @@
-"""How small buttons look that switch something: what is on is plain to see, in light and in dark."""
+"""Style sheet of small buttons that switch something: plain to see which are on, in light and in dark."""
 
 from __future__ import annotations
 

@@ -57,7 +57,7 @@ class Command(msgspec.Struct, frozen=True):
 
     @property
     def name(self) -> str:
-        """What it is called, in words that stand alone."""
+        """Name in words that stand alone."""
         return full_name_of(self.action)
 
 

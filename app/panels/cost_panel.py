@@ -1,4 +1,4 @@
-"""What solving a system costs against the basis form: in words, and over the number of points."""
+"""Cost of solving a system against that of the basis form: in words, and over the number of points."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What the person sees when something went wrong inside the program."""
+"""Crash dialog: a report of a fault inside the program."""
 
 from __future__ import annotations
 

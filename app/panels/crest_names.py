@@ -32,11 +32,11 @@ _RIM = 2.0
 """Pixels of paper around a number."""
 
 _HELD_MS = 200
-"""How long a number keeps its side of a crest that moves."""
+"""Time that a number keeps its side of a crest that moves."""
 
 
 class Crest(NamedTuple):
-    """Where a function is greatest; that of a position is named at its t_i, where all others are 0."""
+    """Greatest value of a function; that of a position is named at its t_i, where all others are 0."""
 
     owner: int
     kind: int
@@ -60,7 +60,7 @@ def crests_of(basis: BasisView, kinds: list[int]) -> list[Crest]:
 
 
 class Room(NamedTuple):
-    """What decides where numbers have room; below `floor`, in pixels, there is none."""
+    """Room for numbers at crests; below `floor`, in pixels, there is none."""
 
     shown: PixelMap
     basis: BasisView

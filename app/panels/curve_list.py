@@ -4,15 +4,16 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from PySide6.QtCore import QPoint, QSize, Qt, Signal
+from PySide6.QtCore import QPoint, Qt, Signal
 from PySide6.QtGui import QAction, QColor, QContextMenuEvent, QIcon, QPainter, QPixmap
-from PySide6.QtWidgets import QHBoxLayout, QMenu, QToolButton, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QHBoxLayout, QMenu, QVBoxLayout, QWidget
 
 from app.colours import CURVE_COLOURS, curve_colour
 from app.document.model import Document
 from app.overrides import Guarded
 from app.panels.curve_list_model import CurveListModel
 from app.panels.curve_list_view import CurveListView, Spot
+from app.panels.tool_buttons import action_button
 from app.theme import Theme, theme_of
 from app.view_model.palette import adjustment_of
 
@@ -62,12 +63,7 @@ class CurveList(Guarded, QWidget):
     def add_buttons(self, actions: Sequence[QAction]) -> None:
         """Put a small button for each action under the list."""
         for place, action in enumerate(actions):
-            button = QToolButton()
-            button.setObjectName(f"{action.objectName()}Button")
-            button.setDefaultAction(action)
-            button.setAccessibleName(action.text())
-            button.setAutoRaise(True)
-            button.setIconSize(QSize(16, 16))
+            button = action_button(action, flat=True)
             # The icons come with the theme, later; docks laid out anew by then would forget their widths.
             button.setFixedSize(26, 26)
             self._buttons.insertWidget(place, button)

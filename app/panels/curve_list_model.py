@@ -19,7 +19,7 @@ _NO_INDEX = QModelIndex()
 
 
 class Row(NamedTuple):
-    """What the list shows of a curve."""
+    """Values of a curve that the list shows."""
 
     name: str
     colour: str

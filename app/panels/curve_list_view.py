@@ -50,7 +50,7 @@ _ICON, _PAD, _SWATCH, _BAR = 16, 8, 12, 3
 _RENAME = (Qt.Key.Key_F2, Qt.Key.Key_Return, Qt.Key.Key_Enter)
 _DELETE = (Qt.Key.Key_Delete, Qt.Key.Key_Backspace)
 _STEPS = {Qt.Key.Key_Up: 1, Qt.Key.Key_Down: -1}
-"""Where the next curve lies in the document: the list has the one in front at the top."""
+"""Steps to the next curve of the document: the list has the one in front at the top."""
 
 _ALL = QKeySequence.StandardKey.SelectAll
 

@@ -4,22 +4,23 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from enum import StrEnum
+from functools import partial
 from typing import TypeVar
 
 import numpy as np
-from PySide6.QtCore import QEvent, QSize, Qt, Signal
+from PySide6.QtCore import QEvent, Qt, Signal
 from PySide6.QtGui import QShowEvent
-from PySide6.QtWidgets import QComboBox, QFormLayout, QHBoxLayout, QToolButton, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QComboBox, QFormLayout, QHBoxLayout, QVBoxLayout, QWidget
 
 from app.document import edits
-from app.document.expression import ExpressionError, parse_number
 from app.document.model import AccelerationRule, VelocityRule
 from app.document.words import Named, count_of
 from app.icons import icon
 from app.labels import Label
 from app.overrides import Guarded
-from app.panels.field_edit import FieldEdit
+from app.panels.field_edit import FieldEdit, NumberEdit
 from app.panels.number_text import decimal_mark, exact_text, rounded_text
+from app.panels.tool_buttons import ICON, tool_button
 from app.theme import theme_of
 from app.view_model.curve_view import CurveView
 
@@ -54,8 +55,8 @@ class CurveSettings(Guarded, QWidget):
         super().__init__(parent)
         self.setObjectName("curveSettings")
         self._view = view
-        # The field that was typed in last, and what was typed there.
-        self._entry: tuple[FieldEdit, str] | None = None
+        # The field that was typed in last.
+        self._entry: FieldEdit | None = None
         self._refusal = ""
         self.name_edit = FieldEdit("curveName", "Name of the curve", "Name of the curve (Enter to set)")
         self.start_edit = self._interval_edit(
@@ -68,7 +69,13 @@ class CurveSettings(Guarded, QWidget):
         )
         self.velocity_box = _rule_box("velocityRule", "Velocity rule", VelocityRule)
         self.acceleration_box = _rule_box("accelerationRule", "Acceleration rule", AccelerationRule)
-        self.reset_button = _reset_button()
+        self.reset_button = tool_button(
+            "resetAllToEstimated",
+            "Reset all velocities and accelerations to estimated",
+            "Let the rules estimate every velocity and acceleration again",
+            text="Reset all to estimated",
+            icon_size=ICON,
+        )
         self._facts = _note("curveFacts")
         self._problem = _note("curveProblem")
         self._lay_out()
@@ -77,9 +84,9 @@ class CurveSettings(Guarded, QWidget):
         self._render()
 
     @staticmethod
-    def _interval_edit(name: str, label: str, what: str) -> FieldEdit:
+    def _interval_edit(name: str, label: str, what: str) -> NumberEdit:
         tip = f"{label}, the {what}; the curve keeps its shape (a number or an expression, Enter to set)"
-        return FieldEdit(name, label, tip)
+        return NumberEdit(name, label, tip)
 
     def _lay_out(self) -> None:
         interval = QHBoxLayout()
@@ -107,10 +114,11 @@ class CurveSettings(Guarded, QWidget):
 
     def _connect(self) -> None:
         self.name_edit.committed.connect(self._rename)
-        self.start_edit.committed.connect(lambda text: self._set_interval(self.start_edit, text))
-        self.end_edit.committed.connect(lambda text: self._set_interval(self.end_edit, text))
-        for edit in (self.name_edit, self.start_edit, self.end_edit):
+        for edit in (self.start_edit, self.end_edit):
+            edit.entered.connect(partial(self._set_interval, edit))
+            edit.refused.connect(partial(self._refuse_text, edit))
             edit.left.connect(self._forget_refusal)
+        self.name_edit.left.connect(self._forget_refusal)
         self.velocity_box.activated.connect(
             lambda row: self.velocity_rule_chosen.emit(list(VelocityRule)[row])
         )
@@ -144,7 +152,7 @@ class CurveSettings(Guarded, QWidget):
         derivatives = curve.family.derivatives
         self._form.setRowVisible(self.velocity_box, derivatives > 0)
         self._form.setRowVisible(self.acceleration_box, derivatives > 1)
-        self.reset_button.setVisible(bool(explicit_orders(self._view)))
+        self.reset_button.setVisible(bool(orders_set(self._view)))
         self._facts.setText(_facts(self._view))
         self._render_problem()
 
@@ -168,32 +176,28 @@ class CurveSettings(Guarded, QWidget):
     # What the person did
 
     def _rename(self, text: str) -> None:
-        self._begin_entry(self.name_edit, text)
+        self._entry = self.name_edit
+        self._forget_refusal()
         self.name_edited.emit(text)
         self._render()
 
-    def _set_interval(self, edit: FieldEdit, text: str) -> None:
-        self._begin_entry(edit, text)
+    def _set_interval(self, edit: NumberEdit, value: float) -> None:
+        self._entry = edit
+        self._forget_refusal()
         start, end = edits.interval(self._view.source)
-        try:
-            value = parse_number(text, decimal_mark())
-        except ExpressionError as reason:
-            self.refused.emit(str(reason))
-            self.refuse(str(reason))
-        else:
-            self.interval_edited.emit(*((value, end) if edit is self.start_edit else (start, value)))
+        self.interval_edited.emit(*((value, end) if edit is self.start_edit else (start, value)))
         self._render()
 
-    def _begin_entry(self, edit: FieldEdit, text: str) -> None:
-        self._entry = edit, text
-        self._forget_refusal()
+    def _refuse_text(self, edit: NumberEdit, reason: str) -> None:
+        self._entry = edit
+        self.refuse(reason)
+        self.refused.emit(reason)
 
     def refuse(self, reason: str) -> None:
         """Say why what was typed last cannot be taken, and leave the text to be mended."""
         self._refusal = reason
         if self._entry is not None:
-            edit, typed = self._entry
-            edit.keep(typed)
+            self._entry.keep()
         self._render_problem()
 
     def _forget_refusal(self) -> None:
@@ -201,7 +205,7 @@ class CurveSettings(Guarded, QWidget):
         self._render_problem()
 
 
-def explicit_orders(view: CurveView) -> set[int]:
+def orders_set(view: CurveView) -> set[int]:
     """Return which of the derivatives that the family has were set by the person somewhere."""
     is_set = np.any(~np.isnan(view.arrays.given[..., 0]), axis=(0, 1)).tolist()
     return {order for order in range(1, view.source.family.derivatives + 1) if is_set[order - 1]}
@@ -236,17 +240,6 @@ def _rule_box(name: str, label: str, rules: Iterable[Named]) -> QComboBox:
     box.setMinimumContentsLength(8)
     box.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon)
     return box
-
-
-def _reset_button() -> QToolButton:
-    button = QToolButton()
-    button.setObjectName("resetAllToEstimated")
-    button.setText("Reset all to estimated")
-    button.setAccessibleName("Reset all velocities and accelerations to estimated")
-    button.setToolTip("Let the rules estimate every velocity and acceleration again")
-    button.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
-    button.setIconSize(QSize(16, 16))
-    return button
 
 
 def _note(name: str) -> Label:

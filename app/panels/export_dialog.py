@@ -1,4 +1,4 @@
-"""What to export and how: a format, its options, and for pictures a look at them."""
+"""Export dialog: a format, its options, and a preview of pictures."""
 
 from __future__ import annotations
 

@@ -163,7 +163,7 @@ class ToleranceField(Field[float | None]):
         try:
             self.show(_tolerance_of(text))
         except ExpressionError:
-            self.widget.keep(text)
+            self.widget.keep()
         else:
             self._change()
 

@@ -1,12 +1,16 @@
-"""A line to type into that shows a value of the document."""
+"""Lines to type into that show a value of the document."""
 
 from __future__ import annotations
+
+from collections.abc import Callable
 
 from PySide6.QtCore import QEvent, Qt, Signal
 from PySide6.QtGui import QFocusEvent, QKeyEvent
 from PySide6.QtWidgets import QLineEdit, QWidget
 
+from app.document.expression import ExpressionError, parse_number
 from app.overrides import Guarded
+from app.panels.number_text import decimal_mark
 
 # Whoever looks something up in another window, or opens the field's own menu, comes back to go on typing.
 _PASSING = (Qt.FocusReason.ActiveWindowFocusReason, Qt.FocusReason.PopupFocusReason)
@@ -36,7 +40,7 @@ class FieldEdit(Guarded, QLineEdit):
         self.setAccessibleName(label)
         self.setToolTip(tip)
         self.setTextMargins(3, 0, 3, 0)
-        self._whole = self._short = ""
+        self._whole = self._short = self._entered = ""
         self.returnPressed.connect(self._commit)
         self.textEdited.connect(self.left)
 
@@ -65,13 +69,14 @@ class FieldEdit(Guarded, QLineEdit):
         changed = self.isModified() and typed not in (self._whole, self._short)
         self.setModified(False)  # so that the document's answer may be shown
         if changed:
+            self._entered = typed
             self.committed.emit(typed)
         else:
             self.left.emit()
 
-    def keep(self, typed: str) -> None:
-        """Leave a text that was refused in the field, to be mended."""
-        self.setText(typed)
+    def keep(self) -> None:
+        """Leave the text that was entered last in the field, to be mended."""
+        self.setText(self._entered)
         self.setModified(True)
         self.selectAll()
 
@@ -109,3 +114,42 @@ class FieldEdit(Guarded, QLineEdit):
             self.left.emit()
         else:
             super().keyPressEvent(event)
+
+
+def read_number(text: str) -> float:
+    """Return the number that was typed, or the value of an expression; raise `ExpressionError` if neither."""
+    return parse_number(text, decimal_mark())
+
+
+class NumberEdit(FieldEdit):
+    """Reports what is typed as a number; what is none stays to be mended.
+
+    Parameters
+    ----------
+    read
+        Returns what a text means, and raises `ExpressionError` with the reason where it cannot be used.
+
+    Signals
+    -------
+    entered
+        Another number was entered; who cannot use it calls `keep`.
+    refused
+        Why a text that was entered cannot be used.
+    """
+
+    entered = Signal(object)
+    refused = Signal(str)
+
+    def __init__(self, name: str, label: str, tip: str, read: Callable[[str], object] = read_number) -> None:
+        super().__init__(name, label, tip)
+        self._read = read
+        self.committed.connect(self._enter)
+
+    def _enter(self, text: str) -> None:
+        try:
+            value = self._read(text)
+        except ExpressionError as reason:
+            self.keep()
+            self.refused.emit(str(reason))
+        else:
+            self.entered.emit(value)

@@ -19,6 +19,7 @@ from PySide6.QtWidgets import (
 from app.icons import icon
 from app.labels import Label
 from app.overrides import Guarded
+from app.panels.tool_buttons import action_button, tool_button
 from app.theme import mix, theme_of
 
 _TOP, _SIDE, _WIDEST = 10, 56, 720
@@ -47,12 +48,9 @@ class FileBar(Guarded, QFrame):
         self._text.setObjectName("fileText")
         self._text.setWordWrap(True)
         self._text.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Preferred)
-        self._close = QToolButton()
+        words = "Put this message away"
+        self._close = tool_button("closeFileBar", words, words, flat=True)
         self._close.setAttribute(Qt.WidgetAttribute.WA_NoMousePropagation)
-        self._close.setObjectName("closeFileBar")
-        self._close.setAutoRaise(True)
-        self._close.setToolTip("Put this message away")
-        self._close.setAccessibleName("Put this message away")
         self._close.clicked.connect(self._put_away)
         self._buttons: list[QToolButton] = []
         self._lay_out()
@@ -109,14 +107,9 @@ class FileBar(Guarded, QFrame):
         self.raise_()
 
     def _button(self, action: QAction) -> QToolButton:
-        button = QToolButton(self)
+        button = action_button(action, self, icon_size=14, beside=True)
         # A pointer that moves on a button moves over nothing below it.
         button.setAttribute(Qt.WidgetAttribute.WA_NoMousePropagation)
-        button.setDefaultAction(action)
-        button.setObjectName(f"{action.objectName()}Button")
-        button.setAccessibleName(action.text())
-        button.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
-        button.setIconSize(QSize(14, 14))
         return button
 
     def _place(self) -> None:

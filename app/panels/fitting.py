@@ -15,7 +15,7 @@ FRAME = QSize(16, 48)
 """Room for title bar and borders, which nobody knows before a window is shown."""
 
 _IN_DIALOG = QSize(900, 360)
-"""What a dialog may ask for, beside its buttons: it then fits 960 × 540, which is a usual screen at 200 %."""
+"""Largest minimum size of a dialog without its buttons: it fits 960 × 540, a usual screen at 200 %."""
 
 
 Content = TypeVar("Content", bound=QWidget)

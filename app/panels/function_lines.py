@@ -26,7 +26,7 @@ _THINNED = 0.05
 
 
 class Drawing(Enum):
-    """How the functions of a curve are drawn."""
+    """Drawing of the functions of a curve."""
 
     EACH = auto()
     SPANS = auto()

@@ -1,4 +1,4 @@
-"""How well something typed fits a name: whole words, beginnings, or letters in their order."""
+"""Fuzzy match of something typed with a name: whole words, beginnings, or letters in their order."""
 
 from __future__ import annotations
 
@@ -16,11 +16,11 @@ _ALSO_CALLED: Final = {
     "turn": ("rotate",), "settings": ("preferences",), "options": ("preferences",), "hotkeys": ("shortcuts",),
     "print": ("export",), "night": ("dark",), "fullscreen": ("presentation",), "animate": ("play",),
 }  # fmt: skip
-"""What people type, and the words of this program for it."""
+"""Synonyms: words that people type, and those of this program for them."""
 
 
 class Named(NamedTuple):
-    """What can be found: its name, the menus that lead to it, and what it does."""
+    """A command that can be found: name, the menus that lead to it, and words about it."""
 
     name: str
     path: str = ""

@@ -1,4 +1,4 @@
-"""Which groups of a drawing are taken: a tree with a check box for each."""
+"""Tree of the groups of a drawing, with a check box for each."""
 
 from __future__ import annotations
 

@@ -12,6 +12,7 @@ from app.overrides import Guarded
 from app.panels.choice_style import choice_style
 from app.panels.elided_label import ElidedLabel
 from app.panels.number_text import decimal_mark, rounded_text
+from app.panels.tool_buttons import tool_button
 from app.plotting.colours import colours_of
 from app.plotting.drawing import MARGIN, Segments, Stroke, cut_segments
 from app.plotting.pixel_map import PixelMap
@@ -193,11 +194,8 @@ class HodographPanel(Guarded, QWidget):
         self._value.setObjectName("hodographValue")
         self._value.setAccessibleName("Derivative at the scrub line")
         self._value.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
-        self._fit = QToolButton()
-        self._fit.setObjectName("fitHodograph")
-        self._fit.setAutoRaise(True)
-        self._fit.setAccessibleName("Fit the hodograph")
-        self._fit.setToolTip("Show all of the hodograph, and keep it in sight")
+        tip = "Show all of the hodograph, and keep it in sight"
+        self._fit = tool_button("fitHodograph", "Fit the hodograph", tip, flat=True)
         self._fit.clicked.connect(self.plot.fit)
         self._group = QButtonGroup(self)
         header = QHBoxLayout()
@@ -221,13 +219,10 @@ class HodographPanel(Guarded, QWidget):
 
     def _order_button(self, order: int) -> QToolButton:
         symbol, name = _NAMES[order]
-        button = QToolButton()
-        button.setObjectName(f"hodograph{name.capitalize()}")
-        button.setText(symbol)
+        tip = f"Draw the {name} {symbol}(t), from the origin, for all t"
+        button = tool_button(f"hodograph{name.capitalize()}", f"Hodograph of the {name}", tip, text=symbol)
         button.setCheckable(True)
         button.setChecked(order == self.order)
-        button.setAccessibleName(f"Hodograph of the {name}")
-        button.setToolTip(f"Draw the {name} {symbol}(t), from the origin, for all t")
         button.clicked.connect(lambda: self._choose(order))
         self._group.addButton(button)
         return button
@@ -239,7 +234,7 @@ class HodographPanel(Guarded, QWidget):
 
     @property
     def value_text(self) -> str:
-        """What is written about the scrub line."""
+        """Text about the scrub line."""
         return self._value.text()
 
     def show_value(self, t: float | None, value: tuple[float, float] | None) -> None:

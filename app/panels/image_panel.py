@@ -3,27 +3,27 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from functools import partial
 from pathlib import Path
 
-from PySide6.QtCore import QEvent, QSize, Qt, Signal
+from PySide6.QtCore import QEvent, Qt, Signal
 from PySide6.QtGui import QAction
 from PySide6.QtWidgets import (
     QCheckBox,
     QFormLayout,
     QHBoxLayout,
     QSizePolicy,
-    QToolButton,
     QVBoxLayout,
     QWidget,
 )
 
-from app.document.expression import ExpressionError, parse_number
 from app.document.model import ReferenceImage
 from app.labels import Label, tip_of
 from app.overrides import Guarded
-from app.panels.field_edit import FieldEdit
+from app.panels.field_edit import NumberEdit
 from app.panels.live_slider import LiveSlider
 from app.panels.number_text import decimal_mark, rounded_text
+from app.panels.tool_buttons import action_button
 from app.theme import theme_of
 
 STEPS = 100
@@ -59,8 +59,8 @@ class ImagePanel(Guarded, QWidget):
         super().__init__(parent)
         self.setObjectName("imagePanel")
         self._image: ReferenceImage | None = None
-        # The field that was typed in last, and what was typed there.
-        self._entry: tuple[FieldEdit, str] | None = None
+        # The field that was typed in last.
+        self._entry: NumberEdit | None = None
         self._refusal = self._problem_text = ""
         self.x_edit = _number_edit("imageX", "x", "x of the lower left corner")
         self.y_edit = _number_edit("imageY", "y", "y of the lower left corner")
@@ -116,7 +116,8 @@ class ImagePanel(Guarded, QWidget):
 
     def _connect(self) -> None:
         for edit in (self.x_edit, self.y_edit, self.width_edit, self.height_edit):
-            edit.committed.connect(lambda text, edit=edit: self._type_number(edit, text))
+            edit.entered.connect(partial(self._report, edit))
+            edit.refused.connect(partial(self._refuse_text, edit))
             edit.left.connect(self._forget_refusal)
         self.opacity.drag_ended.connect(lambda: self.render_image(self._image))
         self.lock.clicked.connect(self.locked_switched)
@@ -124,13 +125,7 @@ class ImagePanel(Guarded, QWidget):
     def add_buttons(self, actions: Sequence[QAction]) -> None:
         """Offer these actions, too."""
         for action in actions:
-            button = QToolButton()
-            button.setDefaultAction(action)
-            button.setObjectName(f"{action.objectName()}Button")
-            button.setAccessibleName(action.text())
-            button.setIconSize(QSize(16, 16))
-            button.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
-            self._buttons.addWidget(button)
+            self._buttons.addWidget(action_button(action, beside=True))
         self._buttons.addStretch(1)
 
     # Rendering: nothing here writes back
@@ -180,22 +175,11 @@ class ImagePanel(Guarded, QWidget):
 
     # What the person did
 
-    def _type_number(self, edit: FieldEdit, text: str) -> None:
-        image = self._image
+    def _report(self, edit: NumberEdit, value: float) -> None:
+        image, self._entry = self._image, edit
         if image is None:
             return
-        self._entry = edit, text
         self._forget_refusal()
-        try:
-            value = parse_number(text, decimal_mark())
-        except ExpressionError as reason:
-            self.refused.emit(str(reason))
-            self.refuse(str(reason))
-        else:
-            self._report(edit, value, image)
-        self.render_image(self._image)
-
-    def _report(self, edit: FieldEdit, value: float, image: ReferenceImage) -> None:
         if edit is self.x_edit:
             self.corner_edited.emit(value, image.y)
         elif edit is self.y_edit:
@@ -203,16 +187,21 @@ class ImagePanel(Guarded, QWidget):
         else:
             aspect = 1.0 if edit is self.width_edit else image.width / image.height
             self.width_edited.emit(value * aspect)
+        self.render_image(self._image)
+
+    def _refuse_text(self, edit: NumberEdit, reason: str) -> None:
+        self._entry = edit
+        self.refuse(reason)
+        self.refused.emit(reason)
 
     def refuse(self, reason: str) -> None:
         """Say why what was typed last cannot be taken; it stays to be mended while the cursor is there."""
         self._refusal = reason
         if self._entry is not None:
-            edit, typed = self._entry
-            if edit.hasFocus():
-                edit.keep(typed)
+            if self._entry.hasFocus():
+                self._entry.keep()
             else:
-                edit.revert()
+                self._entry.revert()
         self._render_problem()
 
     def _forget_refusal(self) -> None:
@@ -220,8 +209,8 @@ class ImagePanel(Guarded, QWidget):
         self._render_problem()
 
 
-def _number_edit(name: str, label: str, what: str) -> FieldEdit:
-    return FieldEdit(name, f"{label} of the image", f"{what} (a number or an expression, Enter to set)")
+def _number_edit(name: str, label: str, what: str) -> NumberEdit:
+    return NumberEdit(name, f"{label} of the image", f"{what} (a number or an expression, Enter to set)")
 
 
 def _opacity_slider() -> LiveSlider:

@@ -1,4 +1,4 @@
-"""What a drawing or a document holds, before its curves come in."""
+"""Import dialog for drawings and documents: their content, before its curves come in."""
 
 from __future__ import annotations
 

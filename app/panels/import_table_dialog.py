@@ -185,7 +185,7 @@ class ImportTableDialog(WorkDialog):
         try:
             self._tolerance = _distance(text)
         except ExpressionError as reason:
-            self.tolerance_edit.keep(text)
+            self.tolerance_edit.keep()
             self._show(Prepared(problem=str(reason)))
             return
         self._prepare()

@@ -1,12 +1,12 @@
-"""How far long work has come, and a button to take it back."""
+"""Progress of long work, and a button to take it back."""
 
 from __future__ import annotations
 
-from PySide6.QtCore import QSize, Qt
 from PySide6.QtGui import QAction
-from PySide6.QtWidgets import QHBoxLayout, QProgressBar, QToolButton, QWidget
+from PySide6.QtWidgets import QHBoxLayout, QProgressBar, QWidget
 
 from app.labels import Label
+from app.panels.tool_buttons import tool_button
 
 _STEPS = 1000
 
@@ -26,16 +26,10 @@ class JobBar(QWidget):
         self.bar.setRange(0, _STEPS)
         self.bar.setTextVisible(False)
         self.bar.setFixedSize(120, 8)
-        self.button = QToolButton()
-        self.button.setObjectName("cancelJobButton")
-        self.button.setText("Stop")
-        self.button.setAccessibleName(cancel.text())
-        self.button.setToolTip(cancel.toolTip())
-        self.button.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
+        words = cancel.text(), cancel.toolTip()
+        self.button = tool_button("cancelJobButton", *words, text="Stop", icon_size=14, flat=True)
         self.button.clicked.connect(cancel.trigger)
         self._cancel = cancel
-        self.button.setIconSize(QSize(14, 14))
-        self.button.setAutoRaise(True)
         # No higher than the labels beside it: the drawing must not move when the line appears.
         self.button.setFixedHeight(self.fontMetrics().height() + 4)
         layout = QHBoxLayout(self)
@@ -48,7 +42,7 @@ class JobBar(QWidget):
 
     @property
     def text(self) -> str:
-        """What is said of the work."""
+        """Words about the work."""
         return self._word.text()
 
     def begin(self, title: str) -> None:

@@ -11,7 +11,6 @@ from PySide6.QtWidgets import (
     QHBoxLayout,
     QHeaderView,
     QTableView,
-    QToolButton,
     QVBoxLayout,
     QWidget,
 )
@@ -20,6 +19,7 @@ from app.labels import Label
 from app.overrides import Guarded
 from app.panels.joints_model import JointsModel
 from app.panels.number_text import decimal_mark, rounded_text
+from app.panels.tool_buttons import action_button
 from app.theme import theme_of
 from app.view_model.analysis.joints import Certificate, JointRow, Kind
 
@@ -125,12 +125,7 @@ class JointsPanel(Guarded, QWidget):
         self._detail.setAlignment(Qt.AlignmentFlag.AlignTop | Qt.AlignmentFlag.AlignLeft)
         # It keeps its height, whatever it says.
         self._detail.setMinimumHeight(self.fontMetrics().lineSpacing() * _DETAIL_LINES)
-        button = QToolButton()
-        button.setObjectName("copyJointsButton")
-        button.setDefaultAction(copy)
-        button.setAutoRaise(True)
-        button.setAccessibleName(copy.text())
-        self._copy = button
+        self._copy = action_button(copy, name="copyJoints", icon_size=0, flat=True)
         self._lay_out()
         self._render_theme()
         self.view.visited.connect(lambda row: self.visited.emit(self._model.rows[row]))
@@ -163,7 +158,7 @@ class JointsPanel(Guarded, QWidget):
 
     @property
     def rows(self) -> list[JointRow]:
-        """What the table shows."""
+        """Rows of the table."""
         return list(self._model.rows)
 
     def render_certificate(self, certificate: Certificate) -> None:

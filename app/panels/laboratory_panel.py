@@ -19,11 +19,11 @@ from PySide6.QtWidgets import (
 )
 
 from app.analysis import Analysis
-from app.document.expression import ExpressionError, parse_number
+from app.document.expression import ExpressionError
 from app.labels import Label
 from app.panels.cost_panel import CostPanel
 from app.panels.digits_table import DigitsTable
-from app.panels.field_edit import FieldEdit
+from app.panels.field_edit import NumberEdit, read_number
 from app.panels.fitting import Scrolled
 from app.panels.method_table import MethodTable
 from app.panels.number_text import decimal_mark, exact_text
@@ -42,7 +42,7 @@ from app.view_model.curve_view import CurveView
 
 _LARGEST_SHIFT = 1e9
 _PAGE = QSize(2000, 72)
-"""What a page may ask for: all of its width."""
+"""Largest minimum size of a page: all of its width."""
 
 
 class LaboratoryPanel(QTabWidget):
@@ -69,7 +69,9 @@ class LaboratoryPanel(QTabWidget):
         self.rounding, self.shift_button, self.shift_field = (
             self._make_rounding(),
             self._make_shift_button(),
-            FieldEdit("shiftField", "Shift t by", "What is added to every t, for the experiment only"),
+            NumberEdit(
+                "shiftField", "Shift t by", "What is added to every t, for the experiment only", _shift_of
+            ),
         )
         self.words, self.note, self.state = (
             _label("laboratoryWords"), _label("laboratoryNote"), _label("laboratoryState", wraps=False)
@@ -180,7 +182,8 @@ class LaboratoryPanel(QTabWidget):
         self.what.activated.connect(lambda row: self._change(rounding=list(Rounding)[row]))
         self.rounding.activated.connect(lambda row: self._change(decimals=row - 1 if row else None))
         self.shift_button.clicked.connect(self._toggle_shift)
-        self.shift_field.committed.connect(self._type_shift)
+        self.shift_field.entered.connect(self._set_shift)
+        self.shift_field.refused.connect(self._refuse_shift)
         self.table.chosen.connect(self._choose_methods)
         self.currentChanged.connect(lambda page: self.cost_shown.emit() if page == 1 else None)
         self._analysis.changed.connect(self._render_settings)
@@ -198,21 +201,13 @@ class LaboratoryPanel(QTabWidget):
         self._change(shift=0.0 if self._settings.shift else USUAL_SHIFT)
         self._render_settings()
 
-    def _type_shift(self, text: str) -> None:
-        try:
-            shift = parse_number(text, decimal_mark())
-        except ExpressionError as reason:
-            self.note.setText(str(reason))
-            self.note.show()
-            self.shift_field.keep(text)
-            return
-        if abs(shift) > _LARGEST_SHIFT:
-            self.note.setText("A shift must lie between −1e9 and 1e9.")
-            self.note.show()
-            self.shift_field.keep(text)
-            return
+    def _set_shift(self, shift: float) -> None:
         self.shift_field.revert()
         self._change(shift=shift)
+
+    def _refuse_shift(self, reason: str) -> None:
+        self.note.setText(reason)
+        self.note.show()
 
     def _choose_methods(self, chosen: frozenset[Calculation]) -> None:
         # The methods of other families stay as they were chosen.
@@ -280,3 +275,11 @@ class _Page(Scrolled[QWidget]):
 
     def minimumSizeHint(self) -> QSize:
         return super().minimumSizeHint() + QSize(self.verticalScrollBar().sizeHint().width(), 0)
+
+
+def _shift_of(text: str) -> float:
+    """Return the shift that was typed."""
+    shift = read_number(text)
+    if abs(shift) > _LARGEST_SHIFT:
+        raise ExpressionError("A shift must lie between −1e9 and 1e9.")
+    return shift

@@ -10,7 +10,7 @@ from PySide6.QtWidgets import QApplication, QDockWidget, QMainWindow, QWidget
 from app.panels.fitting import Scrolled
 
 IN_DOCK = QSize(350, 96)
-"""What the content of a dock may ask for: two of them, one on the other, fit a small screen with the bars."""
+"""Largest minimum size of the content of a dock: two of them, one on the other, fit a small screen."""
 
 
 class LateDock(QDockWidget):

@@ -59,7 +59,7 @@ class LogPlot(PlotWidget):
 
     @property
     def lines(self) -> list[LogLine]:
-        """What is drawn."""
+        """Lines that are drawn."""
         return [line for _, line in self._lines]
 
     def render_lines(self, lines: Sequence[LogLine], marker: float) -> None:

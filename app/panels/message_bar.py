@@ -4,11 +4,12 @@ from __future__ import annotations
 
 from PySide6.QtCore import QEvent, QObject, QSize, Qt, Signal
 from PySide6.QtGui import QAction
-from PySide6.QtWidgets import QFrame, QHBoxLayout, QSizePolicy, QToolButton, QWidget
+from PySide6.QtWidgets import QFrame, QHBoxLayout, QSizePolicy, QWidget
 
 from app.icons import icon
 from app.labels import Label
 from app.overrides import Guarded
+from app.panels.tool_buttons import tool_button
 from app.theme import LIGHT, Theme, mix
 
 _TOP, _SIDE, _WIDEST = 10, 56, 720
@@ -40,18 +41,12 @@ class MessageBar(Guarded, QFrame):
         self._text.setObjectName("messageText")
         self._text.setWordWrap(True)
         self._text.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Preferred)
-        self._close = QToolButton()
-        self._close.setObjectName("closeMessage")
-        self._close.setAutoRaise(True)
-        self._close.setToolTip("Put this message away")
-        self._close.setAccessibleName("Put this message away")
+        words = "Put this message away"
+        self._close = tool_button("closeMessage", words, words, flat=True)
         self._close.clicked.connect(self._put_away)
-        self._offer = QToolButton()
-        self._offer.setObjectName("offeredAction")
-        self._offer.setAccessibleName("What can be done about it")
-        self._offer.setToolTip("What can be done about it")
+        words = "What can be done about it"
+        self._offer = tool_button("offeredAction", words, words, icon_size=14)
         self._offer.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
-        self._offer.setIconSize(QSize(14, 14))
         self._offer.hide()
         for button in (self._close, self._offer):
             # A pointer that moves on a button moves over nothing below it.
@@ -70,7 +65,7 @@ class MessageBar(Guarded, QFrame):
 
     @property
     def _below(self) -> QWidget:
-        """What it lies on, asked for anew: for PySide6 a viewport that was kept was once gone."""
+        """Parent widget, asked for anew: for PySide6 a viewport that was kept was once gone."""
         below = self.parentWidget()
         assert below is not None
         return below

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 
-from PySide6.QtCore import QSize, QTimer, Signal
+from PySide6.QtCore import QTimer, Signal
 from PySide6.QtGui import QAction
 from PySide6.QtWidgets import (
     QComboBox,
@@ -18,6 +18,7 @@ from PySide6.QtWidgets import (
 from app.icons import icon
 from app.mnemonics import plain
 from app.panels.elided_label import ElidedLabel
+from app.panels.tool_buttons import ICON, action_button, tool_button
 from app.theme import Theme
 from app.view_model.motion_picture import Dot, Role, short
 from app.view_model.motion_settings import SPEEDS, MotionSettings, Pace, Repeat
@@ -64,23 +65,12 @@ class MotionBar(QWidget):
     def _play_button(self) -> QToolButton:
         """Return a button with an icon of its own: it tells what a press would do."""
         action = self._actions("playMotion")
-        button = QToolButton()
-        button.setObjectName("playPauseButton")
-        button.setAutoRaise(True)
-        button.setIconSize(QSize(16, 16))
-        button.setToolTip(action.toolTip())
+        button = tool_button("playPauseButton", "", action.toolTip(), icon_size=ICON, flat=True)
         button.clicked.connect(action.trigger)
         return button
 
     def _button(self, action_name: str, name: str) -> QToolButton:
-        action = self._actions(action_name)
-        button = QToolButton()
-        button.setObjectName(f"{name}Button")
-        button.setDefaultAction(action)
-        button.setAutoRaise(True)
-        button.setIconSize(QSize(16, 16))
-        button.setAccessibleName(action.text())
-        return button
+        return action_button(self._actions(action_name), name=name, flat=True)
 
     def _action_box(self, name: str, label: str, actions: Sequence[str]) -> QComboBox:
         box = _box(name, label, label)
@@ -113,12 +103,12 @@ class MotionBar(QWidget):
 
     @property
     def readout(self) -> str:
-        """Where the dot is, and how fast."""
+        """Place and speed of the dot."""
         return self._next
 
     @property
     def words(self) -> str:
-        """What is said about the jumps; empty while nothing is compared."""
+        """Words about the jumps; empty while nothing is compared."""
         return "" if self._words.isHidden() else self._words.text()
 
     def show_settings(self, settings: MotionSettings, theme: Theme, *, playing: bool) -> None:

@@ -1,4 +1,4 @@
-"""How a motion is written: format, size and length."""
+"""Dialog for the export of a motion: format, size and length."""
 
 from __future__ import annotations
 

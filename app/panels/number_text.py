@@ -13,7 +13,7 @@ NOTHING = "–"
 """Stands where there is no number."""
 
 NEGLIGIBLE = 1e-12
-"""What is smaller than this share of the greatest number beside it is a rounding residue, shown as 0."""
+"""Share of the greatest number beside it below which a number is a rounding residue, shown as 0."""
 
 _WHOLE_DIGITS = 4
 
@@ -60,14 +60,14 @@ class Extent(msgspec.Struct, frozen=True):
 
 
 class ColumnNumbers(msgspec.Struct, frozen=True):
-    """What is known of the numbers in a column: the greatest magnitude, 0 where there is none, and extent."""
+    """Greatest magnitude of the numbers in a column, 0 where there is none, and their extent."""
 
     greatest: float
     extent: Extent
 
     @property
     def negligible(self) -> float:
-        """What is smaller is shown as 0."""
+        """Magnitude below which a number is shown as 0."""
         return NEGLIGIBLE * self.greatest
 
 

@@ -60,12 +60,12 @@ class PlotCanvas(ToolPlot):
 
     @property
     def plots(self) -> Sequence[PlotData]:
-        """What is plotted, from the top down."""
+        """Plots that are shown, from the top down."""
         return self._lines.plots
 
     @property
     def note(self) -> str:
-        """What is said in place of plots."""
+        """Sentence in place of plots."""
         return self._lines.note
 
     @property

@@ -1,4 +1,4 @@
-"""What the plot panel draws: plots below each other, and the scrub line through all of them."""
+"""Layers of the plot panel: plots below each other, and the scrub line through all of them."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ _WIDTH = 1.5
 
 @dataclass(frozen=True)
 class Band:
-    """Where one of the plots stands, in pixels: its title above, its foot below."""
+    """Band of one of the plots, in pixels: its title above, its foot below."""
 
     top: float
     head: float

@@ -10,10 +10,12 @@ from PySide6.QtWidgets import QHBoxLayout, QSizePolicy, QToolButton, QVBoxLayout
 
 from app.icons import icon
 from app.overrides import Guarded
+from app.panels.action_switch import mirror
 from app.panels.choice_style import choice_style
 from app.panels.elided_label import ElidedLabel
 from app.panels.number_text import decimal_mark, rounded_text
 from app.panels.plot_canvas import PlotCanvas
+from app.panels.tool_buttons import tool_button
 from app.theme import theme_of
 
 _HEIGHT_A_PLOT = 64
@@ -42,11 +44,7 @@ class PlotPane(Guarded, QWidget):
         self._values.setAccessibleName("Values at the scrub line")
         self._values.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
         self._values.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
-        self._close = QToolButton()
-        self._close.setObjectName("closePlots")
-        self._close.setAutoRaise(True)
-        self._close.setAccessibleName("Close the plots")
-        self._close.setToolTip("Put all plots away")
+        self._close = tool_button("closePlots", "Close the plots", "Put all plots away", flat=True)
         self._close.clicked.connect(self.close_asked)
         self._choices = QWidget()
         row = QHBoxLayout(self._choices)
@@ -70,7 +68,7 @@ class PlotPane(Guarded, QWidget):
 
     @property
     def values_text(self) -> str:
-        """What is written about the scrub line."""
+        """Text about the scrub line."""
         return self._values.text()
 
     def show_values(self, t: float | None, values: Mapping[str, float]) -> None:
@@ -103,14 +101,6 @@ class PlotPane(Guarded, QWidget):
 
 
 def _choice(symbol: str, action: QAction) -> QToolButton:
-    button = QToolButton()
-    button.setObjectName(f"{action.objectName()}Choice")
-    button.setText(symbol)
-    button.setCheckable(action.isCheckable())
-    button.setChecked(action.isChecked())
-    button.setAccessibleName(action.text())
-    button.setToolTip(action.toolTip())
-    button.clicked.connect(action.trigger)
-    if action.isCheckable():
-        action.toggled.connect(button.setChecked)
+    button = tool_button(f"{action.objectName()}Choice", action.text(), action.toolTip(), text=symbol)
+    mirror(button, action)
     return button

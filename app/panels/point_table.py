@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable
 
 import numpy as np
-from PySide6.QtCore import QSize, Qt, QTimer, Signal
+from PySide6.QtCore import Qt, QTimer, Signal
 from PySide6.QtGui import QAction, QGuiApplication, QKeySequence, QShowEvent
-from PySide6.QtWidgets import QApplication, QHBoxLayout, QToolButton, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QApplication, QHBoxLayout, QVBoxLayout, QWidget
 
 from app.document.edits import EditError
 from app.document.words import count_of
@@ -20,6 +20,7 @@ from app.panels.point_columns import POSITION, Column, known_titles
 from app.panels.point_table_edits import explicit_orders, keeping_sentence
 from app.panels.point_table_model import PointTableModel
 from app.panels.point_table_view import PointTableView
+from app.panels.tool_buttons import ICON, tool_button
 from app.theme import Theme, theme_of
 from app.view_model.curve_view import CurveView
 
@@ -77,7 +78,14 @@ class PointTable(Guarded, QWidget):
         self._message.hide()
         self._legend = Label("<i>Italic</i>: estimated", is_html=True)
         self._legend.setObjectName("pointTableLegend")
-        self._reset_button = self._make_reset_button()
+        self._reset_button = tool_button(
+            "resetToEstimated",
+            "Reset to estimated",
+            "Let the rules estimate the selected velocities and accelerations again (Del)",
+            text="Reset to estimated",
+            icon_size=ICON,
+            flat=True,
+        )
         self._timer = QTimer(self, singleShot=True, interval=INTERVAL_MS)
         self._add_actions()
         self._lay_out()
@@ -85,17 +93,6 @@ class PointTable(Guarded, QWidget):
         self.set_theme(theme_of(self.palette()))
 
     # Building
-
-    def _make_reset_button(self) -> QToolButton:
-        button = QToolButton()
-        button.setObjectName("resetToEstimated")
-        button.setText("Reset to estimated")
-        button.setAccessibleName("Reset to estimated")
-        button.setToolTip("Let the rules estimate the selected velocities and accelerations again (Del)")
-        button.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
-        button.setIconSize(QSize(16, 16))
-        button.setAutoRaise(True)
-        return button
 
     def _add_actions(self) -> None:
         self._copy = self._action("copyCells", "Copy", "Copy the selected cells", self.copy)

@@ -1,4 +1,4 @@
-"""How a cell of the point table is drawn and edited."""
+"""Delegate of the point table: drawing and editing of a cell."""
 
 from __future__ import annotations
 
@@ -63,7 +63,7 @@ _PASSING = (Qt.FocusReason.ActiveWindowFocusReason, Qt.FocusReason.PopupFocusRea
 
 
 class ColumnFormat(msgspec.Struct, frozen=True):
-    """How the numbers of one column are written: all alike, so that they can be compared at a glance."""
+    """Format of the numbers of one column: all alike, so that they can be compared at a glance."""
 
     digits: int
     decimals: int

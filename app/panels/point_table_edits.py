@@ -1,4 +1,4 @@
-"""What typing, pasting and resetting in the point table make of the document. No Qt."""
+"""Edits of the document by filling, pasting and resetting in the point table. No Qt."""
 
 from __future__ import annotations
 

@@ -41,7 +41,7 @@ _RIGHT = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
 
 
 class TableValues(msgspec.Struct, frozen=True):
-    """What the table shows: numbers (n, columns), NaN where there is none, and which are estimated."""
+    """Values of the table: numbers (n, columns), NaN where there is none, and which are estimated."""
 
     values: Floats
     estimated: np.ndarray
@@ -114,7 +114,7 @@ class PointTableModel(Guarded, QAbstractTableModel):
 
     @property
     def numbers_of_columns(self) -> list[ColumnNumbers]:
-        """What is known of the numbers in each column; found once for all that are shown."""
+        """Magnitudes of the numbers in each column; found once for all that are shown."""
         if self._numbers is None or self._numbers[0] is not self._shown:
             self._numbers = self._shown, numbers_of_columns(self.values)
         return self._numbers[1]

@@ -15,10 +15,10 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from app.document.expression import ExpressionError, parse_number
+from app.document.expression import ExpressionError
 from app.keymap import Keymap
 from app.labels import Label
-from app.panels.field_edit import FieldEdit
+from app.panels.field_edit import NumberEdit, read_number
 from app.panels.fitting import FittedDialog
 from app.panels.number_text import decimal_mark, exact_text
 from app.panels.shortcut_editor import ShortcutEditor
@@ -57,8 +57,11 @@ class PreferencesDialog(FittedDialog):
         self._unit_edit.setMaxLength(LONGEST_UNIT)
         self.unit_box.setEditable(True)
         self.unit_box.setLineEdit(self._unit_edit)
-        self.grid_edit = FieldEdit(
-            "gridSpacing", "Grid spacing", "“adaptive”, or a distance in the plane (Enter to set)"
+        self.grid_edit = NumberEdit(
+            "gridSpacing",
+            "Grid spacing",
+            "“adaptive”, or a distance in the plane (Enter to set)",
+            _spacing_of,
         )
         self.snap_checks = {kind: _check(kind, kind.label) for kind in SnapKind}
         self._problem = Label()
@@ -105,7 +108,8 @@ class PreferencesDialog(FittedDialog):
         self.theme_box.activated.connect(lambda row: self.theme_chosen.emit(list(ThemeMode)[row]))
         self.unit_box.textActivated.connect(self._choose_unit)
         self._unit_edit.editingFinished.connect(lambda: self._choose_unit(self._unit_edit.text()))
-        self.grid_edit.committed.connect(self._choose_grid)
+        self.grid_edit.entered.connect(self._choose_grid)
+        self.grid_edit.refused.connect(self._complain)
         self.grid_edit.left.connect(lambda: self._complain(""))
         for check in self.snap_checks.values():
             check.clicked.connect(self._choose_snaps)
@@ -138,13 +142,7 @@ class PreferencesDialog(FittedDialog):
             self._preferences.unit_name = name
             self.changed.emit()
 
-    def _choose_grid(self, text: str) -> None:
-        try:
-            spacing = _spacing_of(text)
-        except ExpressionError as reason:
-            self._complain(str(reason))
-            self.grid_edit.keep(text)
-            return
+    def _choose_grid(self, spacing: float) -> None:
         self._complain("")
         self._preferences.grid_spacing = spacing
         self.show_values()
@@ -169,7 +167,7 @@ def _spacing_of(text: str) -> float:
     """Return the spacing that was typed, 0 for one that adapts."""
     if text.strip().casefold() in ("", _ADAPTIVE):
         return 0.0
-    spacing = parse_number(text, decimal_mark())
+    spacing = read_number(text)
     if not spacing > 0:
         raise ExpressionError("The grid needs a distance greater than 0, or “adaptive”.")
     return spacing

@@ -14,7 +14,6 @@ from PySide6.QtWidgets import (
     QHBoxLayout,
     QPushButton,
     QScrollArea,
-    QToolButton,
     QVBoxLayout,
     QWidget,
 )
@@ -26,6 +25,7 @@ from app.labels import Label, tip_of
 from app.overrides import Guarded
 from app.panels.elided_label import ElidedLabel
 from app.panels.thumbnail import thumbnail
+from app.panels.tool_buttons import tool_button
 from app.theme import mix, theme_of
 
 _WIDEST, _SIDE, _BELOW = 640, 40, 44
@@ -85,11 +85,8 @@ class RecoveryBar(Guarded, QFrame):
         self._note.setObjectName("recoveryNote")
         for label in (self._title, self._note):
             label.setWordWrap(True)
-        self._close = QToolButton()
-        self._close.setObjectName("closeRecovery")
-        self._close.setAutoRaise(True)
-        self._close.setToolTip("Decide later; the next start asks again")
-        self._close.setAccessibleName("Decide later")
+        tip = "Decide later; the next start asks again"
+        self._close = tool_button("closeRecovery", "Decide later", tip, flat=True)
         self._close.clicked.connect(self.closed)
         self._rows = QScrollArea()
         self._rows.setObjectName("recoveryRows")

@@ -1,11 +1,11 @@
-"""What keys and mouse do, as a sheet over the drawing: first what applies now, then the rest."""
+"""Shortcut sheet over the drawing: keys and mouse, first what applies now, then the rest."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 
 import msgspec
-from PySide6.QtCore import QEvent, QMargins, QObject, QSize, Qt
+from PySide6.QtCore import QEvent, QMargins, QObject, Qt
 from PySide6.QtGui import QKeyEvent, QMouseEvent
 from PySide6.QtWidgets import (
     QApplication,
@@ -22,6 +22,7 @@ from PySide6.QtWidgets import (
 from app.icons import icon
 from app.labels import Label, html_of
 from app.overrides import Guarded
+from app.panels.tool_buttons import ICON, tool_button
 from app.theme import mix, theme_of
 
 Rows = Sequence[tuple[str, str]]
@@ -29,7 +30,7 @@ _WIDEST, _MARGIN, _KEYS_WIDTH = 560, 24, 190
 
 
 class Moment(msgspec.Struct, frozen=True):
-    """What the sheet must know to say what applies now.
+    """Situation by which the sheet tells what applies now.
 
     Attributes
     ----------
@@ -55,7 +56,7 @@ class Moment(msgspec.Struct, frozen=True):
 
     @property
     def title(self) -> str:
-        """What is going on, as a heading."""
+        """Heading for the situation."""
         if self.adding:
             return "Now: adding points"
         if self.has_curves:
@@ -191,12 +192,8 @@ class ShortcutSheet(Guarded, QFrame):
         self.hide()
 
     def _make_close_button(self) -> QToolButton:
-        button = QToolButton()
-        button.setObjectName("closeShortcuts")
-        button.setAccessibleName("Put the sheet away")
-        button.setToolTip("Put the sheet away (Esc)")
-        button.setAutoRaise(True)
-        button.setIconSize(QSize(16, 16))
+        words = "Put the sheet away"
+        button = tool_button("closeShortcuts", words, f"{words} (Esc)", icon_size=ICON, flat=True)
         button.clicked.connect(self.put_away)
         return button
 

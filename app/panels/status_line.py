@@ -13,7 +13,7 @@ from app.theme import theme_of
 
 _SAID_MS = 6000
 _READ_MS = 1500
-"""How long a sentence stays in any case, before a new hint may take its place."""
+"""Least time that a sentence stays before a new hint may take its place."""
 
 _LEBESGUE_TIP = (
     "Lebesgue constant: how much errors in the points can grow on the curve, "
@@ -75,7 +75,7 @@ class StatusLine(QStatusBar):
 
     @property
     def hint(self) -> str:
-        """What a press at the pointer would do, whatever has been said since."""
+        """Hint about a press at the pointer, whatever has been said since."""
         return self._hint
 
     def _render(self) -> None:

@@ -42,7 +42,7 @@ class TeachingBadge(Guarded, QToolButton):
 
     @property
     def sentence(self) -> str:
-        """What the badge means; empty while it is hidden."""
+        """Meaning of the badge; empty while it is hidden."""
         return "" if self.isHidden() else self._popup.sentence.text()
 
     def render_warning(self, warned: Warned | None) -> None:

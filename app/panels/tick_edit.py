@@ -6,7 +6,6 @@ from PySide6.QtCore import QEvent, QPointF, Qt, Signal
 from PySide6.QtGui import QFocusEvent, QKeyEvent
 from PySide6.QtWidgets import QFrame, QLineEdit, QVBoxLayout, QWidget
 
-from app.document.edits import EditError
 from app.document.expression import ExpressionError, parse_number
 from app.labels import Label
 from app.overrides import Guarded
@@ -58,9 +57,6 @@ class TickEdit(Guarded, QFrame):
         self.line.setText(exact_text(t, decimal_mark()))
         self.line.selectAll()
         self.refuse("")
-        self.show()
-        self.raise_()
-        self.line.setFocus(Qt.FocusReason.PopupFocusReason)
 
     def confirm(self) -> None:
         """Read what was typed and report it."""
@@ -72,11 +68,14 @@ class TickEdit(Guarded, QFrame):
         self.refuse("")
         self.typed.emit(self._knot, t)
 
-    def refuse(self, reason: str | EditError) -> None:
-        """Say why the number cannot be set."""
-        self._reason.setText(str(reason))
-        self._reason.setVisible(bool(str(reason)))
+    def refuse(self, reason: str) -> None:
+        """Say why the number cannot be set; it stays to be mended."""
+        self._reason.setText(reason)
+        self._reason.setVisible(bool(reason))
         self._place()
+        self.show()
+        self.raise_()
+        self.line.setFocus(Qt.FocusReason.PopupFocusReason)
 
     def close_and_return(self) -> None:
         """Put the line away and give the focus to the panel."""

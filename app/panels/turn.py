@@ -1,4 +1,4 @@
-"""Which of several files is being asked about; light, for the window's start."""
+"""Place of a file among several that are asked about; light, for the window's start."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 @dataclass(frozen=True)
 class Turn:
-    """Which file of how many is being asked about.
+    """Place of a file among several that are asked about.
 
     Attributes
     ----------

@@ -66,7 +66,7 @@ class CureButton(Guarded, QPushButton):
 
 
 class WigglePanel(QScrollArea):
-    """What the curve does at one t, and cures to try.
+    """Explanation of the curve at one t, and cures to try.
 
     Signals
     -------

@@ -92,7 +92,7 @@ class Editor(InputDriver):
     def _discard_changes(self) -> None:
         # Else closing asks whether to save, and the test run waits for an answer.
         self.window.asks_before_closing = False
-        self.session.give_up_changes()
+        self.session.files.give_up_changes()
 
     # What is there
 
@@ -151,7 +151,7 @@ class Editor(InputDriver):
 
     def new(self) -> None:
         """Start an empty document with the view from (−0.5, −0.5) on, adding points."""
-        self.session.give_up_changes()
+        self.session.files.give_up_changes()
         self.trigger("newDocument")
 
     def trigger(self, name: str) -> None:

@@ -24,9 +24,18 @@ class EditingHost(Protocol):
     """Document, selection and messages of a session, as the tools use them."""
 
     active_index: int
-    selection: frozenset[int]
-    chosen_curves: frozenset[int]
-    scrub: float | None
+
+    @property
+    def selection(self) -> frozenset[int]:
+        """Indices of the selected points."""
+
+    @property
+    def chosen_curves(self) -> frozenset[int]:
+        """Indices of the curves that are worked on together."""
+
+    @property
+    def scrub(self) -> float | None:
+        """The t of the scrub line, or None."""
 
     @property
     def document(self) -> Document:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 
-from app.document.edits import freeze_parameters, set_parameter
+from app.document.edits import freeze_parameters
 from app.document.model import Vector
 from app.tools.drag_machine import CANCELLED, THRESHOLD, EditingHost
 from app.tools.pointer import Cursor, Hint, Hit, Part, Pointer
@@ -135,19 +135,6 @@ class RailTool(ScrubTool):
             return Hint(_tick_hint(hit.index, context.host.selection), cursor=Cursor.WIDER)
         kind = ("basis function", "velocity function", "acceleration function")[hit.kind]
         return Hint(f"The {kind} of point {hit.index} · Click to select the point")
-
-
-def select_tick(host: EditingHost, node: int) -> None:
-    """Select a tick, unless it is among those selected already."""
-    if node not in host.selection:
-        host.select([node])
-
-
-def set_tick(host: EditingHost, knot: int, t: float) -> None:
-    """Give one tick a parameter that was typed; raise `EditError` where the order forbids it."""
-    parameters = host.active_view.parameters.tolist()
-    document = set_parameter(host.document, host.active_index, knot, t, parameters)
-    host.commit(document, f"Change t of point {host.active_view.owner(knot)}")
 
 
 def _click(context: ToolContext, hit: Hit, before: frozenset[int]) -> None:

@@ -13,9 +13,9 @@ import numpy as np
 import numpy.typing as npt
 
 from curvecore import Curve as CoreCurve
-from curvecore.bernstein_algebra import weights
-from curvecore.lengths import ArcLength, Length, arc_lengths
-from curvecore.pieces import BezierPieces, alike
+from curvecore.analysis.lengths import ArcLength, Length, arc_lengths
+from curvecore.bezier.bernstein_algebra import weights
+from curvecore.bezier.pieces import BezierPieces, alike
 from curvecore.scaling import scale_by_power
 
 Floats = npt.NDArray[np.float64]

@@ -11,7 +11,7 @@ import numpy as np
 
 from app.families import Family
 from app.view_model.curve_view import CoreCurve, CurveView, Floats, Integers
-from curvecore.moved_parameters import MovedParameters
+from curvecore.drag.moved_parameters import MovedParameters
 
 SAMPLES = 400
 """Samples over the domain; one per two or three pixels of a wide panel."""

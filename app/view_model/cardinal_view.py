@@ -8,7 +8,7 @@ import numpy as np
 
 from app.view_model.basis_view import BasisView, segment_samples
 from app.view_model.curve_view import CoreCurve, CurveView, Floats
-from curvecore.cardinal import CardinalBasis
+from curvecore.analysis.cardinal import CardinalBasis
 
 _MOST_EACH = 64
 """Points up to which every function is sampled; of more, the least and the greatest at each t."""

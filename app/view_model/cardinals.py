@@ -14,7 +14,7 @@ from app.view_model.jets import moved_with_points
 from app.view_model.node_arrays import Flags, NodeArrays
 from curvecore import Curve as CoreCurve
 from curvecore import CurveError, lebesgue_constant
-from curvecore.cardinal import CardinalBasis
+from curvecore.analysis.cardinal import CardinalBasis
 
 Floats = npt.NDArray[np.float64]
 

@@ -15,8 +15,8 @@ import numpy as np
 from app.view_model.basis_view import BasisView
 from app.view_model.curve_view import CurveView, Floats
 from curvecore import lebesgue_constant
+from curvecore.analysis.stability import lebesgue_constants
 from curvecore.scaling import LARGEST
-from curvecore.stability import lebesgue_constants
 
 
 def growth_at(view: CurveView, t: Floats) -> Floats:

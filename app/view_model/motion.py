@@ -12,7 +12,7 @@ import numpy as np
 from app.view_model.arc_lengths import arc_lengths_of
 from app.view_model.curve_view import CoreCurve, Floats, Integers
 from app.view_model.motion_settings import Pace, Repeat
-from curvecore.lengths import ArcLength
+from curvecore.analysis.lengths import ArcLength
 
 ACCURACY = 1e-6
 """Error allowed in arc lengths, against the whole length: below a pixel."""

@@ -14,7 +14,7 @@ from app.families import HERMITE, QUINTIC_HERMITE
 from app.view_model.curve_view import CurveView, Floats, view_of
 from app.view_model.motion import STATIONS, Course, Moments, folded, round_of, runs_back
 from app.view_model.motion_settings import Repeat
-from curvecore.continuity import joint_report
+from curvecore.analysis.continuity import joint_report
 
 TRAIL = 24
 """Dots of a trail."""

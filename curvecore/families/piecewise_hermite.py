@@ -16,7 +16,7 @@ from curvecore.arrays import (
     read_only,
     unit_values,
 )
-from curvecore.bernstein import bernstein_weights, control_points, evaluate_inside, weighted_columns
+from curvecore.bezier.bernstein import bernstein_weights, control_points, evaluate_inside, weighted_columns
 from curvecore.families.curve import Curve, Interpolant, LocalBasis, Slopes
 from curvecore.families.hermite_basis import LeftFunctions, local_coordinates
 from curvecore.families.hermite_ends import next_derivative, slopes_of

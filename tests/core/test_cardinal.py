@@ -32,7 +32,7 @@ from curvecore import (
     worst_case_band,
     zero_accelerations,
 )
-from curvecore.stability import lebesgue_constants
+from curvecore.analysis.stability import lebesgue_constants
 
 # Two groups of near points and a long way between them, those of the lesson on chord length.
 UNEVEN = np.array([(0.0, 0.0), (0.5, 0.1), (1.0, 0.0), (5.0, 2.2), (5.4, 2.2), (5.8, 2.0), (6.2, 2.1)])

@@ -21,8 +21,8 @@ from curvecore import (
     speed,
     uniform,
 )
-from curvecore.geometry import bounding_boxes, pieces_of
-from curvecore.lengths import arc_lengths
+from curvecore.analysis.geometry import bounding_boxes, pieces_of
+from curvecore.analysis.lengths import arc_lengths
 
 FAMILIES = ["lagrange", "hermite", "quintic_hermite"]
 every_family = pytest.mark.parametrize("name", FAMILIES)

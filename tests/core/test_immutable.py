@@ -20,7 +20,7 @@ from curvecore import (
     round_data,
     uniform,
 )
-from curvecore.nearest_point import NearestWithin
+from curvecore.analysis.nearest_point import NearestWithin
 
 POINTS = np.array([[0.0, 0.0], [1.0, 2.0], [3.0, 1.0], [4.0, 4.0]])
 LINE = HermiteCurve(POINTS[:2], POINTS[1:3], [0, 1])

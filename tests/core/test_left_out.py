@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from curvecore import LagrangeCurve, chebyshev, uniform
-from curvecore.left_out import LeftOut
+from curvecore.drag.left_out import LeftOut
 
 U = 2.0**-53
 

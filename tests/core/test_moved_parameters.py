@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from curvecore import LagrangeCurve, chebyshev, uniform
-from curvecore.moved_parameters import MovedParameters
+from curvecore.drag.moved_parameters import MovedParameters
 
 U = 2.0**-53
 

@@ -1,5 +1,6 @@
 """k-digit results, digit for digit, against arithmetic on integers that knows nothing of `decimal`."""
 
+import pkgutil
 from fractions import Fraction
 from functools import reduce
 from operator import add, mul
@@ -26,7 +27,7 @@ from curvecore import (
     uniform,
 )
 from curvecore.arrays import parameter_array
-from curvecore.decimal_methods import HERMITE_METHODS, LAGRANGE_METHODS, Data
+from curvecore.rounding.decimal_methods import HERMITE_METHODS, LAGRANGE_METHODS, Data
 from tests.effort import calls_of
 
 
@@ -422,4 +423,6 @@ def test_no_module_that_is_imported_late_has_the_name_of_a_function():
     """`from curvecore import OperationCounts, operation_counts` gave a module: importing it took the name."""
     import curvecore
 
-    assert not set(curvecore._MODULE_OF.values()) & set(curvecore.__all__)
+    modules = {each.name for each in pkgutil.walk_packages(curvecore.__path__, "curvecore.")}
+    assert not {name.rpartition(".")[2] for name in modules if name.count(".") == 1} & set(curvecore.__all__)
+    assert "curvecore.rounding.operations" in modules

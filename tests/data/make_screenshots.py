@@ -42,7 +42,7 @@ def main() -> None:
             preferences = Preferences(Path(folder) / "settings.ini")
             editor = Editor(Bot(), preferences=preferences, size=(1280, 860))
             picture(app, editor)
-            editor.session.give_up_changes()
+            editor.session.files.give_up_changes()
             editor.window.close()
 
 

@@ -21,7 +21,7 @@ from app.exchange.errors import ExchangeError
 from app.exchange.svg.writer import svg_of
 from app.families import HERMITE
 from app.view_model.curve_view import view_of
-from curvecore.bezier import bezier_segments, cubic_path
+from curvecore.bezier.control_points import bezier_segments, cubic_path
 
 SVG = "{http://www.w3.org/2000/svg}"
 

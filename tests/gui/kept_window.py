@@ -100,9 +100,9 @@ class KeptEditor:
         self._curtain.close()
         self._put_away()
         # Before the actions: what they do to some other document may take long.
-        session.clock = time.monotonic
+        session.history.clock = time.monotonic
         # With what was computed for it before.
-        session._replace(self._sketch, None, views=self._views)
+        session.files.replace(self._sketch, None, views=self._views)
         fading = window.canvas.drawing.curve._fade
         fading.setCurrentTime(fading.duration())
         self._reset_actions()

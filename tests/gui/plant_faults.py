@@ -38,10 +38,10 @@ from app.panels.weight_bars import WeightBars
 from app.plotting.layers import Layer
 from app.plotting.plot_widget import PlotWidget
 from app.plotting.tool_plot import ToolPlot
+from app.session.history import UndoStep
 from app.tasks.debounced_task import DebouncedTask, Task
 from app.testing import Editor
 from app.toolbar import Toolbar
-from app.undo_step import UndoStep
 
 FAULTS: tuple[Callable[[], object], ...] = (
     lambda: 1 / 0,
@@ -250,7 +250,7 @@ def main() -> int:
                 fault = FAULTS[number % len(FAULTS)]
                 print(json.dumps(outcome(lifecycle, editor, place, fault)), flush=True)
         finally:
-            editor.session.give_up_changes()
+            editor.session.files.give_up_changes()
             application.exit()
 
     QTimer.singleShot(0, drive)

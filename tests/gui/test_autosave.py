@@ -19,7 +19,7 @@ from app.document.model import Document, make_curve
 from app.families import HERMITE
 from app.panels.recovery_bar import RecoveryBar, age_in_words
 from app.preferences import Preferences
-from app.session import Session
+from app.session import MessageKind, Session
 from app.storage.files import load, save
 from app.storage.format import encode
 from app.storage.recovery import SUFFIX, Origin, SnapshotFile, list_snapshots
@@ -39,7 +39,7 @@ def kept(editor, qtbot):
 
     def open_beside(document, path):
         session = Session()
-        session.restore(document, path)
+        session.files.restore(document, path)
         other = Editor(qtbot, session, size=(800, 600))
         opened.append(other)
         other.autosave = Autosave(session, snapshot_folder())
@@ -199,7 +199,7 @@ def test_the_snapshot_says_which_file_and_that_it_changed(kept, qtbot, tmp_path)
     (snapshot_folder() / "copy").mkdir()
     (snapshot_folder() / "copy" / files()[0].name).write_bytes(record)
     (snapshot,) = list_snapshots(snapshot_folder() / "copy").snapshots
-    assert snapshot.origin == Origin(path, kept.session.file.stamp)
+    assert snapshot.origin == Origin(path, kept.session.files.file.stamp)
     assert snapshot.origin.is_unchanged
 
 
@@ -238,7 +238,9 @@ def test_a_folder_that_cannot_be_made_is_said_once_and_editing_goes_on(kept, qtb
     state_folder().parent.mkdir(parents=True, exist_ok=True)
     state_folder().write_text("in the way")
     sentences = []
-    kept.session.refused.connect(sentences.append)
+    kept.session.message.connect(
+        lambda message: sentences.append(message.text) if message.kind is MessageKind.REFUSED else None
+    )
     for place in ((2.0, 3.0), (1.0, 3.0)):
         move_point(kept, place)
         wait_until_idle(kept, qtbot)
@@ -270,7 +272,9 @@ def test_a_full_disk_keeps_the_old_snapshot_and_is_said(kept, qtbot):
     qtbot.waitUntil(is_kept, timeout=WAIT_MS)
     before = document_kept()
     sentences = []
-    kept.session.refused.connect(sentences.append)
+    kept.session.message.connect(
+        lambda message: sentences.append(message.text) if message.kind is MessageKind.REFUSED else None
+    )
     limits = resource.getrlimit(resource.RLIMIT_FSIZE)
     resource.setrlimit(resource.RLIMIT_FSIZE, (10_000, limits[1]))
     try:
@@ -335,7 +339,7 @@ def test_restored_into_a_window_that_has_its_file_open_it_can_be_saved(kept, tmp
     kept.window.offer_unsaved_work()
     press(kept, "restoreWork0")
     assert kept.session.document == SKETCH
-    assert not kept.session.is_read_only
+    assert not kept.session.files.is_read_only
     assert kept.file_message == ""
     kept.trigger("saveDocument")
     assert load(path) == SKETCH

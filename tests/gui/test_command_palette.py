@@ -89,7 +89,7 @@ def test_everything_in_the_registry_and_in_the_menus_is_found(editor, palette, t
 def test_a_dynamic_action_is_done(editor):
     editor.run_command("centripetal parameters")
     assert editor.curve.parametrization.kind is ParametrizationKind.CENTRIPETAL
-    editor.session.give_up_changes()
+    editor.session.files.give_up_changes()
     editor.run_command("runge uniform")
     assert len(editor.curve.nodes) > 8
 

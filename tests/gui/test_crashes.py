@@ -138,7 +138,7 @@ def test_without_a_backup_it_says_what_to_do(guarded, qtbot):
     assert any("Save your work under another name" in each.text() for each in dialog.findChildren(QLabel))
     press("saveAndQuit")
     assert guarded.window.isVisible(), "there is no file to save it to, and no backup"
-    guarded.session.give_up_changes()
+    guarded.session.files.give_up_changes()
 
 
 def test_the_same_fault_is_shown_once(guarded, qtbot):
@@ -271,7 +271,7 @@ def test_save_and_quit_goes_on_where_saving_fails(guarded, qtbot, tmp_path):
     press("saveAndQuit")
     assert guarded.window.isVisible()
     assert "was not saved" in guarded.file_message
-    guarded.session.give_up_changes()
+    guarded.session.files.give_up_changes()
 
 
 def test_ctrl_c_ends_the_program_and_keeps_the_work(guarded, qapp):
@@ -302,7 +302,7 @@ def test_the_end_of_the_system_still_asks_about_work_that_is_not_safe(guarded):
     guarded.drag_point(1, to=(2, 3))
     guarded.lifecycle.prepare_for_end()
     assert guarded.window.asks_before_closing
-    guarded.session.give_up_changes()
+    guarded.session.files.give_up_changes()
 
 
 def test_an_end_that_was_called_off_asks_again(guarded):
@@ -311,7 +311,7 @@ def test_an_end_that_was_called_off_asks_again(guarded):
     assert not guarded.window.asks_before_closing
     guarded.drag_point(1, to=(1, 3))
     assert guarded.window.asks_before_closing
-    guarded.session.give_up_changes()
+    guarded.session.files.give_up_changes()
 
 
 def test_at_most_five_different_faults_are_shown(qtbot):

@@ -300,7 +300,7 @@ def test_the_rest_of_a_drop_is_skipped_or_given_up_with_its_document(editor, tmp
     press(editor, dialog, "importTable")  # its new document is where the others go, too
     press(editor, only_dialog(editor), "importTable")
     assert [curve.name for curve in editor.session.document.curves] == ["a", "b"]
-    editor.session.give_up_changes()
+    editor.session.files.give_up_changes()
 
 
 def test_several_files_chosen_to_be_imported_come_as_those_of_a_drop(editor, tmp_path):

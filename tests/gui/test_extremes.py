@@ -24,7 +24,7 @@ def opened(editor):
     """Open curves in the editor, fitted; returns the editor."""
 
     def open_(*curves):
-        editor.session.restore(Document(curves), None)
+        editor.session.files.restore(Document(curves), None)
         editor.fit()
         editor.settle()
         return editor

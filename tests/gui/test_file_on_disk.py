@@ -491,7 +491,7 @@ def foreign_lock(path, *, user="Ada", since=None):
 
 def test_a_second_window_opens_read_only(saved, path, qtbot):
     second = second_window(qtbot, path)
-    assert second.session.is_read_only
+    assert second.session.files.is_read_only
     assert second.window.windowTitle() == "drawing.curve.json[*] (read-only) – Curvebench"
     assert second.file_message.startswith("You have this open in another window, since ")
     assert second.file_message.endswith("; opened read-only.")
@@ -516,7 +516,7 @@ def test_read_only_can_be_edited_and_saved_elsewhere(saved, path, qtbot, tmp_pat
     assert names == ["drawing copy.curve.json"]
     assert load(tmp_path / "copy.curve.json") == changed
     assert load(path) == kept
-    assert not second.session.is_read_only
+    assert not second.session.files.is_read_only
     assert "(read-only)" not in second.window.windowTitle()
     assert second.file_message == ""
 
@@ -554,7 +554,7 @@ def test_an_owner_who_crashed_is_noticed(editor, path, until, monkeypatch):
     owner.communicate()
     until(lambda: "is free again" in editor.file_message)
     editor.answer_file_message("takeOver")
-    assert not editor.session.is_read_only
+    assert not editor.session.files.is_read_only
 
 
 def test_two_windows_of_one_start(qtbot, path):
@@ -564,7 +564,7 @@ def test_two_windows_of_one_start(qtbot, path):
     for session in sessions:
         session.open(path)
     editors = [Editor(qtbot, session) for session in sessions]
-    assert [each.session.is_read_only for each in editors] == [False, True]
+    assert [each.session.files.is_read_only for each in editors] == [False, True]
     assert "opened read-only" in editors[1].file_message
 
 
@@ -575,7 +575,7 @@ def test_the_reader_is_told_when_the_owner_saves(saved, path, qtbot, until):
     until(lambda: "You saved changes to “drawing.curve.json” in another" in second.file_message)
     second.answer_file_message("reloadFile")
     assert second.session.document == document
-    assert second.session.is_read_only
+    assert second.session.files.is_read_only
 
 
 def test_taken_over_after_the_owner_saved_nothing_is_lost(saved, path, qtbot, until):
@@ -601,12 +601,12 @@ def test_taking_over_asks_once_and_the_other_is_told(saved, path, qtbot, until):
     changed = edit(second)
     second.answer_file_message("takeOver")
     assert "may still be editing" in second.file_message
-    assert second.session.is_read_only
+    assert second.session.files.is_read_only
     QTest.mouseClick(second.window.findChild(QToolButton, "closeFileBar"), Qt.MouseButton.LeftButton)
-    assert second.session.is_read_only
+    assert second.session.files.is_read_only
     second.answer_file_message("takeOver")
     second.answer_file_message("editAnyway")
-    assert not second.session.is_read_only
+    assert not second.session.files.is_read_only
     until(lambda: "taken “drawing.curve.json” over" in saved.file_message)
     assert saved.window.windowTitle().endswith("[*] (read-only) – Curvebench")
     second.trigger("saveDocument")
@@ -621,7 +621,7 @@ def test_one_who_has_forgotten_it_is_not_asked(editor, path):
     editor.window.open_file(path)
     assert editor.file_message.endswith("opened read-only. Perhaps Ada forgot it.")
     editor.answer_file_message("takeOver")
-    assert not editor.session.is_read_only
+    assert not editor.session.files.is_read_only
 
 
 def test_save_as_onto_a_document_that_is_open_elsewhere(saved, path, qtbot, tmp_path):
@@ -672,7 +672,7 @@ def test_a_lock_that_cannot_be_made_is_said_once(editor, path, monkeypatch):
     monkeypatch.setattr("app.storage.lock._create", fail)
     editor.window.open_file(path)
     assert editor.status.startswith("Others cannot see that drawing.curve.json is open here")
-    assert not editor.session.is_read_only
+    assert not editor.session.files.is_read_only
     edit(editor)
     editor.trigger("saveDocument")
     assert load(path) == editor.session.document
@@ -760,7 +760,7 @@ def test_a_newer_version_on_the_disk_is_never_replaced(saved, path):
     assert saved.session.is_modified
     other = path.with_name("newer.curve.json")
     other.write_bytes(newer)
-    saved.session.give_up_changes()
+    saved.session.files.give_up_changes()
     saved.window.open_file(other)
     assert "newer.curve.json was not opened: it was written by a newer version" in saved.message
     assert saved.session.document is document
@@ -832,4 +832,4 @@ def test_a_session_alone_refuses_too(tmp_path, qapp):
         second.save()
     first.new()
     second.save()
-    second.file.close()
+    second.files.file.close()

@@ -100,7 +100,7 @@ def test_the_beginning_is_named_after_what_was_opened(history, tmp_path):
     files.save(path, document)
     session.open(path)
     assert entries(view) == ["Opened swan.curve.json"]
-    session.open_copy(path)
+    session.files.open_copy(path)
     assert entries(view) == ["Opened Swan"]
     session.new()
     assert entries(view) == ["New document"]

@@ -612,7 +612,7 @@ def test_another_document_gets_nothing_of_an_import(editor, tmp_path, name):
     editor.settle()
     assert sum(len(curve.nodes) for curve in editor.session.document.curves) >= 2
     assert editor.status.startswith(f"Imported {name}")
-    editor.session.give_up_changes()
+    editor.session.files.give_up_changes()
 
 
 # What takes long
@@ -695,7 +695,7 @@ def test_an_export_that_is_stopped_leaves_the_old_file(editor, tmp_path):
 def test_closing_the_window_drops_the_work(editor, busy):
     editor.window.import_file(busy)
     shown_bar(editor)
-    editor.session.give_up_changes()
+    editor.session.files.give_up_changes()
     task = editor.window.jobs._task
     assert editor.window.close()
     assert not editor.window.jobs.is_busy

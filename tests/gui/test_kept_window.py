@@ -26,8 +26,10 @@ def test_what_is_planted_is_found(editor, monkeypatch):
             canvas.layers, "_layers", canvas.layers._layers[:-1]
         ),
         "window.canvas.tools.settings": lambda patch: patch.setattr(canvas.tools, "settings", None),
-        "window.session.clock": lambda patch: patch.setattr(session, "clock", Clock()),
-        "window.session.selection": lambda patch: patch.setattr(session, "selection", frozenset([1])),
+        "window.session.history.clock": lambda patch: patch.setattr(session.history, "clock", Clock()),
+        "window.session._selection.points": lambda patch: patch.setattr(
+            session._selection, "points", frozenset([1])
+        ),
         "window.session.say": lambda patch: patch.setattr(session, "say", lambda _text: None),
         "widget hint": lambda patch: patch.setattr(hint, "is_planted", hint.setToolTip("?"), raising=False),
         "action undo": lambda patch: patch.setattr(action, "is_planted", action.setText("?"), raising=False),

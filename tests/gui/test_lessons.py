@@ -222,7 +222,7 @@ def test_every_goal_is_reached_by_who_does_what_each_step_says(editor, qtbot, na
         WAYS[name, number](editor)
         editor.settle()
         assert "Reached" in goal.text(), (number, goal.text())
-    editor.session.give_up_changes()
+    editor.session.files.give_up_changes()
 
 
 def test_a_goal_waits_for_the_curve_that_it_names(editor, qtbot):

@@ -416,7 +416,7 @@ def test_a_failed_export_says_why(editor, motion, qtbot, tmp_path):
 
 def test_closing_the_window_ends_the_export(editor, motion, tmp_path):
     export(editor, motion, tmp_path / "film.gif", filmWidth=200, filmSeconds=40)
-    editor.session.give_up_changes()
+    editor.session.files.give_up_changes()
     editor.window.close()
     assert list(tmp_path.iterdir()) == []
     assert not editor.window.jobs.is_busy

@@ -24,7 +24,7 @@ class Clock:
 
 @pytest.fixture
 def arch(editor):
-    editor.session.clock = Clock()
+    editor.session.history.clock = Clock()
     editor.session.commit(Document((make_curve(POINTS),)), "Begin")
     editor.window.canvas.camera.show_box((-3, 7), (-3, 5))
     editor.settle()
@@ -38,7 +38,7 @@ def history(editor):
 
 
 def wait(editor, seconds):
-    editor.session.clock.now += seconds
+    editor.session.history.clock.now += seconds
 
 
 def test_quick_nudges_are_one_step_and_one_row(arch):

@@ -203,7 +203,7 @@ def test_a_part_that_fails_to_end_keeps_neither_the_others_nor_the_window(editor
     ended = []
     window = editor.window
     window.closed.connect(lambda: ended.append("last"))
-    editor.session.give_up_changes()
+    editor.session.files.give_up_changes()
     monkeypatch.setattr(window.splitter, "saveState", lambda: int("x"))
     assert window.close()
     assert ended == ["last"]
@@ -242,7 +242,7 @@ def test_document_and_history_agree_after_a_step_that_failed(editor, faults, mon
     editor.trigger("undo")
     assert session.document is states[2]
     assert {type(each) for each in faults} == {ValueError}
-    session.give_up_changes()
+    session.files.give_up_changes()
 
 
 def test_a_failed_filter_lets_the_event_pass(qtbot, faults):

@@ -98,7 +98,7 @@ def drive():
     windows = [each for each in QApplication.topLevelWidgets() if isinstance(each, MainWindow)]
     tell("windows", *(len(each.session.document.curves[0].nodes) for each in windows))
     for window in windows:
-        window.session.give_up_changes()
+        window.session.files.give_up_changes()
         window.close()
 """
 

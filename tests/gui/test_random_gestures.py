@@ -36,11 +36,15 @@ TOLERANCE = 1e-3
 places = st.tuples(st.integers(-20, 60), st.integers(-20, 40)).map(lambda p: (p[0] / 10, p[1] / 10))
 modifiers = st.fixed_dictionaries({name: st.booleans() for name in ("shift", "ctrl", "alt")})
 moves = st.lists(st.tuples(places, modifiers), min_size=1, max_size=3)
-endings = st.sampled_from(("release", "release", "release", "cancel", "undo", "forget"))
+endings = st.sampled_from(("release", "release", "release", "cancel", "undo", "forget", "refused"))
 aims = st.tuples(
     st.sampled_from(("point", "handle", "curve", "other", "grip", "anywhere")), st.integers(0, 40), places
 )
 keys = st.lists(st.sampled_from(["1", "5", "0", ".", "-", "x", "y", "g", "s", "r", "backspace"]), max_size=4)
+
+
+def refused(_document):
+    raise EditError("This is refused.")
 
 
 class Gestures(RuleBasedStateMachine):
@@ -53,12 +57,12 @@ class Gestures(RuleBasedStateMachine):
             make_curve([(0, 0), (1, 2), (3, 2), (4, 0)], family=family),
             make_curve([(0, -1), (2, -0.5), (4, -1)], name="Base", family=HERMITE),
         )
-        self.session._replace(Document(curves), None)
+        self.session.files.replace(Document(curves), None)
         self.tool, self.rail = Toolbox(self.session, SELECT), Toolbox(self.session, RAIL)
         self.tool.hit_test, self.tool.grid = self.hit, lambda: (0.5, 0.5)
         self.rail.hit_test = lambda _pointer, _tool: self.tick
         self.now = 0.0
-        self.session.clock = lambda: self.now
+        self.session.history.clock = lambda: self.now
         # As the window connects them.
         self.session.interrupted.connect(self.tool.abandon)
         self.session.interrupted.connect(self.rail.abandon)
@@ -168,6 +172,13 @@ class Gestures(RuleBasedStateMachine):
             self.session.undo_stack.undo()
             self.at -= 1
             tool.release(pointer)
+        elif ending == "refused":
+            # An edit from elsewhere, in the middle of the gesture, that cannot be made.
+            assert self.session.change("Refused", refused).refusal == "This is refused."
+            assert not tool.is_pressed
+            assert self.session.document is before
+            tool.release(pointer)
+            assert self.session.document is before
         else:
             assert tool.cancel() or not tool.is_pressed
             assert self.session.document is before
@@ -247,10 +258,11 @@ class Gestures(RuleBasedStateMachine):
 
     def edit(self, make, *arguments):
         session, before = self.session, self.session.document
-        try:
-            session.commit(make(session.document, session.active_index, *arguments), make.__name__)
-        except EditError:
-            assert session.document is before
+        change = session.change(
+            make.__name__, lambda document: make(document, session.active_index, *arguments)
+        )
+        assert change.is_done == (session.document is not before)
+        assert not (change.is_done and change.refusal)
         self.note()
 
     @rule(data=st.data())

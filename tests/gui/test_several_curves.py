@@ -655,7 +655,7 @@ def test_curves_that_are_small_on_the_screen_are_flattened_once(editor, monkeypa
             for k in range(side)
         ]
         counts.clear()
-        editor.session.restore(Document(tuple(curves)), None)
+        editor.session.files.restore(Document(tuple(curves)), None)
         editor.fit()
         editor.settle()
         editor.window.canvas.grab()

@@ -171,7 +171,7 @@ def test_the_panel_of_the_picture_does_not_come_back_with_the_layout(qtbot, pict
         first.show()
     first.add_image(picture)
     assert first.image_dock.isVisible()
-    first.session.give_up_changes()
+    first.session.files.give_up_changes()
     first.close()
     second = MainWindow(Session(), Preferences(preferences))
     qtbot.addWidget(second)

@@ -81,7 +81,7 @@ def test_what_a_program_commits_becomes_plain(odd_values):
     assert odd_values(session.document) == []
     assert session.commit(document, "Numbers of NumPy")
     assert odd_values(session.document) == []
-    session.restore(document, None)
+    session.files.restore(document, None)
     assert odd_values(session.document) == []
 
 

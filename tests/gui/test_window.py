@@ -99,7 +99,7 @@ def test_choosing_what_is_already_chosen_is_no_step(editor):
     editor.choose_family(LAGRANGE)
     editor.choose_parametrization(ParametrizationKind.CHORD_LENGTH)
     assert editor.curve.parametrization.kind is ParametrizationKind.CHORD_LENGTH
-    editor.session.give_up_changes()
+    editor.session.files.give_up_changes()
     count = editor.session.undo_stack.count()
     editor.choose_family(LAGRANGE)
     assert editor.session.undo_stack.count() == count
@@ -170,7 +170,7 @@ def test_a_dropped_file_is_opened(editor, tmp_path):
     path.write_bytes(encode(editor.session.document))
     document = editor.session.document
     editor.trigger("undo")
-    editor.session.give_up_changes()
+    editor.session.files.give_up_changes()
     mime = QMimeData()
     mime.setUrls([QUrl.fromLocalFile(str(path))])
     for kind, place in ((QDragEnterEvent, QPoint(300, 300)), (QDropEvent, QPointF(300, 300))):
@@ -223,7 +223,7 @@ def test_whatever_way_an_example_is_opened_nothing_is_left_beside_it(editor, qtb
     ):
         editor.window.open_file(path)
         assert editor.session.document == load(path)
-        assert editor.session.path is editor.session.file is None
+        assert editor.session.path is editor.session.files.file is None
         assert editor.window.windowTitle() == f"{title}[*] – Curvebench"
         # There is one already where the window has had a file before.
         watcher = editor.window.findChild(QFileSystemWatcher)
@@ -233,7 +233,7 @@ def test_whatever_way_an_example_is_opened_nothing_is_left_beside_it(editor, qtb
     monkeypatch.chdir(resource().parent)
     (window,) = open_windows(["resources/examples/letter_s.curve.json"])
     qtbot.addWidget(window)
-    assert window.session.path is window.session.file is None
+    assert window.session.path is window.session.files.file is None
     assert window.windowTitle() == "Letter S (example)[*] – Curvebench"
     assert sorted(resource().rglob("*")) == before
     asked = []

@@ -7,7 +7,7 @@ from PySide6.QtCore import QCoreApplication
 
 from app.document.model import Document, make_curve
 from app.lessons import load_lesson
-from app.session import Session
+from app.session import MessageKind, Session
 from app.set_aside import SetAside
 from app.storage.files import load
 from app.storage.recovery import list_snapshots
@@ -27,11 +27,11 @@ def files(folder):
 
 def test_the_backup_of_what_was_left_goes_when_it_is_open_again(session, tmp_path):
     kept = SetAside(session, tmp_path)
-    session.open_copy(LESSONS[0])
+    session.files.open_copy(LESSONS[0])
     assert session.undo_stack.count() == 0
     work = Document((make_curve(POINTS),))
     session.commit(work, "Work")
-    session.open_copy(LESSONS[1], "Lesson 4")
+    session.files.open_copy(LESSONS[1], "Lesson 4")
     assert len(files(tmp_path)) == 1
     assert list_snapshots(tmp_path).snapshots == ()  # this window still has it
     session.undo_stack.undo()
@@ -46,12 +46,12 @@ def test_the_backup_of_what_was_left_goes_when_it_is_open_again(session, tmp_pat
 
 
 @pytest.mark.parametrize(
-    "leave", [Session.new, lambda session: session.restore(Document((make_curve(POINTS),)), None)]
+    "leave", [Session.new, lambda session: session.files.restore(Document((make_curve(POINTS),)), None)]
 )
 def test_what_was_left_is_offered_when_the_history_is_gone(session, tmp_path, leave):
     kept = SetAside(session, tmp_path)
     session.commit(Document((make_curve(POINTS),)), "Work")
-    session.open_copy(LESSONS[1], "Lesson 4")
+    session.files.open_copy(LESSONS[1], "Lesson 4")
     leave(session)
     (found,) = list_snapshots(tmp_path).snapshots
     assert found.document == Document((make_curve(POINTS),))
@@ -63,8 +63,8 @@ def test_recovered_work_is_not_dropped_for_a_lesson(session, tmp_path):
     """It has no step in the history, but it is work all the same."""
     kept = SetAside(session, tmp_path)
     work = Document((make_curve(POINTS),))
-    session.restore(work, None)
-    session.open_copy(LESSONS[0], "Lesson 3")
+    session.files.restore(work, None)
+    session.files.open_copy(LESSONS[0], "Lesson 3")
     assert len(files(tmp_path)) == 1
     session.undo_stack.undo()
     assert session.document is work
@@ -75,7 +75,7 @@ def test_recovered_work_is_not_dropped_for_a_lesson(session, tmp_path):
 def test_a_lesson_that_was_saved_is_never_overwritten_by_what_was_before(session, tmp_path):
     file = tmp_path / "mine.curve.json"
     session.commit(Document((make_curve(POINTS),)), "Work")
-    session.open_copy(LESSONS[0], "Lesson 3")
+    session.files.open_copy(LESSONS[0], "Lesson 3")
     session.save(file)
     session.undo_stack.undo()
     assert session.path is None
@@ -86,17 +86,19 @@ def test_a_lesson_that_was_saved_is_never_overwritten_by_what_was_before(session
     # The lock is gone with the file.
     other = Session()
     other.open(file)
-    assert not other.is_read_only
+    assert not other.files.is_read_only
     other.new()
 
 
 def test_a_disk_that_refuses_is_told_of(session, tmp_path):
     said: list[str] = []
-    session.refused.connect(said.append)
+    session.message.connect(
+        lambda message: said.append(message.text) if message.kind is MessageKind.REFUSED else None
+    )
     (tmp_path / "file").write_text("")
     kept = SetAside(session, tmp_path / "file")
     session.commit(Document((make_curve(POINTS),)), "Work")
-    session.open_copy(LESSONS[0], "Lesson 3")
+    session.files.open_copy(LESSONS[0], "Lesson 3")
     assert "cannot be backed up" in said[0]
     session.undo_stack.undo()
     assert session.document.curves[0].nodes[1].position == POINTS[1]

@@ -16,7 +16,7 @@ from app.tasks.progress import Report, part, silent, told
 from app.view_model.curve_view import CoreCurve, CurveView, view_of
 from app.view_model.refusals import in_words
 from curvecore import CurveError
-from curvecore.bezier import cubic_path
+from curvecore.bezier.control_points import cubic_path
 
 Floats = npt.NDArray[np.float64]
 

@@ -29,7 +29,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from curvecore.arrays import FloatArray, IntArray, parameter_values, read_only
-from curvecore.bernstein import controls_between
+from curvecore.bezier.bernstein import controls_between
 from curvecore.errors import CurveError
 from curvecore.families.curve import Curve
 from curvecore.scaling import LARGEST

@@ -22,10 +22,10 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from curvecore.arrays import BoolArray, FloatArray, IntArray, parameter_values
-from curvecore.bernstein_algebra import derivative, end_signs, product, sign_changes, values
+from curvecore.bezier.bernstein_algebra import derivative, end_signs, product, sign_changes, values
+from curvecore.bezier.pieces import BezierPieces, alike, bezier_pieces, parameters_at
 from curvecore.errors import CurveError
 from curvecore.families.curve import Curve
-from curvecore.pieces import BezierPieces, alike, bezier_pieces, parameters_at
 from curvecore.scaling import LARGEST, scale_by_power
 from curvecore.vectors import vector_lengths
 

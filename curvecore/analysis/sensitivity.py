@@ -27,8 +27,8 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
+from curvecore.analysis.cardinal import CardinalBasis
 from curvecore.arrays import FloatArray, parameter_values
-from curvecore.cardinal import CardinalBasis
 from curvecore.errors import CurveError
 from curvecore.families.curve import Curve
 from curvecore.vectors import vector_lengths

@@ -27,7 +27,7 @@ from typing import NamedTuple
 import numpy as np
 
 from curvecore.arrays import BoolArray, FloatArray, IntArray
-from curvecore.bernstein_algebra import derivative, subdivided
+from curvecore.bezier.bernstein_algebra import derivative, subdivided
 from curvecore.vectors import vector_lengths
 
 __all__ = ["Arcs", "Pairs", "close_pairs", "simple_arcs"]

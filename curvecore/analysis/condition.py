@@ -28,8 +28,8 @@ from numpy.typing import ArrayLike
 
 from curvecore.arrays import FloatArray, integer, parameter_array
 from curvecore.errors import CurveError
-from curvecore.exact import as_float, scaled_integers
 from curvecore.families.curve import Curve
+from curvecore.rounding.exact import as_float, scaled_integers
 from curvecore.scaling import LARGEST
 
 __all__ = ["monomial_condition", "segment_conditions", "vandermonde_condition"]

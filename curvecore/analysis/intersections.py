@@ -17,11 +17,11 @@ from typing import NamedTuple
 
 import numpy as np
 
-from curvecore.arc_pairs import Arcs, Pairs, close_pairs, simple_arcs
+from curvecore.analysis.arc_pairs import Arcs, Pairs, close_pairs, simple_arcs
 from curvecore.arrays import BoolArray, FloatArray, IntArray, tolerance_value
+from curvecore.bezier.pieces import bezier_pieces, size_of
 from curvecore.errors import CurveError
 from curvecore.families.curve import Curve
-from curvecore.pieces import bezier_pieces, size_of
 from curvecore.vectors import vector_lengths
 
 __all__ = ["SelfIntersections", "self_intersections"]

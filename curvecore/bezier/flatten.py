@@ -23,7 +23,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from curvecore.arrays import BoolArray, FloatArray, IntArray, box_edges, read_only, tolerance_value
-from curvecore.bezier import all_joints, drawable_pieces, spread
+from curvecore.bezier.control_points import all_joints, drawable_pieces, spread
 from curvecore.errors import CurveError
 from curvecore.families.curve import Curve
 

@@ -23,10 +23,10 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
+from curvecore.analysis.cardinal import CardinalBasis
 from curvecore.arrays import FloatArray, IntArray, parameter_values
-from curvecore.bernstein_algebra import weights
-from curvecore.bezier import all_joints
-from curvecore.cardinal import CardinalBasis
+from curvecore.bezier.bernstein_algebra import weights
+from curvecore.bezier.control_points import all_joints
 from curvecore.families.curve import Curve
 from curvecore.scaling import LARGEST
 

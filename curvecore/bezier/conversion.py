@@ -27,10 +27,10 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from curvecore.arrays import FloatArray, data_array, finite_number, integer
-from curvecore.bernstein_algebra import elevated
+from curvecore.bezier.bernstein_algebra import elevated
 from curvecore.errors import CurveError
-from curvecore.exact import CommonPolynomial, as_float, interpolated, scaled_integers
 from curvecore.families.curve import Curve, Interpolant
+from curvecore.rounding.exact import CommonPolynomial, as_float, interpolated, scaled_integers
 
 __all__ = ["LagrangeBezier", "bezier_stretch", "elevate_degree", "lagrange_to_bezier"]
 

@@ -21,8 +21,8 @@ from typing import NamedTuple
 import numpy as np
 
 from curvecore.arrays import FloatArray, IntArray, read_only
-from curvecore.bernstein_algebra import derivative, elevated, weights
-from curvecore.bezier import all_joints, spread
+from curvecore.bezier.bernstein_algebra import derivative, elevated, weights
+from curvecore.bezier.control_points import all_joints, spread
 from curvecore.families.curve import Curve
 
 __all__ = ["MAX_PIECES", "BezierPieces", "alike", "bezier_pieces", "parameters_at", "size_of"]

@@ -15,9 +15,9 @@ from typing import NamedTuple
 
 import numpy as np
 
+from curvecore.analysis.geometry import curvature_of
 from curvecore.arrays import BoolArray, FloatArray, tolerance_value
 from curvecore.families.curve import Curve, JointDerivatives
-from curvecore.geometry import curvature_of
 from curvecore.vectors import vector_lengths
 
 __all__ = ["Joint", "joint_report"]

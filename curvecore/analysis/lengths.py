@@ -28,12 +28,12 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
+from curvecore.analysis.quadrature import Arcs, arcs_of, integrals, made_accurate, places_of
 from curvecore.arrays import FloatArray, finite_number, integer, parameter_values, tolerance_value
+from curvecore.bezier.pieces import BezierPieces, alike, bezier_pieces, size_of
 from curvecore.errors import CurveError
 from curvecore.families.curve import Curve
 from curvecore.families.immutable import Immutable
-from curvecore.pieces import BezierPieces, alike, bezier_pieces, size_of
-from curvecore.quadrature import Arcs, arcs_of, integrals, made_accurate, places_of
 from curvecore.scaling import LARGEST
 
 __all__ = [

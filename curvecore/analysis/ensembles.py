@@ -11,10 +11,10 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
+from curvecore.analysis.sensitivity import error_sizes
 from curvecore.arrays import FloatArray, integer, parameter_values
 from curvecore.errors import CurveError
 from curvecore.families.curve import Curve
-from curvecore.sensitivity import error_sizes
 from curvecore.vectors import vector_lengths
 
 __all__ = ["Ensemble", "Remake", "ensemble"]

@@ -13,8 +13,8 @@ from typing import NamedTuple
 import numpy as np
 
 from curvecore.arrays import BoolArray, FloatArray, IntArray, read_only
-from curvecore.bernstein_algebra import halves, weights
-from curvecore.pieces import BezierPieces
+from curvecore.bezier.bernstein_algebra import halves, weights
+from curvecore.bezier.pieces import BezierPieces
 
 __all__ = ["Arcs", "arcs_of", "integrals", "made_accurate", "places_of"]
 

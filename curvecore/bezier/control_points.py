@@ -17,8 +17,8 @@ from typing import NamedTuple
 import numpy as np
 
 from curvecore.arrays import FloatArray, IntArray, tolerance_value
-from curvecore.bernstein import control_points
-from curvecore.bernstein_algebra import elevated
+from curvecore.bezier.bernstein import control_points
+from curvecore.bezier.bernstein_algebra import elevated
 from curvecore.errors import CurveError
 from curvecore.families.curve import Curve
 from curvecore.vectors import vector_lengths

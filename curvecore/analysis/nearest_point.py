@@ -23,10 +23,10 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from curvecore.arrays import FloatArray, jet_array, number_array, tolerance_value
-from curvecore.bernstein_algebra import derivative, elevated, product, subdivided, weights
+from curvecore.bezier.bernstein_algebra import derivative, elevated, product, subdivided, weights
+from curvecore.bezier.pieces import bezier_pieces, size_of
 from curvecore.errors import CurveError
 from curvecore.families.curve import Curve
-from curvecore.pieces import bezier_pieces, size_of
 from curvecore.vectors import vector_lengths
 
 __all__ = ["Nearest", "NearestWithin", "nearest"]

@@ -10,10 +10,10 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from curvecore.arrays import FloatArray, box_edges, tolerance_value
-from curvecore.bernstein import bernstein_functions
-from curvecore.bezier import bezier_segments, drawable_pieces
+from curvecore.bezier.bernstein import bernstein_functions
+from curvecore.bezier.control_points import bezier_segments, drawable_pieces
+from curvecore.bezier.flatten import Pieces, chord_bound, flatten_pieces, may_enter
 from curvecore.families.curve import Curve
-from curvecore.flatten import Pieces, chord_bound, flatten_pieces, may_enter
 
 __all__ = ["FrozenSegments"]
 

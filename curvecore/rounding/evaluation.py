@@ -61,16 +61,16 @@ from curvecore.arrays import (
     parameter_values,
     point_array,
 )
-from curvecore.decimal_methods import (
+from curvecore.errors import CurveError
+from curvecore.rounding.decimal_methods import (
     HERMITE_METHODS,
     LAGRANGE_METHODS,
     Data,
     Form,
     exact_context,
 )
-from curvecore.errors import CurveError
-from curvecore.exact import CommonPolynomial, as_float, interpolated
-from curvecore.rounded_data import decimal_context, digit_count, round_significant
+from curvecore.rounding.exact import CommonPolynomial, as_float, interpolated
+from curvecore.rounding.rounded_data import decimal_context, digit_count, round_significant
 
 __all__ = [
     "Method",

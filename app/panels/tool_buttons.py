@@ -1,0 +1,59 @@
+"""Tool buttons, named for tests and screen readers."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import QSize, Qt
+from PySide6.QtGui import QAction
+from PySide6.QtWidgets import QToolButton, QWidget
+
+ICON = 16
+"""Pixels along the sides of an icon in a panel."""
+
+
+def tool_button(
+    name: str, label: str, tip: str, *, text: str = "", icon_size: int = 0, flat: bool = False
+) -> QToolButton:
+    """Return a button with this object name, accessible name and tip.
+
+    Parameters
+    ----------
+    text
+        Stands on the button; beside its icon, where `icon_size` tells that it has one.
+    icon_size
+        Pixels along the sides of the icon; 0 for the size that the style has.
+    flat
+        Whether it has no frame until the pointer is over it.
+    """
+    button = QToolButton()
+    button.setObjectName(name)
+    button.setAccessibleName(label)
+    button.setToolTip(tip)
+    button.setText(text)
+    _dress(button, icon_size=icon_size, beside=bool(text and icon_size), flat=flat)
+    return button
+
+
+def action_button(
+    action: QAction,
+    parent: QWidget | None = None,
+    *,
+    name: str = "",
+    icon_size: int = ICON,
+    beside: bool = False,
+    flat: bool = False,
+) -> QToolButton:
+    """Return a button for `action`, called as it is or by `name`; its text may stand `beside` the icon."""
+    button = QToolButton(parent)
+    button.setDefaultAction(action)
+    button.setObjectName(f"{name or action.objectName()}Button")
+    button.setAccessibleName(action.text())
+    _dress(button, icon_size=icon_size, beside=beside, flat=flat)
+    return button
+
+
+def _dress(button: QToolButton, *, icon_size: int, beside: bool, flat: bool) -> None:
+    button.setAutoRaise(flat)
+    if icon_size:
+        button.setIconSize(QSize(icon_size, icon_size))
+    if beside:
+        button.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)

@@ -1,0 +1,16 @@
+"""The one mutable owner: the current document, its history, the selection and the file behind it.
+
+- ``session``: the QObject with the signals, composed of the plain objects below; `Session.change` is the one
+  door by which the document changes.
+- ``change``: what became of a change, and why one is refused.
+- ``history``: the steps that can be undone.  ``views``: the view-models of the curves shown.
+- ``selection``: selected points and curves, the point under the pointer, the scrub line.
+- ``files``: the file behind the document.  ``messages``: sentences for the person.
+"""
+
+from app.session.change import Change
+from app.session.history import Beginning
+from app.session.messages import Message, MessageKind
+from app.session.session import Session
+
+__all__ = ["Beginning", "Change", "Message", "MessageKind", "Session"]

@@ -1,0 +1,46 @@
+"""Result of a change of the document, and the reasons to refuse one."""
+
+from __future__ import annotations
+
+import msgspec
+
+from app.document.curve_edits import refuse_locked
+from app.document.edits import EditError
+from app.document.model import Document
+from app.storage.format import FormatError, validate_changes
+
+
+class Change(msgspec.Struct, frozen=True):
+    """Result of a change of the document; true where it is a step of the history now.
+
+    Attributes
+    ----------
+    is_done
+        Whether the document is another one.
+    refusal
+        Why it is not, as the status line has it; empty where the change was none.
+    """
+
+    is_done: bool
+    refusal: str = ""
+
+    def __bool__(self) -> bool:
+        return self.is_done
+
+
+def why_locked(before: Document, after: Document) -> str:
+    """Return which locked curve of `before` is another one in `after`, as a sentence; empty where none is."""
+    try:
+        refuse_locked(before, after)
+    except EditError as reason:
+        return str(reason)
+    return ""
+
+
+def why_not_kept(before: Document, after: Document) -> str:
+    """Return why no file may hold what is new in `after`, which no edit should make; empty where one may."""
+    try:
+        validate_changes(before, after)
+    except FormatError as reason:
+        return f"This cannot be kept: {reason}."
+    return ""

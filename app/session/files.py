@@ -1,0 +1,172 @@
+"""The file behind the document: opening, saving, and beginning another document."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from app.document.edits import EditError
+from app.document.model import Document, empty_document
+from app.document.plain import plain
+from app.examples import template_title
+from app.resources import is_resource
+from app.session.history import Beginning, State
+from app.storage.files import load
+from app.storage.open_file import FileChange, OpenFile, Reading
+from app.view_model.curve_view import CurveView
+
+if TYPE_CHECKING:
+    from app.session.session import Session
+
+
+class Files:
+    """File of the document with its lock, and the ways to another document.
+
+    Attributes
+    ----------
+    path
+        The path; None as long as the document has no file.
+    file
+        The file at `path`, open with its lock; None without one.
+    beginning
+        Where the document began; the same for all states of it.
+    """
+
+    def __init__(self, session: Session) -> None:
+        self._session = session
+        self.path: Path | None = None
+        self.file: OpenFile | None = None
+        self.beginning = Beginning()
+
+    @property
+    def is_read_only(self) -> bool:
+        """Whether somebody else has the file open, so that only Save As keeps changes."""
+        return self.file is not None and self.file.owner is not None
+
+    @property
+    def has_lost_document(self) -> bool:
+        """Whether the document that came from the file is in it no longer: changed, damaged or deleted."""
+        return self.file is not None and self.file.has_lost_document
+
+    def close(self) -> None:
+        """Go on without a file."""
+        self._take(None, None)
+
+    def _take(self, path: Path | None, file: OpenFile | None) -> None:
+        if self.file is not None and self.file is not file:
+            self.file.close()
+        self.path, self.file = path, file
+
+    # Another document
+
+    def new(self) -> None:
+        """Start an empty document."""
+        self.replace(plain(empty_document()), None)
+
+    def open(self, path: str | Path, reading: Reading | None = None, views: Sequence[CurveView] = ()) -> None:
+        """Open the document at `path`; when it cannot be read, raise and leave the open one as it was.
+
+        Where the file was read already, `reading` is what it held, and `views` may be those of its curves.
+        What ships with the program opens as a copy: it is everybody's, and a lock has no place beside it.
+        """
+        path = Path(path)
+        if is_resource(path):
+            self.open_copy(path)
+            return
+        opened = OpenFile.open(path, self.file, reading)
+        self.replace(opened.document, path, opened.file, views=views)
+
+    def open_copy(self, path: str | Path, text: str = "Open") -> None:
+        """Open the document at `path` as a new one without a file of its own (lessons, examples).
+
+        Work in a document without a file is not lost for it: opening is then one step of the history, called
+        `text`, and undo goes back.
+        """
+        session, path = self._session, Path(path)
+        document = plain(load(path))
+        title = template_title(path, document)
+        session.cancel()
+        if self.path is not None or not (session.undo_stack.count() or session.is_modified):
+            self.replace(document, None, beginning=Beginning(path, title))
+            return
+        after = State(document, 0, Beginning(path, title, self.beginning))
+        session.history.push(session.state, after, text)
+        # What is in front now is as it came; the work that was left is told of by `left`.
+        session.undo_stack.setClean()
+        session.file_changed.emit()
+        session.opened.emit()
+
+    def go_back(self) -> None:
+        """Undo to what was there before the document that is open was opened as a step of the history."""
+        here, stack = self.beginning, self._session.undo_stack
+        while self.beginning is here and here.before is not None and stack.canUndo():
+            stack.undo()
+
+    def restore(self, document: Document, path: Path | None) -> None:
+        """Go on with unsaved work: `document`, with changes that are not in the file at `path`."""
+        self.replace(plain(document), path)
+        self._session.undo_stack.resetClean()
+
+    def replace(
+        self,
+        document: Document,
+        path: Path | None,
+        file: OpenFile | None = None,
+        beginning: Beginning | None = None,
+        views: Sequence[CurveView] = (),
+    ) -> None:
+        """Begin a history with `document`; its views may be given."""
+        if file is None and path is not None:
+            file = OpenFile.adopt(path, self.file)
+        # The path comes later: what is put away of the document before leaves this file alone.
+        self._take(None, file)
+        self._session.begin(State(document, 0, beginning or Beginning()), path, views)
+
+    # The file of this one
+
+    def save(self, path: str | Path | None = None, *, overwrite: bool = False) -> None:
+        """Write the document to `path`, or to the file it came from.
+
+        A file that was changed since it was seen last is replaced only if `overwrite` says so; see
+        `OpenFile.saved` for what is refused besides.
+        """
+        session, target = self._session, self.path if path is None else Path(path)
+        if target is None:
+            raise EditError("The document has no file yet; choose one with Save As.")
+        session.cancel()
+        self._take(target, OpenFile.saved(target, session.committed, self.file, overwrite=overwrite))
+        session.undo_stack.setClean()
+        session.saved.emit()
+        session.file_changed.emit()
+
+    def reload(self) -> None:
+        """Take over what the file holds now, as a step of the history; raises as `open` does."""
+        session = self._session
+        if self.file is None:
+            return
+        document = plain(self.file.read_again())
+        session.cancel()
+        if document != session.committed:
+            active = session.active_index if session.active_index < len(document.curves) else 0
+            session.history.push(session.state, State(document, active, self.beginning), "Reload")
+        session.undo_stack.setClean()
+        session.file_changed.emit()
+
+    def check(self) -> None:
+        """Take note of what the file holds at this moment; before the document goes, for one."""
+        if self.file is not None:
+            self.note(self.file.check())
+
+    def note(self, change: FileChange) -> None:
+        """Take note of what the file holds."""
+        if self.file is not None and change is not self.file.change:
+            self.file.change = change
+            self._session.file_changed.emit()
+
+    def give_up_changes(self) -> None:
+        """Let the document go as it is, unsaved: nobody is asked about it."""
+        self._session.undo_stack.setClean()
+        if self.file is not None:
+            self.file.accept()
+            self._session.file_changed.emit()

@@ -1,0 +1,143 @@
+"""The history: steps with the values before and after each, and which changes are one step."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable, Hashable
+from pathlib import Path
+
+import msgspec
+from PySide6.QtCore import QObject
+from PySide6.QtGui import QUndoCommand, QUndoStack
+
+from app.document.model import Document
+from app.overrides import Guarded
+
+_RUN_SECONDS = 1.0
+"""Changes of the same run that follow each other as quickly as this are one step."""
+
+
+class Beginning(msgspec.Struct, frozen=True, eq=False):
+    """Origin of a document: one more of them each time something is opened, or begun again.
+
+    Attributes
+    ----------
+    copied
+        The file that it is a copy of (a lesson, an example); None for any other.
+    title
+        What it is called until it is saved; empty for "Untitled".
+    before
+        The beginning of the document that it was opened in the place of, as a step of the history; None where
+        the history begins with it.
+    """
+
+    copied: Path | None = None
+    title: str = ""
+    before: Beginning | None = None
+
+
+class State(msgspec.Struct, frozen=True):
+    """State of the session in the history: a document, the curve that was edited, and its beginning."""
+
+    document: Document
+    active: int
+    beginning: Beginning
+
+
+class UndoStep(Guarded, QUndoCommand):
+    """A step from one state to the next; the values are computed before it is made.
+
+    One that `joins` becomes a part of the step before it. `restore` brings a state back.
+    """
+
+    def __init__(
+        self,
+        restore: Callable[[State], None],
+        before: State,
+        after: State,
+        text: str,
+        *,
+        joins: bool = False,
+    ) -> None:
+        super().__init__(text)
+        self._restore, self._before, self._after, self._joins = restore, before, after, joins
+
+    def id(self) -> int:
+        """Return a number that all steps share; called by Qt."""
+        return 1  # Qt asks only commands of one number whether they can be merged
+
+    def mergeWith(self, other: QUndoCommand) -> bool:  # noqa: N802
+        """Take in `other` if it joins; called by Qt."""
+        if not isinstance(other, UndoStep) or not other._joins:
+            return False
+        self._after = other._after
+        # There and back again is no step.
+        self.setObsolete(self._after == self._before)
+        return True
+
+    def redo(self) -> None:
+        """Bring back the state after the step; called by Qt, when it is pushed too."""
+        self._restore(self._after)
+
+    def undo(self) -> None:
+        """Bring back the state before the step; called by Qt."""
+        self._restore(self._before)
+
+
+class History:
+    """The steps that can be undone and redone.
+
+    Parameters
+    ----------
+    restore
+        Brings a state back; called whenever a step is made, undone or redone.
+
+    Attributes
+    ----------
+    stack
+        The steps.
+    clock
+        Tells the seconds between the changes of a run; tests give their own.
+    is_pushing
+        Whether a step is being made, not undone or redone.
+    """
+
+    def __init__(self, parent: QObject, restore: Callable[[State], None]) -> None:
+        self.stack = QUndoStack(parent)
+        self.clock: Callable[[], float] = time.monotonic
+        self.is_pushing = False
+        self._restore = restore
+        # The run that the last step belongs to, and when that was.
+        self._run: tuple[Hashable, float] | None = None
+
+    def push(self, before: State, after: State, text: str, run: Hashable = None) -> None:
+        """Make the step `text`; one that goes on the `run` of the last step becomes a part of it."""
+        joins, steps = self._goes_on(run), self.stack.index()
+        self.is_pushing = True
+        self.stack.push(UndoStep(self._restore, before, after, text, joins=joins))
+        self.is_pushing = False
+        # Where the change has taken its run back, the last step is another one.
+        is_there = self.stack.index() >= steps
+        self._run = (run, self.clock()) if run is not None and is_there else None
+
+    def _goes_on(self, run: Hashable) -> bool:
+        """Whether a change of this run follows the last one closely enough to be the same step."""
+        return self._run is not None and self._run[0] == run and self.clock() - self._run[1] <= _RUN_SECONDS
+
+    def end_run(self) -> None:
+        """Let the next change be a step of its own."""
+        self._run = None
+
+    @property
+    def state(self) -> State | None:
+        """State that the last step led to, hence the one that is there now; None where there is no step."""
+        index = self.stack.index()
+        step = self.stack.command(index - 1 if index else 0) if self.stack.count() else None
+        if not isinstance(step, UndoStep):
+            return None
+        return step._after if index else step._before
+
+    @property
+    def is_fresh(self) -> bool:
+        """Whether nothing was done since the document was opened or begun."""
+        return not self.stack.count() and self.stack.isClean()

@@ -1,0 +1,32 @@
+"""A sentence that the session has for the person."""
+
+from __future__ import annotations
+
+from enum import Enum, auto
+
+import msgspec
+
+
+class MessageKind(Enum):
+    """Kinds of sentences."""
+
+    SAID = auto()
+    """Something was done, or can be: for the status line."""
+    REFUSED = auto()
+    """Something was not done, and why: for the status line, marked."""
+    OFFERED = auto()
+    """An action that goes with what there is: it stays until the next step."""
+
+
+class Message(msgspec.Struct, frozen=True):
+    """A sentence for the person.
+
+    Attributes
+    ----------
+    action
+        The name of the action that is offered; empty for any other kind.
+    """
+
+    kind: MessageKind
+    text: str
+    action: str = ""

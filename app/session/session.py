@@ -1,0 +1,478 @@
+"""The QObject that owns what is open, and tells what becomes of it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Collection, Hashable, Sequence
+from pathlib import Path
+
+import msgspec
+from PySide6.QtCore import QObject, Signal
+from PySide6.QtGui import QUndoStack
+
+from app.document.choice import returned_curves, returned_nodes
+from app.document.edits import EditError
+from app.document.model import Curve, Document
+from app.document.plain import plain
+from app.examples import first_sketch
+from app.session.change import Change, why_locked, why_not_kept
+from app.session.files import Files
+from app.session.history import Beginning, History, State
+from app.session.messages import Message, MessageKind
+from app.session.selection import Selection
+from app.session.views import Views
+from app.storage.open_file import Reading
+from app.view_model.curve_view import CurveView
+
+
+class _Home(msgspec.Struct, frozen=True):
+    """Active curve and selection before a preview began another curve."""
+
+    active: int
+    points: frozenset[int]
+    curves: frozenset[int]
+
+
+class Session(QObject):
+    """Owner of the open document; all that changes it goes through `change`, or is a gesture.
+
+    Signals
+    -------
+    document_changed
+        The document shown is another one: a preview, a change, undo, redo, open or new.
+    active_changed
+        Another curve is edited.
+    selection_changed
+        Another set of points is selected.
+    chosen_changed
+        Another set of curves is chosen, to be worked on together.
+    hovered_changed
+        The pointer is over another point (its index, or -1), on the canvas or in the basis panel.
+    scrub_changed
+        The scrub line was moved to another t, or put away (None).
+    file_changed
+        The path or the modified mark is another one.
+    opened
+        Another document was opened or begun, or undo or redo has gone back to another one.
+    left
+        A document without a file was left with this work in it; undo or redo goes back to it.
+    saved
+        The document was written to its file.
+    history_changed
+        There is another step to undo or redo.
+    interrupted
+        The document or the curve that is edited is being replaced (a step, undo, open): a gesture in flight
+        is void, and what has been said about the old one is out of date.
+    message
+        A `Message` for the person.
+
+    Attributes
+    ----------
+    history
+        The steps that can be undone.
+    files
+        The file behind the document, and where the document began.
+    active_index
+        The curve that is edited.
+    offered_at
+        The parameter that the action offered last is about; None once that is out of date.
+    """
+
+    document_changed = Signal(object)
+    active_changed = Signal(int)
+    selection_changed = Signal(object)
+    chosen_changed = Signal(object)
+    hovered_changed = Signal(int)
+    scrub_changed = Signal(object)
+    file_changed = Signal()
+    opened = Signal()
+    left = Signal(object)
+    saved = Signal()
+    history_changed = Signal()
+    interrupted = Signal()
+    message = Signal(object)
+
+    def __init__(self, parent: QObject | None = None) -> None:
+        super().__init__(parent)
+        self.history = History(self, self._restore_step)
+        self.undo_stack.cleanChanged.connect(self._report_clean)
+        self.undo_stack.indexChanged.connect(self._report_index)
+        self.files = Files(self)
+        self.active_index = 0
+        self.offered_at: float | None = None
+        self._selection = Selection()
+        self._views = Views()
+        self._committed = self._shown = plain(first_sketch())
+        self._home: _Home | None = None
+
+    def _report_clean(self, _clean: bool) -> None:
+        self.file_changed.emit()
+
+    def _report_index(self, _index: int) -> None:
+        self.offered_at = None
+        self._follow_history()
+        self.history_changed.emit()
+
+    def _follow_history(self) -> None:
+        """Turn to what the history says is there, where undo or redo has failed on its way to it.
+
+        The history goes on whatever a step raises: whoever undoes next would land somewhere else. What a step
+        does besides may be what failed; here it is made anew.
+        """
+        state = self.history.state
+        if state is None or state.document is self._committed or state.document == self._committed:
+            return
+        self.history.end_run()
+        self._home = None
+        self._committed = self._shown = state.document
+        self._views.take()
+        self.active_index = min(state.active, len(state.document.curves) - 1)
+        self._selection.points, self._selection.curves = frozenset(), frozenset({self.active_index})
+        if state.beginning is not self.files.beginning:
+            self._turn_to(state.beginning)
+        self.interrupted.emit()
+        self.document_changed.emit(state.document)
+        self.selection_changed.emit(self.selection)
+        self.set_hovered(-1)
+        self.set_scrub(self._selection.scrub_asked)
+        self.active_changed.emit(self.active_index)
+        self.chosen_changed.emit(self.chosen_curves)
+
+    # What is shown
+
+    @property
+    def document(self) -> Document:
+        """The current document; during a gesture, its preview."""
+        return self._shown
+
+    @property
+    def committed(self) -> Document:
+        """The history's last state, whatever a gesture in flight shows."""
+        return self._committed
+
+    @property
+    def state(self) -> State:
+        """State that the next step of the history begins with."""
+        active = self.active_index if self._home is None else self._home.active
+        return State(self._committed, active, self.files.beginning)
+
+    @property
+    def is_previewing(self) -> bool:
+        """Whether a gesture in flight shows something else than the history's last state."""
+        return self._shown is not self._committed
+
+    @property
+    def active_curve(self) -> Curve:
+        """The curve that is edited."""
+        return self._shown.curves[self.active_index]
+
+    @property
+    def views(self) -> list[CurveView]:
+        """The view-models of all curves."""
+        return self._views.of(self._shown.curves)
+
+    @property
+    def active_view(self) -> CurveView:
+        """The view-model of the active curve."""
+        return self.views[self.active_index]
+
+    @property
+    def undo_stack(self) -> QUndoStack:
+        """The steps of the history, as Qt has them."""
+        return self.history.stack
+
+    @property
+    def path(self) -> Path | None:
+        """Path of the document; None as long as it has no file."""
+        return self.files.path
+
+    # Changes
+
+    def change(
+        self,
+        text: str,
+        edit: Callable[[Document], Document],
+        *,
+        active: int | None = None,
+        run: Hashable = None,
+    ) -> Change:
+        """Make what `edit` returns for the document the current one, as the step `text` of the history.
+
+        A gesture in flight is dropped first, so `edit` gets the history's last state. Where it raises
+        `EditError` nothing changes and the status line says why.
+
+        Parameters
+        ----------
+        active
+            The curve to edit from then on, where that changes.
+        run
+            Changes of the same run that follow each other within a second, with nothing between them, are one
+            step: arrow keys.
+        """
+        self.interrupt()
+        try:
+            document = edit(self._committed)
+        except EditError as reason:
+            return self._refused(str(reason))
+        return self.commit(document, text, active=active, run=run)
+
+    def preview(self, document: Document, *, active: int | None = None) -> bool:
+        """Show `document` during a gesture; `commit` or `cancel` ends it. Return whether it is shown.
+
+        `active` is the curve to edit meanwhile, where the gesture begins another one.
+        """
+        document = plain(document, self._shown)
+        if document is self._shown:
+            return True
+        if reason := why_locked(self._committed, document):
+            self.refuse(reason)
+            return False
+        if active is not None and self._home is None:
+            self._home = _Home(self.active_index, self.selection, self.chosen_curves)
+            self._enter(active)
+        self._show(document)
+        return True
+
+    def commit(
+        self, document: Document, text: str, *, active: int | None = None, run: Hashable = None
+    ) -> Change:
+        """End the gesture in flight with `document`, as the step `text` of the history; see `change`.
+
+        A document in which a locked curve is another one, or that no file could hold, is refused.
+        """
+        document = plain(document, self._shown)
+        if document == self._committed:
+            self.cancel()
+            return Change(is_done=False)
+        if reason := why_locked(self._committed, document) or why_not_kept(self._committed, document):
+            return self._refused(reason)
+        before = self.state
+        self._home = None
+        after = State(document, self.active_index if active is None else active, self.files.beginning)
+        self.history.push(before, after, text, run)
+        return Change(is_done=True)
+
+    def cancel(self) -> None:
+        """Drop the preview; nothing is left of it."""
+        if not self.is_previewing:
+            return
+        home, self._home = self._home, None
+        if home is not None:
+            self._enter(home.active)
+        self._show(self._committed)
+        if home is not None:
+            self.choose_curves(home.curves)
+            self.select(home.points)
+
+    def interrupt(self) -> bool:
+        """Drop the gesture in flight, wherever it is, with its preview; return whether one was shown."""
+        was_previewing = self.is_previewing
+        self.interrupted.emit()
+        self.cancel()
+        return was_previewing
+
+    def _refused(self, reason: str) -> Change:
+        """Say why nothing changes."""
+        self.refuse(reason)
+        self.cancel()
+        return Change(is_done=False, refusal=reason)
+
+    # From state to state
+
+    def _restore_step(self, state: State) -> None:
+        before, is_other = self._committed, state.beginning is not self.files.beginning
+        if is_other:
+            if self.is_modified and self.path is None:
+                self.left.emit(before)
+            self._turn_to(state.beginning)
+        self._restore(state)
+        if self.history.is_pushing:
+            return
+        if is_other:
+            self.file_changed.emit()
+            self.opened.emit()
+        else:
+            self._choose_returned(before)
+
+    def _turn_to(self, beginning: Beginning) -> None:
+        """Put away what belonged to the document before this one."""
+        self.files.beginning = beginning
+        if self.path is not None:
+            # Its file holds the other document: nothing of this one may go there unasked.
+            self.files.close()
+            self.undo_stack.resetClean()
+        self.select([])
+        self.choose_curves((self.active_index,))
+        self.set_scrub(None)
+        # Another document's curves are nobody's last good shape.
+        self._views.take()
+
+    def _choose_returned(self, before: Document) -> None:
+        """Select the points, or choose the curves, that undo or redo has brought back."""
+        curves = self._committed.curves
+        if len(chosen := returned_curves(before.curves, curves)) > 1:
+            self.choose_curves(chosen)
+        elif not self.selection and len(before.curves) == len(curves):
+            old = before.curves[self.active_index].nodes
+            self.select(returned_nodes(old, self.active_curve.nodes))
+
+    def _restore(self, state: State, views: Sequence[CurveView] = ()) -> None:
+        self.history.end_run()
+        self._home = None
+        self.interrupted.emit()
+        if state.active != self.active_index:
+            self._enter(state.active)
+        self._committed = state.document
+        if views:
+            self._views.take(views)
+        self._show(state.document)
+
+    def _show(self, document: Document) -> None:
+        before, self._shown = self._shown.curves, document
+        self.active_index = min(self.active_index, len(document.curves) - 1)
+        has_moved = self._selection.follow_curves(before, document.curves, self.active_index)
+        old = before[self.active_index] if self.active_index < len(before) else None
+        selection = self._selection.followed_points(old, self.active_curve)
+        # Nobody who is told of the document finds something named that it does not have.
+        self.select(self.selection)
+        self.set_hovered(self.hovered)
+        self.document_changed.emit(document)
+        # Whoever draws it has had to hear of the points first.
+        self.select(selection)
+        self.set_scrub(self._selection.scrub_asked)
+        if has_moved:
+            self.chosen_changed.emit(self.chosen_curves)
+
+    # What is neither saved nor undone: whatever is asked for, it names what exists in the document shown
+
+    @property
+    def selection(self) -> frozenset[int]:
+        """Indices of the selected points of the active curve."""
+        return self._selection.points
+
+    @property
+    def selected(self) -> int | None:
+        """The selected point if exactly one is selected."""
+        return next(iter(self.selection)) if len(self.selection) == 1 else None
+
+    @property
+    def chosen_curves(self) -> frozenset[int]:
+        """Indices of the curves that are worked on together, of which the active one is one."""
+        return self._selection.curves
+
+    @property
+    def hovered(self) -> int:
+        """The point under the pointer, or -1."""
+        return self._selection.hovered
+
+    @property
+    def scrub(self) -> float | None:
+        """The t of the scrub line, or None."""
+        return self._selection.scrub
+
+    def select(self, indices: Collection[int]) -> None:
+        """Select the points at `indices` of the active curve, those that exist."""
+        if self._selection.select(indices, len(self.active_curve.nodes)):
+            self.history.end_run()
+            self.selection_changed.emit(self.selection)
+
+    def set_hovered(self, index: int) -> None:
+        """Say which point the pointer is over; -1 for none."""
+        if self._selection.hover(index, len(self.active_curve.nodes)):
+            self.hovered_changed.emit(self.hovered)
+
+    def set_scrub(self, t: float | None) -> None:
+        """Move the scrub line to `t`, or put it away (None).
+
+        It stays on the curve that is edited: at the end nearer to `t` where that lies outside, away while
+        there is no curve, and at `t` again when there is one that goes as far.
+        """
+        curve = None if t is None else self.active_view.curve
+        if self._selection.scrub_to(t, None if curve is None else curve.domain):
+            self.scrub_changed.emit(self.scrub)
+
+    def activate(self, index: int) -> None:
+        """Edit another curve, and choose it alone; nothing of it is selected yet."""
+        self.choose_curves((index,), index)
+
+    def choose_curves(self, indices: Collection[int], active: int | None = None) -> None:
+        """Choose curves to work on together, those that exist.
+
+        The curve that is edited is one of them: `active`, or the one edited so far, or the chosen one nearest
+        to it. With several no points are selected, so that tools act on the curves.
+        """
+        if self.is_previewing:
+            # The gesture may edit a curve that goes with its preview.
+            self.interrupt()
+        before, count = self.chosen_curves, len(self._shown.curves)
+        wanted = active if active is not None and 0 <= active < count else self.active_index
+        wanted = self._selection.choose_curves(indices, wanted, count)
+        if wanted != self.active_index:
+            self.interrupted.emit()
+            self.cancel()
+            self.offered_at = None
+            self._enter(wanted)
+            self.set_scrub(self._selection.scrub_asked)
+            self.active_changed.emit(wanted)
+        if len(self.chosen_curves) > 1:
+            self.select([])
+        if self.chosen_curves != before:
+            self.chosen_changed.emit(self.chosen_curves)
+
+    def _enter(self, index: int) -> None:
+        """Make curve `index` the active one; what belonged to the other is put away."""
+        self.select([])
+        self.set_hovered(-1)
+        self.active_index = index
+
+    # Messages
+
+    def say(self, text: str) -> None:
+        """Show a sentence in the status line."""
+        self.message.emit(Message(MessageKind.SAID, text))
+
+    def refuse(self, text: str) -> None:
+        """Say that something was not done, and why: marked, so that it is not taken for a hint."""
+        self.message.emit(Message(MessageKind.REFUSED, text))
+
+    def offer(self, text: str, action: str, at: float | None = None) -> None:
+        """Show a sentence above the canvas, and beside it a button for the action of this name.
+
+        `at` is the parameter that the action is about; the next step of the history makes it void, and so
+        does another curve to edit.
+        """
+        self.offered_at = at
+        self.message.emit(Message(MessageKind.OFFERED, text, action))
+
+    # Files
+
+    @property
+    def has_changes(self) -> bool:
+        """Whether something was changed here since the document was opened or saved."""
+        return not self.undo_stack.isClean()
+
+    @property
+    def is_modified(self) -> bool:
+        """Whether what is here is not in the file: changed here, or changed, damaged or deleted there."""
+        return self.has_changes or self.files.has_lost_document
+
+    def new(self) -> None:
+        """Start an empty document."""
+        self.files.new()
+
+    def open(self, path: str | Path, reading: Reading | None = None, views: Sequence[CurveView] = ()) -> None:
+        """Open the document at `path`; see `Files.open`."""
+        self.files.open(path, reading, views)
+
+    def save(self, path: str | Path | None = None, *, overwrite: bool = False) -> None:
+        """Write the document to `path`, or to the file it came from; see `Files.save`."""
+        self.files.save(path, overwrite=overwrite)
+
+    def begin(self, state: State, path: Path | None, views: Sequence[CurveView] = ()) -> None:
+        """Go on with another document, whose history begins here; its views may be given."""
+        self._turn_to(state.beginning)
+        self.files.path = path
+        self._restore(state, views)
+        self.undo_stack.clear()
+        self.undo_stack.setClean()
+        self.file_changed.emit()
+        self.opened.emit()

@@ -1,0 +1,33 @@
+"""View-models of the curves that are shown, kept as long as the curves are the same values."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from app.document.model import Curve
+from app.view_model.curve_view import CurveView, view_of
+
+
+class Views:
+    """The views of a document's curves; made anew only for curves that are other values than before."""
+
+    def __init__(self) -> None:
+        self._views: list[CurveView] = []
+        self._curves: tuple[Curve, ...] = ()
+
+    def of(self, curves: tuple[Curve, ...]) -> list[CurveView]:
+        """Return the views of `curves`."""
+        if self._curves is not curves:
+            known = {id(view.source): view for view in self._views}
+            # A curve that was changed takes its last good shape from its place in the list.
+            same_places = len(curves) == len(self._views)
+            self._views = [
+                known.get(id(curve)) or view_of(curve, self._views[place] if same_places else None)
+                for place, curve in enumerate(curves)
+            ]
+            self._curves = curves
+        return self._views
+
+    def take(self, views: Sequence[CurveView] = ()) -> None:
+        """Go on with `views`, as far as they are of the curves that are asked for, and with no others."""
+        self._views, self._curves = list(views), ()

@@ -1,0 +1,134 @@
+"""The window's state is one value with one owner; actions and preferences follow it."""
+
+from __future__ import annotations
+
+import ast
+from pathlib import Path
+
+import pytest
+from msgspec.structs import replace
+
+from app.preferences import Preferences
+from app.settings import Setting
+from app.theme import ThemeMode
+from app.tools.add import ADD
+from app.tools.select import SELECT
+from app.window_state import WindowState, WindowStore
+
+APP = Path(__file__).resolve().parent.parent.parent / "app"
+FORMS = {"export_form", "import_table_dialog", "method_table", "preferences_dialog"}
+"""Dialogs and forms whose boxes are their own value until they are answered."""
+
+SHOWN = {
+    "action_switch": "a button that shows an action",
+    "basis_pane": "which functions are shown, and whether they are fitted, is this panel's own",
+    "command_palette": "a tick beside what is on",
+    "motion_export": "a dialog's own box",
+}
+
+
+def store_of(tmp_path):
+    return WindowStore(Preferences(tmp_path / "settings.ini"))
+
+
+def test_a_change_is_told_once_with_what_was_before(qapp, tmp_path):
+    store, told = store_of(tmp_path), []
+    store.changed.connect(lambda before, after: told.append((before, after)))
+    before = store.state
+    store.change(grid=False, tool=ADD)
+    assert told == [(before, replace(before, grid=False, tool=ADD))]
+    store.change(grid=False)
+    assert len(told) == 1
+
+
+def test_who_hears_later_hears_of_changes_in_their_order(qapp, tmp_path):
+    """A change by one who hears of another one would else be told before that one, and undone after it."""
+    store, seen = store_of(tmp_path), []
+
+    def hide_basis(_before, after):
+        if not after.grid:
+            store.change(basis=False)
+
+    store.changed.connect(hide_basis)
+    store.changed.connect(
+        lambda before, after: seen.append((before.grid, after.grid, before.basis, after.basis))
+    )
+    store.change(grid=False)
+    assert seen == [(True, False, True, True), (False, False, True, False)]
+    assert not store.state.basis
+
+
+REMEMBERED = {
+    "snap_on",
+    "snap_kinds",
+    "grid_spacing",
+    "unit_name",
+    "transform_box",
+    "with_estimates",
+    "theme_mode",
+}
+
+
+def test_fields_that_preferences_of_the_same_name_remember_are_remembered(qapp, tmp_path):
+    fields = set(WindowState.__struct_fields__)
+    assert {
+        name for name, each in vars(Preferences).items() if isinstance(each, Setting)
+    } & fields == REMEMBERED
+    store = store_of(tmp_path)
+    store.change(snap_on=True, unit_name="mm", theme_mode=ThemeMode.DARK, grid=False)
+    again = store_of(tmp_path).state
+    assert (again.snap_on, again.unit_name, again.theme_mode) == (True, "mm", ThemeMode.DARK)
+    assert again.grid
+
+
+def test_what_another_one_has_remembered_is_taken_over_when_asked(qapp, tmp_path):
+    store = store_of(tmp_path)
+    other = store_of(tmp_path)
+    other.change(grid_spacing=0.5)
+    assert store.state.grid_spacing == 0.0
+    store._preferences.file._settings.sync()
+    store.read_preferences()
+    assert store.state.grid_spacing == 0.5
+
+
+@pytest.mark.parametrize(
+    ("name", "field"),
+    [
+        ("toggleGrid", "grid"),
+        ("toggleBasis", "basis"),
+        ("toggleSidePanel", "side_panel"),
+        ("toggleSnap", "snap_on"),
+        ("toggleTransformBox", "transform_box"),
+        ("toggleEstimates", "with_estimates"),
+    ],
+)
+def test_a_switch_shows_the_state_and_asks_for_another_one(editor, name, field):
+    editor.trigger("familyHermite")
+    store, action = editor.window.store, editor.action(name)
+    was_on = getattr(store.state, field)
+    assert action.isChecked() == was_on
+    editor.trigger(name)
+    assert getattr(store.state, field) != was_on
+    assert action.isChecked() != was_on
+    store.change(**{field: was_on})
+    assert action.isChecked() == was_on
+
+
+def test_while_the_mouse_moves_the_image_no_tool_for_points_looks_as_if_in_use(editor):
+    store = editor.window.store
+    assert store.state.uses(SELECT)
+    store.change(moves_image=True)
+    assert not store.state.uses(SELECT)
+    assert store.state.tool is SELECT
+    store.change(moves_image=False)
+    assert editor.action("selectTool").isChecked()
+
+
+def test_nobody_asks_an_action_whether_it_is_checked():
+    asked = {
+        path.stem
+        for path in APP.rglob("*.py")
+        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8")))
+        if isinstance(node, ast.Attribute) and node.attr == "isChecked"
+    }
+    assert asked == FORMS | set(SHOWN)
