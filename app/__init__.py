@@ -12,23 +12,19 @@ The layers, top to bottom; a module imports only from its own layer and those ab
 - ``overrides``: exceptions end in the method that Qt called.
 - ``resources``, ``examples``, ``lessons``: what comes with the program.
 - ``session``: the one mutable owner of the current document, its history and the selection.
-- ``autosave``: keeps a snapshot of what is not saved yet.  ``set_aside``: of what was left for a lesson.
 - ``theme``, ``colours``, ``icons``: how it looks.  ``labels``: words of others as they are written.
-- ``preferences``: what is remembered between starts.  ``settings``, ``settings_file``: the kinds of settings;
-  their ini file.
+- ``settings``: what is remembered between starts, and the ini file that holds it.
 - ``keymap``: which keys do what.  ``mnemonics``: the letters of menus.
 - ``window_state``: the window's state as a value.  ``analysis``: what is shown over the curve, a part of it.
 - ``player``: a motion, and the clock that drives it.
-- ``disk_watch``: notices when a file may have changed.
 - ``plotting``: what canvas and basis panel share: a pixel map, fast drawing, pan and zoom.
 - ``canvas``, ``panels``: draw a value and report what the person did. They never call each other.
 - ``controllers``: what the person did in a panel becomes a change of the document.
 - ``central_area``: the plots and what lies over them.  ``clipboard_watch``: what is on the clipboard.
-- ``actions``, ``docks``, ``file_commands``, ``commands``: what can be done, what it acts on, what it does.
+- ``actions``, ``docks``, ``file_commands``, ``commands``, ``features``: what can be done, and what it does.
 - ``toolbar``, ``menus``, ``window_layout``, ``main_window``: build, dock, connect.
 - ``diagnostics``: the log, slow frames, reports of crashes.
-- ``lifecycle``: what surrounds the windows from start to end.
-- ``cli``: the command line, and the editor's start.
+- ``cli``: the command line, the editor's start, and what surrounds its windows until the end.
 - ``testing``: a driver for pytest-qt.
 """
 

@@ -13,9 +13,9 @@ from PySide6.QtWidgets import QFileDialog, QMessageBox, QWidget
 
 from app.document.model import empty_document
 from app.labels import breakable
-from app.preferences import Preferences
 from app.resources import is_resource
 from app.session import Session
+from app.settings.preferences import Preferences
 from app.storage.files import StorageError, load
 from app.storage.format import FormatError
 from app.storage.open_file import Reading, is_large

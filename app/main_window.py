@@ -25,7 +25,6 @@ from PySide6.QtWidgets import (
 from app.actions.qactions import Actions
 from app.actions.situation import Situation
 from app.analysis import Analysis
-from app.autosave import Autosave
 from app.central_area import CentralArea
 from app.clipboard_watch import ClipboardWatch
 from app.commands.connect import COMMAND_SETS, Commands
@@ -36,7 +35,6 @@ from app.commands.file_work import FileWork
 from app.commands.given import Given
 from app.commands.image_commands import ImageCommands
 from app.commands.lesson_commands import LessonCommands
-from app.commands.recovery_commands import OpenBeside, RecoveryCommands
 from app.commands.view_commands import ViewCommands
 from app.controllers.curve_settings import CurveSettingsController
 from app.controllers.history import HistoryController
@@ -45,14 +43,16 @@ from app.controllers.parametrization import ParametrizationController
 from app.controllers.point_table import PointTableController
 from app.controllers.rail import RailController
 from app.docks import Docks
+from app.features.recovery.autosave import Autosave
+from app.features.recovery.commands import OpenBeside, RecoveryCommands
 from app.file_commands import FileCommands, title_of
 from app.icons import app_icon
 from app.menus import Menus
 from app.overrides import Guarded
 from app.panels.parametrization_bar import ParametrizationBar
 from app.panels.status_line import StatusLine
-from app.preferences import Preferences
 from app.session import Message, MessageKind, Session
+from app.settings.preferences import Preferences
 from app.tasks.single_task import SingleTask
 from app.theme import Theme, ThemeMode, apply_theme, theme_of
 from app.toolbar import Toolbar

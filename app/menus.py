@@ -14,7 +14,7 @@ from app.examples import example_name, example_paths
 from app.keymap import set_full_name
 from app.labels import menu_text
 from app.mnemonics import give_mnemonics, with_mnemonics
-from app.preferences import Preferences
+from app.settings.preferences import Preferences
 
 
 class Menus:

@@ -11,7 +11,7 @@ from PySide6.QtWidgets import QDockWidget, QMainWindow, QSplitter
 from app.commands.dock_room import hide_idle_docks
 from app.overrides import Guarded
 from app.panels.fitting import room_on
-from app.preferences import Preferences
+from app.settings.preferences import Preferences
 
 _SIZE = QSize(1280, 860)
 _LEAST = QSize(200, 150)

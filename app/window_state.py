@@ -6,7 +6,7 @@ import msgspec
 from msgspec.structs import replace
 from PySide6.QtCore import QObject, Signal
 
-from app.preferences import Preferences
+from app.settings.preferences import Preferences
 from app.storage.open_file import FileChange
 from app.theme import ThemeMode
 from app.tools.select import SELECT

@@ -20,7 +20,7 @@ import msgspec
 import pytest
 from hypothesis import settings
 
-from app.families import Family
+from app.families import FAMILIES, Family
 
 settings.register_profile("curvebench", deadline=None, derandomize=True, max_examples=60)
 settings.load_profile("curvebench")
@@ -50,6 +50,16 @@ def own_home(_homes, monkeypatch):
         for scope in (core.QSettings.Scope.UserScope, core.QSettings.Scope.SystemScope):
             core.QSettings.setPath(core.QSettings.Format.IniFormat, scope, str(home / "settings"))
     return home
+
+
+@pytest.fixture(scope="module")
+def own_families():
+    """Have the families that only the tests have, from files, as if the command line had named these."""
+    from app.families.family_file import families_of_files
+    from tests.own_families import FILES
+
+    with families_of_files(FAMILIES, [str(path) for path in FILES]):
+        yield FAMILIES
 
 
 @pytest.fixture

@@ -14,3 +14,7 @@
 - ``pen_layer``: what the pen would make before it is pressed.
 - ``hit_test``: what lies under the pointer.
 """
+
+import lazy_loader as lazy
+
+__getattr__, __dir__, __all__ = lazy.attach_stub(__name__, __file__)

@@ -7,11 +7,13 @@ from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject, Signal
 
+from app import canvas
 from app.canvas.figure_layer import FigureLayer
 from app.canvas.file_layer import FileLayer
 from app.canvas.trace_layer import Trace, TraceLayer
 from app.plotting.plot_widget import PlotWidget
 from app.theme import LIGHT
+from app.view_model import analysis
 from app.view_model.analysis.figures import Figure
 from app.view_model.curve_view import CurveView
 from app.view_model.looks import FILE_LOOK, Look
@@ -95,9 +97,8 @@ class Annotations(QObject):
             if not rows:
                 return
             # Built when there is something to explain: nobody waits for it at the start.
-            from app.canvas.legend import Legend  # noqa: PLC0415
 
-            self.legend = self._plot.layers.style(Legend(self._plot.viewport(), LIGHT))
+            self.legend = self._plot.layers.style(canvas.legend.Legend(self._plot.viewport(), LIGHT))
             self.legend.chosen.connect(self.ghost_chosen)
             self.legend.hidden.connect(self.ghost_hidden)
         self.legend.render_rows(group, rows)
@@ -107,6 +108,5 @@ class Annotations(QObject):
     ) -> None:
         if not lines and self.legend is None:
             return
-        from app.view_model.analysis.legend import line_rows  # noqa: PLC0415 - late, as the legend
 
-        self.render_legend(group, line_rows(lines, heading, muted=muted))
+        self.render_legend(group, analysis.legend.line_rows(lines, heading, muted=muted))

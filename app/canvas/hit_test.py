@@ -11,13 +11,17 @@ from msgspec.structs import replace
 from app.document.model import Vector
 from app.plotting.pixel_map import Floats, PixelMap
 from app.tools.pointer import Hit, Part
-from app.view_model.curve_view import CurveView, Polyline
+from app.view_model.curve_view import CoreCurve, CurveView, Polyline
 from app.view_model.handles import Handle
 
 POINT_REACH = 10.0
 """Pixels from the pointer within which a point or a handle is grabbed."""
 
 CURVE_REACH = 8.0
+
+_NEAR_ENOUGH = 0.5
+_SLIDES, _SAMPLES = 3, 17
+"""Each time a piece is divided by so many samples; what is left of it is below a part in 4096."""
 
 _PARTS = {1: Part.VELOCITY_HANDLE, 2: Part.ACCELERATION_HANDLE}
 
@@ -82,8 +86,23 @@ def _on_curve(pixel: Vector, shown: PixelMap, view: CurveView, polyline: Polylin
     t0, t1 = polyline.parameters[nearest.segment : nearest.segment + 2]
     t = float(t0 + nearest.share * (t1 - t0))
     x, y = view.curve.evaluate(t)
+    if np.hypot(*np.subtract(shown.point(float(x), float(y)), pixel)) > nearest.distance + _NEAR_ENOUGH:
+        # On a straight piece the polyline knows the way and not the pace.
+        t = _slid(view.curve, shown, pixel, (float(t0), float(t1)))
+        x, y = view.curve.evaluate(t)
     index = int(np.searchsorted(view.parameters, t))
     return Hit(Part.CURVE, max(index, 1), (float(x), float(y)), t=t)
+
+
+def _slid(curve: CoreCurve, shown: PixelMap, pixel: Vector, between: tuple[float, float]) -> float:
+    """Return the t between two others at which the curve is nearest to a pixel, to a small part of one."""
+    share = 0.5
+    for _ in range(_SLIDES):
+        t = np.linspace(*between, _SAMPLES)
+        nearest = Segments([shown.points(curve.evaluate(t))]).nearest(pixel)
+        assert nearest is not None
+        between, share = (float(t[nearest.segment]), float(t[nearest.segment + 1])), nearest.share
+    return between[0] + share * (between[1] - between[0])
 
 
 class Nearest(NamedTuple):

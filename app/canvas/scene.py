@@ -9,6 +9,7 @@ import msgspec
 import numpy as np
 from PySide6.QtGui import QImage
 
+from app import canvas
 from app.canvas.annotations import Annotations
 from app.canvas.chosen_curves_layer import ChosenCurvesLayer
 from app.canvas.corner_layer import CornerLayer
@@ -155,9 +156,8 @@ class CanvasScene:
         """Show dots that run, and the curves that some of them run along."""
         if self._motion is None:
             # Made when something runs: nobody waits for it at the start.
-            from app.canvas.motion_layer import MotionLayer  # noqa: PLC0415
 
-            self._motion = self._plot.layers.style(MotionLayer(self._plot, LIGHT))
+            self._motion = self._plot.layers.style(canvas.motion_layer.MotionLayer(self._plot, LIGHT))
         had_dots = bool(self.dots)
         self._motion.render(dots, lines)
         if bool(dots) != had_dots:

@@ -1,9 +1,10 @@
 """The command line: the editor, and commands that need no window.
 
 - ``command_line``: what was typed, and which command it is.  ``refusals``: what cannot be done, in one line.
-- ``commands``: render, convert, info and lesson.  ``options``: theirs.
+- ``families``: those of files that were named.  ``commands``: render, convert, info and lesson; ``options``:
+  what they take.
 - ``start``: the editor's start.  ``windows``: its first windows.  ``application``: Qt's application.
-- ``display``: whether there is a screen for them.
+  ``lifecycle``: what surrounds them until the end.  ``display``: whether there is a screen for them.
 """
 
 import lazy_loader as lazy

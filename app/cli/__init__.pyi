@@ -1,6 +1,7 @@
 # Modules that are imported when they are first used.
 from . import application as application
 from . import commands as commands
+from . import families as families
 from . import start as start
 from . import windows as windows
 from .command_line import main as main

@@ -49,9 +49,9 @@ def main(arguments: Sequence[str] | None = None) -> int:
         # A terminal that knows no α shall still show the rest.
         sys.stdout.reconfigure(errors="backslashreplace")
     try:
-        options, words = log_options().parse_known_args(words)
+        options, words = common_options().parse_known_args(words)
         with logged(options.log):
-            code = _run(words)
+            code = _run_with_families(options.families, words)
         say(end="")  # what was printed by others
     except BrokenPipeError:
         return _leave_closed_pipe()
@@ -66,6 +66,29 @@ def main(arguments: Sequence[str] | None = None) -> int:
         return code
     print(f"curvebench: {one_line(message)}", file=sys.stderr)
     return 1
+
+
+def common_options() -> argparse.ArgumentParser:
+    """Return the parser of the options that every command has, wherever they stand.
+
+    They are taken first: which families there are decides what other options may say.
+    """
+    parser = log_options()
+    parser.add_argument(
+        "--families",
+        action="append",
+        default=[],
+        metavar="FILE.py",
+        help="run this file and have the curve families that it defines; may be given more than once",
+    )
+    return parser
+
+
+def _run_with_families(paths: list[str], words: list[str]) -> int:
+    if not paths:
+        return _run(words)
+    with cli.families.families_of_files(paths):
+        return _run(words)
 
 
 def _run(words: list[str]) -> int:
@@ -87,7 +110,7 @@ def _editor_parser() -> argparse.ArgumentParser:
         description=_DESCRIPTION,
         epilog=_EPILOG,
         formatter_class=argparse.RawDescriptionHelpFormatter,
-        parents=[log_options()],
+        parents=[common_options()],
     )
     parser.add_argument("--version", action="version", version=f"curvebench {__version__}")
     parser.add_argument("files", nargs="*", metavar="FILE", help="documents (*.curve.json), files to import")

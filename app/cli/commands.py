@@ -17,6 +17,7 @@ from typing import TYPE_CHECKING, Any
 from msgspec.structs import replace
 
 from app import cli
+from app.cli.command_line import common_options
 from app.cli.options import (
     STYLES,
     add_convert_options,
@@ -28,7 +29,6 @@ from app.cli.options import (
     positive_number,
 )
 from app.cli.refusals import RefusalError, load_document, one_line, say
-from app.diagnostics.log import log_options
 from app.exchange.drawing.animation import FILMS
 from app.exchange.errors import ExchangeError
 from app.exchange.formats import FORMATS, can_import, endings_of
@@ -64,6 +64,7 @@ def run_command(words: Sequence[str]) -> int:
         If what was asked cannot be done.
     """
     options = _command_parser().parse_args(words)
+    _tell(FAMILIES.problems)
     try:
         return _COMMAND_OF[options.command](options)
     except ExchangeError as problem:
@@ -73,7 +74,7 @@ def run_command(words: Sequence[str]) -> int:
 def _command_parser() -> argparse.ArgumentParser:
     parser = argparse.ArgumentParser("curvebench")
     commands = parser.add_subparsers(dest="command", required=True)
-    add = partial(commands.add_parser, parents=[log_options()])
+    add = partial(commands.add_parser, parents=[common_options()])
     render = add("render", help="write a picture", description="Write a picture of a document.")
     render.add_argument("file", metavar="FILE")
     render.add_argument(

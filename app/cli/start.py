@@ -13,6 +13,7 @@ from app import cli
 from app.cli.display import has_display, missing_library
 from app.cli.refusals import RefusalError, load_document
 from app.commands.given import given
+from app.families import FAMILIES
 from app.storage.files import StorageError
 from app.storage.open_file import is_large
 
@@ -35,7 +36,7 @@ def edit(files: Sequence[str], lesson: str = "") -> int:
         raise RefusalError(f"There is no display to open a window on. {_WITHOUT}")
     with no_garbage_sought():
         application = _application()
-        sentences = [f"{str(each).removesuffix('.')}." for each in problems.values()]
+        sentences = [*FAMILIES.problems, *(f"{str(each).removesuffix('.')}." for each in problems.values())]
         windows = cli.windows.open_windows(able, sentences)
         if lesson:
             windows[0].open_lesson(lesson)

@@ -8,8 +8,8 @@ from pathlib import Path
 
 from PySide6.QtWidgets import QApplication
 
+from app.cli.lifecycle import Lifecycle
 from app.commands.given import given
-from app.lifecycle import Lifecycle
 from app.main_window import MainWindow
 from app.session import Session
 from app.storage.open_file import is_large

@@ -7,8 +7,6 @@
 - ``chosen_commands``, ``curve_clipboard``: what is done to all chosen curves.
 - ``selection_commands``, ``tangent_commands``: transforms of the selected points; their tangents.
 - ``clipboard_commands``: points on the clipboard.  ``context_menus``: what the right button opens.
-- ``disk_commands``, ``disk_notices``: the document's file while it is open.
-- ``recovery_commands``: work that was not saved.
 - ``exchange_commands``: import and export.  ``import_series``: of several files.
   ``file_work``: how what takes long is shown and stopped.
 - ``overlay_commands``, ``plot_commands``: what is drawn over the curve, and over t.

@@ -13,7 +13,6 @@ from app.commands.clipboard_commands import ClipboardCommands
 from app.commands.context import Closes, Follows, Renders, WindowContext
 from app.commands.context_menus import ContextMenus
 from app.commands.curve_commands import CurveCommands
-from app.commands.disk_commands import DiskCommands
 from app.commands.document_commands import DocumentCommands
 from app.commands.drops import Drops
 from app.commands.edit_commands import EditCommands
@@ -31,7 +30,6 @@ from app.commands.motion_commands import MotionCommands
 from app.commands.overlay_commands import OverlayCommands
 from app.commands.plot_commands import PlotCommands
 from app.commands.rail_commands import RailCommands
-from app.commands.recovery_commands import RecoveryCommands
 from app.commands.selection_commands import SelectionCommands
 from app.commands.snap_commands import SnapCommands
 from app.commands.tangent_commands import TangentCommands
@@ -40,6 +38,8 @@ from app.commands.tool_commands import ToolCommands
 from app.commands.view_commands import ViewCommands
 from app.commands.wiggle_commands import WiggleCommands
 from app.commands.work_commands import WorkCommands
+from app.features.file_on_disk.commands import DiskCommands
+from app.features.recovery.commands import RecoveryCommands
 from app.tasks.owner import TaskOwner, close_all
 from app.view_model.curve_view import CurveView
 

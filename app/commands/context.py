@@ -15,8 +15,8 @@ from app.commands.file_work import FileWork
 from app.docks import Docks
 from app.file_commands import FileCommands
 from app.panels.status_line import StatusLine
-from app.preferences import Preferences
 from app.session import Session
+from app.settings.preferences import Preferences
 from app.view_model.curve_view import CurveView
 from app.window_state import WindowStore
 

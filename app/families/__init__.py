@@ -5,6 +5,7 @@ command line and tests.
 
 - ``family``: `Family`, the record, made from a curve class.
 - ``registry``: `FAMILIES`, those of the program and then those of installed packages and of files.
+- ``family_file``: families that a person wrote in a file of Python, checked before they are used.
 """
 
 from app.families.family import Family

@@ -35,7 +35,7 @@ class Family:
     @classmethod
     def of(cls, curve_class: type[Curve]) -> Self:
         """Return the family of a curve class."""
-        return cls(curve_class.name, curve_class)
+        return cls(str(curve_class.name), curve_class)
 
     @staticmethod
     def may_be_called(name: object) -> bool:
@@ -80,7 +80,7 @@ class Family:
     @property
     def full_title(self) -> str:
         """What people read where nothing else says which one it is: cubic Hermite."""
-        return getattr(self._curve_class, "full_title", self.title)
+        return (self._curve_class.full_title if self._curve_class is not None else "") or self.title
 
     @property
     def kind(self) -> str:
@@ -127,12 +127,12 @@ class Family:
     @property
     def is_one_polynomial(self) -> bool:
         """Whether its curves are one polynomial from end to end."""
-        return getattr(self._curve_class, "is_one_polynomial", False)
+        return self._curve_class is not None and self._curve_class.is_one_polynomial
 
     @property
     def interpolates(self) -> bool:
         """Whether its curves run through their points."""
-        return getattr(self._curve_class, "interpolates", True)
+        return self._curve_class is None or self._curve_class.interpolates
 
     @property
     def is_local(self) -> bool:

@@ -5,7 +5,6 @@ from __future__ import annotations
 import copyreg
 import sys
 from collections.abc import Iterable, Iterator, Sequence
-from contextlib import contextmanager
 from pathlib import Path
 from typing import overload
 
@@ -58,14 +57,9 @@ class Families(Sequence[Family]):
             raise ValueError(f"there is a family “{family.name}” already")
         self._families.append(family)
 
-    @contextmanager
-    def with_family(self, family: Family) -> Iterator[None]:
-        """Have one family more for a while."""
-        self.add(family)
-        try:
-            yield
-        finally:
-            self._families.remove(family)
+    def remove(self, family: Family) -> None:
+        """Forget a family."""
+        self._families.remove(family)
 
     @property
     def _all(self) -> list[Family]:
@@ -101,11 +95,9 @@ def _any_package_brings_families() -> bool:
     )
 
 
-LAGRANGE, HERMITE, QUINTIC_HERMITE = (
-    Family.of(LagrangeCurve),
-    Family.of(HermiteCurve),
-    Family.of(QuinticHermiteCurve),
-)
+LAGRANGE = Family.of(LagrangeCurve)
+HERMITE = Family.of(HermiteCurve)
+QUINTIC_HERMITE = Family.of(QuinticHermiteCurve)
 FAMILIES = Families([LAGRANGE, HERMITE, QUINTIC_HERMITE])
 
 

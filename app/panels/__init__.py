@@ -22,8 +22,8 @@ In docks:
 
 Words and dialogs:
 
-- ``status_line``, ``job_bar``, ``teaching_badge``: at the foot.  ``message_bar``, ``file_bar``,
-  ``recovery_bar``: over the canvas.
+- ``status_line``, ``job_bar``, ``teaching_badge``: at the foot.  ``message_bar``: over
+  the canvas.
 - ``command_palette``, ``fuzzy``: type what you want.  ``shortcut_sheet``, ``shortcut_editor``: keys.
 - ``preferences_dialog``, ``motion_dialog``, ``crash_dialog``.  ``export_dialog``, ``export_form``,
   ``export_fields``: export.

@@ -115,6 +115,8 @@ def _note(cost: Cost) -> str:
             f" All this is about one polynomial through the points. The Hermite curve itself needs only "
             f"{cost.count - 1} small systems, {short(cost.piecewise)} operations: its cost grows as n does."
         )
+    if cost.other:
+        text += f" All this is about one polynomial through the points; a {cost.other} curve is none."
     return text
 
 

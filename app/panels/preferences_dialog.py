@@ -22,7 +22,7 @@ from app.panels.field_edit import NumberEdit, read_number
 from app.panels.fitting import FittedDialog
 from app.panels.number_text import decimal_mark, exact_text
 from app.panels.shortcut_editor import ShortcutEditor
-from app.preferences import LONGEST_UNIT, Preferences
+from app.settings.preferences import LONGEST_UNIT, Preferences
 from app.theme import ThemeMode, theme_of
 from app.tools.snapping import SnapKind
 

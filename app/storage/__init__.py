@@ -1,6 +1,7 @@
 """Documents on disk: the file format, atomic writing, locks and snapshots.
 
-- ``format``: documents to and from bytes, strictly.  ``image_path``: where the file of a picture lies.
+- ``format``: documents to and from bytes, strictly; ``coding``: families in them, by name.
+  ``image_path``: where the file of a picture lies.
 - ``migration``: older versions of the format, step by step.  ``all_within``: a quick look at many numbers.
   ``repeated_keys``: what typed decoding passes over.  ``coding``: values that are no plain JSON values.
 - ``files``: bytes to and from disk, so that nothing is ever half written; ``file_access``: who may read

@@ -16,12 +16,12 @@ from PySide6.QtWidgets import QDockWidget, QWidget
 from app.cli.display import has_display
 from app.document.model import Curve, ParametrizationKind, Vector
 from app.families import FAMILIES, Family
+from app.features.file_on_disk.bar import FileBar
 from app.main_window import MainWindow
 from app.panels.command_palette import CommandPalette
 from app.panels.curve_list_view import Spot, spot_rect
-from app.panels.file_bar import FileBar
-from app.preferences import Preferences
 from app.session import Session
+from app.settings.preferences import Preferences
 from app.testing.input_driver import InputDriver, spin
 from app.testing.reach import require_enabled, require_reachable, require_under_mouse
 from app.view_model.handles import Handle

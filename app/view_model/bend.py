@@ -29,7 +29,7 @@ from app.document.kept_handles import with_handles_kept
 from app.document.model import Curve, ParametrizationKind, Vector
 from app.view_model.basis_view import weights_at
 from app.view_model.bend_together import Cost, divided, slope_at_rest
-from app.view_model.curve_view import CurveView, Floats, parameters_of, view_of
+from app.view_model.curve_view import CoreCurve, CurveView, Floats, parameters_of, view_of
 from curvecore import CurveError
 
 _LEAST_HOLD = 1e-4
@@ -43,6 +43,9 @@ More would keep points better and swing the segments next door more: they share 
 
 _NEAR = 0.25
 """The share of a segment within which a point is the cheaper the nearer it is: handles do not swing there."""
+
+_ROUNDING, _LEAST_SUM = 1e-9, 0.1
+"""How far a sum of functions is off 1 by rounding, and the least by which a shift is divided."""
 
 _MAX_STEPS = 8
 
@@ -256,7 +259,7 @@ class Bend:
         price = self._hold.price**2
         cost = Cost(1 / self._hold.strength, price * of_points, price * len(self._view.points))
         shares = divided(self._moved_by, pull, cost, self._size, self._slope)
-        return self._curve(shares.bend, shares.shift)
+        return self._curve(shares.bend, shares.shift / self._moved_by_all(shares.bend))
 
     @cached_property
     def _slope(self) -> Floats:
@@ -295,17 +298,34 @@ class Bend:
 
     def _points_moved_by(self, bend: Floats) -> Floats | None:
         """Return the same where there are points alone: twice as fast as by way of a document."""
+        curve = self._through_points(bend)
+        if curve is None:
+            return None
+        moved: Floats = curve.evaluate(self._place.t(curve.parameters)) - self._start
+        return moved
+
+    def _moved_by_all(self, bend: Floats) -> float:
+        """Return how far the grabbed point goes, after a bend, for every unit that all points are moved.
+
+        1 where the functions add up to 1; not every family's do.
+        """
+        curve = None if self._view.source.family.derivatives else self._through_points(bend)
+        if curve is None:
+            return 1.0
+        total = float(curve.basis(self._place.t(curve.parameters)).sum())
+        return total if abs(total - 1.0) > _ROUNDING and total > _LEAST_SUM else 1.0
+
+    def _through_points(self, bend: Floats) -> CoreCurve | None:
+        """Return the curve through the points after a bend, where there are points alone."""
         view = self._view
         points = view.points + np.outer([each.change for each in self._data], bend)
         if view.source.is_closed:
             points = np.vstack([points, points[:1]])
         try:
             parameters = parameters_of(view.source, points, view.arrays.times)
-            curve = view.source.family.make(points[:, None], parameters)
+            return view.source.family.make(points[:, None], parameters)
         except CurveError:
             return None
-        moved: Floats = curve.evaluate(self._place.t(parameters)) - self._start
-        return moved
 
     def _curve(self, bend: Floats, shift: Floats | None = None) -> Curve:
         """Return the curve after a bend, and a shift of all points with it."""

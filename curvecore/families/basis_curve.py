@@ -25,7 +25,12 @@ from curvecore.families.lagrange import LagrangeCurve
 __all__ = ["BasisCurve", "Scheme"]
 
 _STENCIL = np.arange(-3.0, 4.0)
-_FINENESS = 24.0  # stencil steps in the distance of neighbouring parameters
+_FINENESS = (400.0, 400.0, 120.0)
+"""Stencil steps in the distance of neighbouring parameters, for derivatives of order 1, 2 and above.
+
+At a break the stencil lies to one side: its polynomial is off by the 7th derivative times a power of the
+step, and values by their rounding over one.
+"""
 _AS_GOOD_AS_EQUAL = 1e-9
 
 
@@ -95,7 +100,8 @@ class BasisCurve(Curve):
         self._parameters = read_only(parameter_array(parameters, len(data)))
         self._scheme = scheme
         self._breaks = self._checked_breaks()
-        self._check_cardinal()
+        if self.interpolates:
+            self._check_cardinal()
 
     @property
     def name(self) -> str:  # type: ignore[override]
@@ -138,10 +144,10 @@ class BasisCurve(Curve):
         """Differentiate the polynomials through the functions at seven places around each t."""
         joints = self._parameters
         segment = np.clip(np.searchsorted(joints, t, side="right") - 1, 0, len(joints) - 2)
-        step = np.diff(joints)[segment] / _FINENESS
+        step = np.diff(joints)[segment] / _FINENESS[min(order, len(_FINENESS)) - 1]
         middle = self._inside_of_a_piece(t, 3.0 * step)
         places = middle[:, None] + step[:, None] * _STENCIL
-        functions = self._functions(places.ravel(), 0).reshape(*places.shape, -1)
+        functions = self._functions(places.ravel(), 0).reshape(*places.shape, len(joints))
         stencil = LagrangeCurve(np.zeros((_STENCIL.size, 1)), _STENCIL)
         weights = stencil.basis((t - middle) / step, order)[:, :, 0]
         with np.errstate(over="ignore", under="ignore"):

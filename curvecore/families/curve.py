@@ -97,8 +97,12 @@ class Curve(Immutable, ABC):
         The family's, as people read it.
     derivatives : int
         How many derivatives belong to each point: R - 1.
+    full_title : str
+        The same where nothing else says what it is: cubic Hermite.
     can_close : bool
         Whether a last segment may lead back to the first point as smoothly as all others.
+    interpolates : bool
+        Whether curves run through their points: B_ir(t_j) is 1 for i = j and r = 0, else 0.
     is_local : bool
         Whether B_ir is 0 outside of the two segments that meet at t_i; then there is a `local_basis`.
     is_one_polynomial : bool
@@ -110,7 +114,9 @@ class Curve(Immutable, ABC):
     name: ClassVar[str]
     title: ClassVar[str]
     derivatives: ClassVar[int] = 0
+    full_title: ClassVar[str] = ""
     can_close: ClassVar[bool] = False
+    interpolates: ClassVar[bool] = True
     is_local: ClassVar[bool] = False
     is_one_polynomial: ClassVar[bool] = False
 
@@ -248,7 +254,7 @@ class Curve(Immutable, ABC):
             curve = basis.reshape(len(basis), len(data)) @ data
         if not np.isfinite(curve).all():
             np.nan_to_num(curve, copy=False, nan=LARGEST)
-        if rank == 0:
+        if rank == 0 and self.interpolates:
             joint = np.minimum(np.searchsorted(self._parameters, at.values), len(self._parameters) - 1)
             hit = at.values == self._parameters[joint]
             curve[hit] = self.points[joint[hit]]

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from typing import Self
-
 import numpy as np
 from numpy.typing import ArrayLike
 
@@ -91,11 +89,6 @@ class LagrangeCurve(Curve):
         if self._prepared is None:
             self._prepared = Nodes.of(self._parameters)
         return self._prepared
-
-    @classmethod
-    def from_jets(cls, jets: ArrayLike, parameters: ArrayLike) -> Self:
-        """Return the curve with the data `jets`, shape (n, 1, dim), at `parameters`, shape (n,)."""
-        return cls(np.asarray(jets)[:, 0], parameters)
 
     def weight_ratios(self, index: int) -> FloatArray:
         """Return w_i / w_index for all i, with w_i = 1 / prod_(j != i) (t_i - t_j).

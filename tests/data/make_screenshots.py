@@ -16,7 +16,7 @@ from msgspec.structs import replace
 from PySide6.QtWidgets import QApplication
 
 from app.families import HERMITE
-from app.preferences import Preferences
+from app.settings.preferences import Preferences
 from app.testing import Editor
 from app.theme import ThemeMode
 

@@ -49,7 +49,14 @@ def only_new_garbage():
     gc.unfreeze()
 
 
-@pytest.fixture
+@pytest.fixture(scope="session")
 def kept_editor():
     """Return what keeps the window of the editor fixture."""
     return _kept
+
+
+@pytest.fixture(scope="module")
+def own_families_in_windows(kept_editor, own_families):
+    """Have windows that offer the families that only the tests have; the one that is kept has fewer."""
+    with kept_editor.another():
+        yield own_families

@@ -26,11 +26,12 @@ _LIBRARIES = {*sys.stdlib_module_names, "curvecore", "numpy", "pyqtgraph", "PySi
 
 PASSING = {
     # What was drawn last, and what is kept so that it need not be made again.
-    *("_asked", "_costed", "_cost", "_discs_asked", "_dressed", "_drawn", "_extents", "_ghost"),
+    *("_asked", "_costed", "_cost", "_discs_asked", "_drawn", "_extents", "_ghost"),
     *("_axes", "_ghost_drawn", "_ground", "Curve.has_derivatives"),
     *("_frozen", "_ghost_stroke", "_is_resting", "_italic", "_known", "_made", "_made_for", "_origin"),
     *("_painted", "_pause", "_pens", "_pixels_of", "_room", "_upright"),
-    *("_seconds", "_stamps", "_stroke", "_strokes", "_watcher", "__dict__", "FunctionLines._shown"),
+    *("_seconds", "_stamps", "_stroke", "_strokes", "_styled", "_watcher", "__dict__"),
+    *("FunctionLines._shown",),
     *("CrestNames._crests_of", "CrestNames._made_of", "CurveLayer.error", "FunctionLines._basis"),
     *("FunctionLines._envelopes", "FunctionLines._polygons", "GridLayer._shown", "MotionLayer._written"),
     *(

@@ -14,7 +14,8 @@ was drawn settles first.
 from __future__ import annotations
 
 import time
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
 
 import msgspec
 import pytest
@@ -23,7 +24,7 @@ from PySide6.QtCore import QCoreApplication, QEvent, QObject, QSettings
 from PySide6.QtWidgets import QApplication, QDockWidget, QMenu, QWidget
 
 from app.commands.motion_commands import MotionCommands
-from app.commands.recovery_commands import RecoveryCommands
+from app.features.recovery.commands import RecoveryCommands
 from app.panels.command_palette import CommandPalette
 from app.panels.late_dock import LateDock
 from app.panels.plot_panel import USUAL_HEIGHT
@@ -206,6 +207,15 @@ class KeptEditor:
         if self._editor is not None and "editor" in item.fixturenames:
             self._curtain.open()
 
+    @contextmanager
+    def another(self) -> Iterator[None]:
+        """Keep another window for a while: one that is not made as this one."""
+        opened, self._opened = self._opened, None
+        self.drop()
+        yield
+        self.drop()
+        self._opened = opened
+
     def drop(self) -> None:
         if self._editor is not None:
             window, self._editor = self._editor.window, None
@@ -261,6 +271,7 @@ def open_everything(editor: Editor) -> None:
         dock.close()
     for menu in window.menuBar().findChildren(QMenu):
         menu.aboutToShow.emit()
-    for name in ("playMotion", "plotCurvature"):
+    # An overlay has a legend; whether what is computed beside the window is in time to have one is luck.
+    for name in ("playMotion", "plotCurvature", "overlayVelocities"):
         editor.trigger(name)
         editor.trigger({"playMotion": "stopMotion"}.get(name, name))

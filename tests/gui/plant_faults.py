@@ -21,10 +21,10 @@ from PySide6.QtGui import QCloseEvent, QDragEnterEvent, QStatusTipEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QMessageBox, QPushButton, QVBoxLayout, QWidget
 
-from app.autosave import snapshot_folder
+from app.cli.lifecycle import Lifecycle
 from app.cli.windows import open_windows
+from app.features.recovery.autosave import snapshot_folder
 from app.icons import _IconEngine, icon
-from app.lifecycle import Lifecycle
 from app.main_window import MainWindow
 from app.panels.command_palette import CommandPalette, _CommandDelegate
 from app.panels.curve_list_model import CurveListModel

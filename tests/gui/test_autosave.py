@@ -13,13 +13,14 @@ from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QAbstractButton, QLabel, QMessageBox, QPushButton, QToolButton
 
-from app.autosave import DELAY_MS, Autosave, snapshot_folder, state_folder
 from app.document.edits import move_nodes, set_position
 from app.document.model import Document, make_curve
 from app.families import HERMITE
-from app.panels.recovery_bar import RecoveryBar, age_in_words
-from app.preferences import Preferences
+from app.features.recovery.autosave import DELAY_MS, Autosave, snapshot_folder, state_folder
+from app.features.recovery.bar import RecoveryBar
+from app.features.recovery.offers import age_in_words
 from app.session import MessageKind, Session
+from app.settings.preferences import Preferences
 from app.storage.files import load, save
 from app.storage.format import encode
 from app.storage.recovery import SUFFIX, Origin, SnapshotFile, list_snapshots
@@ -180,7 +181,7 @@ def test_what_is_saved_given_up_or_undone_is_not_kept(kept, qtbot, tmp_path, mon
 
 def test_what_another_program_has_emptied_is_kept(kept, qtbot, tmp_path, monkeypatch):
     """There was no snapshot: to the program nothing was unsaved."""
-    monkeypatch.setattr("app.commands.disk_commands._LOOKS", 1)
+    monkeypatch.setattr("app.features.file_on_disk.commands._LOOKS", 1)
     path = tmp_path / "mine.curve.json"
     kept.session.save(path)
     path.write_bytes(b"")

@@ -10,7 +10,7 @@ from PySide6.QtWidgets import QLabel, QToolButton
 
 from app.document.model import Curve, Document, Node, Parametrization
 from app.families import HERMITE, LAGRANGE
-from app.preferences import Preferences
+from app.settings.preferences import Preferences
 from app.testing import Editor
 
 UNEVEN = [(0.0, 0.0), (0.5, 0.1), (1.0, 0.0), (5.0, 2.2), (5.4, 2.2), (5.8, 2.0), (6.2, 2.1)]

@@ -8,8 +8,8 @@ from collections import Counter
 
 from PySide6.QtCore import QCoreApplication, QEvent, QObject, QTimer
 
+from app.cli.lifecycle import Lifecycle
 from app.cli.windows import open_windows
-from app.lifecycle import Lifecycle
 from app.session import Session
 from app.testing import Editor
 

@@ -16,11 +16,11 @@ from PySide6.QtGui import QGuiApplication
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QDialog, QLabel, QPlainTextEdit, QPushButton
 
-from app.autosave import snapshot_folder
+from app.cli.lifecycle import FaultFile, Lifecycle
 from app.cli.windows import open_windows
 from app.diagnostics.crash_handler import CrashHandler
 from app.diagnostics.crash_report import report_of, versions
-from app.lifecycle import FaultFile, Lifecycle
+from app.features.recovery.autosave import snapshot_folder
 from app.storage import files
 from app.storage.recovery import list_snapshots
 from app.testing import Editor

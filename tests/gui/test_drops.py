@@ -10,8 +10,8 @@ from PySide6.QtGui import QDragEnterEvent, QDragLeaveEvent, QDragMoveEvent, QDro
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QDialog, QFileDialog, QLineEdit, QPushButton
 
+from app.cli.lifecycle import Lifecycle
 from app.document.model import Document, make_curve
-from app.lifecycle import Lifecycle
 from app.main_window import MainWindow
 from app.storage.files import save
 

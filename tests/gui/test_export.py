@@ -20,7 +20,7 @@ from app.document.model import Document, make_curve
 from app.exchange.choice import ExportChoice, choice_from, text_of
 from app.exchange.formats import FORMATS, format_of, with_ending
 from app.families import HERMITE, LAGRANGE, QUINTIC_HERMITE
-from app.preferences import Preferences
+from app.settings.preferences import Preferences
 from app.testing import Editor
 
 SVG = "{http://www.w3.org/2000/svg}"

@@ -17,12 +17,12 @@ from PySide6.QtCore import QEvent, QFileSystemWatcher, Qt, QTimer
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QFileDialog, QMessageBox, QToolButton
 
-from app.commands.disk_commands import DiskCommands
-from app.commands.disk_notices import Standing, about_lock
-from app.disk_watch import DiskWatch
 from app.document.edits import move_nodes, set_position
 from app.document.model import Document, make_curve
-from app.panels.file_bar import FileBar
+from app.features.file_on_disk.bar import FileBar
+from app.features.file_on_disk.commands import DiskCommands
+from app.features.file_on_disk.notices import Standing, about_lock
+from app.features.file_on_disk.watch import DiskWatch
 from app.session import Session
 from app.storage import files
 from app.storage.files import ChangedOnDiskError, StorageError, load, save
@@ -54,7 +54,7 @@ def saved(editor, path):
 @pytest.fixture(autouse=True)
 def look_soon(monkeypatch):
     """Have what watches files look soon after a sign: how long it waits for others is not the question."""
-    monkeypatch.setattr("app.disk_watch._SETTLE_MS", SOON_MS)
+    monkeypatch.setattr("app.features.file_on_disk.watch._SETTLE_MS", SOON_MS)
     changed = {}
 
     def look_soon():
@@ -337,8 +337,8 @@ def test_closing_asks_about_a_document_that_is_in_its_file_no_longer(saved, path
 
 
 def test_a_file_that_is_whole_again_is_nobodys_loss(saved, path, until, monkeypatch):
-    monkeypatch.setattr("app.commands.disk_commands._LOOKS", 1)
-    monkeypatch.setattr("app.commands.disk_commands._AGAIN_MS", SOON_MS)
+    monkeypatch.setattr("app.features.file_on_disk.commands._LOOKS", 1)
+    monkeypatch.setattr("app.features.file_on_disk.commands._AGAIN_MS", SOON_MS)
     content = path.read_bytes()
     path.write_bytes(b"")
     until(lambda: saved.session.is_modified)
@@ -368,8 +368,8 @@ def test_half_a_file_is_waited_for(saved, path, until):
 
 
 def test_a_file_that_stays_broken_is_said(saved, path, until, monkeypatch):
-    monkeypatch.setattr("app.commands.disk_commands._LOOKS", 2)
-    monkeypatch.setattr("app.commands.disk_commands._AGAIN_MS", SOON_MS)
+    monkeypatch.setattr("app.features.file_on_disk.commands._LOOKS", 2)
+    monkeypatch.setattr("app.features.file_on_disk.commands._AGAIN_MS", SOON_MS)
     mine = saved.session.document
     path.write_bytes(b"not ours")
     until(lambda: saved.file_message)
@@ -381,8 +381,8 @@ def test_a_file_that_stays_broken_is_said(saved, path, until, monkeypatch):
 
 
 def test_a_file_that_is_gone_leaves_a_modified_document(saved, path, until, monkeypatch):
-    monkeypatch.setattr("app.commands.disk_commands._LOOKS", 2)
-    monkeypatch.setattr("app.commands.disk_commands._AGAIN_MS", SOON_MS)
+    monkeypatch.setattr("app.features.file_on_disk.commands._LOOKS", 2)
+    monkeypatch.setattr("app.features.file_on_disk.commands._AGAIN_MS", SOON_MS)
     path.rename(path.with_name("elsewhere"))
     until(lambda: saved.file_message)
     assert "is gone from its folder" in saved.file_message
@@ -395,8 +395,8 @@ def test_a_file_that_is_gone_leaves_a_modified_document(saved, path, until, monk
 
 @pytest.mark.parametrize("tries_to_save", [False, True])
 def test_a_file_that_was_changed_and_is_then_deleted_is_gone(saved, path, until, monkeypatch, tries_to_save):
-    monkeypatch.setattr("app.commands.disk_commands._LOOKS", 2)
-    monkeypatch.setattr("app.commands.disk_commands._AGAIN_MS", SOON_MS)
+    monkeypatch.setattr("app.features.file_on_disk.commands._LOOKS", 2)
+    monkeypatch.setattr("app.features.file_on_disk.commands._AGAIN_MS", SOON_MS)
     mine = edit(saved)
     save(path, THEIRS)
     until(lambda: saved.file_message)
@@ -536,7 +536,7 @@ def test_the_reader_is_told_when_the_owner_closes(saved, path, qtbot, until):
 
 def test_an_owner_who_crashed_is_noticed(editor, path, until, monkeypatch):
     """A process that is killed removes no lock, so nothing tells; the reader looks from time to time."""
-    monkeypatch.setattr("app.commands.disk_commands._OWNER_MS", 50)
+    monkeypatch.setattr("app.features.file_on_disk.commands._OWNER_MS", 50)
     save(path, THEIRS)
     code = "import sys; from pathlib import Path; from app.storage.lock import acquire, lock_place\n"
     code += "kept = acquire(lock_place(Path(sys.argv[1]))); print(1, flush=True); sys.stdin.read()"

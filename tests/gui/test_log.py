@@ -9,7 +9,6 @@ import pytest
 from msgspec.structs import replace
 from PySide6.QtCore import QObject, Signal
 
-from app.autosave import Autosave
 from app.cli import main
 from app.diagnostics.crash_handler import CrashHandler
 from app.diagnostics.crash_report import place_of, report_of
@@ -17,6 +16,7 @@ from app.diagnostics.log import FORMAT, LAST_LINES, NAME, last_lines, logged
 from app.diagnostics.log_file import FILE_NAME, LogFile
 from app.diagnostics.slow_frames import SlowFrames
 from app.document.model import Document, make_curve
+from app.features.recovery.autosave import Autosave
 from app.storage.files import load, save
 from app.storage.format import FormatError
 from app.storage.open_file import OpenFile

@@ -9,8 +9,8 @@ from PySide6.QtWidgets import QAbstractButton, QApplication, QDockWidget, QMenu
 
 from app.main_window import MainWindow
 from app.mnemonics import plain
-from app.preferences import Preferences
 from app.session import Session
+from app.settings.preferences import Preferences
 from app.window_layout import first_size
 
 _ROOM = 700 - 30

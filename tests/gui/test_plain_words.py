@@ -25,8 +25,9 @@ from PySide6.QtWidgets import (
 from app.document.edits import rename_curve
 from app.document.model import Document, ReferenceImage, make_curve
 from app.families import HERMITE
+from app.features.recovery.bar import RecoveryBar
+from app.features.recovery.offers import Offer
 from app.mnemonics import plain
-from app.panels.recovery_bar import Offer, RecoveryBar
 from app.storage.files import save
 
 NAME = "<b>x</b> & \"y\" 'z'"

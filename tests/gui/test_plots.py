@@ -13,7 +13,7 @@ from app.document.edits import set_position
 from app.document.model import ParametrizationKind
 from app.families import LAGRANGE
 from app.panels.value_scale import ValueScale
-from app.preferences import Preferences
+from app.settings.preferences import Preferences
 from app.testing import Editor
 from app.view_model.analysis.plot_lines import PlotLine, Scale, plot_of
 from app.view_model.analysis.plots import TITLES

@@ -11,8 +11,8 @@ from pathlib import Path
 
 import pytest
 
-from app.autosave import snapshot_folder
 from app.document.model import Document, make_curve
+from app.features.recovery.autosave import snapshot_folder
 from app.storage import files
 from app.storage.format import decode, encode
 from app.storage.recovery import Origin, SnapshotFile, list_snapshots
@@ -27,7 +27,7 @@ from PySide6.QtWidgets import QApplication
 from app.cli import main
 from app.storage.format import encode
 from app.main_window import MainWindow
-from app.panels.recovery_bar import RecoveryBar
+from app.features.recovery.bar import RecoveryBar
 from app.testing import Editor
 
 application = QApplication([])

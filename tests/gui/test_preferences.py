@@ -6,8 +6,8 @@ import pytest
 from PySide6.QtCore import QByteArray, QPoint, QRect, QSettings
 from PySide6.QtWidgets import QWidget
 
-from app.preferences import Preferences
-from app.settings import Setting
+from app.settings.kinds import Setting
+from app.settings.preferences import Preferences
 from app.testing import Editor
 from app.theme import ThemeMode
 

@@ -9,7 +9,7 @@ from PySide6.QtWidgets import QLabel, QPushButton
 
 from app.canvas.grid_layer import grid_steps, tick_labels
 from app.panels.preferences_dialog import PreferencesDialog
-from app.preferences import Preferences
+from app.settings.preferences import Preferences
 from app.theme import ThemeMode, theme_of
 from app.tools.snapping import SnapKind
 

@@ -12,7 +12,7 @@ from app.actions.sections import CURVE
 from app.families import HERMITE, LAGRANGE
 from app.keymap import refusal
 from app.panels.preferences_dialog import PreferencesDialog
-from app.preferences import Preferences
+from app.settings.preferences import Preferences
 from app.testing import Editor
 
 CTRL = Qt.KeyboardModifier.ControlModifier

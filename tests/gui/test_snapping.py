@@ -11,7 +11,7 @@ from PySide6.QtCore import Qt
 from app.document import edits
 from app.document.model import Document, ParametrizationKind, make_curve
 from app.families import HERMITE, QUINTIC_HERMITE
-from app.preferences import Preferences
+from app.settings.preferences import Preferences
 from app.testing import Editor
 from app.tools.pointer import Pointer
 from app.tools.snapping import SnapKind, Snapper, Snapping, grid_value, targets_of

@@ -39,9 +39,9 @@ from app.families import HERMITE, LAGRANGE, QUINTIC_HERMITE
 from app.file_commands import file_stem
 from app.main_window import MainWindow
 from app.mnemonics import plain
-from app.preferences import Preferences
 from app.resources import resource
 from app.session import Session
+from app.settings.preferences import Preferences
 from app.storage.files import load
 from app.storage.format import encode
 from app.testing import Editor

@@ -8,8 +8,8 @@ from pathlib import Path
 import pytest
 from msgspec.structs import replace
 
-from app.preferences import Preferences
-from app.settings import Setting
+from app.settings.kinds import Setting
+from app.settings.preferences import Preferences
 from app.theme import ThemeMode
 from app.tools.add import ADD
 from app.tools.select import SELECT

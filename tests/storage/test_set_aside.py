@@ -6,9 +6,9 @@ import pytest
 from PySide6.QtCore import QCoreApplication
 
 from app.document.model import Document, make_curve
+from app.features.recovery.set_aside import SetAside
 from app.lessons import load_lesson
 from app.session import MessageKind, Session
-from app.set_aside import SetAside
 from app.storage.files import load
 from app.storage.recovery import list_snapshots
 

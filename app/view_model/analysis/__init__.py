@@ -16,3 +16,7 @@
 - ``wiggle``, ``cures``: why the curve swings out at one t, and what would calm it.
 - ``teaching``: when the numbers deserve a word of warning.
 """
+
+import lazy_loader as lazy
+
+__getattr__, __dir__, __all__ = lazy.attach_stub(__name__, __file__)

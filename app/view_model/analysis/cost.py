@@ -13,6 +13,7 @@ import numpy as np
 import numpy.typing as npt
 
 from app.tasks.progress import Report, silent
+from app.view_model.analysis.laboratory import calculations
 from app.view_model.analysis.laboratory_settings import Calculation
 from app.view_model.curve_view import CurveView
 from curvecore import operation_counts
@@ -48,7 +49,9 @@ class Cost:
     doubled
         How many times `solving` and `basis` twice as many points take.
     piecewise
-        Operations that a Hermite curve's own small systems take; None for a Lagrange curve.
+        Operations that a Hermite curve's own small systems take; None for other curves.
+    other
+        What the curve is called where it is made of no polynomials.
     """
 
     count: int
@@ -58,6 +61,7 @@ class Cost:
     seconds: tuple[float, float]
     doubled: tuple[float, float]
     piecewise: int | None
+    other: str = ""
 
     @property
     def ratio(self) -> float:
@@ -86,8 +90,9 @@ def cost_of(view: CurveView, report: Report = silent) -> Cost | None:
         _median(lambda: _solve(t, points, middle), report),
         _median(lambda: _sum_basis(t, points, middle), report),
     )
-    derivatives = view.source.family.derivatives
-    small = operation_counts(Calculation.MONOMIAL, len(t), derivatives=derivatives) if derivatives else None
+    family = view.source.family
+    pieces = family.derivatives if calculations(view) else 0
+    small = operation_counts(Calculation.MONOMIAL, len(t), derivatives=pieces) if pieces else None
     solved, form, barycentric = (
         operation_counts(each, len(t)).per_point
         for each in (Calculation.MONOMIAL, Calculation.LAGRANGE, Calculation.BARYCENTRIC)
@@ -96,7 +101,8 @@ def cost_of(view: CurveView, report: Report = silent) -> Cost | None:
     twice = _counts(2 * len(t))
     doubled = (twice[0] / solving, twice[1] / basis)
     piecewise = small.setup if small is not None else None
-    return Cost(len(t), solving, basis, further, seconds, doubled, piecewise)
+    other = "" if calculations(view) else family.title
+    return Cost(len(t), solving, basis, further, seconds, doubled, piecewise, other)
 
 
 def cost_chart() -> CostChart:

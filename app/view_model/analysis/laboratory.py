@@ -19,10 +19,7 @@ from app.view_model.curve_view import CoreCurve, CurveView
 from app.view_model.refusals import in_words
 from curvecore import (
     CurveError,
-    HermiteCurve,
-    LagrangeCurve,
     Method,
-    QuinticHermiteCurve,
     available_methods,
     digits_lost,
     evaluate_rounded,
@@ -144,7 +141,11 @@ class Digits:
 
 
 def calculations(view: CurveView) -> tuple[Calculation, ...]:
-    """Return the methods that there are for a curve's family."""
+    """Return the methods that there are for a curve: none unless polynomials through its data make it."""
+    family, curve = view.source.family, view.curve
+    is_hermite = family.derivatives and (curve is None or curve.degree == 2 * family.derivatives + 1)
+    if not (is_hermite or family.is_one_polynomial):
+        return ()
     return tuple(Calculation(method.value) for method in available_methods(view.source.family.derivatives))
 
 
@@ -152,6 +153,11 @@ def try_methods(view: CurveView, settings: LaboratorySettings, report: Report = 
     """Compute a curve by the chosen methods."""
     if not view.is_current:
         return Refused(view.problem or "There is no curve yet.")
+    if not calculations(view):
+        return Refused(
+            f"The laboratory computes polynomials through the points; a {view.source.family.title} curve is "
+            "made of other functions."
+        )
     count = len(view.parameters)
     if count > MOST_AT_ALL:
         return Refused(
@@ -188,7 +194,7 @@ def error_lines(trial: Trial) -> list[ErrorLine]:
 
 def digits_at(view: CurveView, settings: LaboratorySettings, t: float) -> Digits | None:
     """Return the very digits at one t, None where nothing can be computed."""
-    if not view.is_current or len(view.parameters) > MOST_POINTS:
+    if not (view.is_current and calculations(view)) or len(view.parameters) > MOST_POINTS:
         return None
     start, end = view.parameters[[0, -1]].tolist()
     t = min(max(t, start), end)
@@ -217,14 +223,15 @@ class _Experiment:
         if settings.decimals is not None:
             jets, parameters = round_data(jets, settings.decimals), round_data(parameters, settings.decimals)
         self._jets, self._parameters = jets, parameters
-        _curve(self._shifted, piece.jets)
-        _curve(self._parameters, self._jets)
+        # Refused where they make no curve.
+        self._shifted_curve = piece.with_data(piece.jets, self._shifted)
+        self._given_curve = piece.with_data(self._jets, self._parameters)
 
     def truth(self, t: Floats) -> Floats:
         """Return the points of the curve itself, (m, 2)."""
         at = t + self._settings.shift
         if self._jets.shape[1] > 1 or len(self._shifted) > _MOST_EXACT:
-            return _curve(self._shifted, self._piece.jets).evaluate(at)
+            return self._shifted_curve.evaluate(at)
         return exact_values(self._piece.points, self._shifted, at)
 
     def values(self, t: Floats, calculation: Calculation, report: Report) -> Floats:
@@ -268,15 +275,7 @@ class _Experiment:
 
     def condition(self) -> float:
         """Return the condition number of the system for the coefficients in powers of t."""
-        return monomial_condition(_curve(self._parameters, self._jets))
-
-
-def _curve(parameters: Floats, jets: Floats) -> CoreCurve:
-    if jets.shape[1] == 1:
-        return LagrangeCurve(jets[:, 0], parameters)
-    if jets.shape[1] == 2:
-        return HermiteCurve(jets[:, 0], jets[:, 1], parameters)
-    return QuinticHermiteCurve(jets[:, 0], jets[:, 1], jets[:, 2], parameters)
+        return monomial_condition(self._given_curve)
 
 
 def _affordable(view: CurveView, settings: LaboratorySettings) -> tuple[list[Calculation], str]:

@@ -36,7 +36,7 @@ _LIVE: dict[Overlay, Callable[[Scene], Described]] = {
     Overlay.BAND: band,
     Overlay.COMB: lambda scene: (comb(scene), ""),
     Overlay.POLYGON: lambda scene: (polygon(scene.view), ""),
-    Overlay.BEZIER: lambda scene: (bezier_polygons(scene.view), ""),
+    Overlay.BEZIER: lambda scene: bezier_polygons(scene.view),
     Overlay.TICKS: lambda scene: (ticks(scene), ""),
     Overlay.CIRCLE: circle,
     Overlay.VELOCITIES: lambda scene: (vectors(scene, 1), ""),

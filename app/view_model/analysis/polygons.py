@@ -22,13 +22,15 @@ def polygon(view: CurveView) -> list[Figure]:
     return [Figure(Style.POLYGON, Shape.LINE, points)]
 
 
-def bezier_polygons(view: CurveView) -> list[Figure]:
-    """Return the control polygons of the segments of a piecewise polynomial."""
+def bezier_polygons(view: CurveView) -> tuple[list[Figure], str]:
+    """Return the control polygons of the segments of piecewise polynomials, or in words why not."""
+    if view.curve is not None and view.curve.degree is None:
+        return [], f"Not drawn: a {view.source.family.title} curve is made of no polynomials."
     figures = []
     for piece in view.pieces:
         if (controls := piece.bezier_pieces()) is not None:
             figures += _polygons(controls)
-    return figures
+    return figures, ""
 
 
 def bezier_polygon_of_polynomial(scene: Scene) -> tuple[list[Figure], str]:

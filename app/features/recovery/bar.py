@@ -2,11 +2,9 @@
 
 from __future__ import annotations
 
-import time
 from collections.abc import Sequence
-from dataclasses import dataclass
 
-from PySide6.QtCore import QDateTime, QEvent, QLocale, QObject, Qt, Signal
+from PySide6.QtCore import QEvent, QObject, Qt, Signal
 from PySide6.QtGui import QKeyEvent, QPixmap
 from PySide6.QtWidgets import (
     QApplication,
@@ -18,8 +16,8 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from app.document.model import Document
 from app.document.words import count_of
+from app.features.recovery.offers import Offer
 from app.icons import icon
 from app.labels import Label, tip_of
 from app.overrides import Guarded
@@ -31,29 +29,6 @@ from app.theme import mix, theme_of
 _WIDEST, _SIDE, _BELOW = 640, 40, 44
 _PICTURE = (88, 56)
 _AROUND_TEXT = 26
-_MINUTE, _HOUR, _DAY = 60.0, 3600.0, 86400.0
-
-
-@dataclass(frozen=True)
-class Offer:
-    """Unsaved work as the panel shows it.
-
-    Attributes
-    ----------
-    name
-        What the document is called.
-    told
-        When it was kept, and what there is to know.
-    tip
-        Where its file is; empty where it has none.
-    document
-        The work itself, for the picture.
-    """
-
-    name: str
-    told: str
-    tip: str
-    document: Document
 
 
 class RecoveryBar(Guarded, QFrame):
@@ -241,21 +216,3 @@ class RecoveryBar(Guarded, QFrame):
         for picture, offer in zip(self._pictures, self._offers, strict=True):
             image = thumbnail(offer.document, *_PICTURE, self._theme, ratio)
             picture.setPixmap(QPixmap.fromImage(image))
-
-
-def age_in_words(seconds: float) -> str:
-    """Return how long ago something was, as people say it; of more than a month the date."""
-    if seconds < 45:  # also where the clock was set back
-        return "a moment ago"
-    if seconds > 30 * _DAY:
-        then = QDateTime.fromSecsSinceEpoch(round(time.time() - seconds))
-        return "on " + QLocale().toString(then.date(), QLocale.FormatType.ShortFormat)
-    for unit, name, one in (
-        (_DAY, "day", "a day"),
-        (_HOUR, "hour", "an hour"),
-        (_MINUTE, "minute", "a minute"),
-    ):
-        if seconds >= 0.75 * unit:
-            number = max(round(seconds / unit), 1)
-            return f"{one} ago" if number == 1 else f"{number} {name}s ago"
-    return "a moment ago"

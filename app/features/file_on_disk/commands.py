@@ -10,10 +10,10 @@ from app.actions.declaration import action
 from app.actions.needs import Need
 from app.actions.sections import FILE_DISK
 from app.commands.context import WindowContext
-from app.commands.disk_notices import Notice, Standing, about_content, about_lock, about_refusal
-from app.disk_watch import DiskWatch
 from app.document.model import Document
-from app.panels.file_bar import FileBar
+from app.features.file_on_disk.bar import FileBar
+from app.features.file_on_disk.notices import Notice, Standing, about_content, about_lock, about_refusal
+from app.features.file_on_disk.watch import DiskWatch
 from app.storage.files import Stamp, StorageError
 from app.storage.format import FormatError
 from app.storage.open_file import FileChange, OpenFile

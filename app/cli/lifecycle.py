@@ -17,11 +17,11 @@ from PySide6.QtCore import QObject, QSocketNotifier, QTimer
 from PySide6.QtWidgets import QApplication
 
 from app import diagnostics
-from app.autosave import Autosave, snapshot_folder, state_folder
 from app.diagnostics.crash_handler import CrashHandler
 from app.diagnostics.crash_report import versions
 from app.diagnostics.slow_frames import SlowFrames
 from app.document.model import Document
+from app.features.recovery.autosave import Autosave, snapshot_folder, state_folder
 from app.main_window import MainWindow
 from app.session import Session
 

@@ -81,7 +81,7 @@ class DiskWatch(Guarded, QObject):
         self._add()
         self.stirred.emit()
 
-    def eventFilter(self, watched: QObject, event: QEvent) -> bool:  # noqa: D102 - Qt calls it
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         if event.type() == QEvent.Type.WindowActivate and self._path is not None:
             self._wait("")
         return super().eventFilter(watched, event)

@@ -7,8 +7,8 @@ from typing import Final
 
 from PySide6.QtCore import QSettings
 
-from app.settings import Choice, Distance, Folder, Height, Keys, Layout, Several, Switch, Text
-from app.settings_file import SettingsFile
+from app.settings.file import SettingsFile
+from app.settings.kinds import Choice, Distance, Folder, Height, Keys, Layout, Several, Switch, Text
 from app.theme import ThemeMode
 from app.tools.snapping import SnapKind
 

@@ -21,7 +21,7 @@ from typing import Final, Generic, Protocol, TypeVar, overload
 
 from PySide6.QtCore import QByteArray
 
-from app.settings_file import SettingsFile
+from app.settings.file import SettingsFile
 
 Value = TypeVar("Value")
 Member = TypeVar("Member", bound=Enum)

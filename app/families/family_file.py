@@ -1,0 +1,191 @@
+"""Curve families that a person wrote in a file of Python, checked before they are used.
+
+The least that such a file says::
+
+    name = "gaussian"                  # what documents store
+
+    def basis(t, parameters):          # t (m,), parameters (n,) ascending -> (m, n)
+        ...
+
+`B_i(t_j)` is 1 for i = j and 0 else; that is checked. It may say more: ``title``, what people read;
+``basis(t, parameters, order)`` for derivatives, which else are differences; ``breaks(parameters)``, where
+they jump; ``interpolates = False`` where the curve passes its points by, ``can_close = True`` where a curve
+whose last point is its first goes on smoothly there; a docstring: its first line says what its curves are.
+Classes derived from `curvecore.Curve` with a name are families, too.
+"""
+
+from __future__ import annotations
+
+import inspect
+import sys
+import traceback
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
+from pathlib import Path
+from types import ModuleType
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+
+from app.families.family import Family
+from app.families.registry import Families
+from curvecore import BasisCurve, Curve, CurveError, Scheme, chebyshev, uniform
+
+_MODULE = "curvebench_families_of_a_file"
+_COUNTS = (2, 3, 4, 7)
+_FACTS = {"title": str, "interpolates": bool, "can_close": bool}
+"""What a file may say beside its functions, and of what kind."""
+
+
+_Function = Callable[..., npt.ArrayLike]
+
+
+class FamilyFileError(ValueError):
+    """A file holds no family that works; the text names the file, the line and what is wrong."""
+
+
+@contextmanager
+def families_of_files(families: Families, paths: Sequence[str]) -> Iterator[None]:
+    """Have the families of files for a while: all of them or, where one is refused, none.
+
+    Raises
+    ------
+    FamilyFileError
+        If a file cannot be read or run, or what it says makes no curve.
+    """
+    added: list[Family] = []
+    try:
+        for path in paths:
+            for family in families_in(Path(path)):
+                _add(families, family, Path(path))
+                added.append(family)
+        yield
+    finally:
+        for family in added:
+            families.remove(family)
+
+
+def _add(families: Families, family: Family, path: Path) -> None:
+    try:
+        families.add(family)
+    except ValueError as problem:
+        raise FamilyFileError(f"“{path}”: {problem}.") from None
+
+
+def families_in(path: Path) -> list[Family]:
+    """Return the families that the file at `path` defines, at least one."""
+    module = _run(path)
+    said = vars(module)
+    found = {each: each.basis for each in said.values() if _is_family(each, module)}
+    if "basis" in said:
+        found[_class_of(said, path)] = said["basis"]
+    if not found:
+        raise FamilyFileError(
+            f"“{path}” defines no family: it needs a name and a function basis(t, parameters)."
+        )
+    for curve_class, basis in found.items():
+        _try_out(curve_class, path, _first_line(basis))
+    return [Family.of(each) for each in found]
+
+
+def _run(path: Path) -> ModuleType:
+    """Run the file as a module of its own; no compiled copy is left beside it."""
+    module = ModuleType(_MODULE)
+    module.__file__ = str(path)
+    # Where dataclasses and the like look for the module of a class.
+    sys.modules[_MODULE] = module
+    try:
+        exec(compile(path.read_bytes(), str(path), "exec"), vars(module))
+    except OSError as problem:
+        raise FamilyFileError(f"“{path}” cannot be read: {problem.strerror}.") from None
+    except SyntaxError as problem:
+        raise FamilyFileError(f"“{path}”, line {problem.lineno or 1}: {problem.msg}.") from None
+    except Exception as problem:
+        raise FamilyFileError(f"“{path}”{_line(problem, path)}: {_words(problem)}.") from None
+    finally:
+        del sys.modules[_MODULE]
+    return module
+
+
+def _is_family(value: object, module: ModuleType) -> bool:
+    if not (isinstance(value, type) and issubclass(value, Curve) and value.__module__ == module.__name__):
+        return False
+    return "name" in vars(value) and not inspect.isabstract(value)
+
+
+def _class_of(said: dict[str, Any], path: Path) -> type[Curve]:
+    """Return the curve class of a file's functions."""
+    name, basis, breaks = said.get("name"), said["basis"], said.get("breaks")
+    if not (isinstance(name, str) and Family.may_be_called(name)):
+        raise FamilyFileError(f"“{path}” must say its name, a short word as in name = “gaussian”.")
+    for what, value in (("basis", basis), *([("breaks", breaks)] if breaks is not None else [])):
+        if not callable(value):
+            raise FamilyFileError(f"“{path}”: {what} must be a function, not {value!r}.")
+    for what, kind in _FACTS.items():
+        if what in said and not isinstance(said[what], kind):
+            raise FamilyFileError(f"“{path}”: {what} must be {kind.__name__}, not {said[what]!r}.")
+    has_orders = "order" in inspect.signature(basis).parameters
+    scheme = Scheme(name, _told(basis, path), _told(breaks, path) if breaks else None, has_orders)
+
+    facts = {what: said[what] for what in _FACTS if what in said}
+    doc = inspect.getdoc(basis) if said.get("__doc__") is None else inspect.cleandoc(said["__doc__"])
+    body = {"title": name, **facts, "name": name, "scheme": scheme, "__slots__": (), "__doc__": doc}
+    return type("FileCurve", (BasisCurve,), body)
+
+
+def _told(function: _Function, path: Path) -> _Function:
+    """Return a function of the file whose errors are refusals that name their line."""
+
+    def told(*arguments: object) -> npt.ArrayLike:
+        try:
+            return function(*arguments)
+        except Exception as problem:
+            raise CurveError(f"“{path.name}”{_line(problem, path)}: {_words(problem)}") from problem
+
+    return told
+
+
+def _try_out(curve_class: type[Curve], path: Path, line: str) -> None:
+    """Raise FamilyFileError unless the family makes curves that are linear in their points and finite."""
+    for parameters in _trials():
+        jets = np.zeros((len(parameters), curve_class.derivatives + 1, 2))
+        jets[:, 0] = np.stack([np.cos(3.0 * parameters), parameters], axis=1)
+        places = np.linspace(parameters[0], parameters[-1], 12 * len(parameters))
+        try:
+            curve = curve_class.from_jets(jets, parameters)
+            found = [curve.evaluate(places, order) for order in (0, 1, 2)]
+        except Exception as problem:
+            own = problem.__cause__ or problem
+            at = ", ".join(f"{t:g}" for t in parameters)
+            raise FamilyFileError(
+                f"“{path}”{_line(own, path) or line}: {_words(own)} (with the parameters {at})."
+            ) from None
+        if not all(np.isfinite(each).all() for each in found):
+            raise FamilyFileError(f"“{path}”{line}: {curve_class.name} makes a curve that is not finite.")
+
+
+def _trials() -> Iterator[npt.NDArray[np.float64]]:
+    for count in _COUNTS:
+        yield uniform(count)
+        yield 10.0 + 3.0 * chebyshev(count)
+    yield np.array([0.0, 0.1, 0.5, 0.6, 1.0])
+
+
+def _first_line(function: object) -> str:
+    code = getattr(inspect.unwrap(function), "__code__", None) if callable(function) else None
+    return f", line {code.co_firstlineno}" if code is not None else ""
+
+
+def _line(problem: BaseException, path: Path) -> str:
+    """Return the last line of the file that an error came through."""
+    frames = traceback.extract_tb(problem.__traceback__)
+    lines = [frame.lineno for frame in frames if frame.filename == str(path)]
+    return f", line {lines[-1]}" if lines else ""
+
+
+def _words(problem: BaseException) -> str:
+    text = str(problem).rstrip(".")
+    if isinstance(problem, CurveError):
+        return text
+    return f"{type(problem).__name__}: {text}" if text else type(problem).__name__

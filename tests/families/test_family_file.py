@@ -1,0 +1,235 @@
+"""Families that a person wrote in a file: what one may say, and every mistake with its file and line."""
+
+from __future__ import annotations
+
+import json
+
+import numpy as np
+import pytest
+
+from app.cli import main
+from app.document.model import Document, make_curve
+from app.families import FAMILIES, HERMITE, Family
+from app.families.family_file import FamilyFileError, families_in, families_of_files
+from app.storage.format import encode
+
+GAUSSIAN = '''"""Bells that are made cardinal.
+
+The narrower, the calmer.
+"""
+
+import numpy as np
+
+name = "gaussian"
+title = "Gaussian"
+
+
+def _bells(t, parameters):
+    width = (parameters[-1] - parameters[0]) / len(parameters)
+    return np.exp(-(((t[:, None] - parameters) / width) ** 2))
+
+
+def basis(t, parameters):
+    return _bells(t, parameters) @ np.linalg.inv(_bells(parameters, parameters))
+'''
+HATS = '''import numpy as np
+
+name = "hats"
+can_close = True
+
+
+def breaks(parameters):
+    return parameters
+
+
+def basis(t, parameters, order):
+    """Polylines."""
+    hats = np.stack([np.interp(t, parameters, row) for row in np.eye(len(parameters))], axis=1)
+    if order == 0:
+        return hats
+    segment = np.clip(np.searchsorted(parameters, t, side="right") - 1, 0, len(parameters) - 2)
+    slopes = np.zeros((len(t), len(parameters)))
+    h = np.diff(parameters)[segment]
+    slopes[np.arange(len(t)), segment], slopes[np.arange(len(t)), segment + 1] = -1 / h, 1 / h
+    return slopes if order == 1 else 0.0 * hats
+'''
+OWN_CLASS = '''import numpy as np
+from curvecore import HermiteCurve
+
+
+class Stiff(HermiteCurve):
+    """Pieces with a stop at every point."""
+
+    __slots__ = ()
+    name = "stiff"
+    title = "stiff"
+
+    def __init__(self, points, velocities, parameters):
+        super().__init__(points, np.zeros(np.shape(points)), parameters)
+'''
+
+
+@pytest.fixture
+def write(tmp_path):
+    def written(text, name="families.py"):
+        path = tmp_path / name
+        path.write_text(text, encoding="utf-8")
+        return path
+
+    return written
+
+
+def test_the_least_and_what_a_title_adds(write):
+    (family,) = families_in(write(GAUSSIAN))
+    assert (family.name, family.title, family.action_name) == ("gaussian", "Gaussian", "familyGaussian")
+    assert family.tip == "Bells that are made cardinal"
+    assert (family.derivatives, family.can_close, family.is_local, family.interpolates) == (
+        0,
+        False,
+        False,
+        True,
+    )
+    points = np.array([[0.0, 0.0], [1.0, 2.0], [3.0, 1.0]])
+    curve = family.make(points[:, None], [0.0, 0.4, 1.0])
+    assert np.array_equal(curve.evaluate(curve.parameters), points)
+    assert curve.degree is None
+
+
+def test_breaks_derivatives_and_closing(write):
+    (family,) = families_in(write(HATS))
+    assert family.title == "hats"
+    assert family.tip == "Polylines"
+    assert family.can_close
+    curve = family.make(np.array([[[0.0, 0.0]], [[2.0, 4.0]], [[3.0, 0.0]]]), [0.0, 1.0, 2.0])
+    assert curve.breaks.tolist() == [0.0, 1.0, 2.0]
+    assert curve.evaluate(0.5, 1).tolist() == [2.0, 4.0]
+
+
+def test_a_class_of_the_core_s_kind(write):
+    (family,) = families_in(write(OWN_CLASS))
+    assert (family.name, family.derivatives, family.can_close) == ("stiff", 1, True)
+
+
+def test_a_curve_may_pass_its_points_by(write):
+    text = GAUSSIAN.replace('title = "Gaussian"', "interpolates = False").replace(
+        "@ np.linalg.inv(_bells(parameters, parameters))", "/ len(parameters)"
+    )
+    (family,) = families_in(write(text))
+    assert not family.interpolates
+    curve = family.make(np.ones((3, 1, 2)), [0.0, 0.5, 1.0])
+    assert curve.evaluate(0.5)[0] < 1.0
+
+
+MISTAKES = {
+    "no file": (None, "cannot be read: No such file or directory"),
+    "nothing": ("x = 1", "defines no family: it needs a name and a function basis(t, parameters)"),
+    "no name": (GAUSSIAN.replace('name = "gaussian"', ""), "must say its name"),
+    "a long name": (GAUSSIAN.replace('"gaussian"', '"Gaussian bells"'), "must say its name"),
+    "a name that is taken": (
+        GAUSSIAN.replace('"gaussian"', '"hermite"'),
+        "there is a family “hermite” already",
+    ),
+    "syntax": (GAUSSIAN.replace("def basis(t", "def basis(:t"), "line 17: invalid syntax"),
+    "an import": (GAUSSIAN.replace("import numpy", "import nowhere, numpy"), "line 6: ModuleNotFoundError"),
+    "no function": (HATS.replace("def basis", "basis = 3\ndef other"), "basis must be a function, not 3"),
+    "a fact of the wrong kind": (HATS.replace("= True", "= 1"), "can_close must be bool, not 1"),
+    "not cardinal": (
+        GAUSSIAN.replace("parameters))\n", "parameters)) * 1.5\n"),
+        "line 17: function 0 of gaussian must be 1 at parameter 0, t = 0.0, not 1.",
+    ),
+    "another shape": (
+        GAUSSIAN.replace("_bells(t, parameters) @", "np.ones((1, 2)) @"),
+        "must have the shape (m, n)",
+    ),
+    "an error within": (
+        GAUSSIAN.replace("_bells(t, parameters) @", "(1 / 0) *"),
+        "line 18: ZeroDivisionError",
+    ),
+    "no number": (
+        GAUSSIAN.replace("return _bells(t,", "return np.nan * _bells(t,"),
+        "line 17: the basis of gaussian is nan",
+    ),
+    "breaks that fall": (
+        HATS.replace("return parameters", "return -parameters"),
+        "must be finite and strictly",
+    ),
+}
+
+
+@pytest.mark.parametrize("mistake", MISTAKES)
+def test_a_mistake_is_told_with_file_and_line_and_no_family_is_there(write, mistake, capsys):
+    text, complaint = MISTAKES[mistake]
+    good = write(HATS, "good.py")
+    bad = write(text, "bad.py") if text is not None else good.parent / "bad.py"
+    before = list(FAMILIES)
+    with pytest.raises(FamilyFileError) as caught, families_of_files(FAMILIES, [str(good), str(bad)]):
+        raise AssertionError
+    assert str(caught.value).startswith(f"“{bad}”")
+    assert complaint in str(caught.value)
+    assert list(FAMILIES) == before
+    assert main(["--families", str(bad), "info", "nothing.curve.json"]) == 1
+    error = capsys.readouterr().err
+    assert complaint in error
+    assert error.count("\n") == 1
+
+
+def test_no_compiled_copy_is_left_beside_the_file(write):
+    path = write(GAUSSIAN)
+    families_in(path)
+    assert [each.name for each in path.parent.iterdir()] == [path.name]
+
+
+@pytest.fixture
+def document(tmp_path):
+    path = tmp_path / "bells.curve.json"
+    curve = make_curve([(0, 0), (1, 2), (3, 1), (4, 3)], family=Family("gaussian", None))
+    path.write_bytes(encode(Document((curve,))))
+    return path
+
+
+@pytest.mark.parametrize("place", ["before the verb", "behind it", "with ="])
+def test_every_verb_takes_the_file(write, document, tmp_path, capsys, place):
+    path = write(GAUSSIAN)
+    option = [f"--families={path}"] if place == "with =" else ["--families", str(path)]
+
+    def run(verb, *words):
+        return main([*option, verb, *words] if place == "before the verb" else [verb, *words, *option])
+
+    assert run("info", "--json", str(document)) == 0
+    facts = json.loads(capsys.readouterr().out)["curves"][0]
+    assert (facts["family"], facts["degree"], facts["warnings"]) == ("gaussian", None, [])
+    assert run("render", str(document), "-o", str(tmp_path / "a.svg")) == 0
+    assert run("convert", str(document), str(tmp_path / "a.csv")) == 0
+    assert (
+        run("convert", "--family", "gaussian", str(tmp_path / "a.csv"), str(tmp_path / "b.curve.json")) == 0
+    )
+    assert json.loads((tmp_path / "b.curve.json").read_text())["curves"][0]["family"] == "gaussian"
+    assert run("lesson") == 0
+    assert "gaussian" not in [family.name for family in FAMILIES]
+
+
+def test_help_names_the_option_and_a_missing_file_name_is_wrong_usage(capsys):
+    for words in (["--help"], ["info", "--help"], ["convert", "--help"], ["render", "--help"]):
+        with pytest.raises(SystemExit) as ended:
+            main(words)
+        assert ended.value.code == 0
+        assert "--families FILE.py" in capsys.readouterr().out
+    with pytest.raises(SystemExit) as ended:
+        main(["info", "a.curve.json", "--families"])
+    assert ended.value.code == 2
+    assert "expected one argument" in capsys.readouterr().err
+
+
+def test_an_installed_package_brings_a_family(tmp_path, monkeypatch):
+    """As an entry point does: a package on the path whose metadata names the class."""
+    (tmp_path / "stiff_curves.py").write_text(OWN_CLASS)
+    info = tmp_path / "stiff_curves-1.0.dist-info"
+    info.mkdir()
+    (info / "METADATA").write_text("Metadata-Version: 2.1\nName: stiff-curves\nVersion: 1.0\n")
+    points = "[curvebench.families]\nstiff = stiff_curves:Stiff\nlost = stiff_curves:Lost\n"
+    (info / "entry_points.txt").write_text(points)
+    monkeypatch.syspath_prepend(tmp_path)
+    families = type(FAMILIES)([HERMITE])
+    assert [family.name for family in families] == ["hermite", "stiff"]
+    assert len(families.problems) == 1
+    assert "“lost”" in families.problems[0]

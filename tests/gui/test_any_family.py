@@ -1,0 +1,345 @@
+"""Families that only the tests have, in the window: drawn, dragged, typed, undone, saved, shown in every way.
+
+They are two files as a person writes them, with nothing but a basis: one smooth that reaches everywhere, one
+with breaks. The built-in families go the same way.
+"""
+
+from __future__ import annotations
+
+import json
+
+import numpy as np
+import pytest
+from PySide6.QtCore import Qt
+from PySide6.QtGui import QAction, QColor
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QCheckBox, QComboBox, QToolBar
+
+from app.document import edits
+from app.document.model import Document, ParametrizationKind, make_curve
+from app.families import FAMILIES
+from app.theme import theme_of
+from app.view_model.nearest import NearestPoint
+from tests.own_families import EVERY, OWN, TRUE_BASIS
+
+POINTS = ((0.0, 0.0), (1.0, 2.0), (2.5, 1.0), (4.0, 3.0), (5.0, 0.5), (6.0, 2.0))
+NO_FILM = ("playMotion", "motionLoop", "motionOnce", "motionPingPong")
+
+
+pytestmark = pytest.mark.usefixtures("own_families_in_windows")
+
+
+@pytest.fixture(params=EVERY)
+def name(request):
+    return request.param
+
+
+@pytest.fixture(params=OWN)
+def own(request):
+    return request.param
+
+
+@pytest.fixture
+def drawn(editor):
+    """The editor with six points and a family."""
+
+    def draw(name, kind=ParametrizationKind.CHORD_LENGTH):
+        document = Document((make_curve(POINTS, family=FAMILIES.named(name)),))
+        if kind is not ParametrizationKind.CHORD_LENGTH:
+            document = edits.set_parametrization(document, 0, kind, np.linspace(0.0, 1.0, 6).tolist())
+        editor.session.commit(document, "Begin")
+        editor.fit()
+        return editor
+
+    return draw
+
+
+def is_true(editor):
+    """Whether the curve that the window has is the sum of the functions that the tests know."""
+    view = editor.session.active_view
+    assert view.is_current
+    t = np.linspace(*view.curve.domain, 61)
+    if view.source.family.name in TRUE_BASIS:
+        truth = TRUE_BASIS[view.source.family.name](t, view.parameters) @ view.points
+        return np.abs(view.curve.evaluate(t) - truth).max() < 1e-12 * max(1.0, np.abs(view.points).max())
+    return np.array_equal(view.curve.evaluate(view.parameters), view.points)
+
+
+def colours_along(editor):
+    """The share of places along the curve at which its ink is seen on the canvas."""
+    canvas, view = editor.window.canvas, editor.session.active_view
+    image = canvas.grab().toImage()
+    ink = theme_of(canvas.palette()).ink
+    seen = 0
+    places = view.curve.evaluate(np.linspace(*view.curve.domain, 101))[1:-1]
+    for x, y in places:
+        pixel = canvas.to_pixel(float(x), float(y))
+        pixel = canvas.viewport().mapTo(canvas, pixel)
+        near = [QColor(image.pixel(pixel.x() + dx, pixel.y() + dy)) for dx in (-1, 0, 1) for dy in (-1, 0, 1)]
+        seen += any(abs(each.lightness() - ink.lightness()) < 90 for each in near)
+    return seen / len(places)
+
+
+# Where it is offered
+
+
+def test_it_is_offered_wherever_families_are(editor):
+    toolbar = editor.window.findChild(QToolBar, "mainToolbar")
+    for place, name in enumerate(EVERY, start=1):
+        family = FAMILIES.named(name)
+        action = editor.action(family.action_name)
+        assert toolbar.widgetForAction(action) is not None
+        assert action.text() == family.label
+        assert not action.icon().isNull()
+        assert action.shortcut().toString() == str(place)
+        assert editor.action(f"ghost{family.camel_case}").isCheckable()
+        assert family.label in editor.find_command(family.label)
+        editor.key(Qt.Key.Key_Escape)
+
+
+def test_its_key_chooses_it_and_undo_takes_it_back(editor, own):
+    before = editor.session.document
+    QTest.keyClick(editor.window.canvas, str(EVERY.index(own) + 1))
+    editor.settle()
+    assert editor.curve.family.name == own
+    assert editor.action(editor.curve.family.action_name).isChecked()
+    assert editor.session.undo_stack.undoText() == f"Switch to {FAMILIES.named(own).title}"
+    assert is_true(editor)
+    editor.trigger("undo")
+    assert editor.session.document == before
+
+
+# Drawing and dragging
+
+
+def test_points_are_drawn_one_by_one(editor, name):
+    editor.new()
+    editor.choose_family(name)
+    for index, (x, y) in enumerate(((0.2, 0.3), (1.0, 2.0), (2.5, 1.0), (3.5, 2.4)), start=1):
+        editor.add_point(x, y)
+        assert len(editor.curve.nodes) == index
+        if index > 1:
+            assert is_true(editor)
+    editor.fit()
+    assert colours_along(editor) > 0.95
+
+
+@pytest.mark.parametrize("kind", list(ParametrizationKind))
+def test_a_point_is_dragged_under_every_rule(drawn, name, kind):
+    editor = drawn(name, kind)
+    editor.drag_point(2, (3.0, 2.0))
+    assert editor.point(2) == pytest.approx((3.0, 2.0), abs=2 * editor.pixel)
+    assert is_true(editor)
+    editor.trigger("undo")
+    assert editor.point(2) == POINTS[2]
+    assert is_true(editor)
+
+
+def test_what_is_seen_during_a_drag_is_the_curve(drawn, own):
+    editor = drawn(own)
+    editor.press(editor.point(2))
+    for step in range(1, 6):
+        editor.move((2.5 + 0.1 * step, 1.0 + 0.15 * step))
+        assert is_true(editor)
+        assert colours_along(editor) > 0.9
+    editor.escape()
+    assert editor.point(2) == POINTS[2]
+
+
+def test_several_points_are_turned_scaled_and_nudged(drawn, own):
+    editor = drawn(own)
+    editor.select([1, 2, 3])
+    editor.drag(editor.grip(1, 1), (5.0, 4.0))
+    assert is_true(editor)
+    editor.trigger("rotateSelection")
+    editor.type_amount("30")
+    editor.key(Qt.Key.Key_Return)
+    assert is_true(editor)
+    editor.key(Qt.Key.Key_Right)
+    assert is_true(editor)
+    assert editor.session.undo_stack.count() >= 4
+
+
+@pytest.mark.parametrize("kind", list(ParametrizationKind))
+@pytest.mark.parametrize("keys", [Qt.KeyboardModifier.NoModifier, Qt.KeyboardModifier.ControlModifier])
+def test_the_curve_is_bent_and_follows_the_pointer(drawn, own, kind, keys):
+    editor = drawn(own, kind)
+    parameters = editor.parameters
+    t = 0.4 * parameters[2] + 0.6 * parameters[3]
+    x, y = editor.session.active_view.curve.evaluate(t)
+    target = (float(x) + 0.6, float(y) - 0.5)
+    editor.bend(t, target, keys=keys)
+    assert is_true(editor)
+    found = NearestPoint(editor.session.active_view).within(target, 1.0)
+    assert found.distance < 1.5 * editor.pixel
+    now = editor.parameters
+    assert now[2] < found.t < now[3]
+
+
+def test_parameters_are_dragged_and_typed_on_the_rail(drawn, own):
+    editor = drawn(own)
+    editor.drag_parameter(2, 0.45)
+    assert editor.curve.is_manual
+    assert editor.parameters[2] == pytest.approx(0.45, abs=0.01)
+    assert is_true(editor)
+    editor.type_parameter(3, "0.7")
+    assert editor.parameters[3] == 0.7
+    assert is_true(editor)
+    editor.scrub(0.6)
+    assert editor.session.scrub == pytest.approx(0.6, abs=0.01)
+
+
+# Reshaping
+
+
+def test_a_point_is_inserted_on_the_curve_and_the_change_is_told(drawn, own):
+    editor = drawn(own, ParametrizationKind.MANUAL)
+    place = editor.session.active_view.curve.evaluate(0.5)
+    editor.scrub(0.5)
+    scrub = editor.session.scrub
+    place = editor.session.active_view.curve.evaluate(scrub)
+    editor.trigger("insertPoint")
+    assert len(editor.curve.nodes) == 7
+    assert editor.point(3) == pytest.approx(place, abs=1e-9)
+    assert "shape is another, largest change" in editor.status.lower() + editor.message.lower()
+    assert is_true(editor)
+
+
+def test_what_cannot_keep_the_shape_is_refused_with_a_sentence(drawn, own):
+    editor = drawn(own)
+    title = FAMILIES.named(own).title
+    before = editor.session.document
+    editor.scrub(0.5)
+    editor.trigger("splitCurve")
+    assert f"A {title} curve cannot be split" in editor.status
+    editor.trigger("closeCurve")
+    assert f"a {title} curve does not come back smoothly" in editor.status
+    assert not editor.action("straightSegment").isEnabled()
+    assert not editor.action("tangentCorner").isEnabled()
+    assert editor.session.document == before
+
+
+def test_two_of_them_are_joined_or_it_is_said_why_not(drawn, own):
+    editor = drawn(own)
+    second = make_curve([(x + 6.0, y + 2.0) for x, y in POINTS], name="Second", family=FAMILIES.named(own))
+    editor.session.commit(Document((editor.curve, second)), "Second")
+    before = editor.session.document
+    editor.trigger("joinCurve")
+    if own == "gaussian":
+        assert "Two Gaussian curves cannot be joined" in editor.status
+        assert editor.session.document == before
+    else:
+        assert len(editor.session.document.curves) == 1
+        assert len(editor.curve.nodes) == 11
+        assert is_true(editor)
+
+
+def test_the_way_back_is_the_same_curve(drawn, own):
+    editor = drawn(own)
+    before = editor.session.active_view.curve.evaluate(0.25)
+    editor.trigger("reverseCurve")
+    assert editor.session.active_view.curve.evaluate(0.75) == pytest.approx(before, abs=1e-12)
+
+
+# Table, files
+
+
+def test_the_table_shows_and_takes_its_numbers(drawn, own):
+    editor = drawn(own)
+    table = editor.window.point_table.model()
+    assert table.columnCount() == 3
+    assert table.setData(table.index(2, 1), 3.25)
+    assert editor.point(2) == (3.25, 1.0)
+    assert table.setData(table.index(2, 0), 0.5)
+    assert editor.parameters[2] == 0.5
+    assert is_true(editor)
+    editor.trigger("undo")
+    editor.trigger("undo")
+    assert editor.point(2) == POINTS[2]
+
+
+def test_it_is_saved_and_opened_as_it_was(drawn, own, tmp_path):
+    editor = drawn(own)
+    path = tmp_path / "own.curve.json"
+    editor.session.save(path)
+    assert json.loads(path.read_text())["curves"][0]["family"] == own
+    before = editor.session.document
+    editor.new()
+    editor.session.open(path)
+    assert editor.session.document == before
+    assert is_true(editor)
+    assert editor.message == ""
+
+
+# Everything that shows something
+
+
+def switches(editor):
+    """Every action that switches something on and off, but for those that change the curve or the window."""
+    others = {family.action_name for family in FAMILIES} | {*NO_FILM, "closeCurve", "presentation"}
+    kinds = ("curve", "parameters", "tangent", "theme", "add", "select", "measure")
+    found = [each for each in editor.window.findChildren(QAction) if each.isCheckable() and each.isEnabled()]
+    names = {action.objectName() for action in found} - others - {""}
+    return sorted(name for name in names if not name.startswith(kinds))
+
+
+def test_everything_that_can_be_switched_on_goes_on_through_a_drag(drawn, own):
+    editor = drawn(own)
+    editor.select([2])
+    names = switches(editor)
+    assert {"overlayComb", "overlayMarks", "ghostLagrange", "plotCurvature", "toggleLaboratory"} <= {*names}
+    for name in names:
+        if not editor.action(name).isChecked():
+            editor.action(name).trigger()
+    editor.fit()
+    before = editor.session.document
+    editor.drag_point(2, (2.7, 1.3))
+    assert editor.session.document != before
+    assert is_true(editor)
+    editor.screenshot()
+    editor.trigger("undo")
+    for name in names:
+        if editor.action(name).isChecked() and editor.action(name).isEnabled():
+            editor.action(name).trigger()
+    editor.settle()
+    assert is_true(editor)
+
+
+def test_the_laboratory_says_that_it_computes_other_curves(drawn, own, qtbot):
+    editor = drawn(own)
+    editor.trigger("toggleLaboratory")
+    said = f"a {FAMILIES.named(own).title} curve is made of other functions"
+    panel = editor.window.findChild(object, "laboratoryPanel")
+    qtbot.waitUntil(lambda: any(said in text for text in texts_of(panel)))
+    for box in panel.findChildren(QComboBox):
+        for index in range(box.count()):
+            box.setCurrentIndex(index)
+            box.activated.emit(index)
+            editor.settle()
+    for box in panel.findChildren(QCheckBox):
+        if box.isEnabled() and box.isVisible():
+            QTest.mouseClick(box, Qt.MouseButton.LeftButton)
+            editor.settle()
+    editor.drag_point(2, (3.0, 2.0))
+    assert is_true(editor)
+    editor.trigger("toggleLaboratory")
+
+
+def texts_of(panel):
+    found = []
+    for kind in panel.findChildren(object):
+        text = getattr(kind, "text", None)
+        if callable(text):
+            try:
+                found.append(text())
+            except TypeError:
+                continue
+    return found
+
+
+def test_a_motion_runs_along_it(drawn, own):
+    editor = drawn(own)
+    editor.trigger("playMotion")
+    editor.settle()
+    editor.trigger("stopMotion")
+    assert is_true(editor)

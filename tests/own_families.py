@@ -1,0 +1,35 @@
+"""Families that only the tests have, from files as a person would write them."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+
+from app.families import FAMILIES
+
+FILES = sorted((Path(__file__).parent / "data" / "families").glob("*.py"))
+OWN = ("cosine_steps", "gaussian")
+EVERY = (*(family.name for family in FAMILIES), *OWN)
+"""The names of all families that are tried; those of files are there only while a test has them."""
+
+
+def gaussian(t, parameters):
+    """The functions of ``gaussian.py`` by another way: the inverse, and a row for each t."""
+    width = 1.5 * (parameters[-1] - parameters[0]) / len(parameters)
+    inverse = np.linalg.inv(np.exp(-(((parameters[:, None] - parameters[None]) / width) ** 2)))
+    return np.array([np.exp(-(((each - parameters) / width) ** 2)) @ inverse for each in t])
+
+
+def cosine_steps(t, parameters):
+    """The functions of ``cosine.py`` by another way: one at a time."""
+    values = []
+    for i in range(len(parameters)):
+        low = parameters[i - 1] if i else parameters[0] - (parameters[1] - parameters[0])
+        high = parameters[i + 1] if i + 1 < len(parameters) else 2 * parameters[-1] - parameters[-2]
+        here = np.interp(t, [low, parameters[i], high], [0.0, 1.0, 0.0], left=0.0, right=0.0)
+        values.append(0.5 - 0.5 * np.cos(np.pi * here))
+    return np.array(values).T
+
+
+TRUE_BASIS = {"gaussian": gaussian, "cosine_steps": cosine_steps}

@@ -1,0 +1,354 @@
+"""All that is computed of a curve, for every family: also for some of which nothing but a basis is known."""
+
+from __future__ import annotations
+
+from itertools import pairwise
+
+import numpy as np
+import pytest
+from msgspec.structs import replace
+
+from app.document import edits
+from app.document.edits import EditError
+from app.document.model import Document, ParametrizationKind, make_curve
+from app.families import FAMILIES
+from app.view_model.analysis.cost import cost_of
+from app.view_model.analysis.cures import cures_of
+from app.view_model.analysis.ghosts import ghost_views
+from app.view_model.analysis.hodograph import derivative_at, hodograph_of
+from app.view_model.analysis.joints import as_text, certificate_of
+from app.view_model.analysis.laboratory import Refused, calculations, digits_at, try_methods
+from app.view_model.analysis.laboratory_settings import Calculation, LaboratorySettings, Rounding
+from app.view_model.analysis.overlays import live_picture, settled_picture, settles
+from app.view_model.analysis.plots import TITLES, plots_of, values_at
+from app.view_model.analysis.settings import AnalysisSettings, Overlay, Plot, all_ghosts
+from app.view_model.analysis.teaching import warnings_of
+from app.view_model.analysis.wiggle import explain
+from app.view_model.basis_view import basis_view, weights_at
+from app.view_model.bend import Bend, BendWith
+from app.view_model.closing import with_closed
+from app.view_model.curve_view import view_of
+from app.view_model.goals import MEASURES, parse_goal, standing_of
+from app.view_model.growth import growth_of_points
+from app.view_model.motion import STATIONS, Course, Pace
+from app.view_model.motion_picture import jumps_in_words, rivals_of
+from app.view_model.nearest import NearestPoint
+from app.view_model.reshape import reversed_curve, with_point_inserted
+from app.view_model.split_join import joined, split
+from tests.own_families import EVERY, OWN, TRUE_BASIS
+from tests.polylines import worst_distance
+
+pytestmark = pytest.mark.usefixtures("own_families")
+
+POINTS = ((0.0, 0.0), (1.0, 2.0), (2.5, 1.0), (4.0, 3.0), (5.0, 0.5), (6.0, 2.0))
+SIZE = 6.0
+RULES = [kind for kind in ParametrizationKind if kind is not ParametrizationKind.MANUAL]
+
+
+def curve_of(name, kind=ParametrizationKind.CHORD_LENGTH, points=POINTS):
+    made = make_curve(points, name=f"A {name}", family=FAMILIES.named(name))
+    rule = replace(made.parametrization, kind=kind, start=1.0, end=3.5)
+    if kind is not ParametrizationKind.MANUAL:
+        return replace(made, parametrization=rule)
+    times = np.linspace(1.0, 3.5, len(points)) + 0.1 * np.sin(np.arange(len(points)))
+    nodes = tuple(replace(node, t=float(t)) for node, t in zip(made.nodes, times, strict=True))
+    return replace(made, nodes=nodes, parametrization=rule)
+
+
+def shape(view, count=2001):
+    """Points all along the curve of a view, at equal shares of its domain."""
+    return view.curve.evaluate(np.linspace(*view.curve.domain, count))
+
+
+@pytest.fixture(params=EVERY)
+def name(request):
+    return request.param
+
+
+@pytest.fixture(params=OWN)
+def own(request):
+    return request.param
+
+
+# The curve itself
+
+
+@pytest.mark.parametrize("kind", RULES)
+def test_the_curve_is_the_sum_of_the_functions_of_the_file(own, kind):
+    view = view_of(curve_of(own, kind))
+    t = np.linspace(*view.curve.domain, 301)
+    truth = TRUE_BASIS[own](t, view.parameters) @ view.points
+    # The bells' system has a condition number of about 10: some dozen roundings of 2⁻⁵³ times 6.
+    assert np.abs(view.curve.evaluate(t) - truth).max() < 1e-13 * SIZE
+    assert view.curve.degree is None
+    assert np.array_equal(view.curve.evaluate(view.parameters), view.points)
+
+
+def test_the_polyline_is_as_near_as_it_says(name):
+    view = view_of(curve_of(name))
+    everywhere = np.array([-100.0, -100.0, 100.0, 100.0])
+    for tolerance in (0.1, 1e-3, 1e-5):
+        line = view_of(view.source).flattened(tolerance)
+        assert line.deviation <= tolerance
+        assert worst_distance(view.curve, line, everywhere) <= tolerance
+
+
+@pytest.mark.parametrize("kind", [ParametrizationKind.UNIFORM, ParametrizationKind.CHORD_LENGTH])
+def test_a_drag_draws_what_a_new_view_would_draw(name, kind):
+    before = view_of(curve_of(name, kind))
+    before.flattened(1e-3)
+    for step in range(1, 40):
+        nodes = list(before.source.nodes)
+        nodes[2] = replace(nodes[2], x=2.5 + 0.05 * step, y=1.0 - 0.03 * step)
+        moved = replace(before.source, nodes=tuple(nodes))
+        before = view_of(moved, before)
+        line = before.flattened(1e-3)
+        fresh = view_of(moved)
+        assert np.array_equal(before.curve.jets, fresh.curve.jets)
+        assert np.abs(line.points - fresh.curve.evaluate(line.parameters)).max() < 1e-11
+        assert line.deviation <= 1e-3
+
+
+def test_the_basis_panel_shows_the_functions_of_the_curve(name):
+    view = view_of(curve_of(name))
+    shown = basis_view(view)
+    t = 1.7
+    weights = weights_at(view, t)
+    assert weights == pytest.approx(view.cardinal.basis(t)[0], abs=1e-12)
+    assert weights @ view.points == pytest.approx(view.curve.evaluate(t), abs=1e-12)
+    for index in range(len(POINTS)):
+        for order in range(view.source.family.derivatives + 1):
+            at, values = shown.function(index, order)
+            exact = view.curve.basis(at)[:, index, order] * shown.scales[index, order]
+            assert values == pytest.approx(exact, abs=1e-12)
+
+
+# What the person does
+
+
+@pytest.mark.parametrize("kind", [*RULES, ParametrizationKind.MANUAL])
+@pytest.mark.parametrize("using", [BendWith.ALL, BendWith.POINTS])
+def test_the_grabbed_point_of_a_bend_follows(name, kind, using):
+    view = view_of(curve_of(name, kind))
+    for t in (1.35, 2.2, 3.3):
+        for way in ((0.4, -0.3), (-1.5, 2.0)):
+            start = view.curve.evaluate(t)
+            target = start + way
+            bent = view_of(Bend(view, t, using).bent(tuple(target.tolist()), 1e-3), view)
+            segment = int(np.searchsorted(view.parameters, t)) - 1
+            low, high = view.parameters[segment : segment + 2]
+            now = bent.parameters[segment : segment + 2]
+            at = now[0] + (t - low) / (high - low) * (now[1] - now[0])
+            assert bent.curve.evaluate(at) == pytest.approx(target, abs=2e-3)
+
+
+def test_a_bend_is_the_least_change_of_the_points(own):
+    """At fixed parameters: the minimum norm solution, by another method."""
+    view = view_of(curve_of(own, ParametrizationKind.UNIFORM))
+    t, way = 2.2, np.array([0.4, -0.3])
+    row = TRUE_BASIS[own](np.array([t]), view.parameters)
+    least = np.linalg.lstsq(row, way[None], rcond=None)[0]
+    bent = Bend(view, t, BendWith.ALL).bent(tuple((view.curve.evaluate(t) + way).tolist()), 1e-9)
+    moves = np.array([node.position for node in bent.nodes]) - view.points
+    assert moves == pytest.approx(least, abs=1e-12)
+
+
+@pytest.mark.parametrize("kind", [ParametrizationKind.MANUAL, ParametrizationKind.CENTRIPETAL])
+def test_an_inserted_point_lies_on_the_curve_and_the_change_is_told(name, kind):
+    view = view_of(curve_of(name, kind))
+    made = with_point_inserted(view, 2.1)
+    index = int(np.searchsorted(view.parameters, 2.1))
+    assert made.curve.nodes[index].position == pytest.approx(view.curve.evaluate(2.1), abs=1e-12)
+    after = view_of(made.curve)
+    if kind is ParametrizationKind.MANUAL:
+        moved = np.abs(shape(after) - shape(view)).max()
+        # The residual is of samples at other places.
+        assert made.residual == pytest.approx(
+            np.linalg.norm(shape(after) - shape(view), axis=1).max(), rel=0.05, abs=1e-12
+        )
+        is_exact = FAMILIES.named(name).derivatives or FAMILIES.named(name).is_one_polynomial
+        assert (moved < 1e-11) == bool(is_exact)
+        assert made.sentence.startswith("Shape kept" if is_exact else "The shape is another")
+
+
+@pytest.mark.parametrize("t", [1.9, "a point"])
+def test_a_split_keeps_the_shape_or_is_refused(name, t):
+    view = view_of(curve_of(name, ParametrizationKind.MANUAL))
+    t = float(view.parameters[3]) if t == "a point" else t
+    if name == "gaussian" or (name == "cosine_steps" and t == 1.9):
+        with pytest.raises(EditError, match=f"A {FAMILIES.named(name).title} curve cannot be split"):
+            split(view, t)
+        return
+    made = split(view, t)
+    first, second = map(view_of, made.curves)
+    assert first.parameters[-1] == second.parameters[0] == t
+    for part in (first, second):
+        at = np.linspace(*part.curve.domain, 801)
+        assert np.abs(part.curve.evaluate(at) - view.curve.evaluate(at)).max() < 1e-10
+    assert made.residual < 1e-10
+
+
+def test_a_join_keeps_both_shapes_or_is_refused(name):
+    first = view_of(curve_of(name, ParametrizationKind.UNIFORM))
+    beyond = tuple((x + 6.0, y + 2.0) for x, y in POINTS)
+    second = view_of(curve_of(name, ParametrizationKind.UNIFORM, beyond))
+    reason = {"lagrange": "make no third", "gaussian": "Two Gaussian curves cannot be joined"}.get(name)
+    if reason is not None:
+        with pytest.raises(EditError, match=reason):
+            joined(first, second)
+        return
+    made = joined(first, second)
+    whole = view_of(made.curve)
+    at = np.linspace(*first.curve.domain, 801)
+    assert np.abs(whole.curve.evaluate(at) - first.curve.evaluate(at)).max() < 1e-10
+    later = whole.parameters[len(POINTS) - 1] - second.parameters[0]
+    assert np.abs(whole.curve.evaluate(at + later) - second.curve.evaluate(at)).max() < 1e-10
+
+
+def test_two_families_are_not_joined(own):
+    with pytest.raises(EditError, match="choose one family for both"):
+        joined(view_of(curve_of(own)), view_of(curve_of("hermite")))
+
+
+def test_closing_is_what_the_family_can(name):
+    document = Document((curve_of(name),))
+    family = FAMILIES.named(name)
+    if family.can_close:
+        closed = view_of(with_closed(document, 0, view_of(document.curves[0]), True).curves[0])
+        assert closed.curve.evaluate(closed.curve.domain[1]) == pytest.approx(POINTS[0])
+        return
+    with pytest.raises(EditError, match=f"a {family.title} curve") as refusal:
+        edits.set_closed(document, 0, True)
+    assert "Choose Hermite or quintic Hermite to close the curve" in str(refusal.value)
+
+
+def test_the_way_back_is_the_same_curve_or_the_change_is_told(name):
+    view = view_of(curve_of(name, ParametrizationKind.MANUAL))
+    made = reversed_curve(view)
+    back = shape(view_of(made.curve))[::-1]
+    assert np.linalg.norm(back - shape(view), axis=1).max() == pytest.approx(made.residual, abs=1e-11)
+    # All of them are the same seen from behind.
+    assert made.residual < 1e-11
+
+
+# What is said and drawn of it
+
+
+def test_every_overlay_draws_this_curve(name):
+    view = view_of(curve_of(name))
+    everything = AnalysisSettings(
+        overlays=frozenset(Overlay), point_error=0.01, parameter_error=1e-4, ghosts=frozenset(all_ghosts())
+    )
+    live = live_picture(view, everything, 2.0)
+    settled = settled_picture(view, everything, 2.0)
+    drawn = shape(view, 20001)
+    for figure in (*live.figures, *settled.figures):
+        assert np.isfinite(figure.points[~np.isnan(figure.points)]).all()
+    assert settles(view, everything) <= frozenset(Overlay)
+    assert {ghost for ghost, shown in ghost_views(view, everything.ghosts, {}).items() if shown.is_real} >= {
+        ghost for ghost in all_ghosts() if ghost.family is not None and ghost.family.name == name
+    }
+    on_curve = [each for each in settled.figures if each.style.name in ("SHARPEST", "FLATTEST", "INFLECTION")]
+    for figure in on_curve:
+        away = np.abs(figure.points[:, None] - drawn).max(axis=2).min(axis=1)
+        assert away.max() < 5e-3
+
+
+def test_every_plot_is_of_this_curve(name):
+    view = view_of(curve_of(name))
+    start, end = view.curve.domain
+    shown = plots_of(view, frozenset(Plot), (start, end), 600, view.growth)
+    assert [plot.title for plot in shown] == [TITLES[kind] for kind in Plot]
+    h = 1e-4
+    for t in (1.234, 2.345, 3.21):
+        before, at, after = view.curve.evaluate(np.array([t - h, t, t + h]))
+        values = values_at(view, frozenset(Plot), t)
+        velocity, acceleration = (after - before) / (2 * h), (after - 2 * at + before) / h**2
+        assert values[Plot.SPEED] == pytest.approx(np.hypot(*velocity), rel=1e-5)
+        assert values[Plot.ACCELERATION] == pytest.approx(np.hypot(*acceleration), rel=1e-3, abs=1e-3)
+        across = velocity[0] * acceleration[1] - velocity[1] * acceleration[0]
+        bend = across / np.hypot(*velocity) ** 3
+        assert values[Plot.CURVATURE] == pytest.approx(bend, rel=1e-3, abs=1e-3)
+        assert derivative_at(view, t, 1) == pytest.approx(velocity, rel=1e-5, abs=1e-5)
+    assert np.isfinite(hodograph_of(view, 1).points[~np.isnan(hodograph_of(view, 1).points)]).all()
+
+
+def test_the_lebesgue_constant_is_that_of_its_functions(own):
+    view = view_of(curve_of(own))
+    t = np.concatenate([np.linspace(*pair, 400) for pair in pairwise(view.parameters)])
+    truth = np.abs(TRUE_BASIS[own](t, view.parameters)).sum(axis=1).max()
+    assert growth_of_points(view) == pytest.approx(truth, rel=1e-4)
+
+
+def test_the_nearest_point_and_the_length_are_those_of_the_curve(name):
+    view = view_of(curve_of(name))
+    drawn = shape(view, 40001)
+    for place in ((2.0, 2.0), (5.5, 0.0), (3.3, 2.4)):
+        found = NearestPoint(view).within(place, 10.0)
+        assert found.distance == pytest.approx(np.hypot(*(drawn - place).T).min(), abs=1e-4)
+        assert view.curve.evaluate(found.t) == pytest.approx(found.position, abs=1e-9)
+    course = Course(view.curve, Pace.LENGTH)
+    stations = course.stations(np.arange(STATIONS + 1))
+    steps = np.hypot(*np.diff(stations, axis=0).T)
+    # Chords of equal arcs; only at sharp bends they are shorter.
+    assert np.median(steps) == pytest.approx(steps.max(), rel=2e-2)
+
+
+def test_the_joints_are_told(name):
+    view = view_of(curve_of(name))
+    certificate = certificate_of(view)
+    assert as_text(certificate)
+    assert len(certificate.rows) == {"lagrange": 0, "gaussian": 0}.get(name, len(POINTS) - 2)
+    if name == "gaussian":
+        assert certificate.summary == "No joints: a Gaussian curve has no breaks inside."
+    if name == "cosine_steps":
+        # It stands still at every point, and starts in another direction: c'' jumps, c' does not.
+        for row in certificate.rows:
+            h = np.diff(view.parameters)[row.joint - 1 : row.joint + 1]
+            p, q, r = view.points[row.joint - 1 : row.joint + 2]
+            jump = 0.5 * np.pi**2 * ((r - q) / h[1] ** 2 - (p - q) / h[0] ** 2)
+            # c' and c'' from differences: good to 11 and 9 digits, for functions as smooth as these.
+            assert row.jumps == pytest.approx((0.0, 0.0, np.hypot(*jump)), rel=1e-7, abs=1e-9)
+
+
+def test_the_laboratory_computes_this_curve_or_says_that_it_cannot(name):
+    view = view_of(curve_of(name))
+    for rounding in Rounding:
+        settings = LaboratorySettings(
+            on=True, rounding=rounding, digits=16, methods=frozenset(Calculation), shift=0.0
+        )
+        trial = try_methods(view, settings)
+        if name in OWN:
+            assert isinstance(trial, Refused)
+            assert FAMILIES.named(name).title in trial.reason
+            assert not calculations(view)
+            assert digits_at(view, settings, 2.0) is None
+            continue
+        truth = view.curve.evaluate(trial.t)
+        for outcome in trial.outcomes:
+            assert np.abs(np.vstack(outcome.pieces) - truth).max() < 1e-8
+
+
+def test_the_rest_of_what_is_said_holds_for_it(name):
+    view = view_of(curve_of(name))
+    cost_of(view)
+    explanation = explain(view, 2.2)
+    assert explanation is not None
+    assert explanation.lebesgue == pytest.approx(np.abs(weights_at(view, 2.2)).sum())
+    warnings_of(view, growth_of_points(view))
+    document = Document((view.source,))
+    cures = cures_of(document, 0, view, 2)
+    assert all(np.isfinite(cure.overshoot) or cure.problem for cure in cures.cures)
+    rivals = rivals_of(view)
+    assert rivals
+    assert jumps_in_words(rivals)
+
+
+def test_every_goal_of_a_lesson_can_be_asked_of_it(name):
+    view = view_of(curve_of(name))
+    for measure in MEASURES:
+        assert "now" in standing_of(parse_goal(f"{measure} < 1"), view).text
+    everything = parse_goal("points > 3", kept="points, family, rule")
+    assert standing_of(everything, view, view.source).is_met
+    assert standing_of(parse_goal(f"family = {name}"), view).is_met
+    assert not standing_of(parse_goal("family = quintic_hermite"), view).is_met or name == "quintic_hermite"
