@@ -22,7 +22,7 @@ from app.panels.field_edit import FieldEdit, NumberEdit
 from app.panels.number_text import decimal_mark, exact_text, rounded_text
 from app.panels.tool_buttons import ICON, tool_button
 from app.theme import theme_of
-from app.view_model.curve_view import CurveView
+from app.view_model.curve_view import CoreCurve, CurveView
 
 Rule = TypeVar("Rule", bound=StrEnum)
 
@@ -215,13 +215,22 @@ def _facts(view: CurveView) -> str:
     curve = view.source
     facts = [count_of(len(curve.nodes), "point")]
     if view.is_current and view.curve is not None:
-        pieces = len(view.parameters) - 1
-        of = "one polynomial" if curve.family.is_one_polynomial else count_of(pieces, "piece")
-        facts += [f"degree {view.curve.degree}", of, *_shape_facts(view)]
+        facts += [*_kind_facts(view.curve), *_shape_facts(view)]
         start, end = (rounded_text(t, decimal_mark()) for t in view.curve.domain)
         facts.append(f"{start} ≤ t ≤ {end}")
     # A fact is not torn apart at the end of a line.
     return " · ".join(fact.replace(" ", "\N{NO-BREAK SPACE}") for fact in facts)
+
+
+def _kind_facts(curve: CoreCurve) -> list[str]:
+    """Return the degree, and of how many polynomials the curve is made."""
+    if curve.degree is None:
+        return ["no polynomial"]
+    pieces = len(curve.breaks) - 1
+    return [
+        f"degree {curve.degree}",
+        "one polynomial" if curve.is_one_polynomial else count_of(pieces, "piece"),
+    ]
 
 
 def _shape_facts(view: CurveView) -> list[str]:

@@ -13,7 +13,7 @@ import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QAction, QColor
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QCheckBox, QComboBox, QToolBar
+from PySide6.QtWidgets import QCheckBox, QComboBox, QLabel, QToolBar
 
 from app.document import edits
 from app.document.model import Document, ParametrizationKind, make_curve
@@ -343,3 +343,10 @@ def test_a_motion_runs_along_it(drawn, own):
     editor.settle()
     editor.trigger("stopMotion")
     assert is_true(editor)
+
+
+def test_what_is_no_polynomial_is_not_called_one(drawn, own):
+    """The curve's form said "degree None · 5 pieces"."""
+    editor = drawn(own)
+    facts = editor.window.findChild(QLabel, "curveFacts").text().replace("\N{NO-BREAK SPACE}", " ")
+    assert facts == "6 points · no polynomial · 0 ≤ t ≤ 1"
