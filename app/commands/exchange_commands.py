@@ -19,7 +19,7 @@ from app.commands.curve_clipboard import put_on_clipboard
 from app.commands.import_series import ImportSeries
 from app.document.import_edits import add_imported
 from app.document.model import Document
-from app.document.words import count_of, listed
+from app.document.words import count_of, listed, number
 from app.exchange.formats import (
     FORMATS,
     Kind,
@@ -211,7 +211,7 @@ class ExchangeCommands:
             self._context.actions["fitView"].trigger()
         count = sum(len(curve.nodes) for curve in new.curves)
         what = f"{count_of(len(new.curves), 'curve')}, {count_of(count, 'point')}"
-        exact = f"at most {deviation:.2g} from the file" if deviation else "exact"
+        exact = f"at most {number(deviation, 2)} from the file" if deviation else "exact"
         self._session.say(f"Imported {path.name}: {what}, {exact}.")
 
     # Out
@@ -276,7 +276,7 @@ class ExchangeCommands:
     def _say_written(self, path: Path, written: Written) -> None:
         self._preferences.last_folder = path.parent
         away = written.deviation
-        what = f"at most {away:.2g} from the true curve" if away else "exact"
+        what = f"at most {number(away, 2)} from the true curve" if away else "exact"
         if written.pixels is not None:
             # Pixels are not exact, whatever they were painted from.
             what = f"{written.pixels[0]} × {written.pixels[1]} pixels"

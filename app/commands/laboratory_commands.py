@@ -14,6 +14,7 @@ from app.canvas.trace_layer import Trace
 from app.commands.context import WindowContext
 from app.commands.dock_room import make_room_once
 from app.commands.error_plot import ErrorPlot
+from app.document.words import number
 from app.overrides import Guarded
 from app.tasks.debounced_task import DebouncedTask
 from app.tasks.progress import Report
@@ -237,7 +238,7 @@ def _heading(settings: LaboratorySettings) -> str:
     if settings.decimals is not None:
         text += f", data to {settings.decimals} decimals"
     if settings.shift:
-        text += f", t + {settings.shift:g}".replace("+ -", "− ")
+        text += f", t {'−' if settings.shift < 0 else '+'} {number(abs(settings.shift), 6)}"
     return text
 
 

@@ -16,6 +16,7 @@ from typing import NoReturn
 import msgspec
 
 from app.document.model import MAX_MAGNITUDE
+from app.document.words import number
 
 MAX_LENGTH = 200
 """Characters of the longest text that is read; it bounds the work, and the depth of nesting."""
@@ -89,7 +90,7 @@ class _Function(msgspec.Struct, frozen=True):
         try:
             return _finite(float(self.compute(*arguments)))
         except ValueError:
-            shown = "; ".join(f"{value:g}" for value in arguments).replace("-", "−")
+            shown = "; ".join(number(value, 6) for value in arguments)
             raise ExpressionError(f"{self.name}({shown}) is not a real number.") from None
 
     def _count(self) -> str:

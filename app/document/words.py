@@ -1,11 +1,15 @@
-"""Words for people: names of members, numbers, plurals, lists. What is shown is a view; values stay whole."""
+"""Words for people: names of members, numbers, amounts, lists. What is shown is a view; values stay whole."""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from enum import StrEnum
-from typing import Self
+from typing import TYPE_CHECKING, Self
+
+if TYPE_CHECKING:
+    from app.document.model import Vector
+    from app.document.several_curves import NodeGroup
 
 NOTHING = "–"
 """Stands where there is no number."""
@@ -38,7 +42,7 @@ def number(value: float, digits: int = 4, mark: str = ".") -> str:
     return polished(f"{value:.{digits}g}", mark) if math.isfinite(value) else NOTHING
 
 
-def fixed(value: float, decimals: int, mark: str = ".") -> str:
+def with_decimals(value: float, decimals: int, mark: str = ".") -> str:
     """Return a number with so many decimals and a true minus sign."""
     return polished(f"{value:.{decimals}f}", mark) if math.isfinite(value) else NOTHING
 
@@ -56,6 +60,36 @@ def polished(text: str, mark: str = ".") -> str:
 def with_minus(text: str) -> str:
     """Return text whose hyphens, which stand before numbers alone, are true minus signs."""
     return text.replace("-", "−")
+
+
+def vector(value: Vector) -> str:
+    """Return both coordinates."""
+    return f"{number(value[0])}, {number(value[1])}"
+
+
+def points(indices: Collection[int]) -> str:
+    """Return "point 3" or "4 points"."""
+    return f"point {next(iter(indices))}" if len(indices) == 1 else f"{len(indices)} points"
+
+
+def group(nodes: NodeGroup) -> str:
+    """Return "point 3", "4 points" or "3 curves"."""
+    return f"{len(nodes.parts)} curves" if nodes.is_several else points(nodes.parts[0][1])
+
+
+def point_at(index: int, place: Vector) -> str:
+    """Return "Point 3 at 2.4, 5.158"."""
+    return f"Point {index} at {vector(place)}"
+
+
+def polar(value: Vector) -> str:
+    """Return length and direction, "3.2 at 45°"."""
+    return f"{number(math.hypot(*value))} at {angle(math.degrees(math.atan2(value[1], value[0])))}"
+
+
+def angle(degrees: float) -> str:
+    """Return an angle to a tenth of a degree."""
+    return f"{number(round(degrees, 1), 6)}°"
 
 
 def count_of(count: int, noun: str) -> str:

@@ -14,12 +14,12 @@ from PySide6.QtWidgets import QComboBox, QFormLayout, QHBoxLayout, QVBoxLayout, 
 
 from app.document import edits
 from app.document.model import AccelerationRule, VelocityRule
-from app.document.words import Named, count_of
+from app.document.words import Named, count_of, number
 from app.icons import icon
 from app.labels import Label
 from app.overrides import Guarded
 from app.panels.field_edit import FieldEdit, NumberEdit
-from app.panels.number_text import decimal_mark, exact_text, rounded_text
+from app.panels.number_text import decimal_mark, exact_text
 from app.panels.tool_buttons import ICON, tool_button
 from app.theme import theme_of
 from app.view_model.curve_view import CoreCurve, CurveView
@@ -146,7 +146,7 @@ class CurveSettings(Guarded, QWidget):
         start, end = edits.interval(curve)
         self.name_edit.show_text(curve.name)
         for edit, value in ((self.start_edit, start), (self.end_edit, end)):
-            edit.show_text(exact_text(value, mark).removesuffix(f"{mark}0"), rounded_text(value, mark))
+            edit.show_text(exact_text(value, mark).removesuffix(f"{mark}0"), number(value, 6, mark))
         self.velocity_box.setCurrentIndex(list(VelocityRule).index(curve.velocity_rule))
         self.acceleration_box.setCurrentIndex(list(AccelerationRule).index(curve.acceleration_rule))
         derivatives = curve.family.derivatives
@@ -216,7 +216,7 @@ def _facts(view: CurveView) -> str:
     facts = [count_of(len(curve.nodes), "point")]
     if view.is_current and view.curve is not None:
         facts += [*_kind_facts(view.curve), *_shape_facts(view)]
-        start, end = (rounded_text(t, decimal_mark()) for t in view.curve.domain)
+        start, end = (number(t, 6, decimal_mark()) for t in view.curve.domain)
         facts.append(f"{start} ≤ t ≤ {end}")
     # A fact is not torn apart at the end of a line.
     return " · ".join(fact.replace(" ", "\N{NO-BREAK SPACE}") for fact in facts)

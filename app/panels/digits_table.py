@@ -6,6 +6,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtGui import QFontDatabase, QPalette
 from PySide6.QtWidgets import QGridLayout, QWidget
 
+from app.document.words import number, with_minus
 from app.labels import Label
 from app.view_model.analysis.laboratory import Digits
 
@@ -46,7 +47,7 @@ class DigitsTable(QWidget):
         self.setVisible(digits is not None)
         if digits is None:
             return
-        self._title.setText(f"At t = {digits.t:.4g}".replace("-", "−"))
+        self._title.setText(f"At t = {number(digits.t)}")
         true = [f"{value:.{shown + 2}g}" for value in digits.truth]
         rows = [("True", *map(_aligned, true))]
         rows += [(method.label, *map(_aligned, pair)) for method, pair in digits.rows]
@@ -82,4 +83,4 @@ def _digits_style(shown: int) -> str:
 
 def _aligned(text: str) -> str:
     """Write a real minus, or leave its room, so that leading digits stand below each other."""
-    return text.replace("-", "−") if text.startswith("-") else " " + text.replace("E-", "E−")
+    return with_minus(text if text.startswith("-") else f" {text}")

@@ -15,7 +15,7 @@ from PySide6.QtWidgets import (
 )
 
 from app.document.expression import ExpressionError, parse_number
-from app.document.words import count_of
+from app.document.words import count_of, number
 from app.exchange.table.columns import AFTER, ROLES, WORDS, ColumnMapping, words_on
 from app.exchange.table.curves import Missing
 from app.exchange.table.layout import Layout
@@ -28,7 +28,7 @@ from app.labels import Label, tip_of
 from app.panels.field_edit import FieldEdit
 from app.panels.form_parts import choice_box, into_box
 from app.panels.import_foot import ImportFoot
-from app.panels.number_text import decimal_mark, rounded_text
+from app.panels.number_text import decimal_mark
 from app.panels.table_preview import TablePreview
 from app.panels.work_dialog import WorkDialog
 from app.theme import theme_of
@@ -315,7 +315,7 @@ def _distance(text: str) -> float | None:
 
 
 def _shown(distance: float) -> str:
-    return rounded_text(distance, decimal_mark())
+    return number(distance, 6, decimal_mark())
 
 
 def _summary(prepared: Prepared) -> str:
@@ -325,7 +325,7 @@ def _summary(prepared: Prepared) -> str:
     result = f"{prepared.rows:,} rows → {count_of(prepared.points, 'point')}"
     result += f" in {count} curves" if count > 1 else ""
     if prepared.tolerance:
-        result += f", at most {prepared.deviation:.2g} from the rows"
+        result += f", at most {number(prepared.deviation, 2)} from the rows"
     return result
 
 

@@ -15,10 +15,11 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from app.document.words import number
 from app.labels import Label
 from app.overrides import Guarded
 from app.panels.joints_model import JointsModel
-from app.panels.number_text import decimal_mark, rounded_text
+from app.panels.number_text import decimal_mark
 from app.panels.tool_buttons import action_button
 from app.theme import theme_of
 from app.view_model.analysis.joints import Certificate, JointRow, Kind
@@ -191,7 +192,7 @@ class JointsPanel(Guarded, QWidget):
             self._detail.setText(_HOW)
             return
         row = self._model.rows[place]
-        t = rounded_text(row.t, decimal_mark(), 4)
+        t = number(row.t, 4, decimal_mark())
         # Only a closed curve has a joint at its first point.
         where = f"Joint {row.joint} at t = {t}" if row.joint else "Joint 0, where the curve closes"
         self._detail.setText(f"{row.kind.value} {where}: {row.smoothness}\n{row.words}")

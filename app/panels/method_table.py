@@ -8,6 +8,7 @@ from PySide6.QtCore import QEvent, Qt, Signal
 from PySide6.QtGui import QIcon, QPalette
 from PySide6.QtWidgets import QCheckBox, QGridLayout, QWidget
 
+from app.document.words import number
 from app.labels import Label
 from app.overrides import Guarded
 from app.plotting.pens import SIGN, sign_pixmap
@@ -106,7 +107,7 @@ class MethodTable(Guarded, QWidget):
             texts = ("–",) * len(_CELLS)
             if trial is not None and outcome is not None:
                 error, t = outcome.worst
-                lost, place = f"{outcome.lost:.1f}", f"{t:.2g}".replace("-", "−")
+                lost, place = f"{outcome.lost:.1f}", number(t, 2)
                 texts = (lost, short(error), place, _condition(method, trial, lebesgue))
             for cell, text in zip(cells, texts, strict=True):
                 cell.setText(text)
