@@ -20,11 +20,12 @@ from PySide6.QtWidgets import (
 
 from app.analysis import Analysis
 from app.document.expression import ExpressionError
+from app.document.words import number
 from app.labels import Label
 from app.overrides import Guarded
 from app.panels.action_switch import mirror
 from app.panels.field_edit import NumberEdit, read_number
-from app.panels.number_text import decimal_mark, exact_text, rounded_text
+from app.panels.number_text import decimal_mark, exact_text
 from app.panels.setting_slider import SettingSlider, count_slider, scale_slider
 from app.panels.tool_buttons import action_button, tool_button
 from app.plotting.pens import SIGN, sign_pixmap
@@ -172,7 +173,7 @@ class AnalysisPanel(Guarded, QScrollArea):
             (self.point_error, settings.point_error or 0.0),
             (self.parameter_error, settings.parameter_error),
         ):
-            edit.show_text(exact_text(value, mark).removesuffix(f"{mark}0"), rounded_text(value, mark))
+            edit.show_text(exact_text(value, mark).removesuffix(f"{mark}0"), number(value, 6, mark))
         self._render_notes()
 
     def _note_soon(self) -> None:

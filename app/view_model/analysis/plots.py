@@ -6,6 +6,7 @@ from collections.abc import Collection
 
 import numpy as np
 
+from app.document.words import number
 from app.view_model.analysis.plot_lines import Floats, Level, PlotData, PlotLine, Scale, extent_of
 from app.view_model.analysis.plot_samples import derivatives_of, samples_over
 from app.view_model.analysis.settings import Plot
@@ -103,7 +104,7 @@ def _about(constant: float) -> str:
     """Return what is written at the Lebesgue constant."""
     if constant < 1.0 + 1e-9:
         return "Lebesgue constant Λ = 1: no error of a point grows"
-    return f"Lebesgue constant Λ = {_short(constant)}"
+    return f"Lebesgue constant Λ = {number(constant, 3)}"
 
 
 def _without_spikes(values: Floats, extent: tuple[float, float]) -> tuple[tuple[float, float], str]:
@@ -116,8 +117,4 @@ def _without_spikes(values: Floats, extent: tuple[float, float]) -> tuple[tuple[
     if limit == 0 or (low, high) == extent:
         return extent, ""
     far = extent[0] if -extent[0] > extent[1] else extent[1]
-    return (low, high), f"⚠ reaches {_short(far)}"
-
-
-def _short(value: float) -> str:
-    return f"{value:.3g}".replace("e+0", "e").replace("e+", "e").replace("e-0", "e-").replace("-", "−")
+    return (low, high), f"⚠ reaches {number(far, 3)}"
