@@ -6,7 +6,6 @@ from typing import TYPE_CHECKING
 
 from app.panels.plot_panel import PlotPanel
 from app.view_model import analysis
-from app.view_model.analysis.laboratory_settings import METHOD_NAMES
 from app.view_model.looks import METHOD_LOOKS
 
 if TYPE_CHECKING:
@@ -32,7 +31,7 @@ class ErrorPlot:
             return
         lines = [
             analysis.plot_lines.PlotLine(
-                METHOD_NAMES[each.calculation], each.t, each.errors, METHOD_LOOKS[each.calculation]
+                each.calculation.label, each.t, each.errors, METHOD_LOOKS[each.calculation]
             )
             for each in analysis.laboratory.error_lines(trial)
         ]

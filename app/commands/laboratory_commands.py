@@ -16,11 +16,12 @@ from app.commands.context import WindowContext
 from app.commands.dock_room import make_room_once
 from app.commands.error_plot import ErrorPlot
 from app.docks import LatePanel
+from app.document.words import number
 from app.overrides import Guarded
 from app.tasks.debounced_task import DebouncedTask
 from app.tasks.progress import Report
 from app.view_model import analysis
-from app.view_model.analysis.laboratory_settings import METHOD_NAMES, LaboratorySettings, Rounding
+from app.view_model.analysis.laboratory_settings import LaboratorySettings, Rounding
 from app.view_model.curve_view import CurveView
 from app.view_model.growth import growth_of_data
 from app.view_model.looks import METHOD_LOOKS
@@ -219,7 +220,7 @@ class LaboratoryCommands(Guarded, QObject):
         heading = ""
         if trial is not None and self._settings.on and trial.view.source.visible:
             traces = tuple(
-                Trace(each.pieces, METHOD_LOOKS[each.calculation], METHOD_NAMES[each.calculation])
+                Trace(each.pieces, METHOD_LOOKS[each.calculation], each.calculation.label)
                 for each in trial.outcomes
             )
             heading = "computing…" if busy else _heading(trial.settings)
@@ -239,7 +240,7 @@ def _heading(settings: LaboratorySettings) -> str:
     if settings.decimals is not None:
         text += f", data to {settings.decimals} decimals"
     if settings.shift:
-        text += f", t + {settings.shift:g}".replace("+ -", "− ")
+        text += f", t {'−' if settings.shift < 0 else '+'} {number(abs(settings.shift), 6)}"
     return text
 
 

@@ -20,7 +20,8 @@ Words and dialogs:
 - ``status_line``, ``job_bar``, ``teaching_badge``: at the foot.  ``message_bar``: over
   the canvas.
 - ``command_palette``, ``fuzzy``: type what you want.  ``shortcut_sheet``, ``shortcut_editor``: keys.
-- ``preferences_dialog``, ``motion_dialog``, ``crash_dialog``.  ``export_dialog``, ``export_form``: export.
+- ``preferences_dialog``, ``motion_dialog``, ``crash_dialog``.  ``export_dialog``, ``export_form``,
+  ``export_fields``: export.
 - ``import_drawing_dialog``, ``import_table_dialog``, ``table_preview``, ``role_header``,
   ``group_tree``, ``import_foot``, ``turn``: import.
 
@@ -29,7 +30,7 @@ Small parts:
 - ``action_switch``: buttons that show an action.
 - ``field_edit``, ``live_slider``, ``setting_slider``, ``elided_label``, ``thumbnail``,
   ``form_parts``, ``tool_buttons``, ``fitting``, ``told_spin``, ``work_dialog``, ``choice_style``.
-- ``number_text``, ``words``: numbers and the names of rules, as panels write them.
+- ``number_text``: numbers as panels write them.
 """
 
 import lazy_loader as lazy

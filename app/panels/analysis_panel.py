@@ -20,11 +20,12 @@ from PySide6.QtWidgets import (
 
 from app.analysis import Analysis
 from app.document.expression import ExpressionError
+from app.document.words import number
 from app.labels import Label
 from app.overrides import Guarded
 from app.panels.action_switch import mirror
 from app.panels.field_edit import NumberEdit, read_number
-from app.panels.number_text import decimal_mark, exact_text, rounded_text
+from app.panels.number_text import decimal_mark, exact_text
 from app.panels.setting_slider import SettingSlider, slider_of
 from app.panels.tool_buttons import action_button, tool_button
 from app.plotting.pens import SIGN, sign_pixmap
@@ -156,7 +157,7 @@ class AnalysisPanel(Guarded, QScrollArea):
         self._errors.setVisible(not wanted.isdisjoint(self._error_fields))
         for error, edit in self._error_fields.items():
             value = settings.value(error)
-            edit.show_text(exact_text(value, mark).removesuffix(f"{mark}0"), rounded_text(value, mark))
+            edit.show_text(exact_text(value, mark).removesuffix(f"{mark}0"), number(value, 6, mark))
         self._render_notes()
 
     def _note_soon(self) -> None:

@@ -15,6 +15,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from app.document.words import with_decimals
 from app.icons import icon
 from app.mnemonics import plain
 from app.panels.elided_label import ElidedLabel
@@ -137,7 +138,7 @@ class MotionBar(QWidget):
 
 
 def _numbers(dot: Dot) -> str:
-    t = f"{dot.t:.3f}".replace("-", "−")
+    t = with_decimals(dot.t, 3)
     return f"t {t}   |v| {short(dot.speed)}   |a| {short(dot.pull)}"
 
 

@@ -8,6 +8,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from PySide6.QtGui import QFontMetrics, QGuiApplication
 
+from app.document.words import number
 from app.features.point_table.delegate import COMPACT_DIGITS, ColumnWidths, width_for
 from app.panels.number_text import (
     NEGLIGIBLE,
@@ -15,7 +16,6 @@ from app.panels.number_text import (
     column_text,
     exact_text,
     numbers_of_columns,
-    rounded_text,
     widest_texts,
 )
 
@@ -43,8 +43,8 @@ tables = st.integers(1, 4).flatmap(
         (float("nan"), ".", "–"),
     ],
 )
-def test_rounded_text(value, mark, text):
-    assert rounded_text(value, mark) == text
+def test_a_number_with_six_digits(value, mark, text):
+    assert number(value, 6, mark) == text
 
 
 def test_exact_text():

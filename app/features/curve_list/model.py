@@ -11,8 +11,8 @@ from typing import NamedTuple
 from PySide6.QtCore import QAbstractListModel, QModelIndex, QObject, QPersistentModelIndex, Qt, Signal
 
 from app.document.model import Curve, Document
+from app.document.words import count_of
 from app.overrides import Guarded
-from app.panels.words import count_of
 
 Index = QModelIndex | QPersistentModelIndex
 _NO_INDEX = QModelIndex()

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from enum import StrEnum
 from functools import partial
 from typing import TypeVar
@@ -12,13 +13,14 @@ from PySide6.QtGui import QShowEvent
 from PySide6.QtWidgets import QComboBox, QFormLayout, QHBoxLayout, QVBoxLayout, QWidget
 
 from app.document import edits
+from app.document.model import AccelerationRule, VelocityRule
+from app.document.words import Named, count_of, number
 from app.icons import icon
 from app.labels import Label
 from app.overrides import Guarded
 from app.panels.field_edit import FieldEdit, NumberEdit
-from app.panels.number_text import decimal_mark, exact_text, rounded_text
+from app.panels.number_text import decimal_mark, exact_text
 from app.panels.tool_buttons import ICON, tool_button
-from app.panels.words import ACCELERATION_RULES, VELOCITY_RULES, count_of
 from app.theme import theme_of
 from app.view_model.curve_view import CoreCurve, CurveView
 
@@ -65,10 +67,8 @@ class CurveSettings(Guarded, QWidget):
             "End of the interval",
             "t of the last point (of a closed curve: of its return to the first)",
         )
-        self.velocity_box = _rule_box("velocityRule", "Velocity rule", list(VELOCITY_RULES.values()))
-        self.acceleration_box = _rule_box(
-            "accelerationRule", "Acceleration rule", list(ACCELERATION_RULES.values())
-        )
+        self.velocity_box = _rule_box("velocityRule", "Velocity rule", VelocityRule)
+        self.acceleration_box = _rule_box("accelerationRule", "Acceleration rule", AccelerationRule)
         self.reset_button = tool_button(
             "resetAllToEstimated",
             "Reset all velocities and accelerations to estimated",
@@ -120,10 +120,10 @@ class CurveSettings(Guarded, QWidget):
             edit.left.connect(self._forget_refusal)
         self.name_edit.left.connect(self._forget_refusal)
         self.velocity_box.activated.connect(
-            lambda row: self.velocity_rule_chosen.emit(list(VELOCITY_RULES)[row])
+            lambda row: self.velocity_rule_chosen.emit(list(VelocityRule)[row])
         )
         self.acceleration_box.activated.connect(
-            lambda row: self.acceleration_rule_chosen.emit(list(ACCELERATION_RULES)[row])
+            lambda row: self.acceleration_rule_chosen.emit(list(AccelerationRule)[row])
         )
         self.reset_button.clicked.connect(self.reset_requested)
 
@@ -146,9 +146,9 @@ class CurveSettings(Guarded, QWidget):
         start, end = edits.interval(curve)
         self.name_edit.show_text(curve.name)
         for edit, value in ((self.start_edit, start), (self.end_edit, end)):
-            edit.show_text(exact_text(value, mark).removesuffix(f"{mark}0"), rounded_text(value, mark))
-        self.velocity_box.setCurrentIndex(list(VELOCITY_RULES).index(curve.velocity_rule))
-        self.acceleration_box.setCurrentIndex(list(ACCELERATION_RULES).index(curve.acceleration_rule))
+            edit.show_text(exact_text(value, mark).removesuffix(f"{mark}0"), number(value, 6, mark))
+        self.velocity_box.setCurrentIndex(list(VelocityRule).index(curve.velocity_rule))
+        self.acceleration_box.setCurrentIndex(list(AccelerationRule).index(curve.acceleration_rule))
         derivatives = curve.family.derivatives
         self._form.setRowVisible(self.velocity_box, derivatives > 0)
         self._form.setRowVisible(self.acceleration_box, derivatives > 1)
@@ -216,7 +216,7 @@ def _facts(view: CurveView) -> str:
     facts = [count_of(len(curve.nodes), "point")]
     if view.is_current and view.curve is not None:
         facts += [*_kind_facts(view.curve), *_shape_facts(view)]
-        start, end = (rounded_text(t, decimal_mark()) for t in view.curve.domain)
+        start, end = (number(t, 6, decimal_mark()) for t in view.curve.domain)
         facts.append(f"{start} ≤ t ≤ {end}")
     # A fact is not torn apart at the end of a line.
     return " · ".join(fact.replace(" ", "\N{NO-BREAK SPACE}") for fact in facts)
@@ -240,12 +240,12 @@ def _shape_facts(view: CurveView) -> list[str]:
     return [*facts, count_of(len(corners), "corner")] if corners else facts
 
 
-def _rule_box(name: str, label: str, items: list[str]) -> QComboBox:
+def _rule_box(name: str, label: str, rules: Iterable[Named]) -> QComboBox:
     box = QComboBox()
     box.setObjectName(name)
     box.setAccessibleName(label)
     box.setToolTip(f"{label}: how those that nobody set are estimated")
-    box.addItems(items)
+    box.addItems([each.label for each in rules])
     box.setMinimumContentsLength(8)
     box.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon)
     return box

@@ -17,8 +17,9 @@ from msgspec.structs import replace
 
 from app.document import edits
 from app.document.edits import EditError
+from app.document.limits import not_after
 from app.document.model import Curve, Document, Vector
-from app.panels.words import ACCELERATION_ESTIMATES, VELOCITY_ESTIMATES
+from app.document.words import number
 from app.view_model.curve_view import CurveView, Floats
 from app.view_model.jets import explicit_sides
 
@@ -134,8 +135,8 @@ def _set_parameter(document: Document, curve: int, view: CurveView, index: int, 
         end = view.source.parametrization.end
         if t >= end:
             raise EditError(
-                f"The t of point {index} must be less than {end:g}, where the curve returns to its first "
-                "point."
+                f"The t of point {index} must be less than {number(end, 6)}, "
+                "where the curve returns to its first point."
             )
     return edits.set_parameter(document, curve, index, t, knot_parameters(view))
 
@@ -150,9 +151,7 @@ def _set_parameters(document: Document, curve: int, view: CurveView, values: Map
     ]
     for index, (before, after) in enumerate(pairwise(parameters), start=1):
         if not after > before:
-            raise EditError(
-                f"The t of point {index} must be greater than {before:g}, the t of point {index - 1}."
-            )
+            raise not_after(index, before)
     if view.source.is_closed:
         parameters = [*parameters, _closing(view, parameters)]
     return edits.freeze_parameters(document, curve, parameters)
@@ -305,11 +304,11 @@ def _derivative_column(
 
 
 def _velocity_estimate(curve: Curve) -> str:
-    return VELOCITY_ESTIMATES[curve.velocity_rule]
+    return curve.velocity_rule.estimate
 
 
 def _acceleration_estimate(curve: Curve) -> str:
-    return ACCELERATION_ESTIMATES[curve.acceleration_rule]
+    return curve.acceleration_rule.estimate
 
 
 _DERIVATIVES = (

@@ -21,6 +21,7 @@ from PySide6.QtGui import QColor, QFont, QPainter, QPixmap
 from app.document.edits import EditError, checked
 from app.document.expression import ExpressionError, parse_number
 from app.document.model import Node
+from app.document.words import number, with_minus
 from app.features.point_table.columns import Column, columns_of
 from app.overrides import Guarded
 from app.panels.number_text import (
@@ -28,7 +29,6 @@ from app.panels.number_text import (
     decimal_mark,
     exact_text,
     numbers_of_columns,
-    rounded_text,
 )
 from app.plotting.colours import colours_of
 from app.theme import LIGHT, Theme
@@ -268,13 +268,13 @@ class PointTableModel(Guarded, QAbstractTableModel):
         value = float(self.values[row, column])
         if abs(value) < self.numbers_of_columns[column].negligible:
             value = 0.0
-        return rounded_text(value, decimal_mark())
+        return number(value, 6, decimal_mark())
 
     def _read_aloud(self, row: int, column: int) -> str:
         return f"{self.label(row, column)}: {self._rounded(row, column)}{self._corner_note(row, column)}"
 
     def _describe(self, row: int, column: int) -> str:
-        exact = exact_text(float(self.values[row, column]), decimal_mark()).replace("-", "−")
+        exact = with_minus(exact_text(float(self.values[row, column]), decimal_mark()))
         text = f"{self.label(row, column)} = {exact}" if exact else f"{self.label(row, column)}: none now"
         text += self._corner_note(row, column)
         return f"{text}\n{self._estimate(column)}" if self.estimated[row, column] else text
@@ -284,7 +284,7 @@ class PointTableModel(Guarded, QAbstractTableModel):
         after, view = self.columns[column].after, self._view
         if view is None or after is None or view.sides is None or row not in self._corners:
             return ""
-        ahead = exact_text(after(view, row), decimal_mark()).replace("-", "−")
+        ahead = with_minus(exact_text(after(view, row), decimal_mark()))
         return f", before the corner; {ahead} after it"
 
     def _estimate(self, column: int) -> str:

@@ -18,11 +18,12 @@ from PySide6.QtWidgets import (
 )
 
 from app.document.model import ReferenceImage
+from app.document.words import number
 from app.labels import Label, tip_of
 from app.overrides import Guarded
 from app.panels.field_edit import NumberEdit
 from app.panels.live_slider import LiveSlider
-from app.panels.number_text import decimal_mark, rounded_text
+from app.panels.number_text import decimal_mark
 from app.panels.tool_buttons import action_button
 from app.theme import theme_of
 
@@ -146,7 +147,7 @@ class ImagePanel(Guarded, QWidget):
             (self.width_edit, image.width),
             (self.height_edit, image.height),
         ):
-            edit.show_text(rounded_text(value, mark))
+            edit.show_text(number(value, 6, mark))
             edit.setEnabled(not image.locked)
         self._file.setText(Path(image.path).name)
         self._file.setToolTip(tip_of(image.path))

@@ -8,6 +8,7 @@ import msgspec
 import numpy as np
 import numpy.typing as npt
 
+from app.document.words import with_minus
 from app.view_model.looks import Look
 
 Floats = npt.NDArray[np.float64]
@@ -51,4 +52,4 @@ class Figure(msgspec.Struct, frozen=True, eq=False):
 def number(value: float) -> str:
     """Return a number as a label has it: three digits, a real minus."""
     mantissa, _, exponent = f"{value:.3g}".partition("e")
-    return (f"{mantissa}·10^{int(exponent)}" if exponent else mantissa).replace("-", "−")
+    return with_minus(f"{mantissa}·10^{int(exponent)}" if exponent else mantissa)

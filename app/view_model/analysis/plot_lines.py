@@ -98,8 +98,3 @@ def extent_of(values: Sequence[Floats], scale: Scale) -> tuple[float, float]:
         if len(shown):
             least, greatest = min(least, float(shown.min())), max(greatest, float(shown.max()))
     return (least, greatest) if least <= greatest else (1.0, 1.0)
-
-
-def short_number(value: float) -> str:
-    """Return a number as a plot has it: three digits, a real minus."""
-    return f"{value:.3g}".replace("e+0", "e").replace("e+", "e").replace("e-0", "e-").replace("-", "−")

@@ -6,8 +6,9 @@ import numpy as np
 from msgspec.structs import replace
 
 import curvecore
+from app.document.words import number
 from app.view_model.analysis.plot import Plot, Sampled
-from app.view_model.analysis.plot_lines import PlotData, short_number
+from app.view_model.analysis.plot_lines import PlotData
 
 _SPIKE = 6.0
 """How far a curvature may surpass nine tenths of all: at a cusp it would be infinite."""
@@ -24,7 +25,7 @@ def _without_spikes(plot: PlotData, _sampled: Sampled) -> PlotData:
     if limit == 0 or (low, high) == plot.extent:
         return plot
     far = plot.extent[0] if -plot.extent[0] > plot.extent[1] else plot.extent[1]
-    return replace(plot, extent=(low, high), note=f"⚠ reaches {short_number(far)}")
+    return replace(plot, extent=(low, high), note=f"⚠ reaches {number(far, 3)}")
 
 
 CURVATURE = Plot(

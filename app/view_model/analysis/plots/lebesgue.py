@@ -5,8 +5,9 @@ from __future__ import annotations
 import numpy as np
 from msgspec.structs import replace
 
+from app.document.words import number
 from app.view_model.analysis.plot import Plot, Sampled
-from app.view_model.analysis.plot_lines import Floats, Level, PlotData, Scale, short_number
+from app.view_model.analysis.plot_lines import Floats, Level, PlotData, Scale
 from app.view_model.growth import growth_at
 
 
@@ -24,7 +25,7 @@ def _about(constant: float) -> str:
     """Return what is written at the Lebesgue constant."""
     if constant < 1.0 + 1e-9:
         return "Lebesgue constant Λ = 1: no error of a point grows"
-    return f"Lebesgue constant Λ = {short_number(constant)}"
+    return f"Lebesgue constant Λ = {number(constant, 3)}"
 
 
 LEBESGUE = Plot(
