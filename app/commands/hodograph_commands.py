@@ -5,11 +5,12 @@ from __future__ import annotations
 from functools import partial
 from typing import TYPE_CHECKING
 
-from PySide6.QtWidgets import QDockWidget, QWidget
+from PySide6.QtWidgets import QWidget
 
 from app.actions.declaration import action
 from app.actions.sections import PLOTS_IN_PLANE
 from app.commands.context import WindowContext
+from app.docks import LatePanel
 from app.tasks.debounced_task import DebouncedTask
 from app.tools.rail import SCRUB_ALONG
 from app.tools.toolbox import Toolbox
@@ -30,7 +31,8 @@ class HodographCommands:
         self._task.ready.connect(self._show)
         context.session.scrub_changed.connect(self._show_scrub)
 
-    def build(self) -> QWidget:
+    @LatePanel("hodographDock", "Hodograph", on_demand=True)
+    def build_panel(self) -> QWidget:
         """Build the panel; called when its dock is first shown."""
         from app.panels.hodograph_panel import HodographPanel  # noqa: PLC0415
 
@@ -41,8 +43,7 @@ class HodographCommands:
     @action("plotHodograph", "Hodograph…", PLOTS_IN_PLANE, icon="hodograph", full_name="Plot Hodograph…")
     def _bring_up(self) -> None:
         """Draw the velocity c′ as a curve in the plane, with the origin."""
-        dock = self._context.window.findChild(QDockWidget, "hodographDock")
-        assert dock is not None
+        dock = self._context.docks["hodographDock"]
         dock.show()
         dock.raise_()
 

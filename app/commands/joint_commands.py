@@ -5,11 +5,12 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from PySide6.QtGui import QGuiApplication
-from PySide6.QtWidgets import QDockWidget, QWidget
+from PySide6.QtWidgets import QWidget
 
 from app.actions.declaration import action
 from app.actions.sections import ANALYSIS_JOINTS
 from app.commands.context import WindowContext
+from app.docks import LatePanel
 from app.view_model.curve_view import CurveView
 
 if TYPE_CHECKING:
@@ -30,7 +31,8 @@ class JointCommands:
         self._panel: JointsPanel | None = None
         self._view: CurveView | None = None
 
-    def build(self) -> QWidget:
+    @LatePanel("jointsDock", "Joints")
+    def build_panel(self) -> QWidget:
         """Build the panel; called when its dock is first shown."""
         from app.panels.joints_panel import JointsPanel  # noqa: PLC0415
 
@@ -55,8 +57,7 @@ class JointCommands:
     @action("showJoints", "Joint Certificate", ANALYSIS_JOINTS, icon="joints")
     def _bring_up(self) -> None:
         """Measure how smooth the curve is at each joint."""
-        dock = self._context.window.findChild(QDockWidget, "jointsDock")
-        assert dock is not None
+        dock = self._context.docks["jointsDock"]
         dock.show()
         dock.raise_()
 

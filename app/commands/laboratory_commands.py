@@ -14,6 +14,7 @@ from app.canvas.trace_layer import Trace
 from app.commands.context import WindowContext
 from app.commands.dock_room import make_room_once
 from app.commands.error_plot import ErrorPlot
+from app.docks import LatePanel
 from app.overrides import Guarded
 from app.tasks.debounced_task import DebouncedTask
 from app.tasks.progress import Report
@@ -51,7 +52,7 @@ class LaboratoryCommands(Guarded, QObject):
         self._task, self._digits_task, self._cost_task = (
             DebouncedTask(self), DebouncedTask(self, settle_ms=0), DebouncedTask(self)
         )  # fmt: skip
-        self._dock = next(each for each in context.docks.side if each.objectName() == "laboratoryDock")
+        self._dock = context.docks["laboratoryDock"]
         self._dock.installEventFilter(self)
         self._error_plot = ErrorPlot(context.central.plot_panel)
         self._connect()
@@ -69,6 +70,7 @@ class LaboratoryCommands(Guarded, QObject):
         self._cost_task.ready.connect(self._take_cost)
         self._cost_task.busy_changed.connect(lambda _busy: self._show_cost())
 
+    @LatePanel("laboratoryDock", "Lab", on_demand=True)
     def build_panel(self) -> QWidget:
         """Return the content of the dock; called when it is first looked at."""
         # Imported when it is wanted: nobody waits for it at the start.
@@ -209,7 +211,7 @@ class LaboratoryCommands(Guarded, QObject):
 
     def _show(self) -> None:
         busy, trial = self._task.is_busy, self._trial
-        basis = self._context.central.basis_panel.basis
+        basis = self._context.central.basis_panel.drawing.basis
         if self._panel is not None:
             lebesgue = growth_of_data(self._session.active_view, basis) if basis is not None else None
             self._panel.render_trial(trial, lebesgue, busy=busy, problem=self._problem)

@@ -12,6 +12,7 @@ from msgspec.structs import replace
 from app.actions.declaration import action
 from app.actions.sections import HELP_ALL
 from app.commands.context import WindowContext
+from app.docks import LatePanel
 from app.session import Beginning
 from app.storage.files import load
 from app.view_model.curve_view import CurveView
@@ -82,7 +83,8 @@ class LessonCommands:
         dock.fill()
         self._begin([lesson.name for lesson in self._lessons].index(name))
 
-    def build(self) -> QWidget:
+    @LatePanel("lessonsDock", "Lessons", on_demand=True, at_left=True)
+    def build_panel(self) -> QWidget:
         """Return the panel; called when the dock is first shown."""
         from app.panels.lesson_panel import LessonPanel  # noqa: PLC0415
 

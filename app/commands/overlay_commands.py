@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, NamedTuple
 
+from PySide6.QtWidgets import QWidget
+
 from app.actions.declaration import Action, action, action_for_each
 from app.actions.sections import (
     GHOSTS_FAMILY,
@@ -14,6 +16,7 @@ from app.actions.sections import (
     Section,
 )
 from app.commands.context import WindowContext
+from app.docks import LatePanel
 from app.keymap import action_name
 from app.tasks.debounced_task import DebouncedTask
 from app.tasks.progress import Report
@@ -106,6 +109,14 @@ class OverlayCommands:
             lambda ghost: context.analysis.show_ghost(ghost, False)
         )
         context.session.scrub_changed.connect(self._follow_scrub)
+
+    @LatePanel("analysisDock", "Analysis")
+    def build_panel(self) -> QWidget:
+        """Return the panel; called when its dock is first shown."""
+        # Imported when it is wanted: nobody waits for it at the start.
+        from app.panels.analysis_panel import AnalysisPanel  # noqa: PLC0415
+
+        return AnalysisPanel(self._context.analysis, self._context.actions.__getitem__)
 
     # What is shown
 

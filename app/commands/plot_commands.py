@@ -177,7 +177,7 @@ class PlotCommands:
             self._task.give_up()
             pane.canvas.say(view.problem)
             return
-        basis = self._context.central.basis_panel.basis
+        basis = self._context.central.basis_panel.drawing.basis
         constant = growth_of_points(view, basis)
         compute = partial(plots_of, view, kinds, pane.canvas.camera.t_range, pane.canvas.columns, constant)
         if orders_of(kinds) and is_slow(view):

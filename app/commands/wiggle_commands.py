@@ -13,6 +13,7 @@ from app.actions.sections import ANALYSIS_EXPLAIN
 from app.canvas.trace_layer import Trace
 from app.commands.context import WindowContext
 from app.commands.dock_room import make_room_once
+from app.docks import LatePanel
 from app.document.model import Document
 from app.tasks.debounced_task import DebouncedTask
 from app.tasks.progress import Report
@@ -41,7 +42,7 @@ class WiggleCommands(QObject):
         self._task = DebouncedTask(self)
         self._task.ready.connect(self._take)
         self._task.busy_changed.connect(lambda _busy: self._show_cures())
-        self._dock = next(each for each in context.docks.side if each.objectName() == "wiggleDock")
+        self._dock = context.docks["wiggleDock"]
         # Behind another tab a dock is visible to Qt, but not in the sense of this signal.
         self._is_seen = False
         self._dock.visibilityChanged.connect(self._look)
@@ -50,6 +51,7 @@ class WiggleCommands(QObject):
     def _follow_scrub(self) -> None:
         self.follow(self._session.active_view)
 
+    @LatePanel("wiggleDock", "Wiggle", on_demand=True)
     def build_panel(self) -> QWidget:
         """Return the content of the dock; called when it is first looked at."""
         # Imported when it is wanted: nobody waits for it at the start.

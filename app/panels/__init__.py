@@ -2,7 +2,7 @@
 
 Beside the canvas:
 
-- ``basis_pane``: the basis functions over t with a header.  ``basis_plot``: what is shown of them.
+- ``basis_pane``: the basis functions over t with a header.  ``basis_scene``: its layers.
   ``basis_panel``: the gestures on it.  ``basis_hits``: what lies under the pointer.  ``tick_edit``: a t typed
   at its tick.  ``basis_layers``, ``function_lines``, ``crest_names``: functions, t-rail, scrub line, painted.
 - ``plot_panel``, ``plot_pane``, ``plot_canvas``, ``plot_layers``, ``value_scale``: plots over t.

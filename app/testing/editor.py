@@ -36,7 +36,7 @@ if not has_display():
 
 
 class QtBot(Protocol):
-    """What the driver needs of pytest-qt's ``qtbot``."""
+    """pytest-qt's ``qtbot``, as far as the driver needs it."""
 
     def addWidget(  # noqa: N802
         self, widget: QWidget, *, before_close_func: Callable[[QWidget], None] | None = None

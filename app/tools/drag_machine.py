@@ -17,7 +17,7 @@ THRESHOLD = 3.0
 """Pixels the pointer must travel before a press becomes a drag."""
 
 CANCELLED = "Cancelled."
-"""What is said when Escape has taken a gesture back."""
+"""The sentence when Escape has taken a gesture back."""
 
 
 class EditingHost(Protocol):
@@ -105,7 +105,7 @@ class HasReadout(Protocol):
 
     @property
     def keys(self) -> str:
-        """What each modifier key would change."""
+        """Effects of the modifier keys."""
 
     def readout_at(self, pointer: Pointer) -> str:
         """Return the amount, such as "Rotate 30°"."""
@@ -138,11 +138,6 @@ class DragMachine:
     def is_pressed(self) -> bool:
         """Whether a gesture is in flight."""
         return self._press is not None
-
-    @property
-    def is_moving(self) -> bool:
-        """Whether the gesture in flight has become a drag."""
-        return self._press is not None and self._press.moving
 
     def press(self, pointer: Pointer, drag: Drag | None, on_click: Callable[[], None] | None = None) -> None:
         """Begin: `drag` takes over past the threshold, `on_click` is called if there is no drag."""

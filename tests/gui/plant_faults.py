@@ -144,8 +144,8 @@ def compute_beside_the_window(editor: Editor) -> None:
 
 
 PLACES = (
-    Place(Layer, "paint", lambda editor: editor.window.canvas.grab()),
-    Place(Layer, "paint", paint_behind_a_dialog),
+    Place(Layer, "draw", lambda editor: editor.window.canvas.grab()),
+    Place(Layer, "draw", paint_behind_a_dialog),
     Place(PlotWidget, "paintEvent", lambda editor: editor.window.canvas.viewport().repaint()),
     Place(pg.AxisItem, "paint", lambda editor: editor.window.canvas.grab()),
     Place(
