@@ -30,7 +30,7 @@ def bezier_polygons(view: CurveView) -> tuple[list[Figure], str]:
             figures += _polygons(controls)
     if figures or view.source.family.is_one_polynomial:
         return figures, ""
-    return [], f"Not drawn: no control points are known of a {view.source.family.title} curve."
+    return [], f"Not drawn: no control points are known of {view.source.family.a_curve}."
 
 
 def bezier_polygon_of_polynomial(scene: Scene) -> tuple[list[Figure], str]:
