@@ -11,13 +11,13 @@ from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QDockWidget, QMainWindow, QWidget
 
 from app.actions.qactions import Actions
-from app.panels.curve_list import CurveList
-from app.panels.curve_settings import CurveSettings
+from app.features.curve_list.panel import CurveList
+from app.features.curve_settings.panel import CurveSettings
+from app.features.history.panel import HistoryPanel
+from app.features.point_table.panel import PointTable
+from app.features.reference_image.panel import ImagePanel
 from app.panels.fitting import Scrolled
-from app.panels.history import HistoryPanel
-from app.panels.image_panel import ImagePanel
 from app.panels.late_dock import IN_DOCK, LateDock
-from app.panels.point_table import PointTable
 from app.session import Session
 
 _LEFT, _RIGHT = Qt.DockWidgetArea.LeftDockWidgetArea, Qt.DockWidgetArea.RightDockWidgetArea

@@ -33,18 +33,18 @@ from app.commands.drops import OpenWindow, accepted
 from app.commands.exchange_commands import ExchangeCommands
 from app.commands.file_work import FileWork
 from app.commands.given import Given
-from app.commands.image_commands import ImageCommands
 from app.commands.lesson_commands import LessonCommands
 from app.commands.view_commands import ViewCommands
-from app.controllers.curve_settings import CurveSettingsController
-from app.controllers.history import HistoryController
-from app.controllers.image import ImageController
 from app.controllers.parametrization import ParametrizationController
-from app.controllers.point_table import PointTableController
 from app.controllers.rail import RailController
 from app.docks import Docks, late_panels
+from app.features.curve_settings.controller import CurveSettingsController
+from app.features.history.controller import HistoryController
+from app.features.point_table.controller import PointTableController
 from app.features.recovery.autosave import Autosave
 from app.features.recovery.commands import OpenBeside, RecoveryCommands
+from app.features.reference_image.commands import ImageCommands
+from app.features.reference_image.controller import ImageController
 from app.file_commands import FileCommands, title_of
 from app.icons import app_icon
 from app.menus import Menus

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import enum
 from typing import Final
 
 import msgspec
@@ -10,16 +9,17 @@ from PySide6.QtCore import QObject, Qt
 from PySide6.QtGui import QColor, QPalette
 from PySide6.QtWidgets import QApplication, QStyleFactory
 
+from app.document.words import Named
 from app.resources import resource
 from app.view_model.palette import ACCENT, INK, PAPER
 
 
-class ThemeMode(enum.Enum):
-    """What the person asked for."""
+class ThemeMode(Named):
+    """The appearance that the person asked for."""
 
-    SYSTEM = "system"
-    LIGHT = "light"
-    DARK = "dark"
+    SYSTEM = "system", "As the system"
+    LIGHT = "light", "Light"
+    DARK = "dark", "Dark"
 
 
 class Theme(msgspec.Struct, frozen=True, eq=False):

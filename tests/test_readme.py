@@ -8,6 +8,8 @@ import subprocess
 import sys
 from pathlib import Path
 
+from app.exchange.formats import FORMATS
+
 ROOT = Path(__file__).parents[1]
 
 
@@ -31,6 +33,18 @@ def run(*command: str, cwd: Path) -> subprocess.CompletedProcess[str]:
     return subprocess.run(
         [sys.executable, *command], cwd=cwd, env=environment, capture_output=True, text=True, check=False
     )
+
+
+def test_the_table_of_formats_is_that_of_the_registry():
+    """Where they differ, put the rows into the README as the failure shows them."""
+    head = "| ends in | | read | written |\n| --- | --- | --- | --- |\n"
+    rows = "".join(
+        f"| {', '.join(f'`{ending}`' for ending in each.endings)} | {each.title} "
+        f"| {'yes' if each.kind else ''} | {'yes' if each.write else ''} |\n"
+        for each in FORMATS
+    )
+    text = (ROOT / "README.md").read_text(encoding="utf-8")
+    assert text.partition(head)[2].partition("\n\n")[0] + "\n" == rows
 
 
 def test_the_core_example_prints_what_it_says(tmp_path):

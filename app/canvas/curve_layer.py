@@ -6,6 +6,7 @@ from PySide6.QtCore import QAbstractAnimation, QSizeF, Qt, QVariantAnimation
 from PySide6.QtGui import QColor, QFont, QFontMetricsF, QPainter, QPen
 
 from app.colours import curve_colour
+from app.document.words import number
 from app.plotting.drawing import Stroke
 from app.plotting.layers import Layer
 from app.plotting.pixel_map import Floats, PixelMap
@@ -111,7 +112,7 @@ class CurveLayer(Layer):
     @property
     def said(self) -> str:
         """The sentence about a line that is off; empty otherwise."""
-        return f"Drawn within {self.error:.2g} pixels" if self.error > WORTH_A_WORD else ""
+        return f"Drawn within {number(self.error, 2)} pixels" if self.error > WORTH_A_WORD else ""
 
     def _paint_word(self, painter: QPainter, shown: PixelMap) -> None:
         painter.setFont(self._font)

@@ -10,6 +10,7 @@ import numpy as np
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QPainter
 
+from app.document.words import number
 from app.plotting.drawing import Bars
 from app.plotting.layers import Layer
 from app.plotting.pixel_map import Floats, PixelMap
@@ -126,7 +127,7 @@ def tick_labels(values: Sequence[float], scale: float, spacing: float) -> list[s
     exact = [round(value / spacing) * spacing * scale for value in values]
     largest = max((abs(value / spacing) for value in values), default=1.0)
     digits = min(max(7, math.ceil(math.log10(max(largest, 1.0))) + 1), _MOST_DIGITS)
-    return [f"{value:.{digits}g}".replace("-", "−") for value in exact]
+    return [number(value, digits) for value in exact]
 
 
 def _values(levels: list[tuple[float, list[float]]], level: int) -> Floats:

@@ -9,6 +9,7 @@ from PySide6.QtCore import QPointF, QRectF, Qt, QTimer
 from PySide6.QtGui import QColor, QPainter, QPen, QPolygonF
 
 from app.canvas.point_density import RADIUS, Discs, discs_for, with_neighbours
+from app.document.words import with_decimals
 from app.plotting.colours import colours_of
 from app.plotting.drawing import Flags
 from app.plotting.fonts import Sizes
@@ -214,7 +215,7 @@ class PointLayer(Layer):
             text, colour, away = str(index), self.theme.muted, 17 * self.scale
             if with_weight[index] and self.weights is not None:
                 weight = float(self.weights[index])
-                text += f"  {weight:.2f}".replace("-", "−")
+                text += f"  {with_decimals(weight, 2)}"
                 colour = self.theme.warning if weight < 0 else self.theme.ink
                 # Beyond the disc, so that neither covers the curve.
                 away = max(away, self._weight_radius(weight) + 14 * self.scale)

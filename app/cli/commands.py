@@ -18,25 +18,23 @@ from msgspec.structs import replace
 
 from app import cli
 from app.cli.command_line import common_options
+from app.cli.documents import load_document
 from app.cli.options import (
     STYLES,
     add_convert_options,
     add_motion_options,
     add_picture_options,
     columns_to_read,
-    columns_to_write,
+    own_options,
     picture_options,
     positive_number,
 )
-from app.cli.refusals import RefusalError, load_document, one_line, say
-from app.exchange import (
-    SUFFIXES,
-    ExchangeError,
-    Spacing,
-    export_with,
-    import_file,
-)
-from app.exchange.formats import can_import
+from app.cli.refusals import RefusalError, one_line, say
+from app.exchange.drawing.animation import FILMS
+from app.exchange.errors import ExchangeError
+from app.exchange.formats import FORMATS, can_import, endings_of
+from app.exchange.reading import ImportOptions, import_file
+from app.exchange.writing import export
 from app.families import FAMILIES
 from app.lessons import LessonError, find_lesson, lesson_names, load_lesson
 from app.tasks.progress import Report, part
@@ -56,9 +54,6 @@ _MANY_CURVES = 20
 
 _PATIENCE = 0.2
 """Seconds of work without a word, and between two words."""
-
-FILMS = (".gif", ".apng", ".mp4")
-"""Endings that mean a motion; the module that writes it is imported when there is one to write."""
 
 
 def run_command(words: Sequence[str]) -> int:
@@ -88,7 +83,7 @@ def _command_parser() -> argparse.ArgumentParser:
         "--output",
         required=True,
         metavar="OUT",
-        help=f"the picture; ends in {', '.join(SUFFIXES + FILMS)}",
+        help=f"the picture; ends in {', '.join(_picture_endings())}",
     )
     render.add_argument(
         "--tolerance",
@@ -121,18 +116,20 @@ def _document_of(options: argparse.Namespace) -> Document:
 
 
 def _render(options: argparse.Namespace) -> int:
-    is_film = options.output.lower().endswith(FILMS)
-    if is_film or (options.motion and options.output.lower().endswith(".png")):
+    name = options.output.lower()
+    pictures, films = endings_of(FORMATS.pictures), endings_of(FILMS)
+    # What both can be is a film where a motion was asked for.
+    if name.endswith(films) and (options.motion or not name.endswith(pictures)):
         return _render_film(options)
-    if not options.output.lower().endswith(SUFFIXES):
+    if not name.endswith(pictures):
         if Path(options.output).is_dir():
             raise RefusalError(f"“{options.output}” is a folder. Choose a file.")
-        endings = SUFFIXES + FILMS
+        endings = _picture_endings()
         known = f"{', '.join(endings[:-1])} or {endings[-1]}"
         raise RefusalError(f"“{options.output}” does not end in a known format for pictures; use {known}.")
     document = _document_of(options)
     with _told_on_terminals() as report:
-        made = export_with(document, options.output, picture_options(options, document).reporting(report))
+        made = export(document, options.output, picture_options(options, document).reporting(report))
     _tell(made.remarks)
     return 0
 
@@ -143,9 +140,14 @@ def _tell(remarks: Iterable[str]) -> None:
         print(f"curvebench: {one_line(remark)}", file=sys.stderr)
 
 
+def _picture_endings() -> tuple[str, ...]:
+    """Return the endings of what `render` writes, each once."""
+    return tuple(dict.fromkeys((*endings_of(FORMATS.pictures), *endings_of(FILMS))))
+
+
 def _render_film(options: argparse.Namespace) -> int:
     # Takes modules along that the editor does without at its start.
-    from app.exchange.animation import Film, first_round, write_film  # noqa: PLC0415
+    from app.exchange.drawing.animation import Film, first_round, write_film  # noqa: PLC0415
     from app.view_model.motion_settings import Pace, Repeat  # noqa: PLC0415
 
     document, repeat = _document_of(options), Repeat(options.motion or "loop")
@@ -168,24 +170,23 @@ def _convert(options: argparse.Namespace) -> int:
     with _told_on_terminals() as report:
         source = import_file(
             options.file,
-            tolerance=options.tolerance,
-            thin=options.thin,
-            corners=options.corners,
-            family=FAMILIES.named(options.family),
-            columns=columns_to_read(options),
-            missing=options.missing,
-            only=options.only,
+            ImportOptions(
+                tolerance=options.tolerance,
+                thin=options.thin,
+                corners=options.corners,
+                family=FAMILIES.named(options.family),
+                columns=columns_to_read(options),
+                missing=options.missing,
+                only=options.only,
+            ),
             report=part(report, 0.0, 0.5),
         )
         wanted = replace(
             picture_options(options, source.document),
-            samples=options.samples,
-            cubic=options.cubic,
-            spacing=Spacing(options.by),
-            columns=columns_to_write(options),
+            own=own_options(options),
             report=part(report, 0.5, 1.0),
         )
-        written = export_with(source.document, options.output, wanted)
+        written = export(source.document, options.output, wanted)
     _tell((*source.remarks, *_on_groups(source, options.only), *written.remarks))
     total = rounded_up(source.deviation + written.deviation)
     say(f"{one_line(options.output)}: largest deviation from the true curves {total:g}")

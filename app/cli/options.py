@@ -3,15 +3,16 @@
 from __future__ import annotations
 
 import argparse
-from typing import TYPE_CHECKING
+from typing import Any
 
 from app.document.model import Document
-from app.exchange import DARK, ENDINGS, LIGHT, READABLE, SAMPLES, ExchangeError, Options, Spacing
+from app.exchange.drawing.styles import DARK, LIGHT
+from app.exchange.errors import ExchangeError
+from app.exchange.formats import FORMATS, endings_of
+from app.exchange.formats.samples import COLUMNS
+from app.exchange.options import Check, Extras, OneOf, Option, Options, Whole, all_options
 from app.exchange.units import MILLIMETRES, known_unit
 from app.families import FAMILIES, HERMITE
-
-if TYPE_CHECKING:
-    from app.exchange.decor import Extras
 
 STYLES = {"light": LIGHT, "dark": DARK}
 
@@ -109,18 +110,14 @@ def add_motion_options(render: argparse.ArgumentParser) -> None:
 
 def add_convert_options(convert: argparse.ArgumentParser) -> None:
     """Let `convert` take its files, the options of tables and those of pictures."""
-    convert.add_argument("file", metavar="IN", help=f"what to read; ends in {', '.join(READABLE)}")
-    convert.add_argument("output", metavar="OUT", help=f"what to write; ends in {', '.join(ENDINGS)}")
+    read, written = (", ".join(endings_of(each)) for each in (FORMATS.read, FORMATS.written))
+    convert.add_argument("file", metavar="IN", help=f"what to read; ends in {read}")
+    convert.add_argument("output", metavar="OUT", help=f"what to write; ends in {written}")
     convert.add_argument(
         "--tolerance",
         type=positive_number,
         metavar="X",
         help="largest deviation where a format cannot hold the curve itself (default: 1e-5 of its size)",
-    )
-    convert.add_argument(
-        "--cubic",
-        action="store_true",
-        help="of a DXF: no spline above degree 3, for programs that draw none, such as LibreCAD",
     )
     convert.add_argument(
         "--only",
@@ -131,7 +128,34 @@ def add_convert_options(convert: argparse.ArgumentParser) -> None:
         "'line2d_*'; may be given more than once",
     )
     _add_table_options(convert)
+    for option in _own():
+        convert.add_argument(option.flag, dest=option.name, help=option.help, **_typed(option))
     add_picture_options(convert)
+
+
+def _own() -> list[Option[Any]]:
+    """Return the options of single formats that the command line has."""
+    return [each for each in all_options(form.options for form in FORMATS.written) if each.help]
+
+
+def _typed(option: Option[Any]) -> dict[str, Any]:
+    """Return what `argparse` has to know of an option."""
+    if isinstance(option, Check):
+        return {"action": "store_true"}
+    if isinstance(option, OneOf):
+        return {"choices": [str(each) for each in option.choices], "default": str(option.default)}
+    assert isinstance(option, Whole)
+    return {"type": whole_number, "default": option.default, "metavar": "N"}
+
+
+def own_options(options: argparse.Namespace) -> dict[str, Any]:
+    """Return what was asked for of the options of single formats, by their names."""
+    values = {each.name: getattr(options, each.name) for each in _own()}
+    # How large a number may be the writer says.
+    values.update({each.name: each.checked(values[each.name]) for each in _own() if isinstance(each, OneOf)})
+    if columns := _columns_to_write(options):
+        values[COLUMNS.name] = columns
+    return values
 
 
 def _add_table_options(convert: argparse.ArgumentParser) -> None:
@@ -151,19 +175,6 @@ def _add_table_options(convert: argparse.ArgumentParser) -> None:
         choices=[family.name for family in FAMILIES],
         default=HERMITE.name,
         help="of a curve through the rows of a table (default: %(default)s)",
-    )
-    convert.add_argument(
-        "--samples",
-        type=whole_number,
-        default=SAMPLES,
-        metavar="N",
-        help="rows of a table (default: %(default)s)",
-    )
-    convert.add_argument(
-        "--by",
-        choices=[str(spacing) for spacing in Spacing],
-        default=str(Spacing.T),
-        help="equal steps of t or of the arc length, or as many rows as the tolerance takes",
     )
     convert.add_argument(
         "--columns",
@@ -186,10 +197,9 @@ def columns_to_read(options: argparse.Namespace) -> str:
     return ",".join(each for each in options.columns if "=" in each)
 
 
-def columns_to_write(options: argparse.Namespace) -> tuple[str, ...] | None:
-    """Return those of the columns that are to be written; None for all."""
-    names = [name for each in options.columns if "=" not in each for name in each.split(",")]
-    return tuple(names) or None
+def _columns_to_write(options: argparse.Namespace) -> tuple[str, ...]:
+    """Return those of the columns that are to be written; none for all."""
+    return tuple(name for each in options.columns if "=" not in each for name in each.split(","))
 
 
 def picture_options(options: argparse.Namespace, document: Document) -> Options:
@@ -209,8 +219,6 @@ def picture_options(options: argparse.Namespace, document: Document) -> Options:
 def _extras(options: argparse.Namespace, document: Document) -> Extras | None:
     if not (options.handles or options.grid or options.basis):
         return None
-    from app.exchange.decor import Extras  # noqa: PLC0415
-
     if options.basis and options.basis > len(document.curves):
         raise ExchangeError(f"There is no curve {options.basis}; the document has {len(document.curves)}.")
     return Extras(options.handles, options.grid, options.basis - 1 if options.basis else None)

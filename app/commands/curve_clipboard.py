@@ -12,7 +12,7 @@ from app.commands.context import WindowContext
 from app.document.edits import EditError
 from app.document.model import Document
 from app.document.several_curves import active_after_removal, add_curves, named, remove_curves
-from app.exchange.table_text import write_block
+from app.exchange.table.clipboard import write_block
 from app.panels.number_text import decimal_mark, exact_text
 from app.storage.format import FormatError, decode, encode
 

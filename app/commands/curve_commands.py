@@ -6,7 +6,7 @@ from collections.abc import Callable
 
 import numpy as np
 
-from app.actions.declaration import action
+from app.actions.declaration import PlaceAction, action
 from app.actions.needs import SECOND_CURVE, TWO_POINTS, UNLOCKED_CURVE, Need
 from app.actions.sections import (
     CURVE_NAME,
@@ -21,6 +21,7 @@ from app.commands.context import WindowContext
 from app.document import curve_edits, edits
 from app.document.model import Curve, Document, Parametrization
 from app.document.several_curves import named, place_in, step_curves
+from app.document.words import number
 from app.view_model.closing import with_closed
 from app.view_model.curve_view import view_of
 from app.view_model.measure import is_kept
@@ -106,6 +107,7 @@ class CurveCommands:
         """Insert a point on the curve; under manual parameters its shape stays."""
         self._at_scrub(self.insert_at)
 
+    @PlaceAction("insertPointHere", "Insert Point Here", like="insertPoint")
     def insert_at(self, t: float) -> None:
         """Insert a point on the active curve at `t`."""
         view = self._session.active_view
@@ -140,6 +142,7 @@ class CurveCommands:
         else:
             session.undo_stack.redo()
 
+    @PlaceAction("splitHere", "Split Here", like="splitCurve")
     def split_at(self, t: float) -> None:
         """Split the active curve at `t`."""
         session, done = self._session, list[Split]()
@@ -150,7 +153,7 @@ class CurveCommands:
 
         if session.change(f"Split {session.active_curve.name}", edit):
             verb = "Split" if len(done[0].curves) > 1 else "Opened"
-            session.say(f"{verb} at t = {t:.4g}: {done[0].sentence}")
+            session.say(f"{verb} at t = {number(t)}: {done[0].sentence}")
 
     def _at_scrub(self, act: Callable[[float], None]) -> None:
         t = self._session.scrub
@@ -186,7 +189,7 @@ class CurveCommands:
         )
         if made is not None:
             shapes = "shapes kept" if is_kept(made.residual, (made.curve,)) else "the shapes are others"
-            session.say(f"Joined with “{name}”: {shapes}, largest change {made.residual:.2g}.")
+            session.say(f"Joined with “{name}”: {shapes}, largest change {number(made.residual, 2)}.")
 
     def _nearest_start(self) -> int | None:
         """Return the open visible curve whose start is nearest to the end of the active one."""

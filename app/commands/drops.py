@@ -10,7 +10,7 @@ from PySide6.QtGui import QDropEvent
 
 from app.commands.context import WindowContext
 from app.commands.given import Given, given
-from app.panels.words import count_of, listed, names_of
+from app.document.words import count_of, listed, names_of
 from app.storage.files import StorageError
 from app.storage.format import FormatError
 

@@ -21,7 +21,6 @@ from app.document import edits
 from app.document.model import ParametrizationKind
 from app.families import FAMILIES, Family
 from app.labels import menu_text
-from app.panels.parametrization_bar import KIND_NAMES
 from app.resources import has_resource
 
 _MOST_KEYS = 10
@@ -134,13 +133,13 @@ class EditCommands:
             )
 
     @action_for_each(
-        KIND_NAMES,
+        tuple(ParametrizationKind),
         lambda kind: Action(
             f"parameters_{kind}",
-            KIND_NAMES[kind],
+            kind.label,
             CURVE_RULES,
-            tip=f"Use {KIND_NAMES[kind].lower()} parameters",
-            full_name=f"{KIND_NAMES[kind]} Parameters",
+            tip=f"Use {kind.label.lower()} parameters",
+            full_name=f"{kind.label} Parameters",
         ),
     )
     def _use_parametrization(self, kind: ParametrizationKind) -> None:

@@ -19,20 +19,29 @@ from app.commands.curve_clipboard import put_on_clipboard
 from app.commands.import_series import ImportSeries
 from app.document.import_edits import add_imported
 from app.document.model import Document
-from app.exchange import Exported, Options, export_with, import_file
-from app.exchange.formats import IMPORTS, Kind, ending_of, import_format, is_document
+from app.document.words import count_of, listed, number
+from app.exchange.formats import (
+    FORMATS,
+    Kind,
+    Written,
+    ending_in,
+    format_of,
+    is_document,
+    with_ending,
+)
+from app.exchange.options import Options
+from app.exchange.reading import import_file
+from app.exchange.writing import export
 from app.file_commands import file_stem
-from app.panels.words import count_of, listed
 from app.storage.files import StorageError, read
 from app.tasks.progress import Report, part
 
 if TYPE_CHECKING:
     from app.exchange.choice import ExportChoice
     from app.exchange.cubics_in import Imported
-    from app.exchange.parts import Written
-    from app.exchange.table import Preview
-    from app.exchange.table_import import Prepared
-    from app.exchange.table_source import TableSource
+    from app.exchange.table.prepared import Prepared
+    from app.exchange.table.source import TableSource
+    from app.exchange.table.table import Preview
     from app.panels.export_dialog import ExportDialog
     from app.panels.import_drawing_dialog import ImportDrawingDialog
     from app.panels.import_table_dialog import ImportTableDialog
@@ -92,11 +101,14 @@ class ExchangeCommands:
 
     def _begin(self, path: Path) -> None:
         def work(report: Report) -> Imported | _OpenTable:
-            if import_format(path).kind is not Kind.TABLE:
+            form = format_of(path, FORMATS.read)
+            if form.kind is not Kind.TABLE:
                 return import_file(path, report=report)
             report(0.0, "Reading")
             data = read(path)
-            return import_file(path, report=report) if is_document(data) else _opened_table(path, data)
+            if is_document(data):
+                return import_file(path, report=report)
+            return _opened_table(data, ending_in(path, form))
 
         def done(found: Imported | _OpenTable) -> None:
             if self._meant_for != self._documents:
@@ -199,7 +211,7 @@ class ExchangeCommands:
             self._context.actions["fitView"].trigger()
         count = sum(len(curve.nodes) for curve in new.curves)
         what = f"{count_of(len(new.curves), 'curve')}, {count_of(count, 'point')}"
-        exact = f"at most {deviation:.2g} from the file" if deviation else "exact"
+        exact = f"at most {number(deviation, 2)} from the file" if deviation else "exact"
         self._session.say(f"Imported {path.name}: {what}, {exact}.")
 
     # Out
@@ -231,12 +243,11 @@ class ExchangeCommands:
             )
 
     def _ask_where_to(self, choice: ExportChoice) -> None:
-        from app.exchange.choice import FORMATS, text_of  # noqa: PLC0415
-        from app.exchange.formats import with_ending  # noqa: PLC0415
+        from app.exchange.choice import text_of  # noqa: PLC0415
 
         self._preferences.export_choice = text_of(choice)
         start = self._preferences.last_folder / f"{file_stem(self._session)}{choice.ending}"
-        kind = f"{FORMATS[choice.ending]} (*{choice.ending})"
+        kind = f"{choice.format.title} (*{choice.ending})"
         name, _ = QFileDialog.getSaveFileName(self._context.window, "Export", str(start), kind)
         if not name:
             return
@@ -255,17 +266,17 @@ class ExchangeCommands:
         """Write the document in the format that the ending names, and say how exactly."""
         document, unit = self._session.document, self._preferences.unit_name
 
-        def work(report: Report) -> Exported:
-            return export_with(document, path, (options or Options(unit=unit)).reporting(report))
+        def work(report: Report) -> Written:
+            return export(document, path, (options or Options(unit=unit)).reporting(report))
 
         self._work.start(
             f"Writing {path.name}", work, lambda written: self._say_written(path, written), path, "written"
         )
 
-    def _say_written(self, path: Path, written: Exported) -> None:
+    def _say_written(self, path: Path, written: Written) -> None:
         self._preferences.last_folder = path.parent
         away = written.deviation
-        what = f"at most {away:.2g} from the true curve" if away else "exact"
+        what = f"at most {number(away, 2)} from the true curve" if away else "exact"
         if written.pixels is not None:
             # Pixels are not exact, whatever they were painted from.
             what = f"{written.pixels[0]} × {written.pixels[1]} pixels"
@@ -286,11 +297,11 @@ class ExchangeCommands:
         document, unit = self._session.document, self._preferences.unit_name
 
         def work(report: Report) -> tuple[bytes, bytes]:
-            from app.exchange.image import png_bytes  # noqa: PLC0415
-            from app.exchange.svg import svg_of  # noqa: PLC0415
+            from app.exchange.drawing.image import png_file  # noqa: PLC0415
+            from app.exchange.svg.writer import svg_of  # noqa: PLC0415
 
             options = Options(width=_COPY_WIDTH, transparent=True, report=part(report, 0.0, 0.5))
-            png = png_bytes(document, options)
+            png = png_file(document, options).data
             return png, svg_of(document, unit=unit, report=part(report, 0.5, 1.0)).encode()
 
         self._work.start("Drawing", work, self._put_image, Path("The image"), "copied")
@@ -312,7 +323,7 @@ class ExchangeCommands:
         document = self._session.document
 
         def work(report: Report) -> Written:
-            from app.exchange.formulas import svg_path_data  # noqa: PLC0415
+            from app.exchange.formats.formulas import svg_path_data  # noqa: PLC0415
 
             return svg_path_data(document, report=report)
 
@@ -332,18 +343,17 @@ class _OpenTable:
     preview: Preview
 
 
-def _opened_table(path: Path, data: bytes) -> _OpenTable:
-    from app.exchange.table_source import TableSource  # noqa: PLC0415
+def _opened_table(data: bytes, ending: str) -> _OpenTable:
+    from app.exchange.table.source import TableSource  # noqa: PLC0415
 
-    source = TableSource(data, ending_of(path, import_format(path).endings))
+    source = TableSource(data, ending)
     return _OpenTable(source, source.preview())
 
 
 def _filters() -> str:
     """Return the kinds of files for the dialog that asks for one."""
-    patterns = {each.title: " ".join(f"*{ending}" for ending in each.endings) for each in IMPORTS}
-    everything = f"Curves and tables ({' '.join(patterns.values())})"
-    kinds = [f"{title} ({pattern})" for title, pattern in patterns.items()]
+    everything = f"Curves and tables ({' '.join(each.patterns for each in FORMATS.read)})"
+    kinds = [f"{each.plural} ({each.patterns})" for each in FORMATS.read]
     return ";;".join([everything, *kinds, "All files (*)"])
 
 

@@ -8,7 +8,7 @@ from typing import Any
 
 from PySide6.QtCore import QObject
 
-from app.exchange import ExchangeError
+from app.exchange.errors import ExchangeError
 from app.session import Session
 from app.storage.files import StorageError
 from app.storage.format import FormatError

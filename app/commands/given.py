@@ -6,8 +6,8 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 from pathlib import Path
 
+from app.document.words import count_of
 from app.exchange.formats import can_import
-from app.panels.words import count_of
 from app.storage.image_path import PICTURE_SUFFIXES
 
 

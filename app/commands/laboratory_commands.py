@@ -8,6 +8,7 @@ from msgspec.structs import replace
 from PySide6.QtCore import QEvent, QObject
 from PySide6.QtWidgets import QDockWidget, QWidget
 
+from app import panels
 from app.actions.declaration import action
 from app.actions.sections import ANALYSIS_EXPLAIN, PLOTS_OVER_T
 from app.canvas.trace_layer import Trace
@@ -15,10 +16,12 @@ from app.commands.context import WindowContext
 from app.commands.dock_room import make_room_once
 from app.commands.error_plot import ErrorPlot
 from app.docks import LatePanel
+from app.document.words import number
 from app.overrides import Guarded
 from app.tasks.debounced_task import DebouncedTask
 from app.tasks.progress import Report
-from app.view_model.analysis.laboratory_settings import METHOD_NAMES, LaboratorySettings, Rounding
+from app.view_model import analysis
+from app.view_model.analysis.laboratory_settings import LaboratorySettings, Rounding
 from app.view_model.curve_view import CurveView
 from app.view_model.growth import growth_of_data
 from app.view_model.looks import METHOD_LOOKS
@@ -73,10 +76,9 @@ class LaboratoryCommands(Guarded, QObject):
     @LatePanel("laboratoryDock", "Lab", on_demand=True)
     def build_panel(self) -> QWidget:
         """Return the content of the dock; called when it is first looked at."""
-        # Imported when it is wanted: nobody waits for it at the start.
-        from app.panels.laboratory_panel import LaboratoryPanel  # noqa: PLC0415
-
-        self._panel = LaboratoryPanel(self._analysis, self._context.actions["plotErrors"])
+        self._panel = panels.laboratory_panel.LaboratoryPanel(
+            self._analysis, self._context.actions["plotErrors"]
+        )
         self._panel.cost_shown.connect(lambda: self._ask_cost(self._session.active_view))
         self._panel.render_view(self._session.active_view)
         return self._panel
@@ -173,10 +175,9 @@ class LaboratoryCommands(Guarded, QObject):
         self._plot_errors()
 
     def _take(self, result: object) -> None:
-        from app.view_model.analysis.laboratory import Refused, Trial  # noqa: PLC0415 — loaded by the worker
 
-        self._trial = result if isinstance(result, Trial) else None
-        self._problem = result.reason if isinstance(result, Refused) else ""
+        self._trial = result if isinstance(result, analysis.laboratory.Trial) else None
+        self._problem = result.reason if isinstance(result, analysis.laboratory.Refused) else ""
         self._show()
         self._plot_errors()
         self._ask_digits()
@@ -219,7 +220,7 @@ class LaboratoryCommands(Guarded, QObject):
         heading = ""
         if trial is not None and self._settings.on and trial.view.source.visible:
             traces = tuple(
-                Trace(each.pieces, METHOD_LOOKS[each.calculation], METHOD_NAMES[each.calculation])
+                Trace(each.pieces, METHOD_LOOKS[each.calculation], each.calculation.label)
                 for each in trial.outcomes
             )
             heading = "computing…" if busy else _heading(trial.settings)
@@ -239,7 +240,7 @@ def _heading(settings: LaboratorySettings) -> str:
     if settings.decimals is not None:
         text += f", data to {settings.decimals} decimals"
     if settings.shift:
-        text += f", t + {settings.shift:g}".replace("+ -", "− ")
+        text += f", t {'−' if settings.shift < 0 else '+'} {number(abs(settings.shift), 6)}"
     return text
 
 
@@ -251,18 +252,15 @@ def _size(view: CurveView) -> tuple[int, int]:
 
 
 def _compute(view: CurveView, settings: LaboratorySettings, report: Report) -> object:
-    from app.view_model.analysis.laboratory import try_methods  # noqa: PLC0415
 
-    return try_methods(view, settings, report)
+    return analysis.laboratory.try_methods(view, settings, report)
 
 
 def _digits(view: CurveView, settings: LaboratorySettings, t: float) -> Digits | None:
-    from app.view_model.analysis.laboratory import digits_at  # noqa: PLC0415
 
-    return digits_at(view, settings, t)
+    return analysis.laboratory.digits_at(view, settings, t)
 
 
 def _measure(view: CurveView, report: Report) -> Cost | None:
-    from app.view_model.analysis.cost import cost_of  # noqa: PLC0415
 
-    return cost_of(view, report)
+    return analysis.cost.cost_of(view, report)

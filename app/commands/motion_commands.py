@@ -4,10 +4,12 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, NamedTuple
 
+from app import commands
 from app.actions.declaration import Action, action, action_for_each
 from app.actions.needs import CURVE_THROUGH_TWO, Need
 from app.actions.sections import MOTION_MORE, MOTION_PACE, MOTION_REPEAT, MOTION_RUN
 from app.commands.context import WindowContext
+from app.keymap import action_name
 from app.view_model.curve_view import CurveView
 from app.view_model.motion_settings import Pace, Repeat
 
@@ -19,7 +21,6 @@ class _Repeat(NamedTuple):
     """What happens at the end, and what its action says."""
 
     repeat: Repeat
-    name: str
     text: str
     tip: str
     full_name: str
@@ -30,31 +31,26 @@ class _Pace(NamedTuple):
     """What grows evenly, and what its action says."""
 
     pace: Pace
-    name: str
     text: str
     tip: str
     full_name: str
 
 
 _REPEATS = (
-    _Repeat(
-        Repeat.ONCE, "motionOnce", "Once", "Run to the end of the curve and rest there", "Play Motion Once"
-    ),
-    _Repeat(Repeat.LOOP, "motionLoop", "Loop", "Begin again at the end", "Loop Motion", "loop"),
-    _Repeat(Repeat.PING_PONG, "motionPingPong", "Ping-Pong", "Run to and fro", "Ping-Pong Motion"),
+    _Repeat(Repeat.ONCE, "Once", "Run to the end of the curve and rest there", "Play Motion Once"),
+    _Repeat(Repeat.LOOP, "Loop", "Begin again at the end", "Loop Motion", "loop"),
+    _Repeat(Repeat.PING_PONG, "Ping-Pong", "Run to and fro", "Ping-Pong Motion"),
 )
 
 _PACES = (
     _Pace(
         Pace.PARAMETER,
-        "motionByT",
         "By t",
         "Let t grow evenly: the dot is as fast as c′ says",
         "Motion by t",
     ),
     _Pace(
         Pace.LENGTH,
-        "motionByLength",
         "By Arc Length",
         "Let the length grow evenly: the dot is equally fast everywhere",
         "Motion by Arc Length",
@@ -75,13 +71,10 @@ class MotionCommands:
             self._stage.settle(view)
 
     @property
-    def stage(self) -> MotionStage:
+    def stage(self) -> commands.motion_stage.MotionStage:
         """What the motion needs in the window; made when it is first asked for."""
         if self._stage is None:
-            # Nobody waits at the start for what is perhaps never played.
-            from app.commands.motion_stage import MotionStage  # noqa: PLC0415
-
-            self._stage = MotionStage(self._context)
+            self._stage = commands.motion_stage.MotionStage(self._context)
             self._stage.settle(self._context.session.active_view)
         return self._stage
 
@@ -129,7 +122,7 @@ class MotionCommands:
     @action_for_each(
         _REPEATS,
         lambda each: Action(
-            each.name,
+            action_name("motion", each.repeat),
             each.text,
             MOTION_REPEAT,
             "",
@@ -146,7 +139,7 @@ class MotionCommands:
     @action_for_each(
         _PACES,
         lambda each: Action(
-            each.name,
+            action_name("motionBy", each.pace),
             each.text,
             MOTION_PACE,
             "",

@@ -8,10 +8,10 @@ from pathlib import Path
 from PySide6.QtWidgets import QApplication, QFileDialog, QWidget
 
 from app.commands.context import WindowContext
-from app.exchange.animation import Film, write_film
-from app.exchange.svg import DARK, LIGHT
+from app.exchange.drawing.animation import Film, FilmFormat, write_film
+from app.exchange.drawing.styles import DARK, LIGHT
 from app.file_commands import file_stem
-from app.panels.motion_dialog import FORMATS, MotionDialog
+from app.panels.motion_dialog import MotionDialog
 from app.tasks.progress import Report
 from app.theme import theme_of
 from app.view_model.motion import round_of
@@ -45,10 +45,10 @@ class MotionExport:
         start, end = view.curve.domain
         self._dialog.open_for(round_of(end - start, settings.repeat) / settings.speed)
 
-    def _ask_where(self, ending: str) -> None:
-        context = self._context
+    def _ask_where(self, form: FilmFormat) -> None:
+        context, ending = self._context, form.ending
         start = context.preferences.last_folder / f"{file_stem(context.session)}{ending}"
-        kinds = f"{FORMATS[ending]} (*{ending})"
+        kinds = f"{form.title} (*{ending})"
         name = self.ask_name(context.window, start, kinds)
         if name:
             path = Path(name)

@@ -15,8 +15,8 @@ from app.actions.sections import (
     Section,
 )
 from app.commands.context import WindowContext
+from app.document import words
 from app.document.transforms import Edge, align_nodes, distribute_nodes
-from app.tools import words
 from app.tools.transform import TransformKind
 from app.window_state import WindowState
 

@@ -5,17 +5,16 @@ from __future__ import annotations
 import enum
 from collections.abc import Callable, Collection, Sequence
 
-from app.actions.declaration import action
+from app.actions.declaration import PlaceAction, action
 from app.actions.needs import HERMITE_CURVE, HERMITE_POINTS, Need
 from app.actions.sections import CURVE_TANGENTS, CURVE_VELOCITIES
 from app.actions.situation import Situation
 from app.commands.context import WindowContext
-from app.document import edits
+from app.document import edits, words
 from app.document.curve_edits import replace_curve
 from app.document.edits import EditError
 from app.document.model import Curve, Document, Node
 from app.document.straight_edits import corners_of, ends_of, why_not_straight
-from app.tools import words
 from app.view_model.curve_view import CurveView
 from app.view_model.handles import with_velocities_pulled
 from app.view_model.smoothness import ENDS_STAY, inner_nodes, made_smooth, with_corners
@@ -143,6 +142,7 @@ class TangentCommands:
 
     # Straight segments
 
+    @PlaceAction("straightHere", "Straight Segment", like="straightSegment")
     def straighten_at(self, t: float) -> None:
         """Make the segment of the active curve straight that runs through `t`."""
         self._straighten([segment_at(self._session.active_view, t)])

@@ -7,7 +7,8 @@ from typing import TYPE_CHECKING
 from PySide6.QtCore import QObject
 from PySide6.QtWidgets import QWidget
 
-from app.actions.declaration import action
+from app import panels
+from app.actions.declaration import PlaceAction, action
 from app.actions.needs import CURVE_THROUGH_TWO
 from app.actions.sections import ANALYSIS_EXPLAIN
 from app.canvas.trace_layer import Trace
@@ -18,6 +19,7 @@ from app.document.model import Document
 from app.tasks.debounced_task import DebouncedTask
 from app.tasks.progress import Report
 from app.tools.explain import EXPLAIN
+from app.view_model import analysis
 from app.view_model.curve_view import CurveView
 from app.view_model.looks import CURE_LOOK
 
@@ -54,10 +56,7 @@ class WiggleCommands(QObject):
     @LatePanel("wiggleDock", "Wiggle", on_demand=True)
     def build_panel(self) -> QWidget:
         """Return the content of the dock; called when it is first looked at."""
-        # Imported when it is wanted: nobody waits for it at the start.
-        from app.panels.wiggle_panel import WigglePanel  # noqa: PLC0415
-
-        self._panel = WigglePanel()
+        self._panel = panels.wiggle_panel.WigglePanel()
         self._panel.looked_at.connect(self._preview)
         self._panel.chosen.connect(self._apply)
         return self._panel
@@ -89,12 +88,12 @@ class WiggleCommands(QObject):
         self._open()
 
     def _explain_widest(self) -> None:
-        from app.view_model.analysis.wiggle import widest  # noqa: PLC0415 — late, as the panel
 
         view = self._session.active_view
         if view.is_current:
-            self._session.set_scrub(widest(view))
+            self._session.set_scrub(analysis.wiggle.widest(view))
 
+    @PlaceAction("explainHere", "Explain This Wiggle", like="explainWiggle")
     def explain_at(self, t: float) -> None:
         """Explain the curve at `t`."""
         self._session.set_scrub(t)
@@ -120,10 +119,9 @@ class WiggleCommands(QObject):
         panel = self._panel
         if panel is None or not self._is_seen:
             return
-        from app.view_model.analysis.wiggle import explain  # noqa: PLC0415 — late, as the panel
 
         t = self._session.scrub
-        explanation = explain(view, t) if t is not None else None
+        explanation = analysis.wiggle.explain(view, t) if t is not None else None
         panel.render_explanation(explanation, len(view.source.nodes), view.problem)
         if explanation is None:
             self._preview("")
@@ -170,15 +168,10 @@ class WiggleCommands(QObject):
 
     def _stay_in(self, knot: int) -> None:
         """Go on explaining the same segment, now that its parameters are other ones."""
-        from app.view_model.analysis.wiggle import overshoot  # noqa: PLC0415 — late, as the panel
-
         view = self._session.active_view
         if view.is_current and knot < len(view.parameters) - 1:
-            self._session.set_scrub(overshoot(view, knot)[1])
+            self._session.set_scrub(analysis.wiggle.overshoot(view, knot)[1])
 
 
 def _try(document: Document, curve: int, view: CurveView, knot: int, report: Report) -> Cures | None:
-    # Imported in the thread, where nobody waits for it.
-    from app.view_model.analysis.cures import cures_of  # noqa: PLC0415
-
-    return cures_of(document, curve, view, knot, report)
+    return analysis.cures.cures_of(document, curve, view, knot, report)

@@ -6,7 +6,7 @@ from app.controllers.slider_gesture import SliderGesture
 from app.document import edits
 from app.document.edits import EditError
 from app.document.model import Curve, Document, ParametrizationKind
-from app.panels.parametrization_bar import ALPHAS, KIND_NAMES, STEPS, ParametrizationBar
+from app.panels.parametrization_bar import STEPS, ParametrizationBar
 from app.session import Change, Session
 
 
@@ -19,7 +19,7 @@ def use_parametrization(session: Session, kind: ParametrizationKind) -> Change:
             raise EditError("There are no parameters to start from; mend the points first.")
         return edits.set_parametrization(document, session.active_index, kind, view.parameters.tolist())
 
-    return session.change(f"Use {KIND_NAMES[kind].lower()} parameters", edit)
+    return session.change(f"Use {kind.label.lower()} parameters", edit)
 
 
 class ParametrizationController:
@@ -46,4 +46,4 @@ def _alpha_step(position: int) -> str:
 
 def _alpha_of(curve: Curve) -> float | None:
     rule = curve.parametrization
-    return rule.alpha if rule.kind is ParametrizationKind.POWER else ALPHAS.get(rule.kind)
+    return rule.alpha if rule.kind is ParametrizationKind.POWER else rule.kind.alpha

@@ -2,6 +2,7 @@
 
 - ``model``: Document, Curve, Node and the enumerations.  ``limits``: what numbers they may hold.
 - ``plain``: NumPy's numbers turned into Python's before a document holds them.
+- ``coding``: hooks for msgspec.  ``words``: names, numbers and plurals as people read them.
 - ``edits``, ``curve_edits``: pure functions ``(Document, …) -> Document``, of points and of whole curves.
 - ``transforms``, ``parameter_edits``, ``jet_edits``: of many points, parameters or derivatives at once.
 - ``kept_handles``: derivatives set for the spacing that moved points have.

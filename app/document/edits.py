@@ -18,7 +18,7 @@ from app.document.kept_handles import DERIVATIVES, with_handles_kept
 from app.document.kept_handles import stretched as stretched  # noqa: PLC0414
 from app.document.limits import EditError as EditError  # noqa: PLC0414
 from app.document.limits import checked as checked  # noqa: PLC0414
-from app.document.limits import checked_vector
+from app.document.limits import checked_vector, not_after
 from app.document.model import (
     AccelerationRule,
     Curve,
@@ -28,6 +28,7 @@ from app.document.model import (
     Vector,
     VelocityRule,
 )
+from app.document.words import number
 from app.families import FAMILIES, Family, titles
 
 LEAST_TO_CLOSE = 3
@@ -252,16 +253,14 @@ def set_parameter(
     """Give node `index` the parameter `t` and freeze the others at `parameters`; the order is kept."""
     t = checked(t, f"The t of point {index}")
     if index > 0 and not t > (before := parameters[index - 1]):
-        raise EditError(
-            f"The t of point {index} must be greater than {before:g}, the t of point {index - 1}."
-        )
+        raise not_after(index, before)
     if index < len(parameters) - 1 and not t < (after := parameters[index + 1]):
         whose = (
             f"the t of point {index + 1}"
             if index + 1 < len(document.curves[curve].nodes)
             else "where the curve returns to its first point"
         )
-        raise EditError(f"The t of point {index} must be less than {after:g}, {whose}.")
+        raise EditError(f"The t of point {index} must be less than {number(after, 6)}, {whose}.")
     return freeze_parameters(document, curve, [*parameters[:index], t, *parameters[index + 1 :]])
 
 
@@ -273,7 +272,9 @@ def set_interval(document: Document, curve: int, start: float, end: float) -> Do
     """
     start, end = checked(start, "The start of the interval"), checked(end, "The end of the interval")
     if not start < end:
-        raise EditError(f"The interval must end after it starts; {end:g} is not greater than {start:g}.")
+        raise EditError(
+            f"The interval must end after it starts; {number(end, 6)} is not greater than {number(start, 6)}."
+        )
     old = document.curves[curve]
     old_start, old_end = interval(old)
     factor = (end - start) / (old_end - old_start)

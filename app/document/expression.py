@@ -1,23 +1,22 @@
 """Numbers as people type them: ``0.5``, ``1/3``, ``sqrt(2)/2``, with a decimal comma where that is usual.
 
-The text is read by a grammar of our own (numbers, a closed list of names, + - * / ^ and parentheses) before
-simpleeval computes it, so nothing else ever reaches the evaluator. Every number is a float: no power makes
-it work for minutes. What is refused is refused with a sentence for the person.
+The text is computed while it is read, by precedence climbing, from numbers, a closed list of names, + - * / ^
+and parentheses. Every number is a float: no power makes it work for minutes. What is refused is refused with
+a sentence for the person.
 """
 
 from __future__ import annotations
 
-import ast
 import math
 import operator
 import re
 from collections.abc import Callable
-from itertools import pairwise
 from typing import NoReturn
 
 import msgspec
 
 from app.document.model import MAX_MAGNITUDE
+from app.document.words import number
 
 MAX_LENGTH = 200
 """Characters of the longest text that is read; it bounds the work, and the depth of nesting."""
@@ -56,10 +55,14 @@ def parse_number(text: str, locale_decimal: str = ".") -> float:
     text = text.translate(_SIGNS).strip().removeprefix("=")
     decimal_comma = locale_decimal == "," or _is_plain_with_comma(text)
     tokens = _tokens(text, decimal_comma=decimal_comma)
-    _check_grammar(tokens)
-    value = _plain_number(tokens)
-    if value is None:
-        value = _evaluate(" ".join(token.code for token in tokens))
+    try:
+        value = _Reader(tokens).whole()
+    except ZeroDivisionError:
+        raise ExpressionError("Division by zero has no value.") from None
+    except OverflowError:
+        raise ExpressionError("The result is too large.") from None
+    except RecursionError:
+        raise ExpressionError("This is nested too deeply.") from None
     if not abs(value) <= MAX_MAGNITUDE:
         raise ExpressionError("A number here must lie between −1e12 and 1e12.")
     return value
@@ -68,13 +71,6 @@ def parse_number(text: str, locale_decimal: str = ".") -> float:
 def _is_plain_with_comma(text: str) -> bool:
     """Tell whether `text` is one number whose comma can only be a decimal mark: not one of thousands."""
     return bool(_PLAIN_WITH_COMMA.fullmatch(text)) and not _IN_THOUSANDS.match(text)
-
-
-def _plain_number(tokens: list[_Token]) -> float | None:
-    """Return the number that stands there by itself; a pasted block has thousands, and no expression."""
-    if tokens[-1].kind == "number" and (len(tokens) == 1 or (len(tokens) == 2 and tokens[0].text == "-")):
-        return float("".join(token.code for token in tokens))
-    return None
 
 
 # Functions and operators: each gives a finite float or says why not.
@@ -94,7 +90,7 @@ class _Function(msgspec.Struct, frozen=True):
         try:
             return _finite(float(self.compute(*arguments)))
         except ValueError:
-            shown = "; ".join(f"{value:g}" for value in arguments).replace("-", "−")
+            shown = "; ".join(number(value, 6) for value in arguments)
             raise ExpressionError(f"{self.name}({shown}) is not a real number.") from None
 
     def _count(self) -> str:
@@ -127,10 +123,6 @@ def _finite(value: float) -> float:
     return value
 
 
-def _checked(compute: Callable[..., float]) -> Callable[..., float]:
-    return lambda *operands: _finite(compute(*operands))
-
-
 def _power(base: float, exponent: float) -> float:
     # math.pow, because ** makes complex numbers of negative bases.
     try:
@@ -141,49 +133,29 @@ def _power(base: float, exponent: float) -> float:
         raise ExpressionError("A negative number has no real power with a fraction as exponent.") from None
 
 
-_OPERATORS = {
-    ast.Add: _checked(operator.add),
-    ast.Sub: _checked(operator.sub),
-    ast.Mult: _checked(operator.mul),
-    ast.Div: _checked(operator.truediv),
-    ast.Pow: _checked(_power),
-    ast.UAdd: operator.pos,
-    ast.USub: operator.neg,
+_OPERATORS: dict[str, tuple[int, Callable[[float, float], float]]] = {
+    "+": (1, operator.add),
+    "-": (1, operator.sub),
+    "*": (2, operator.mul),
+    "/": (2, operator.truediv),
+    "^": (4, _power),
+    "**": (4, _power),
 }
+"""How tightly each binds, and what it computes."""
+
+_SIGN, _POWER = 3, 4
+"""A sign binds less than a power, and more than the rest: −2^2 is −4."""
 
 
-def _evaluate(code: str) -> float:
-    # The first expression is typed long after the start.
-    from simpleeval import InvalidExpression, SimpleEval  # noqa: PLC0415
-
-    try:
-        value = SimpleEval(operators=_OPERATORS, functions=FUNCTIONS, names=CONSTANTS).eval(code)
-    except ZeroDivisionError:
-        raise ExpressionError("Division by zero has no value.") from None
-    except OverflowError:
-        raise ExpressionError("The result is too large.") from None
-    except (RecursionError, MemoryError):
-        raise ExpressionError("This is nested too deeply.") from None
-    except (SyntaxError, InvalidExpression, TypeError):
-        raise ExpressionError("This is not a complete number or expression.") from None
-    if not isinstance(value, float):
-        raise ExpressionError("This is not a single number.")
-    return value
-
-
-# From text to vetted tokens
+# From text to tokens
 
 
 class _Token(msgspec.Struct, frozen=True):
-    """A piece of the text: its kind, as typed, and as Python writes it."""
+    """A piece of the text: its kind, as typed, and what a number or constant is worth."""
 
     kind: str
     text: str
-    code: str
-
-    @property
-    def ends_operand(self) -> bool:
-        return self.kind in {"number", "constant"} or self.text == ")"
+    value: float = 0.0
 
     @property
     def starts_operand(self) -> bool:
@@ -215,49 +187,104 @@ def _tokens(text: str, *, decimal_comma: bool) -> list[_Token]:
 
 def _token(kind: str, text: str) -> _Token:
     if kind == "number":
-        return _Token(kind, text, _float_code(text))
+        return _Token(kind, text, _number(text))
     if kind == "name":
         if text in FUNCTIONS:
-            return _Token("function", text, text)
+            return _Token("function", text)
         if text in CONSTANTS:
-            return _Token("constant", text, text)
+            return _Token("constant", text, CONSTANTS[text])
         raise ExpressionError(f"“{_short(text)}” is not a number, nor a function or constant known here.")
     if kind == "other":
         raise ExpressionError(f"“{text}” has no place in a number.")
-    return _Token(kind, text, {"^": "**", ";": ","}.get(text, text))
+    return _Token(kind, text)
 
 
-def _float_code(text: str) -> str:
-    """Return a literal that Python reads as the same float, never as an integer: 007, 1e400 and 9…9 too."""
+def _number(text: str) -> float:
     value = float(text.replace(",", "."))
     if not math.isfinite(value):
         raise ExpressionError("A number here must lie between −1e12 and 1e12.")
-    return repr(value)
+    return value
 
 
-def _check_grammar(tokens: list[_Token]) -> None:
-    """Refuse, with the reason, what Python would read in another way than people do."""
-    _check_commas(tokens)
-    for before, after in pairwise(tokens):
-        if before.kind == "function":
-            if after.text != "(":
-                _refuse_bare(before)
-        elif before.ends_operand and after.starts_operand:
-            _refuse_neighbours(before, after)
-    if tokens[-1].kind == "function":
-        _refuse_bare(tokens[-1])
+# From tokens to a number
 
 
-def _check_commas(tokens: list[_Token]) -> None:
-    """Refuse commas outside of a function: they are somebody's decimal commas or group separators."""
-    inside_call = [False]
-    for index, token in enumerate(tokens):
+class _Reader:
+    """Reads tokens from the left, and says what is wrong where it stops."""
+
+    def __init__(self, tokens: list[_Token]) -> None:
+        self._tokens, self._place = tokens, 0
+
+    @property
+    def _next(self) -> str:
+        """The text of the next token; empty at the end."""
+        return self._tokens[self._place].text if self._place < len(self._tokens) else ""
+
+    def whole(self) -> float:
+        """Return what all tokens together are worth."""
+        value = self._sum()
+        if self._next:
+            self._refuse()
+        return value
+
+    def _sum(self, tightness: int = 0) -> float:
+        """Return what the next operands are worth that are bound as tightly at least."""
+        value = self._operand()
+        while self._next in _OPERATORS and _OPERATORS[self._next][0] >= tightness:
+            binds, compute = _OPERATORS[self._next]
+            self._place += 1
+            # A tower of powers is read from the right.
+            value = _finite(compute(value, self._sum(binds if binds == _POWER else binds + 1)))
+        return value
+
+    def _operand(self) -> float:
+        if not self._next:
+            raise _incomplete()
+        token = self._tokens[self._place]
+        if token.kind == "symbol" and token.text not in "(+-":
+            self._refuse()
+        self._place += 1
+        if token.kind == "function":
+            return self._call(token)
         if token.text == "(":
-            inside_call.append(index > 0 and tokens[index - 1].kind == "function")
-        elif token.text == ")" and len(inside_call) > 1:
-            inside_call.pop()
-        elif token.code == "," and not inside_call[-1]:
-            _refuse_comma(tokens, index)
+            value = self._sum()
+            self._close()
+            return value
+        if token.kind == "symbol":
+            value = self._sum(_SIGN)
+            return -value if token.text == "-" else value
+        return token.value
+
+    def _call(self, function: _Token) -> float:
+        if self._next != "(":
+            raise ExpressionError(f"{function.text} needs its number in parentheses, {function.text}(2).")
+        arguments = []
+        self._place += 1
+        while self._next != ")":
+            arguments.append(self._sum())
+            if self._next not in (",", ";"):
+                break
+            self._place += 1
+        self._close()
+        return FUNCTIONS[function.text](*arguments)
+
+    def _close(self) -> None:
+        if self._next != ")":
+            self._refuse()
+        self._place += 1
+
+    def _refuse(self) -> NoReturn:
+        """Say why the next token cannot stand where it does."""
+        if self._next in (",", ";"):
+            # It is somebody's decimal comma or group separator.
+            _refuse_comma(self._tokens, self._place)
+        if self._next and self._place and self._tokens[self._place].starts_operand:
+            _refuse_neighbours(*self._tokens[self._place - 1 : self._place + 1])
+        raise _incomplete()
+
+
+def _incomplete() -> ExpressionError:
+    return ExpressionError("This is not a complete number or expression.")
 
 
 def _refuse_comma(tokens: list[_Token], index: int) -> NoReturn:
@@ -269,10 +296,6 @@ def _refuse_comma(tokens: list[_Token], index: int) -> NoReturn:
             raise ExpressionError(f"“{typed}”: write the number without group separators.")
         raise ExpressionError(f"“{typed}” is unclear; write {_short(f'{whole}.{fraction}')} with a point.")
     raise ExpressionError(f"“{tokens[index].text}” separates the numbers of a function, such as max(1; 2).")
-
-
-def _refuse_bare(function: _Token) -> NoReturn:
-    raise ExpressionError(f"{function.text} needs its number in parentheses, {function.text}(2).")
 
 
 def _refuse_neighbours(before: _Token, after: _Token) -> NoReturn:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 
 from app.document.model import MAX_MAGNITUDE, Vector
+from app.document.words import number
 
 
 class EditError(ValueError):
@@ -23,3 +24,10 @@ def checked(value: float, what: str) -> float:
 def checked_vector(vector: Vector, what: str) -> Vector:
     """Return `vector` if a document may hold it."""
     return (checked(vector[0], f"The x of {what}"), checked(vector[1], f"The y of {what}"))
+
+
+def not_after(index: int, before: float) -> EditError:
+    """Return the error of a point whose t is not greater than that of the point before it."""
+    return EditError(
+        f"The t of point {index} must be greater than {number(before, 6)}, the t of point {index - 1}."
+    )

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from enum import StrEnum
 from functools import cached_property
 
 import msgspec
 from msgspec.structs import replace
 
+from app.document.words import Named
 from app.families import LAGRANGE, Family
 
 Vector = tuple[float, float]
@@ -17,31 +17,49 @@ MAX_MAGNITUDE = 1e12
 """Largest coordinate, parameter or derivative a document may hold: beyond it a drawing means nothing."""
 
 
-class ParametrizationKind(StrEnum):
-    """The rule that gives the parameters t_i, in the order in which the window lists them."""
+class ParametrizationKind(Named):
+    """The rule that gives the parameters t_i, in the order in which the window lists them.
 
-    UNIFORM = "uniform"
-    CHORD_LENGTH = "chord_length"
-    CENTRIPETAL = "centripetal"
-    POWER = "power"
-    CHEBYSHEV = "chebyshev"
-    MANUAL = "manual"
+    Attributes
+    ----------
+    alpha
+        The exponent of the power rule that it is; None for rules that are none.
+    """
+
+    def __init__(self, value: str, label: str = "", alpha: float | None = None) -> None:
+        super().__init__(value, label)
+        self.alpha = alpha
+
+    UNIFORM = "uniform", "Uniform", 0.0
+    CHORD_LENGTH = "chord_length", "Chord length", 1.0
+    CENTRIPETAL = "centripetal", "Centripetal", 0.5
+    POWER = "power", "Power α"
+    CHEBYSHEV = "chebyshev", "Chebyshev"
+    MANUAL = "manual", "Manual"
 
 
-class VelocityRule(StrEnum):
+class _EstimateRule(Named):
+    """A rule that estimates derivatives; `estimate` says so of one of them."""
+
+    def __init__(self, value: str, label: str = "", estimate: str = "") -> None:
+        super().__init__(value, label)
+        self.estimate = estimate
+
+
+class VelocityRule(_EstimateRule):
     """How the velocity of a node is estimated that has none of its own."""
 
-    NATURAL_SPLINE = "natural_spline"
-    BESSEL = "bessel"
-    FINITE_DIFFERENCE = "finite_difference"
-    CATMULL_ROM = "catmull_rom"
+    NATURAL_SPLINE = "natural_spline", "Natural C² spline", "estimated by the natural spline rule"
+    BESSEL = "bessel", "Bessel (parabola)", "estimated by the Bessel (parabola) rule"
+    FINITE_DIFFERENCE = "finite_difference", "Finite difference", "estimated by the finite difference rule"
+    CATMULL_ROM = "catmull_rom", "Catmull–Rom", "estimated by the Catmull–Rom rule"
 
 
-class AccelerationRule(StrEnum):
+class AccelerationRule(_EstimateRule):
     """How the acceleration of a node is estimated that has none of its own."""
 
-    NATURAL_SPLINE = "natural_spline"
-    ZERO = "zero"
+    NATURAL_SPLINE = "natural_spline", "From the C² spline", "estimated by the natural spline rule"
+    ZERO = "zero", "Zero", "estimated as zero"
 
 
 class Value(msgspec.Struct, frozen=True, forbid_unknown_fields=True, omit_defaults=True):

@@ -6,7 +6,8 @@ import math
 from collections.abc import Sequence
 from itertools import pairwise
 
-from app.document.edits import EditError, checked, freeze_parameters
+from app.document.edits import checked, freeze_parameters
+from app.document.limits import not_after
 from app.document.model import MAX_MAGNITUDE, Document
 
 
@@ -16,9 +17,7 @@ def set_parameters(document: Document, curve: int, parameters: Sequence[float]) 
         parameters = [checked(t, f"The t of point {index}") for index, t in enumerate(parameters)]
     for index, (before, after) in enumerate(pairwise(parameters), start=1):
         if not after > before:
-            raise EditError(
-                f"The t of point {index} must be greater than {before:g}, the t of point {index - 1}."
-            )
+            raise not_after(index, before)
     return freeze_parameters(document, curve, parameters)
 
 

@@ -14,7 +14,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from app.exchange.drawing import ExchangeError, Floats
+from app.exchange.drawing.drawing import Floats
+from app.exchange.errors import ExchangeError
 
 PIECES_OF_A_TURN = 8
 """Pieces of a whole turn, if no tolerance is given: within 4.3e-6 of the radius."""

@@ -13,14 +13,14 @@ import sys
 import tempfile
 import time
 from collections.abc import Callable
+from importlib import import_module
 from typing import IO
 
 import msgspec
 
 from app.exchange import READER_PROCESS
 from app.exchange.cubics_in import Imported
-from app.exchange.drawing import ExchangeError
-from app.exchange.formats import import_format
+from app.exchange.errors import ExchangeError
 from app.storage.coding import from_plain, to_plain
 from app.storage.format import FormatError, validate
 from app.tasks.progress import Report, silent
@@ -36,6 +36,9 @@ honest large one takes its time. Whoever waits can cancel.
 
 _POLL = 0.05
 
+Reader = Callable[[bytes, float | None], Imported]
+"""Takes the content of a file and a tolerance."""
+
 MEMORY = 400 * 2**20
 """Bytes that reading may need beyond what the program itself does, where the system can limit that."""
 
@@ -48,6 +51,7 @@ _START = "import sys; sys.path[:] = sys.argv[2:]; from app.exchange.child import
 class _Request(msgspec.Struct):
     """What the child shall do."""
 
+    module: str
     reader: str
     tolerance: float | None
     data: bytes
@@ -61,7 +65,7 @@ class _Answer(msgspec.Struct):
 
 
 def limited(
-    reader: str,
+    reader: Reader,
     data: bytes,
     tolerance: float | None,
     *,
@@ -74,7 +78,7 @@ def limited(
     Parameters
     ----------
     reader
-        The ending of such files, without the dot: "svg" or "dxf".
+        A function at the top level of its module.
     data
         The content.
     tolerance
@@ -89,7 +93,7 @@ def limited(
     ExchangeError
         What the reader raises, and where a limit is reached.
     """
-    request = msgspec.msgpack.encode(_Request(reader, tolerance, data))
+    request = msgspec.msgpack.encode(_request(reader, data, tolerance))
     seconds = seconds_for(len(data)) if seconds is None else seconds
     output, code = _output_of(request, memory, seconds, report)
     try:
@@ -99,6 +103,10 @@ def limited(
     if answer.result is None:
         raise ExchangeError(answer.problem)
     return answer.result
+
+
+def _request(reader: Reader, data: bytes, tolerance: float | None) -> _Request:
+    return _Request(reader.__module__, reader.__name__, tolerance, data)
 
 
 def _why_silent(code: int) -> str:
@@ -182,7 +190,7 @@ def main(memory: str) -> None:
 def answer_to(request: _Request, memory: int) -> _Answer:
     """Return what the reader says, whatever it may raise."""
     try:
-        reader = reader_of(request.reader)
+        reader: Reader = getattr(import_module(request.module), request.reader)
         _limit_memory(memory)
         result = reader(request.data, request.tolerance)
         validate(result.document)
@@ -198,13 +206,6 @@ def answer_to(request: _Request, memory: int) -> _Answer:
         # Whatever a file nobody thought of makes a parser raise, it shall end here.
         return _Answer(problem=f"The file is damaged ({type(problem).__name__}).")
     return _Answer(result)
-
-
-def reader_of(name: str) -> Callable[[bytes, float | None], Imported]:
-    """Return the reader of that name; `limited` runs it in a process of its own."""
-    load = import_format(f".{name}").load
-    assert load is not None
-    return load()
 
 
 def _limit_memory(extra: int) -> None:

@@ -1,144 +1,103 @@
-"""What the person chose for an export: remembered as JSON, and turned into what the writers take."""
+"""What a person chose for an export: remembered as JSON, and turned into what the writers take."""
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import Any
+
 import msgspec
 
-from app.exchange.decor import Extras
-from app.exchange.formats import SAMPLES, Options, Spacing
-from app.exchange.sampled import TITLES
-from app.exchange.svg import DARK, LIGHT
-
-FORMATS = {
-    ".png": "PNG picture",
-    ".svg": "SVG drawing",
-    ".pdf": "PDF document",
-    ".dxf": "DXF splines",
-    ".csv": "Table of samples (CSV)",
-    ".tsv": "Table of samples (TSV)",
-    ".points.csv": "Table of points (CSV)",
-    ".py": "Python with NumPy",
-    ".scipy.py": "Python with SciPy",
-    ".tex": "LaTeX formula",
-    ".tikz": "TikZ picture",
-    ".pgfplots.tex": "PGFPlots axis",
-    ".desmos.txt": "Desmos expressions",
-    ".path.txt": "SVG path data",
-    ".coefficients.json": "Polynomial coefficients",
-}
-"""What the window offers, by ending."""
-
-DESCRIPTIONS = {
-    ".png": "Pixels, for slides and pages.",
-    ".svg": "Bézier curves, a path for each curve; cubic Hermite curves are exact.",
-    ".pdf": "One page of outlines, sharp at every size.",
-    ".dxf": "SPLINE entities of the true degree with their knots, a layer for each curve.",
-    ".csv": "Numbers along each curve, with commas between them.",
-    ".tsv": "Numbers along each curve, with tabs between them.",
-    ".points.csv": "The points with their derivatives. Imported again, they give the same curves.",
-    ".py": "A program that computes the curves; it needs NumPy alone.",
-    ".scipy.py": "The curves as objects of scipy.interpolate.",
-    ".tex": "The polynomials as a formula.",
-    ".tikz": "Bézier curves for a TeX document.",
-    ".pgfplots.tex": "A plot with axes for a TeX document.",
-    ".desmos.txt": "Expressions to paste into Desmos, one a line.",
-    ".path.txt": "The d attributes of SVG paths.",
-    ".coefficients.json": "The coefficients of every polynomial piece, with the error that this form brings.",
-}
-"""What each is, in a sentence."""
-
-PICTURES = (".png", ".svg", ".pdf")
-SAMPLED = (".csv", ".tsv")
-TO_SCALE = (".png", ".svg", ".pdf", ".tikz")
-"""Those that can have true size."""
-
-WITH_TOLERANCE = (".svg", ".pdf", ".dxf", ".tikz", ".pgfplots.tex", ".desmos.txt", ".path.txt")
+from app.exchange.drawing.styles import DARK, LIGHT
+from app.exchange.formats import FORMATS, Format
+from app.exchange.options import (
+    BASIS,
+    DARK_PAPER,
+    GRID,
+    HANDLES,
+    TRUE_SIZE,
+    Extras,
+    Option,
+    Options,
+    Value,
+    all_options,
+)
 
 
-class ExportChoice(msgspec.Struct, frozen=True):
-    """The options of all formats; each takes what concerns it.
+@dataclass(frozen=True)
+class ExportChoice:
+    """A format and the values of all formats' options.
 
     Attributes
     ----------
     ending
-        The format.
-    width, scale
-        Of a PNG: see `export`.
-    dark, transparent
-        The colours, and whether there is no paper.
-    true_size
-        Of pictures: whether a length of one is one of the unit, where there is one.
-    points, handles, grid, basis
-        What else to draw; the basis functions are those of the curve that is edited, as
-        the panel shows them.
-    tolerance
-        None for the default.
-    cubic
-        Of DXF: no spline above degree 3.
-    spacing, samples, columns
-        Of tables of samples.
+        The format's.
+    values
+        Those that are not the default, by the options' names.
     """
 
     ending: str = ".png"
-    width: int = 1600
-    scale: float = 1.0
-    dark: bool = False
-    transparent: bool = False
-    true_size: bool = True
-    points: bool = False
-    handles: bool = False
-    grid: bool = False
-    basis: bool = False
-    tolerance: float | None = None
-    cubic: bool = False
-    spacing: Spacing = Spacing.T
-    samples: int = SAMPLES
-    columns: tuple[str, ...] = TITLES
+    values: Mapping[str, Any] = field(default_factory=dict)
+
+    def __getitem__(self, option: Option[Value]) -> Value:
+        """Return the value of an option."""
+        value: Value = self.values.get(option.name, option.default)
+        return value
+
+    @property
+    def format(self) -> Format:
+        """The record of the format."""
+        return next(each for each in FORMATS.offered if each.ending == self.ending)
+
+    def shown(self) -> tuple[Option[Any], ...]:
+        """Return the options of the format that matter with these values."""
+        options = self.format.options
+        hidden = self.format.hidden({each.name: self[each] for each in options})
+        return tuple(each for each in options if each not in hidden)
 
     def options(self, active: int, unit: str = "", *, with_estimates: bool = False) -> Options:
         """Return the options of the format; `active` is the curve that is edited, `unit` what one is.
 
         `with_estimates` is whether the basis panel shows what each point does with its estimates.
         """
-        is_picture = self.ending in PICTURES
-        extras = Extras(self.handles, self.grid, active if self.basis else None, with_estimates)
-        style = None
-        if is_picture and (self.dark or not self.transparent):
-            style = DARK if self.dark else LIGHT
+        values = {each.name: self[each] for each in self.format.options}
+        handles, grid, basis = (values.pop(each.name, False) for each in (HANDLES, GRID, BASIS))
+        is_picture, dark = DARK_PAPER.name in values, values.pop(DARK_PAPER.name, False)
+        is_to_scale = values.pop(TRUE_SIZE.name, True)
+        shared = {name: values.pop(name) for name in Options.__struct_fields__ if name in values}
+        has_paper = is_picture and (dark or not shared.get("transparent"))
         return Options(
-            width=self.width if self.ending == ".png" else None,
-            tolerance=self.tolerance,
-            style=style,
-            points=self.points,
-            samples=self.samples,
-            spacing=self.spacing,
-            scale=self.scale,
-            transparent=self.transparent,
-            extras=extras if is_picture else None,
-            columns=self.columns,
-            cubic=self.cubic,
-            unit=unit if self.true_size or self.ending not in TO_SCALE else "",
+            **shared,
+            style=(DARK if dark else LIGHT) if has_paper else None,
+            extras=Extras(handles, grid, active if basis else None, with_estimates) if is_picture else None,
+            unit=unit if is_to_scale else "",
+            own=values,
         )
 
 
 def choice_from(text: str) -> ExportChoice:
-    """Return the choice that was remembered as JSON; the default where it cannot be used."""
+    """Return the choice that was remembered as JSON; the default of what cannot be used."""
     try:
-        choice = msgspec.json.decode(text or "{}", type=ExportChoice)
+        kept = msgspec.json.decode(text or "{}", type=dict[str, Any])
     except (msgspec.DecodeError, UnicodeError):
         return ExportChoice()
-    usable = (
-        choice.ending in FORMATS
-        and 1 <= choice.width <= 16384
-        and 0.1 <= choice.scale <= 10
-        and (choice.tolerance is None or 0 < choice.tolerance < 1e12)
-        and 2 <= choice.samples <= 1_000_000
-        and set(choice.columns) <= set(TITLES)
-        and choice.columns
-    )
-    return choice if usable else ExportChoice()
+    ending = kept.get("ending")
+    if ending not in [each.ending for each in FORMATS.offered]:
+        ending = ExportChoice().ending
+    return chosen(ending, {each: kept[each.name] for each in offered_options() if each.name in kept})
+
+
+def chosen(ending: str, values: Mapping[Option[Any], Any]) -> ExportChoice:
+    """Return a choice with the values of some options, or the defaults of those that cannot be used."""
+    usable = {option: option.checked(value) for option, value in values.items()}
+    return ExportChoice(ending, {each.name: kept for each, kept in usable.items() if kept != each.default})
+
+
+def offered_options() -> tuple[Option[Any], ...]:
+    """Return the options of all formats that the window offers, in the order of their rows."""
+    return all_options(each.options for each in FORMATS.offered)
 
 
 def text_of(choice: ExportChoice) -> str:
     """Return a choice as JSON."""
-    return msgspec.json.encode(choice).decode()
+    return msgspec.json.encode({"ending": choice.ending, **choice.values}).decode()

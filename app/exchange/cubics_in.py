@@ -26,7 +26,8 @@ from app.document.model import (
     ParametrizationKind,
     Vector,
 )
-from app.exchange.drawing import ExchangeError, Floats
+from app.exchange.drawing.drawing import Floats
+from app.exchange.errors import ExchangeError
 from app.families import HERMITE
 from app.storage.format import FormatError, validate
 
@@ -101,7 +102,7 @@ class Imported:
 
 
 @dataclass(frozen=True, eq=False)
-class Path:
+class ImportedPath:
     """A path as cubic pieces.
 
     Attributes
@@ -144,7 +145,7 @@ class PointsAlone:
     closed: bool
 
 
-def imported(paths: Sequence[Path | PointsAlone], remarks: tuple[str, ...] = ()) -> Imported:
+def imported(paths: Sequence[ImportedPath | PointsAlone], remarks: tuple[str, ...] = ()) -> Imported:
     """Return the curves of paths as a document.
 
     Raises
@@ -190,7 +191,7 @@ def _through(path: PointsAlone) -> Curve:
     return Curve(path.name, HERMITE, Parametrization(), nodes, closed=path.closed, colour=path.colour)
 
 
-def _check_numbers(path: Path) -> None:
+def _check_numbers(path: ImportedPath) -> None:
     # Written so that NaN fails.
     if not (np.abs(path.pieces) <= MAX_MAGNITUDE).all():
         raise ExchangeError(f"“{path.name}” has coordinates beyond −1e12 to 1e12.")
@@ -202,7 +203,7 @@ def _without_points(pieces: Floats) -> Floats:
     return np.asarray(pieces[(pieces != pieces[:, :1]).any(axis=(1, 2))])
 
 
-def _curve(path: Path, pieces: Floats) -> tuple[Curve, float]:
+def _curve(path: ImportedPath, pieces: Floats) -> tuple[Curve, float]:
     """Return a path as a curve, and how far the points of smooth joints moved it."""
     if path.closed and len(pieces) == 1:
         pieces = _halves(pieces[0])

@@ -9,7 +9,8 @@ from typing import NamedTuple
 import numpy as np
 
 from app.document.model import Curve, Document, Parametrization
-from app.exchange.drawing import ExchangeError, frame_around, refuse_wild, too_much
+from app.exchange.drawing.drawing import frame_around, refuse_wild, too_much
+from app.exchange.errors import ExchangeError
 from app.families import Family
 from app.tasks.progress import Report, silent
 from app.view_model.arc_lengths import lengths_of

@@ -14,7 +14,8 @@ import numpy as np
 
 from app import __version__
 from app.document.model import Curve, Document
-from app.exchange.drawing import RELATIVE_TOLERANCE, ExchangeError, Floats, sort_out
+from app.exchange.drawing.drawing import RELATIVE_TOLERANCE, Floats, sort_out
+from app.exchange.errors import ExchangeError
 from app.exchange.naming import Names
 from app.tasks.progress import Report, silent, told
 from app.view_model.curve_view import CoreCurve
@@ -28,25 +29,6 @@ _SAMPLES = 33
 
 # A bound that was rounded to the nearest would not be one.
 _ROUNDING_UP = Context(prec=3, rounding=ROUND_UP)
-
-
-@dataclass(frozen=True)
-class Written:
-    """A file's content.
-
-    Attributes
-    ----------
-    text
-        The content.
-    deviation
-        Largest distance from the true curves, in the document's unit.
-    remarks
-        One sentence for every curve that was left out.
-    """
-
-    text: str
-    deviation: float
-    remarks: tuple[str, ...] = ()
 
 
 class Polynomials(NamedTuple):

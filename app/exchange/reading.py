@@ -1,15 +1,22 @@
-"""Reading: the name of a file decides how it is read; foreign drawings are parsed in a child process."""
+"""Reading a file of the format that its name ends in; foreign drawings are parsed in a child process."""
 
 from __future__ import annotations
 
 import os
 from collections.abc import Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from app.exchange.drawing import ExchangeError
-from app.exchange.formats import Kind, ending_of, import_format, is_document
+from app.exchange.errors import ExchangeError
+from app.exchange.formats import (
+    FORMATS,
+    Format,
+    Kind,
+    ending_in,
+    format_of,
+    is_document,
+)
 from app.families import HERMITE, Family
 from app.storage.files import read
 from app.storage.format import FormatError, decode
@@ -20,24 +27,12 @@ if TYPE_CHECKING:
     from app.exchange.cubics_in import Imported
 
 
-def import_file(
-    path: str | os.PathLike[str],
-    *,
-    tolerance: float | None = None,
-    thin: float | None = None,
-    corners: bool = False,
-    family: Family = HERMITE,
-    columns: str = "",
-    missing: str = "refuse",
-    only: Sequence[str] = (),
-    report: Report = silent,
-) -> Imported:
-    """Return the curves in a file of the format that its ending names.
+@dataclass(frozen=True)
+class ImportOptions:
+    """How to read; each format takes what concerns it.
 
-    Parameters
+    Attributes
     ----------
-    path
-        A file with one of the endings `READABLE`, in capitals or not.
     tolerance
         Of drawings: largest distance from arcs and the like, in the file's unit.
     thin
@@ -53,8 +48,21 @@ def import_file(
         Of tables: "skip" to leave out rows without numbers, "split" to begin another curve after them.
     only
         The names of curves, or of groups of them, that are taken, such as "line2d_*"; by default all are.
-    report
-        Hears how far it has come.
+    """
+
+    tolerance: float | None = None
+    thin: float | None = None
+    corners: bool = False
+    family: Family = HERMITE
+    columns: str = ""
+    missing: str = "refuse"
+    only: Sequence[str] = ()
+
+
+def import_file(
+    path: str | os.PathLike[str], options: ImportOptions | None = None, *, report: Report = silent
+) -> Imported:
+    """Return the curves in a file of the format that its ending names.
 
     Raises
     ------
@@ -64,71 +72,55 @@ def import_file(
     StorageError
         If the file cannot be read at all.
     """
-    kind = import_format(path).kind
+    options = options or ImportOptions()
+    form = format_of(path, FORMATS.read)
     data = read(path)
-
-    def found() -> Imported:
-        if kind is Kind.DOCUMENT or (kind is Kind.TABLE and is_document(data)):
-            return _document(data, path)
-        if kind is Kind.DRAWING:
-            return _drawing(path, data, tolerance, report)
-        return _table(path, data, thin, corners, family, columns, missing, report)
-
     try:
-        result = found()
+        found = _imported(Path(path), form, data, options, report)
     except (FormatError, ExchangeError) as problem:
         raise ExchangeError(f"“{Path(path).name}” cannot be read: {problem}") from problem
     except MemoryError:
         raise ExchangeError(f"“{Path(path).name}” takes more memory than there is.") from None
-    return result.called(only) if only else result
+    return found.called(options.only) if options.only else found
 
 
 # The window starts without the readers.
 
 
-def _document(data: bytes, path: str | os.PathLike[str]) -> Imported:
+def _imported(path: Path, form: Format, data: bytes, options: ImportOptions, report: Report) -> Imported:
+    if form.kind is Kind.DRAWING:
+        from app.exchange.child import limited  # noqa: PLC0415
+
+        assert form.read is not None
+        return limited(form.read, data, options.tolerance, report=report)
+    if form.kind is Kind.TABLE and not is_document(data):
+        return _table(path, ending_in(path, form), data, options, report)
     from app.exchange.cubics_in import Imported  # noqa: PLC0415
 
     folder = os.path.dirname(os.path.abspath(path))  # noqa: PTH100, PTH120 - links are kept as they are
     return Imported(resolved(decode(data), folder))
 
 
-def _drawing(path: str | os.PathLike[str], data: bytes, tolerance: float | None, report: Report) -> Imported:
-    from app.exchange.child import limited  # noqa: PLC0415
+def _table(path: Path, ending: str, data: bytes, options: ImportOptions, report: Report) -> Imported:
+    from app.exchange.table.columns import mapping_of, words_on  # noqa: PLC0415
+    from app.exchange.table.curves import Missing, document_of_table  # noqa: PLC0415
+    from app.exchange.table.layout import MissingNumber  # noqa: PLC0415
+    from app.exchange.table.source import TableSource  # noqa: PLC0415
+    from app.exchange.table.thinning import Thinning  # noqa: PLC0415
 
-    return limited(Path(path).suffix.lower().removeprefix("."), data, tolerance, report=report)
-
-
-def _table(
-    path: str | os.PathLike[str],
-    data: bytes,
-    thin: float | None,
-    corners: bool,
-    family: Family,
-    columns: str,
-    missing: str,
-    report: Report,
-) -> Imported:
-    from app.exchange.table_columns import mapping_of, words_on  # noqa: PLC0415
-    from app.exchange.table_curve import Missing, document_of_table  # noqa: PLC0415
-    from app.exchange.table_layout import MissingNumber  # noqa: PLC0415
-    from app.exchange.table_source import TableSource  # noqa: PLC0415
-    from app.exchange.thinning import Thinning  # noqa: PLC0415
-
-    source = TableSource(data, ending_of(path, import_format(path).endings))
+    source, missing = TableSource(data, ending), Missing(options.missing)
     preview = source.preview()
-    mapping = mapping_of(columns, preview.titles) if columns else preview.certain_mapping()
-    name = Path(path).name[: -len(source.ending)] or "Table"
+    mapping = mapping_of(options.columns, preview.titles) if options.columns else preview.certain_mapping()
     try:
-        table = source.table(preview.layout, mapping, Missing(missing), part(report, 0.0, 0.5))
+        table = source.table(preview.layout, mapping, missing, part(report, 0.0, 0.5))
         made = document_of_table(
             table,
             mapping,
-            name=name,
-            thin=thin,
-            thinning=Thinning.POLYLINE if corners else Thinning.CURVE,
-            family=family,
-            missing=Missing(missing),
+            name=path.name[: -len(ending)] or "Table",
+            thin=options.thin,
+            thinning=Thinning.POLYLINE if options.corners else Thinning.CURVE,
+            family=options.family,
+            missing=missing,
             report=part(report, 0.5, 1.0),
         )
     except MissingNumber as problem:

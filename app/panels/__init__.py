@@ -10,11 +10,6 @@ Beside the canvas:
 
 In docks:
 
-- ``point_table`` with ``point_table_view``, ``point_table_model`` and ``point_table_delegate``: the numbers.
-  ``point_columns``: a record for each column.  ``point_table_edits``: filling, pasting and resetting.
-- ``curve_list``, ``curve_list_view``, ``curve_list_model``: the curves.
-  ``curve_settings``: interval and tangent rules.
-- ``history``: undo, as a list.  ``image_panel``: the picture to trace.
 - ``late_dock``: a dock whose content is built when it is first shown.
 - ``analysis_panel``: overlays and ghosts.  ``hodograph_panel``; ``joints_panel``, ``joints_model``.
 - ``laboratory_panel``, ``method_table``, ``digits_table``: few digits.  ``cost_panel``, ``log_plot``: costs.
@@ -25,7 +20,8 @@ Words and dialogs:
 - ``status_line``, ``job_bar``, ``teaching_badge``: at the foot.  ``message_bar``: over
   the canvas.
 - ``command_palette``, ``fuzzy``: type what you want.  ``shortcut_sheet``, ``shortcut_editor``: keys.
-- ``preferences_dialog``, ``motion_dialog``, ``crash_dialog``.  ``export_dialog``, ``export_form``: export.
+- ``preferences_dialog``, ``motion_dialog``, ``crash_dialog``.  ``export_dialog``, ``export_form``,
+  ``export_fields``: export.
 - ``import_drawing_dialog``, ``import_table_dialog``, ``table_preview``, ``role_header``,
   ``group_tree``, ``import_foot``, ``turn``: import.
 
@@ -34,7 +30,7 @@ Small parts:
 - ``action_switch``: buttons that show an action.
 - ``field_edit``, ``live_slider``, ``setting_slider``, ``elided_label``, ``thumbnail``,
   ``form_parts``, ``tool_buttons``, ``fitting``, ``told_spin``, ``work_dialog``, ``choice_style``.
-- ``number_text``, ``words``: numbers and the names of rules, as panels write them.
+- ``number_text``: numbers as panels write them.
 """
 
 import lazy_loader as lazy

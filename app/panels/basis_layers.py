@@ -10,6 +10,7 @@ import numpy as np
 from PySide6.QtCore import QPointF, QRectF, Qt
 from PySide6.QtGui import QColor, QPainter, QPen, QPolygonF
 
+from app.document.words import number
 from app.panels.crest_names import CrestNames
 from app.panels.function_lines import Drawing, FunctionLines, way_to_draw
 from app.plotting.colours import colours_of
@@ -263,7 +264,7 @@ class RailLayer(Layer):
         left = x > shown.width - 90 * self.scale
         box = QRectF(x - 98 if left else x + 8, 2, 90, 18 * self.scale)
         side = Qt.AlignmentFlag.AlignRight if left else Qt.AlignmentFlag.AlignLeft
-        painter.drawText(box, int(side | Qt.AlignmentFlag.AlignTop), f"t = {t:.4g}")
+        painter.drawText(box, int(side | Qt.AlignmentFlag.AlignTop), f"t = {number(t)}")
 
 
 def spread_out(x: Floats, ticks: Integers, least: float) -> tuple[Integers, float]:

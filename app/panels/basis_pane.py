@@ -6,6 +6,7 @@ from PySide6.QtCore import QSize, Qt, QTimer
 from PySide6.QtGui import QAction, QIcon, QResizeEvent
 from PySide6.QtWidgets import QHBoxLayout, QSizePolicy, QToolButton, QVBoxLayout, QWidget
 
+from app.document.words import number
 from app.labels import Label
 from app.overrides import Guarded
 from app.panels.action_switch import mirror
@@ -240,7 +241,7 @@ def _reach_text(reach: tuple[float, float] | None, *, brief: bool = False) -> st
     """Return the note that the functions leave the range; empty where they do not."""
     if reach is None:
         return ""
-    span = f"{reach[0]:.3g} to {reach[1]:.3g}".replace("-", "−")
+    span = f"{number(reach[0], 3)} to {number(reach[1], 3)}"
     return f"⚠ {span}" if brief else f"⚠ The functions reach from {span}"
 
 

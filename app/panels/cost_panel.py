@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from PySide6.QtWidgets import QGridLayout, QVBoxLayout, QWidget
 
+from app.document.words import number
 from app.labels import Label
 from app.panels.log_plot import LogLine, LogPlot
 from app.view_model.analysis.cost import Cost, cost_chart
@@ -123,5 +124,5 @@ def _note(cost: Cost) -> str:
 def _duration(seconds: float) -> str:
     for factor, unit in ((1e6, "µs"), (1e3, "ms")):
         if seconds * factor < 999.5:
-            return f"{seconds * factor:.3g} {unit}"
-    return f"{seconds:.3g} s"
+            return f"{number(seconds * factor, 3)} {unit}"
+    return f"{number(seconds, 3)} s"

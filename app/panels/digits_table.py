@@ -6,9 +6,9 @@ from PySide6.QtCore import Qt
 from PySide6.QtGui import QFontDatabase, QPalette
 from PySide6.QtWidgets import QGridLayout, QWidget
 
+from app.document.words import number, with_minus
 from app.labels import Label
 from app.view_model.analysis.laboratory import Digits
-from app.view_model.analysis.laboratory_settings import METHOD_NAMES
 
 _USUAL_DIGITS = 9
 _SMALLER = 0.75
@@ -47,10 +47,10 @@ class DigitsTable(QWidget):
         self.setVisible(digits is not None)
         if digits is None:
             return
-        self._title.setText(f"At t = {digits.t:.4g}".replace("-", "−"))
+        self._title.setText(f"At t = {number(digits.t)}")
         true = [f"{value:.{shown + 2}g}" for value in digits.truth]
         rows = [("True", *map(_aligned, true))]
-        rows += [(METHOD_NAMES[method], *map(_aligned, pair)) for method, pair in digits.rows]
+        rows += [(method.label, *map(_aligned, pair)) for method, pair in digits.rows]
         while len(self._rows) < len(rows):
             self._add_row()
         style = _digits_style(shown)
@@ -83,4 +83,4 @@ def _digits_style(shown: int) -> str:
 
 def _aligned(text: str) -> str:
     """Write a real minus, or leave its room, so that leading digits stand below each other."""
-    return text.replace("-", "−") if text.startswith("-") else " " + text.replace("E-", "E−")
+    return with_minus(text if text.startswith("-") else f" {text}")

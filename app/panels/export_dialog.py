@@ -12,9 +12,10 @@ from PySide6.QtWidgets import (
 
 from app.document.expression import ExpressionError
 from app.document.model import Document
-from app.exchange import ExchangeError
-from app.exchange.choice import FORMATS, PICTURES, ExportChoice
-from app.exchange.image import Look, look
+from app.exchange.choice import ExportChoice
+from app.exchange.drawing.image import PicturePreview
+from app.exchange.errors import ExchangeError
+from app.exchange.options import DARK_PAPER
 from app.labels import Label
 from app.panels.export_form import ExportForm
 from app.panels.form_parts import buttons
@@ -106,8 +107,8 @@ class ExportDialog(WorkDialog):
             return
         self.complain("")
         self.ok.setEnabled(True)
-        self.ok.setToolTip(f"Choose where to write the {FORMATS[choice.ending]}")
-        self.look.setVisible(choice.ending in PICTURES)
+        self.ok.setToolTip(f"Choose where to write the {choice.format.title}")
+        self.look.setVisible(choice.format.preview is not None)
         self._soon.start()
 
     def _look(self) -> None:
@@ -119,21 +120,23 @@ class ExportDialog(WorkDialog):
             choice = self.form.choice()
         except ExpressionError:
             return  # that has been said
+        preview = choice.format.preview
+        assert preview is not None
         options = choice.options(active, self._unit, with_estimates=self._with_estimates)
         room = (round(_WIDTH * self.devicePixelRatioF()), round(_HEIGHT * self.devicePixelRatioF()))
 
-        def draw(_report: Report) -> Look:
-            return look(document, options, choice.ending, room)
+        def draw(_report: Report) -> PicturePreview:
+            return preview(document, options, room)
 
         self.jobs.start("Drawing", draw, self._show_look, self._refuse)
 
-    def _show_look(self, seen: Look) -> None:
+    def _show_look(self, seen: PicturePreview) -> None:
         try:
             choice = self.form.choice()
         except ExpressionError:
             return  # typed while it was drawn, and said
         # As the picture will be looked at, not as this window is.
-        theme = DARK if choice.dark else LIGHT
+        theme = DARK if choice[DARK_PAPER] else LIGHT
         squares = (theme.paper, mix(theme.ink, theme.paper, 0.1))
         self.picture.setPixmap(_on_squares(seen.image, self.devicePixelRatioF(), squares))
         self.size_label.setText(seen.size)

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QTreeWidget, QTreeWidgetItem
 
-from app.panels.words import count_of
+from app.document.words import count_of
 
 _DEEPEST = 6
 """Levels that are shown; what lies deeper is taken or left with the group around it."""

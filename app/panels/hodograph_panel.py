@@ -7,11 +7,12 @@ from PySide6.QtCore import QEvent, QPointF, QRectF, Qt, Signal
 from PySide6.QtGui import QFont, QPainter, QPen, QShowEvent
 from PySide6.QtWidgets import QButtonGroup, QHBoxLayout, QSizePolicy, QToolButton, QVBoxLayout, QWidget
 
+from app.document.words import number
 from app.icons import icon
 from app.overrides import Guarded
 from app.panels.choice_style import choice_style
 from app.panels.elided_label import ElidedLabel
-from app.panels.number_text import decimal_mark, rounded_text
+from app.panels.number_text import decimal_mark
 from app.panels.tool_buttons import tool_button
 from app.plotting.colours import colours_of
 from app.plotting.drawing import MARGIN, Segments, Stroke, cut_segments
@@ -246,9 +247,9 @@ class HodographPanel(Guarded, QWidget):
         else:
             self.plot.scrub = (t, value)
             mark, gap = decimal_mark(), "; " if decimal_mark() == "," else ", "
-            x, y = (rounded_text(each, mark, 4) for each in value)
-            angle = rounded_text(float(np.degrees(np.arctan2(value[1], value[0]))), mark, 3)
-            name = f"{_NAMES[self.order][0]}({rounded_text(t, mark, 3)})"
+            x, y = (number(each, 4, mark) for each in value)
+            angle = number(float(np.degrees(np.arctan2(value[1], value[0]))), 3, mark)
+            name = f"{_NAMES[self.order][0]}({number(t, 3, mark)})"
             self._value.setText(f"{name} = ({x}{gap}{y}), {angle}°")
         self.plot.refresh()
 

@@ -9,13 +9,13 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from app.document.words import count_of, number
 from app.exchange.cubics_in import Imported
 from app.labels import Label
 from app.panels.fitting import FittedDialog
 from app.panels.form_parts import into_box
 from app.panels.group_tree import GroupTree
 from app.panels.import_foot import ImportFoot
-from app.panels.words import count_of
 
 _MOST_REMARKS = 8
 
@@ -87,7 +87,7 @@ def _summary(found: Imported, taken: int = 1, of: int = 1) -> str:
         return f"None of {of} curves; choose at least one group."
     curves = found.document.curves
     points = sum(len(curve.nodes) for curve in curves)
-    exact = f"at most {found.deviation:.2g} from the file" if found.deviation else "exact"
+    exact = f"at most {number(found.deviation, 2)} from the file" if found.deviation else "exact"
     some = f"{taken} of {of} curves" if taken < of else count_of(len(curves), "curve")
     return f"{some} with {count_of(points, 'point')}, {exact}."
 

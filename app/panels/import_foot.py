@@ -5,9 +5,9 @@ from __future__ import annotations
 from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QDialog, QDialogButtonBox, QHBoxLayout, QPushButton, QWidget
 
+from app.document.words import count_of
 from app.panels.form_parts import buttons
 from app.panels.turn import Turn
-from app.panels.words import count_of
 
 
 class ImportFoot(QWidget):

@@ -15,40 +15,31 @@ from PySide6.QtWidgets import (
 )
 
 from app.document.expression import ExpressionError, parse_number
-from app.exchange.table import Preview
-from app.exchange.table_columns import AFTER, ROLES, WORDS, Mapping, words_on
-from app.exchange.table_curve import Missing
-from app.exchange.table_import import MANY_ROWS, MOST_POINTS, Prepared, TableChoice, prepare_table
-from app.exchange.table_layout import Layout
-from app.exchange.table_source import TableSource
-from app.exchange.thinning import Thinning
+from app.document.words import count_of, number
+from app.exchange.table.columns import AFTER, ROLES, WORDS, ColumnMapping, words_on
+from app.exchange.table.curves import Missing
+from app.exchange.table.layout import Layout
+from app.exchange.table.prepared import MANY_ROWS, MOST_POINTS, Prepared, TableChoice, prepare_table
+from app.exchange.table.source import TableSource
+from app.exchange.table.table import Preview
+from app.exchange.table.thinning import Thinning
 from app.families import FAMILIES, HERMITE
 from app.labels import Label, tip_of
 from app.panels.field_edit import FieldEdit
 from app.panels.form_parts import choice_box, into_box
 from app.panels.import_foot import ImportFoot
-from app.panels.number_text import decimal_mark, rounded_text
+from app.panels.number_text import decimal_mark
 from app.panels.table_preview import TablePreview
-from app.panels.words import count_of
 from app.panels.work_dialog import WorkDialog
 from app.theme import theme_of
 
 IGNORE = "ignore"
 _SEPARATORS = {"\t": "Tab", ";": "Semicolon ;", ",": "Comma ,", " ": "Blanks"}
-_THINNINGS = {
-    None: "Keep every row",
-    Thinning.CURVE: "Fit a curve within",
-    Thinning.POLYLINE: "Keep corners within",
-}
+_THINNINGS = (None, *Thinning)
 _THINNING_TIP = (
     "Fit a curve: as few points as a smooth curve needs to pass all rows within the distance. "
     "Keep corners: the rows that a polyline within the distance turns at (Douglas–Peucker)"
 )
-_MISSING = {
-    Missing.REFUSE: "Refuse them",
-    Missing.SKIP: "Leave them out",
-    Missing.SPLIT: "End the curve there",
-}
 _SOON_MS = 250
 
 
@@ -76,7 +67,7 @@ class ImportTableDialog(WorkDialog):
         self._soon.timeout.connect(self._use_typed)
         self._connect()
         if source.lines > MANY_ROWS:
-            self.thinning_box.setCurrentIndex(list(_THINNINGS).index(Thinning.CURVE))
+            self.thinning_box.setCurrentIndex(_THINNINGS.index(Thinning.CURVE))
         self._show_preview(preview)
         self._prepare()
 
@@ -95,7 +86,7 @@ class ImportTableDialog(WorkDialog):
             "tableMissing",
             "Rows without numbers",
             "What becomes of rows without numbers",
-            list(_MISSING.values()),
+            [each.label for each in Missing],
         )
         label = Label("Rows without numbers")
         label.setObjectName("tableMissingLabel")
@@ -109,7 +100,8 @@ class ImportTableDialog(WorkDialog):
             "tableFamily", "Family", "The curve through the rows", [family.label for family in FAMILIES]
         )
         self.family_box.setCurrentIndex(FAMILIES.index(HERMITE))
-        self.thinning_box = choice_box("tableThinning", "Rows", _THINNING_TIP, list(_THINNINGS.values()))
+        titles = ["Keep every row", *(each.label for each in Thinning)]
+        self.thinning_box = choice_box("tableThinning", "Rows", _THINNING_TIP, titles)
         self.tolerance_edit = FieldEdit(
             "tableTolerance", "Distance", "How near to stay to every row, in the unit of the table (Enter)"
         )
@@ -207,9 +199,9 @@ class ImportTableDialog(WorkDialog):
             return
         self._prepare()
 
-    def _mapping(self) -> Mapping | None:
+    def _mapping(self) -> ColumnMapping | None:
         roles = {role: column for column, role in enumerate(self.preview.head.roles) if role != IGNORE}
-        return Mapping(**roles) if {"x", "y"} <= set(roles) else None
+        return ColumnMapping(**roles) if {"x", "y"} <= set(roles) else None
 
     def _import(self) -> None:
         if self._prepared is not None and self._prepared.document is not None and not self.jobs.is_busy:
@@ -226,7 +218,7 @@ class ImportTableDialog(WorkDialog):
         self.jobs.cancel()
         self._prepared = None
         self.ok.setEnabled(False)
-        thinning = list(_THINNINGS)[self.thinning_box.currentIndex()]
+        thinning = _THINNINGS[self.thinning_box.currentIndex()]
         self.tolerance_edit.setEnabled(thinning is not None)
         self.family_box.setEnabled(thinning is None)
         self.family_box.setToolTip(
@@ -238,7 +230,7 @@ class ImportTableDialog(WorkDialog):
             self._show(Prepared(problem="Say which columns are x and y."))
             return
         family = FAMILIES[self.family_box.currentIndex()]
-        missing = list(_MISSING)[self.missing_box.currentIndex()]
+        missing = list(Missing)[self.missing_box.currentIndex()]
         choice = TableChoice(
             self._layout_now, mapping, family, thinning, self._tolerance, self._stem, missing
         )
@@ -247,7 +239,7 @@ class ImportTableDialog(WorkDialog):
         source = self._source
         self.jobs.start("Reading", partial(prepare_table, source, choice), self._show, self._fail)
 
-    def _say_columns(self, mapping: Mapping | None) -> None:
+    def _say_columns(self, mapping: ColumnMapping | None) -> None:
         """Say what was taken for what, and where that is no more than a guess."""
         preview = self._preview
         is_guess = mapping is not None and mapping == preview.mapping and not preview.guess.is_certain
@@ -323,7 +315,7 @@ def _distance(text: str) -> float | None:
 
 
 def _shown(distance: float) -> str:
-    return rounded_text(distance, decimal_mark())
+    return number(distance, 6, decimal_mark())
 
 
 def _summary(prepared: Prepared) -> str:
@@ -333,7 +325,7 @@ def _summary(prepared: Prepared) -> str:
     result = f"{prepared.rows:,} rows → {count_of(prepared.points, 'point')}"
     result += f" in {count} curves" if count > 1 else ""
     if prepared.tolerance:
-        result += f", at most {prepared.deviation:.2g} from the rows"
+        result += f", at most {number(prepared.deviation, 2)} from the rows"
     return result
 
 

@@ -7,20 +7,11 @@ from typing import Any
 
 from PySide6.QtCore import QAbstractTableModel, QModelIndex, QObject, QPersistentModelIndex, Qt
 
+from app.document.words import NOTHING, number
 from app.overrides import Guarded
-from app.panels.number_text import NOTHING, decimal_mark, rounded_text
+from app.panels.number_text import decimal_mark
 from app.theme import LIGHT, Theme
 from app.view_model.analysis.joints import JointRow, Kind
-
-SIGNS = {
-    Kind.SMOOTH: "✓",
-    Kind.ACCELERATION: "△",
-    Kind.SPEED: "◇",
-    Kind.REST: "○",
-    Kind.CORNER: "▲",
-    Kind.BREAK: "✕",
-}
-"""Mark before a joint, so that colour is not all that tells joints apart."""
 
 COLUMNS = ("Joint", "Class", "c", "c′", "c″", "∠", "κ")
 _TIPS = (
@@ -97,12 +88,12 @@ class JointsModel(Guarded, QAbstractTableModel):
 
     def _texts(self, row: JointRow) -> tuple[str, ...]:
         mark = decimal_mark()
-        jumps = [rounded_text(jump, mark, _DIGITS) for jump in row.jumps]
-        angle = rounded_text(row.angle, mark, _DIGITS)
+        jumps = [number(jump, _DIGITS, mark) for jump in row.jumps]
+        angle = number(row.angle, _DIGITS, mark)
         return (
-            f"{SIGNS[row.kind]} {row.joint}",
+            f"{row.kind.value} {row.joint}",
             row.smoothness,
             *jumps,
             angle if angle in ("0", NOTHING) else f"{angle}°",
-            rounded_text(row.curvature, mark, _DIGITS),
+            number(row.curvature, _DIGITS, mark),
         )

@@ -15,10 +15,11 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from app.document.words import number
 from app.labels import Label
 from app.overrides import Guarded
-from app.panels.joints_model import SIGNS, JointsModel
-from app.panels.number_text import decimal_mark, rounded_text
+from app.panels.joints_model import JointsModel
+from app.panels.number_text import decimal_mark
 from app.panels.tool_buttons import action_button
 from app.theme import theme_of
 from app.view_model.analysis.joints import Certificate, JointRow, Kind
@@ -167,7 +168,7 @@ class JointsPanel(Guarded, QWidget):
         has_rows = bool(certificate.rows)
         # The worst of all joints; kinds are listed from smooth to broken.
         worst = max((row.kind for row in certificate.rows), key=list(Kind).index, default=Kind.SMOOTH)
-        sign = f"{SIGNS[worst]} " if has_rows else ""
+        sign = f"{worst.value} " if has_rows else ""
         self._summary.setText(sign + certificate.summary)
         for part, seen in ((self.view, has_rows), (self._detail, has_rows), (self._spare, not has_rows)):
             part.setVisible(seen)
@@ -191,10 +192,10 @@ class JointsPanel(Guarded, QWidget):
             self._detail.setText(_HOW)
             return
         row = self._model.rows[place]
-        t = rounded_text(row.t, decimal_mark(), 4)
+        t = number(row.t, 4, decimal_mark())
         # Only a closed curve has a joint at its first point.
         where = f"Joint {row.joint} at t = {t}" if row.joint else "Joint 0, where the curve closes"
-        self._detail.setText(f"{SIGNS[row.kind]} {where}: {row.smoothness}\n{row.words}")
+        self._detail.setText(f"{row.kind.value} {where}: {row.smoothness}\n{row.words}")
 
     def _render_theme(self) -> None:
         theme = theme_of(self.palette())

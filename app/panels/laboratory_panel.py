@@ -32,7 +32,6 @@ from app.view_model.analysis.laboratory_settings import (
     LEAST_DIGITS,
     MOST_DECIMALS,
     MOST_DIGITS,
-    ROUNDING_NAMES,
     USUAL_SHIFT,
     Calculation,
     LaboratorySettings,
@@ -105,7 +104,7 @@ class LaboratoryPanel(QTabWidget):
             "Every step, as on a pocket calculator; or once only the coefficients of each method, "
             "or the data, with exact arithmetic before and after"
         )
-        box.addItems([ROUNDING_NAMES[each] for each in Rounding])
+        box.addItems([each.label for each in Rounding])
         return box
 
     def _make_rounding(self) -> QComboBox:

@@ -8,22 +8,16 @@ from PySide6.QtCore import QEvent, Qt, Signal
 from PySide6.QtGui import QIcon, QPalette
 from PySide6.QtWidgets import QCheckBox, QGridLayout, QWidget
 
+from app.document.words import number
 from app.labels import Label
 from app.overrides import Guarded
 from app.plotting.pens import SIGN, sign_pixmap
 from app.theme import theme_of
 from app.view_model.analysis.laboratory import Trial
-from app.view_model.analysis.laboratory_settings import METHOD_NAMES, Calculation, Rounding
+from app.view_model.analysis.laboratory_settings import Calculation, Rounding
 from app.view_model.analysis.wording import short
 from app.view_model.looks import METHOD_LOOKS
 
-_TIPS = {
-    Calculation.MONOMIAL: "Solve the system for the coefficients of 1, t, t², …, then Horner's scheme",
-    Calculation.NEWTON: "Divided differences, then Newton's form",
-    Calculation.LAGRANGE: "The basis functions Lᵢ as products, times the points",
-    Calculation.BARYCENTRIC: "The second barycentric formula",
-    Calculation.BASIS: "The Hermite basis functions of the local parameter",
-}
 _HEADINGS = (
     ("Method", "Choose what is computed and drawn"),
     ("Digits\nlost", "How many of the digits are wrong where the curve is worst"),
@@ -72,10 +66,10 @@ class MethodTable(Guarded, QWidget):
         self._dress()
 
     def _add_row(self, row: int, method: Calculation) -> None:
-        box = QCheckBox(METHOD_NAMES[method])
+        box = QCheckBox(method.label)
         box.setObjectName(f"method_{method.value}")
-        box.setToolTip(_TIPS[method])
-        box.setAccessibleName(f"Compare {METHOD_NAMES[method]}")
+        box.setToolTip(method.tip)
+        box.setAccessibleName(f"Compare {method.label}")
         box.setIconSize(SIGN)
         box.clicked.connect(self._choose)
         self._boxes[method] = box
@@ -113,7 +107,7 @@ class MethodTable(Guarded, QWidget):
             texts = ("–",) * len(_CELLS)
             if trial is not None and outcome is not None:
                 error, t = outcome.worst
-                lost, place = f"{outcome.lost:.1f}", f"{t:.2g}".replace("-", "−")
+                lost, place = f"{outcome.lost:.1f}", number(t, 2)
                 texts = (lost, short(error), place, _condition(method, trial, lebesgue))
             for cell, text in zip(cells, texts, strict=True):
                 cell.setText(text)

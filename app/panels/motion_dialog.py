@@ -12,12 +12,10 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from app.exchange.animation import FASTEST, LARGEST_WIDTH, MOST_FRAMES, has_video
+from app.exchange.drawing.animation import FASTEST, FILMS, LARGEST_WIDTH, MOST_FRAMES
 from app.labels import Label
 from app.panels.fitting import FittedDialog
 from app.panels.told_spin import ToldDoubleSpinBox, ToldSpinBox
-
-FORMATS = {".gif": "GIF", ".apng": "APNG", ".mp4": "MP4"}
 
 
 class MotionDialog(FittedDialog):
@@ -26,17 +24,17 @@ class MotionDialog(FittedDialog):
     Signals
     -------
     accepted_as
-        A film is wanted in the format with this ending.
+        A film is wanted in this `FilmFormat`.
     """
 
-    accepted_as = Signal(str)
+    accepted_as = Signal(object)
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setObjectName("motionDialog")
         self.setWindowTitle("Export Motion")
         self.format_box = QComboBox()
-        self.format_box.addItems(list(FORMATS.values()))
+        self.format_box.addItems([each.title for each in FILMS])
         self.width_box = ToldSpinBox(
             "filmWidth", "Width", "Width of the picture; the height follows", (64, LARGEST_WIDTH)
         )
@@ -96,22 +94,20 @@ class MotionDialog(FittedDialog):
     def open_for(self, seconds: float) -> None:
         """Show the dialog, with the length that the motion has at its speed."""
         self.seconds_box.setValue(seconds)
-        self._enable_video()
+        self._enable_formats()
         self._count()
         self.show()
         self.raise_()
         self.activateWindow()
         self.format_box.setFocus()
 
-    def _enable_video(self) -> None:
-        place = list(FORMATS).index(".mp4")
-        available = has_video()
+    def _enable_formats(self) -> None:
         model = self.format_box.model()
         flags = Qt.ItemFlag.ItemIsEnabled | Qt.ItemFlag.ItemIsSelectable
-        # Qt's own model of a box has items, which is where an entry is switched off.
-        model.item(place).setFlags(flags if available else Qt.ItemFlag.NoItemFlags)  # type: ignore[attr-defined]
-        tip = "" if available else "MP4 is written by ffmpeg, which is not on the PATH"
-        self.format_box.setItemData(place, tip, Qt.ItemDataRole.ToolTipRole)
+        for place, missing in enumerate(each.missing() for each in FILMS):
+            # Qt's own model of a box has items, which is where an entry is switched off.
+            model.item(place).setFlags(Qt.ItemFlag.NoItemFlags if missing else flags)  # type: ignore[attr-defined]
+            self.format_box.setItemData(place, missing, Qt.ItemDataRole.ToolTipRole)
 
     def _count(self) -> None:
         frames = max(2, round(self.fps_box.value() * self.seconds_box.value()))
@@ -124,4 +120,4 @@ class MotionDialog(FittedDialog):
 
     def _accept(self) -> None:
         self.hide()
-        self.accepted_as.emit(list(FORMATS)[self.format_box.currentIndex()])
+        self.accepted_as.emit(FILMS[self.format_box.currentIndex()])

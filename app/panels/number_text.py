@@ -9,8 +9,7 @@ import numpy as np
 import numpy.typing as npt
 from PySide6.QtCore import QLocale
 
-NOTHING = "–"
-"""Stands where there is no number."""
+from app.document.words import NOTHING, polished
 
 NEGLIGIBLE = 1e-12
 """Share of the greatest number beside it below which a number is a rounding residue, shown as 0."""
@@ -33,11 +32,6 @@ def decimal_mark() -> str:
 def exact_text(value: float, mark: str = ".") -> str:
     """Return the shortest text that reads back as the same float; empty for NaN."""
     return "" if math.isnan(value) else repr(float(value)).replace(".", mark)
-
-
-def rounded_text(value: float, mark: str = ".", digits: int = 6) -> str:
-    """Return `value` with at most `digits` significant digits and a real minus sign."""
-    return _polished(f"{value:.{digits}g}", mark) if math.isfinite(value) else NOTHING
 
 
 class Extent(msgspec.Struct, frozen=True):
@@ -135,8 +129,8 @@ def column_text(value: float, decimals: int, digits: int, mark: str = ".", *, ne
     if abs(value) < negligible:
         fixed = f"{0:.{decimals}f}"
     elif (value != 0 and float(fixed) == 0) or abs(value) >= 10.0 ** max(digits, _WHOLE_DIGITS):
-        return _polished(f"{value:.{max(digits - 3, 1)}g}", mark)
-    return _polished(fixed, mark)
+        return polished(f"{value:.{max(digits - 3, 1)}g}", mark)
+    return polished(fixed, mark)
 
 
 def widest_texts(extent: Extent, digits: int) -> set[str]:
@@ -146,13 +140,3 @@ def widest_texts(extent: Extent, digits: int) -> set[str]:
     """
     decimals = most_decimals(extent.whole_digits, digits)
     return {column_text(number, decimals, digits) for number in extent.numbers}
-
-
-def _polished(text: str, mark: str) -> str:
-    """Write 1e-05 as 1e−5, with a real minus and the mark; no minus before a rounded zero."""
-    mantissa, _, exponent = text.partition("e")
-    if exponent:
-        text = f"{mantissa}e{int(exponent)}"
-    elif float(text) == 0:
-        text = text.removeprefix("-")
-    return text.replace(".", mark).replace("-", "−")

@@ -10,26 +10,10 @@ from app.labels import Label
 from app.panels.live_slider import LiveSlider
 from app.view_model.curve_view import CurveView
 
-KIND_NAMES = {
-    ParametrizationKind.UNIFORM: "Uniform",
-    ParametrizationKind.CHORD_LENGTH: "Chord length",
-    ParametrizationKind.CENTRIPETAL: "Centripetal",
-    ParametrizationKind.POWER: "Power α",
-    ParametrizationKind.CHEBYSHEV: "Chebyshev",
-    ParametrizationKind.MANUAL: "Manual",
-}
-
 STEPS = 100
 """Positions of the slider from α 0 to 1."""
 
 _SLIDER_WIDTH, _COMPACT_SLIDER_WIDTH = 96, 64
-
-ALPHAS = {
-    ParametrizationKind.UNIFORM: 0.0,
-    ParametrizationKind.CENTRIPETAL: 0.5,
-    ParametrizationKind.CHORD_LENGTH: 1.0,
-}
-"""Three of the rules are members of the power family; the slider shows where they stand."""
 
 
 class ParametrizationBar(QWidget):
@@ -58,7 +42,7 @@ class ParametrizationBar(QWidget):
         self.box.setObjectName("parametrizationBox")
         self.box.setAccessibleName("Parametrization")
         self.box.setToolTip("The rule that gives the parameters t")
-        self.box.addItems(list(KIND_NAMES.values()))
+        self.box.addItems([each.label for each in ParametrizationKind])
         self.box.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToContents)
         self._label = Label("Parameters")
         self.slider = self._make_slider()
@@ -99,11 +83,12 @@ class ParametrizationBar(QWidget):
         """Show the rule of `view`."""
         self._view = view
         rule = view.source.parametrization
-        self.box.setCurrentIndex(list(KIND_NAMES).index(rule.kind))
-        alpha = ALPHAS.get(rule.kind, rule.alpha)
+        self.box.setCurrentIndex(list(ParametrizationKind).index(rule.kind))
+        # Three of the rules are members of the power family; the slider shows where they stand.
+        alpha = rule.alpha if rule.kind.alpha is None else rule.kind.alpha
         if not self.slider.isSliderDown():
             self.slider.setValue(round(alpha * STEPS))
-        has_alpha = rule.kind in ALPHAS or rule.kind is ParametrizationKind.POWER
+        has_alpha = rule.kind.alpha is not None or rule.kind is ParametrizationKind.POWER
         self.slider.setEnabled(has_alpha)
         self._alpha.setEnabled(has_alpha)
         self._alpha.setText(f"α {alpha:.2f}")
@@ -114,7 +99,7 @@ class ParametrizationBar(QWidget):
             self.render_view(self._view)
 
     def _choose_kind(self, index: int) -> None:
-        self.kind_chosen.emit(list(KIND_NAMES)[index])
+        self.kind_chosen.emit(list(ParametrizationKind)[index])
         self._render_again()
 
     def _end_drag(self) -> None:

@@ -8,12 +8,13 @@ from PySide6.QtCore import QEvent, Qt, Signal
 from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QHBoxLayout, QSizePolicy, QToolButton, QVBoxLayout, QWidget
 
+from app.document.words import number
 from app.icons import icon
 from app.overrides import Guarded
 from app.panels.action_switch import mirror
 from app.panels.choice_style import choice_style
 from app.panels.elided_label import ElidedLabel
-from app.panels.number_text import decimal_mark, rounded_text
+from app.panels.number_text import decimal_mark
 from app.panels.plot_canvas import PlotCanvas
 from app.panels.tool_buttons import tool_button
 from app.theme import theme_of
@@ -77,8 +78,8 @@ class PlotPane(Guarded, QWidget):
             text = "T shows the values at a scrub line"
         else:
             mark = decimal_mark()
-            known = [f"{name} {rounded_text(value, mark, 4)}" for name, value in values.items()]
-            text = "   ".join([f"t {rounded_text(t, mark, 4)}", *known])
+            known = [f"{name} {number(value, 4, mark)}" for name, value in values.items()]
+            text = "   ".join([f"t {number(t, 4, mark)}", *known])
         if text != self._values.text():
             self._values.setText(text)
 

@@ -26,14 +26,7 @@ from app.settings.preferences import LONGEST_UNIT, Preferences
 from app.theme import ThemeMode, theme_of
 from app.tools.snapping import SnapKind
 
-THEMES = {ThemeMode.SYSTEM: "As the system", ThemeMode.LIGHT: "Light", ThemeMode.DARK: "Dark"}
 UNITS = ("none", "mm", "cm", "m", "in", "px", "s")
-SNAPS = {
-    SnapKind.GRID: "The grid",
-    SnapKind.POINTS: "Other points",
-    SnapKind.CURVES: "Other curves",
-    SnapKind.LEVEL: "Level or plumb with the neighbours",
-}
 _ADAPTIVE = "adaptive"
 
 
@@ -56,7 +49,9 @@ class PreferencesDialog(FittedDialog):
         self.setObjectName("preferencesDialog")
         self.setWindowTitle("Preferences")
         self._preferences = preferences
-        self.theme_box = _box("themeBox", "Theme", "Light or dark colours", list(THEMES.values()))
+        self.theme_box = _box(
+            "themeBox", "Theme", "Light or dark colours", [each.label for each in ThemeMode]
+        )
         self.unit_box = _box("unitBox", "Unit", "What a length of one is called; type any name", list(UNITS))
         self._unit_edit = QLineEdit()
         self._unit_edit.setMaxLength(LONGEST_UNIT)
@@ -68,7 +63,7 @@ class PreferencesDialog(FittedDialog):
             "“adaptive”, or a distance in the plane (Enter to set)",
             _spacing_of,
         )
-        self.snap_checks = {kind: _check(kind, text) for kind, text in SNAPS.items()}
+        self.snap_checks = {kind: _check(kind, kind.label) for kind in SnapKind}
         self._problem = Label()
         self._problem.setObjectName("preferencesProblem")
         self._problem.setWordWrap(True)
@@ -110,7 +105,7 @@ class PreferencesDialog(FittedDialog):
         return page
 
     def _connect(self) -> None:
-        self.theme_box.activated.connect(lambda row: self.theme_chosen.emit(list(THEMES)[row]))
+        self.theme_box.activated.connect(lambda row: self.theme_chosen.emit(list(ThemeMode)[row]))
         self.unit_box.textActivated.connect(self._choose_unit)
         self._unit_edit.editingFinished.connect(lambda: self._choose_unit(self._unit_edit.text()))
         self.grid_edit.entered.connect(self._choose_grid)
@@ -124,7 +119,7 @@ class PreferencesDialog(FittedDialog):
     def show_values(self) -> None:
         """Show what the preferences hold."""
         preferences = self._preferences
-        self.theme_box.setCurrentIndex(list(THEMES).index(preferences.theme_mode))
+        self.theme_box.setCurrentIndex(list(ThemeMode).index(preferences.theme_mode))
         self.unit_box.setCurrentText(preferences.unit_name or UNITS[0])
         spacing = preferences.grid_spacing
         mark = decimal_mark()

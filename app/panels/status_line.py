@@ -8,6 +8,7 @@ from PySide6.QtCore import Qt, QTimer
 from PySide6.QtWidgets import QSizePolicy, QStatusBar, QWidget
 
 from app.document.model import Vector
+from app.document.words import number
 from app.panels.elided_label import ElidedLabel, SteadyLabel
 from app.theme import theme_of
 
@@ -159,7 +160,7 @@ class StatusLine(QStatusBar):
             return ""
         x, y = self._place_now
         unit = f" {self.unit}" if self.unit else ""
-        return f"x {x:.4g}{unit}   y {y:.4g}{unit}".replace("-", "−")
+        return f"x {number(x)}{unit}   y {number(y)}{unit}"
 
     def show_t(self, t: float | None) -> None:
         """Show the t under the pointer; None when the pointer is elsewhere."""
@@ -173,7 +174,7 @@ class StatusLine(QStatusBar):
 
     def _t_text(self) -> str:
         t = self._t_scrub if self._t_here is None else self._t_here
-        return "" if t is None else f"t {t:.4g}".replace("-", "−")
+        return "" if t is None else f"t {number(t)}"
 
     def show_lebesgue(self, constant: float) -> None:
         """Show the Lebesgue constant of the points; NaN without a curve."""
@@ -190,4 +191,4 @@ class StatusLine(QStatusBar):
             return "Λ …"
         if math.isnan(self._growth):
             return ""
-        return f"Λ {self._growth:.3g}".replace("inf", "∞")
+        return f"Λ {'∞' if math.isinf(self._growth) else number(self._growth, 3)}"

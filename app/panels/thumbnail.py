@@ -7,7 +7,8 @@ from PySide6.QtCore import QPointF, QRectF, Qt
 from PySide6.QtGui import QColor, QImage, QPainter, QPainterPath, QPen
 
 from app.document.model import Curve, Document
-from app.exchange.drawing import Drawing, ExchangeError, drawing_of
+from app.exchange.drawing.drawing import Drawing, drawing_of
+from app.exchange.errors import ExchangeError
 from app.theme import Theme
 
 _LINE, _POINT = 1.5, 2.0

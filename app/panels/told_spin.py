@@ -8,6 +8,7 @@ from __future__ import annotations
 from PySide6.QtCore import QLocale
 from PySide6.QtWidgets import QAbstractSpinBox, QDoubleSpinBox, QSpinBox
 
+from app.document.words import number
 from app.overrides import Guarded
 
 _FAR = 999_999_999
@@ -23,7 +24,7 @@ def _problem_of(box: ToldSpinBox | ToldDoubleSpinBox) -> str:
     """Why the number that stands here is not possible; empty where it is."""
     if box.least <= box.value() <= box.most:
         return ""
-    return f"{box.accessibleName()}: from {box.least:g} to {box.most:g}."
+    return f"{box.accessibleName()}: from {number(box.least, 6)} to {number(box.most, 6)}."
 
 
 def _dress(box: ToldSpinBox | ToldDoubleSpinBox, name: str, label: str, tip: str) -> None:

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 import numpy.typing as npt
 
-from app.panels.number_text import rounded_text
+from app.document.words import number, with_minus
 from app.view_model.analysis.plot_lines import PlotData, Scale
 
 Floats = npt.NDArray[np.float64]
@@ -98,10 +98,10 @@ class ValueScale:
         smaller = (step for step in reversed(steps) if step <= unit and max(self.high, -self.low) >= step)
         unit = next(smaller, unit)
         first, last = math.ceil(self.low / unit - 1e-9), math.floor(self.high / unit + 1e-9)
-        return [(count * unit, rounded_text(count * unit, digits=4)) for count in range(first, last + 1)]
+        return [(count * unit, number(count * unit)) for count in range(first, last + 1)]
 
 
 def _power_text(factor: int, power: int) -> str:
     if _PLAIN[0] <= power <= _PLAIN[1]:
-        return rounded_text(factor * 10.0**power, digits=4)
-    return f"{factor}e{power}".replace("-", "−")
+        return number(factor * 10.0**power)
+    return with_minus(f"{factor}e{power}")

@@ -8,6 +8,7 @@ from PySide6.QtCore import QEvent, Qt, Signal
 from PySide6.QtGui import QEnterEvent, QFocusEvent, QKeyEvent, QPalette
 from PySide6.QtWidgets import QFrame, QGridLayout, QPushButton, QScrollArea, QVBoxLayout, QWidget
 
+from app.document.words import number
 from app.labels import Label
 from app.overrides import Guarded
 from app.panels.weight_bars import WeightBars
@@ -148,7 +149,7 @@ class WigglePanel(QScrollArea):
             self.words.setText(problem or _NOWHERE)
             return
         self.words.setText(" ".join(explanation.sentences))
-        at = f"{explanation.t:.4g}".replace("-", "−")
+        at = number(explanation.t)
         self.title.setText(f"Weights at t = {at}, together Λ(t) = {short(explanation.lebesgue)}")
         self.bars.render_pulls(explanation.pulls, count)
 

@@ -8,6 +8,7 @@ import pyqtgraph as pg
 from PySide6.QtGui import QColor, QFont
 from PySide6.QtWidgets import QGraphicsGridLayout, QGraphicsWidget
 
+from app.document.words import with_minus
 from app.theme import Theme
 
 _WIDTH = 46
@@ -20,7 +21,7 @@ class _Axis(pg.AxisItem):  # type: ignore[misc]  # pyqtgraph has no types
         return ""
 
     def tickStrings(self, values: Sequence[float], scale: float, spacing: float) -> list[str]:  # noqa: N802
-        return [text.replace("-", "−") for text in super().tickStrings(values, scale, spacing)]
+        return [with_minus(text) for text in super().tickStrings(values, scale, spacing)]
 
 
 class Axes:

@@ -13,5 +13,5 @@
 - ``curve_picker``: other curves, selected and dragged.  ``marquee``: points in a rubber band.
 - ``snapping``: what a point snaps to.  ``snappers``: which of it for which gesture.
 - ``marks``: what a gesture shows over the drawing.
-- ``hints``: what a press would do, in words.  ``words``: numbers for people.
+- ``hints``: what a press would do, in words.
 """

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import msgspec
 
+from app.document import words
 from app.document.model import Document, Vector
-from app.tools import words
 from app.tools.pointer import Hit, Pointer
 from app.view_model.bend import Bend, BendWith
 from app.view_model.curve_view import CurveView

@@ -61,7 +61,7 @@ class EditingHost(Protocol):
         """Make it a step of the history; true where it is one. Quick steps of the same run are one."""
 
     def cancel(self) -> None:
-        """Drop the preview."""
+        """Drop the preview, and select what was selected before it."""
 
     def select(self, indices: Collection[int]) -> None:
         """Select nodes."""
@@ -121,7 +121,6 @@ class _Press(msgspec.Struct):
     on_done: Callable[[], None] | None = None
     active: int | None = None
     makes: int | None = None
-    selection: frozenset[int] | None = None
 
 
 class DragMachine:
@@ -155,18 +154,10 @@ class DragMachine:
         """Begin a drag that shows its effect at the press (a new point) and commits without any move.
 
         `on_done` is called after the commit; `active` is the curve to edit from the press on, where the drag
-        makes another one. The node that it `makes` is selected as soon as it is there. What is selected now
-        is selected again when the drag is cancelled, or refused.
+        makes another one. The node that it `makes` is selected as soon as it is there.
         """
         self._press = _Press(
-            pointer.pixel,
-            drag,
-            None,
-            moving=True,
-            on_done=on_done,
-            active=active,
-            makes=makes,
-            selection=self._host.selection,
+            pointer.pixel, drag, None, moving=True, on_done=on_done, active=active, makes=makes
         )
         self._step(pointer)
 
@@ -240,10 +231,8 @@ class DragMachine:
         if press is None:
             return
         if press.moving and press.drag is not None and press.last is not None:
-            if not self._host.commit(press.last, press.drag.name, active=press.active):
-                if press.selection is not None:
-                    self._host.select(press.selection)
-            elif press.on_done is not None:
+            is_done = self._host.commit(press.last, press.drag.name, active=press.active)
+            if is_done and press.on_done is not None:
                 press.on_done()
         elif not press.moving and press.on_click is not None:
             press.on_click()
@@ -255,8 +244,6 @@ class DragMachine:
         if press is None:
             return False
         self._host.cancel()
-        if press.selection is not None:
-            self._host.select(press.selection)
         if press.moving:
             self._host.say(CANCELLED)
         return True

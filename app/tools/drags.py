@@ -6,11 +6,10 @@ import math
 
 import msgspec
 
-from app.document import edits
+from app.document import edits, words
 from app.document.model import Document, Vector
 from app.document.several_curves import NodeGroup, moved
 from app.document.transforms import decimal_product, step_nodes
-from app.tools import words
 from app.tools.pointer import Hit, Part, Pointer
 from app.tools.snapping import Snapper
 from app.view_model.curve_view import CurveView

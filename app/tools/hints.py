@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
+from app.document import words
 from app.document.several_curves import NodeGroup
-from app.tools import words
 from app.tools.bend_drag import bend_keys
 from app.tools.closing import can_end_at
 from app.tools.drags import what_handle_sets

@@ -7,8 +7,8 @@ from collections.abc import Callable
 
 import numpy as np
 
+from app.document import words
 from app.document.model import Vector
-from app.tools import words
 from app.tools.drag_machine import CANCELLED, THRESHOLD
 from app.tools.tool import ToolContext
 from app.view_model.curve_view import CurveView

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import math
 
+from app.document import words
 from app.document.model import Vector
-from app.tools import words
 from app.tools.drags import in_steps
 from app.tools.marks import GestureMarks, Ruler
 from app.tools.pointer import Hint, Pointer

@@ -9,10 +9,9 @@ from functools import cached_property
 import msgspec
 from msgspec.structs import replace
 
-from app.document import edits
+from app.document import edits, words
 from app.document.curve_edits import replace_curve
 from app.document.model import Document, Vector
-from app.tools import words
 from app.tools.drags import in_steps, snapped
 from app.tools.pointer import Hit, Part, Pointer
 from app.tools.snapping import Snapper

@@ -6,9 +6,9 @@ from collections.abc import Sequence
 
 import msgspec
 
+from app.document import words
 from app.document.model import Document
 from app.document.parameter_edits import set_parameters
-from app.tools import words
 from app.tools.pointer import Pointer
 
 _LEAST_GAP = 1e-3

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from msgspec.structs import replace
 
-from app.tools import hints, words
+from app.document import words
+from app.tools import hints
 from app.tools.bend_drag import BendCurve
 from app.tools.curve_picker import CurvePicker
 from app.tools.marks import GestureMarks

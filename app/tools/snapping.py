@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Callable, Collection, Sequence
 from decimal import Decimal
-from enum import StrEnum
 
 import msgspec
 import numpy as np
 
 from app.document.model import Vector
+from app.document.words import Named
 from app.tools.pointer import Pointer
 from app.view_model.curve_view import CurveView, Floats, Integers
 from app.view_model.nearest import NearestPoint
@@ -18,13 +18,13 @@ REACH = 8.0
 """Pixels within which something snaps."""
 
 
-class SnapKind(StrEnum):
+class SnapKind(Named):
     """Kind of thing to snap to."""
 
-    GRID = "grid"
-    POINTS = "points"
-    CURVES = "curves"
-    LEVEL = "level"
+    GRID = "grid", "The grid"
+    POINTS = "points", "Other points"
+    CURVES = "curves", "Other curves"
+    LEVEL = "level", "Level or plumb with the neighbours"
 
 
 class Snapping(msgspec.Struct, frozen=True):

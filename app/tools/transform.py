@@ -8,10 +8,10 @@ from enum import Enum
 import msgspec
 from msgspec.structs import replace
 
+from app.document import words
 from app.document.model import Document, Vector
 from app.document.several_curves import NodeGroup, mapped, moved
 from app.document.transforms import rotation, scaling
-from app.tools import words
 from app.tools.drags import MovePoints
 from app.tools.pointer import Pointer
 from app.tools.snapping import Snapper

@@ -8,10 +8,10 @@ from collections.abc import Sequence
 import msgspec
 import numpy as np
 
+from app.document import words
 from app.document.model import Document, Vector
 from app.document.several_curves import NodeGroup, mapped
 from app.document.transforms import scaling, with_coordinates
-from app.tools import words
 from app.tools.pointer import Cursor, Pointer
 from app.tools.snapping import Snapper
 from app.view_model.curve_view import CurveView

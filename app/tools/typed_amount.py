@@ -8,6 +8,7 @@ import msgspec
 from msgspec.structs import replace
 
 from app.document.model import Vector
+from app.document.words import with_minus
 
 _AXES = "xy"
 
@@ -103,4 +104,4 @@ def _number(text: str, default: float) -> float:
 
 
 def _shown(text: str) -> str:
-    return text.replace("-", "−")
+    return with_minus(text)

@@ -15,6 +15,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from app.document.model import Curve
+from app.document.words import number
 from app.view_model.curve_view import CurveView, Floats
 from app.view_model.growth import growth_of_points
 from curvecore import CurveError, chord_length, joint_report
@@ -121,7 +122,7 @@ def _measured(goal: Goal, view: CurveView) -> tuple[bool, str]:
     if goal.measure in _WORDS:
         return _WORDS[goal.measure][1](view) == goal.value, ""
     value = MEASURES[goal.measure][1](view)
-    now = f"{value:.4g}" if np.isfinite(value) else "∞"
+    now = number(value) if np.isfinite(value) else "∞"
     return _COMPARISONS[goal.comparison][0](value, _number(goal)), f"; now {now}"
 
 

@@ -16,6 +16,7 @@ from app.document.edits import (
     stretched,
 )
 from app.document.model import Curve, Document, Node, Parametrization, ParametrizationKind, make_curve
+from app.document.words import number
 from app.view_model.appending import with_nodes_appended
 from app.view_model.curve_view import CurveView, appended_parameter, view_of
 
@@ -86,7 +87,8 @@ def appended_with_parameters(view: CurveView, pasted: Sequence[Node], first_row:
     last = parameters[count - 1] if count else None
     if last is not None and not first > last:
         raise EditError(
-            f"Row {first_row}: t must be greater than {last:g}, the t of the last point, not {first:g}."
+            f"Row {first_row}: t must be greater than {number(last, 6)}, the t of the last point, "
+            f"not {number(first, 6)}."
         )
     document = insert_nodes(Document((view.source,)), 0, count, pasted)
     own = [*parameters[:count], *(node.t or 0.0 for node in pasted)]
@@ -98,8 +100,8 @@ def refuse_unordered(pasted: Sequence[Node], first_row: int) -> None:
     for row, (before, node) in enumerate(pairwise(pasted), start=first_row + 1):
         if not (node.t or 0.0) > (before.t or 0.0):
             raise EditError(
-                f"Row {row}: t must be greater than {before.t or 0.0:g}, the t of the row before it, "
-                f"not {node.t or 0.0:g}."
+                f"Row {row}: t must be greater than {number(before.t or 0.0, 6)}, "
+                f"the t of the row before it, not {number(node.t or 0.0, 6)}."
             )
 
 

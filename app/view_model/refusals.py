@@ -8,6 +8,7 @@ from __future__ import annotations
 import re
 
 from app.document.model import Curve
+from app.document.words import with_minus
 from curvecore import CurveError
 
 _SUBSCRIPTS = str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉")
@@ -70,4 +71,4 @@ def _number(text: str) -> str:
     """Return a number as it is shown and typed: every digit it has, no point without digits, a true minus."""
     value = float(text)
     shown = f"{value:.0f}" if value == round(value) and abs(value) < 1e15 else f"{value!r}"
-    return shown.replace("-", "−")
+    return with_minus(shown)

@@ -15,6 +15,7 @@ from app.document.curve_edits import reverse_curve
 from app.document.edits import EditError, freeze_parameters, stretched
 from app.document.jet_edits import JetValue, with_jet_values
 from app.document.model import Curve, Document, Node, Vector
+from app.document.words import number
 from app.view_model.curve_view import CurveView, Floats, Integers, view_of
 from app.view_model.jets import Sides
 from app.view_model.measure import dense, is_kept, largest_distance
@@ -43,7 +44,7 @@ class Reshaped(msgspec.Struct, frozen=True):
     @property
     def sentence(self) -> str:
         """What became of the shape."""
-        change = f"largest change {self.residual:.2g}"
+        change = f"largest change {number(self.residual, 2)}"
         if self.parameters_moved:
             return f"The parameters moved: {change}."
         if not is_kept(self.residual, (self.curve,)):
@@ -118,7 +119,7 @@ def with_point_inserted(view: CurveView, t: float) -> Reshaped:
 def _place_between(view: CurveView, t: float) -> int:
     knots = view.parameters
     if not knots[0] < t < knots[-1]:
-        raise EditError(f"There is no place for a point at t = {t:.6g}: it lies outside the curve.")
+        raise EditError(f"There is no place for a point at t = {number(t, 6)}: it lies outside the curve.")
     nearest = int(np.argmin(np.abs(knots - t)))
     if abs(knots[nearest] - t) <= 1e-9 * (knots[-1] - knots[0]):
         raise EditError(f"Point {view.owner(nearest)} is there already.")

@@ -11,6 +11,7 @@ from msgspec.structs import replace
 
 from app.document.edits import EditError
 from app.document.model import Curve, Node, ParametrizationKind, Vector
+from app.document.words import number
 from app.families import HERMITE, titles_with_derivatives
 from app.view_model.curve_view import CurveView, view_of
 from app.view_model.measure import dense, is_kept, largest_distance
@@ -41,7 +42,7 @@ class Split(msgspec.Struct, frozen=True):
     @property
     def sentence(self) -> str:
         """What became of the shape."""
-        change = f"largest change {self.residual:.2g}"
+        change = f"largest change {number(self.residual, 2)}"
         return (
             f"shape kept, {change}."
             if is_kept(self.residual, self.curves)
@@ -69,7 +70,7 @@ def split(view: CurveView, t: float) -> Split:
     if not family.is_one_polynomial and not is_kept(made.residual, parts):
         raise EditError(
             f"{family.subject} cannot be split: its parts would be other curves, up to "
-            f"{made.residual:.2g} away. Choose {titles_with_derivatives()} first."
+            f"{number(made.residual, 2)} away. Choose {titles_with_derivatives()} first."
         )
     return made
 
@@ -194,7 +195,7 @@ def joined(first: CurveView, second: CurveView) -> Reshaped:
     if not is_kept(residual, (first.source, second.source)):
         raise EditError(
             f"Two {a.family.title} curves cannot be joined: they would become another curve, up to "
-            f"{residual:.2g} away. Choose {titles_with_derivatives()} for both."
+            f"{number(residual, 2)} away. Choose {titles_with_derivatives()} for both."
         )
     return Reshaped(curve, residual)
 

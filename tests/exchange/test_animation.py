@@ -12,9 +12,9 @@ from PIL import Image, ImageSequence
 
 from app.document.model import Document, make_curve
 from app.examples import first_sketch
-from app.exchange import ExchangeError
-from app.exchange.animation import Film, has_video, write_film
-from app.exchange.svg import DARK
+from app.exchange.drawing.animation import FILMS, Film, write_film
+from app.exchange.drawing.styles import DARK
+from app.exchange.errors import ExchangeError
 from app.families import FAMILIES
 from app.storage.files import StorageError
 from app.tasks.progress import FINAL, Cancelled
@@ -24,6 +24,7 @@ from app.view_model.palette import ACCENT, PAPER, colour_on
 # Frames are painted with the application of the window where there is one; without, see tests/test_cli.py.
 pytestmark = pytest.mark.usefixtures("qapp")
 
+VIDEO = next(each for each in FILMS if each.ending == ".mp4")
 SMALL = {"width": 80, "fps": 10, "seconds": 1.2}
 
 
@@ -236,12 +237,12 @@ def test_stopping_ends_an_ffmpeg_that_does_nothing(tmp_path, ffmpeg, width):
 
 def test_without_ffmpeg_it_is_said(tmp_path, monkeypatch):
     monkeypatch.setenv("PATH", str(tmp_path))
-    assert not has_video()
+    assert VIDEO.missing()
     with pytest.raises(ExchangeError, match="not on the PATH"):
         write_film(first_sketch(), tmp_path / "film.mp4", Film(**SMALL))
 
 
-@pytest.mark.skipif(not has_video(), reason="ffmpeg is not on the PATH")
+@pytest.mark.skipif(bool(VIDEO.missing()), reason="ffmpeg is not on the PATH")
 def test_the_real_ffmpeg_makes_a_film(tmp_path):
     write_film(first_sketch(), tmp_path / "film.mp4", Film(**SMALL))
     assert (tmp_path / "film.mp4").read_bytes()[4:8] == b"ftyp"

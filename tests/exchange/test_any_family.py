@@ -11,9 +11,12 @@ import pytest
 from PIL import Image
 
 from app.document.model import Document, ParametrizationKind
-from app.exchange import ENDINGS, Options, export_with, import_file
-from app.exchange.animation import Film, write_film
+from app.exchange import ENDINGS
+from app.exchange.drawing.animation import Film, write_film
 from app.exchange.facts import facts_of
+from app.exchange.options import Options
+from app.exchange.reading import import_file
+from app.exchange.writing import export
 from app.families import FAMILIES
 from app.storage.files import load
 from app.view_model.curve_view import view_of
@@ -36,7 +39,7 @@ def document(request):
 def written(document, tmp_path):
     def write(ending, **options):
         path = tmp_path / f"curve{ending}"
-        done = export_with(document, path, Options(tolerance=TOLERANCE, **options))
+        done = export(document, path, Options(tolerance=TOLERANCE, **options))
         return path, done
 
     return write
@@ -210,7 +213,7 @@ def test_other_rules_are_written_too(kind, tmp_path):
     for name in OWN:
         document = Document((curve_of(name, kind),))
         path = tmp_path / "curve.py"
-        done = export_with(document, path, Options(tolerance=TOLERANCE))
+        done = export(document, path, Options(tolerance=TOLERANCE))
         namespace = {}
         exec(compile(path.read_text(), str(path), "exec"), namespace)
         (function,) = (value for key, value in namespace.items() if key.startswith("a_"))

@@ -11,8 +11,8 @@ from app.document.model import (
     ParametrizationKind,
     make_curve,
 )
-from app.exchange import ExchangeError
-from app.exchange.code import names_of, python_code, scipy_code
+from app.exchange.errors import ExchangeError
+from app.exchange.formats.code import names_of, python_code, scipy_code
 from app.exchange.parts import samples_of, sources_of
 from app.families import LAGRANGE
 from app.view_model.curve_view import view_of

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from app.exchange.drawing import drawing_of, extent_of
+from app.exchange.drawing.drawing import drawing_of, extent_of
 
 
 def cubic(pieces, s):

@@ -7,8 +7,9 @@ import numpy as np
 import pytest
 
 from app.document.model import Document, make_curve
-from app.exchange import ExchangeError
-from app.exchange.dxf import dxf_text, read_dxf
+from app.exchange.dxf_reader import read_dxf
+from app.exchange.errors import ExchangeError
+from app.exchange.formats.dxf import dxf_text
 from app.families import HERMITE
 from app.view_model.curve_view import view_of
 from curvecore import bezier_segments

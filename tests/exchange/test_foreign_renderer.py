@@ -7,7 +7,9 @@ import numpy as np
 import pytest
 from PySide6.QtGui import QImage
 
-from app.exchange import LIGHT, export
+from app.exchange.drawing.styles import LIGHT
+from app.exchange.options import Options
+from app.exchange.writing import export
 
 WIDTH = 500
 
@@ -33,8 +35,8 @@ def widened(mask):
 
 def test_librsvg_draws_the_same_within_one_pixel(kind, tmp_path):
     ours, svg, theirs = (tmp_path / name for name in ("ours.png", "a.svg", "theirs.png"))
-    export(kind, ours, width=WIDTH, style=LIGHT, points=True)
-    export(kind, svg, width=WIDTH, style=LIGHT, points=True)
+    export(kind, ours, Options(width=WIDTH, style=LIGHT, points=True))
+    export(kind, svg, Options(width=WIDTH, style=LIGHT, points=True))
     subprocess.run(
         ["rsvg-convert", "--width", str(WIDTH), "-o", str(theirs), str(svg)], check=True, timeout=60
     )

@@ -11,9 +11,9 @@ import numpy as np
 import pytest
 
 from app.document.model import Document, make_curve
-from app.exchange import ExchangeError
-from app.exchange.formulas import coefficients_json, desmos_expressions, svg_path_data
-from app.exchange.latex import PICTURE_SIDE, latex_formula, pgfplots_axis, tikz_picture
+from app.exchange.errors import ExchangeError
+from app.exchange.formats.formulas import coefficients_json, desmos_expressions, svg_path_data
+from app.exchange.formats.latex import PICTURE_SIDE, latex_formula, pgfplots_axis, tikz_picture
 from app.exchange.parts import beziers_of, cubics_of, sources_of
 from app.view_model.curve_view import view_of
 

@@ -11,16 +11,18 @@ from hypothesis import HealthCheck, example, given, settings
 from hypothesis import strategies as st
 
 from app.document.model import Document, make_curve
-from app.exchange import ExchangeError, svg_of
-from app.exchange.dxf import dxf_text, read_dxf
-from app.exchange.points_table import points_table
-from app.exchange.sampled import sampled_table
-from app.exchange.svg_in import read_svg
-from app.exchange.svg_path import read_path_data
-from app.exchange.table_array import read_array
-from app.exchange.table_curve import document_of_table
-from app.exchange.table_file import preview_table, read_table
-from app.exchange.table_json import read_json
+from app.exchange.dxf_reader import read_dxf
+from app.exchange.errors import ExchangeError
+from app.exchange.formats.dxf import dxf_text
+from app.exchange.formats.points import points_table
+from app.exchange.formats.samples import sampled_table
+from app.exchange.svg.path_data import read_path_data
+from app.exchange.svg.reader import read_svg
+from app.exchange.svg.writer import svg_of
+from app.exchange.table.curves import document_of_table
+from app.exchange.table.json_table import read_json
+from app.exchange.table.numpy_array import read_array
+from app.exchange.table.text import preview_table, read_table
 from app.families import HERMITE, QUINTIC_HERMITE
 from app.storage.format import FormatError, decode, encode, validate
 

@@ -17,8 +17,9 @@ from pathlib import Path
 import pytest
 
 from app.document.expression import ExpressionError, parse_number
-from app.exchange import ExchangeError, import_file
-from app.exchange.table_text import TableTextError, read_titled_block
+from app.exchange.errors import ExchangeError
+from app.exchange.reading import import_file
+from app.exchange.table.clipboard import TableTextError, read_titled_block
 from app.storage.files import StorageError
 
 ROOT = Path(__file__).parents[2]
@@ -38,7 +39,6 @@ from pathlib import Path
 
 from app.cli import main
 from app.exchange import child
-from app.exchange.child import reader_of
 
 script, folder = sys.argv[1:]
 spec = importlib.util.spec_from_file_location("make_hostile", script)
@@ -58,7 +58,7 @@ def spent():
 limited = child.limited
 
 def at_once(reader, data, tolerance, report):
-    return reader_of(reader)(data, tolerance)
+    return reader(data, tolerance)
 
 for name, make in hostile.CASES.items():
     path, data = Path(folder, name), make()

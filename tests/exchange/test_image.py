@@ -7,9 +7,13 @@ import pytest
 from PySide6.QtGui import QColor, QImage
 
 from app.document.model import Document, make_curve
-from app.exchange import DARK, INK, ExchangeError, export
-from app.exchange.drawing import drawing_of
-from app.exchange.svg import POINT_RADIUS, STROKE
+from app.exchange.drawing.drawing import drawing_of
+from app.exchange.drawing.styles import DARK, INK
+from app.exchange.errors import ExchangeError
+from app.exchange.formats import FORMATS, endings_of
+from app.exchange.options import Options
+from app.exchange.svg.writer import POINT_RADIUS, STROKE
+from app.exchange.writing import export
 from app.families import HERMITE
 from app.storage import files
 from app.storage.files import StorageError
@@ -39,7 +43,7 @@ def coverage(picture, style):
 
 def test_ink_is_where_the_curve_is_and_nowhere_else(example, tmp_path):
     path = tmp_path / "a.png"
-    export(example, path, width=600, style=DARK)
+    export(example, path, Options(width=600, style=DARK))
     picture = pixels(path)
     drawing, curve = drawing_of(example), view_of(example.curves[0]).curve
     frame = drawing.frame
@@ -63,7 +67,7 @@ def test_points_are_discs(tmp_path):
     document = Document((make_curve([(0, 0), (1, 1), (2, 0)], family=HERMITE),))
     inks = []
     for points in (False, True):
-        export(document, tmp_path / "a.png", width=800, style=DARK, points=points)
+        export(document, tmp_path / "a.png", Options(width=800, style=DARK, points=points))
         inks.append(coverage(pixels(tmp_path / "a.png"), DARK).sum())
     disc = np.pi * (POINT_RADIUS * 800) ** 2
     # The line that a disc lies on was ink before.
@@ -71,7 +75,7 @@ def test_points_are_discs(tmp_path):
 
 
 def test_without_paper_a_png_is_transparent(sketch, tmp_path):
-    export(sketch, tmp_path / "a.png", width=100, style=INK)
+    export(sketch, tmp_path / "a.png", Options(width=100, style=INK))
     picture = pixels(tmp_path / "a.png")
     assert picture[0, 0, 3] == 0
     assert picture[:, :, 3].max() > 100
@@ -83,14 +87,14 @@ def test_size_and_place_do_not_matter(offset, scale, tmp_path):
     points = np.array([(0, 0), (1, 2), (3, 1), (4, 4)], dtype=float)
     pictures = []
     for some in (points, (points + offset) * scale):
-        export(Document((make_curve(some.tolist()),)), tmp_path / "a.png", width=200)
+        export(Document((make_curve(some.tolist()),)), tmp_path / "a.png", Options(width=200))
         pictures.append(pixels(tmp_path / "a.png"))
     # Rounding to a millionth of a millionth may move an edge by one grey level.
     assert np.abs(pictures[0] - pictures[1]).max() <= 2
 
 
 def test_a_png_says_how_accurate_it_is(sketch, tmp_path):
-    export(sketch, tmp_path / "a.png", width=50)
+    export(sketch, tmp_path / "a.png", Options(width=50))
     assert QImage(str(tmp_path / "a.png")).text("Description").startswith("Largest deviation")
 
 
@@ -98,7 +102,11 @@ def test_a_path_of_very_many_pieces_is_drawn_to_its_end(tmp_path):
     # Qt cuts off what it does not trust: a warning, which fails tests, and half a curve.
     x = np.linspace(0, 1, 20_000)
     points = np.stack([x, 0.3 * np.sin(6 * x)], axis=1).tolist()
-    export(Document((make_curve(points, family=HERMITE),)), tmp_path / "a.png", width=200, style=DARK)
+    export(
+        Document((make_curve(points, family=HERMITE),)),
+        tmp_path / "a.png",
+        Options(width=200, style=DARK),
+    )
     ink = coverage(pixels(tmp_path / "a.png"), DARK)
     assert (ink[:, 20:180].max(axis=0) > 0.1).all()
 
@@ -106,7 +114,7 @@ def test_a_path_of_very_many_pieces_is_drawn_to_its_end(tmp_path):
 def test_a_pdf_has_one_page_of_the_right_shape_and_no_picture_in_it(example, tmp_path):
     for width in (None, 300):
         path = tmp_path / "a.PDF"
-        export(example, path, width=width)
+        export(example, path, Options(width=width))
         data = path.read_bytes()
         assert data.startswith(b"%PDF-")
         (box,) = re.findall(rb"/MediaBox \[(.*?)\]", data)
@@ -139,12 +147,12 @@ def test_a_failed_export_leaves_the_old_file(name, sketch, nothing, tmp_path, mo
 @pytest.mark.parametrize("width", [0, -3])
 def test_a_picture_has_a_width(width, sketch, tmp_path):
     with pytest.raises(ExchangeError, match="The width must be at least 1"):
-        export(sketch, tmp_path / "a.svg", width=width)
+        export(sketch, tmp_path / "a.svg", Options(width=width))
 
 
 def test_a_picture_beyond_all_screens_is_refused(sketch, tmp_path):
     with pytest.raises(ExchangeError, match=r"A picture of 100000 × \d+ pixels is not possible"):
-        export(sketch, tmp_path / "a.png", width=100_000)
+        export(sketch, tmp_path / "a.png", Options(width=100_000))
     assert list(tmp_path.iterdir()) == []
 
 
@@ -154,4 +162,5 @@ def test_unknown_formats_are_named_with_the_known_ones(name, sketch, tmp_path):
         export(sketch, tmp_path / name)
     said = str(refusal.value)
     assert said.startswith(f"The name “{name}” does not end in a known format; use .curve.json, ")
-    assert said.endswith(", .svg, .png or .pdf.")
+    assert said.endswith(" or .coefficients.json.")
+    assert all(f" {ending}" in said for ending in endings_of(FORMATS.written))

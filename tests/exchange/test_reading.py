@@ -2,14 +2,18 @@
 
 import subprocess
 import sys
+from importlib import import_module
 from pathlib import Path
 
 import pytest
 
 from app.document.model import Document, make_curve
-from app.exchange import ENDINGS, ExchangeError, export, import_file
 from app.exchange.child import limited, seconds_for
-from app.exchange.writers import WRITERS
+from app.exchange.errors import ExchangeError
+from app.exchange.formats import FORMATS, Kind, endings_of, format_of
+from app.exchange.reading import ImportOptions, import_file
+from app.exchange.svg.reader import read_svg
+from app.exchange.writing import export
 from app.families import LAGRANGE
 from app.tasks.progress import Cancelled
 from app.view_model.curve_view import view_of
@@ -55,7 +59,7 @@ def test_a_process_reads_drawings(ending, tmp_path, children):
 def test_a_table_is_named_after_its_file(tmp_path):
     path = tmp_path / "tide.csv"
     path.write_text("0,1\n1,2\n", encoding="utf-8")
-    (curve,) = import_file(path, family=LAGRANGE).document.curves
+    (curve,) = import_file(path, ImportOptions(family=LAGRANGE)).document.curves
     assert (curve.name, curve.family) == ("tide", LAGRANGE)
 
 
@@ -76,7 +80,7 @@ def test_the_reason_names_the_file(tmp_path):
 
 def test_what_takes_too_long_is_stopped(children):
     with pytest.raises(ExchangeError, match=r"Reading takes longer than 0.2 s; it was stopped"):
-        limited("svg", BUSY, None, seconds=0.2)
+        limited(read_svg, BUSY, None, seconds=0.2)
     assert all(each.returncode not in (None, 0) for each in children)
     assert len(children) == 1
 
@@ -93,7 +97,7 @@ def test_what_nobody_waits_for_any_more_is_ended(children):
 
     impatient = Impatient()
     with pytest.raises(Cancelled):
-        limited("svg", BUSY, None, report=impatient)
+        limited(read_svg, BUSY, None, report=impatient)
     assert impatient.calls == 3
     assert all(each.returncode not in (None, 0) for each in children)
     assert len(children) == 1
@@ -107,7 +111,7 @@ def test_a_large_file_may_take_longer_than_a_small_one():
 @pytest.mark.skipif("sys.platform != 'linux'", reason="only Linux limits the address space")
 def test_what_takes_too_much_memory_is_stopped():
     with pytest.raises(ExchangeError, match="Reading needs more memory than is allowed; it was stopped"):
-        limited("svg", BUSY, None, memory=10 * 2**20, seconds=30)
+        limited(read_svg, BUSY, None, memory=10 * 2**20, seconds=30)
 
 
 @pytest.mark.skipif(sys.platform == "win32", reason="the executable is a script")
@@ -125,18 +129,28 @@ def test_a_bundle_reads_drawings_too(tmp_path, monkeypatch):
     monkeypatch.setattr(sys, "frozen", True, raising=False)
     monkeypatch.setattr(sys, "executable", str(bundle))
     drawing = b'<svg xmlns="http://www.w3.org/2000/svg"><path d="M0 0C1 1 2 2 3 0"/></svg>'
-    assert len(limited("svg", drawing, None).document.curves) == 1
+    assert len(limited(read_svg, drawing, None).document.curves) == 1
 
 
 def test_a_process_that_breaks_down_is_not_called_one_that_needs_memory(monkeypatch):
     monkeypatch.setattr(sys, "frozen", True, raising=False)
     # An interpreter, which does not know the option and ends with 2.
     with pytest.raises(ExchangeError, match=r"ended without an answer \(code 2\)"):
-        limited("svg", b"<svg/>", None)
+        limited(read_svg, b"<svg/>", None)
 
 
-def test_every_ending_has_a_writer():
-    assert (".curve.json", *WRITERS, ".png", ".pdf") == ENDINGS
+def test_every_ending_belongs_to_one_format_that_is_written_and_one_that_is_read():
+    for formats in (FORMATS.written, FORMATS.read):
+        endings = endings_of(formats)
+        assert len(set(endings)) == len(endings)
+        for each in formats:
+            assert all(format_of(f"a{ending.upper()}", formats) is each for ending in each.endings)
+
+
+def test_every_drawing_is_read_by_a_function_that_a_process_finds_by_name():
+    for each in FORMATS.read:
+        if each.kind is Kind.DRAWING:
+            assert getattr(import_module(each.read.__module__), each.read.__name__) is each.read
 
 
 def test_the_window_starts_without_readers_and_writers():

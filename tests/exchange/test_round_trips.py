@@ -10,17 +10,20 @@ from msgspec.structs import replace
 
 from app.document import edits
 from app.document.model import Document, Node, make_curve
-from app.exchange import ExchangeError, export, import_file, svg_of
 from app.exchange.cubics_in import Imported
-from app.exchange.decor import Extras
-from app.exchange.points_table import points_table
-from app.exchange.sampled import sampled_table
-from app.exchange.svg import DARK
-from app.exchange.svg_in import read_svg
-from app.exchange.table_columns import Mapping
-from app.exchange.table_curve import document_of_table
-from app.exchange.table_file import read_table
-from app.exchange.thinning import Thinning, thinned
+from app.exchange.drawing.styles import DARK
+from app.exchange.errors import ExchangeError
+from app.exchange.formats.points import points_table
+from app.exchange.formats.samples import sampled_table
+from app.exchange.options import Extras, Options
+from app.exchange.reading import import_file
+from app.exchange.svg.reader import read_svg
+from app.exchange.svg.writer import svg_of
+from app.exchange.table.columns import ColumnMapping
+from app.exchange.table.curves import document_of_table
+from app.exchange.table.text import read_table
+from app.exchange.table.thinning import Thinning, thinned
+from app.exchange.writing import export
 from app.families import HERMITE, QUINTIC_HERMITE
 from app.view_model.curve_view import view_of
 
@@ -88,7 +91,7 @@ def test_samples_of_several_curves_come_back_as_several(document, tmp_path):
         tuple(curve for curve in document.curves if not any(node.corner for node in curve.nodes))
     )
     path = tmp_path / "a.csv"
-    export(smooth, path, samples=400)
+    export(smooth, path, Options(own={"samples": 400}))
     back = import_file(path).document
     assert len(back.curves) == len(smooth.curves)
     for first, second in zip(curves_of(smooth), curves_of(back), strict=True):
@@ -132,11 +135,11 @@ def test_a_column_that_is_left_out_may_hold_anything():
     text = "\n".join(f"{i};n/a;{i * i}" for i in range(5)).encode()
     with pytest.raises(ExchangeError, match="is not a number"):
         read_table(text)
-    table = read_table(text, mapping=Mapping(x=0, y=2))
-    document = document_of_table(table, Mapping(x=0, y=2)).document
+    table = read_table(text, mapping=ColumnMapping(x=0, y=2))
+    document = document_of_table(table, ColumnMapping(x=0, y=2)).document
     assert [node.position for node in document.curves[0].nodes] == [(i, i * i) for i in range(5)]
     with pytest.raises(ExchangeError, match="Row 6 has 2 cells"):
-        read_table(text + b"\n1;2", mapping=Mapping(x=0, y=2))
+        read_table(text + b"\n1;2", mapping=ColumnMapping(x=0, y=2))
 
 
 def test_an_empty_pair_of_cells_is_estimated():

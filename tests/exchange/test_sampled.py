@@ -8,8 +8,8 @@ import pytest
 from msgspec.structs import replace
 
 from app.document.model import Document, Parametrization, ParametrizationKind, make_curve
-from app.exchange import ExchangeError, Spacing
-from app.exchange.sampled import TITLES, sampled_table
+from app.exchange.errors import ExchangeError
+from app.exchange.formats.samples import TITLES, Spacing, sampled_table
 from app.families import FAMILIES, HERMITE, LAGRANGE, QUINTIC_HERMITE
 from app.view_model.curve_view import view_of
 from curvecore import HermiteCurve, LagrangeCurve, QuinticHermiteCurve, arc_length
@@ -113,7 +113,7 @@ def test_the_number_of_samples_has_limits(sketch, samples):
 
 def test_many_samples_are_computed_in_parts_that_fit_together(sketch, monkeypatch):
     whole = sampled_table(sketch, samples=1500)
-    monkeypatch.setattr("app.exchange.sampled._ROWS_AT_ONCE", 100)
+    monkeypatch.setattr("app.exchange.formats.samples._ROWS_AT_ONCE", 100)
     told = []
     parts = sampled_table(sketch, samples=1500, report=lambda share, _word: told.append(share))
     one, other = (

@@ -12,10 +12,13 @@ from msgspec.structs import replace
 from app.cli import main
 from app.document import edits
 from app.document.model import Document, make_curve
-from app.exchange import ExchangeError, export, svg_of
-from app.exchange.drawing import drawing_of
+from app.exchange.drawing.drawing import drawing_of
+from app.exchange.errors import ExchangeError
 from app.exchange.facts import facts_of
 from app.exchange.naming import Names
+from app.exchange.options import Options
+from app.exchange.svg.writer import svg_of
+from app.exchange.writing import export
 from app.families import HERMITE, QUINTIC_HERMITE
 from app.storage.files import save
 from app.view_model.curve_view import view_of
@@ -80,13 +83,13 @@ def test_a_corner_stays_sharp(document):
 @pytest.mark.parametrize("ending", ["png", "pdf", "svg"])
 def test_every_format_takes_them(document, ending, tmp_path):
     target = tmp_path / f"out.{ending}"
-    export(document, target, width=200, points=True)
+    export(document, target, Options(width=200, points=True))
     assert target.stat().st_size > 300
 
 
 def test_a_png_shows_the_colour(document, tmp_path):
     images = pytest.importorskip("PySide6.QtGui")
-    export(document, tmp_path / "out.png", width=1200)
+    export(document, tmp_path / "out.png", Options(width=1200))
     image = images.QImage(str(tmp_path / "out.png")).convertToFormat(images.QImage.Format.Format_RGB32)
     assert 0xFF0072B2 in np.frombuffer(image.constBits(), np.uint32)
 

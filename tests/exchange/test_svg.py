@@ -15,8 +15,10 @@ from app.document.model import (
     ParametrizationKind,
     make_curve,
 )
-from app.exchange import DARK, INK, LIGHT, ExchangeError, svg_of
-from app.exchange.drawing import RELATIVE_TOLERANCE
+from app.exchange.drawing.drawing import RELATIVE_TOLERANCE
+from app.exchange.drawing.styles import DARK, INK, LIGHT
+from app.exchange.errors import ExchangeError
+from app.exchange.svg.writer import svg_of
 from app.families import HERMITE
 from app.view_model.curve_view import view_of
 from curvecore.bezier.control_points import bezier_segments, cubic_path

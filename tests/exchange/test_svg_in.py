@@ -10,10 +10,11 @@ import numpy as np
 import pytest
 
 from app.document.model import Document, Node, make_curve
-from app.exchange import ExchangeError, svg_of
 from app.exchange.arcs import arc
-from app.exchange.svg import DARK
-from app.exchange.svg_in import _Reader, read_svg
+from app.exchange.drawing.styles import DARK
+from app.exchange.errors import ExchangeError
+from app.exchange.svg.reader import _Reader, read_svg
+from app.exchange.svg.writer import svg_of
 from app.families import HERMITE
 from app.view_model.curve_view import view_of
 from curvecore import bezier_segments, cubic_path

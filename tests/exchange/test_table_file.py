@@ -7,13 +7,13 @@ import numpy as np
 import pytest
 
 from app.document.model import Document, Node, make_curve
-from app.exchange import ExchangeError
-from app.exchange.sampled import sampled_table
-from app.exchange.table_columns import Mapping
-from app.exchange.table_curve import document_of_table
-from app.exchange.table_file import preview_table, read_table
-from app.exchange.table_layout import Layout
-from app.exchange.thinning import thinned
+from app.exchange.errors import ExchangeError
+from app.exchange.formats.samples import sampled_table
+from app.exchange.table.columns import ColumnMapping
+from app.exchange.table.curves import document_of_table
+from app.exchange.table.layout import Layout
+from app.exchange.table.text import preview_table, read_table
+from app.exchange.table.thinning import thinned
 from app.families import HERMITE, LAGRANGE, QUINTIC_HERMITE
 from app.storage.format import encode, validate
 from app.view_model.curve_view import view_of
@@ -110,20 +110,20 @@ def test_the_preview_shows_what_is_there_and_a_first_guess():
     assert preview.layout == Layout(";", decimal_comma=True, header=True)
     assert preview.titles == ("Y [mm]", "time", "X [mm]")
     assert preview.cells == (("1,5", "2", "3"),)
-    assert preview.mapping == Mapping(x=2, y=0, t=1)
-    assert preview_table(b"1 2 3\n4 5 6").mapping == Mapping(x=1, y=2, t=0)
+    assert preview.mapping == ColumnMapping(x=2, y=0, t=1)
+    assert preview_table(b"1 2 3\n4 5 6").mapping == ColumnMapping(x=1, y=2, t=0)
     assert preview_table(b"1\n2").mapping is None
     assert len(preview_table(b"1,2\n" * 1000).cells) == 50
 
 
 def test_the_person_maps_the_columns():
     table = read_table(b"5,1,2,7\n6,3,4,8\n")
-    document = document_of_table(table, Mapping(x=1, y=0, t=3), family=LAGRANGE, name="mine").document
+    document = document_of_table(table, ColumnMapping(x=1, y=0, t=3), family=LAGRANGE, name="mine").document
     curve = document.curves[0]
     assert (curve.name, curve.family) == ("mine", LAGRANGE)
     assert [(n.x, n.y, n.t) for n in curve.nodes] == [(1, 5, 7), (3, 6, 8)]
     with pytest.raises(ExchangeError, match="There is no column 9 for y"):
-        document_of_table(table, Mapping(x=0, y=8))
+        document_of_table(table, ColumnMapping(x=0, y=8))
 
 
 def test_our_own_table_gives_the_quintic_back():

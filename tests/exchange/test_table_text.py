@@ -6,7 +6,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from app.exchange.table_text import TableTextError, read_titled_block, write_block
+from app.exchange.table.clipboard import TableTextError, read_titled_block, write_block
 from tests.effort import calls_of
 
 

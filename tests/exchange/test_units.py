@@ -11,12 +11,16 @@ from PySide6.QtGui import QImage
 
 from app.cli import main
 from app.document.model import Document, make_curve
-from app.exchange import ExchangeError, Options, export, import_file
 from app.exchange.choice import ExportChoice
-from app.exchange.drawing import drawing_of
-from app.exchange.image import look
-from app.exchange.svg import svg_of
+from app.exchange.drawing.drawing import drawing_of
+from app.exchange.drawing.image import png_preview
+from app.exchange.errors import ExchangeError
+from app.exchange.formats import FORMATS, format_of
+from app.exchange.options import Options
+from app.exchange.reading import import_file
+from app.exchange.svg.writer import svg_of
 from app.exchange.units import MILLIMETRES, known_unit
+from app.exchange.writing import export
 from app.families import HERMITE
 from app.storage.files import save
 
@@ -84,7 +88,7 @@ def length_of_the_stroke(data):
 @pytest.mark.parametrize("unit", ["mm", "cm", "in"])
 def test_a_pdf_has_true_size(unit, tmp_path):
     document = BAR if unit == "mm" else Document((make_curve(((0.0, 0.0), (9.0, 0.0))),))
-    export(document, tmp_path / "a.pdf", unit=unit)
+    export(document, tmp_path / "a.pdf", Options(unit=unit))
     data = (tmp_path / "a.pdf").read_bytes()
     frame, scale = drawing_of(document).frame, MILLIMETRES[unit] * 72 / 25.4
     wide, high = page_of(data)
@@ -99,20 +103,20 @@ def test_a_pdf_has_true_size(unit, tmp_path):
 def test_pages_that_no_pdf_has_are_refused(tmp_path):
     for unit in ("m", "µm"):
         with pytest.raises(ExchangeError, match="At true size the page would be"):
-            export(BAR, tmp_path / "a.pdf", unit=unit)
-        export(BAR, tmp_path / "a.pdf", unit=unit, width=300)
+            export(BAR, tmp_path / "a.pdf", Options(unit=unit))
+        export(BAR, tmp_path / "a.pdf", Options(unit=unit, width=300))
 
 
 def test_a_dxf_names_the_unit(tmp_path):
     ezdxf = pytest.importorskip("ezdxf")
     for unit, code in (("mm", 4), ("inch", 1), ("", 0), ("s", 0)):
-        export(BAR, tmp_path / "a.dxf", unit=unit)
+        export(BAR, tmp_path / "a.dxf", Options(unit=unit))
         assert ezdxf.readfile(tmp_path / "a.dxf").units == code
 
 
 @pytest.mark.usefixtures("drawings_read_here")
 def test_true_size_comes_back_with_the_same_coordinates(tmp_path):
-    export(SEVENTY, tmp_path / "a.svg", unit="mm")
+    export(SEVENTY, tmp_path / "a.svg", Options(unit="mm"))
     (back,) = import_file(tmp_path / "a.svg").document.curves
     assert [node.x for node in back.nodes] == pytest.approx([10.0, 80.0, 80.0])
 
@@ -128,11 +132,11 @@ def test_true_size_comes_back_with_the_same_coordinates(tmp_path):
 )
 def test_size_scale_and_page_are_said_before(ending, unit, said):
     bent = Document((make_curve(((10.0, 5.0), (80.0, 45.0))),))
-    choice = ExportChoice(ending=ending)
-    assert look(bent, choice.options(0, unit), ending, (100, 100)).size == said
-    whole = ExportChoice(ending=ending, true_size=False).options(0, unit)
+    look = format_of(f"a{ending}", FORMATS.pictures).preview
+    assert look(bent, ExportChoice(ending).options(0, unit), (100, 100)).size == said
+    whole = ExportChoice(ending, {"true_size": False}).options(0, unit)
     assert whole.unit == ""
-    assert "not to scale" in look(bent, whole, ending, (100, 100)).size
+    assert "not to scale" in look(bent, whole, (100, 100)).size
 
 
 def test_the_command_line_is_told_the_unit(tmp_path, capsys):
@@ -149,21 +153,21 @@ def test_the_command_line_is_told_the_unit(tmp_path, capsys):
 def test_a_png_says_its_pixels_per_inch_and_tikz_has_true_size(tmp_path):
     """Both took no notice of the unit: 70 mm were 96 pixels per inch, and 12 cm."""
     png, tikz = tmp_path / "a.png", tmp_path / "a.tikz"
-    export(SEVENTY, png, width=800, unit="mm")
+    export(SEVENTY, png, Options(width=800, unit="mm"))
     image = QImage(str(png))
     wide = drawing_of(SEVENTY).frame.width
     assert image.dotsPerMeterX() == image.dotsPerMeterY() == round(800 / wide * 1000)
-    seen = look(SEVENTY, Options(width=800, unit="mm"), ".png", (100, 100))
+    seen = png_preview(SEVENTY, Options(width=800, unit="mm"), (100, 100))
     assert seen.size.endswith(f" pixels, 1 : 1 at {image.dotsPerMeterX() * 0.0254:.4g} per inch")
-    export(SEVENTY, png, width=800)
+    export(SEVENTY, png, Options(width=800))
     assert QImage(str(png)).dotsPerMeterX() == round(96 / 0.0254)
-    export(SEVENTY, tikz, unit="mm")
+    export(SEVENTY, tikz, Options(unit="mm"))
     ends = [tuple(map(float, each)) for each in re.findall(r"\(([-.0-9]+),([-.0-9]+)\)", tikz.read_text())]
     across = ends[-1][0] - ends[0][0], ends[-1][1] - ends[0][1]
     assert across == pytest.approx((7.0, 4.0), abs=1e-4)
     assert "One centimetre is 10 mm." in tikz.read_text()
     with pytest.raises(ExchangeError, match="TikZ draws pictures of"):
-        export(SEVENTY, tikz, unit="km")
+        export(SEVENTY, tikz, Options(unit="km"))
 
 
 def test_basis_functions_are_those_that_the_panel_shows():
@@ -171,7 +175,7 @@ def test_basis_functions_are_those_that_the_panel_shows():
     curve = make_curve(((0.0, 0.0), (1.0, 2.0), (3.0, 1.0), (4.0, 3.0)), family=HERMITE)
     document = Document((curve,))
     drawn = [
-        svg_of(document, extras=ExportChoice(".svg", basis=True).options(0, with_estimates=shown).extras)
+        svg_of(document, extras=ExportChoice(".svg", {"basis": True}).options(0, with_estimates=shown).extras)
         for shown in (False, True)
     ]
     lines = [ElementTree.fromstring(each.encode()).findall(".//*[@id='basis']//*[@d]") for each in drawn]

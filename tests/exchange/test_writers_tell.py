@@ -7,13 +7,15 @@ from itertools import pairwise
 import pytest
 
 from app.document.model import Document, make_curve
-from app.exchange import ENDINGS, Options, export_with
+from app.exchange.formats import FORMATS, endings_of
+from app.exchange.options import Options
+from app.exchange.writing import export
 from app.families import FAMILIES
 from app.tasks.progress import FINAL, Cancelled
 
 COUNT = 12
 # A document is what is there already: it is encoded in one go.
-TOLD = [ending for ending in ENDINGS if ending != ".curve.json"]
+TOLD = [ending for ending in endings_of(FORMATS.written) if ending != ".curve.json"]
 
 
 @pytest.fixture(scope="module")
@@ -32,8 +34,8 @@ def test_a_writer_tells_of_every_curve_and_stops_at_any(several, ending, tmp_pat
     """The loops had no report: Stop ended them by force, after a second."""
     shares = []
     path = tmp_path / f"curves{ending}"
-    options = Options(width=200, samples=5, report=lambda share, _word: shares.append(share))
-    export_with(several, path, options)
+    options = Options(width=200, own={"samples": 5}, report=lambda share, _word: shares.append(share))
+    export(several, path, options)
     assert shares.pop() == FINAL
     assert len(shares) >= 2 * COUNT  # computed, and written
     assert all(first <= second for first, second in pairwise(shares))
@@ -51,6 +53,6 @@ def test_a_writer_tells_of_every_curve_and_stops_at_any(several, ending, tmp_pat
 
         path.unlink(missing_ok=True)
         with pytest.raises(Cancelled):
-            export_with(several, path, options.reporting(stop))
+            export(several, path, options.reporting(stop))
         assert len(told) == last + 1
         assert not path.exists()

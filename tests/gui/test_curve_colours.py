@@ -13,15 +13,16 @@ from PySide6.QtWidgets import QApplication
 
 from app.colours import CURVE_COLOURS, curve_colour
 from app.document.model import Document, make_curve
-from app.exchange import DARK as DARK_STYLE
-from app.exchange import LIGHT as LIGHT_STYLE
-from app.exchange import Options
-from app.exchange.animation import Film
 from app.exchange.choice import ExportChoice
-from app.exchange.image import png_image
-from app.exchange.motion_frames import FrameMaker
-from app.exchange.svg import INK, svg_of
-from app.panels.curve_list_view import Spot, spot_rect
+from app.exchange.drawing.animation import Film
+from app.exchange.drawing.image import png_image
+from app.exchange.drawing.motion_frames import FrameMaker
+from app.exchange.drawing.styles import DARK as DARK_STYLE
+from app.exchange.drawing.styles import INK
+from app.exchange.drawing.styles import LIGHT as LIGHT_STYLE
+from app.exchange.options import Options
+from app.exchange.svg.writer import svg_of
+from app.features.curve_list.view import Spot, spot_rect
 from app.panels.export_dialog import ExportDialog
 from app.theme import DARK, LIGHT, ThemeMode, apply_theme, mix
 from app.view_model.palette import adjustment_of, colour_on
@@ -147,7 +148,7 @@ def test_the_export_dialog_tells_of_colours_that_cannot_be_seen_as_chosen(qtbot)
     )
     qtbot.waitUntil(lambda: bool(dialog.told.text()))
     assert dialog.told.text() == "“<b>Sun” is drawn darker than its #f0e442, to be seen on this paper."
-    dialog.form.transparent.click()
+    dialog.form.fields["transparent"].widget.click()
     qtbot.waitUntil(lambda: not dialog.told.text())
 
 

@@ -17,8 +17,8 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QDialog, QFileDialog, QPushButton
 
 from app.document.model import Document, make_curve
-from app.exchange.choice import FORMATS, ExportChoice, choice_from, text_of
-from app.exchange.formats import with_ending
+from app.exchange.choice import ExportChoice, choice_from, text_of
+from app.exchange.formats import FORMATS, format_of, with_ending
 from app.families import HERMITE, LAGRANGE, QUINTIC_HERMITE
 from app.settings.preferences import Preferences
 from app.testing import Editor
@@ -58,7 +58,7 @@ def choose(box, text):
 
 
 def choose_format(dialog, ending):
-    choose(dialog.form.format_box, FORMATS[ending])
+    choose(dialog.form.format_box, format_of(f"a{ending}", FORMATS.offered).title)
 
 
 def click(widget):
@@ -80,13 +80,13 @@ def looks(dialog):
 def test_a_png_as_it_was_chosen(editor, dialog, tmp_path, monkeypatch):
     plain = looks(dialog)
     assert dialog.size_label.text().startswith("1600 × ")
-    dialog.form.width_box.lineEdit().selectAll()
-    QTest.keyClicks(dialog.form.width_box, "500")
-    QTest.keyClick(dialog.form.width_box, Qt.Key.Key_Tab)
-    choose(dialog.form.scale_box, "× 2 (192 dpi)")
-    click(dialog.form.transparent)
-    for check in dialog.form.shown.values():
-        click(check)
+    dialog.form.fields["width"].widget.lineEdit().selectAll()
+    QTest.keyClicks(dialog.form.fields["width"].widget, "500")
+    QTest.keyClick(dialog.form.fields["width"].widget, Qt.Key.Key_Tab)
+    choose(dialog.form.fields["scale"].widget, "× 2 (192 dpi)")
+    click(dialog.form.fields["transparent"].widget)
+    for name in ("points", "handles", "grid", "basis"):
+        click(dialog.form.fields[name].widget)
     settled(editor, dialog)
     assert dialog.size_label.text().startswith("1000 × ")
     assert looks(dialog) != plain
@@ -100,22 +100,22 @@ def test_the_options_of_a_format_alone_are_shown(dialog):
     form = dialog.form
     for ending, shown in ((".png", True), (".csv", False), (".py", False), (".svg", False)):
         choose_format(dialog, ending)
-        assert form.width_box.isVisible() is shown
-        assert form.samples_box.isVisible() is (ending == ".csv")
-        assert form.tolerance_edit.isVisible() is (ending == ".svg")
+        assert form.fields["width"].widget.isVisible() is shown
+        assert form.fields["samples"].widget.isVisible() is (ending == ".csv")
+        assert form.fields["tolerance"].widget.isVisible() is (ending == ".svg")
         assert dialog.look.isVisible() is (ending in (".png", ".svg"))
-        assert not form.cubic.isVisible()
+        assert not form.fields["cubic"].widget.isVisible()
     choose_format(dialog, ".dxf")
-    assert form.cubic.isVisible()
-    assert form.shown["points"].isVisible()
-    assert not form.shown["grid"].isVisible()
+    assert form.fields["cubic"].widget.isVisible()
+    assert form.fields["points"].widget.isVisible()
+    assert not form.fields["grid"].widget.isVisible()
 
 
 def test_a_dxf_for_programs_that_draw_cubics_only(editor, dialog, tmp_path, monkeypatch):
     ezdxf = pytest.importorskip("ezdxf")
     editor.choose_family(QUINTIC_HERMITE)
     choose_format(dialog, ".dxf")
-    click(dialog.form.cubic)
+    click(dialog.form.fields["cubic"].widget)
     path = export(editor, dialog, tmp_path / "a", monkeypatch)
     (spline,) = ezdxf.readfile(path.with_suffix(".dxf")).modelspace()
     assert spline.dxf.degree == 3
@@ -123,11 +123,11 @@ def test_a_dxf_for_programs_that_draw_cubics_only(editor, dialog, tmp_path, monk
 
 def test_a_table_as_it_was_chosen(editor, dialog, tmp_path, monkeypatch):
     choose_format(dialog, ".csv")
-    choose(dialog.form.spacing_box, "equal arc lengths")
-    dialog.form.samples_box.lineEdit().selectAll()
-    QTest.keyClicks(dialog.form.samples_box, "11")
-    QTest.keyClick(dialog.form.samples_box, Qt.Key.Key_Tab)
-    for title, check in dialog.form.columns.items():
+    choose(dialog.form.fields["spacing"].widget, "equal arc lengths")
+    dialog.form.fields["samples"].widget.lineEdit().selectAll()
+    QTest.keyClicks(dialog.form.fields["samples"].widget, "11")
+    QTest.keyClick(dialog.form.fields["samples"].widget, Qt.Key.Key_Tab)
+    for title, check in dialog.form.fields["columns"].checks.items():
         if title not in ("x", "y", "length"):
             click(check)
     path = export(editor, dialog, tmp_path / "a", monkeypatch)
@@ -141,18 +141,18 @@ def test_a_table_as_it_was_chosen(editor, dialog, tmp_path, monkeypatch):
 
 def test_a_table_needs_a_column(dialog):
     choose_format(dialog, ".csv")
-    for check in dialog.form.columns.values():
+    for check in dialog.form.fields["columns"].checks.values():
         click(check)
     assert dialog.problem.text() == "⚠ A table needs at least one column."
     assert not dialog.ok.isEnabled()
-    click(dialog.form.columns["t"])
+    click(dialog.form.fields["columns"].checks["t"])
     assert dialog.ok.isEnabled()
 
 
 def test_a_tolerance_is_kept(editor, dialog, tmp_path, monkeypatch):
     editor.choose_family(LAGRANGE)
     choose_format(dialog, ".svg")
-    edit = dialog.form.tolerance_edit
+    edit = dialog.form.fields["tolerance"].widget
     edit.setFocus()
     edit.selectAll()
     QTest.keyClicks(edit, "wide")
@@ -172,12 +172,12 @@ def test_what_was_chosen_is_remembered(qtbot, tmp_path, monkeypatch):
     first.trigger("exportPicture")
     dialog = first.window.findChild(QDialog, "exportDialog")
     choose_format(dialog, ".pdf")
-    click(dialog.form.shown["grid"])
+    click(dialog.form.fields["grid"].widget)
     export(first, settled(first, dialog), tmp_path / "a.pdf", monkeypatch)
     second = Editor(qtbot, preferences=Preferences(store))
     second.trigger("exportPicture")
     dialog = settled(second, second.window.findChild(QDialog, "exportDialog"))
-    assert dialog.form.choice() == ExportChoice(ending=".pdf", grid=True)
+    assert dialog.form.choice() == ExportChoice(".pdf", {"grid": True})
     dialog.close()
 
 
@@ -186,7 +186,7 @@ def test_what_was_chosen_is_remembered(qtbot, tmp_path, monkeypatch):
 )
 def test_what_was_remembered_wrongly_counts_as_nothing(text):
     assert choice_from(text) == ExportChoice()
-    other = ExportChoice(ending=".csv", samples=5, columns=("x",))
+    other = ExportChoice(".csv", {"samples": 5, "columns": ("x",)})
     assert choice_from(text_of(other)) == other
 
 
@@ -281,8 +281,8 @@ def test_handles_lie_inside_the_picture_and_above_the_functions(editor, tmp_path
         dialog = editor.window.findChild(QDialog, "exportDialog")
         choose_format(dialog, ending)
         for name in ("handles", "basis"):
-            if not dialog.form.shown[name].isChecked():
-                click(dialog.form.shown[name])
+            if not dialog.form.fields[name].widget.isChecked():
+                click(dialog.form.fields[name].widget)
         settled(editor, dialog)
         path = export(editor, dialog, tmp_path / f"a{ending}", monkeypatch)
         if ending == ".svg":
@@ -340,7 +340,7 @@ def test_the_file_has_the_ending_of_its_format_once(editor, dialog, tmp_path, mo
 def test_a_number_that_is_out_of_range_is_told(editor, dialog):
     """Of a width of 99999 pixels, 9999 was left without a word."""
     choose_format(dialog, ".png")
-    box = dialog.form.width_box
+    box = dialog.form.fields["width"].widget
     box.setFocus()
     box.selectAll()
     dialog._look()  # a preview is under way
@@ -371,10 +371,10 @@ def test_the_unit_of_the_preferences_gives_true_size_and_is_said(qtbot, tmp_path
     choose_format(dialog, ".svg")
     settled(editor, dialog)
     assert dialog.size_label.text().endswith("cm, 1 : 1 (1 is 1 cm)")
-    click(dialog.form.true_size)
+    click(dialog.form.fields["true_size"].widget)
     settled(editor, dialog)
     assert dialog.size_label.text().endswith("px, not to scale")
-    click(dialog.form.true_size)
+    click(dialog.form.fields["true_size"].widget)
     path = export(editor, dialog, tmp_path / "a.svg", monkeypatch)
     root = ElementTree.fromstring(path.read_text())
     assert root.get("width") == f"{root.get('viewBox').split()[2]}cm"

@@ -25,7 +25,8 @@ from PySide6.QtWidgets import (
 
 from app.commands.exchange_commands import ExchangeCommands
 from app.document.model import Document, make_curve
-from app.exchange import Options, export
+from app.exchange.options import Options
+from app.exchange.writing import export
 from app.families import HERMITE
 from app.panels.field_edit import FieldEdit
 from app.storage.files import save
@@ -399,7 +400,7 @@ def test_many_rows_are_thinned_out_unless_the_person_wants_them_all(editor, tmp_
 
 def test_noisy_rows_get_a_distance_that_leaves_few_enough(editor, tmp_path, monkeypatch):
     # The dialog first: its imports, should they be the first, must find the limit as it is.
-    for name in ("panels.import_table_dialog.MOST_POINTS", "exchange.thinning.MOST_KEPT"):
+    for name in ("panels.import_table_dialog.MOST_POINTS", "exchange.table.thinning.MOST_KEPT"):
         monkeypatch.setattr(f"app.{name}", 400)
     x, y = np.linspace(0, 1, 2_000), np.random.default_rng(3).uniform(-0.02, 0.02, 2_000)
     rows = "\n".join(map("{:.6f},{:.6f}".format, x.tolist(), y.tolist()))
@@ -680,7 +681,7 @@ def test_one_thing_at_a_time(editor, busy, tmp_path):
 
 def test_an_export_that_is_stopped_leaves_the_old_file(editor, tmp_path):
     old = write(tmp_path / "out.csv", "mine")
-    editor.window._commands[ExchangeCommands].export(old, Options(samples=100_000))
+    editor.window._commands[ExchangeCommands].export(old, Options(own={"samples": 100_000}))
     assert editor.window.jobs.is_busy
     shown_bar(editor)
     editor.trigger("cancelWork")

@@ -24,7 +24,7 @@ from PySide6.QtWidgets import (
 from app.commands.motion_commands import MotionCommands
 from app.document import edits
 from app.document.model import ParametrizationKind, VelocityRule
-from app.exchange.animation import write_film
+from app.exchange.drawing.animation import write_film
 from app.families import HERMITE
 from app.panels.motion_bar import MotionBar
 from app.player import Player

@@ -8,16 +8,16 @@ from hypothesis import given
 from hypothesis import strategies as st
 from PySide6.QtGui import QFontMetrics, QGuiApplication
 
+from app.document.words import number
+from app.features.point_table.delegate import COMPACT_DIGITS, ColumnWidths, width_for
 from app.panels.number_text import (
     NEGLIGIBLE,
     column_decimals,
     column_text,
     exact_text,
     numbers_of_columns,
-    rounded_text,
     widest_texts,
 )
-from app.panels.point_table_delegate import COMPACT_DIGITS, ColumnWidths, width_for
 
 numbers = st.one_of(
     st.floats(-1e4, 1e4),
@@ -43,8 +43,8 @@ tables = st.integers(1, 4).flatmap(
         (float("nan"), ".", "–"),
     ],
 )
-def test_rounded_text(value, mark, text):
-    assert rounded_text(value, mark) == text
+def test_a_number_with_six_digits(value, mark, text):
+    assert number(value, 6, mark) == text
 
 
 def test_exact_text():

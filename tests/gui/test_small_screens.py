@@ -12,10 +12,11 @@ from PySide6.QtWidgets import QDialog, QLabel, QMessageBox, QPushButton
 import app.panels
 from app.document.edits import set_position
 from app.document.model import Document, make_curve
-from app.exchange.choice import FORMATS, ExportChoice
+from app.exchange.choice import ExportChoice
 from app.exchange.cubics_in import Imported
-from app.exchange.table_file import preview_table
-from app.exchange.table_import import TableSource
+from app.exchange.formats import FORMATS
+from app.exchange.table.prepared import TableSource
+from app.exchange.table.text import preview_table
 from app.panels.crash_dialog import CrashDialog
 from app.panels.export_dialog import ExportDialog
 from app.panels.fitting import FRAME, FittedDialog
@@ -65,8 +66,8 @@ def test_the_window_fits_with_every_panel_and_bar(qtbot, type_size):
 
 def dialogs(window):
     """One of each dialog of the program, with as much in it as there can be."""
-    for ending in FORMATS:
-        export = ExportDialog(ExportChoice(ending=ending), window)
+    for each in FORMATS.offered:
+        export = ExportDialog(ExportChoice(each.ending), window)
         export.show_document(LINE, 0, "mm")
         yield export
     yield MotionDialog(window)

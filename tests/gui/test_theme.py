@@ -428,7 +428,8 @@ def test_check_boxes_have_a_border_that_is_seen_in_the_dark(editor):
     for name in ("themeDark", "themeLight"):
         editor.trigger(name)
         theme = theme_of(dialog.palette())
-        for widget in (*dialog.form.shown.values(), dialog.form.transparent):
+        names = ("points", "handles", "grid", "basis", "transparent")
+        for widget in (dialog.form.fields[name].widget for name in names):
             QTest.mouseClick(widget, Qt.MouseButton.LeftButton, pos=QPoint(8, widget.height() // 2))
             picture = widget.grab().toImage()
             row = [picture.pixelColor(x, picture.height() // 2) for x in range(picture.width() // 4)]

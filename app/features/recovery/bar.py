@@ -16,6 +16,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from app.document.words import count_of
 from app.features.recovery.offers import Offer
 from app.icons import icon
 from app.labels import Label, tip_of
@@ -23,7 +24,6 @@ from app.overrides import Guarded
 from app.panels.elided_label import ElidedLabel
 from app.panels.thumbnail import thumbnail
 from app.panels.tool_buttons import tool_button
-from app.panels.words import count_of
 from app.theme import mix, theme_of
 
 _WIDEST, _SIDE, _BELOW = 640, 40, 44

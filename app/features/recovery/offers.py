@@ -12,8 +12,8 @@ from pathlib import Path
 from PySide6.QtCore import QDateTime, QLocale
 
 from app.document.model import Document
+from app.document.words import count_of
 from app.file_commands import NEW_NAME
-from app.panels.words import count_of
 from app.storage.recovery import Snapshot
 
 _MINUTE, _HOUR, _DAY = 60.0, 3600.0, 86400.0

@@ -21,14 +21,14 @@ _RESIDUE = 1e-9
 
 
 class Kind(Enum):
-    """What happens at a joint, from smooth to broken."""
+    """What happens at a joint, from smooth to broken; the value is its sign, beside its colour."""
 
-    SMOOTH = "smooth"
-    ACCELERATION = "acceleration jumps"
-    SPEED = "speed jumps"
-    REST = "stands still"
-    CORNER = "corner"
-    BREAK = "break"
+    SMOOTH = "✓"
+    ACCELERATION = "△"
+    SPEED = "◇"
+    REST = "○"
+    CORNER = "▲"
+    BREAK = "✕"
 
 
 _RESTS = "The curve stands still here, so that it has no direction: a corner or a cusp may show."

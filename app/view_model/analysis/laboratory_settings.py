@@ -2,46 +2,45 @@
 
 from __future__ import annotations
 
-import enum
-
 import msgspec
+
+from app.document.words import Named
 
 LEAST_DIGITS, MOST_DIGITS = 2, 16
 MOST_DECIMALS = 6
 USUAL_SHIFT = 100.0
 
 
-class Calculation(enum.StrEnum):
-    """A way to compute the curve, in the order in which the window lists them."""
+class Calculation(Named):
+    """A way to compute the curve, in the order in which the window lists them.
 
-    MONOMIAL = "monomial"
-    NEWTON = "newton"
-    LAGRANGE = "lagrange"
-    BARYCENTRIC = "barycentric"
-    BASIS = "basis"
+    Attributes
+    ----------
+    tip
+        How it computes.
+    """
+
+    def __init__(self, value: str, label: str = "", tip: str = "") -> None:
+        super().__init__(value, label)
+        self.tip = tip
+
+    MONOMIAL = (
+        "monomial",
+        "Monomials",
+        "Solve the system for the coefficients of 1, t, t², …, then Horner's scheme",
+    )
+    NEWTON = "newton", "Newton", "Divided differences, then Newton's form"
+    LAGRANGE = "lagrange", "Lagrange", "The basis functions Lᵢ as products, times the points"
+    BARYCENTRIC = "barycentric", "Barycentric", "The second barycentric formula"
+    BASIS = "basis", "Hermite basis", "The Hermite basis functions of the local parameter"
 
 
-class Rounding(enum.StrEnum):
+class Rounding(Named):
     """What is rounded, in the order in which the window lists it."""
 
-    EVERY_STEP = "every_step"
-    COEFFICIENTS = "coefficients"
-    DATA = "data"
-
-
-ROUNDING_NAMES = {
-    Rounding.EVERY_STEP: "every step",
-    Rounding.COEFFICIENTS: "the coefficients",
-    Rounding.DATA: "the data",
-}
-
-METHOD_NAMES = {
-    Calculation.MONOMIAL: "Monomials",
-    Calculation.NEWTON: "Newton",
-    Calculation.LAGRANGE: "Lagrange",
-    Calculation.BARYCENTRIC: "Barycentric",
-    Calculation.BASIS: "Hermite basis",
-}
+    EVERY_STEP = "every_step", "every step"
+    COEFFICIENTS = "coefficients", "the coefficients"
+    DATA = "data", "the data"
 
 
 class LaboratorySettings(msgspec.Struct, frozen=True):

@@ -5,7 +5,7 @@ from __future__ import annotations
 from math import log10
 
 from app.view_model.analysis.laboratory import Outcome, Trial
-from app.view_model.analysis.laboratory_settings import METHOD_NAMES, Calculation, Rounding
+from app.view_model.analysis.laboratory_settings import Calculation, Rounding
 from app.view_model.analysis.wording import short
 
 _HOPELESS = 0.7
@@ -34,7 +34,7 @@ def trial_words(trial: Trial) -> str:
         case Rounding.EVERY_STEP if monomial is not None and trial.condition is not None:
             return _on_solving(trial, monomial, trial.condition)
     best = min(trial.outcomes, key=lambda each: each.lost)
-    return f"{METHOD_NAMES[best.calculation]} loses {best.lost:.1f} of {trial.settings.digits} digits."
+    return f"{best.calculation.label} loses {best.lost:.1f} of {trial.settings.digits} digits."
 
 
 def growth_words(trial: Trial) -> str:

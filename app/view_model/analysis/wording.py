@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import math
 
+from app.document.words import with_minus
+
 _SUPERSCRIPTS = str.maketrans("0123456789-", "⁰¹²³⁴⁵⁶⁷⁸⁹⁻")
 _THIN = "\N{NARROW NO-BREAK SPACE}"
 
@@ -22,7 +24,7 @@ def short(value: float) -> str:
         text = f"{value:,.0f}".replace(",", _THIN if size >= 9_999.5 else "")
     else:
         text = f"{value:.2g}"
-    return text.replace("-", "−")
+    return with_minus(text)
 
 
 def power(exponent: float) -> str:

@@ -1,0 +1,110 @@
+"""Words for people: names of members, numbers, amounts, lists. What is shown is a view; values stay whole."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Collection, Sequence
+from enum import StrEnum
+from typing import TYPE_CHECKING, Self
+
+if TYPE_CHECKING:
+    from app.document.model import Vector
+    from app.document.several_curves import NodeGroup
+
+NOTHING = "–"
+"""Stands where there is no number."""
+
+
+class Named(StrEnum):
+    """An enumeration whose members say, beside their value, what the window calls them.
+
+    Attributes
+    ----------
+    label
+        The name in the window.
+    """
+
+    label: str
+
+    def __new__(cls, value: str, *_words: object) -> Self:
+        """Return a member: text that is the first of its words."""
+        member = str.__new__(cls, value)
+        member._value_ = value
+        return member
+
+    # With defaults, because a member is found by its value alone, too.
+    def __init__(self, _value: str, label: str = "") -> None:
+        self.label = label
+
+
+def number(value: float, digits: int = 4, mark: str = ".") -> str:
+    """Return a number with at most so many significant digits, a true minus sign and a short exponent."""
+    return polished(f"{value:.{digits}g}", mark) if math.isfinite(value) else NOTHING
+
+
+def with_decimals(value: float, decimals: int, mark: str = ".") -> str:
+    """Return a number with so many decimals and a true minus sign."""
+    return polished(f"{value:.{decimals}f}", mark) if math.isfinite(value) else NOTHING
+
+
+def polished(text: str, mark: str = ".") -> str:
+    """Return a number that Python wrote as 1e-05 as 1e−5, with the mark; no minus before a rounded zero."""
+    mantissa, _, exponent = text.partition("e")
+    if exponent:
+        text = f"{mantissa}e{int(exponent)}"
+    elif float(text) == 0:
+        text = text.removeprefix("-")
+    return with_minus(text.replace(".", mark))
+
+
+def with_minus(text: str) -> str:
+    """Return text whose hyphens, which stand before numbers alone, are true minus signs."""
+    return text.replace("-", "−")
+
+
+def vector(value: Vector) -> str:
+    """Return both coordinates."""
+    return f"{number(value[0])}, {number(value[1])}"
+
+
+def points(indices: Collection[int]) -> str:
+    """Return "point 3" or "4 points"."""
+    return f"point {next(iter(indices))}" if len(indices) == 1 else f"{len(indices)} points"
+
+
+def group(nodes: NodeGroup) -> str:
+    """Return "point 3", "4 points" or "3 curves"."""
+    return f"{len(nodes.parts)} curves" if nodes.is_several else points(nodes.parts[0][1])
+
+
+def point_at(index: int, place: Vector) -> str:
+    """Return "Point 3 at 2.4, 5.158"."""
+    return f"Point {index} at {vector(place)}"
+
+
+def polar(value: Vector) -> str:
+    """Return length and direction, "3.2 at 45°"."""
+    return f"{number(math.hypot(*value))} at {angle(math.degrees(math.atan2(value[1], value[0])))}"
+
+
+def angle(degrees: float) -> str:
+    """Return an angle to a tenth of a degree."""
+    return f"{number(round(degrees, 1), 6)}°"
+
+
+def count_of(count: int, noun: str) -> str:
+    """Return "1 point", "2 points"."""
+    return f"{count} {noun}" if count == 1 else f"{count} {noun}s"
+
+
+def names_of(names: Sequence[str]) -> str:
+    """Return the first names, and how many more there are."""
+    shown = list(names[:3])
+    if len(names) > len(shown):
+        shown.append(f"{len(names) - len(shown)} more")
+    return shown[0] if len(shown) == 1 else f"{', '.join(shown[:-1])} and {shown[-1]}"
+
+
+def listed(names: Sequence[str]) -> str:
+    """Return "a was", "a and b were": the beginning of a sentence that says what became of them."""
+    return f"{names_of(names)} {'was' if len(names) == 1 else 'were'}"

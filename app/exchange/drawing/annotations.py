@@ -1,0 +1,153 @@
+"""What a picture can show beside the curves: a grid, the handles, the basis functions."""
+
+from __future__ import annotations
+
+from math import ceil, floor, log10
+
+import numpy as np
+from msgspec.structs import replace
+
+from app.document.model import Curve, Document
+from app.exchange.drawing.drawing import MARGIN, Annotation, Drawing, Floats, Frame, frame_with
+from app.exchange.errors import ExchangeError
+from app.exchange.options import Extras
+from app.view_model.basis_view import BasisView, basis_view
+from app.view_model.cardinal_view import cardinal_view
+from app.view_model.curve_view import view_of
+from app.view_model.handles import Handle, handles_of
+from app.view_model.palette import point_palette
+
+PANEL = 0.4
+"""Height of the basis functions' panel against the picture's longer side."""
+
+MOST_HANDLES = 2_000
+"""Points of a curve beyond which handles would only be a black mass."""
+
+_CALM = (-0.5, 1.2)
+_WILD = (-4.0, 4.0)
+_MOST_LINES = 24
+_FINE, _COARSE, _AXIS = 0.08, 0.16, 0.4
+_THIN, _USUAL = 0.001, 0.002
+_SQUARE = 0.004
+_DASHES = ((), (0.008, 0.005), (0.002, 0.004))
+
+
+def annotated(drawing: Drawing, document: Document, extras: Extras, theme: str) -> Drawing:
+    """Return the drawing with what else is wanted, on the paper of a theme, "light" or "dark".
+
+    Raises
+    ------
+    ExchangeError
+        If the basis functions are wanted of a curve that has none.
+    """
+    frame = drawing.frame
+    handles = _handles(document) if extras.handles else {}
+    if handles:
+        ends = np.array([handle.position for each in handles.values() for handle in each])
+        frame = frame_with(drawing.outlines, ends)
+    found = _grid(frame) if extras.grid else []
+    for curve, each in handles.items():
+        found += _drawn_handles(document.curves[curve].colour, each, frame.side)
+    if extras.basis is not None:
+        view = _functions(document.curves[extras.basis], extras)
+        if view is None:
+            raise ExchangeError(f"“{document.curves[extras.basis].name}” has no basis functions to draw.")
+        height = PANEL * frame.side
+        panel = Frame(frame.left, frame.bottom - height, frame.width, height)
+        found += _basis(view, panel, frame.side, theme)
+        frame = Frame(frame.left, panel.bottom, frame.width, frame.height + height)
+    return replace(drawing, frame=frame, annotations=tuple(found))
+
+
+def _functions(curve: Curve, extras: Extras) -> BasisView | None:
+    view = view_of(curve)
+    shows_cardinals = extras.with_estimates and curve.family.derivatives > 0
+    return cardinal_view(view) if shows_cardinals else basis_view(view)
+
+
+def grid_step(frame: Frame) -> float:
+    """Return the distance of the fine lines: 1, 2 or 5 times a power of ten."""
+    least = frame.side / _MOST_LINES
+    decade = 10.0 ** floor(log10(least))
+    return next(step * decade for step in (1, 2, 5, 10) if step * decade >= least * (1 - 1e-9))
+
+
+def _grid(frame: Frame) -> list[Annotation]:
+    step = grid_step(frame)
+    upright = [
+        (place, np.array([(place * step, frame.bottom), (place * step, frame.top)]))
+        for place in range(ceil(frame.left / step), floor((frame.left + frame.width) / step) + 1)
+    ]
+    level = [
+        (place, np.array([(frame.left, place * step), (frame.left + frame.width, place * step)]))
+        for place in range(ceil(frame.bottom / step), floor(frame.top / step) + 1)
+    ]
+    lines = [*upright, *level]
+    kinds = (
+        (_FINE, [line for place, line in lines if place % 5]),
+        (_COARSE, [line for place, line in lines if place % 5 == 0 and place]),
+        (_AXIS, [line for place, line in lines if place == 0]),
+    )
+    width = _THIN * frame.side
+    return [Annotation("grid", tuple(each), width, opacity) for opacity, each in kinds if each]
+
+
+def _handles(document: Document) -> dict[int, list[Handle]]:
+    """Return the handles of the curves that show any, by the curves' places in the document."""
+    found: dict[int, list[Handle]] = {}
+    for place, curve in enumerate(document.curves):
+        if not curve.visible or len(curve.nodes) > MOST_HANDLES:
+            continue
+        view = view_of(curve)
+        if not view.is_current:
+            continue
+        handles = [handle for index in range(len(curve.nodes)) for handle in handles_of(view, index)]
+        if handles:
+            found[place] = handles
+    return found
+
+
+def _drawn_handles(colour: str, handles: list[Handle], side: float) -> list[Annotation]:
+    corner = np.array([(-1, -1), (1, -1), (1, 1), (-1, 1), (-1, -1)]) * (_SQUARE * side)
+    lines = tuple(np.array([handle.anchor, handle.position]) for handle in handles)
+    squares = tuple(np.array(handle.position) + corner for handle in handles)
+    return [
+        Annotation("handles", lines, _THIN * side, 0.6, colour=colour),
+        Annotation("handles", squares, 0.0, 0.8, colour=colour, filled=True),
+    ]
+
+
+def _basis(view: BasisView, panel: Frame, side: float, theme: str) -> list[Annotation]:
+    """Return the functions in their panel, with lines at 0 and 1 and at every parameter."""
+    low, high = view.extent(range(view.kinds))
+    low, high = max(min(low, _CALM[0]), _WILD[0]), min(max(high, _CALM[1]), _WILD[1])
+    start, end = view.curve.domain
+    room = MARGIN * panel.width
+
+    def placed(t: Floats, values: Floats) -> Floats:
+        share = (np.clip(values, low, high) - low) / (high - low)
+        x = panel.left + room + (t - start) / (end - start) * (panel.width - 2 * room)
+        return np.column_stack([x, panel.bottom + (0.05 + 0.9 * share) * panel.height])
+
+    ends = np.array([start, end])
+    levels = tuple(placed(ends, np.full(2, float(value))) for value in (0, 1))
+    ticks = tuple(placed(np.full(2, t), np.array([low, 0.0])) for t in view.curve.parameters.tolist())
+    edge = np.array([(panel.left, panel.top), (panel.left + panel.width, panel.top)])
+    thin, usual = _THIN * side, _USUAL * side
+    found = [
+        Annotation("basis", (edge, levels[1]), thin, _COARSE),
+        Annotation("basis", (levels[0],), thin, _AXIS),
+        Annotation("basis", ticks, thin, _COARSE),
+    ]
+    colours = point_palette(view.node_count, theme, "")
+    for kind in range(view.kinds):
+        dash = tuple(length * side for length in _DASHES[kind])
+        if view.is_coarse:
+            t, least, greatest = view.envelope(kind)
+            outline = (placed(t, least), placed(t, greatest))
+            found.append(Annotation("basis", outline, usual, dash=dash))
+            continue
+        for index, owner in enumerate(view.owners):
+            line = placed(*view.function(index, kind))
+            found.append(Annotation("basis", (line,), usual, colour=colours[owner], dash=dash))
+    return found

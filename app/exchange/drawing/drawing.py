@@ -1,0 +1,334 @@
+"""A document as cubic Bézier curves in a frame: what every picture of it is made from."""
+
+from __future__ import annotations
+
+import itertools
+from collections.abc import Iterable
+
+import msgspec
+import numpy as np
+import numpy.typing as npt
+from msgspec.structs import replace
+
+from app.document.model import Curve, Document
+from app.exchange.errors import ExchangeError
+from app.tasks.progress import Report, part, silent, told
+from app.view_model.curve_view import CoreCurve, CurveView, view_of
+from app.view_model.refusals import in_words
+from curvecore import CurveError
+from curvecore.bezier.control_points import cubic_path
+
+Floats = npt.NDArray[np.float64]
+
+RELATIVE_TOLERANCE = 1e-5
+"""Default tolerance against the drawing's larger side: a fiftieth of a pixel on a screen of 2000."""
+
+MARGIN = 0.06
+"""Free space on every side of the drawing, against its larger side."""
+
+SLIMMEST = 0.2
+"""Least ratio of a frame's shorter to its longer side."""
+
+LARGEST = 1e30
+SMALLEST = 1e-30
+"""Sizes that every reader of pictures can hold: many compute in single precision, 1e-38 to 1e38."""
+
+MOST_POINTS = 10_000
+"""Points of the largest Lagrange curve that is computed; the work grows with the square."""
+
+_RESOLUTION = 1e-12
+_SAMPLES = 513
+
+
+class Frame(msgspec.Struct, frozen=True):
+    """The rectangle that a picture shows; y points up."""
+
+    left: float
+    bottom: float
+    width: float
+    height: float
+
+    @property
+    def top(self) -> float:
+        """The upper edge."""
+        return self.bottom + self.height
+
+    @property
+    def side(self) -> float:
+        """The longer side."""
+        return max(self.width, self.height)
+
+
+class Outline(msgspec.Struct, frozen=True):
+    """One curve as cubic Bézier pieces.
+
+    Attributes
+    ----------
+    name
+        The curve's name.
+    control_points
+        (k, 4, 2); a piece begins where the one before it ends.
+    nodes
+        The points that the curve goes through, (n, 2).
+    deviation
+        Largest distance from the true curve; zero where the curve is a chain of cubics itself.
+    colour
+        "#rrggbb", or empty for the ink of the picture.
+    closed
+        Whether the last piece ends where the first begins, and goes on there.
+    """
+
+    name: str
+    control_points: Floats
+    nodes: Floats
+    deviation: float
+    colour: str = ""
+    closed: bool = False
+
+
+class Annotation(msgspec.Struct, frozen=True):
+    """Lines that go with the curves.
+
+    Attributes
+    ----------
+    name
+        Of the group they belong to: "grid", "handles" or "basis".
+    lines
+        Polylines, each (k, 2).
+    width
+        Of their strokes, in the document's unit.
+    opacity
+        From 0 to 1.
+    colour
+        "#rrggbb", or empty for the ink of the picture.
+    filled
+        Whether they are outlines of areas, without a stroke.
+    dash
+        Lengths of dashes and gaps; empty for none.
+    """
+
+    name: str
+    lines: tuple[Floats, ...]
+    width: float
+    opacity: float = 1.0
+    colour: str = ""
+    filled: bool = False
+    dash: tuple[float, ...] = ()
+
+
+class Drawing(msgspec.Struct, frozen=True):
+    """All visible curves of a document that can be drawn.
+
+    Attributes
+    ----------
+    outlines
+        At least one.
+    frame
+        What to show: the curves and their points with a margin.
+    tolerance
+        The deviation that was allowed, in the document's unit.
+    remarks
+        One sentence for every curve that could not be drawn.
+    annotations
+        What else is drawn.
+    """
+
+    outlines: tuple[Outline, ...]
+    frame: Frame
+    tolerance: float
+    remarks: tuple[str, ...] = ()
+    annotations: tuple[Annotation, ...] = ()
+
+    @property
+    def deviation(self) -> float:
+        """Largest distance of any outline from its true curve."""
+        return max(outline.deviation for outline in self.outlines)
+
+    def fitted(self, width: float, height: float) -> Drawing:
+        """Return the drawing moved and scaled to the frame (0, 0, width, height), centred in it.
+
+        The deviations stay those of the original, in the document's unit.
+        """
+        scale = min(width / self.frame.width, height / self.frame.height)
+        corner = np.array([self.frame.left, self.frame.bottom])
+        room = np.array([width - scale * self.frame.width, height - scale * self.frame.height])
+
+        def moved(points: Floats) -> Floats:
+            return np.asarray((points - corner) * scale + room / 2)
+
+        outlines = tuple(
+            replace(outline, control_points=moved(outline.control_points), nodes=moved(outline.nodes))
+            for outline in self.outlines
+        )
+        annotations = tuple(
+            replace(
+                each,
+                lines=tuple(map(moved, each.lines)),
+                width=each.width * scale,
+                dash=tuple(length * scale for length in each.dash),
+            )
+            for each in self.annotations
+        )
+        return replace(self, outlines=outlines, frame=Frame(0.0, 0.0, width, height), annotations=annotations)
+
+
+def drawing_of(document: Document, tolerance: float | None = None, report: Report = silent) -> Drawing:
+    """Return the drawing of a document.
+
+    Parameters
+    ----------
+    document
+        A document with at least one curve that can be drawn.
+    tolerance
+        Largest deviation allowed, positive, in the document's unit; by default `RELATIVE_TOLERANCE` of
+        the drawing's larger side.
+    report
+        Hears how far it has come.
+
+    Raises
+    ------
+    ExchangeError
+        If no curve can be drawn, or if the coordinates are so large, so small or so far from the origin
+        that no picture can hold them.
+    """
+    if tolerance is not None and not 0 < tolerance < np.inf:
+        raise ExchangeError("The tolerance must be a positive number.")
+    visible = [curve for curve in document.curves if curve.visible]
+    views, remarks = sort_out(told(visible, part(report, 0.0, 0.3), "Computing curves"))
+    drawable = [(view.source, view.curve) for view in views if view.curve is not None]
+    if not drawable and not remarks:
+        raise ExchangeError("There is nothing to draw: all curves are hidden.")
+    if not drawable:
+        raise ExchangeError(f"There is nothing to draw. {' '.join(remarks)}")
+    samples = [_samples(*each) for each in told(drawable, part(report, 0.3, 0.5), "Computing curves")]
+    allowed = tolerance if tolerance is not None else RELATIVE_TOLERANCE * frame_around(samples).side
+    drawn = told(drawable, part(report, 0.5, 1.0), "Drawing curves")
+    outlines = tuple(_outline(curve, core, allowed) for curve, core in drawn)
+    return Drawing(outlines, frame_with(outlines), allowed, tuple(remarks))
+
+
+def frame_with(outlines: Iterable[Outline], points: Floats | None = None) -> Frame:
+    """Return the frame that shows curves with their points, and other points (n, 2).
+
+    Raises
+    ------
+    ExchangeError
+        If no picture can hold the coordinates.
+    """
+    parts = [np.vstack([extent_of(each.control_points), each.nodes]) for each in outlines]
+    return frame_around(parts if points is None else [*parts, points])
+
+
+def too_much(curve: Curve) -> str:
+    """Return why a curve cannot be computed in any sensible time, as a sentence; empty if it can."""
+    if curve.family.is_one_polynomial and len(curve.nodes) > MOST_POINTS:
+        return f"{curve.family.subject} can have {MOST_POINTS} points, not {len(curve.nodes)}."
+    return ""
+
+
+def sort_out(curves: Iterable[Curve]) -> tuple[list[CurveView], list[str]]:
+    """Return views of the curves that can be computed, and a sentence for each of the others."""
+    drawable, remarks = [], []
+    for curve in curves:
+        if reason := too_much(curve):
+            remarks.append(f"“{curve.name}”: {reason}")
+            continue
+        view = view_of(curve)
+        if view.curve is None:
+            remarks.append(f"“{curve.name}”: {view.problem}")
+        else:
+            drawable.append(view)
+    return drawable, remarks
+
+
+def _samples(curve: Curve, core: CoreCurve) -> Floats:
+    """Return points all along the curve, enough to know its size."""
+    parameters = np.union1d(np.linspace(*core.domain, _SAMPLES), core.parameters)
+    samples = core.evaluate(parameters)
+    refuse_wild(curve, samples)
+    return samples
+
+
+def refuse_wild(curve: Curve, samples: Floats) -> None:
+    """Raise ExchangeError for samples of a curve, (m, 2), that no picture can hold."""
+    if not np.isfinite(samples).all() or np.abs(samples).max() > LARGEST:
+        raise ExchangeError(
+            f"“{curve.name}” swings beyond {LARGEST:g} between its points; no picture can hold that. "
+            "Chebyshev parameters or Hermite curves stay calm."
+        )
+
+
+def _outline(curve: Curve, core: CoreCurve, tolerance: float) -> Outline:
+    try:
+        path = cubic_path(core, tolerance)
+    except CurveError as problem:
+        raise ExchangeError(f"“{curve.name}” cannot be drawn: {in_words(str(problem))}.") from problem
+    nodes = core.points[: len(curve.nodes)]
+    return Outline(
+        curve.name, path.control_points, nodes, float(path.deviation), curve.colour, curve.is_closed
+    )
+
+
+def extent_of(control_points: Floats) -> Floats:
+    """Return the lower left and the upper right corner, (2, 2), of cubic Bézier pieces (k, 4, 2).
+
+    Exact up to rounding: the extremes lie at the ends of the pieces and where a coordinate's derivative,
+    a quadratic, is zero.
+    """
+    pieces = control_points.transpose(0, 2, 1).reshape(-1, 4)
+    extremes = _cubic_values(pieces, _turning_points(pieces))
+    extremes = extremes.reshape(-1, 2, 2).transpose(0, 2, 1).reshape(-1, 2)
+    points = np.vstack([control_points[:, 0], control_points[:, 3], extremes])
+    return np.array([points.min(axis=0), points.max(axis=0)])
+
+
+def _turning_points(pieces: Floats) -> Floats:
+    """Return where in [0, 1] the cubics (k, 4) turn, (k, 2); zero stands for "nowhere".
+
+    The roots of a s² − 2 b s + c are taken as c / q and q / a with q = b ± √(b² − a c), the sign chosen
+    so that nothing cancels.
+    """
+    first, second, third = np.diff(pieces, axis=1).T
+    a, b, c = first - 2 * second + third, first - second, first
+    with np.errstate(divide="ignore", invalid="ignore", over="ignore", under="ignore"):
+        q = b + np.copysign(np.sqrt(b * b - a * c), b)
+        roots = np.stack([c / q, q / a], axis=1)
+    inside = (roots > 0) & (roots < 1)
+    return np.where(inside, roots, 0.0)
+
+
+def _cubic_values(pieces: Floats, s: Floats) -> Floats:
+    """Return the values (k, m) of the cubics (k, 4) at s (k, m), by de Casteljau's scheme."""
+    level = [pieces[:, [i]] for i in range(4)]
+    while len(level) > 1:
+        level = [(1 - s) * low + s * high for low, high in itertools.pairwise(level)]
+    return level[0]
+
+
+def frame_around(parts: list[Floats]) -> Frame:
+    """Return the frame that shows all points, with a margin and not too slim.
+
+    Raises
+    ------
+    ExchangeError
+        If no picture can hold the coordinates.
+    """
+    points = np.vstack(parts)
+    low, high = points.min(axis=0), points.max(axis=0)
+    size = float((high - low).max())
+    reach = float(np.abs(points).max())
+    if size == 0:
+        raise ExchangeError("There is nothing to draw: all points coincide.")
+    if not SMALLEST <= size <= LARGEST:
+        raise ExchangeError(
+            f"The drawing is {size:.2g} across; a picture can hold {SMALLEST:g} to {LARGEST:g}."
+        )
+    if size < _RESOLUTION * reach:
+        raise ExchangeError(
+            f"The drawing is {size:.2g} across at a distance of {reach:.2g} from the origin: "
+            "too small for a picture."
+        )
+    outer = size * (1 + 2 * MARGIN)
+    width, height = np.maximum(high - low + 2 * MARGIN * size, SLIMMEST * outer).tolist()
+    middle = low + (high - low) / 2
+    return Frame(float(middle[0]) - width / 2, float(middle[1]) - height / 2, width, height)

@@ -1,0 +1,312 @@
+"""Documents as PNG and PDF; the only module of the exchange that needs Qt. No display is needed.
+
+Both are the SVG of `app.exchange.svg.writer`, moved to the picture's own coordinates in NumPy first: Qt then
+never sees the coordinates of the document, however large, small or far away they are.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass
+
+from msgspec.structs import replace
+from PySide6.QtCore import QBuffer, QByteArray, QIODevice, QMarginsF, QRectF, QSizeF
+from PySide6.QtGui import (
+    QColor,
+    QGuiApplication,
+    QImage,
+    QImageWriter,
+    QPageLayout,
+    QPageSize,
+    QPainter,
+    QPdfWriter,
+)
+from PySide6.QtSvg import QSvgRenderer, QtSvg
+
+from app import __version__
+from app.document.model import Document
+from app.exchange.drawing.drawing import Drawing, Frame
+from app.exchange.drawing.styles import Style
+from app.exchange.errors import ExchangeError
+from app.exchange.formats import Written
+from app.exchange.options import Options
+from app.exchange.svg.writer import accuracy_of, nominal_width, picture_of, svg_text
+from app.exchange.units import MILLIMETRES, POINTS_PER_MILLIMETRE, known_unit, size_in_words
+from app.tasks.progress import Report, part, silent
+from app.view_model.palette import adjustment_of
+
+DEFAULT_WIDTH = 1600
+LARGEST_SIDE = 16384
+"""Longer side of the largest PNG, in pixels; Qt's painter ends at 32767."""
+
+PAGE_SIDE = 720.0
+"""Longer side, in points of 1/72 inch, of a PDF page whose size nobody asked for."""
+
+LARGEST_PAGE, SMALLEST_PAGE = 14_400, 3
+"""Sides of a PDF page in points, as ISO 32000-1, annex C, has them."""
+
+_PDF_RESOLUTION = 1440
+"""Dots an inch: a whole number for each point, so that nothing is rounded."""
+
+_DOTS_PER_METRE = 96 / 0.0254
+_MOST_DOTS = 2**31 - 1
+
+_DRAWN = 0.6
+"""Share of a picture that is its drawing; painting follows."""
+
+
+def png_image(document: Document, options: Options) -> QImage:
+    """Return a picture of a document, `options.width` × `options.scale` pixels wide.
+
+    Raises
+    ------
+    ExchangeError
+        If nothing can be drawn, or the picture would be too large.
+    """
+    return _png(_drawing(document, options, options.paper_style), options)
+
+
+def _png(drawing: Drawing, options: Options) -> QImage:
+    style = options.paper_style
+    width, height = _size(drawing, options)
+    with application():
+        image = _painted(drawing, (width, height), style, options)
+        image.setText("Software", f"Curvebench {__version__}")
+        image.setText("Description", accuracy_of(drawing))
+        dots = _dots_per_metre(drawing, options)
+        image.setDotsPerMeterX(dots)
+        image.setDotsPerMeterY(dots)
+    return image
+
+
+def _dots_per_metre(drawing: Drawing, options: Options) -> int:
+    """Return how dense the pixels are: for true size where that can be, else as on a screen."""
+    return _true_dots_per_metre(drawing, options) or round(_DOTS_PER_METRE * options.scale)
+
+
+def _true_dots_per_metre(drawing: Drawing, options: Options) -> int:
+    """Return how dense the pixels are at true size; 0 without a unit, or where no file can say it."""
+    unit = known_unit(options.unit)
+    if not unit:
+        return 0
+    width, _ = _size(drawing, options)
+    dots = round(1000 * width / (drawing.frame.width * MILLIMETRES[unit]))
+    return dots if dots <= _MOST_DOTS else 0
+
+
+@dataclass(frozen=True)
+class PicturePreview:
+    """A small picture of a picture.
+
+    Attributes
+    ----------
+    size
+        What its file says of its size, in a line.
+    moved
+        What became of colours that could not be seen on the paper, a sentence or nothing.
+    """
+
+    image: QImage
+    size: str
+    moved: str = ""
+
+
+def png_preview(document: Document, options: Options, room: tuple[int, int]) -> PicturePreview:
+    """Return what a PNG with these options looks like, in so many pixels at most.
+
+    Raises
+    ------
+    ExchangeError
+        As `png_image`.
+    """
+    drawing = _drawing(document, options, options.paper_style)
+    width, height = _size(drawing, options)
+    dots = _true_dots_per_metre(drawing, options)
+    density = f", 1 : 1 at {dots * 0.0254:.4g} per inch" if dots else ""
+    return _preview(drawing, options, options.paper_style, f"{width} × {height} pixels{density}", room)
+
+
+def svg_preview(document: Document, options: Options, room: tuple[int, int]) -> PicturePreview:
+    """Return what an SVG looks like; see `png_preview`."""
+    drawing = _drawing(document, options, options.vector_style)
+    size = _true_size_text(drawing, options)
+    if not size:
+        frame, across = drawing.frame, nominal_width(drawing, options.width)
+        size = f"{size_in_words(across, across * frame.height / frame.width, 'px')}, not to scale"
+    return _preview(drawing, options, options.vector_style, size, room)
+
+
+def pdf_preview(document: Document, options: Options, room: tuple[int, int]) -> PicturePreview:
+    """Return what a PDF looks like; see `png_preview`."""
+    drawing, points = _on_page(_drawing(document, options, options.vector_style), options)
+    size = _true_size_text(drawing, options)
+    if not size:
+        wide, high = (side / POINTS_PER_MILLIMETRE for side in (points.width(), points.height()))
+        size = f"{size_in_words(wide, high, 'mm')}, not to scale"
+    return _preview(drawing, options, options.vector_style, f"Page of {size}", room)
+
+
+def _true_size_text(drawing: Drawing, options: Options) -> str:
+    """Return the size and the scale of a drawing at true size; empty where it has none."""
+    frame, unit = drawing.frame, known_unit(options.unit)
+    if not unit or options.width is not None:
+        return ""
+    return f"{size_in_words(frame.width, frame.height, unit)}, 1 : 1 (1 is 1 {unit})"
+
+
+def _preview(
+    drawing: Drawing, options: Options, style: Style, size: str, room: tuple[int, int]
+) -> PicturePreview:
+    frame = drawing.frame
+    scale = min(room[0] / frame.width, room[1] / frame.height)
+    pixels = (max(round(frame.width * scale), 1), max(round(frame.height * scale), 1))
+    return PicturePreview(_painted(drawing, pixels, style, options), size, _moved_colours(drawing, style))
+
+
+def _moved_colours(drawing: Drawing, style: Style) -> str:
+    """Return the sentence that tells of curves whose colours cannot be seen on the paper as chosen."""
+    moved = [each for each in drawing.outlines if adjustment_of(style.paper, each.colour)]
+    if not moved:
+        return ""
+    more = f" (and {len(moved) - 1} more)" if len(moved) > 1 else ""
+    return f"“{moved[0].name}” is {adjustment_of(style.paper, moved[0].colour)}{more}."
+
+
+def _size(drawing: Drawing, options: Options) -> tuple[int, int]:
+    wanted = (DEFAULT_WIDTH if options.width is None else options.width) * options.scale
+    # Huge factors shall be refused, not overflow.
+    width = round(min(wanted, 1e9))
+    height = round(width * drawing.frame.height / drawing.frame.width)
+    if not 1 <= min(width, height) <= max(width, height) <= LARGEST_SIDE:
+        raise ExchangeError(
+            f"A picture of {width} × {height} pixels is not possible; the sides may have 1 to {LARGEST_SIDE}."
+        )
+    return width, height
+
+
+def _painted(drawing: Drawing, size: tuple[int, int], style: Style, options: Options) -> QImage:
+    image = QImage(*size, QImage.Format.Format_ARGB32_Premultiplied)
+    image.fill(QColor(0, 0, 0, 0))
+    painter = QPainter(image)
+    painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+    _paint(drawing.fitted(*size), painter, style, options)
+    return image
+
+
+def _paint(fitted: Drawing, painter: QPainter, style: Style, options: Options) -> None:
+    """Paint a drawing, and end the painter also where somebody stops it: it may not outlive its device."""
+    try:
+        report = part(options.report, _DRAWN, 1.0)
+        paint_drawing(fitted, painter, style, points=options.points, report=report)
+    finally:
+        painter.end()
+
+
+def png_file(document: Document, options: Options) -> Written:
+    """Return a PNG file; see `png_image`."""
+    drawing = _drawing(document, options, options.paper_style)
+    with application():
+        data = _encoded(_png(drawing, options))
+    return Written(data, drawing.deviation, drawing.remarks, _size(drawing, options))
+
+
+def _encoded(image: QImage) -> bytes:
+    buffer = QBuffer()
+    buffer.open(QIODevice.OpenModeFlag.WriteOnly)
+    if not QImageWriter(buffer, QByteArray(b"png")).write(image):
+        raise ExchangeError("The picture could not be made; there may be too little memory.")
+    return bytes(buffer.data().data())
+
+
+def pdf_file(document: Document, options: Options) -> Written:
+    """Return a document as a PDF of one page, as outlines.
+
+    `options.width` is in points of 1/72 inch.
+
+    Without a width, and with a unit, the page has true size.
+
+    Raises
+    ------
+    ExchangeError
+        If nothing can be drawn, or no page is as large or as small.
+    """
+    style = options.vector_style
+    drawing = _drawing(document, options, style)
+    with application():
+        return Written(_page(drawing, options, style), drawing.deviation, drawing.remarks)
+
+
+def _page(drawing: Drawing, options: Options, style: Style) -> bytes:
+    # On its own, because nothing that paints may outlive the application.
+    drawing, page = _on_page(drawing, options)
+    buffer = QBuffer()
+    buffer.open(QIODevice.OpenModeFlag.WriteOnly)
+    writer = QPdfWriter(buffer)
+    writer.setCreator(f"Curvebench {__version__}")
+    writer.setTitle(", ".join(outline.name for outline in drawing.outlines))
+    writer.setResolution(_PDF_RESOLUTION)
+    size = QPageSize(page, QPageSize.Unit.Point, "", QPageSize.SizeMatchPolicy.ExactMatch)
+    writer.setPageLayout(QPageLayout(size, QPageLayout.Orientation.Portrait, QMarginsF()))
+    painter = QPainter(writer)
+    device = painter.viewport()
+    _paint(drawing.fitted(device.width(), device.height()), painter, style, options)
+    return bytes(buffer.data().data())
+
+
+def _on_page(drawing: Drawing, options: Options) -> tuple[Drawing, QSizeF]:
+    """Return a drawing and the size in points of the page that it fills.
+
+    Qt writes whole points. At true size it is the margin that gives, by less than a point, not the scale.
+    """
+    frame, unit = drawing.frame, known_unit(options.unit)
+    if not unit or options.width is not None:
+        across = PAGE_SIDE * frame.width / frame.side if options.width is None else options.width
+        return drawing, QSizeF(across, across * frame.height / frame.width)
+    scale = MILLIMETRES[unit] * POINTS_PER_MILLIMETRE
+    if not SMALLEST_PAGE <= min(frame.width, frame.height) * scale <= frame.side * scale <= LARGEST_PAGE:
+        longest = LARGEST_PAGE / POINTS_PER_MILLIMETRE
+        raise ExchangeError(
+            f"At true size the page would be {size_in_words(frame.width, frame.height, unit)}; "
+            f"a PDF has pages of 1 to {longest:.0f} mm."
+        )
+    # Two digits of slack: what is a whole number of points but for rounding shall not become one more.
+    wide, high = (math.ceil(side * scale - 1e-6) for side in (frame.width, frame.height))
+    width, height = wide / scale, high / scale
+    left, bottom = frame.left - (width - frame.width) / 2, frame.bottom - (height - frame.height) / 2
+    return replace(drawing, frame=Frame(left, bottom, width, height)), QSizeF(wide, high)
+
+
+def _drawing(document: Document, options: Options, style: Style) -> Drawing:
+    report = part(options.report, 0.0, _DRAWN)
+    return picture_of(document, options.tolerance, options.extras, style, report)
+
+
+def paint_drawing(
+    fitted: Drawing, painter: QPainter, style: Style, *, points: bool, report: Report = silent
+) -> None:
+    """Paint a drawing whose frame is the painter's whole device."""
+    frame = fitted.frame
+    text = svg_text(fitted, style=style, points=points, width=frame.width, report=report)
+    renderer = QSvgRenderer()
+    # Otherwise Qt silently cuts off paths of more than some ten thousand pieces.
+    renderer.setOptions(QtSvg.Option.AssumeTrustedSource)
+    renderer.load(QByteArray(text.encode()))
+    renderer.render(painter, QRectF(0, 0, frame.width, frame.height))
+
+
+@contextmanager
+def application() -> Iterator[None]:
+    """Paint with the running application, or with one that needs no display and ends with the painting.
+
+    It is ended, not left to the garbage: whatever kept it would keep a later editor from its own.
+    """
+    if isinstance(QGuiApplication.instance(), QGuiApplication):
+        yield
+        return
+    made = QGuiApplication(["curvebench", "-platform", "offscreen"])
+    try:
+        yield
+    finally:
+        made.shutdown()

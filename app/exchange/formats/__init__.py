@@ -1,0 +1,252 @@
+"""Formats of files, one record each: `FORMATS` finds those that the modules of this package list.
+
+A module here defines `FORMATS`, its `Format` records. Nothing else names a format: the dialogs, their
+filters, what is done with dropped files, the command line, the README and the tests read the registry. The
+modules are imported when it is first asked; what takes long to import (Qt, ezdxf) they import when they use
+it.
+"""
+
+from __future__ import annotations
+
+import os
+import re
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from enum import Enum, auto
+from importlib import import_module
+from pathlib import Path
+from pkgutil import iter_modules
+from typing import TYPE_CHECKING, Any, Protocol, TypeVar
+
+from app.exchange.errors import ExchangeError
+
+if TYPE_CHECKING:
+    from app.document.model import Document
+    from app.exchange.drawing.image import PicturePreview
+    from app.exchange.options import Option, Options
+
+DOCUMENT_ENDING = ".curve.json"
+
+
+@dataclass(frozen=True)
+class Written:
+    """What was written.
+
+    Attributes
+    ----------
+    content
+        Of the file.
+    deviation
+        Largest distance of what the file holds from the true curves, in the document's unit.
+    remarks
+        One sentence for every curve that was left out.
+    pixels
+        Width and height of a picture in pixels; None of everything else.
+    """
+
+    content: str | bytes
+    deviation: float = 0.0
+    remarks: tuple[str, ...] = ()
+    pixels: tuple[int, int] | None = None
+
+    @property
+    def text(self) -> str:
+        """The content of a file of text."""
+        return self.content if isinstance(self.content, str) else self.content.decode()
+
+    @property
+    def data(self) -> bytes:
+        """The content as it stands in the file."""
+        return self.content.encode() if isinstance(self.content, str) else self.content
+
+
+class Kind(Enum):
+    """How what is read becomes curves."""
+
+    DOCUMENT = auto()
+    DRAWING = auto()
+    TABLE = auto()
+
+
+@dataclass(frozen=True, kw_only=True)
+class Format:
+    """A format of files.
+
+    Attributes
+    ----------
+    endings
+        Of its files, in small letters; the first is the one that a new file gets.
+    title
+        What one file is: the name in the export dialog.
+    description
+        That in a sentence; a format without one is not offered there.
+    place
+        Where it stands in lists: they are in ascending order.
+    options
+        Those that it has.
+    hidden
+        Takes the values chosen, by the options' names, and returns the options that do not matter then.
+    write
+        Returns what to write; None if it is not written. Long work reports to `Options.report`.
+    preview
+        Of pictures: shows what they will look like, in so many pixels at most; see `image.PicturePreview`.
+    kind
+        What is read from such files; None if they are not read.
+    plural
+        What the import dialog calls such files.
+    read
+        Of a drawing a function at the top level of its module, for a process of its own calls it by name: it
+        takes the content and the tolerance and returns what was `Imported`. That of a table takes the content
+        and returns a `Table`. None for documents and for tables of text.
+    """
+
+    endings: tuple[str, ...]
+    title: str
+    description: str = ""
+    place: int = 1000
+    options: tuple[Option[Any], ...] = ()
+    hidden: Callable[[Mapping[str, Any]], Sequence[Option[Any]]] = lambda _values: ()
+    write: Callable[[Document, Options], Written] | None = None
+    preview: Callable[[Document, Options, tuple[int, int]], PicturePreview] | None = None
+    kind: Kind | None = None
+    plural: str = ""
+    read: Callable[..., Any] | None = None
+
+    @property
+    def ending(self) -> str:
+        """The ending that a new file gets."""
+        return self.endings[0]
+
+    @property
+    def patterns(self) -> str:
+        """Names of such files, as file dialogs take them."""
+        return " ".join(f"*{ending}" for ending in self.endings)
+
+
+class Registry:
+    """All formats, those of this package and those that were added."""
+
+    def __init__(self) -> None:
+        self._found: list[Format] | None = None
+
+    def __iter__(self) -> Iterator[Format]:
+        if self._found is None:
+            names = [each.name for each in iter_modules(__path__)]
+            self._found = [each for name in names for each in import_module(f"{__name__}.{name}").FORMATS]
+        return iter(sorted(self._found, key=lambda each: each.place))
+
+    def add(self, new: Format) -> None:
+        """Add a format that no module of this package lists."""
+        self._found = [*self, new]
+
+    def remove(self, known: Format) -> None:
+        """Take a format out again."""
+        self._found = [each for each in self if each is not known]
+
+    @property
+    def written(self) -> tuple[Format, ...]:
+        """Those that are written."""
+        return tuple(each for each in self if each.write)
+
+    @property
+    def offered(self) -> tuple[Format, ...]:
+        """Those that the export dialog offers."""
+        return tuple(each for each in self.written if each.description)
+
+    @property
+    def pictures(self) -> tuple[Format, ...]:
+        """Those that can be looked at before they are written."""
+        return tuple(each for each in self.written if each.preview)
+
+    @property
+    def read(self) -> tuple[Format, ...]:
+        """Those that are read."""
+        return tuple(each for each in self if each.kind)
+
+
+FORMATS = Registry()
+
+
+class HasEndings(Protocol):
+    """What files are known by the endings of their names."""
+
+    @property
+    def endings(self) -> tuple[str, ...]:
+        """In small letters."""
+
+
+Known = TypeVar("Known", bound=HasEndings)
+
+
+def endings_of(formats: Sequence[HasEndings]) -> tuple[str, ...]:
+    """Return the endings of all their files."""
+    return tuple(ending for each in formats for ending in each.endings)
+
+
+def format_of(path: str | os.PathLike[str], formats: Sequence[Known]) -> Known:
+    """Return that of the formats with the longest ending that the name of a file has, in capitals or not.
+
+    Raises
+    ------
+    ExchangeError
+        If it has none, or is a folder's.
+    """
+    name, endings = Path(path).name, endings_of(formats)
+    if ending := _longest(name, endings):
+        return next(each for each in formats if ending in each.endings)
+    if Path(path).is_dir():
+        raise ExchangeError(f"“{os.fspath(path)}” is a folder. Choose a file.")
+    known = ", ".join(endings[:-1])
+    raise ExchangeError(f"The name “{name}” does not end in a known format; use {known} or {endings[-1]}.")
+
+
+def _longest(name: str, endings: Sequence[str]) -> str:
+    """Return the longest ending that a name has; empty if it has none."""
+    return max((each for each in endings if name.lower().endswith(each)), key=len, default="")
+
+
+def ending_in(path: str | os.PathLike[str], known: Format) -> str:
+    """Return that of the format's endings that the name of a file has."""
+    return _longest(Path(path).name, known.endings)
+
+
+def with_ending(path: Path, ending: str) -> Path:
+    """Return `path` so that its name stands for the format of `ending`.
+
+    An ending of the same kind gives way: p.csv and p.points.csv are the same name for two formats.
+    """
+    known = _longest(path.name, endings_of(FORMATS.written))
+    if known == ending:
+        return path
+    kind = ending[ending.rindex(".") :]
+    replaced = known if known.endswith(kind) else kind if path.name.lower().endswith(kind) else ""
+    stem = path.name[: len(path.name) - len(replaced)]
+    # A name that is nothing but an ending is the name of a file all the same.
+    return path.with_name((stem or path.name) + ending)
+
+
+_DOCUMENT_MARK = re.compile(rb'"format"\s*:\s*"curvebench"')
+_MARK_WITHIN = 4096
+"""Bytes in which a document says what it is."""
+
+
+def is_document(data: bytes) -> bool:
+    """Whether JSON is, or claims to be, a document of Curvebench."""
+    return _DOCUMENT_MARK.search(data[:_MARK_WITHIN]) is not None
+
+
+def can_import(path: Path) -> bool:
+    """Whether a file that somebody hands over is to be imported; documents are opened."""
+    name = path.name.lower()
+    # Before the registry is asked: a window that opens a document starts without the other formats.
+    if name.endswith(DOCUMENT_ENDING) or not name.endswith(endings_of(FORMATS.read)):
+        return False
+    return not name.endswith(".json") or (path.is_file() and not _looks_like_document(path))
+
+
+def _looks_like_document(path: Path) -> bool:
+    try:
+        with path.open("rb") as file:
+            return is_document(file.read(_MARK_WITHIN))
+    except OSError:
+        return True  # whoever opens it says what is wrong with it

@@ -1,0 +1,214 @@
+"""Curves as code: Python with NumPy, and with SciPy."""
+
+from __future__ import annotations
+
+import inspect
+import keyword
+import re
+import unicodedata
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+
+from app.document.model import Document
+from app.exchange import code_runtime
+from app.exchange.drawing.drawing import Floats
+from app.exchange.formats import Format, Written
+from app.exchange.naming import Names
+from app.exchange.parts import Source, accuracy, bezier_values, measured, one_line, sources_of
+from app.tasks.progress import Report, part, silent, told
+from app.view_model.curve_view import CoreCurve
+from curvecore import bezier_segments
+
+_TAKEN = {"np", "lagrange", "hermite", "evaluate", "pieces", "t", "interpolate"}
+
+# The runtime bears no annotations, so that people can read what is exported.
+_RUNTIME: tuple[Callable[..., Any], ...] = (
+    code_runtime.lagrange,
+    code_runtime.hermite,
+    code_runtime.evaluate,
+)
+_evaluate: Callable[..., Floats] = code_runtime.evaluate
+
+
+def python_code(document: Document, report: Report = silent) -> Written:
+    """Return a module of Python, with NumPy alone, that has a function of t for every curve.
+
+    Its values are those of the curves but for rounding: about 1e-15 of the size, more where the sum of
+    |basis function times datum| is large.
+
+    Raises
+    ------
+    ExchangeError
+        If there is no curve to write.
+    """
+    sources, remarks = sources_of(document, part(report, 0.0, 0.3))
+    deviation = max(
+        _python_deviation(piece) + source.polynomials.deviation
+        for source in told(sources, part(report, 0.3, 0.7), "Comparing")
+        for piece in source.polynomials.pieces
+    )
+    named = list(zip(names_of(sources), sources, strict=True))
+    body = [inspect.getsource(function).rstrip() for function in _RUNTIME]
+    body += [
+        f"{_listing(name.upper(), source)}\n\n\n{_function(name, source)}"
+        for name, source in told(named, part(report, 0.7, 1.0), "Writing")
+    ]
+    return Written(
+        "\n\n\n".join([_head(deviation, remarks, "import numpy as np"), *body]) + "\n", deviation, remarks
+    )
+
+
+def scipy_code(document: Document, report: Report = silent) -> Written:
+    """Return a module of Python that makes every curve an interpolator of SciPy, called with t.
+
+    A Lagrange curve becomes a `BarycentricInterpolator`, whose error grows with the Lebesgue constant;
+    a smooth cubic Hermite curve a `CubicHermiteSpline`; any other a `BPoly`. The stated deviation is that
+    of the same formulas here.
+
+    Raises
+    ------
+    ExchangeError
+        If there is no curve to write.
+    """
+    sources, remarks = sources_of(document, part(report, 0.0, 0.3))
+    deviation = max(map(_scipy_deviation, told(sources, part(report, 0.3, 0.7), "Comparing")))
+    imports = "import numpy as np\nfrom scipy import interpolate"
+    named = list(zip(names_of(sources), sources, strict=True))
+    body = [
+        f"# {_title(source)}\n{_scipy_object(name, source)}"
+        for name, source in told(named, part(report, 0.7, 1.0), "Writing")
+    ]
+    return Written("\n\n".join([_head(deviation, remarks, imports), *body]) + "\n", deviation, remarks)
+
+
+def names_of(sources: list[Source]) -> list[str]:
+    """Return a different Python identifier for every curve, like its name."""
+    names, found = Names(between="_"), []
+    for source in sources:
+        plain = unicodedata.normalize("NFKD", source.name).encode("ascii", "ignore").decode().lower()
+        base = re.sub("[^a-z0-9]+", "_", plain).strip("_") or "curve"
+        if base[0].isdigit() or keyword.iskeyword(base) or base in _TAKEN:
+            base = f"curve_{base}"
+        found.append(names.different(base))
+    return found
+
+
+def _head(deviation: float, remarks: tuple[str, ...], imports: str) -> str:
+    lines = [accuracy(deviation), *map(one_line, remarks)]
+    return "\n".join([*(f"# {line}" for line in lines), "", imports])
+
+
+def _title(source: Source) -> str:
+    start, end = source.core.domain
+    return (
+        f"{one_line(source.name)}: {source.curve.family.name.replace('_', ' ')}, t from {start!r} to {end!r}"
+    )
+
+
+def _listing(name: str, source: Source) -> str:
+    pieces = "".join(
+        f"    (\n        {_array(piece.parameters, 8)},\n        {_array(piece.jets, 8)},\n    ),\n"
+        for piece in source.polynomials.pieces
+    )
+    return f"{name} = [\n{pieces}]"
+
+
+def _function(name: str, source: Source) -> str:
+    return f"def {name}(t):\n    # {_title(source)}\n    return evaluate({name.upper()}, t)"
+
+
+def _array(values: Floats, indent: int) -> str:
+    """Return an array as code, one line for each of its rows; every float reads back as itself."""
+    margin = " " * indent
+    rows = "".join(f"{margin}    {row!r},\n" for row in values.tolist())
+    return f"np.array([\n{rows}{margin}])"
+
+
+def _python_deviation(piece: CoreCurve) -> float:
+    return measured(piece, lambda t: _evaluate([(piece.parameters, piece.jets)], t))
+
+
+def _scipy_object(name: str, source: Source) -> str:
+    first, *others = source.polynomials.pieces
+    if first.is_one_polynomial:
+        return (
+            f"{name} = interpolate.BarycentricInterpolator(\n    {_array(first.parameters, 4)},\n"
+            f"    {_array(first.points, 4)},\n)"
+        )
+    if first.derivatives == 1 and not others:
+        arrays = (first.parameters, first.points, first.jets[:, 1])
+        listed = "".join(f"    {_array(values, 4)},\n" for values in arrays)
+        return f"{name} = interpolate.CubicHermiteSpline(\n{listed})"
+    controls, parameters = _chained(source)
+    return (
+        f"{name} = interpolate.BPoly(\n    # control points of every segment, (degree + 1, segments, 2)\n"
+        f"    {_array(controls.swapaxes(0, 1), 4)},\n    {_array(parameters, 4)},\n)"
+    )
+
+
+def _chained(source: Source) -> tuple[Floats, Floats]:
+    """Return the control points (k, degree + 1, 2) of all Hermite pieces, and their parameters (k + 1,)."""
+    first, *others = source.polynomials.pieces
+    controls = [bezier_segments(piece) for piece in (first, *others)]
+    return np.concatenate(controls), np.concatenate([first.breaks, *(piece.breaks[1:] for piece in others)])
+
+
+def _scipy_deviation(source: Source) -> float:
+    first, *others = source.polynomials.pieces
+    if first.is_one_polynomial:
+        own = measured(first, lambda t: _barycentric(t, first.parameters, first.points))
+    elif first.derivatives == 1 and not others:
+        own = measured(first, lambda t: _local_powers(t, first))
+    else:
+        own = max(_bernstein_deviation(piece) for piece in (first, *others))
+    return own + source.polynomials.deviation
+
+
+def _bernstein_deviation(piece: CoreCurve) -> float:
+    controls, parameters = bezier_segments(piece), piece.breaks
+    return measured(piece, lambda t: bezier_values(controls, parameters, t))
+
+
+def _barycentric(t: Floats, parameters: Floats, points: Floats) -> Floats:
+    """Return the second barycentric form, which SciPy uses (Berrut and Trefethen 2004, (4.2))."""
+    differences = (parameters[:, None] - parameters) * (4.0 / (parameters[-1] - parameters[0]))
+    np.fill_diagonal(differences, 1.0)
+    weights = 1.0 / np.prod(differences, axis=1)
+    distance = t[:, None] - parameters
+    at_point = distance == 0
+    ratios = weights / np.where(at_point, 1.0, distance)
+    # At a point its weight alone counts.
+    ratios = np.where(at_point.any(axis=1, keepdims=True), at_point, ratios)
+    return np.asarray(ratios @ points / ratios.sum(axis=1, keepdims=True))
+
+
+def _local_powers(t: Floats, piece: CoreCurve) -> Floats:
+    """Return the curve by powers of t - t_i, as `CubicHermiteSpline` computes it."""
+    x, y, v = piece.parameters, piece.points, piece.jets[:, 1]
+    h = np.diff(x)[:, None]
+    slope = np.diff(y, axis=0) / h
+    bend = (v[:-1] + v[1:] - 2 * slope) / h
+    c3, c2 = bend / h, (slope - v[:-1]) / h - bend
+    i = np.clip(np.searchsorted(x, t, side="right") - 1, 0, len(x) - 2)
+    u = (t - x[i])[:, None]
+    return np.asarray(((c3[i] * u + c2[i]) * u + v[:-1][i]) * u + y[:-1][i])
+
+
+FORMATS = (
+    Format(
+        endings=(".py",),
+        title="Python with NumPy",
+        description="A program that computes the curves; it needs NumPy alone.",
+        place=80,
+        write=lambda document, options: python_code(document, options.report),
+    ),
+    Format(
+        endings=(".scipy.py",),
+        title="Python with SciPy",
+        description="The curves as objects of scipy.interpolate.",
+        place=90,
+        write=lambda document, options: scipy_code(document, options.report),
+    ),
+)

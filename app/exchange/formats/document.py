@@ -1,0 +1,33 @@
+"""Curvebench's own documents."""
+
+from __future__ import annotations
+
+import os
+
+from app.document.model import Document
+from app.exchange.errors import ExchangeError
+from app.exchange.formats import DOCUMENT_ENDING, Format, Kind, Written
+from app.exchange.options import Options
+from app.storage.format import FormatError, encode
+from app.storage.image_path import relative_to
+
+
+def _write(document: Document, options: Options) -> Written:
+    # The picture to trace is found from where the file lies.
+    folder = os.path.dirname(os.path.abspath(options.path))  # noqa: PTH100, PTH120 - links are kept
+    try:
+        return Written(encode(relative_to(document, folder)))
+    except FormatError as problem:
+        raise ExchangeError(f"The document cannot be written: {problem}.") from problem
+
+
+FORMATS = (
+    Format(
+        endings=(DOCUMENT_ENDING,),
+        title="Curvebench document",
+        place=0,
+        write=_write,
+        kind=Kind.DOCUMENT,
+        plural="Curvebench documents",
+    ),
+)

@@ -1,0 +1,208 @@
+"""Curves as data that other programs take: Desmos, SVG path data, coefficients as JSON."""
+
+from __future__ import annotations
+
+import json
+from decimal import Decimal
+from fractions import Fraction
+from itertools import pairwise
+from math import comb
+from typing import Any
+
+import numpy as np
+
+from app import __version__
+from app.document.model import Document
+from app.exchange.drawing.drawing import Floats, drawing_of
+from app.exchange.errors import ExchangeError
+from app.exchange.formats import Format, Written
+from app.exchange.options import TOLERANCE
+from app.exchange.parts import (
+    beziers_of,
+    checked_tolerance,
+    local_fractions,
+    measured,
+    monomials_of,
+    sources_of,
+)
+from app.exchange.svg.writer import path_data
+from app.tasks.progress import Report, part, silent, told
+from app.view_model.curve_view import CoreCurve
+from curvecore import bezier_segments
+
+MOST_COEFFICIENTS = 100
+"""Points of the largest Lagrange curve whose coefficients are written: beyond, no float holds them well."""
+
+
+def desmos_expressions(
+    document: Document, tolerance: float | None = None, report: Report = silent
+) -> Written:
+    r"""Return a list of expressions to paste into Desmos, one Bézier piece a line, t from 0 to 1.
+
+    Lagrange curves beyond degree 10 become cubics within the tolerance.
+
+    Raises
+    ------
+    ExchangeError
+        If there is no curve to write.
+    """
+    sources, remarks = sources_of(document, part(report, 0.0, 0.3))
+    allowed = checked_tolerance(sources, tolerance)
+    written = told(sources, part(report, 0.3, 0.6), "Writing")
+    pieces = [beziers_of(piece, allowed) for source in written for piece in source.pieces]
+    lines = [
+        _desmos_line(controls)
+        for each in told(pieces, part(report, 0.6, 1.0), "Writing")
+        for controls in each.control_points
+    ]
+    return Written("\n".join(lines) + "\n", max(each.deviation for each in pieces), remarks)
+
+
+def _desmos_line(controls: Floats) -> str:
+    x, y = (_desmos_polynomial(column.tolist()) for column in controls.T)
+    return rf"\left({x},{y}\right)"
+
+
+def _desmos_polynomial(controls: list[float]) -> str:
+    """Return a polynomial in Bernstein's form, with every multiplication written out."""
+    degree = len(controls) - 1
+    terms = []
+    for k, value in enumerate(controls):
+        # Not multiplied out: a factor of its own keeps every digit of the control point.
+        factors = [_desmos_number(value)]
+        factors += [str(comb(degree, k))] if 0 < k < degree else []
+        factors += [rf"\left(1-t\right)^{{{degree - k}}}"] if k < degree else []
+        factors += [f"t^{{{k}}}"] if k else []
+        terms.append(r"\cdot ".join(factors))
+    return "+".join(terms)
+
+
+def _desmos_number(value: float) -> str:
+    """Return a number without an exponent's e, which Desmos reads as Euler's; in parentheses if negative."""
+    text = format(Decimal(repr(value + 0.0)), "f")
+    return rf"\left({text}\right)" if value < 0 else text
+
+
+def svg_path_data(document: Document, tolerance: float | None = None, report: Report = silent) -> Written:
+    """Return path data, the ``d`` of an SVG path, one path a paragraph; y points down there.
+
+    Raises
+    ------
+    ExchangeError
+        If nothing can be drawn.
+    """
+    drawing = drawing_of(document, tolerance, part(report, 0.0, 0.7))
+    paths = [path_data(each) for each in told(drawing.outlines, part(report, 0.7, 1.0), "Writing")]
+    return Written("\n\n".join(paths) + "\n", drawing.deviation, drawing.remarks)
+
+
+def coefficients_json(document: Document, report: Report = silent) -> Written:
+    """Return the coefficients of every polynomial piece as JSON, lowest power of s first.
+
+    On a segment from start to end, s = (t - start) / (end - start), and x = Σ x_k s^k. The coefficients
+    are computed exactly and rounded once; ``deviation`` says how far the polynomial with these
+    coefficients, evaluated by Horner's scheme in double precision, is from the curve.
+
+    Raises
+    ------
+    ExchangeError
+        If there is no curve, or for a Lagrange curve of more than `MOST_COEFFICIENTS` points.
+    """
+    sources, remarks = sources_of(document, part(report, 0.0, 0.3))
+    curves, worst = [], 0.0
+    for source in told(sources, part(report, 0.3, 1.0), "Writing"):
+        segments = []
+        for piece in source.polynomials.pieces:
+            coefficients, ends = _coefficients(piece), piece.breaks
+            deviation = measured(piece, lambda t, c=coefficients, e=ends: _horner(c, e, t))  # type: ignore[misc]
+            worst = max(worst, deviation + source.polynomials.deviation)
+            segments += [_segment(ends, i, rows) for i, rows in enumerate(coefficients)]
+        curves.append({"name": source.name, "family": str(source.curve.family), "segments": segments})
+    content: dict[str, Any] = {
+        "made_by": f"Curvebench {__version__}",
+        "basis": "powers of s = (t - start) / (end - start), lowest first",
+        "deviation": worst,
+        "remarks": remarks,
+        "curves": curves,
+    }
+    if not np.isfinite(worst):
+        raise ExchangeError("The coefficients are beyond all numbers; export code instead.")
+    return Written(json.dumps(content, indent=1, ensure_ascii=False) + "\n", worst, remarks)
+
+
+def _segment(ends: Floats, index: int, rows: Floats) -> dict[str, Any]:
+    x, y = rows.T.tolist()
+    return {"start": float(ends[index]), "end": float(ends[index + 1]), "x": x, "y": y}
+
+
+def _coefficients(piece: CoreCurve) -> Floats:
+    """Return the coefficients (segments, degree + 1, 2)."""
+    if not piece.is_one_polynomial:
+        return _from_bernstein(bezier_segments(piece))
+    if len(piece.points) > MOST_COEFFICIENTS:
+        raise ExchangeError(
+            f"A polynomial through {len(piece.points)} points has no usable coefficients; "
+            f"{MOST_COEFFICIENTS} points are the most. Export code instead."
+        )
+    exact = monomials_of(piece.points, local_fractions(piece.parameters))
+    return np.array([[_float(value) for value in column] for column in exact]).T[None]
+
+
+def _from_bernstein(controls: Floats) -> Floats:
+    """Return the coefficients of Bézier pieces: binomials times the forward differences at s = 0."""
+    degree = controls.shape[1] - 1
+    rows = []
+    for control in controls:
+        columns = []
+        for column in control.T.tolist():
+            exact = [Fraction(value) for value in column]
+            row = []
+            for k in range(degree + 1):
+                row.append(_float(comb(degree, k) * exact[0]))
+                exact = [after - before for before, after in pairwise(exact)]
+            columns.append(row)
+        rows.append(columns)
+    return np.array(rows).swapaxes(1, 2)
+
+
+def _float(value: Fraction) -> float:
+    try:
+        return float(value)
+    except OverflowError:
+        return float("inf")
+
+
+def _horner(coefficients: Floats, ends: Floats, t: Floats) -> Floats:
+    i = np.clip(np.searchsorted(ends, t, side="right") - 1, 0, len(coefficients) - 1)
+    s = ((t - ends[i]) / (ends[i + 1] - ends[i]))[:, None]
+    result = coefficients[i, -1]
+    for k in range(coefficients.shape[1] - 2, -1, -1):
+        result = result * s + coefficients[i, k]
+    return np.asarray(result)
+
+
+FORMATS = (
+    Format(
+        endings=(".desmos.txt",),
+        title="Desmos expressions",
+        description="Expressions to paste into Desmos, one a line.",
+        place=130,
+        options=(TOLERANCE,),
+        write=lambda document, options: desmos_expressions(document, options.tolerance, options.report),
+    ),
+    Format(
+        endings=(".path.txt",),
+        title="SVG path data",
+        description="The d attributes of SVG paths.",
+        place=140,
+        options=(TOLERANCE,),
+        write=lambda document, options: svg_path_data(document, options.tolerance, options.report),
+    ),
+    Format(
+        endings=(".coefficients.json",),
+        title="Polynomial coefficients",
+        description="The coefficients of every polynomial piece, with the error that this form brings.",
+        place=150,
+        write=lambda document, options: coefficients_json(document, options.report),
+    ),
+)

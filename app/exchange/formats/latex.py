@@ -1,0 +1,290 @@
+"""Curves as LaTeX: formulas, and pictures with TikZ and PGFPlots."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+
+import numpy as np
+
+from app.document.model import Document
+from app.exchange.drawing.drawing import Floats, Frame, Outline, drawing_of
+from app.exchange.errors import ExchangeError
+from app.exchange.formats import Format, Written
+from app.exchange.options import TOLERANCE, TRUE_SIZE
+from app.exchange.parts import (
+    Source,
+    accuracy,
+    bezier_values,
+    beziers_of,
+    measured,
+    one_line,
+    sources_of,
+)
+from app.exchange.units import MILLIMETRES, known_unit, size_in_words
+from app.tasks.progress import Report, part, silent, told
+from app.view_model.curve_view import CoreCurve
+from app.view_model.refusals import in_words
+from curvecore import CurveError
+
+DIGITS = 6
+"""Significant digits of the numbers in a formula, unless asked otherwise."""
+
+PICTURE_SIDE = 12.0
+"""Longer side of a TikZ picture, in centimetres."""
+
+_LEAST_SIDE, _LARGEST_SIDE = 0.01, 500.0
+"""Of a TikZ picture at true size: TeX's largest length is 575 cm, and it counts in 5e-6 cm."""
+
+_PICTURE_DIGITS = 5  # TeX itself counts in 1/65536 pt, 5e-6 cm
+_LINES_OF_ARRAY = 40
+_POINTS_OF_LINE = 2  # what the text of an article is wide enough for
+_SPECIAL = {
+    **{each: f"\\{each}" for each in "#$%&_{}"},
+    "\\": r"\textbackslash{}",
+    "~": r"\textasciitilde{}",
+    "^": r"\textasciicircum{}",
+}
+
+
+def latex_formula(document: Document, digits: int = DIGITS, report: Report = silent) -> Written:
+    """Return every curve as a formula in LaTeX with the numbers that go into it; needs amsmath.
+
+    Lagrange curves are written in Lagrange's form, Hermite curves by the Bézier control points of their
+    segments. The deviation is what rounding the numbers to `digits` significant digits costs.
+
+    Raises
+    ------
+    ExchangeError
+        If there is no curve, or if so few digits would make two parameters equal.
+    """
+    sources, remarks = sources_of(document, part(report, 0.0, 0.3))
+    deviation = max(
+        _rounded_deviation(piece, digits) + source.polynomials.deviation
+        for source in told(sources, part(report, 0.3, 0.6), "Comparing")
+        for piece in source.polynomials.pieces
+    )
+    head = [accuracy(deviation), r"Needs \usepackage{amsmath}.", *map(one_line, remarks)]
+    parts = [_formula(each, digits) for each in told(sources, part(report, 0.6, 1.0), "Writing")]
+    return Written("\n".join([*(f"% {line}" for line in head), *parts]) + "\n", deviation, remarks)
+
+
+def tikz_picture(
+    document: Document, tolerance: float | None = None, unit: str = "", report: Report = silent
+) -> Written:
+    r"""Return a ``tikzpicture`` of the curves as cubic Bézier curves; needs tikz.
+
+    It is `PICTURE_SIDE` cm large; in a unit of length it has true size.
+
+    Raises
+    ------
+    ExchangeError
+        If nothing can be drawn, or if TeX counts no lengths as large or as small.
+    """
+    drawing = drawing_of(document, tolerance, part(report, 0.0, 0.7))
+    frame, known = drawing.frame, known_unit(unit)
+    scale = MILLIMETRES[known] / 10 if known else PICTURE_SIDE / frame.side
+    if not _LEAST_SIDE <= frame.side * scale <= _LARGEST_SIDE:
+        raise ExchangeError(
+            f"At true size the picture would be {size_in_words(frame.width, frame.height, known)}; "
+            f"TikZ draws pictures of {_LEAST_SIDE:g} to {_LARGEST_SIDE:g} cm."
+        )
+    fitted = drawing.fitted(frame.width * scale, frame.height * scale)
+    # Rounding moves every control point, and so the curve, by half a unit of the last digit in x and y.
+    deviation = drawing.deviation + math.sqrt(0.5) * 10.0**-_PICTURE_DIGITS / scale
+    lines = [f"  % One centimetre is {1 / scale:.6g} {known or 'of the document'}."]
+    for outline in told(fitted.outlines, part(report, 0.7, 1.0), "Writing"):
+        lines.append(f"  % {one_line(outline.name)}")
+        lines.append(_path(outline, lambda v: f"{v + 0.0:.{_PICTURE_DIGITS}f}", ""))
+    return _picture(lines, deviation, drawing.remarks, "tikz")
+
+
+def pgfplots_axis(document: Document, tolerance: float | None = None, report: Report = silent) -> Written:
+    r"""Return a ``tikzpicture`` of an axis with the curves and their points; needs pgfplots.
+
+    Coordinates are the document's own in full precision; pgfplots computes with about seven digits.
+
+    Raises
+    ------
+    ExchangeError
+        If nothing can be drawn.
+    """
+    drawing = drawing_of(document, tolerance, part(report, 0.0, 0.7))
+    lines = [f"  \\begin{{axis}}[axis equal image, {_limits(drawing.frame)}]"]
+    for outline in told(drawing.outlines, part(report, 0.7, 1.0), "Writing"):
+        lines.append(f"    % {one_line(outline.name)}")
+        lines.append(_path(outline, _plain, "axis cs:", margin="    "))
+        marks = " ".join(f"({_plain(x)},{_plain(y)})" for x, y in outline.nodes.tolist())
+        lines.append(f"    \\addplot[only marks, mark size=1.2pt] coordinates {{{marks}}};")
+    lines.append("  \\end{axis}")
+    return _picture(lines, drawing.deviation, drawing.remarks, "pgfplots")
+
+
+# Formulas
+
+
+def _formula(source: Source, digits: int) -> str:
+    blocks = [
+        _lagrange(piece, digits) if piece.is_one_polynomial else _segments(piece, digits)
+        for piece in source.polynomials.pieces
+    ]
+    return "\n".join([rf"\paragraph{{{_text(source.name)}}}", *blocks])
+
+
+def _lagrange(piece: CoreCurve, digits: int) -> str:
+    last = len(piece.points) - 1
+    start, end = (tex_number(value, digits) for value in piece.domain)
+    formula = (
+        rf"\[ \mathbf{{c}}(t) = \sum_{{i=0}}^{{{last}}} \mathbf{{p}}_i "
+        rf"\prod_{{\substack{{j=0 \\ j \neq i}}}}^{{{last}}} \frac{{t - t_j}}{{t_i - t_j}}, "
+        rf"\qquad {start} \le t \le {end} \]"
+    )
+    data = zip(piece.parameters.tolist(), piece.points.tolist(), strict=True)
+    rows = [[[str(i), tex_number(t, digits), _point(point, digits)]] for i, (t, point) in enumerate(data)]
+    return "\n".join([formula, *_arrays([["i", "t_i", r"\mathbf{p}_i"]], rows)])
+
+
+def _segments(piece: CoreCurve, digits: int) -> str:
+    pieces = beziers_of(piece, 1.0)
+    degree = pieces.degree
+    formula = (
+        rf"\[ \mathbf{{c}}(t) = \sum_{{k=0}}^{{{degree}}} \binom{{{degree}}}{{k}} s^k (1-s)^{{{degree}-k}}\, "
+        r"\mathbf{b}_k, \qquad s = \frac{t - t_i}{t_{i+1} - t_i}, \qquad t_i \le t \le t_{i+1} \]"
+    )
+    t = [tex_number(value, digits) for value in piece.breaks.tolist()]
+    controls = pieces.control_points.tolist()
+    rows = [
+        _in_lines([t[i], t[i + 1]], [_point(point, digits) for point in segment])
+        for i, segment in enumerate(controls)
+    ]
+    titles = [rf"\mathbf{{b}}_{k}" for k in range(degree + 1)]
+    return "\n".join([formula, *_arrays(_in_lines(["t_i", "t_{i+1}"], titles), rows)])
+
+
+def _in_lines(head: list[str], points: list[str]) -> list[list[str]]:
+    """Return the cells of one segment as lines of the width of a page, the head before the first."""
+    starts = range(0, len(points), _POINTS_OF_LINE)
+    return [
+        [*(head if first == 0 else [""] * len(head)), *points[first : first + _POINTS_OF_LINE]]
+        for first in starts
+    ]
+
+
+def _arrays(titles: list[list[str]], rows: list[list[list[str]]]) -> list[str]:
+    """Return rows, each of as many lines of cells as the titles, as arrays short enough for a page."""
+    step = _LINES_OF_ARRAY // len(titles)
+    result = []
+    for first in range(0, len(rows), step):
+        blocks = [
+            " \\\\\n".join(" & ".join(cells) for cells in row)
+            for row in [titles, *rows[first : first + step]]
+        ]
+        body = " \\\\[4pt]\n".join(blocks) if len(titles) > 1 else " \\\\\n".join(blocks)
+        result.append(f"\\[ \\begin{{array}}{{{'l' * len(titles[0])}}}\n{body}\n\\end{{array}} \\]")
+    return result
+
+
+def tex_number(value: float, digits: int) -> str:
+    r"""Return a number as LaTeX writes it: 0.25, -3 or 1.5 \cdot 10^{-7}."""
+    mantissa, _, exponent = f"{value + 0.0:.{digits}g}".partition("e")
+    return rf"{mantissa} \cdot 10^{{{int(exponent)}}}" if exponent else mantissa
+
+
+def _point(point: list[float], digits: int) -> str:
+    x, y = point
+    return rf"({tex_number(x, digits)},\; {tex_number(y, digits)})"
+
+
+def _text(text: str) -> str:
+    """Return text as LaTeX may hold it; what its usual fonts lack becomes a question mark."""
+    plain = one_line(text).encode("latin-1", "replace").decode("latin-1")
+    return "".join(_SPECIAL.get(each, each) for each in plain)
+
+
+def _rounded(values: Floats, digits: int) -> Floats:
+    return np.array([float(f"{value:.{digits}g}") for value in values.ravel().tolist()]).reshape(values.shape)
+
+
+def _rounded_deviation(piece: CoreCurve, digits: int) -> float:
+    """Return how far the curve of the rounded numbers is from the true one."""
+    t = _rounded(piece.parameters, digits)
+    if not (np.diff(t) > 0).all():
+        raise ExchangeError(
+            f"With {digits} digits two parameters would be equal; the formula needs more digits."
+        )
+    if piece.is_one_polynomial:
+        try:
+            rounded = piece.with_data(_rounded(piece.jets, digits), t)
+        except CurveError as problem:
+            raise ExchangeError(f"The formula cannot be written: {in_words(str(problem))}.") from problem
+        return measured(piece, rounded.evaluate)
+    controls = _rounded(beziers_of(piece, 1.0).control_points, digits)
+    return measured(piece, lambda at: bezier_values(controls, t, at))
+
+
+# Pictures
+
+
+def _picture(lines: list[str], deviation: float, remarks: tuple[str, ...], package: str) -> Written:
+    head = [accuracy(deviation), f"Needs \\usepackage{{{package}}}.", *map(one_line, remarks)]
+    text = "\n".join([*(f"% {line}" for line in head), "\\begin{tikzpicture}", *lines, "\\end{tikzpicture}"])
+    return Written(text + "\n", deviation, remarks)
+
+
+def _path(outline: Outline, number: Callable[[float], str], system: str, margin: str = "  ") -> str:
+    """Return an outline as one path, a piece a line."""
+    pieces = outline.control_points
+
+    def at(point: list[float]) -> str:
+        return f"({system}{number(point[0])},{number(point[1])})"
+
+    first, *_ = pieces[0].tolist()
+    steps = [f"{margin}  .. controls {at(b)} and {at(c)} .. {at(d)}" for _, b, c, d in pieces.tolist()]
+    # Closed, the stroke has a join at the seam like everywhere else.
+    end = " -- cycle;" if outline.closed else ";"
+    return "\n".join([f"{margin}\\draw[line join=round{_colour(outline)}] {at(first)}", *steps]) + end
+
+
+def _colour(outline: Outline) -> str:
+    if not outline.colour:
+        return ""
+    red, green, blue = bytes.fromhex(outline.colour[1:])
+    return f", color={{rgb,255:red,{red};green,{green};blue,{blue}}}"
+
+
+def _limits(frame: Frame) -> str:
+    edges = {"xmin": frame.left, "xmax": frame.left + frame.width, "ymin": frame.bottom, "ymax": frame.top}
+    return ", ".join(f"{name}={_plain(value)}" for name, value in edges.items())
+
+
+def _plain(value: float) -> str:
+    return repr(value + 0.0)
+
+
+FORMATS = (
+    Format(
+        endings=(".tex",),
+        title="LaTeX formula",
+        description="The polynomials as a formula.",
+        place=100,
+        write=lambda document, options: latex_formula(document, report=options.report),
+    ),
+    Format(
+        endings=(".tikz", ".tikz.tex"),
+        title="TikZ picture",
+        description="Bézier curves for a TeX document.",
+        place=110,
+        options=(TRUE_SIZE, TOLERANCE),
+        write=lambda document, options: tikz_picture(
+            document, options.tolerance, options.unit, options.report
+        ),
+    ),
+    Format(
+        endings=(".pgfplots.tex",),
+        title="PGFPlots axis",
+        description="A plot with axes for a TeX document.",
+        place=120,
+        options=(TOLERANCE,),
+        write=lambda document, options: pgfplots_axis(document, options.tolerance, options.report),
+    ),
+)

@@ -1,0 +1,88 @@
+"""Curves as tables of their points, with the derivatives in force: read back, they are the same curves."""
+
+from __future__ import annotations
+
+from math import isnan, nan
+
+from app.document.edits import interval
+from app.document.model import Document, Vector
+from app.exchange.formats import Format, Written
+from app.exchange.options import Options
+from app.exchange.parts import cell_of_name, distinct_names, sources_of
+from app.exchange.table.columns import AFTER, ROLES, WORDS
+from app.exchange.table.curves import CLOSED
+from app.tasks.progress import Report, part, silent, told
+from app.view_model.curve_view import CurveView, view_of
+
+_NOTHING = (nan, nan)
+
+
+def points_table(document: Document, separator: str = ",", report: Report = silent) -> Written:
+    """Return the points of all visible curves, a row each; read back, they give curves of the same shape.
+
+    Derivatives are those in force, estimated ones too. The derivatives after a corner stand in columns of
+    their own. The last row of a closed curve is its first point again, with the parameter at which it
+    returns there.
+
+    Raises
+    ------
+    ExchangeError
+        If there is no curve.
+    """
+    sources, remarks = sources_of(document, part(report, 0.0, 0.5))
+    titles = (*ROLES, *AFTER)
+    rows = []
+    named = list(zip(sources, distinct_names(sources), strict=True))
+    for source, name in told(named, part(report, 0.5, 1.0), "Writing"):
+        curve = source.curve
+        words = [cell_of_name(name, separator), (CLOSED if curve.is_closed else "") + curve.family.name]
+        rows += [(words, row) for row in _rows(view_of(curve))]
+    used = [place for place in range(len(titles)) if any(not isnan(row[place]) for _, row in rows)]
+    lines = [separator.join([*WORDS, *(titles[place] for place in used)])]
+    lines += [separator.join([*words, *(_cell(row[place]) for place in used)]) for words, row in rows]
+    return Written("\n".join(lines) + "\n", 0.0, remarks)
+
+
+def _rows(view: CurveView) -> list[tuple[float, ...]]:
+    curve = view.source
+    rows = []
+    for index, node in enumerate(curve.nodes):
+        t = float(view.parameters[index])
+        before = [_or_nothing(view.velocity_of(index, ahead=False)), _or_nothing(_bend(view, index, False))]
+        after = [_NOTHING, _NOTHING]
+        if node.corner and curve.family.derivatives:
+            after = [_or_nothing(view.velocity_of(index)), _or_nothing(_bend(view, index, True))]
+        rows.append((t, node.x, node.y, *(number for pair in (*before, *after) for number in pair)))
+    if curve.is_closed:
+        first = curve.nodes[0]
+        empty = (nan,) * (len(ROLES) + len(AFTER) - 3)
+        rows.append((interval(curve)[1], first.x, first.y, *empty))
+    return rows
+
+
+def _bend(view: CurveView, index: int, ahead: bool) -> Vector | None:
+    return view.acceleration_of(index, ahead=ahead)
+
+
+def _or_nothing(vector: Vector | None) -> Vector:
+    return vector if vector is not None else _NOTHING
+
+
+def _cell(value: float) -> str:
+    return "" if isnan(value) else repr(value + 0.0)
+
+
+def _write(document: Document, options: Options) -> Written:
+    separator = "\t" if options.path.lower().endswith(".tsv") else ","
+    return points_table(document, separator, options.report)
+
+
+FORMATS = (
+    Format(
+        endings=(".points.csv", ".points.tsv"),
+        title="Table of points (CSV)",
+        description="The points with their derivatives. Imported again, they give the same curves.",
+        place=70,
+        write=_write,
+    ),
+)

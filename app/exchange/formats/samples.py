@@ -1,0 +1,255 @@
+"""Curves as tables of samples: t, x, y, derivatives, curvature and arc length."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from functools import partial
+from math import isnan
+from typing import Any
+
+import numpy as np
+
+from app.document.model import Document
+from app.document.words import Named
+from app.exchange.drawing.drawing import Floats
+from app.exchange.errors import ExchangeError
+from app.exchange.formats import Format, Written
+from app.exchange.options import TOLERANCE, OneOf, Option, Options, SomeOf, Whole
+from app.exchange.parts import cell_of_name, checked_tolerance, distinct_names, sources_of
+from app.tasks.progress import Report, part, silent
+from app.view_model.arc_lengths import arc_lengths_of
+from app.view_model.curve_view import CoreCurve
+from curvecore import ArcLength, flatten_pieces
+
+MOST_SAMPLES = 1_000_000
+
+TITLES = ("t", "x", "y", "vx", "vy", "ax", "ay", "curvature", "length")
+
+
+class Spacing(Named):
+    """How samples are spread along a curve."""
+
+    T = "t", "equal steps of t"
+    LENGTH = "length", "equal arc lengths"
+    TOLERANCE = "tolerance", "as the tolerance takes"
+
+
+SPACING = OneOf(
+    name="spacing",
+    label="Samples",
+    tip="How the rows are spread along each curve",
+    default=Spacing.T,
+    choices={each: each.label for each in Spacing},
+    flag="--by",
+    help="equal steps of t or of the arc length, or as many rows as the tolerance takes",
+)
+SAMPLES = Whole(
+    name="samples",
+    label="Rows",
+    title="Number of samples",
+    tip="Rows for each curve",
+    default=201,
+    limits=(2, MOST_SAMPLES),
+    help="rows of a table (default: %(default)s)",
+)
+COLUMNS = SomeOf(
+    name="columns",
+    label="Columns",
+    tip="Write the column {}",
+    widget="exportColumn_{}",
+    default=TITLES,
+    choices=TITLES,
+    needed="A table needs at least one column.",
+)
+
+_ROWS_AT_ONCE = 2_000
+_LENGTH = TITLES.index("length")
+_LENGTH_ACCURACY = 1e-9
+
+
+def sampled_table(
+    document: Document,
+    *,
+    separator: str = ",",
+    samples: int = SAMPLES.default,
+    spacing: Spacing = Spacing.T,
+    tolerance: float | None = None,
+    columns: tuple[str, ...] = TITLES,
+    report: Report = silent,
+) -> Written:
+    """Return the curves as a table; with several, the first column is the curve's name.
+
+    Parameters
+    ----------
+    document
+        A document with at least one curve.
+    separator
+        Between the cells; numbers have a decimal point whatever the locale.
+    samples
+        How many for each curve, 2 to `MOST_SAMPLES`, by `Spacing.T` and `Spacing.LENGTH`.
+    spacing
+        Equal steps of t, of the arc length, or as many samples as a polyline within the tolerance needs.
+    tolerance
+        Largest deviation of that polyline, in the document's unit.
+    columns
+        Those of `TITLES` that are wanted.
+    report
+        Hears how far it has come.
+
+    Returns
+    -------
+    Written
+        Its deviation is that of the polyline through the samples.
+
+    Raises
+    ------
+    ExchangeError
+        If there is no curve, or the number of samples is out of range.
+    """
+    if not 2 <= samples <= MOST_SAMPLES:
+        raise ExchangeError(f"A table can have 2 to {MOST_SAMPLES} samples.")
+    sources, remarks = sources_of(document, part(report, 0.0, 0.1))
+    allowed = checked_tolerance(sources, tolerance)
+    chosen, rest = _columns(columns), part(report, 0.1, 1.0)
+    named = len(sources) > 1
+    titles = [TITLES[column] for column in chosen]
+    lines, deviation = [separator.join(["curve", *titles] if named else titles)], 0.0
+    for place, (source, name) in enumerate(zip(sources, distinct_names(sources), strict=True)):
+        away = part(rest, place / len(sources), (place + 1) / len(sources))
+        away(0.0, "Computing samples")
+        core = source.core
+        needed = spacing is Spacing.LENGTH or _LENGTH in chosen
+        lengths = arc_lengths_of(core, _LENGTH_ACCURACY) if needed else None
+        t, bound = _parameters_of(core, samples, spacing, allowed, lengths, part(away, 0.0, 0.5))
+        deviation = max(deviation, bound or 0.0)
+        lead = cell_of_name(name, separator) + separator if named else ""
+        for rows, missed in _in_parts(core, t, lengths, bound is None, part(away, 0.5, 1.0)):
+            deviation = max(deviation, missed)
+            lines += [lead + separator.join(map(_cell, row)) for row in rows[:, chosen].tolist()]
+    return Written("\n".join(lines) + "\n", deviation, remarks)
+
+
+def _in_parts(
+    core: CoreCurve, t: Floats, lengths: ArcLength | None, is_measured: bool, report: Report
+) -> Iterator[tuple[Floats, float]]:
+    """Yield the rows of a curve, some at a time, with the deviation of their polyline if it `is_measured`."""
+    for first in range(0, len(t) - 1, _ROWS_AT_ONCE):
+        report(first / len(t), "Computing samples")
+        # The last sample of a part is the first of the next.
+        some = t[first : first + _ROWS_AT_ONCE + 1]
+        missed = polyline_deviation(core, some) if is_measured else 0.0
+        yield _rows_of(core, some, lengths)[1 if first else 0 :], missed
+
+
+def _columns(titles: tuple[str, ...]) -> list[int]:
+    """Return the places of the columns wanted, in their usual order."""
+    if not titles or not set(titles) <= set(TITLES):
+        raise ExchangeError(f"A table can have the columns {', '.join(TITLES)}; at least one is needed.")
+    return [place for place, title in enumerate(TITLES) if title in titles]
+
+
+def _parameters_of(
+    core: CoreCurve,
+    samples: int,
+    spacing: Spacing,
+    tolerance: float,
+    lengths: ArcLength | None,
+    report: Report,
+) -> tuple[Floats, float | None]:
+    """Return the parameters to sample a curve at, both ends of its domain among them.
+
+    The second value is a bound of the deviation of the polyline through the samples, None where that is
+    to be measured. A tolerance that takes more vertices than a polyline can have is missed, and the bound
+    says so.
+    """
+    if spacing is Spacing.TOLERANCE:
+        pieces = flatten_pieces(core, tolerance)
+        return pieces.parameters, pieces.reached
+    if lengths is not None and spacing is Spacing.LENGTH:
+        return _by_length(core, lengths, samples, report), None
+    start, end = core.domain
+    return np.append(start + (end - start) * (np.arange(samples - 1) / (samples - 1)), end), None
+
+
+def _rows_of(core: CoreCurve, t: Floats, lengths: ArcLength | None) -> Floats:
+    """Return the columns of `TITLES` at parameters t (m,) as (m, 9); the curvature of a point at rest is NaN.
+
+    Curvature is positive where the curve turns to the left; the length counts from the beginning of the
+    curve, and is NaN where none are wanted. At a corner the values are those after it.
+    """
+    point, velocity, acceleration = (core.evaluate(t, order) for order in range(3))
+    with np.errstate(all="ignore"):
+        cross = velocity[:, 0] * acceleration[:, 1] - velocity[:, 1] * acceleration[:, 0]
+        curvature = cross / np.hypot(*velocity.T) ** 3
+    length = lengths.length_at(t) if lengths is not None else np.full(len(t), np.nan)
+    return np.column_stack([t, point, velocity, acceleration, curvature, length])
+
+
+def polyline_deviation(core: CoreCurve, t: Floats) -> float:
+    """Return about the largest distance of a curve from its chords between the parameters t (m,).
+
+    Measured at seven parameters a chord and the joints between; an eighth of the second differences is
+    added for what lies between the seven, as for a parabola.
+    """
+    inside = t[:-1, None] + np.diff(t)[:, None] * (np.arange(8) / 8)
+    inner = core.parameters[(core.parameters > t[0]) & (core.parameters < t[-1])]
+    at = np.concatenate([inside.ravel(), inner])
+    chord = np.clip(np.searchsorted(t, at, side="right") - 1, 0, len(t) - 2)
+    points, ends = core.evaluate(at), core.evaluate(t)
+    start, along = ends[chord], ends[chord + 1] - ends[chord]
+    offset = points - start
+    square = np.einsum("md,md->m", along, along)
+    with np.errstate(all="ignore"):
+        share = np.clip(np.nan_to_num(np.einsum("md,md->m", offset, along) / square), 0, 1)
+        distance = np.hypot(*(offset - share[:, None] * along).T)
+        nine = np.concatenate([points[: inside.size].reshape(len(t) - 1, 8, 2), ends[1:, None]], axis=1)
+        bend = np.hypot(*np.diff(nine, n=2, axis=1).T).max(axis=0) / 8
+    distance[: inside.size] += np.repeat(bend, 8)
+    return float(distance.max())
+
+
+def _by_length(core: CoreCurve, lengths: ArcLength, samples: int, report: Report) -> Floats:
+    """Return parameters at equal arc lengths."""
+    if not lengths.total.error < lengths.total.value < np.finfo(float).max:
+        raise ExchangeError("The curve has no length to divide.")
+    wanted = lengths.total.value * (np.arange(1, samples - 1) / (samples - 1))
+    t = [core.parameters[:1]]
+    for first in range(0, len(wanted), _ROWS_AT_ONCE):
+        report(first / len(wanted), "Dividing the length")
+        t.append(lengths.parameter_at(wanted[first : first + _ROWS_AT_ONCE]))
+    return np.unique(np.concatenate([*t, core.parameters[-1:]]))
+
+
+def _cell(value: float) -> str:
+    return "" if isnan(value) else repr(value + 0.0)
+
+
+def _write(document: Document, options: Options, separator: str) -> Written:
+    return sampled_table(
+        document,
+        separator=separator,
+        samples=options[SAMPLES],
+        spacing=options[SPACING],
+        tolerance=options.tolerance,
+        columns=options[COLUMNS],
+        report=options.report,
+    )
+
+
+def _hidden(values: Mapping[str, Any]) -> tuple[Option[Any]]:
+    """Return the option that does not matter: the count where the tolerance says it, or else that."""
+    return (SAMPLES if values[SPACING.name] is Spacing.TOLERANCE else TOLERANCE,)
+
+
+FORMATS = tuple(
+    Format(
+        endings=(ending,),
+        title=f"Table of samples ({ending[1:].upper()})",
+        description=f"Numbers along each curve, with {words} between them.",
+        place=50,
+        options=(TOLERANCE, SPACING, SAMPLES, COLUMNS),
+        hidden=_hidden,
+        write=partial(_write, separator=separator),
+    )
+    for ending, separator, words in ((".csv", ",", "commas"), (".tsv", "\t", "tabs"))
+)

@@ -1,0 +1,29 @@
+"""Tables in: of text, arrays of NumPy, JSON."""
+
+from __future__ import annotations
+
+from app.exchange.formats import Format, Kind
+from app.exchange.table.json_table import read_json
+from app.exchange.table.numpy_array import read_array
+
+FORMATS = (
+    Format(
+        endings=(".csv", ".tsv", ".txt", ".dat"), title="Table", place=60, kind=Kind.TABLE, plural="Tables"
+    ),
+    Format(
+        endings=(".npy",),
+        title="NumPy array",
+        place=60,
+        kind=Kind.TABLE,
+        plural="NumPy arrays",
+        read=read_array,
+    ),
+    Format(
+        endings=(".json", ".geojson"),
+        title="JSON or GeoJSON",
+        place=60,
+        kind=Kind.TABLE,
+        plural="JSON and GeoJSON",
+        read=read_json,
+    ),
+)

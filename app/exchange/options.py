@@ -1,0 +1,280 @@
+"""Options of exports: records that the export form and the command line show, and what writers take.
+
+An option that one format alone has is defined beside that format; here are those that several have.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, field
+from typing import Any, Generic, TypeVar
+
+import msgspec
+from msgspec.structs import replace
+
+from app.exchange.drawing.styles import INK, LIGHT, Style
+from app.tasks.progress import Report, silent
+
+Value = TypeVar("Value")
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Option(Generic[Value]):
+    """An option of a format: a row of the export form, and a flag of the command line if it has a `help`.
+
+    Attributes
+    ----------
+    name
+        Its key among the values that a person chose, as they are remembered.
+    default
+        Its value unless asked otherwise.
+    label
+        Of its row in the form; options that follow each other with the same label share the row.
+    title
+        Its own words, for screen readers and beside a check box; by default the label.
+    tip
+        Its tooltip.
+    widget
+        The objectName of its widget; by default "export" and the name.
+    flag
+        Its flag; by default two dashes and the name.
+    help
+        What `curvebench convert --help` says of it.
+    """
+
+    name: str
+    default: Value
+    label: str = ""
+    title: str = ""
+    tip: str = ""
+    widget: str = ""
+    flag: str = ""
+    help: str = ""
+
+    def __post_init__(self) -> None:
+        words = self.name.split("_")
+        object.__setattr__(self, "title", self.title or self.label)
+        object.__setattr__(self, "widget", self.widget or "export" + "".join(map(str.capitalize, words)))
+        object.__setattr__(self, "flag", self.flag or "--" + "-".join(words))
+
+    def checked(self, value: object) -> Value:
+        """Return a value that was remembered or typed; the default if it is none of this option's."""
+        return self.default
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Check(Option[bool]):
+    """An option that is on or off."""
+
+    def checked(self, value: object) -> bool:
+        """Return a truth value."""
+        return value if isinstance(value, bool) else self.default
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Whole(Option[int]):
+    """A whole number between two limits.
+
+    Attributes
+    ----------
+    limits
+        The least and the greatest.
+    suffix
+        Its unit in the form.
+    """
+
+    limits: tuple[int, int]
+    suffix: str = ""
+
+    def checked(self, value: object) -> int:
+        """Return a number within the limits."""
+        is_usable = type(value) is int and self.limits[0] <= value <= self.limits[1]
+        return value if is_usable else self.default  # type: ignore[return-value]
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class OneOf(Option[Value]):
+    """One of several values; `choices` has the title of each."""
+
+    choices: Mapping[Value, str] = field(default_factory=dict)
+
+    def checked(self, value: object) -> Value:
+        """Return one of the choices."""
+        return next((each for each in self.choices if each == value), self.default)
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class SomeOf(Option[tuple[str, ...]]):
+    """Some of several words, at least one; `needed` is said where there is none."""
+
+    choices: tuple[str, ...]
+    needed: str
+
+    def checked(self, value: object) -> tuple[str, ...]:
+        """Return some of the choices, at least one."""
+        if not isinstance(value, list | tuple) or not value or not set(value) <= set(self.choices):
+            return self.default
+        return tuple(value)
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Tolerance(Option[float | None]):
+    """The largest distance allowed from the true curves; None for the default."""
+
+    def checked(self, value: object) -> float | None:
+        """Return a positive number that the document may have."""
+        is_number = isinstance(value, int | float) and not isinstance(value, bool)
+        return value if is_number and 0 < value < 1e12 else self.default  # type: ignore[operator, return-value]
+
+
+WIDTH = Whole(
+    name="width",
+    label="Width",
+    tip="Width in pixels before the scale; the height follows",
+    default=1600,
+    limits=(1, 16384),
+    suffix=" px",
+)
+SCALE = OneOf(
+    name="scale",
+    label="Scale",
+    tip="How sharp: pixels for each",
+    default=1.0,
+    choices={1.0: "× 1 (96 dpi)", 2.0: "× 2 (192 dpi)", 3.0: "× 3 (288 dpi)", 4.0: "× 4 (384 dpi)"},
+)
+TRUE_SIZE = Check(name="true_size", label="Size", title="True size", default=True)
+DARK_PAPER = OneOf(
+    name="dark",
+    label="Colours",
+    tip="Light or dark paper",
+    widget="exportColours",
+    default=False,
+    choices={False: "Light", True: "Dark"},
+)
+TRANSPARENT = Check(name="transparent", title="Transparent", tip="Leave the paper out", default=False)
+POINTS = Check(
+    name="points", label="Show", title="Points", tip="Draw the points", widget="export_points", default=False
+)
+HANDLES = Check(
+    name="handles",
+    label="Show",
+    title="Handles",
+    tip="Draw the Bézier control points beside the points",
+    widget="export_handles",
+    default=False,
+)
+GRID = Check(
+    name="grid",
+    label="Show",
+    title="Grid",
+    tip="Draw a grid behind the curves",
+    widget="export_grid",
+    default=False,
+)
+BASIS = Check(
+    name="basis",
+    label="Show",
+    title="Basis functions",
+    tip="Draw the basis functions of the curve that is edited below the picture",
+    widget="export_basis",
+    default=False,
+)
+TOLERANCE = Tolerance(
+    name="tolerance",
+    label="Tolerance",
+    tip="Largest distance from the true curves, or “automatic”",
+    default=None,
+)
+PICTURE = (TRUE_SIZE, DARK_PAPER, TRANSPARENT, POINTS, HANDLES, GRID, BASIS)
+"""What all pictures have."""
+
+
+class Extras(msgspec.Struct, frozen=True):
+    """What else to draw.
+
+    Attributes
+    ----------
+    handles, grid
+        Whether to draw the Bézier control points beside the points, and a grid.
+    basis
+        The curve whose basis functions to draw below the picture; None for none.
+    with_estimates
+        Whether to draw what each point does with the estimates that follow it, where there are any, and not
+        the functions of the family.
+    """
+
+    handles: bool = False
+    grid: bool = False
+    basis: int | None = None
+    with_estimates: bool = False
+
+
+class Options(msgspec.Struct, frozen=True, kw_only=True):
+    """How to write; each format takes what concerns it.
+
+    Attributes
+    ----------
+    width
+        Of pictures: width in pixels (PNG, SVG) or points of 1/72 inch (PDF); the height follows.
+    tolerance
+        Largest deviation allowed, in the document's unit, of formats that cannot hold the curve itself; by
+        default a hundred-thousandth of the drawing's longer side.
+    style
+        Of pictures: colours; by default dark ink, on light paper in a PNG and on none in SVG and PDF.
+    points
+        Of pictures and DXF: whether to draw the points.
+    scale
+        Of a PNG: how many pixels stand for each of `width`, and for 1/96 inch.
+    transparent
+        Of pictures: whether to leave the paper out, whatever the style.
+    extras
+        Of pictures: what else to draw.
+    unit
+        Of pictures, TikZ and DXF: what a length of one is, such as "mm". Without a `width` an SVG or PDF then
+        has true size, as TikZ always has; of a PNG it gives the pixels per inch.
+    own
+        The options that one format alone has, by their names.
+    report
+        Hears how far it has come; until the file is put in place it may raise `Cancelled`.
+    path
+        The file that is written, for formats that say where other files lie.
+    """
+
+    width: int | None = None
+    tolerance: float | None = None
+    style: Style | None = None
+    points: bool = False
+    scale: float = 1.0
+    transparent: bool = False
+    extras: Extras | None = None
+    unit: str = ""
+    own: Mapping[str, Any] = {}
+    report: Report = silent
+    path: str = ""
+
+    def __getitem__(self, option: Option[Value]) -> Value:
+        """Return an option that one format alone has."""
+        value: Value = self.own.get(option.name, option.default)
+        return value
+
+    def reporting(self, report: Report) -> Options:
+        """Return the same options with somebody who hears how far it has come."""
+        return replace(self, report=report)
+
+    @property
+    def paper_style(self) -> Style:
+        """The colours of a PNG, which has paper unless it is to be transparent."""
+        return self._on_paper(self.style or LIGHT)
+
+    @property
+    def vector_style(self) -> Style:
+        """The colours of an SVG or PDF, which has paper only where colours were asked for."""
+        return self._on_paper(self.style or INK)
+
+    def _on_paper(self, style: Style) -> Style:
+        return replace(style, paper=None) if self.transparent else style
+
+
+def all_options(each: Iterable[Iterable[Option[Any]]]) -> tuple[Option[Any], ...]:
+    """Return the options of several formats, each once, in the order of their first appearance."""
+    return tuple({option.name: option for options in each for option in options}.values())

@@ -1,0 +1,244 @@
+"""Documents as SVG, written from the core: cubic Hermite curves exactly, others within a tolerance."""
+
+from __future__ import annotations
+
+import re
+from decimal import ROUND_UP, Context
+from typing import TYPE_CHECKING
+
+from app import __version__
+from app.document.model import Document
+from app.exchange.drawing.drawing import Annotation, Drawing, Frame, Outline, drawing_of
+from app.exchange.drawing.styles import INK, Style
+from app.exchange.units import css_length, known_unit
+from app.tasks.progress import Report, part, silent, told
+from app.view_model import palette
+
+if TYPE_CHECKING:
+    from app.exchange.options import Extras
+
+STROKE = 0.003
+"""Width of the curve against the picture's longer side."""
+
+POINT_RADIUS = 0.006
+"""Radius of the discs at the points, likewise."""
+
+NOMINAL_SIDE = 800
+"""Longer side, in CSS pixels, of a picture whose size nobody asked for."""
+
+_INKSCAPE = "http://www.inkscape.org/namespaces/inkscape"
+
+# XML 1.0 has no way at all to write these.
+_NOT_IN_XML = "[^\t\n\r\x20-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]"
+
+# A bound that was rounded to the nearest would not be one.
+_ROUNDING_UP = Context(prec=3, rounding=ROUND_UP)
+
+
+def svg_of(
+    document: Document,
+    *,
+    tolerance: float | None = None,
+    style: Style = INK,
+    points: bool = False,
+    width: float | None = None,
+    extras: Extras | None = None,
+    unit: str = "",
+    report: Report = silent,
+) -> str:
+    """Return a document as SVG.
+
+    Coordinates are the document's own with y negated, in full precision: a piece of a cubic Hermite
+    curve is exactly one ``C`` of the path. Lagrange and quintic Hermite curves become as many cubics as
+    the tolerance takes; the largest deviation stands in a comment and in the description.
+
+    Parameters
+    ----------
+    document
+        A document with at least one curve that can be drawn.
+    tolerance
+        Largest deviation allowed, in the document's unit; by default a hundred-thousandth of the
+        drawing's longer side.
+    style
+        Colours.
+    points
+        Whether to draw the points as discs, in a group of their own.
+    width
+        Nominal width in CSS pixels; by default the longer side is `NOMINAL_SIDE`.
+    extras
+        What else to draw, in groups of their own.
+    unit
+        What a length of one is, a name that `known_unit` knows: without a `width` the picture has true size.
+    report
+        Hears how far it has come.
+
+    Raises
+    ------
+    ExchangeError
+        If nothing can be drawn, or if the coordinates are beyond what a picture can hold.
+    """
+    drawing = picture_of(document, tolerance, extras, style, part(report, 0.0, 0.7))
+    written = part(report, 0.7, 1.0)
+    return svg_text(drawing, style=style, points=points, width=width, unit=unit, report=written)
+
+
+def picture_of(
+    document: Document,
+    tolerance: float | None,
+    extras: Extras | None,
+    style: Style,
+    report: Report = silent,
+) -> Drawing:
+    """Return the drawing of a document with what else is to be drawn; see `svg_of`."""
+    drawing = drawing_of(document, tolerance, report)
+    if extras is None:
+        return drawing
+    # Views of basis functions and handles are no business of a plain drawing.
+    from app.exchange.drawing.annotations import annotated  # noqa: PLC0415
+
+    return annotated(drawing, document, extras, style.theme)
+
+
+def nominal_width(drawing: Drawing, width: float | None) -> float:
+    """Return the width in CSS pixels of a picture whose size is that asked for, or nobody's."""
+    return NOMINAL_SIDE * drawing.frame.width / drawing.frame.side if width is None else width
+
+
+def svg_text(
+    drawing: Drawing,
+    *,
+    style: Style,
+    points: bool,
+    width: float | None = None,
+    unit: str = "",
+    report: Report = silent,
+) -> str:
+    """Return a drawing as SVG with the nominal `width` in CSS pixels, or at true size in a unit."""
+    frame = drawing.frame
+    wide, high = _size_attributes(drawing, width, unit)
+    box = " ".join(_number(value) for value in (frame.left, -frame.top, frame.width, frame.height))
+    parts = [
+        '<?xml version="1.0" encoding="UTF-8"?>',
+        f"<!-- Curvebench {__version__}. {accuracy_of(drawing)} -->",
+        f'<svg xmlns="http://www.w3.org/2000/svg" xmlns:inkscape="{_INKSCAPE}" '
+        f'width="{wide}" height="{high}" viewBox="{box}">',
+        f"  <desc>{_text(' '.join([accuracy_of(drawing), *drawing.remarks]))}</desc>",
+        *([_paper(frame, style.paper)] if style.paper else []),
+        *_annotations(drawing, style, "grid"),
+        *_curves(drawing, style, report),
+        *_annotations(drawing, style, "handles"),
+        *(_points(drawing, style) if points else []),
+        *_annotations(drawing, style, "basis"),
+        "</svg>",
+    ]
+    return "\n".join(parts) + "\n"
+
+
+def _size_attributes(drawing: Drawing, width: float | None, unit: str) -> tuple[str, str]:
+    frame, known = drawing.frame, known_unit(unit)
+    if known and width is None:
+        return css_length(frame.width, known), css_length(frame.height, known)
+    wide = nominal_width(drawing, width)
+    return f"{wide:.6g}", f"{wide * frame.height / frame.width:.6g}"
+
+
+def accuracy_of(drawing: Drawing) -> str:
+    """Return a sentence with the largest deviation of the drawing from the true curves."""
+    bound = _ROUNDING_UP.create_decimal_from_float(drawing.deviation)
+    missed = "" if drawing.deviation <= drawing.tolerance else ", which was out of reach"
+    return (
+        f"Largest deviation from the true curves: {float(bound):g} "
+        f"(tolerance {drawing.tolerance:g}{missed}), in the unit of the document."
+    )
+
+
+def _paper(frame: Frame, colour: str) -> str:
+    x, y, width, height = (_number(v) for v in (frame.left, -frame.top, frame.width, frame.height))
+    return f'  <rect id="paper" x="{x}" y="{y}" width="{width}" height="{height}" fill="{colour}"/>'
+
+
+def _curves(drawing: Drawing, style: Style, report: Report) -> list[str]:
+    stroke = _number(STROKE * drawing.frame.side)
+    group = (
+        f'  <g id="curves" fill="none" stroke="{style.ink}" stroke-width="{stroke}" '
+        'stroke-linecap="round" stroke-linejoin="round">'
+    )
+    layers = [line for each in told(drawing.outlines, report, "Writing") for line in _layer(each, style)]
+    return [group, *layers, "  </g>"]
+
+
+def _layer(outline: Outline, style: Style) -> list[str]:
+    """Return a curve in a group that Inkscape takes for a layer."""
+    name = _text(outline.name)
+    quoted = name.replace('"', "&quot;").replace("\n", " ")
+    return [
+        f'    <g inkscape:groupmode="layer" inkscape:label="{quoted}">',
+        f'    <path d="{path_data(outline)}"{_own("stroke", outline, style)}><title>{name}</title></path>',
+        "    </g>",
+    ]
+
+
+def _own(attribute: str, outline: Outline, style: Style) -> str:
+    """Return the curve's own colour as an attribute; nothing where the picture's ink is meant."""
+    return f' {attribute}="{_colour(outline.colour, style)}"' if outline.colour else ""
+
+
+def _colour(code: str, style: Style) -> str:
+    """Return a colour as it is drawn on the picture's paper, the same as on the screen's."""
+    return palette.colour_on(style.paper, code) if code else style.ink
+
+
+def path_data(outline: Outline) -> str:
+    """Return the pieces (k, 4, 2) as path data, y negated, one piece per line."""
+    control_points = outline.control_points
+    start, *_ = control_points[0].tolist()
+    pieces = (" ".join(_pair(point) for point in piece[1:]) for piece in control_points.tolist())
+    # Closed, the stroke has a join at the seam like everywhere else.
+    end = ["Z"] if outline.closed else []
+    return "\n      ".join([f"M {_pair(start)}", *(f"C {piece}" for piece in pieces), *end])
+
+
+def _points(drawing: Drawing, style: Style) -> list[str]:
+    radius = _number(POINT_RADIUS * drawing.frame.side)
+    discs = [
+        f'    <circle cx="{_number(x)}" cy="{_number(-y)}" r="{radius}"{_own("fill", outline, style)}/>'
+        for outline in drawing.outlines
+        for x, y in outline.nodes.tolist()
+    ]
+    return [f'  <g id="points" fill="{style.ink}">', *discs, "  </g>"]
+
+
+def _annotations(drawing: Drawing, style: Style, name: str) -> list[str]:
+    """Return the group of lines with this name; nothing where there are none."""
+    paths = [_strokes(each, style) for each in drawing.annotations if each.name == name]
+    return [f'  <g id="{name}" fill="none" stroke-linejoin="round">', *paths, "  </g>"] if paths else []
+
+
+def _strokes(annotation: Annotation, style: Style) -> str:
+    data = " ".join(f"M {' L '.join(_pair(point) for point in line.tolist())}" for line in annotation.lines)
+    colour = _colour(annotation.colour, style)
+    opacity = f' opacity="{annotation.opacity:g}"' if annotation.opacity < 1 else ""
+    if annotation.filled:
+        return f'    <path d="{data}" fill="{colour}"{opacity}/>'
+    dash = f' stroke-dasharray="{" ".join(map(_number, annotation.dash))}"' if annotation.dash else ""
+    return (
+        f'    <path d="{data}" stroke="{colour}" stroke-width="{_number(annotation.width)}"{dash}{opacity}/>'
+    )
+
+
+def _pair(point: list[float]) -> str:
+    x, y = point
+    return f"{_number(x)} {_number(-y)}"
+
+
+def _number(value: float) -> str:
+    """Return the shortest text that reads back as the same float; adding zero turns -0.0 into 0.0."""
+    return repr(value + 0.0).removesuffix(".0")
+
+
+def _text(text: str) -> str:
+    """Return text as XML may hold it."""
+    # Compiled here, and kept by `re`: that takes longer than importing this module.
+    text = re.sub(_NOT_IN_XML, "\ufffd", text)
+    # What xml.sax.saxutils does, without the network modules that it imports.
+    return text.replace("&", "&amp;").replace("<", "&lt;").replace(">", "&gt;")

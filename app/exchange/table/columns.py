@@ -1,0 +1,230 @@
+"""What the columns of a table are: numbers of a point, or words that say which curve it belongs to."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+from dataclasses import dataclass, fields
+
+from app.exchange.errors import ExchangeError
+
+ROLES = ("t", "x", "y", "vx", "vy", "ax", "ay")
+"""What a column of numbers can be, for every point."""
+
+AFTER = ("vx_after", "vy_after", "ax_after", "ay_after")
+"""The derivatives after a corner; those of `ROLES` are the ones before it then."""
+
+WORDS = ("curve", "family")
+"""What a column of text can be: the name of the row's curve, and its family."""
+
+UNITS = frozenset(
+    (
+        *(
+            "m",
+            "mm",
+            "cm",
+            "km",
+            "dm",
+            "µm",
+            "um",
+            "nm",
+            "in",
+            "inch",
+            "ft",
+            "px",
+            "pt",
+            "s",
+            "ms",
+            "µs",
+            "us",
+        ),
+        *("sec", "min", "h", "hz", "deg", "degree", "degrees", "rad", "°", "m/s", "mm/s", "m/s²", "m/s^2"),
+        *("-", "1", "none"),
+    )
+)
+"""Words of a row of units."""
+
+_FILL = "(?:pos|position|positions|coord|coords|coordinate|koordinate|wert|value|val|point|punkt|loc|location"
+_FILL += "|data|axis|achse|dir)?"
+_NAMES = {
+    "t": "t|time|times|zeit|tau|param|parameter|sec|seconds|sekunden|timesec|elapsed|elapsedtime",
+    "x": f"{_FILL}x{_FILL}|lon|long|longitude|lng|easting|east|laengengrad|längengrad|rechtswert|abscissa",
+    "y": f"{_FILL}y{_FILL}|lat|latitude|northing|north|breitengrad|hochwert|ordinate",
+    "vx": "vx|velx|xvel|velocityx|xvelocity",
+    "vy": "vy|vely|yvel|velocityy|yvelocity",
+    "ax": "ax|accx|xacc|accelerationx|xacceleration",
+    "ay": "ay|accy|yacc|accelerationy|yacceleration",
+}
+_PATTERNS = {role: re.compile(pattern) for role, pattern in _NAMES.items()}
+_INDEX = re.compile(r"|index|unnamed: ?0|#|nr\.?|no\.?|row|id")
+
+
+@dataclass(frozen=True)
+class ColumnMapping:
+    """Which column is what, counted from 0; None where there is no such column."""
+
+    x: int
+    y: int
+    t: int | None = None
+    vx: int | None = None
+    vy: int | None = None
+    ax: int | None = None
+    ay: int | None = None
+    vx_after: int | None = None
+    vy_after: int | None = None
+    ax_after: int | None = None
+    ay_after: int | None = None
+    curve: int | None = None
+    family: int | None = None
+
+    def columns(self, roles: Sequence[str]) -> dict[str, int]:
+        """Return the columns that there are for some of the roles."""
+        found = {role: getattr(self, role) for role in roles}
+        return {role: column for role, column in found.items() if column is not None}
+
+
+@dataclass(frozen=True)
+class Guess:
+    """What the columns of a table seem to be.
+
+    Attributes
+    ----------
+    mapping
+        Which is what; None where no two columns are numbers.
+    is_certain
+        Whether names, or the lack of any choice, say so; where not, somebody should be asked.
+    """
+
+    mapping: ColumnMapping | None
+    is_certain: bool = True
+
+    def said(self, titles: Sequence[str]) -> str:
+        """Return what was taken for what, as a sentence."""
+        return words_on(self.mapping, titles) if self.mapping is not None else ""
+
+
+def role_of(title: str) -> str:
+    """Return what a column of this title is; empty where the title does not say.
+
+    A unit in brackets, or behind the last “_”, counts for nothing: "x [mm]", "time_s".
+    """
+    plain = re.split(r"[\[(]", title.strip().lower())[0].strip()
+    if plain in AFTER or plain in WORDS:
+        return plain
+    parts = [part for part in re.split(r"[\s_\-./:]+", plain) if part]
+    if len(parts) > 1 and parts[-1] in UNITS:
+        parts.pop()
+    joined = "".join(parts)
+    return next((role for role, pattern in _PATTERNS.items() if pattern.fullmatch(joined)), "")
+
+
+def guessed(titles: Sequence[str], rows: Sequence[Sequence[str]] = ()) -> ColumnMapping | None:
+    """Return what `guess` takes the columns for."""
+    return guess(titles, rows).mapping
+
+
+def guess(
+    titles: Sequence[str], rows: Sequence[Sequence[str]] = (), is_number: Sequence[bool] | None = None
+) -> Guess:
+    """Return what the columns are by their titles, and, where those do not say, by their order.
+
+    Parameters
+    ----------
+    titles
+        "Column 1" and so on, or empty, where there are none.
+    rows
+        The first rows: a column without a title that counts them is an index, and is left out.
+    is_number
+        For each column, whether it holds numbers; by default all do.
+    """
+    known = _named(titles)
+    if {"x", "y"} <= set(known):
+        return Guess(ColumnMapping(**known))
+    free = [
+        column
+        for column in range(len(titles))
+        if (is_number is None or is_number[column]) and column not in known.values()
+    ]
+    has_titles = any(title != f"Column {place}" for place, title in enumerate(titles, start=1))
+    # Without titles a first column that counts may as well be t.
+    counted = [column for column in free if has_titles and _counts(titles[column], rows, column)]
+    return _by_order(known, [column for column in free if column not in counted] or free)
+
+
+def _by_order(known: dict[str, int], free: list[int]) -> Guess:
+    """Return what columns are, some of them by name, of which x and y are not both named."""
+    if "x" in known or "y" in known:
+        missing = "y" if "x" in known else "x"
+        mapping = ColumnMapping(**{**known, missing: free[0]}) if free else None
+        return Guess(mapping, is_certain=len(free) == 1)
+    if "t" in known and len(free) == 1:
+        # A function of time: its graph.
+        rest = {role: column for role, column in known.items() if role != "t"}
+        return Guess(ColumnMapping(**{**rest, "x": known["t"], "y": free[0]}))
+    if len(free) < 2:
+        return Guess(None)
+    if len(free) == 3 and not known:
+        return Guess(ColumnMapping(free[1], free[2], t=free[0]), is_certain=False)
+    return Guess(ColumnMapping(**{**known, "x": free[0], "y": free[1]}), len(free) == 2 and "t" not in known)
+
+
+def mapping_of(text: str, titles: Sequence[str]) -> ColumnMapping:
+    """Return the columns that somebody chose: "t=time,x=pos_x,y=3", by title or number from 1.
+
+    Raises
+    ------
+    ExchangeError
+        For a role or column that there is not, or without x or y.
+    """
+    roles = [field.name for field in fields(ColumnMapping)]
+    chosen: dict[str, int] = {}
+    for item in text.split(","):
+        role, _, column = (part.strip() for part in item.partition("="))
+        if role not in roles:
+            raise ExchangeError(f"“{role}” is nothing that a column can be; use {', '.join(roles)}.")
+        chosen[role] = _column(column, titles)
+    if not {"x", "y"} <= set(chosen):
+        raise ExchangeError("A curve needs x and y: --columns x=…,y=…")
+    return ColumnMapping(**chosen)
+
+
+def words_on(mapping: ColumnMapping, titles: Sequence[str]) -> str:
+    """Return which columns were taken for what, and which were left out."""
+    columns = mapping.columns([field.name for field in fields(ColumnMapping)])
+    order = sorted(columns, key=[*ROLES, *AFTER, *WORDS].index)
+    taken = ", ".join(f"{role} = {_shown(titles, columns[role])}" for role in order)
+    left = [_shown(titles, column) for column in range(len(titles)) if column not in columns.values()]
+    return f"Columns: {taken}." + (f" Left out: {', '.join(left)}." if left else "")
+
+
+def _shown(titles: Sequence[str], column: int) -> str:
+    title = titles[column]
+    return title.lower() if title == f"Column {column + 1}" else f"“{title[:40]}”"
+
+
+def _named(titles: Sequence[str]) -> dict[str, int]:
+    """Return the columns whose titles say what they are; of two, the one with the shorter title."""
+    found: dict[str, int] = {}
+    for column, title in enumerate(titles):
+        role = role_of(title)
+        if role and (role not in found or len(title) < len(titles[found[role]])):
+            found[role] = column
+    return found
+
+
+def _counts(title: str, rows: Sequence[Sequence[str]], column: int) -> bool:
+    """Whether a column counts the rows, as the index that pandas writes, and no title claims otherwise."""
+    is_untitled = bool(_INDEX.fullmatch(title.strip().lower())) or title == f"Column {column + 1}"
+    cells = [row[column] if column < len(row) else "" for row in rows]
+    counted = ([str(first + place) for place in range(len(cells))] for first in (0, 1))
+    return column == 0 and is_untitled and len(cells) > 1 and cells in counted
+
+
+def _column(text: str, titles: Sequence[str]) -> int:
+    plain = [title.strip().lower() for title in titles]
+    if text.lower() in plain:
+        return plain.index(text.lower())
+    if text.isdigit() and 1 <= int(text) <= len(titles):
+        return int(text) - 1
+    known = ", ".join(_shown(titles, column) for column in range(min(len(titles), 12)))
+    raise ExchangeError(f"There is no column “{text[:40]}”; there are {known}.")

@@ -1,0 +1,352 @@
+"""Tables in: columns of numbers become curves, all rows of them or as few as a tolerance takes."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass, replace
+
+import numpy as np
+import numpy.typing as npt
+
+from app.document.model import (
+    Curve,
+    Document,
+    Node,
+    Parametrization,
+    ParametrizationKind,
+    Vector,
+)
+from app.document.words import Named
+from app.exchange.cubics_in import Imported
+from app.exchange.drawing.drawing import Floats
+from app.exchange.errors import ExchangeError
+from app.exchange.table.columns import AFTER, ROLES, ColumnMapping, guessed
+from app.exchange.table.layout import MissingNumber, RowProblem
+from app.exchange.table.table import Table
+from app.exchange.table.thinning import Thinning, thinned
+from app.families import FAMILIES, HERMITE, Family
+from app.storage.format import FormatError, validate
+from app.tasks.progress import Report, part, silent
+
+MOST_CURVES = 1_000
+
+_ROWS_AT_ONCE = 5_000
+Group = tuple[str, npt.NDArray[np.intp]]
+"""The name of a curve and the places of its rows."""
+
+CLOSED = "closed "
+"""Before the family of a curve whose last row is its first point again."""
+
+
+class Missing(Named):
+    """What becomes of rows without a number for t, x or y."""
+
+    REFUSE = "refuse", "Refuse them"
+    SKIP = "skip", "Leave them out"
+    SPLIT = "split", "End the curve there"
+
+
+_PAIRS = {
+    "velocity": ("vx", "vy"),
+    "acceleration": ("ax", "ay"),
+    "velocity_after": ("vx_after", "vy_after"),
+    "acceleration_after": ("ax_after", "ay_after"),
+}
+
+
+def document_of_table(
+    table: Table,
+    mapping: ColumnMapping | None = None,
+    *,
+    family: Family = HERMITE,
+    name: str = "Table",
+    thin: float | None = None,
+    thinning: Thinning = Thinning.CURVE,
+    missing: Missing = Missing.REFUSE,
+    report: Report = silent,
+) -> Imported:
+    """Return the curves through the rows of a table, how far they are from them, and what there is to say.
+
+    There is one curve, or one for each name in the column of names, and one for each block of rows. Where
+    there is no column of parameters, rows that repeat the point before become one point with it.
+
+    Parameters
+    ----------
+    table
+        At least two rows for each curve.
+    mapping
+        Which columns are what; by default a guess from the titles.
+    family
+        Of the curves, unless a column says it. Velocities or accelerations that the family does not have are
+        left out; where a pair of cells is empty, they are estimated.
+    name
+        Of the curve, unless a column says it.
+    thin
+        None to take every row; otherwise the rows are thinned out, and the curves are cubic Hermite curves.
+    thinning
+        What stays within that distance of every row.
+    missing
+        Whether rows without a number are refused, left out, or where a curve ends and the next begins.
+    report
+        Hears how far it has come.
+
+    Raises
+    ------
+    ExchangeError
+        If the rows cannot be the points of a curve, with the row.
+    """
+    chosen = mapping or guessed(table.titles)
+    if chosen is None:
+        raise ExchangeError("The table has one column only; a curve needs x and y.")
+    columns = chosen.columns((*ROLES, *AFTER))
+    for role, column in columns.items():
+        if not 0 <= column < table.values.shape[1]:
+            raise ExchangeError(f"There is no column {column + 1} for {role}.")
+    groups = _numbered(_without_missing(table, columns, _groups(table, chosen, name), missing))
+    curves, deviation, repeats = [], 0.0, Repeats()
+    for place, (title, rows) in enumerate(groups):
+        own = _Rows(table, columns, rows)
+        found = own.repeats
+        repeats = repeats.and_of(found, own.line_of)
+        if own.t is None:
+            # Parameters by distance, which are the rule then, cannot tell these points apart.
+            own = own.without(found)
+        away = part(report, place / len(groups), (place + 1) / len(groups))
+        if thin is not None:
+            kept = thinned(own.points, own.t, thin, thinning, report=away)
+            curves.append(_thinned_curve(title, own, kept.rows, kept.parameters))
+            deviation = max(deviation, kept.deviation)
+        else:
+            curves.append(_full_curve(title, own, *_family_of(table, chosen, rows, family), away))
+    said = repeats.said(are_kept="t" in columns)
+    return Imported(_checked(curves), deviation, (said,) if said else ())
+
+
+def _groups(table: Table, mapping: ColumnMapping, name: str) -> list[Group]:
+    """Return the name and the rows of each curve, in the order in which they begin."""
+    if mapping.curve is None or mapping.curve not in table.words:
+        blocks = np.split(np.arange(len(table.values)), table.blocks)
+        return [(name, rows) for rows in blocks]
+    places: dict[str, int] = {}
+    group = np.array([places.setdefault(word, len(places)) for word in table.words[mapping.curve]])
+    order = np.argsort(group, kind="stable")
+    ends = np.cumsum(np.bincount(group))[:-1]
+    return [
+        (title.removeprefix("'") or name, rows)
+        for title, rows in zip(places, np.split(order, ends), strict=True)
+    ]
+
+
+def _without_missing(
+    table: Table, columns: dict[str, int], groups: list[Group], missing: Missing
+) -> list[Group]:
+    """Return the groups without rows that lack t, x or y; split there if asked."""
+    if missing is Missing.REFUSE:
+        return groups
+    needed = [column for role, column in columns.items() if role in ("t", "x", "y")]
+    is_whole = np.asarray(np.isfinite(table.values[:, needed]).all(axis=1))
+    result: list[Group] = []
+    for title, rows in groups:
+        kept = np.flatnonzero(is_whole[rows])
+        ends = np.flatnonzero(np.diff(kept) > 1) + 1 if missing is Missing.SPLIT else kept[:0]
+        # What is left of a block may be a single row, which is no curve.
+        result += [(title, rows[part]) for part in np.split(kept, ends) if len(part) > 1]
+    if not result:
+        raise ExchangeError("No two rows that follow each other have numbers.")
+    return result
+
+
+def _numbered(groups: list[Group]) -> list[Group]:
+    """Return the groups, of which those with one name are numbered."""
+    if len(groups) > MOST_CURVES:
+        raise ExchangeError(f"The table holds {len(groups)} curves; {MOST_CURVES} can be read.")
+    titles = Counter(title for title, _ in groups)
+    seen: Counter[str] = Counter()
+    result = []
+    for title, rows in groups:
+        seen[title] += 1
+        result.append((f"{title} ({seen[title]})" if titles[title] > 1 else title, rows))
+    return result
+
+
+def _family_of(
+    table: Table, mapping: ColumnMapping, rows: npt.NDArray[np.intp], default: Family
+) -> tuple[Family, bool]:
+    """Return the family of the curve through some rows, and whether it is closed."""
+    if mapping.family is None or mapping.family not in table.words:
+        return default, False
+    first = int(rows[0])
+    word = table.words[mapping.family][first].strip().lower()
+    family = FAMILIES.named(word.removeprefix(CLOSED))
+    if family.is_missing:
+        known = ", ".join(map(str, FAMILIES))
+        raise RowProblem(f" must be one of {known}.", table.line_of(first), mapping.family + 1)
+    return family, word.startswith(CLOSED)
+
+
+@dataclass(frozen=True)
+class Repeats:
+    """Rows that hold the same point as the row before.
+
+    Attributes
+    ----------
+    count
+        How many there are.
+    first
+        The row of the file that holds the first one.
+    """
+
+    count: int = 0
+    first: int = 0
+
+    def and_of(self, rows: npt.NDArray[np.intp], line_of: Callable[[int], int]) -> Repeats:
+        """Return these and more, of another curve."""
+        first = self.first or (line_of(int(rows[0])) if len(rows) else 0)
+        return Repeats(self.count + len(rows), first)
+
+    def said(self, *, are_kept: bool) -> str:
+        """Return what there is to say of them and of what became of them; empty where there are none."""
+        if not self.count:
+            return ""
+        kept = "kept, with {} t of {} own"
+        merged = "merged with that, for parameters by distance need distinct points"
+        if self.count == 1:
+            became = f"is {kept.format('a', 'its')}" if are_kept else f"was {merged}"
+            return f"Row {self.first} repeats the point of the row before; it {became}."
+        became = f"are {kept.format('a', 'their')}" if are_kept else f"were {merged}"
+        where = f"row {self.first} first"
+        return f"{self.count:,} rows repeat the point of the row before, {where}; they {became}."
+
+
+@dataclass(frozen=True, eq=False)
+class _Rows:
+    """The rows of one curve.
+
+    Attributes
+    ----------
+    table, columns
+        Where they come from, and the columns of numbers that there are.
+    rows
+        Their places in the table.
+    """
+
+    table: Table
+    columns: dict[str, int]
+    rows: npt.NDArray[np.intp]
+
+    def __post_init__(self) -> None:
+        for role in {"t", "x", "y"} & set(self.columns):
+            values = self.column(role)
+            if np.isnan(values).any():
+                self._refuse_empty(role, int(np.argmax(np.isnan(values))))
+        if len(self.rows) < 2:
+            raise ExchangeError("The table has one row of numbers; a curve needs two points.")
+        if self.t is not None and not (np.diff(self.t) > 0).all():
+            row = int(np.argmin(np.diff(self.t) > 0)) + 1
+            raise RowProblem(": t must increase from row to row.", self.line_of(row))
+
+    def _refuse_empty(self, role: str, row: int) -> None:
+        raise MissingNumber(f" is empty; it gives {role}.", self.line_of(row), self.columns[role] + 1)
+
+    def line_of(self, row: int) -> int:
+        """Return the line of the file that holds a row."""
+        return self.table.line_of(int(self.rows[row]))
+
+    def column(self, role: str) -> Floats:
+        """Return the numbers of one column."""
+        return np.asarray(self.table.values[self.rows, self.columns[role]])
+
+    @property
+    def t(self) -> Floats | None:
+        """The parameters; None where there is no column of them."""
+        return self.column("t") if "t" in self.columns else None
+
+    @property
+    def points(self) -> Floats:
+        """The points, (n, 2)."""
+        return np.column_stack([self.column("x"), self.column("y")])
+
+    @property
+    def repeats(self) -> npt.NDArray[np.intp]:
+        """The rows that hold the same point as the row before."""
+        return np.flatnonzero((np.diff(self.points, axis=0) == 0).all(axis=1)) + 1
+
+    def without(self, rows: npt.NDArray[np.intp]) -> _Rows:
+        """Return all rows but these.
+
+        Raises
+        ------
+        ExchangeError
+            If one is left.
+        """
+        left = np.delete(self.rows, rows)
+        if len(left) < 2:
+            raise ExchangeError("All points coincide; there is no curve through them.")
+        return replace(self, rows=left)
+
+    def vectors(self, field: str, some: slice) -> list[Vector | None]:
+        """Return one derivative of some rows, None where its cells are empty or there is no such column.
+
+        Raises
+        ------
+        ExchangeError
+            If one of two cells is empty.
+        """
+        pair = _PAIRS[field]
+        rows = self.rows[some]
+        if not set(pair) <= set(self.columns):
+            return [None] * len(rows)
+        values = np.column_stack([self.table.values[rows, self.columns[role]] for role in pair])
+        empty = np.isnan(values)
+        halves = np.flatnonzero(empty[:, 0] != empty[:, 1])
+        if len(halves):
+            row = int(halves[0])
+            self._refuse_empty(pair[0] if empty[row, 0] else pair[1], (some.start or 0) + row)
+        return [None if x != x else (x, y) for x, y in values.tolist()]  # noqa: PLR0124 - NaN
+
+
+def _full_curve(name: str, own: _Rows, family: Family, closed: bool, report: Report) -> Curve:
+    times = own.t
+    nodes = tuple(_nodes(own, family, report))
+    return Curve(name, family, _rule(times), nodes[:-1] if closed else nodes, closed=closed)
+
+
+def _nodes(own: _Rows, family: Family, report: Report) -> Iterator[Node]:
+    """Yield the points of all rows, made of some rows at a time: lists of all would double the memory."""
+    x, y, times = own.column("x"), own.column("y"), own.t
+    orders = ((1, "velocity"), (2, "acceleration"), (1, "velocity_after"), (2, "acceleration_after"))
+    for first in range(0, len(x), _ROWS_AT_ONCE):
+        report(first / len(x), "Making a curve")
+        some = slice(first, first + _ROWS_AT_ONCE)
+        nothing: list[Vector | None] = [None] * len(x[some])
+        fields = [
+            own.vectors(name, some) if order <= family.derivatives else nothing for order, name in orders
+        ]
+        t = [None] * len(nothing) if times is None else times[some].tolist()
+        for at_x, at_y, at, velocity, acceleration, after, bend in zip(
+            x[some].tolist(), y[some].tolist(), t, *fields, strict=True
+        ):
+            yield Node(at_x, at_y, at, velocity, acceleration, after is not None, after, bend)
+
+
+def _thinned_curve(name: str, own: _Rows, kept: npt.NDArray[np.intp], parameters: Floats) -> Curve:
+    points = zip(own.points[kept].tolist(), parameters.tolist(), strict=True)
+    nodes = tuple(Node(x, y, t) for (x, y), t in points)
+    return Curve(name, HERMITE, _rule(parameters), nodes)
+
+
+def _rule(t: Floats | None) -> Parametrization:
+    """Return the rule for parameters t, or chord length without."""
+    if t is None:
+        return Parametrization()
+    return Parametrization(ParametrizationKind.MANUAL, start=float(t[0]), end=float(t[-1]))
+
+
+def _checked(curves: list[Curve]) -> Document:
+    document = Document(tuple(curves))
+    try:
+        validate(document)
+    except FormatError as problem:
+        raise ExchangeError(f"The table cannot become a curve: {problem}.") from problem
+    return document

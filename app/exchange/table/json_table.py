@@ -1,0 +1,180 @@
+"""JSON in, as tables: lists of points, records, columns, and the lines of GeoJSON."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterator, Sequence
+from itertools import accumulate
+from typing import Any
+
+import msgspec
+import numpy as np
+
+from app.exchange.drawing.drawing import Floats
+from app.exchange.errors import ExchangeError
+from app.exchange.table.layout import RowProblem
+from app.exchange.table.table import Table, table_of
+from app.storage.format import not_json
+
+MOST_BYTES = 32 * 2**20
+"""Of a JSON file: as Python's own numbers it takes several times as much."""
+
+_GEO = frozenset(
+    [
+        "Feature",
+        "FeatureCollection",
+        "GeometryCollection",
+        "LineString",
+        "MultiLineString",
+        "Polygon",
+        "MultiPolygon",
+        "Point",
+        "MultiPoint",
+    ]
+)
+_KINDS = (
+    'a list of points [[x, y], …], of curves [[[x, y], …], …] or of records [{"x": …, "y": …}, …], '
+    'columns {"x": […], "y": […]}, or GeoJSON with lines'
+)
+
+
+def read_json(data: bytes) -> Table:
+    """Return the numbers of a JSON file as a table.
+
+    Raises
+    ------
+    ExchangeError
+        If it is no JSON, or nothing that is a table, with the row of what is no number.
+    """
+    if len(data) > MOST_BYTES:
+        raise ExchangeError(f"A JSON table may have {MOST_BYTES >> 20} MB; save this one as CSV or .npy.")
+    try:
+        content = msgspec.json.decode(data)
+    except UnicodeDecodeError:
+        raise ExchangeError("It is not UTF-8 text.") from None
+    except msgspec.DecodeError as problem:
+        clause = not_json(str(problem), data)
+        raise ExchangeError(f"{clause[0].upper()}{clause[1:]}.") from None
+    except RecursionError:
+        raise ExchangeError("The file is nested too deeply.") from None
+    if isinstance(content, dict) and content.get("type") in _GEO:
+        return _lines(content)
+    if isinstance(content, dict) and content and all(isinstance(each, list) for each in content.values()):
+        return _columns(content)
+    if isinstance(content, list) and content and all(isinstance(each, dict) for each in content):
+        return _records(content)
+    if _is_points(content):
+        return table_of(_numbers(content), _numbered(content[0]))
+    if isinstance(content, list) and content and all(map(_is_points, content)):
+        rows = [point for curve in content for point in curve]
+        blocks = tuple(accumulate(map(len, content[:-1])))
+        return table_of(_numbers(rows), _numbered(rows[0]), blocks=blocks)
+    raise ExchangeError(f"This JSON is no table; it can be {_KINDS}.")
+
+
+def _is_points(content: object) -> bool:
+    """Whether something is a list of lists without lists in the first of them."""
+    return (
+        isinstance(content, list)
+        and bool(content)
+        and all(isinstance(each, list) for each in content)
+        and len(content[0]) > 1
+        and not any(isinstance(each, list | dict) for each in content[0])
+    )
+
+
+def _numbered(row: Sequence[object]) -> tuple[str, ...]:
+    return tuple(f"Column {column + 1}" for column in range(len(row)))
+
+
+def _columns(content: dict[str, list[object]]) -> Table:
+    lengths = set(map(len, content.values()))
+    if len(lengths) != 1:
+        raise ExchangeError("The columns differ in length.")
+    return table_of(_numbers(list(zip(*content.values(), strict=True))), tuple(map(str, content)))
+
+
+def _records(content: list[dict[str, object]]) -> Table:
+    """Return the numbers of records; what is text in the first of them is left out."""
+    titles = [str(key) for key, value in content[0].items() if not isinstance(value, str | list | dict)]
+    left = [f"“{str(key)[:40]}”" for key in content[0] if key not in titles]
+    said = f"Not numbers, and left out: {', '.join(left[:8])}." if left else ""
+    return table_of(
+        _numbers([[each.get(key) for key in titles] for each in content]), tuple(titles), said=said
+    )
+
+
+def _numbers(rows: Sequence[Sequence[object]]) -> Floats:
+    """Return rows of numbers, NaN for null, or say where something else is."""
+    width = len(rows[0]) if rows else 0
+    for number, row in enumerate(rows, start=1):
+        if not isinstance(row, list | tuple) or len(row) != width:
+            raise RowProblem(f" has not {width} numbers, as the first has.", number)
+        for column, value in enumerate(row, start=1):
+            if type(value) not in (int, float, type(None)):
+                raise RowProblem(f": “{str(value)[:20]}” is not a number.", number, column)
+    try:
+        return np.array(rows, dtype=float).reshape(len(rows), width)
+    except OverflowError:
+        raise ExchangeError("A number is beyond −1e12 to 1e12.") from None
+
+
+# GeoJSON
+
+
+def _lines(content: dict[str, Any]) -> Table:
+    """Return the lines of GeoJSON, by name, as columns lon and lat."""
+    lost: Counter[str] = Counter()
+    found = list(_found(content, "Line", lost))
+    if not found:
+        raise ExchangeError(f"The GeoJSON has no lines. {_lost(lost)}".strip())
+    times, seen = Counter(name for name, _ in found), Counter[str]()
+    names: list[str] = []
+    points: list[list[object]] = []
+    for name, line in found:
+        seen[name] += 1
+        title = f"{name} ({seen[name]})" if times[name] > 1 else name
+        names += [title] * len(line)
+        points += [point[:2] if isinstance(point, list) else [point] for point in line]
+    values = _numbers(points)
+    if values.shape[1] != 2:
+        raise ExchangeError("A point of the GeoJSON has no longitude and latitude.")
+    whole = np.column_stack([np.full(len(values), np.nan), values])
+    return table_of(whole, ("curve", "lon", "lat"), words={0: names}, said=_lost(lost))
+
+
+def _found(content: object, name: str, lost: Counter[str]) -> Iterator[tuple[str, list[Any]]]:
+    """Yield the lines in a GeoJSON object, each with the name of its feature, and count what is no line."""
+    if not isinstance(content, dict):
+        return
+    kind = content.get("type")
+    if kind == "FeatureCollection":
+        for place, feature in enumerate(_list(content, "features"), start=1):
+            yield from _found(feature, f"{name} {place}", lost)
+    elif kind == "Feature":
+        properties = content.get("properties")
+        said = properties.get("name") if isinstance(properties, dict) else None
+        title = " ".join(said.split())[:200] if isinstance(said, str) else ""
+        yield from _found(content.get("geometry"), title or name, lost)
+    elif kind == "GeometryCollection":
+        for geometry in _list(content, "geometries"):
+            yield from _found(geometry, name, lost)
+    elif kind == "LineString":
+        yield name, _list(content, "coordinates")
+    elif kind == "MultiLineString":
+        for line in _list(content, "coordinates"):
+            yield name, line if isinstance(line, list) else []
+    else:
+        lost[str(kind)[:20]] += 1
+
+
+def _list(content: dict[str, Any], key: str) -> list[Any]:
+    value = content.get(key)
+    if not isinstance(value, list):
+        raise ExchangeError(f"The GeoJSON is damaged: a {content.get('type')} without {key}.")
+    return value
+
+
+def _lost(lost: Counter[str]) -> str:
+    words = ", ".join(f"{count} {kind}" for kind, count in sorted(lost.items()))
+    return f"Not read: {words}." if words else ""

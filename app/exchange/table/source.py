@@ -1,0 +1,86 @@
+"""The content of a file with a table, whatever its format; what was read is kept for the next choice."""
+
+from __future__ import annotations
+
+from app.exchange.formats import FORMATS, format_of
+from app.exchange.table.columns import ColumnMapping
+from app.exchange.table.curves import Missing
+from app.exchange.table.layout import Layout, cells_of_row
+from app.exchange.table.lines import plain_utf_8
+from app.exchange.table.table import Preview, Table, cells_at, preview_of
+from app.exchange.table.text import preview_table, read_table
+from app.tasks.progress import Report, silent
+
+
+class TableSource:
+    """The content of one file.
+
+    Attributes
+    ----------
+    data
+        The content.
+    ending
+        Of its name.
+    lines
+        About how many rows it has.
+    """
+
+    def __init__(self, data: bytes, ending: str = ".csv") -> None:
+        self.data, self.ending = data, ending
+        self._read_whole = format_of(f"a{ending}", FORMATS.read).read
+        self._is_text = self._read_whole is None
+        self._whole: Table | None = None
+        self._read: tuple[Layout, ColumnMapping, bool, Table] | None = None
+        self.lines = data.count(b"\n") if self._is_text else 0
+
+    def preview(self, layout: Layout | None = None) -> Preview:
+        """Return the first rows, and what the columns seem to be.
+
+        Raises
+        ------
+        ExchangeError
+            If it is no table.
+        """
+        if self._is_text:
+            return preview_table(self.data, layout)
+        whole = self._all()
+        self.lines = len(whole.values)
+        return preview_of(whole)
+
+    def table(
+        self,
+        layout: Layout,
+        mapping: ColumnMapping,
+        missing: Missing = Missing.REFUSE,
+        report: Report = silent,
+    ) -> Table:
+        """Return the numbers in the columns of a mapping.
+
+        Raises
+        ------
+        ExchangeError
+            With the place of what is no number.
+        """
+        if not self._is_text:
+            return self._all()
+        allows_missing = missing is not Missing.REFUSE
+        known = self._read
+        if known is not None and known[:3] == (layout, mapping, allows_missing):
+            return known[3]
+        table = read_table(self.data, layout, mapping, allows_missing=allows_missing, report=report)
+        self._read = (layout, mapping, allows_missing, table)
+        return table
+
+    def cells(self, layout: Layout, number: int) -> tuple[str, ...]:
+        """Return the cells of the row that a problem names by this number; none where there is none."""
+        if self._is_text:
+            return cells_of_row(plain_utf_8(self.data), layout, number)
+        whole = self._all()
+        place = number - whole.first_row
+        return cells_at(whole, place) if 0 <= place < len(whole.values) else ()
+
+    def _all(self) -> Table:
+        if self._whole is None:
+            assert self._read_whole is not None
+            self._whole = self._read_whole(self.data)
+        return self._whole

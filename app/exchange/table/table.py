@@ -1,0 +1,179 @@
+"""A table in memory: its first rows for a dialog, and all of its numbers."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from app.document.model import MAX_MAGNITUDE
+from app.exchange.drawing.drawing import Floats
+from app.exchange.errors import ExchangeError
+from app.exchange.table.columns import ColumnMapping, Guess, guess
+from app.exchange.table.layout import Layout, RowProblem
+
+MAX_COLUMNS = 64
+MAX_ROWS = 2_000_000
+PREVIEW_ROWS = 50
+
+
+NO_TEXT = Layout(",", decimal_comma=False, header=True)
+"""The layout of a table that is no text."""
+
+
+@dataclass(frozen=True)
+class Preview:
+    """The first rows of a file as a dialog shows them.
+
+    Attributes
+    ----------
+    layout
+        What was found, or what was asked for.
+    titles
+        Of the columns; "Column 1" and so on without a header.
+    cells
+        The first rows, as text.
+    numbers
+        Of these rows, as problems and remarks name them: from 1, of the lines of a text, else of the rows.
+    guess
+        What the columns seem to be.
+    said
+        What was found above the numbers, in words; empty for nothing.
+    is_text
+        Whether the layout can be chosen: the file is text with separators.
+    """
+
+    layout: Layout
+    titles: tuple[str, ...]
+    cells: tuple[tuple[str, ...], ...]
+    numbers: tuple[int, ...]
+    guess: Guess
+    said: str = ""
+    is_text: bool = True
+
+    @property
+    def mapping(self) -> ColumnMapping | None:
+        """What the columns seem to be; None with fewer than two of numbers."""
+        return self.guess.mapping
+
+    def certain_mapping(self) -> ColumnMapping:
+        """Return what the columns are, where their titles say so.
+
+        Raises
+        ------
+        ExchangeError
+            Where it would be a guess, with the columns that there are.
+        """
+        if self.mapping is None:
+            raise ExchangeError("The table has one column only; a curve needs x and y.")
+        if self.guess.is_certain:
+            return self.mapping
+        first = self.cells[0] if self.cells else ()
+        columns = [
+            " ".join([str(place), *([] if title == f"Column {place}" else [title]), f"({cell[:20]}, …)"])
+            for place, (title, cell) in enumerate(zip(self.titles, first, strict=False), start=1)
+        ]
+        raise ExchangeError(
+            f"Which of its columns are x and y? There are {'; '.join(columns[:8])}. "
+            "Say so: --columns x=1,y=2 or t=1,x=2,y=3, by title or number."
+        )
+
+
+@dataclass(frozen=True, eq=False)
+class Table:
+    """Columns of numbers.
+
+    Attributes
+    ----------
+    layout
+        How the text was read.
+    titles
+        Of the columns.
+    values
+        (rows, columns); NaN where a cell is empty or its column was not read as numbers, otherwise finite.
+    first_row
+        The line of the file, from 1, that holds the first row.
+    gaps
+        The lines after it that hold none.
+    words
+        The cells of the columns of text, by column.
+    blocks
+        The rows, from 0, at which another curve begins: after an empty line, for one.
+    said
+        What of the file is in no row, in words; empty for nothing.
+    """
+
+    layout: Layout
+    titles: tuple[str, ...]
+    values: Floats
+    first_row: int
+    gaps: tuple[int, ...] = ()
+    words: dict[int, list[str]] = field(default_factory=dict)
+    blocks: tuple[int, ...] = ()
+    said: str = ""
+
+    @property
+    def words_on_blocks(self) -> str:
+        """How many curves the rows are divided into, as a sentence; empty for one."""
+        return f"The rows are divided into {len(self.blocks) + 1} curves." if self.blocks else ""
+
+    def line_of(self, row: int) -> int:
+        """Return the line of the file, from 1, that holds a row, from 0."""
+        line = self.first_row + row
+        for gap in self.gaps:
+            if gap > line:
+                break
+            line += 1
+        return line
+
+
+def table_of(
+    values: Floats,
+    titles: tuple[str, ...],
+    *,
+    words: dict[int, list[str]] | None = None,
+    blocks: tuple[int, ...] = (),
+    said: str = "",
+) -> Table:
+    """Return a table of numbers that were no text; NaN stands where there is none.
+
+    Raises
+    ------
+    ExchangeError
+        With the row and column, from 1, of the first number beyond what a document may hold.
+    """
+    if len(titles) > MAX_COLUMNS:
+        raise ExchangeError(f"The table has {len(titles)} columns; {MAX_COLUMNS} can be read.")
+    if len(values) > MAX_ROWS:
+        raise ExchangeError(f"The table has more than {MAX_ROWS} rows.")
+    if len(values) == 0:
+        raise ExchangeError("The table has no rows of numbers.")
+    beyond = np.abs(values) > MAX_MAGNITUDE
+    if beyond.any():
+        row, column = np.argwhere(beyond)[0].tolist()
+        raise RowProblem(" must lie between −1e12 and 1e12.", row + 1, column + 1)
+    return Table(NO_TEXT, titles, values, 1, words=words or {}, blocks=blocks, said=said)
+
+
+def preview_of(table: Table) -> Preview:
+    """Return the first rows of a table that was no text."""
+    shown = min(PREVIEW_ROWS, len(table.values))
+    cells = tuple(cells_at(table, row) for row in range(shown))
+    numbers = tuple(map(table.line_of, range(shown)))
+    are_numbers = [column not in table.words for column in range(len(table.titles))]
+    found = guess(table.titles, cells, are_numbers)
+    return Preview(NO_TEXT, table.titles, cells, numbers, found, table.said, is_text=False)
+
+
+def cells_at(table: Table, row: int) -> tuple[str, ...]:
+    """Return the cells of a row, from 0, of a table that was no text, as text."""
+    numbers = table.values[row].tolist()
+    return tuple(
+        table.words[column][row] if column in table.words else format_number(numbers[column])
+        for column in range(len(table.titles))
+    )
+
+
+def format_number(value: float) -> str:
+    """Return a number as a cell shows it; empty where there is none."""
+    return "" if value != value else f"{value:.15g}"  # noqa: PLR0124 - NaN

@@ -1,0 +1,155 @@
+"""Thinning out: as few of many points as a curve, or a polyline, needs to stay near all of them."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+import numpy.typing as npt
+
+from app.document.words import Named
+from app.exchange.drawing.drawing import Floats
+from app.exchange.errors import ExchangeError
+from app.tasks.progress import Report, silent
+from curvecore import HermiteCurve, natural_spline_velocities
+
+MOST_KEPT = 20_000
+"""Points beyond which a curve is hardly thinned out."""
+
+_FIRST = 9
+_ROUNDS = 60
+_DEEPEST = 1_000
+
+
+class TooManyLeftError(ExchangeError):
+    """The tolerance is so small that hardly anything is thinned out."""
+
+
+class Thinning(Named):
+    """What stays within the tolerance of every point."""
+
+    CURVE = "curve", "Fit a curve within"
+    POLYLINE = "polyline", "Keep corners within"
+
+
+@dataclass(frozen=True, eq=False)
+class Thinned:
+    """What is left of the points.
+
+    Attributes
+    ----------
+    rows
+        The indices of those kept, the first and the last among them.
+    parameters
+        Theirs: those given, or the length of the polyline through all points up to each.
+    deviation
+        Largest distance of any of the points from the natural spline through those kept, at its parameter.
+    """
+
+    rows: npt.NDArray[np.intp]
+    parameters: Floats
+    deviation: float
+
+
+def thinned(
+    points: Floats,
+    parameters: Floats | None,
+    tolerance: float,
+    thinning: Thinning = Thinning.CURVE,
+    *,
+    report: Report = silent,
+) -> Thinned:
+    """Return few of the points, such that the natural spline or the polyline through them is near all.
+
+    Starts with few points and adds the farthest of every segment that is too far away, until none is. For
+    the polyline this is the method of Douglas and Peucker (Cartographica 10 (1973) 112-122), all segments
+    at once. For the spline it keeps the parameter of every point, so that the distance is an upper bound
+    and one evaluation of the curve finds it.
+
+    Parameters
+    ----------
+    points
+        (n, 2), n >= 2.
+    parameters
+        (n,), strictly increasing; by default the length of the polyline so far.
+    tolerance
+        Largest distance allowed, positive.
+    thinning
+        Which of the two.
+    report
+        Hears how far it has come.
+
+    Raises
+    ------
+    ExchangeError
+        If the tolerance is no positive number, or all points coincide.
+    TooManyLeftError
+        If more than `MOST_KEPT` points would be kept.
+    """
+    if not 0 < tolerance < np.inf:
+        raise ExchangeError("The tolerance must be a positive number.")
+    t, distinct = _along(points) if parameters is None else (parameters, np.arange(len(points)))
+    if len(distinct) < 2:
+        raise ExchangeError("All points coincide; there is no curve through them.")
+    points = points[distinct]
+    is_curve = thinning is Thinning.CURVE
+    first = _FIRST if is_curve else 2
+    kept = np.unique(np.linspace(0, len(t) - 1, min(first, len(t))).round().astype(np.intp))
+    began = 0.0
+    for _ in range(_ROUNDS if is_curve else _DEEPEST):
+        distance = _distances(points, t, kept) if is_curve else _from_chords(points, kept)
+        worst = float(distance.max())
+        began = began or worst
+        report(_share(began, worst, tolerance), "Thinning out")
+        if worst <= tolerance or len(kept) == len(t):
+            away = worst if is_curve else float(_distances(points, t, kept).max())
+            return Thinned(distinct[kept], t[kept], away)
+        kept = np.union1d(kept, _farthest(distance, kept, tolerance))
+        if len(kept) > MOST_KEPT:
+            break
+    raise TooManyLeftError(
+        f"More than {MOST_KEPT} points would be left; allow a larger distance than {tolerance:g}."
+    )
+
+
+def _share(began: float, worst: float, tolerance: float) -> float:
+    """Return how far it has come: the distance shrinks by a factor from round to round."""
+    if not tolerance < worst < began:
+        return 0.0 if worst > tolerance else 1.0
+    return math.log(began / worst) / math.log(began / tolerance)
+
+
+def _along(points: Floats) -> tuple[Floats, npt.NDArray[np.intp]]:
+    """Return the length of the polyline up to each distinct point, and which points those are."""
+    length = np.append(0.0, np.cumsum(np.hypot(*np.diff(points, axis=0).T)))
+    distinct = np.flatnonzero(np.append(True, np.diff(length) > 0))
+    return length[distinct], distinct
+
+
+def _distances(points: Floats, t: Floats, kept: npt.NDArray[np.intp]) -> Floats:
+    knots, at = points[kept], t[kept]
+    curve = HermiteCurve(knots, natural_spline_velocities(knots, at), at)
+    return np.asarray(np.hypot(*(curve.evaluate(t) - points).T))
+
+
+def _from_chords(points: Floats, kept: npt.NDArray[np.intp]) -> Floats:
+    """Return the distance of every point from the chord of its segment."""
+    segment = np.repeat(np.arange(len(kept) - 1), np.diff(kept))
+    start, along = points[kept[:-1]][segment], np.diff(points[kept], axis=0)[segment]
+    offset = points[: kept[-1]] - start
+    square = np.einsum("md,md->m", along, along)
+    with np.errstate(all="ignore"):
+        share = np.clip(np.nan_to_num(np.einsum("md,md->m", offset, along) / square), 0, 1)
+    return np.append(np.hypot(*(offset - share[:, None] * along).T), 0.0)
+
+
+def _farthest(distance: Floats, kept: npt.NDArray[np.intp], tolerance: float) -> npt.NDArray[np.intp]:
+    """Return the farthest point of every segment that has one beyond the tolerance."""
+    worst = np.maximum.reduceat(distance, kept[:-1])
+    segment = np.repeat(np.arange(len(kept) - 1), np.diff(kept))
+    inside = distance[: kept[-1]]
+    # Of equals all are candidates; the first of each segment counts.
+    candidates = np.flatnonzero((inside == worst[segment]) & (inside > tolerance))
+    _, first = np.unique(segment[candidates], return_index=True)
+    return candidates[first]

@@ -1,0 +1,135 @@
+"""The panel with the list of curves: which one is edited, what each is called and how it is shown."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from PySide6.QtCore import QPoint, Qt, Signal
+from PySide6.QtGui import QAction, QColor, QContextMenuEvent, QIcon, QPainter, QPixmap
+from PySide6.QtWidgets import QHBoxLayout, QMenu, QVBoxLayout, QWidget
+
+from app.colours import CURVE_COLOURS, curve_colour
+from app.document.model import Document
+from app.features.curve_list.model import CurveListModel
+from app.features.curve_list.view import CurveListView, Spot
+from app.overrides import Guarded
+from app.panels.tool_buttons import action_button
+from app.theme import Theme, theme_of
+from app.view_model.palette import adjustment_of
+
+
+class CurveList(Guarded, QWidget):
+    """The list, and buttons for what can be done with a curve.
+
+    Signals
+    -------
+    visible_switched, locked_switched
+        The eye or the lock of a row was clicked.
+    colour_chosen
+        Another colour was chosen for a row.
+    row_meant
+        A menu about a row is wanted; it is to be the one that is edited.
+    menu_requested
+        A menu for the active curve is wanted at a place of the screen.
+
+    Attributes
+    ----------
+    view
+        The QListView.
+    """
+
+    visible_switched = Signal(int)
+    locked_switched = Signal(int)
+    colour_chosen = Signal(int, str)
+    row_meant = Signal(int)
+    menu_requested = Signal(QPoint)
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setObjectName("curveListPanel")
+        self.model = CurveListModel(self)
+        self.view = CurveListView(self.model, self)
+        self._buttons = QHBoxLayout()
+        self._buttons.setContentsMargins(6, 4, 6, 4)
+        self._buttons.setSpacing(2)
+        self._buttons.addStretch(1)
+        layout = QVBoxLayout(self)
+        layout.setContentsMargins(0, 0, 0, 0)
+        layout.setSpacing(0)
+        layout.addWidget(self.view, 1)
+        layout.addLayout(self._buttons)
+        self.view.spot_clicked.connect(self._switch)
+
+    def add_buttons(self, actions: Sequence[QAction]) -> None:
+        """Put a small button for each action under the list."""
+        for place, action in enumerate(actions):
+            button = action_button(action, flat=True)
+            # The icons come with the theme, later; docks laid out anew by then would forget their widths.
+            button.setFixedSize(26, 26)
+            self._buttons.insertWidget(place, button)
+
+    def render_document(self, document: Document, active: int, chosen: frozenset[int]) -> None:
+        """Show the curves of `document`, which of them is edited and which are chosen."""
+        self.model.show_document(document, active, chosen)
+        self.view.show_active(active, chosen)
+
+    # What the person did
+
+    def _switch(self, row: int, spot: Spot) -> None:
+        if spot is Spot.SWATCH:
+            self.choose_colour(row)
+        elif spot is Spot.EYE:
+            self.visible_switched.emit(row)
+        else:
+            self.locked_switched.emit(row)
+
+    def choose_colour(self, row: int) -> QMenu:
+        """Open the palette for a curve, or all that are chosen with it, beside its swatch if that is seen."""
+        menu = QMenu(self)
+        menu.setObjectName("colourMenu")
+        menu.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+        menu.setToolTipsVisible(True)
+        theme = theme_of(self.palette())
+        for name, code in CURVE_COLOURS.items():
+            action = menu.addAction(_swatch(curve_colour(code, theme)), name)
+            action.setObjectName(f"colour_{name.replace(' ', '_')}")
+            action.setToolTip(f"{name} {adjustment_of(theme.paper.name(), code)}".strip())
+            action.setCheckable(True)
+            action.setChecked(code == self.model.row(row).colour)
+            action.triggered.connect(
+                lambda _checked=False, code=code, row=row: self.colour_chosen.emit(row, code)
+            )
+        rect = self.view.row_rect(row)
+        place = self.view.viewport().mapToGlobal(rect.bottomLeft())
+        menu.popup(
+            place if self.view.isVisible() else self.window().mapToGlobal(self.window().rect().center())
+        )
+        return menu
+
+    def contextMenuEvent(self, event: QContextMenuEvent) -> None:
+        """Ask for the menu of the curve under the pointer, or of the active one."""
+        place = self.view.viewport().mapFromGlobal(event.globalPos())
+        row = self.model.place_of(self.view.indexAt(place))
+        if event.reason() == QContextMenuEvent.Reason.Keyboard:
+            row = self.view.active
+            place = self.view.row_rect(row).center()
+        if row >= 0:
+            self.row_meant.emit(row)
+        self.menu_requested.emit(self.view.viewport().mapToGlobal(place))
+
+    def set_theme(self, theme: Theme) -> None:
+        """Take the colours of `theme`."""
+        self.view.viewport().update()
+
+
+def _swatch(colour: QColor) -> QIcon:
+    pixmap = QPixmap(32, 32)
+    pixmap.setDevicePixelRatio(2)
+    pixmap.fill(Qt.GlobalColor.transparent)
+    painter = QPainter(pixmap)
+    painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+    painter.setPen(Qt.PenStyle.NoPen)
+    painter.setBrush(colour)
+    painter.drawEllipse(2, 2, 12, 12)
+    painter.end()
+    return QIcon(pixmap)

@@ -1,0 +1,98 @@
+"""Edits by the point table."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Collection, Mapping, Sequence
+
+import numpy as np
+
+from app.document import edits
+from app.document.edits import EditError
+from app.document.model import Document
+from app.document.words import count_of
+from app.features.point_table.columns import POSITION, Column
+from app.features.point_table.edits import fill_cells, keepers, paste_block, reset_name
+from app.features.point_table.panel import PointTable
+from app.session import Session
+
+
+class PointTableController:
+    """Turns what is typed and pasted into the table into changes of the active curve.
+
+    Parameters
+    ----------
+    show_points
+        Called after numbers were pasted: the points may now lie anywhere.
+    """
+
+    def __init__(self, session: Session, panel: PointTable, show_points: Callable[[], None]) -> None:
+        self._session, self._panel, self._show_points = session, panel, show_points
+        panel.rows_selected.connect(session.select)
+        panel.said.connect(session.say)
+        panel.refused.connect(session.refuse)
+        panel.model.number_entered.connect(self._set_number)
+        panel.fill_requested.connect(self._fill)
+        panel.paste_requested.connect(self._paste)
+        panel.reset_requested.connect(self._reset)
+        session.history_changed.connect(self._show_now)
+        session.opened.connect(self._show_now)
+        self._show_now()
+
+    def _show_now(self) -> None:
+        self._panel.show_now(self._session.active_view, streaming=self._session.is_previewing)
+
+    def _set_number(self, row: int, column: Column, number: float) -> None:
+        session, label, set_number = self._session, column.at(row), column.set
+        assert set_number is not None
+
+        def edit(document: Document) -> Document:
+            try:
+                return set_number(document, session.active_index, session.active_view, row, number)
+            except EditError as reason:
+                text = str(reason)
+                raise EditError(text if label in text else f"{label}: {text}") from reason
+
+        self._is_refused(session.change(f"Set {label}", edit).refusal)
+
+    def _is_refused(self, refusal: str) -> bool:
+        if refusal:
+            self._panel.refuse(refusal)
+        return bool(refusal)
+
+    def _fill(self, cells: Mapping[Column, Sequence[int]], value: float) -> None:
+        """Put one number into cells, the rows of each column."""
+        session = self._session
+        what = count_of(sum(map(len, cells.values())), "cell")
+        change = session.change(
+            f"Fill {what}",
+            lambda document: fill_cells(document, session.active_index, session.active_view, cells, value),
+        )
+        if not self._is_refused(change.refusal):
+            session.say(f"Filled {what}.")
+            self._show_points()
+
+    def _paste(self, top: int, columns: Sequence[Column], numbers: np.ndarray) -> None:
+        """Put a block of numbers into the rows from `top` on."""
+        session, view = self._session, self._session.active_view
+        height, width = numbers.shape
+        whole = [column.order for column in columns].count(POSITION) == 2
+        what = count_of(height, "point") if whole else count_of(height * width, "value")
+        change = session.change(
+            f"Paste {what}",
+            lambda document: paste_block(document, session.active_index, view, top, columns, numbers),
+        )
+        if self._is_refused(change.refusal):
+            return
+        session.say(f"Pasted {what}.")
+        overwritten = range(top, min(top + height, len(view.source.nodes)))
+        session.select(range(top, top + height))
+        self._panel.tell_who_kept(*keepers(view, overwritten, columns))
+        self._show_points()
+
+    def _reset(self, rows: Collection[int], orders: Collection[int]) -> None:
+        """Leave derivatives to the rules again."""
+        session = self._session
+        session.change(
+            reset_name(rows, orders),
+            lambda document: edits.estimate_derivatives(document, session.active_index, rows, orders),
+        )

@@ -1,0 +1,145 @@
+"""Edits of the document by filling, pasting and resetting in the point table. No Qt."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Mapping, Sequence
+
+from msgspec.structs import replace
+
+from app.document import edits
+from app.document.edits import EditError
+from app.document.model import Document, Node
+from app.features.point_table.columns import PARAMETER, POSITION, Column, knot_parameters
+from app.view_model.appending import with_nodes_appended
+from app.view_model.curve_view import CurveView, Floats, appended_parameter, view_of
+from app.view_model.jets import explicit_sides
+
+
+def fill_cells(
+    document: Document, curve: int, view: CurveView, cells: Mapping[Column, Sequence[int]], value: float
+) -> Document:
+    """Put one number into all `cells`: the rows of each column."""
+    for column, rows in cells.items():
+        if column.order == PARAMETER and len(rows) > 1:
+            raise EditError("Every point needs a t of its own.")
+        document = column.put(document, curve, view, dict.fromkeys(rows, value))
+    return document
+
+
+def paste_block(
+    document: Document, curve: int, view: CurveView, top: int, columns: Sequence[Column], block: Floats
+) -> Document:
+    """Put a block of numbers into the rows from `top` on; rows beyond the last point append points.
+
+    Parameters
+    ----------
+    columns
+        The columns the block covers, from left to right.
+    block
+        The numbers, (rows, len(columns)).
+    """
+    count = len(view.source.nodes)
+    old, new = block[: max(count - top, 0)], block[max(count - top, 0) :]
+    if len(new):
+        _refuse_incomplete_points(columns)
+    times = [place for place, column in enumerate(columns) if column.order == PARAMETER]
+    for place, column in enumerate(columns):
+        if len(old) and place not in times:
+            document = column.put(document, curve, view, _by_row(top, old[:, place]))
+    nodes = [_new_node(columns, row) for row in new]
+    if times:
+        document = edits.insert_nodes(document, curve, count, nodes)
+        document = columns[times[0]].put(document, curve, view, _by_row(top, block[:, times[0]]))
+    elif nodes:
+        document = _append(document, curve, view, nodes)
+    others = [place for place, column in enumerate(columns) if column.order is None]
+    if nodes and others:
+        grown = view_of(document.curves[curve], view)
+        for place in others:
+            document = columns[place].put(document, curve, grown, _by_row(count, new[:, place]))
+    return document
+
+
+def _by_row(top: int, numbers: Floats) -> dict[int, float]:
+    return dict(enumerate(numbers.tolist(), start=top))
+
+
+def _refuse_incomplete_points(columns: Sequence[Column]) -> None:
+    covered = {(column.order, column.component) for column in columns}
+    if not {(POSITION, 0), (POSITION, 1)} <= covered:
+        raise EditError("There are more rows than points; rows that make new points need x and y.")
+    for column in columns:
+        if column.is_derivative and (column.order, 1 - column.component) not in covered:
+            raise EditError(f"New points need both components; {column.name} stands alone.")
+
+
+def _new_node(columns: Sequence[Column], row: Floats) -> Node:
+    data: dict[int, list[float]] = {}
+    for column, value in zip(columns, row.tolist(), strict=True):
+        data.setdefault(-1 if column.order is None else column.order, []).append(value)
+    vectors = {order: (pair[0], pair[1]) for order, pair in data.items() if order >= POSITION}
+    return Node(*vectors[POSITION], velocity=vectors.get(1), acceleration=vectors.get(2))
+
+
+def _append_to_closed(document: Document, curve: int, before: CurveView, new: Sequence[Node]) -> Document:
+    """Append points to a closed curve with manual parameters: what leads back now leads through them."""
+    times = knot_parameters(before)
+    step = times[-1] - times[-2]
+    document = edits.insert_nodes(document, curve, len(before.source.nodes), new)
+    more = (times[-1] + step * (offset + 1) for offset in range(len(new)))
+    return edits.freeze_parameters(document, curve, [*times, *more])
+
+
+def _append(document: Document, curve: int, view: CurveView, new: Sequence[Node]) -> Document:
+    """Append points; the handles that the person set stay where they are."""
+    before = view_of(document.curves[curve], view)
+    if before.source.is_manual and before.source.is_closed:
+        return _append_to_closed(document, curve, before, new)
+    if before.source.is_manual:
+        first = appended_parameter(before, new[0])
+        step = first - (before.source.nodes[-1].t or 0.0) if before.source.nodes else 1.0
+        new = [replace(node, t=first + step * offset) for offset, node in enumerate(new)]
+    return with_nodes_appended(document, curve, before, new)
+
+
+# Back to the rules
+
+
+def explicit_orders(nodes: Sequence[Node], indices: Collection[int], orders: Collection[int]) -> set[int]:
+    """Return which of the derivatives `orders` the person set at any of `indices`."""
+    found = set()
+    for index in indices:
+        for order in orders:
+            if any(side is not None for side in explicit_sides(nodes[index], order)):
+                found.add(order)
+    return found
+
+
+def keepers(view: CurveView, rows: Collection[int], columns: Sequence[Column]) -> tuple[list[int], set[int]]:
+    """Return the points whose own derivatives a paste into `columns` left as they were, and which these are.
+
+    Moved points that keep a velocity set for another place make kinks that nobody asked for.
+    """
+    if not any(column.order == POSITION for column in columns):
+        return [], set()
+    shown = set(range(1, view.source.family.derivatives + 1)) - {column.order for column in columns}
+    nodes = view.source.nodes
+    found = [row for row in rows if explicit_orders(nodes, [row], shown)]
+    return found, explicit_orders(nodes, found, shown)
+
+
+def keeping_sentence(indices: Sequence[int], orders: Collection[int]) -> str:
+    """Return "Point 8 keeps its own velocity"."""
+    names = [name for order, name in ((1, "velocity"), (2, "acceleration")) if order in orders]
+    if len(indices) == 1:
+        return f"Point {indices[0]} keeps its own {' and '.join(names)}"
+    plural = " and ".join({"velocity": "velocities", "acceleration": "accelerations"}[name] for name in names)
+    return f"{len(indices)} points keep their own {plural}"
+
+
+def reset_name(indices: Collection[int], orders: Collection[int]) -> str:
+    """Return the name of a reset in the history."""
+    what = "derivatives" if len(orders) > 1 else "velocity" if 1 in orders else "acceleration"
+    if len(indices) == 1:
+        return f"Reset {what} of point {next(iter(indices))}"
+    return f"Reset {what} of {len(indices)} points"

@@ -1,0 +1,329 @@
+"""The numbers of the active curve as a Qt table model."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from functools import lru_cache
+
+import msgspec
+import numpy as np
+from PySide6.QtCore import (
+    QAbstractTableModel,
+    QModelIndex,
+    QObject,
+    QPersistentModelIndex,
+    QRectF,
+    Qt,
+    Signal,
+)
+from PySide6.QtGui import QColor, QFont, QPainter, QPixmap
+
+from app.document.edits import EditError, checked
+from app.document.expression import ExpressionError, parse_number
+from app.document.model import Node
+from app.document.words import number, with_minus
+from app.features.point_table.columns import Column, columns_of
+from app.overrides import Guarded
+from app.panels.number_text import (
+    ColumnNumbers,
+    decimal_mark,
+    exact_text,
+    numbers_of_columns,
+)
+from app.plotting.colours import colours_of
+from app.theme import LIGHT, Theme
+from app.view_model.curve_view import CurveView, Floats
+
+Index = QModelIndex | QPersistentModelIndex
+_NO_INDEX = QModelIndex()
+_SWATCH, _SWATCH_CANVAS = 9, 16
+_RIGHT = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
+
+
+class TableValues(msgspec.Struct, frozen=True):
+    """Values of the table: numbers (n, columns), NaN where there is none, and which are estimated."""
+
+    values: Floats
+    estimated: np.ndarray
+
+
+def table_values(view: CurveView, columns: Sequence[Column]) -> TableValues:
+    """Return the numbers of `view`; where the rules give no curve, only what the person set."""
+    values = np.column_stack([column.get(view) for column in columns])
+    return TableValues(values, np.column_stack([column.is_estimated(view) for column in columns]))
+
+
+def _no_values(columns: Sequence[Column]) -> TableValues:
+    return TableValues(np.empty((0, len(columns))), np.empty((0, len(columns)), dtype=bool))
+
+
+class PointTableModel(Guarded, QAbstractTableModel):
+    """Rows are points, columns what `columns_of` the family gives.
+
+    ``EditRole`` is the exact number, ``DisplayRole`` a rounded text. `setData` takes a number or the text of
+    an expression; what is refused changes nothing.
+
+    Signals
+    -------
+    number_entered
+        Another number was given: (row, column, number). Who cannot use it calls `refuse`.
+    refused
+        Why what was given is no number, as a sentence.
+
+    Attributes
+    ----------
+    values
+        The numbers shown, (n, columns).
+    estimated
+        Which of them a rule estimates.
+    """
+
+    number_entered = Signal(int, object, float)
+    refused = Signal(str)
+
+    def __init__(self, parent: QObject | None = None) -> None:
+        super().__init__(parent)
+        self.setObjectName("pointTableModel")
+        self._view: CurveView | None = None
+        self.columns = columns_of(derivatives=0)
+        self._shown = _no_values(self.columns)
+        self._numbers: tuple[TableValues, list[ColumnNumbers]] | None = None
+        self._corners: frozenset[int] = frozenset()
+        self._is_refused = False
+        self._theme = LIGHT
+        self._answers: dict[int, Callable[[int, int], object]] = {
+            Qt.ItemDataRole.DisplayRole: self._rounded,
+            Qt.ItemDataRole.EditRole: lambda row, column: float(self.values[row, column]),
+            Qt.ItemDataRole.ToolTipRole: self._describe,
+            Qt.ItemDataRole.StatusTipRole: self._describe,
+            Qt.ItemDataRole.AccessibleTextRole: self._read_aloud,
+        }
+
+    @property
+    def values(self) -> np.ndarray:
+        return self._shown.values
+
+    @property
+    def estimated(self) -> np.ndarray:
+        return self._shown.estimated
+
+    @property
+    def nodes(self) -> tuple[Node, ...]:
+        """The points that are shown."""
+        return () if self._view is None else self._view.source.nodes
+
+    @property
+    def numbers_of_columns(self) -> list[ColumnNumbers]:
+        """Magnitudes of the numbers in each column; found once for all that are shown."""
+        if self._numbers is None or self._numbers[0] is not self._shown:
+            self._numbers = self._shown, numbers_of_columns(self.values)
+        return self._numbers[1]
+
+    # What is shown
+
+    def show_view(self, view: CurveView) -> None:
+        """Show the numbers of `view`; only what changed is announced."""
+        if view is self._view:
+            return
+        self._view = view
+        columns = columns_of(view.source.family.derivatives)
+        new = table_values(view, columns)
+        if columns != self.columns:
+            self.beginResetModel()
+            self._corners = frozenset(view.corners)
+            self.columns, self._shown = columns, new
+            self.endResetModel()
+            return
+        self._announce_rows(new)
+        changed = self._rows_with_other_corners(view) | self._changed_rows(new)
+        changed = np.flatnonzero(changed)
+        self._shown = new
+        if len(changed):
+            last = self.index(int(changed[-1]), len(columns) - 1)
+            self.dataChanged.emit(self.index(int(changed[0]), 0), last)
+
+    def _announce_rows(self, new: TableValues) -> None:
+        """Add or take rows at the end until there are as many as in `new`."""
+        old_count, count = len(self.values), len(new.values)
+        if count > old_count:
+            self.beginInsertRows(QModelIndex(), old_count, count - 1)
+            grown = np.vstack([self.values, new.values[old_count:]])
+            self._shown = TableValues(grown, np.vstack([self.estimated, new.estimated[old_count:]]))
+            self.endInsertRows()
+        elif count < old_count:
+            self.beginRemoveRows(QModelIndex(), count, old_count - 1)
+            self._shown = TableValues(self.values[:count], self.estimated[:count])
+            self.endRemoveRows()
+        if count != old_count:
+            self.headerDataChanged.emit(Qt.Orientation.Vertical, 0, max(count - 1, 0))
+
+    def _rows_with_other_corners(self, view: CurveView) -> np.ndarray:
+        """Take over which points are corners, and return which rows that changes."""
+        old, self._corners = self._corners, frozenset(view.corners)
+        rows = np.zeros(len(view.source.nodes), dtype=bool)
+        rows[[row for row in old ^ self._corners if row < len(rows)]] = True
+        if rows.any():
+            self.headerDataChanged.emit(Qt.Orientation.Vertical, 0, len(rows) - 1)
+        return rows
+
+    def shows_one_side(self, row: int, column: int) -> bool:
+        """Whether the point has two of these numbers, of which the cell shows one."""
+        return row in self._corners and self.columns[column].after is not None
+
+    def _changed_rows(self, new: TableValues) -> np.ndarray:
+        same = (self.values == new.values) | (np.isnan(self.values) & np.isnan(new.values))
+        return np.asarray(~(same & (self.estimated == new.estimated)).all(axis=1))
+
+    def set_theme(self, theme: Theme) -> None:
+        """Take the colours of `theme`."""
+        self._theme = theme
+        if self.rowCount():
+            self.headerDataChanged.emit(Qt.Orientation.Vertical, 0, self.rowCount() - 1)
+
+    # What Qt asks
+
+    def rowCount(self, parent: Index = _NO_INDEX) -> int:
+        return 0 if parent.isValid() else len(self.values)
+
+    def columnCount(self, parent: Index = _NO_INDEX) -> int:
+        return 0 if parent.isValid() else len(self.columns)
+
+    def flags(self, index: Index) -> Qt.ItemFlag:
+        flags = super().flags(index)
+        is_set = index.isValid() and self.columns[index.column()].set is not None
+        return flags | Qt.ItemFlag.ItemIsEditable if is_set else flags
+
+    def data(self, index: Index, role: int = Qt.ItemDataRole.DisplayRole) -> object:
+        if not index.isValid():
+            return None
+        row, column = index.row(), index.column()
+        answer = self._answers.get(role)
+        if answer is not None:
+            return answer(row, column)
+        if role == Qt.ItemDataRole.TextAlignmentRole:
+            return _RIGHT
+        return self._estimate_style(role) if self.estimated[row, column] else None
+
+    def _estimate_style(self, role: int) -> object:
+        if role == Qt.ItemDataRole.FontRole:
+            font = QFont()
+            font.setItalic(True)
+            return font
+        return self._theme.muted if role == Qt.ItemDataRole.ForegroundRole else None
+
+    def headerData(
+        self, section: int, orientation: Qt.Orientation, role: int = Qt.ItemDataRole.DisplayRole
+    ) -> object:
+        if orientation == Qt.Orientation.Horizontal:
+            return self._column_header(self.columns[section], role) if section < len(self.columns) else None
+        match role:
+            case Qt.ItemDataRole.DisplayRole:
+                return str(section)
+            case Qt.ItemDataRole.DecorationRole:
+                return self._swatch(section)
+            case Qt.ItemDataRole.TextAlignmentRole:
+                return _RIGHT
+            case Qt.ItemDataRole.ToolTipRole:
+                kind = ", a corner" if section in self._corners else ""
+                return f"Point {section}{kind}; click to select it"
+        return None
+
+    @staticmethod
+    def _column_header(column: Column, role: int) -> object:
+        match role:
+            case Qt.ItemDataRole.DisplayRole:
+                return column.name
+            case Qt.ItemDataRole.TextAlignmentRole:
+                return _RIGHT
+            case Qt.ItemDataRole.ToolTipRole:
+                return column.tip
+        return None
+
+    def setData(self, index: Index, value: object, role: int = Qt.ItemDataRole.EditRole) -> bool:
+        if role != Qt.ItemDataRole.EditRole or not index.isValid():
+            return False
+        row, column = index.row(), index.column()
+        try:
+            number = _number(value)
+        except (EditError, ExpressionError) as reason:
+            self.refused.emit(f"{self.label(row, column)}: {reason}")
+            return False
+        if number == self.values[row, column] and not self.estimated[row, column]:
+            return True
+        self._is_refused = False
+        self.number_entered.emit(row, self.columns[column], number)
+        return not self._is_refused
+
+    def refuse(self) -> None:
+        """Say that the number entered last cannot be taken."""
+        self._is_refused = True
+
+    # Words and colours
+
+    def label(self, row: int, column: int) -> str:
+        """Return what a cell holds, as "x of point 3"."""
+        return self.columns[column].at(row)
+
+    def _rounded(self, row: int, column: int) -> str:
+        value = float(self.values[row, column])
+        if abs(value) < self.numbers_of_columns[column].negligible:
+            value = 0.0
+        return number(value, 6, decimal_mark())
+
+    def _read_aloud(self, row: int, column: int) -> str:
+        return f"{self.label(row, column)}: {self._rounded(row, column)}{self._corner_note(row, column)}"
+
+    def _describe(self, row: int, column: int) -> str:
+        exact = with_minus(exact_text(float(self.values[row, column]), decimal_mark()))
+        text = f"{self.label(row, column)} = {exact}" if exact else f"{self.label(row, column)}: none now"
+        text += self._corner_note(row, column)
+        return f"{text}\n{self._estimate(column)}" if self.estimated[row, column] else text
+
+    def _corner_note(self, row: int, column: int) -> str:
+        """Return what the tooltip adds where a point has two numbers, of which the table shows one."""
+        after, view = self.columns[column].after, self._view
+        if view is None or after is None or view.sides is None or row not in self._corners:
+            return ""
+        ahead = with_minus(exact_text(after(view, row), decimal_mark()))
+        return f", before the corner; {ahead} after it"
+
+    def _estimate(self, column: int) -> str:
+        estimate = self.columns[column].estimate
+        return "estimated" if estimate is None or self._view is None else estimate(self._view.source)
+
+    def _swatch(self, row: int) -> QPixmap | None:
+        if row >= len(self.values):
+            return None
+        colour = colours_of(len(self.values), self._theme)[row]
+        return _swatch_of(colour.name(), square=row in self._corners)
+
+
+def _number(given: object) -> float:
+    if isinstance(given, str):
+        return parse_number(given, decimal_mark())
+    if isinstance(given, int | float | np.floating | np.integer) and not isinstance(given, bool):
+        return checked(float(given), "It")
+    raise ExpressionError("This is not a number.")
+
+
+@lru_cache(maxsize=512)
+def _swatch_of(colour: str, *, square: bool) -> QPixmap:
+    """Return a small disc, for a corner a square as on the canvas.
+
+    The header scales what is smaller than its icons are.
+    """
+    pixmap = QPixmap(2 * _SWATCH_CANVAS, 2 * _SWATCH_CANVAS)
+    pixmap.setDevicePixelRatio(2)
+    pixmap.fill(Qt.GlobalColor.transparent)
+    painter = QPainter(pixmap)
+    painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+    painter.setPen(Qt.PenStyle.NoPen)
+    painter.setBrush(QColor(colour))
+    margin = (_SWATCH_CANVAS - _SWATCH) / 2
+    box = QRectF(margin, margin, _SWATCH, _SWATCH)
+    if square:
+        painter.drawRect(box)
+    else:
+        painter.drawEllipse(box)
+    painter.end()
+    return pixmap

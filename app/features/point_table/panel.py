@@ -1,0 +1,350 @@
+"""The points as numbers: a table to read, type into, copy from and paste into."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable
+
+import numpy as np
+from PySide6.QtCore import Qt, QTimer, Signal
+from PySide6.QtGui import QAction, QGuiApplication, QKeySequence, QShowEvent
+from PySide6.QtWidgets import QApplication, QHBoxLayout, QVBoxLayout, QWidget
+
+from app.document.edits import EditError
+from app.document.words import count_of
+from app.exchange.table.clipboard import Block, TableTextError, read_titled_block, write_block
+from app.features.point_table.columns import POSITION, Column, known_titles
+from app.features.point_table.edits import explicit_orders, keeping_sentence
+from app.features.point_table.model import PointTableModel
+from app.features.point_table.view import PointTableView
+from app.icons import icon
+from app.labels import Label, html_of
+from app.overrides import Guarded
+from app.panels.number_text import decimal_mark, exact_text
+from app.panels.tool_buttons import ICON, tool_button
+from app.theme import Theme, theme_of
+from app.view_model.curve_view import CurveView
+
+INTERVAL_MS = 100
+"""The table follows a drag at this pace; the canvas is what the eye is on."""
+
+
+class PointTable(Guarded, QWidget):
+    """The panel with the point table.
+
+    Signals
+    -------
+    rows_selected
+        The person has selected other rows.
+    fill_requested
+        One number is to be put into cells: (rows by column, number). Who cannot do it calls `refuse`.
+    paste_requested
+        A block of numbers is to be put into the table: (row, columns, numbers).
+    reset_requested
+        Derivatives are to be estimated again: (rows, orders).
+    said, refused
+        A sentence for the status line: what was done, or why something cannot be.
+
+    Attributes
+    ----------
+    view
+        The QTableView.
+    model
+        Its model.
+    """
+
+    rows_selected = Signal(object)
+    fill_requested = Signal(object, float)
+    paste_requested = Signal(int, object, object)
+    reset_requested = Signal(object, object)
+    said = Signal(str)
+    refused = Signal(str)
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setObjectName("pointTablePanel")
+        self._selection: frozenset[int] = frozenset()
+        # What is to be shown soon, and whether it is one of a gesture.
+        self._pending: tuple[CurveView, bool] | None = None
+        self._rendering = False
+        # The view shown last, and whether it was one of a gesture.
+        self._fitted: tuple[CurveView, bool] | None = None
+        self._to_reset: tuple[list[int], set[int]] = ([], set())
+        self.model = PointTableModel(self)
+        self.view = PointTableView(self.model, self)
+        self._message = Label(is_html=True)
+        self._message.setObjectName("pointTableMessage")
+        self._message.setWordWrap(True)
+        self._message.setTextInteractionFlags(Qt.TextInteractionFlag.LinksAccessibleByMouse)
+        self._message.hide()
+        self._legend = Label("<i>Italic</i>: estimated", is_html=True)
+        self._legend.setObjectName("pointTableLegend")
+        self._reset_button = tool_button(
+            "resetToEstimated",
+            "Reset to estimated",
+            "Let the rules estimate the selected velocities and accelerations again (Del)",
+            text="Reset to estimated",
+            icon_size=ICON,
+            flat=True,
+        )
+        self._timer = QTimer(self, singleShot=True, interval=INTERVAL_MS)
+        self._add_actions()
+        self._lay_out()
+        self._connect()
+        self.set_theme(theme_of(self.palette()))
+
+    # Building
+
+    def _add_actions(self) -> None:
+        self._copy = self._action("copyCells", "Copy", "Copy the selected cells", self.copy)
+        self._copy.setShortcut(QKeySequence.StandardKey.Copy)
+        self._paste = self._action(
+            "pasteCells", "Paste", "Paste numbers from the current cell on", self.paste
+        )
+        self._paste.setShortcut(QKeySequence.StandardKey.Paste)
+        tip = self._reset_button.toolTip()
+        self._reset = self._action(
+            "resetCellsToEstimated", "Reset to Estimated", tip, self.reset_to_estimated
+        )
+
+    def _action(self, name: str, text: str, tip: str, handler: Callable[[], None]) -> QAction:
+        action = QAction(text, self.view)
+        action.setObjectName(name)
+        action.setToolTip(tip)
+        action.setStatusTip(tip)
+        # The canvas and the fields of other panels copy and paste things of their own.
+        action.setShortcutContext(Qt.ShortcutContext.WidgetShortcut)
+        action.triggered.connect(lambda _checked=False: handler())
+        self.view.addAction(action)
+        return action
+
+    def _lay_out(self) -> None:
+        self._message.setContentsMargins(10, 6, 10, 6)
+        self._footer = QWidget()
+        footer = QHBoxLayout(self._footer)
+        footer.setContentsMargins(10, 4, 6, 4)
+        footer.addWidget(self._legend, 1)
+        footer.addWidget(self._reset_button)
+        layout = QVBoxLayout(self)
+        layout.setContentsMargins(0, 0, 0, 0)
+        layout.setSpacing(0)
+        layout.addWidget(self.view, 1)
+        layout.addWidget(self._message)
+        layout.addWidget(self._footer)
+
+    def _connect(self) -> None:
+        self._timer.timeout.connect(self._show_pending)
+        self._reset_button.clicked.connect(self.reset_to_estimated)
+        self.model.refused.connect(self._report_refusal)
+        self.view.cell_delegate.edit_began.connect(self._forget_message)
+        self.view.cell_delegate.closeEditor.connect(self._forget_message)
+        self.view.cell_delegate.given_up.connect(self._report_given_up)
+        self.view.reset_requested.connect(self.reset_to_estimated)
+        self.view.copy_requested.connect(self.copy)
+        self.view.paste_requested.connect(self.paste)
+        self.view.selectionModel().selectionChanged.connect(self._report_selection)
+        self.view.selectionModel().currentChanged.connect(self._forget_message)
+        self._message.linkActivated.connect(self._reset_kept)
+        application = QApplication.instance()
+        assert isinstance(application, QApplication)
+        application.focusChanged.connect(self._watch_focus)
+
+    # Rendering: nothing here writes back
+
+    def render_view(self, view: CurveView, *, streaming: bool = False) -> None:
+        """Show `view`: at once if nothing was shown for a while, else soon; hidden, when shown again.
+
+        While the previews of a gesture are `streaming`, the columns keep their widths.
+        """
+        self._pending = view, streaming
+        self._forget_message()
+        if self.isVisible() and not self._timer.isActive():
+            self._show_pending()
+            self._timer.start()
+
+    def _show_pending(self) -> None:
+        if self._pending is not None:
+            self._timer.start()
+            view, streaming = self._pending
+            self.show_now(view, streaming=streaming)
+
+    def show_now(self, view: CurveView, *, streaming: bool = False) -> None:
+        """Show `view` at once: who reads the table after a step of the history finds the present numbers."""
+        self._pending = None
+        self._rendering = True
+        self.model.show_view(view)
+        self._fit_columns(view, streaming=streaming)
+        self.view.select_rows(self._selection)
+        self._rendering = False
+        self._forget_message()
+        self._render_footer()
+
+    def _fit_columns(self, view: CurveView, *, streaming: bool) -> None:
+        fitted = view, streaming
+        if fitted != self._fitted:
+            self._fitted = fitted
+            self.view.fit_columns(streaming=streaming)
+
+    def set_selection(self, selection: frozenset[int]) -> None:
+        """Select the rows of these points."""
+        self._selection = selection
+        self._rendering = True
+        self.view.select_rows(selection)
+        self._rendering = False
+        self._render_footer()
+
+    def set_theme(self, theme: Theme) -> None:
+        """Take the colours of `theme`."""
+        self.model.set_theme(theme)
+        self.view.cell_delegate.set_theme(theme)
+        self._copy.setIcon(icon("copy", theme))
+        self._paste.setIcon(icon("paste", theme))
+        self._reset.setIcon(icon("reset", theme))
+        self._reset_button.setIcon(icon("reset", theme))
+        self._legend.setStyleSheet(f"color: {theme.muted.name()}")
+        self._message.setStyleSheet(f"color: {theme.warning.name()}")
+        self.view.viewport().update()
+
+    def _render_footer(self) -> None:
+        has_derivatives = any(column.is_derivative for column in self.model.columns)
+        self._footer.setVisible(has_derivatives)
+        self._reset.setVisible(has_derivatives)
+        can_reset = has_derivatives and bool(self._orders_to_reset())
+        self._reset_button.setEnabled(can_reset)
+        self._reset.setEnabled(can_reset)
+
+    def _tell(self, text: str) -> None:
+        self._message.setText(text)
+        self._message.setVisible(bool(text))
+
+    def showEvent(self, event: QShowEvent) -> None:
+        super().showEvent(event)
+        self._show_pending()
+
+    # What the person did
+
+    def _report_selection(self) -> None:
+        if not self._rendering:
+            self.rows_selected.emit(self.view.selected_rows())
+        self._render_footer()
+
+    def _report_refusal(self, reason: str) -> None:
+        self._tell(f"⚠ {html_of(reason)}")
+        self.refused.emit(reason)
+
+    def refuse(self, reason: str) -> None:
+        """Say why what was asked for cannot be done; a number that was typed stays to be mended."""
+        self._tell(f"⚠ {html_of(reason)}")
+        self.model.refuse()
+
+    def _forget_message(self) -> None:
+        self._tell("")
+
+    def _report_given_up(self, label: str) -> None:
+        self.refused.emit(f"{label[0].upper()}{label[1:]} stays as it was: Enter or Tab sets what is typed.")
+
+    def _watch_focus(self, old: QWidget | None, new: QWidget | None) -> None:
+        # Without a new one another window has the focus: the spreadsheet, perhaps, to mend the numbers there.
+        if new is not None and not self.isAncestorOf(new):
+            self._forget_message()
+
+    def _orders_to_reset(self) -> set[int]:
+        """Return which derivatives of the selected points a reset would change.
+
+        Those whose cells are selected; both where none is.
+        """
+        rows, columns = self.view.selected_rows(), self.view.selected_columns()
+        shown = self.model.columns
+        orders = _derivatives_of(shown[column] for column in columns) or _derivatives_of(shown)
+        return explicit_orders(self.model.nodes, rows, orders)
+
+    def reset_to_estimated(self) -> None:
+        """Ask for the selected velocities and accelerations to be left to the rules again."""
+        if orders := self._orders_to_reset():
+            self.reset_requested.emit(self.view.selected_rows(), orders)
+
+    def copy(self) -> None:
+        """Put the selected cells on the clipboard, whole numbers and tab-separated."""
+        cells = self.view.selected_cells()
+        if not cells:
+            return
+        columns = sorted({column for _, column in cells})
+        mark = decimal_mark()
+        rows = [
+            [exact_text(self.model.values[row, c], mark) if (row, c) in cells else "" for c in columns]
+            for row in sorted({row for row, _ in cells})
+        ]
+        QGuiApplication.clipboard().setText(write_block(rows))
+        self.said.emit(f"Copied {count_of(len(rows), 'row')}.")
+
+    def paste(self) -> None:
+        """Ask for the numbers on the clipboard in the cells from the current one on; all or none."""
+        try:
+            block = read_titled_block(QGuiApplication.clipboard().text(), decimal_mark(), known_titles())
+            cells = self.view.selected_cells()
+            if len(cells) > 1 and len(block.rows) == len(block.rows[0]) == 1:
+                self._request_fill(cells, block.rows[0][0])
+            else:
+                self.paste_requested.emit(self._paste_row(), *self._columns_of(block))
+        except (TableTextError, EditError) as reason:
+            self._report_refusal(str(reason))
+
+    def _request_fill(self, cells: set[tuple[int, int]], value: float) -> None:
+        rows: dict[Column, list[int]] = {}
+        for row, column in sorted(cells):
+            rows.setdefault(self.model.columns[column], []).append(row)
+        self.fill_requested.emit(rows, value)
+
+    def _columns_of(self, block: Block) -> tuple[list[Column], np.ndarray]:
+        """Return which columns a block covers, in the table's order, and its numbers.
+
+        Titles name them; without titles the block begins at the current cell.
+        """
+        numbers, shown = np.array(block.rows, dtype=float), self.model.columns
+        width = numbers.shape[1]
+        if not block.titles:
+            left = self._paste_column(width)
+            if len(shown) - left < width:
+                room = count_of(len(shown) - left, "column")
+                raise EditError(
+                    f"These are {width} columns; from {shown[left].name} on there is room for {room}."
+                )
+            return list(shown[left : left + width]), numbers
+        titled = {name: place for place, name in enumerate(block.titles) if name != "#"}
+        if len(titled) + block.titles.count("#") < width:
+            raise EditError("A title stands twice.")
+        columns = [column for column in shown if column.title in titled]
+        missing = [name for name in titled if name not in {column.title for column in columns}]
+        if missing:
+            raise EditError(f"A curve of this family has no {missing[0]}.")
+        if not columns:
+            raise EditError("There is no column of the table in what was copied.")
+        return columns, numbers[:, [titled[column.title] for column in columns]]
+
+    def _paste_row(self) -> int:
+        current = self.view.currentIndex()
+        return current.row() if current.isValid() else self.model.rowCount()
+
+    def _paste_column(self, width: int) -> int:
+        current = self.view.currentIndex()
+        if current.isValid():
+            return current.column()
+        # Two columns of numbers are places.
+        orders = [column.order for column in self.model.columns]
+        return orders.index(POSITION) if width == 2 else 0
+
+    def tell_who_kept(self, indices: list[int], orders: set[int]) -> None:
+        """Say whose velocities are still those of the old places, and offer to have them estimated."""
+        if not indices:
+            return
+        self._to_reset = (indices, orders)
+        sentence = keeping_sentence(indices, orders)
+        self._tell(f'⚠ {html_of(sentence)} · <a href="reset">Reset to estimated</a>')
+        self.said.emit(f"{sentence}; “Reset to estimated” has the rules estimate again.")
+
+    def _reset_kept(self) -> None:
+        self.reset_requested.emit(*self._to_reset)
+
+
+def _derivatives_of(columns: Iterable[Column]) -> set[int]:
+    """Return which derivatives some columns hold."""
+    return {column.order for column in columns if column.order is not None and column.is_derivative}

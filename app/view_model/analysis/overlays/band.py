@@ -1,0 +1,177 @@
+"""The region to which errors of points and parameters can bring the curve, at worst.
+
+With errors ε of the points alone the region is exact: discs of radius ε·Λ(t) around c(t), all together.
+Velocities and accelerations that are estimated follow the points; the parameters stay.
+Errors δ of the parameters enter to first order, estimates that follow them included, with their exact worst
+case across the curve; the points stay.
+"""
+
+from __future__ import annotations
+
+from itertools import pairwise
+
+import numpy as np
+
+import curvecore
+from app.view_model.analysis.errors import PARAMETER_ERROR, POINT_ERROR, errors_text
+from app.view_model.analysis.figures import Figure, Flags, Floats, Shape, number
+from app.view_model.analysis.overlay import Drawn, Entry, Group, Overlay
+from app.view_model.analysis.samples import Samples, unit_tangents
+from app.view_model.analysis.scene import Scene
+from app.view_model.analysis.settings import AnalysisSettings
+from app.view_model.looks import Look, Sign
+from app.view_model.parameter_slopes import parameter_moves
+
+AREA = Look("accent", 0.16, sign=Sign.AREA)
+
+_MOST = 300
+"""Samples of a whole curve; with errors of the parameters half as many, for these cost ten times as much."""
+
+_JUMP, _TURN = 0.25, 0.94
+"""Change of the slope of the outline, and cosine of a turn, from one sample to the next, that leave a gap."""
+
+_CORNERS = 32
+"""Corners of a disc."""
+
+
+_MOST_FOLLOWED = 40
+"""Knots up to which estimates follow the parameters: each is estimated anew for each."""
+
+
+def _band(scene: Scene) -> Drawn:
+    """Return the region, and its largest half-width in words."""
+    epsilon, delta = scene.value(POINT_ERROR), scene.value(PARAMETER_ERROR)
+    curve = scene.view.curve
+    if curve is None or epsilon == delta == 0.0:
+        return [], "Both errors are 0: the curve stays where it is."
+    if scene.view.cardinal is None:
+        return [], "Not drawn: the smallest error of a point sends the curve beyond all numbers."
+    most = _MOST if delta == 0.0 else _MOST // 2
+    pieces = [_thinned(piece, most) for piece in scene.samples]
+    polygons: list[Floats] = []
+    best, best_t = 0.0, float(curve.domain[0])
+    # Where no parameter errs, nothing follows one.
+    follows = bool(delta) and scene.view.source.family.derivatives > 0
+    is_held = follows and len(scene.view.parameters) > _MOST_FOLLOWED
+    for index, (piece, core) in enumerate(zip(pieces, scene.view.pieces, strict=True)):
+        moves = parameter_moves(scene.view, index, piece.parameters) if follows and not is_held else None
+        errors = (piece.parameters, epsilon, delta)
+        radii = curvecore.worst_case_band(
+            core, *errors, cardinal=scene.view.cardinal, sensitivity=moves
+        ).across
+        polygons += _strip(piece, radii)
+        largest, t = _largest(piece.parameters, radii)
+        if largest > best:
+            best, best_t = largest, t
+    words = f"Largest half-width {number(best)} at t = {number(best_t)}"
+    if is_held:
+        words += ", the estimates as if they did not follow t"
+    if delta == 0.0:
+        words += f", {number(best / epsilon)} times ε"
+    return [Figure(AREA, Shape.AREA, np.vstack(polygons))], f"{words}."
+
+
+def _thinned(piece: Samples, most: int) -> Samples:
+    """Leave out samples that repeat the one before, and more than a drawing needs."""
+    t = piece.parameters
+    kept = np.flatnonzero(np.append(np.diff(t) > 1e-9 * (t[-1] - t[0]), True))
+    step = -(-len(kept) // most)
+    kept = np.unique(np.append(kept[::step], kept[-1]))
+    return Samples(t[kept], piece.points[kept], piece.velocities[kept], piece.accelerations[kept])
+
+
+def _strip(piece: Samples, radii: Floats) -> list[Floats]:
+    """Return polygons that cover the discs around the samples and what lies between them."""
+    tangents = unit_tangents(piece.velocities)
+    normals = np.column_stack([-tangents[:, 1], tangents[:, 0]])
+    speed = np.hypot(piece.velocities[:, 0], piece.velocities[:, 1])
+    growth = np.gradient(radii, piece.parameters) / np.where(speed > 0, speed, np.inf)
+    # Where discs grow they touch their envelope behind the centre; faster than the curve, they have none.
+    behind = np.clip(np.nan_to_num(growth), -1.0, 1.0)
+    middle = piece.points - (radii * behind)[:, None] * tangents
+    half = (radii * np.sqrt(1.0 - behind**2))[:, None] * normals
+    left, right = middle + half, middle - half
+    discs = _abrupt(behind, tangents)
+    return [*_ribbons(left, right, tangents), *_discs(piece.points[discs], radii[discs])]
+
+
+def _abrupt(behind: Floats, tangents: Floats) -> Flags:
+    """Return where the outline turns so far that the disc itself is needed; the ends are among them."""
+    jumps = np.abs(np.diff(behind)) > _JUMP
+    jumps |= (tangents[1:] * tangents[:-1]).sum(axis=1) < _TURN
+    needed: Flags = np.append(True, jumps) | np.append(jumps, True)
+    return needed
+
+
+def _ribbons(left: Floats, right: Floats, tangents: Floats) -> list[Floats]:
+    """Return the quadrilaterals between neighbouring cross-sections, joined where none is twisted.
+
+    One that is twisted, in a bend sharper than the band is wide, would cancel the filling of others.
+    """
+    ahead = tangents[:-1] + tangents[1:]
+    is_plain = np.ones(len(ahead), dtype=bool)
+    for side in (left, right):
+        is_plain &= (np.diff(side, axis=0) * ahead).sum(axis=1) > 0
+    polygons = []
+    cuts = np.flatnonzero(np.diff(is_plain)) + 1
+    for start, end in pairwise([0, *cuts.tolist(), len(is_plain)]):
+        if is_plain[start]:
+            polygons.append(_closed(np.vstack([right[start : end + 1], left[start : end + 1][::-1]])))
+        else:
+            cells = np.stack([right[:-1], right[1:], left[1:], left[:-1]], axis=1)[start:end]
+            polygons += [_closed(cell) for cell in _untwisted(cells)]
+    return polygons
+
+
+def _untwisted(cells: Floats) -> Floats:
+    """Return quadrilaterals (k, 4, 2) with their corners in order around the middle."""
+    away = cells - cells.mean(axis=1, keepdims=True)
+    order = np.argsort(np.arctan2(away[:, :, 1], away[:, :, 0]), axis=1)
+    result: Floats = np.take_along_axis(cells, order[:, :, None], axis=1)
+    return result
+
+
+def _discs(centres: Floats, radii: Floats) -> list[Floats]:
+    angle = np.linspace(0.0, 2 * np.pi, _CORNERS, endpoint=False)
+    rim = np.column_stack([np.cos(angle), np.sin(angle)])
+    return [_closed(centre + radius * rim) for centre, radius in zip(centres, radii, strict=True)]
+
+
+def _closed(polygon: Floats) -> Floats:
+    return np.vstack([polygon, np.full((1, 2), np.nan)])
+
+
+def _largest(t: Floats, radii: Floats) -> tuple[float, float]:
+    """Return the maximum of the parabola through the largest sample and its neighbours, and its t."""
+    place = int(np.argmax(radii))
+    best, best_t = float(radii[place]), float(t[place])
+    if 0 < place < len(t) - 1:
+        before, after = radii[place - 1] - best, radii[place + 1] - best
+        h, k = t[place - 1] - best_t, t[place + 1] - best_t
+        bend = (before / h - after / k) / (h - k)
+        slope = before / h - bend * h
+        if bend < 0:
+            shift = -slope / (2 * bend)
+            return best + float(slope * shift / 2), best_t + float(shift)
+    return best, best_t
+
+
+def _legend(settings: AnalysisSettings) -> list[Entry]:
+    # Errors of the parameters are added up as first changes; of the points nothing is left out.
+    worst = "Worst case to first order" if settings.value(PARAMETER_ERROR) else "Worst case"
+    return [(AREA, f"{worst}, {errors_text(settings)}")]
+
+
+BAND = Overlay(
+    name="band",
+    text="Sensitivity Band",
+    tip="Shade where errors of points and parameters can bring the curve, at worst",
+    key="Ctrl+Alt+8",
+    icon="band",
+    group=Group.ERRORS,
+    place=90,
+    layer=10,
+    draw=_band,
+    settings=(POINT_ERROR, PARAMETER_ERROR),
+    legend=_legend,
+)

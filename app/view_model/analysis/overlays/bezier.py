@@ -1,0 +1,82 @@
+"""The Bézier control polygon of every segment."""
+
+from __future__ import annotations
+
+import numpy as np
+
+import curvecore
+from app.view_model.analysis.figures import Figure, Floats, Shape, number
+from app.view_model.analysis.overlay import Drawn, Group, Overlay
+from app.view_model.analysis.scene import Scene
+from app.view_model.curve_view import CurveView
+from app.view_model.looks import Look, Mark, Sign
+
+SIDES = Look("handle", 0.9, mark=Mark.SQUARE, sign=Sign.LINE_WITH_MARK)
+CONTROL_POINT = Look("handle", mark=Mark.SQUARE)
+
+_MOST = 32
+"""Points of the longest polynomial that is converted; the work grows with the fourth power."""
+
+_WORST = 1e10
+"""Condition number above which the control points say nothing any more."""
+
+
+def _is_one_polynomial(view: CurveView) -> bool:
+    return view.curve is not None and view.curve.is_one_polynomial
+
+
+def _bezier(scene: Scene) -> Drawn:
+    """Return the control polygons of the segments, or the one of a polynomial, or in words why not."""
+    view = scene.view
+    if _is_one_polynomial(view):
+        return _of_polynomial(scene)
+    figures = []
+    for piece in view.pieces:
+        if (controls := piece.bezier_pieces()) is not None:
+            figures += _polygons(controls)
+    if figures:
+        return figures, ""
+    return [], f"Not drawn: no control points are known of {view.source.family.a_curve}."
+
+
+def _of_polynomial(scene: Scene) -> Drawn:
+    """Return the control polygon of a Lagrange curve, or in words why it is not drawn; heavy."""
+    curve = scene.view.curve
+    assert curve is not None
+    count = len(curve.parameters)
+    if count > _MOST:
+        return [], f"Not drawn: one polynomial of {count} points; up to {_MOST} are converted."
+    controls, condition = curvecore.lagrange_to_bezier(curve)
+    if condition > _WORST:
+        return [], (
+            f"Not drawn: its condition number is {number(condition)}; errors of the points grow as much in "
+            "the control points."
+        )
+    words = f"One polynomial of degree {count - 1}; condition number {number(condition)}."
+    away = float(np.abs(controls - scene.view.points.mean(axis=0)).max())
+    if away > 3 * scene.size:
+        words += f" The control points lie up to {number(away)} away."
+    return _polygons(controls[None]), words
+
+
+def _polygons(controls: Floats) -> list[Figure]:
+    """Return the lines and the inner points of control polygons (k, d + 1, 2)."""
+    breaks = np.full((len(controls), 1, 2), np.nan)
+    lines = np.concatenate([controls, breaks], axis=1).reshape(-1, 2)
+    inner = controls[:, 1:-1].reshape(-1, 2)
+    return [Figure(SIDES, Shape.LINE, lines), Figure(CONTROL_POINT, Shape.MARKS, inner)]
+
+
+BEZIER = Overlay(
+    name="bezier",
+    text="Bézier Polygons",
+    tip="Draw the Bézier control polygon of every segment",
+    key="Ctrl+Alt+7",
+    icon="bezier",
+    group=Group.POLYGONS,
+    place=70,
+    layer=40,
+    draw=_bezier,
+    settles=_is_one_polynomial,
+    legend=lambda _settings: [(SIDES, "Bézier polygon")],
+)

@@ -1,0 +1,69 @@
+"""The curvature comb: how the curve bends, drawn at right angles to it.
+
+A tooth stands on the outer side of the bend, its length in proportion to the curvature. Where the curvature
+jumps, at a joint, two teeth of different length stand at one point.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+import curvecore
+from app.view_model.analysis.figures import Figure, Floats, Shape
+from app.view_model.analysis.overlay import Drawn, Group, Overlay
+from app.view_model.analysis.samples import Samples, unit_tangents
+from app.view_model.analysis.scene import Scene, usual_length
+from app.view_model.analysis.settings import Factor
+from app.view_model.looks import Look
+
+TEETH = Look("accent", 0.35)
+EDGE = Look("accent", 0.9)
+
+SCALE = Factor("combScale", "Length of the teeth")
+"""1 makes the longest a fifth of the curve's size."""
+
+_SHARE = 0.2
+"""The longest tooth against the size of the points at scale 1."""
+
+_LONGEST = 5.0
+"""How far a tooth may surpass nine tenths of all teeth: at a cusp it would be infinite."""
+
+
+def _comb(scene: Scene) -> Drawn:
+    """Return the comb of a curve: its teeth, and the line through their ends."""
+    pieces = scene.samples
+    teeth = [_normals(piece) * -np.nan_to_num(_curvature(piece))[:, None] for piece in pieces]
+    if not pieces:
+        return [], ""
+    longest = usual_length(np.vstack(teeth), _LONGEST)
+    unit = _SHARE * scene.size / longest * scene.value(SCALE) if longest > 0 else 0.0
+    figures = []
+    for piece, tooth in zip(pieces, teeth, strict=True):
+        ends = piece.points + tooth * unit
+        figures.append(Figure(TEETH, Shape.SEGMENTS, np.hstack([piece.points, ends]).reshape(-1, 2)))
+        figures.append(Figure(EDGE, Shape.LINE, ends))
+    return figures, ""
+
+
+def _curvature(piece: Samples) -> Floats:
+    return curvecore.curvature_of(piece.velocities, piece.accelerations)
+
+
+def _normals(piece: Samples) -> Floats:
+    """Return unit normals to the left of the curve, zero where it stands still."""
+    tangents = unit_tangents(piece.velocities)
+    return np.column_stack([-tangents[:, 1], tangents[:, 0]])
+
+
+COMB = Overlay(
+    name="comb",
+    text="Curvature Comb",
+    tip="Draw how the curve bends, at right angles to it",
+    key="Ctrl+Alt+1",
+    icon="comb",
+    group=Group.SHAPE,
+    place=10,
+    layer=20,
+    draw=_comb,
+    settings=(SCALE,),
+)

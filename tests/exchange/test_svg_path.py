@@ -1,0 +1,66 @@
+"""Path data as a second reader draws them: fontTools, which skips what it cannot read."""
+
+from __future__ import annotations
+
+import numpy as np
+from fontTools.svgLib.path.parser import parse_path
+from hypothesis import given
+from hypothesis import strategies as st
+
+from app.exchange.svg.path_data import read_path_data
+
+NUMBERS = {"M": 2, "L": 2, "H": 1, "V": 1, "C": 6, "S": 4, "Q": 4, "T": 2, "Z": 0}
+
+
+class Pen:
+    """What fontTools draws: of every subpath the start, the pieces, and whether it is closed."""
+
+    def __init__(self):
+        self.subpaths = []
+
+    def moveTo(self, point):
+        self.at = point
+        self.subpaths.append([point, [], False])
+
+    def curveTo(self, *points):
+        self.subpaths[-1][1].append([self.at, *points])
+        self.at = points[-1]
+
+    def lineTo(self, end):
+        a, b = np.array(self.at), np.array(end)
+        third = (b - a) / 3
+        self.curveTo(tuple(a + third), tuple(b - third), end)
+
+    def qCurveTo(self, control, end):
+        a, b, c = (np.array(each) for each in (self.at, control, end))
+        self.curveTo(tuple(a + 2 / 3 * (b - a)), tuple(c + 2 / 3 * (b - c)), end)
+
+    def closePath(self):
+        self.subpaths[-1][2] = True
+
+    def endPath(self):
+        start, pieces, _ = self.subpaths[-1]
+        self.subpaths[-1][2] = len(pieces) > 1 and pieces[-1][-1] == start
+
+
+@st.composite
+def path_data(draw):
+    number = st.sampled_from([0.0, 1.0, 2.0, 3.5, -1.0, 10.0, 0.5, -0.25])
+    words = ["M1.0 2.0"]
+    for letter in draw(st.lists(st.sampled_from(sorted(NUMBERS)), max_size=8)):
+        repeats = draw(st.integers(1, 2)) if letter != "Z" else 1
+        values = [draw(number) for _ in range(NUMBERS[letter] * repeats)]
+        words.append(draw(st.sampled_from([letter, letter.lower()])) + " ".join(map(repr, values)))
+    return "".join(words)
+
+
+@given(path_data())
+def test_it_draws_what_fonttools_draws(data):
+    pen = Pen()
+    parse_path(data, pen)
+    found = read_path_data(data)
+    assert len(found) == len(pen.subpaths)
+    for subpath, (start, pieces, closed) in zip(found, pen.subpaths, strict=True):
+        assert tuple(subpath.start) == start
+        np.testing.assert_array_equal(subpath.controls, np.array(pieces).reshape(-1, 4, 2))
+        assert subpath.closed == closed

@@ -1,0 +1,134 @@
+"""A format that only this test knows, one record: offered, written, read and dropped like all others."""
+
+from __future__ import annotations
+
+import json
+
+import pytest
+from PySide6.QtCore import QMimeData, QPoint, QPointF, Qt, QUrl
+from PySide6.QtGui import QDragEnterEvent, QDropEvent
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QApplication, QCheckBox, QComboBox, QDialog, QFileDialog, QPushButton
+
+from app.cli import main
+from app.document.model import Document, make_curve
+from app.exchange.cubics_in import Imported
+from app.exchange.formats import FORMATS, Format, Kind, Written
+from app.exchange.options import TOLERANCE, Check
+from app.storage.files import save
+
+UPSIDE_DOWN = Check(
+    name="upside_down",
+    title="Upside down",
+    tip="Write the corners with y negated",
+    help="of a list of corners: y negated",
+    default=False,
+)
+POINTS = [(0.0, 0.0), (2.0, 1.5), (4.0, -1.0)]
+
+
+def write(document, options):
+    """The points, with the tolerance for those who look."""
+    sign = -1 if options[UPSIDE_DOWN] else 1
+    corners = [[node.x, sign * node.y] for curve in document.curves for node in curve.nodes]
+    return Written(json.dumps({"corners": corners, "tolerance": options.tolerance}), deviation=0.25)
+
+
+def read(data, _tolerance):
+    """A curve through the corners."""
+    return Imported(Document((make_curve([tuple(pair) for pair in json.loads(data)["corners"]]),)))
+
+
+@pytest.fixture
+def corners():
+    record = Format(
+        endings=(".corners",),
+        title="List of corners",
+        description="The points, and nothing between them.",
+        options=(TOLERANCE, UPSIDE_DOWN),
+        write=write,
+        kind=Kind.DRAWING,
+        plural="Lists of corners",
+        read=read,
+    )
+    FORMATS.add(record)
+    yield record
+    FORMATS.remove(record)
+
+
+@pytest.mark.usefixtures("corners")
+def test_the_window_offers_it_with_its_option_and_writes_it(editor, tmp_path, monkeypatch):
+    save(tmp_path / "a.curve.json", Document((make_curve(POINTS),)))
+    editor.session.open(tmp_path / "a.curve.json")
+    asked = []
+
+    def answer(_parent, _title, start, kinds):
+        asked.extend((start, kinds))
+        return str(tmp_path / "mine"), ""
+
+    monkeypatch.setattr(QFileDialog, "getSaveFileName", answer)
+    editor.trigger("exportPicture")
+    dialog = editor.window.findChild(QDialog, "exportDialog")
+    check = dialog.findChild(QCheckBox, "exportUpsideDown")
+    assert check.isHidden() or not check.isVisible()
+    box = dialog.findChild(QComboBox, "exportFormat")
+    box.setFocus()
+    QTest.keyClick(box, Qt.Key.Key_End)  # it is the last, for it has no place of its own
+    assert box.currentText() == "List of corners"
+    assert check.isVisible()
+    QTest.mouseClick(check, Qt.MouseButton.LeftButton, pos=QPoint(8, check.height() // 2))
+    QTest.mouseClick(dialog.findChild(QPushButton, "exportFile"), Qt.MouseButton.LeftButton)
+    editor.wait_for_work()
+    assert asked[0].endswith(".corners")
+    assert asked[1] == "List of corners (*.corners)"
+    written = json.loads((tmp_path / "mine.corners").read_text(encoding="utf-8"))
+    assert written["corners"] == [[x, -y] for x, y in POINTS]
+    assert editor.status == "Wrote mine.corners, at most 0.25 from the true curve."
+    # It is remembered with its option.
+    assert json.loads(editor.window.preferences.export_choice) == {"ending": ".corners", "upside_down": True}
+
+
+@pytest.mark.usefixtures("corners", "drawings_read_here")
+def test_a_drop_and_the_import_dialog_take_it(editor, tmp_path, monkeypatch):
+    path = tmp_path / "a.corners"
+    path.write_text(json.dumps({"corners": POINTS}), encoding="utf-8")
+    data = QMimeData()
+    data.setUrls([QUrl.fromLocalFile(str(path))])
+    copy, left, keys = Qt.DropAction.CopyAction, Qt.MouseButton.LeftButton, Qt.KeyboardModifier.NoModifier
+    QApplication.sendEvent(editor.window, QDragEnterEvent(QPoint(300, 300), copy, data, left, keys))
+    assert editor.status == "Drop to import a.corners"
+    QApplication.sendEvent(editor.window, QDropEvent(QPointF(300, 300), copy, data, left, keys))
+    editor.wait_for_work()
+    dialog = editor.window.findChild(QDialog, "importDrawingDialog")
+    QTest.mouseClick(dialog.findChild(QPushButton, "importDrawing"), Qt.MouseButton.LeftButton)
+    assert [(node.x, node.y) for node in editor.session.document.curves[-1].nodes] == POINTS
+    filters = []
+    monkeypatch.setattr(
+        QFileDialog, "getOpenFileNames", lambda *words: (filters.append(words[3]), ([], ""))[1]
+    )
+    editor.trigger("importFile")
+    everything, *kinds = filters[0].split(";;")
+    assert "*.corners" in everything
+    assert "Lists of corners (*.corners)" in kinds
+
+
+@pytest.mark.usefixtures("corners", "drawings_read_here")
+def test_the_command_line_converts_it_both_ways_and_says_so(tmp_path, capsys):
+    source, out, back = (tmp_path / name for name in ("a.curve.json", "a.corners", "b.points.csv"))
+    save(source, Document((make_curve(POINTS),)))
+    assert main(["convert", str(source), str(out), "--upside-down", "--tolerance", "0.5"]) == 0
+    assert capsys.readouterr().out.endswith("largest deviation from the true curves 0.25\n")
+    assert json.loads(out.read_text()) == {"corners": [[x, -y] for x, y in POINTS], "tolerance": 0.5}
+    assert main(["convert", str(out), str(back)]) == 0
+    assert "2.0,-1.5" in back.read_text()
+    capsys.readouterr()
+    with pytest.raises(SystemExit):
+        main(["convert", "--help"])
+    words = " ".join(capsys.readouterr().out.split())
+    assert words.count(".corners") == 2
+    assert "--upside-down of a list of corners: y negated" in words
+
+
+def test_it_is_gone_afterwards(tmp_path, capsys):
+    assert main(["convert", str(tmp_path / "a.corners"), str(tmp_path / "b.svg")]) == 1
+    assert "does not end in a known format" in capsys.readouterr().err
