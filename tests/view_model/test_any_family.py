@@ -14,14 +14,21 @@ from app.document.model import Document, ParametrizationKind, make_curve
 from app.families import FAMILIES
 from app.view_model.analysis.cost import cost_of
 from app.view_model.analysis.cures import cures_of
+from app.view_model.analysis.errors import PARAMETER_ERROR, POINT_ERROR
+from app.view_model.analysis.ghost import all_ghosts
 from app.view_model.analysis.ghosts import ghost_views
 from app.view_model.analysis.hodograph import derivative_at, hodograph_of
 from app.view_model.analysis.joints import as_text, certificate_of
 from app.view_model.analysis.laboratory import Refused, calculations, digits_at, try_methods
 from app.view_model.analysis.laboratory_settings import Calculation, LaboratorySettings, Rounding
-from app.view_model.analysis.overlays import live_picture, settled_picture, settles
-from app.view_model.analysis.plots import TITLES, plots_of, values_at
-from app.view_model.analysis.settings import AnalysisSettings, Overlay, Plot, all_ghosts
+from app.view_model.analysis.overlay import OVERLAYS
+from app.view_model.analysis.overlays import marks
+from app.view_model.analysis.picture import live_picture, settled_picture, settling
+from app.view_model.analysis.plot import PLOTS
+from app.view_model.analysis.plots.curvature import CURVATURE
+from app.view_model.analysis.plots.lengths import ACCELERATION, SPEED
+from app.view_model.analysis.plotted import plots_of, values_at
+from app.view_model.analysis.settings import AnalysisSettings
 from app.view_model.analysis.teaching import warnings_of
 from app.view_model.analysis.wiggle import explain
 from app.view_model.basis_view import basis_view, weights_at
@@ -252,19 +259,22 @@ def test_the_way_back_is_the_same_curve_or_the_change_is_told(name):
 def test_every_overlay_draws_this_curve(name):
     view = view_of(curve_of(name))
     everything = AnalysisSettings(
-        overlays=frozenset(Overlay), point_error=0.01, parameter_error=1e-4, ghosts=frozenset(all_ghosts())
+        overlays=frozenset(OVERLAYS),
+        values=frozenset({POINT_ERROR: 0.01, PARAMETER_ERROR: 1e-4}.items()),
+        ghosts=frozenset(all_ghosts()),
     )
     live = live_picture(view, everything, 2.0)
     settled = settled_picture(view, everything, 2.0)
     drawn = shape(view, 20001)
     for figure in (*live.figures, *settled.figures):
         assert np.isfinite(figure.points[~np.isnan(figure.points)]).all()
-    assert settles(view, everything) <= frozenset(Overlay)
+    assert settling(view, everything) <= frozenset(OVERLAYS)
     assert {ghost for ghost, shown in ghost_views(view, everything.ghosts, {}).items() if shown.is_real} >= {
         ghost for ghost in all_ghosts() if ghost.family is not None and ghost.family.name == name
     }
-    on_curve = [each for each in settled.figures if each.style.name in ("SHARPEST", "FLATTEST", "INFLECTION")]
-    for figure in on_curve:
+    for figure in settled.figures:
+        if figure.style not in (marks.SHARPEST, marks.FLATTEST, marks.INFLECTION):
+            continue
         away = np.abs(figure.points[:, None] - drawn).max(axis=2).min(axis=1)
         assert away.max() < 5e-3
 
@@ -272,18 +282,18 @@ def test_every_overlay_draws_this_curve(name):
 def test_every_plot_is_of_this_curve(name):
     view = view_of(curve_of(name))
     start, end = view.curve.domain
-    shown = plots_of(view, frozenset(Plot), (start, end), 600, view.growth)
-    assert [plot.title for plot in shown] == [TITLES[kind] for kind in Plot]
+    shown = plots_of(view, frozenset(PLOTS), (start, end), 600, view.growth)
+    assert {plot.title for plot in shown} == {plot.title for plot in PLOTS}
     h = 1e-4
     for t in (1.234, 2.345, 3.21):
         before, at, after = view.curve.evaluate(np.array([t - h, t, t + h]))
-        values = values_at(view, frozenset(Plot), t)
+        values = values_at(view, frozenset(PLOTS), t)
         velocity, acceleration = (after - before) / (2 * h), (after - 2 * at + before) / h**2
-        assert values[Plot.SPEED] == pytest.approx(np.hypot(*velocity), rel=1e-5)
-        assert values[Plot.ACCELERATION] == pytest.approx(np.hypot(*acceleration), rel=1e-3, abs=1e-3)
+        assert values[SPEED] == pytest.approx(np.hypot(*velocity), rel=1e-5)
+        assert values[ACCELERATION] == pytest.approx(np.hypot(*acceleration), rel=1e-3, abs=1e-3)
         across = velocity[0] * acceleration[1] - velocity[1] * acceleration[0]
         bend = across / np.hypot(*velocity) ** 3
-        assert values[Plot.CURVATURE] == pytest.approx(bend, rel=1e-3, abs=1e-3)
+        assert values[CURVATURE] == pytest.approx(bend, rel=1e-3, abs=1e-3)
         assert derivative_at(view, t, 1) == pytest.approx(velocity, rel=1e-5, abs=1e-5)
     assert np.isfinite(hodograph_of(view, 1).points[~np.isnan(hodograph_of(view, 1).points)]).all()
 
