@@ -275,6 +275,10 @@ class Options(msgspec.Struct, frozen=True, kw_only=True):
         return replace(style, paper=None) if self.transparent else style
 
 
+DEFAULT = Options()
+"""As nobody asked for anything."""
+
+
 def all_options(each: Iterable[Iterable[Option[Any]]]) -> tuple[Option[Any], ...]:
     """Return the options of several formats, each once, in the order of their first appearance."""
     return tuple({option.name: option for options in each for option in options}.values())

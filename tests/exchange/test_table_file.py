@@ -9,6 +9,7 @@ import pytest
 from app.document.model import Document, Node, make_curve
 from app.exchange.errors import ExchangeError
 from app.exchange.formats.samples import sampled_table
+from app.exchange.options import Options
 from app.exchange.table.columns import ColumnMapping
 from app.exchange.table.curves import document_of_table
 from app.exchange.table.layout import Layout
@@ -129,7 +130,7 @@ def test_the_person_maps_the_columns():
 def test_our_own_table_gives_the_quintic_back():
     curve = make_curve(np.random.default_rng(4).normal(size=(6, 2)).tolist(), family=QUINTIC_HERMITE)
     core = view_of(curve).curve
-    written = sampled_table(Document((curve,)), samples=60)
+    written = sampled_table(Document((curve,)), Options(own={"samples": 60}))
     # Curvature and length are not roles; the rest is.
     document = document_of_table(read_table(written.text.encode()), family=curve.family).document
     back = view_of(document.curves[0]).curve
@@ -142,7 +143,7 @@ def test_empty_cells_matter_only_where_they_are_used():
     curve = make_curve([(0, 0), (1, 1), (2, 0)], family=HERMITE)
     first = Node(0.0, 0.0, velocity=(0.0, 0.0))
     curve = msgspec.structs.replace(curve, nodes=(first, *curve.nodes[1:]))
-    text = sampled_table(Document((curve,)), samples=9).text
+    text = sampled_table(Document((curve,)), Options(own={"samples": 9})).text
     table = read_table(text.encode())
     assert np.isnan(table.values[0, 7])
     assert np.isfinite(np.delete(table.values, 7, axis=1)).all()

@@ -16,8 +16,9 @@ from app.exchange import code_runtime
 from app.exchange.drawing.drawing import Floats
 from app.exchange.formats import Format, Written
 from app.exchange.naming import Names
+from app.exchange.options import DEFAULT, Options
 from app.exchange.parts import Source, accuracy, bezier_values, measured, one_line, sources_of
-from app.tasks.progress import Report, part, silent, told
+from app.tasks.progress import part, told
 from app.view_model.curve_view import CoreCurve
 from curvecore import bezier_segments
 
@@ -32,7 +33,7 @@ _RUNTIME: tuple[Callable[..., Any], ...] = (
 _evaluate: Callable[..., Floats] = code_runtime.evaluate
 
 
-def python_code(document: Document, report: Report = silent) -> Written:
+def python_code(document: Document, options: Options = DEFAULT) -> Written:
     """Return a module of Python, with NumPy alone, that has a function of t for every curve.
 
     Its values are those of the curves but for rounding: about 1e-15 of the size, more where the sum of
@@ -43,24 +44,24 @@ def python_code(document: Document, report: Report = silent) -> Written:
     ExchangeError
         If there is no curve to write.
     """
-    sources, remarks = sources_of(document, part(report, 0.0, 0.3))
+    sources, remarks = sources_of(document, part(options.report, 0.0, 0.3))
     deviation = max(
         _python_deviation(piece) + source.polynomials.deviation
-        for source in told(sources, part(report, 0.3, 0.7), "Comparing")
+        for source in told(sources, part(options.report, 0.3, 0.7), "Comparing")
         for piece in source.polynomials.pieces
     )
     named = list(zip(names_of(sources), sources, strict=True))
     body = [inspect.getsource(function).rstrip() for function in _RUNTIME]
     body += [
         f"{_listing(name.upper(), source)}\n\n\n{_function(name, source)}"
-        for name, source in told(named, part(report, 0.7, 1.0), "Writing")
+        for name, source in told(named, part(options.report, 0.7, 1.0), "Writing")
     ]
     return Written(
         "\n\n\n".join([_head(deviation, remarks, "import numpy as np"), *body]) + "\n", deviation, remarks
     )
 
 
-def scipy_code(document: Document, report: Report = silent) -> Written:
+def scipy_code(document: Document, options: Options = DEFAULT) -> Written:
     """Return a module of Python that makes every curve an interpolator of SciPy, called with t.
 
     A Lagrange curve becomes a `BarycentricInterpolator`, whose error grows with the Lebesgue constant;
@@ -72,13 +73,13 @@ def scipy_code(document: Document, report: Report = silent) -> Written:
     ExchangeError
         If there is no curve to write.
     """
-    sources, remarks = sources_of(document, part(report, 0.0, 0.3))
-    deviation = max(map(_scipy_deviation, told(sources, part(report, 0.3, 0.7), "Comparing")))
+    sources, remarks = sources_of(document, part(options.report, 0.0, 0.3))
+    deviation = max(map(_scipy_deviation, told(sources, part(options.report, 0.3, 0.7), "Comparing")))
     imports = "import numpy as np\nfrom scipy import interpolate"
     named = list(zip(names_of(sources), sources, strict=True))
     body = [
         f"# {_title(source)}\n{_scipy_object(name, source)}"
-        for name, source in told(named, part(report, 0.7, 1.0), "Writing")
+        for name, source in told(named, part(options.report, 0.7, 1.0), "Writing")
     ]
     return Written("\n\n".join([_head(deviation, remarks, imports), *body]) + "\n", deviation, remarks)
 
@@ -202,13 +203,13 @@ FORMATS = (
         title="Python with NumPy",
         description="A program that computes the curves; it needs NumPy alone.",
         place=80,
-        write=lambda document, options: python_code(document, options.report),
+        write=python_code,
     ),
     Format(
         endings=(".scipy.py",),
         title="Python with SciPy",
         description="The curves as objects of scipy.interpolate.",
         place=90,
-        write=lambda document, options: scipy_code(document, options.report),
+        write=scipy_code,
     ),
 )

@@ -14,9 +14,9 @@ from app.document.words import Named
 from app.exchange.drawing.drawing import Floats
 from app.exchange.errors import ExchangeError
 from app.exchange.formats import Format, Written
-from app.exchange.options import TOLERANCE, OneOf, Option, Options, SomeOf, Whole
+from app.exchange.options import DEFAULT, TOLERANCE, OneOf, Option, Options, SomeOf, Whole
 from app.exchange.parts import cell_of_name, checked_tolerance, distinct_names, sources_of
-from app.tasks.progress import Report, part, silent
+from app.tasks.progress import Report, part
 from app.view_model.arc_lengths import arc_lengths_of
 from app.view_model.curve_view import CoreCurve
 from curvecore import ArcLength, flatten_pieces
@@ -67,66 +67,47 @@ _LENGTH = TITLES.index("length")
 _LENGTH_ACCURACY = 1e-9
 
 
-def sampled_table(
-    document: Document,
-    *,
-    separator: str = ",",
-    samples: int = SAMPLES.default,
-    spacing: Spacing = Spacing.T,
-    tolerance: float | None = None,
-    columns: tuple[str, ...] = TITLES,
-    report: Report = silent,
-) -> Written:
+def sampled_table(document: Document, options: Options = DEFAULT, separator: str = ",") -> Written:
     """Return the curves as a table; with several, the first column is the curve's name.
 
-    Parameters
-    ----------
-    document
-        A document with at least one curve.
-    separator
-        Between the cells; numbers have a decimal point whatever the locale.
-    samples
-        How many for each curve, 2 to `MOST_SAMPLES`, by `Spacing.T` and `Spacing.LENGTH`.
-    spacing
-        Equal steps of t, of the arc length, or as many samples as a polyline within the tolerance needs.
-    tolerance
-        Largest deviation of that polyline, in the document's unit.
-    columns
-        Those of `TITLES` that are wanted.
-    report
-        Hears how far it has come.
-
-    Returns
-    -------
-    Written
-        Its deviation is that of the polyline through the samples.
+    There are equal steps of t, of the arc length, or as many samples as a polyline within the tolerance
+    needs, as `SPACING` says. Numbers have a decimal point whatever the locale. The deviation is that of the
+    polyline through the samples.
 
     Raises
     ------
     ExchangeError
         If there is no curve, or the number of samples is out of range.
     """
+    samples, report = options[SAMPLES], options.report
     if not 2 <= samples <= MOST_SAMPLES:
         raise ExchangeError(f"A table can have 2 to {MOST_SAMPLES} samples.")
     sources, remarks = sources_of(document, part(report, 0.0, 0.1))
-    allowed = checked_tolerance(sources, tolerance)
-    chosen, rest = _columns(columns), part(report, 0.1, 1.0)
+    allowed = checked_tolerance(sources, options.tolerance)
+    chosen, rest = _columns(options[COLUMNS]), part(report, 0.1, 1.0)
     named = len(sources) > 1
     titles = [TITLES[column] for column in chosen]
     lines, deviation = [separator.join(["curve", *titles] if named else titles)], 0.0
     for place, (source, name) in enumerate(zip(sources, distinct_names(sources), strict=True)):
         away = part(rest, place / len(sources), (place + 1) / len(sources))
-        away(0.0, "Computing samples")
-        core = source.core
-        needed = spacing is Spacing.LENGTH or _LENGTH in chosen
-        lengths = arc_lengths_of(core, _LENGTH_ACCURACY) if needed else None
-        t, bound = _parameters_of(core, samples, spacing, allowed, lengths, part(away, 0.0, 0.5))
-        deviation = max(deviation, bound or 0.0)
         lead = cell_of_name(name, separator) + separator if named else ""
-        for rows, missed in _in_parts(core, t, lengths, bound is None, part(away, 0.5, 1.0)):
+        for rows, missed in _samples_of(source.core, options, allowed, _LENGTH in chosen, away):
             deviation = max(deviation, missed)
             lines += [lead + separator.join(map(_cell, row)) for row in rows[:, chosen].tolist()]
     return Written("\n".join(lines) + "\n", deviation, remarks)
+
+
+def _samples_of(
+    core: CoreCurve, options: Options, allowed: float, with_lengths: bool, report: Report
+) -> Iterator[tuple[Floats, float]]:
+    """Yield the rows of a curve, some at a time, with the deviation of the polyline through them."""
+    report(0.0, "Computing samples")
+    needed = with_lengths or options[SPACING] is Spacing.LENGTH
+    lengths = arc_lengths_of(core, _LENGTH_ACCURACY) if needed else None
+    half = part(report, 0.0, 0.5)
+    t, bound = _parameters_of(core, options[SAMPLES], options[SPACING], allowed, lengths, half)
+    for rows, missed in _in_parts(core, t, lengths, bound is None, part(report, 0.5, 1.0)):
+        yield rows, max(missed, bound or 0.0)
 
 
 def _in_parts(
@@ -224,18 +205,6 @@ def _cell(value: float) -> str:
     return "" if isnan(value) else repr(value + 0.0)
 
 
-def _write(document: Document, options: Options, separator: str) -> Written:
-    return sampled_table(
-        document,
-        separator=separator,
-        samples=options[SAMPLES],
-        spacing=options[SPACING],
-        tolerance=options.tolerance,
-        columns=options[COLUMNS],
-        report=options.report,
-    )
-
-
 def _hidden(values: Mapping[str, Any]) -> tuple[Option[Any]]:
     """Return the option that does not matter: the count where the tolerance says it, or else that."""
     return (SAMPLES if values[SPACING.name] is Spacing.TOLERANCE else TOLERANCE,)
@@ -249,7 +218,7 @@ FORMATS = tuple(
         place=50,
         options=(TOLERANCE, SPACING, SAMPLES, COLUMNS),
         hidden=_hidden,
-        write=partial(_write, separator=separator),
+        write=partial(sampled_table, separator=separator),
     )
     for ending, separator, words in ((".csv", ",", "commas"), (".tsv", "\t", "tabs"))
 )
