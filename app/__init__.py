@@ -28,4 +28,8 @@ The layers, top to bottom; a module imports only from its own layer and those ab
 - ``testing``: a driver for pytest-qt.
 """
 
+import lazy_loader as lazy
+
 __version__ = "0.1.0"
+
+__getattr__, __dir__, __all__ = lazy.attach_stub(__name__, __file__)

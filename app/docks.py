@@ -2,21 +2,22 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from functools import partial
 from typing import TypeVar
 
+import msgspec
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QDockWidget, QMainWindow, QWidget
 
 from app.actions.qactions import Actions
-from app.panels.curve_list import CurveList
-from app.panels.curve_settings import CurveSettings
+from app.features.curve_list.panel import CurveList
+from app.features.curve_settings.panel import CurveSettings
+from app.features.history.panel import HistoryPanel
+from app.features.point_table.panel import PointTable
+from app.features.reference_image.panel import ImagePanel
 from app.panels.fitting import Scrolled
-from app.panels.history import HistoryPanel
-from app.panels.image_panel import ImagePanel
 from app.panels.late_dock import IN_DOCK, LateDock
-from app.panels.point_table import PointTable
 from app.session import Session
 
 _LEFT, _RIGHT = Qt.DockWidgetArea.LeftDockWidgetArea, Qt.DockWidgetArea.RightDockWidgetArea
@@ -26,21 +27,43 @@ _CURVE_LIST_BUTTONS = (
 )  # fmt: skip
 """The actions that stand as buttons under the list of curves."""
 
-_LATE = {
-    "jointsDock": "Joints",
-    "analysisDock": "Analysis",
-    "laboratoryDock": "Lab",
-    "wiggleDock": "Wiggle",
-    "hodographDock": "Hodograph",
-}
-"""Built when they are first shown: nobody waits for them at the start."""
-
-_ASKED_FOR = ("laboratoryDock", "wiggleDock", "hodographDock")
-"""Too many tabs are none: these come when they are asked for."""
-
+_DECLARED = "late_panel"
+_Builder = TypeVar("_Builder", bound=Callable[..., QWidget])
 
 _Dock = TypeVar("_Dock", bound=QDockWidget)
 _Panel = TypeVar("_Panel", bound=QWidget)
+
+
+class LatePanel(msgspec.Struct, frozen=True):
+    """A panel that is built when its dock is first shown: nobody waits for it at the start.
+
+    Attributes
+    ----------
+    name, title
+        Object name of its dock, and what stands on the tab.
+    on_demand
+        Whether its dock stays away until it is asked for: too many tabs are none.
+    at_left
+        Whether it stands at the left.
+    """
+
+    name: str
+    title: str
+    on_demand: bool = False
+    at_left: bool = False
+
+    def __call__(self, build: _Builder) -> _Builder:
+        """Declare the decorated method of a command set as what builds the panel."""
+        setattr(build, _DECLARED, self)
+        return build
+
+
+def late_panels(commands: type) -> Iterator[tuple[LatePanel, Callable[..., QWidget]]]:
+    """Yield the panels that a command set declares, and what builds them."""
+    for member in vars(commands).values():
+        panel = getattr(member, _DECLARED, None)
+        if isinstance(panel, LatePanel):
+            yield panel, member
 
 
 class Docks:
@@ -48,6 +71,8 @@ class Docks:
 
     Parameters
     ----------
+    panels
+        What is built late, in the order of the tabs.
     build
         Returns the content of a late dock, by its name.
 
@@ -60,7 +85,12 @@ class Docks:
     """
 
     def __init__(
-        self, window: QMainWindow, session: Session, actions: Actions, build: Callable[[str], QWidget]
+        self,
+        window: QMainWindow,
+        session: Session,
+        actions: Actions,
+        panels: Sequence[LatePanel],
+        build: Callable[[str], QWidget],
     ) -> None:
         self._window, self._build = window, build
         points, self.table_panel = self._add("pointsDock", "Points", PointTable)
@@ -71,16 +101,20 @@ class Docks:
         steps = partial(HistoryPanel, session.undo_stack)
         history, self.history = self._add("historyDock", "History", steps)
         self.image, self.image_panel = self._add("imageDock", "Image", ImagePanel)
-        late = [self._add_late(name, title) for name, title in _LATE.items()]
-        self.lessons = self._add_late("lessonsDock", "Lessons", _LEFT)
+        added = {panel: self._add_late(panel) for panel in panels}
+        late = [dock for panel, dock in added.items() if not panel.at_left]
+        self.lessons = next(dock for panel, dock in added.items() if panel.at_left)
         self._stack(points, [curves, history])
         self._stack(curve, [*late, self.image])
-        for dock in (*late, self.lessons):
-            if dock.objectName() in (*_ASKED_FOR, "lessonsDock"):
+        for panel, dock in added.items():
+            if panel.on_demand:
                 dock.hide()
         self.side = (points, curves, history, curve, *late, self.image)
         window.resizeDocks([points], [360], Qt.Orientation.Horizontal)
         window.resizeDocks([points, curve], [480, 300], Qt.Orientation.Vertical)
+
+    def __getitem__(self, name: str) -> QDockWidget:
+        return next(each for each in (*self.side, self.lessons) if each.objectName() == name)
 
     def _add(self, name: str, title: str, panel: Callable[[QWidget], _Panel]) -> tuple[QDockWidget, _Panel]:
         dock = QDockWidget(title, self._window)
@@ -88,8 +122,9 @@ class Docks:
         dock.setWidget(area)
         return self._place(dock, name, _RIGHT), area.content
 
-    def _add_late(self, name: str, title: str, area: Qt.DockWidgetArea = _RIGHT) -> LateDock:
-        return self._place(LateDock(title, lambda: self._build(name), self._window), name, area)
+    def _add_late(self, panel: LatePanel) -> LateDock:
+        dock = LateDock(panel.title, lambda: self._build(panel.name), self._window)
+        return self._place(dock, panel.name, _LEFT if panel.at_left else _RIGHT)
 
     def _place(self, dock: _Dock, name: str, area: Qt.DockWidgetArea) -> _Dock:
         dock.setObjectName(name)

@@ -33,18 +33,18 @@ from app.commands.drops import OpenWindow, accepted
 from app.commands.exchange_commands import ExchangeCommands
 from app.commands.file_work import FileWork
 from app.commands.given import Given
-from app.commands.image_commands import ImageCommands
 from app.commands.lesson_commands import LessonCommands
 from app.commands.view_commands import ViewCommands
-from app.controllers.curve_settings import CurveSettingsController
-from app.controllers.history import HistoryController
-from app.controllers.image import ImageController
 from app.controllers.parametrization import ParametrizationController
-from app.controllers.point_table import PointTableController
 from app.controllers.rail import RailController
-from app.docks import Docks
+from app.docks import Docks, late_panels
+from app.features.curve_settings.controller import CurveSettingsController
+from app.features.history.controller import HistoryController
+from app.features.point_table.controller import PointTableController
 from app.features.recovery.autosave import Autosave
 from app.features.recovery.commands import OpenBeside, RecoveryCommands
+from app.features.reference_image.commands import ImageCommands
+from app.features.reference_image.controller import ImageController
 from app.file_commands import FileCommands, title_of
 from app.icons import app_icon
 from app.menus import Menus
@@ -105,10 +105,13 @@ class MainWindow(Guarded, QMainWindow):
         self._dress()
         self.setWindowIcon(app_icon())
         self.setAcceptDrops(True)
+        self._command_sets = command_sets
         self.store = WindowStore(self.preferences, self)
-        self._clipboard = ClipboardWatch(self)
-        now = Situation(session, self.store, self._clipboard)
+        clipboard = ClipboardWatch(self)
+        now = Situation(session, self.store, clipboard)
         self.actions_by_name = Actions(self, command_sets, now)
+        for changed in (self.store.changed, session.history_changed, clipboard.changed):
+            changed.connect(self.actions_by_name.render)
         self.analysis = Analysis(self.store, self)
         self._build_plots()
         self._build_docks()
@@ -118,7 +121,7 @@ class MainWindow(Guarded, QMainWindow):
         self._files = FileCommands(session, self.preferences, self, self.message_bar.warn)
         self._work = FileWork(session, self.message_bar.warn, self)
         self._files.beside = self._work.start
-        self._commands = Commands(self._context(), command_sets)
+        self._commands = Commands(self._context(), self._command_sets)
         self._connect()
         self._connect_end()
         restore_layout(self, self.splitter, self.preferences)
@@ -146,7 +149,8 @@ class MainWindow(Guarded, QMainWindow):
         self.plot_panel, self._central = central.plot_panel, central
 
     def _build_docks(self) -> None:
-        docks = self._docks = Docks(self, self.session, self.actions_by_name, self._build_dock)
+        panels = [panel for each in self._command_sets for panel, _build in late_panels(each)]
+        docks = self._docks = Docks(self, self.session, self.actions_by_name, panels, self._build_dock)
         self.table_panel, self.curve_settings = docks.table_panel, docks.curve_settings
         self.point_table = docks.table_panel.view
         self.history, self.curve_list = docks.history, docks.curve_list
@@ -173,7 +177,6 @@ class MainWindow(Guarded, QMainWindow):
             preferences=self.preferences,
             analysis=self.analysis,
             actions=self.actions_by_name,
-            clipboard=self._clipboard,
             files=self._files,
             work=self._work,
             window=self,
@@ -193,7 +196,7 @@ class MainWindow(Guarded, QMainWindow):
         session.selection_changed.connect(self._render_selection)
         session.chosen_changed.connect(self._render_chosen)
         session.hovered_changed.connect(self.canvas.drawing.set_hovered)
-        session.hovered_changed.connect(self.basis_panel.set_hovered)
+        session.hovered_changed.connect(self.basis_panel.drawing.set_hovered)
         session.scrub_changed.connect(self._render_scrub)
         session.file_changed.connect(self._render_file)
         session.interrupted.connect(self.canvas.abandon_gesture)
@@ -256,11 +259,11 @@ class MainWindow(Guarded, QMainWindow):
         if self.session.is_previewing and view.source.family.derivatives and len(view.points) > _MOST_LIVE:
             self.status_line.wait_for_lebesgue()
         else:
-            self.status_line.show_lebesgue(growth_of_points(view, self.basis_panel.basis))
+            self.status_line.show_lebesgue(growth_of_points(view, self.basis_panel.drawing.basis))
 
     def _render_selection(self, selection: frozenset[int]) -> None:
         self.canvas.set_selection(selection)
-        self.basis_panel.set_selection(selection)
+        self.basis_panel.drawing.set_selection(selection)
         self.table_panel.set_selection(selection)
         self._render_commands()
 
@@ -279,7 +282,7 @@ class MainWindow(Guarded, QMainWindow):
 
     def _render_scrub(self, t: float | None) -> None:
         self.canvas.drawing.set_scrub(t)
-        self.basis_panel.set_scrub(t)
+        self.basis_panel.drawing.set_scrub(t)
         self.status_line.show_scrub(t)
         self._commands.follow_scrub(t)
 

@@ -359,7 +359,7 @@ def test_ctrl_c_is_quiet(monkeypatch, capsys):
     def interrupted(_path):
         raise KeyboardInterrupt
 
-    monkeypatch.setattr("app.cli.refusals.load", interrupted)
+    monkeypatch.setattr("app.cli.documents.load", interrupted)
     assert main(["info", LETTER]) == 130
     assert capsys.readouterr() == ("", "")
 
@@ -571,3 +571,12 @@ def test_render_writes_a_motion(tmp_path, capsys):
         assert (film.n_frames, film.width) == (20, 64)
     too_long = refusal(capsys, *words, "-o", str(gif), "--seconds", "1000")
     assert "1200 frames" in too_long
+
+
+def test_version_and_help_need_no_numpy():
+    for option in ("--version", "--help"):
+        code = (
+            "import sys\nfrom app.cli import main\ntry:\n    main([sys.argv[1]])\n"
+            "except SystemExit:\n    print('numpy' in sys.modules)\n"
+        )
+        assert run(option, code=code).stdout.splitlines()[-1] == "False"

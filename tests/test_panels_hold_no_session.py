@@ -8,7 +8,22 @@ from pathlib import Path
 import pytest
 
 ROOT = Path(__file__).resolve().parent.parent
-PANELS = sorted((ROOT / "app/panels").rglob("*.py"))
+FEATURES = (ROOT / "app/features").glob("*/*.py")
+
+
+def shows_something(path: Path) -> bool:
+    """Whether a module makes widgets, or a model for one."""
+    bases = [
+        base.id
+        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8")))
+        if isinstance(node, ast.ClassDef)
+        for base in node.bases
+        if isinstance(base, ast.Name)
+    ]
+    return any(base.startswith("Q") and base != "QObject" for base in bases)
+
+
+PANELS = sorted([*(ROOT / "app/panels").rglob("*.py"), *filter(shows_something, FEATURES)])
 
 
 def names_in(tree: ast.AST) -> set[str]:
@@ -48,6 +63,13 @@ def test_a_panel_holds_no_session(path):
 )
 def test_one_that_holds_a_session_is_found(code):
     assert sessions_in(code)
+
+
+def test_the_panels_of_features_are_read_too():
+    read = {path.relative_to(ROOT).as_posix() for path in PANELS}
+    table = {f"app/features/point_table/{name}.py" for name in ("panel", "model", "view", "delegate")}
+    assert table < read
+    assert "app/features/point_table/controller.py" not in read
 
 
 def commits_in(source: str) -> list[int]:

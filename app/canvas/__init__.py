@@ -3,7 +3,7 @@
 - ``canvas``: the widget, which has the tools.  ``scene``: its layers.  ``fitting``: what part of the plane is
   shown.
 - ``curve_layer``, ``point_layer``, ``point_density``, ``corner_layer``: the curve that is edited.
-- ``other_curves_layer``, ``chosen_curves_layer``: the other curves; those of them that are chosen.
+- ``other_curves_layer``, ``selected_curves_layer``: the other curves; those of them that are selected.
 - ``grid_layer``, ``unit_layer``: grid and unit.
 - ``image_layer``, ``image_file``, ``page_image``: a picture to trace: drawn, read, and dark on dark paper.
 - ``annotations``: what explains the curve.  ``figure_layer``, ``trace_layer``, ``file_layer``: overlays and

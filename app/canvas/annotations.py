@@ -1,4 +1,4 @@
-"""What is drawn beside the active curve to explain it, and the legend that says what it means."""
+"""Annotations of the active curve: figures, ghosts, other versions, and the legend that explains them."""
 
 from __future__ import annotations
 
@@ -12,7 +12,6 @@ from app.canvas.figure_layer import FigureLayer
 from app.canvas.file_layer import FileLayer
 from app.canvas.trace_layer import Trace, TraceLayer
 from app.plotting.plot_widget import PlotWidget
-from app.theme import LIGHT
 from app.view_model import analysis
 from app.view_model.analysis.figures import Figure
 from app.view_model.curve_view import CurveView
@@ -44,9 +43,9 @@ class Annotations(QObject):
     def __init__(self, plot: PlotWidget) -> None:
         super().__init__(plot)
         self._plot = plot
-        self._figures = plot.layers.style(FigureLayer(plot, LIGHT, z=-0.5))
-        self._file_layer = plot.layers.style(FileLayer(plot, LIGHT))
-        self._traces = plot.layers.style(TraceLayer(plot, LIGHT))
+        self._figures = FigureLayer(plot)
+        self._file_layer = FileLayer(plot)
+        self._traces = TraceLayer(plot)
         self.legend: Legend | None = None
 
     # Figures and ghosts
@@ -57,7 +56,7 @@ class Annotations(QObject):
 
     @property
     def figures(self) -> Sequence[Figure]:
-        """What is shown beside the curve."""
+        """The figures beside the curve."""
         return self._figures.figures
 
     @property
@@ -74,7 +73,7 @@ class Annotations(QObject):
 
     @property
     def file_version(self) -> str:
-        """What the curves of a file are called in the legend; empty while none are shown."""
+        """The name of a file's curves in the legend; empty while none are shown."""
         return self._file_layer.name
 
     def render_traces(
@@ -98,7 +97,8 @@ class Annotations(QObject):
                 return
             # Built when there is something to explain: nobody waits for it at the start.
 
-            self.legend = self._plot.layers.style(canvas.legend.Legend(self._plot.viewport(), LIGHT))
+            self.legend = canvas.legend.Legend(self._plot.viewport(), self._plot.layers)
+            self._plot.style_changed.connect(self.legend.render_style)
             self.legend.chosen.connect(self.ghost_chosen)
             self.legend.hidden.connect(self.ghost_hidden)
         self.legend.render_rows(group, rows)

@@ -68,7 +68,7 @@ class Canvas(ToolPlot):
 
     @property
     def marks(self) -> GestureMarks:
-        """What the gestures show over the drawing."""
+        """The marks of the gestures over the drawing."""
         return self.drawing.marks.marks
 
     def show_marks(self) -> None:

@@ -7,32 +7,32 @@ from PySide6.QtGui import QPainter, QPen
 
 from app.canvas.point_layer import opacity_of
 from app.colours import point_colours
+from app.plotting.layers import Layer
 from app.plotting.pixel_map import PixelMap
 from app.plotting.plot_widget import PlotWidget
-from app.theme import Theme
 from app.view_model.curve_view import CurveView
 
 _HALF = 5.0
 _FAR = 1e5
 
 
-class CornerLayer:
+class CornerLayer(Layer):
     """Draws a square on every corner of the active curve; without corners it costs nothing."""
 
-    def __init__(self, plot: PlotWidget, theme: Theme) -> None:
-        self.theme = theme
-        self.scale = 1.0
+    z = 11.0
+
+    def __init__(self, plot: PlotWidget) -> None:
+        super().__init__(plot)
         self._corners: list[int] = []
         self._view: CurveView | None = None
-        self._layer = plot.layers.add(self.paint, z=11)
 
     def render(self, view: CurveView) -> None:
         """Draw the corners of `view` from the next paint on."""
         self._view = view
         self._corners = view.corners
-        self._layer.set_opacity(opacity_of(view))
-        self._layer.set_visible(bool(self._corners))
-        self._layer.update()
+        self.set_opacity(opacity_of(view))
+        self.set_visible(bool(self._corners))
+        self.update()
 
     def paint(self, painter: QPainter, shown: PixelMap) -> None:
         """Draw the squares."""

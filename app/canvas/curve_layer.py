@@ -12,7 +12,6 @@ from app.plotting.layers import Layer
 from app.plotting.pixel_map import Floats, PixelMap
 from app.plotting.plates import inside, write_on_plate
 from app.plotting.plot_widget import PlotWidget
-from app.theme import Theme
 from app.view_model.curve_view import CurveView, Polyline
 
 TOLERANCE = 0.1
@@ -30,7 +29,7 @@ WORTH_A_WORD = 1.0
 _GHOST_MS, _WIDTH = 900, 2.0
 
 
-class CurveLayer:
+class CurveLayer(Layer):
     """Draws the active curve within a tenth of a pixel, or says by how much it is off.
 
     Attributes
@@ -39,9 +38,8 @@ class CurveLayer:
         Bound of the distance between the curve and the line last drawn, in pixels.
     """
 
-    def __init__(self, plot: PlotWidget, theme: Theme) -> None:
-        self.theme = theme
-        self.scale = 1.0
+    def __init__(self, plot: PlotWidget) -> None:
+        super().__init__(plot)
         self.error = 0.0
         self._view: CurveView | None = None
         self._font = QFont(plot.font())
@@ -53,14 +51,13 @@ class CurveLayer:
         self._ghost: Floats | None = None
         self._ghost_held = self._is_cased = False
         self._fade = QVariantAnimation(plot, startValue=1.0, endValue=0.0, duration=_GHOST_MS)
-        self._layer: Layer = plot.layers.add(self.paint, z=0)
-        self._fade.valueChanged.connect(lambda _value: self._layer.update())
+        self._fade.valueChanged.connect(lambda _value: self.update())
         self._fade.finished.connect(self._drop_ghost)
 
     def render(self, view: CurveView) -> None:
         """Draw `view` from the next paint on."""
         self._view = view
-        self._layer.update()
+        self.update()
 
     def show_ghost(self, points: Floats) -> None:
         """Let a curve, as a polyline of the plane, stand behind the present one and fade."""
@@ -70,7 +67,7 @@ class CurveLayer:
 
     @property
     def ghost_opacity(self) -> float:
-        """How much of the ghost is seen, from 0 to 1."""
+        """The opacity of the ghost, from 0 to 1."""
         if self._ghost_held:
             return 1.0
         fading = self._fade.state() == QAbstractAnimation.State.Running
@@ -89,7 +86,7 @@ class CurveLayer:
 
     def _drop_ghost(self) -> None:
         self._ghost = None
-        self._layer.update()
+        self.update()
 
     def polyline(self, shown: PixelMap) -> Polyline | None:
         """Return the curve as it is drawn, None without one."""
@@ -114,7 +111,7 @@ class CurveLayer:
 
     @property
     def said(self) -> str:
-        """What the canvas says of a line that is off; empty otherwise."""
+        """The sentence about a line that is off; empty otherwise."""
         return f"Drawn within {number(self.error, 2)} pixels" if self.error > WORTH_A_WORD else ""
 
     def _paint_word(self, painter: QPainter, shown: PixelMap) -> None:
@@ -126,7 +123,7 @@ class CurveLayer:
     def set_cased(self, cased: bool) -> None:
         """Keep the line apart from what lies below it, a picture to trace, or not."""
         self._is_cased = cased
-        self._layer.update()
+        self.update()
 
     def _fill(self, shown: PixelMap) -> None:
         polyline = self.polyline(shown)

@@ -13,11 +13,11 @@ from PySide6.QtGui import QColor, QFont, QFontMetricsF, QPainter
 from app.canvas.curve_layer import TOLERANCE
 from app.plotting.area import AreaFill
 from app.plotting.drawing import MARGIN, Floats, Segments, cut_segments
+from app.plotting.layers import Layer
 from app.plotting.pens import draw_line, draw_mark, pen_of
 from app.plotting.pixel_map import PixelMap
 from app.plotting.plates import inside, write_on_plate
 from app.plotting.plot_widget import PlotWidget
-from app.theme import Theme
 from app.view_model.analysis.figures import Figure, Shape
 from app.view_model.looks import LOOKS, Look, ghost_look
 
@@ -37,20 +37,21 @@ _FAR, _FARTHEST = 1e5, 1e30
 """Pixels beyond which an area, or a line, need not be where it is."""
 
 
-class FigureLayer:
+class FigureLayer(Layer):
     """Draws figures of the plane, each in the pen of its style, and ghosts over them.
 
     Lines and areas lie under the curve, marks over it and under the points.
     """
 
-    def __init__(self, plot: PlotWidget, theme: Theme, *, z: float) -> None:
-        self.theme = theme
-        self.scale = 1.0
+    z = -0.5
+
+    def __init__(self, plot: PlotWidget) -> None:
+        super().__init__(plot)
         self.figures: Sequence[Figure] = ()
         self.ghosts: Sequence[GhostView] = ()
         self._area = AreaFill()
         self._font = QFont(plot.font())
-        self._layers = [plot.layers.add(self._paint_below, z=z), plot.layers.add(self._paint_above, z=0.5)]
+        self._layers: list[Layer] = [self, Layer(plot, self._paint_above, z=0.5)]
         for layer in self._layers:
             # Even a layer that draws nothing costs every frame its share.
             layer.set_visible(False)
@@ -63,7 +64,7 @@ class FigureLayer:
                 layer.set_visible(bool(figures or ghosts))
                 layer.update()
 
-    def _paint_below(self, painter: QPainter, shown: PixelMap) -> None:
+    def paint(self, painter: QPainter, shown: PixelMap) -> None:
         """Draw lines and areas, the first one first, then the ghosts: all of it under the curve."""
         self._paint_figures(painter, shown, [each for each in self.figures if each.shape not in _ABOVE])
         for ghost in self.ghosts:

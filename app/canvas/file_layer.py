@@ -1,4 +1,4 @@
-"""What the document's file holds while it differs from what is edited: dashed."""
+"""The curves of the document's file, dashed, while they differ from those that are edited."""
 
 from __future__ import annotations
 
@@ -9,38 +9,38 @@ from PySide6.QtCore import Qt
 from PySide6.QtGui import QPainter, QPixmap
 
 from app.canvas.curve_layer import TOLERANCE
+from app.plotting.layers import Layer
 from app.plotting.pens import draw_line, pen_of
 from app.plotting.pixel_map import PixelMap
 from app.plotting.plot_widget import PlotWidget
-from app.theme import Theme
 from app.view_model.curve_view import CurveView
 from app.view_model.looks import FILE_LOOK
 
 
-class FileLayer:
+class FileLayer(Layer):
     """Draws the curves of the file behind those of the document, out of the reach of the mouse."""
 
-    def __init__(self, plot: PlotWidget, theme: Theme) -> None:
-        self.theme = theme
-        self.scale = 1.0
+    z = -2.0
+
+    def __init__(self, plot: PlotWidget) -> None:
+        super().__init__(plot)
         self._views: Sequence[CurveView] = ()
         self._name = ""
         self._picture: QPixmap | None = None
         self._key: tuple[object, ...] = ()
-        self._layer = plot.layers.add(self.paint, z=-2)
-        self._layer.set_visible(False)
+        self.set_visible(False)
 
     @property
     def name(self) -> str:
-        """What the curves are called; empty while there are none."""
+        """The name of the curves; empty while there are none."""
         return self._name if self._views else ""
 
     def render(self, views: Sequence[CurveView], name: str) -> None:
         """Draw these curves from the next paint on; none: nothing."""
         self._views = [view for view in views if view.source.visible and view.curve is not None]
         self._name, self._picture = name, None
-        self._layer.set_visible(bool(self._views))
-        self._layer.update()
+        self.set_visible(bool(self._views))
+        self.update()
 
     def paint(self, painter: QPainter, shown: PixelMap) -> None:
         """Draw the curves, from a picture that is kept: dashes are slow to make."""

@@ -12,9 +12,9 @@ from PySide6.QtGui import QPainter
 
 from app.document.words import number
 from app.plotting.drawing import Bars
+from app.plotting.layers import Layer
 from app.plotting.pixel_map import Floats, PixelMap
 from app.plotting.plot_widget import PlotWidget
-from app.theme import Theme
 
 _LEAST_GAP = 8.0
 """Pixels between two lines of a grid of fixed spacing, at least."""
@@ -25,25 +25,21 @@ _LEAST_COARSE_GAP = 80.0
 _MOST_DIGITS = 15
 
 
-class GridLayer:
+class GridLayer(Layer):
     """Fine and coarse lines that adapt to the zoom."""
 
-    def __init__(self, plot: PlotWidget, theme: Theme) -> None:
+    z = -10.0
+    is_still = True
+
+    def __init__(self, plot: PlotWidget) -> None:
         self._plot = plot
-        self.theme = theme
-        self._visible = True
+        super().__init__(plot)
         self._shown: PixelMap | None = None
         self._fine, self._coarse = Bars(), Bars()
         self._fixed = 0.0
         self._steps = (0.0, 0.0)
-        self._layer = plot.layers.add(self.paint, z=-10, is_still=True)
         plot.camera.changed.connect(self._tune_axes)
         self.set_spacing(0.0)
-
-    def set_visible(self, visible: bool) -> None:
-        """Show or hide the lines."""
-        self._visible = visible
-        self._layer.update()
 
     def set_spacing(self, spacing: float) -> None:
         """Fix the distance of the lines, in units of the plane; 0 adapts it to the zoom."""
@@ -53,7 +49,7 @@ class GridLayer:
         for axis in self._axes():
             axis.setStyle(maxTextLevel=text_level)
         self._tune_axes()
-        self._layer.update()
+        self.update()
 
     def _axes(self) -> tuple[Any, Any]:
         return (self._plot.getAxis("bottom"), self._plot.getAxis("left"))
@@ -76,8 +72,6 @@ class GridLayer:
 
     def paint(self, painter: QPainter, shown: PixelMap) -> None:
         """Draw the lines; they are computed anew when another part of the plane is visible."""
-        if not self._visible:
-            return
         if shown is not self._shown:
             self._compute(shown)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing, False)

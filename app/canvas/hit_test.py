@@ -1,4 +1,4 @@
-"""What lies under the pointer on the canvas."""
+"""Hit test of the canvas: the point, handle or place of the curve under the pointer."""
 
 from __future__ import annotations
 

@@ -11,9 +11,9 @@ from PySide6.QtGui import QImage, QPainter, QPen, QPixmap
 from app.canvas.fitting import Box, with_margin
 from app.canvas.page_image import inverted_lightness, is_page
 from app.document.model import ReferenceImage, Vector
+from app.plotting.layers import Layer
 from app.plotting.pixel_map import PixelMap
 from app.plotting.plot_widget import PlotWidget
-from app.theme import Theme
 from app.tools.move_image import CORNERS, corner_of
 from app.tools.pointer import Hit, Part
 
@@ -25,11 +25,14 @@ _FAR = 1e6
 _MARGIN = 4.0
 
 
-class ImageLayer:
+class ImageLayer(Layer):
     """Draws a picture at its place; a dashed frame where its file is not there."""
 
-    def __init__(self, plot: PlotWidget, theme: Theme) -> None:
-        self.theme = theme
+    z = -6.0
+    is_still = True
+
+    def __init__(self, plot: PlotWidget) -> None:
+        super().__init__(plot)
         self.has_grips = False
         self._image: ReferenceImage | None = None
         self._pixels: QImage | None = None
@@ -39,10 +42,9 @@ class ImageLayer:
         self._is_page: bool | None = None
         # A level for dark paper, and what it was made of.
         self._dark: tuple[QImage, QImage] | None = None
-        self._layer = plot.layers.add(self.paint, z=-6, is_still=True)
-        self._layer.set_visible(False)
+        self.set_visible(False)
         # The grips lie over curves and points: the mouse is theirs while they show.
-        self._grips = plot.layers.add(self._paint_grips, z=20)
+        self._grips = Layer(plot, self._paint_grips, z=20.0)
 
     def render(self, image: ReferenceImage | None, pixels: QImage | None) -> None:
         """Draw this picture from the next paint on."""
@@ -52,8 +54,8 @@ class ImageLayer:
             self._image, self._pixels = image, pixels
             if pixels is None:
                 self._shot, self._levels, self._dark = None, [], None
-            self._layer.set_visible(image is not None)
-            self._layer.update()
+            self.set_visible(image is not None)
+            self.update()
             self._grips.update()
 
     @property

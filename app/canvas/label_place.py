@@ -1,4 +1,4 @@
-"""Where a few words beside a point stand: on the corner where they cover least."""
+"""Placing of a few words beside a point: on the corner where they cover least."""
 
 from __future__ import annotations
 
@@ -19,11 +19,11 @@ _NEAR = 200.0
 """Pixels around a point within which its words may lie."""
 
 _COVERED_WORDS, _CUT_OFF = 200.0, 1000.0
-"""What words over other words, and words beyond the edge, count as, in pixels of curve covered."""
+"""Cost of words over other words, and of words beyond the edge, in pixels of curve covered."""
 
 
 class Surroundings(msgspec.Struct, frozen=True, eq=False):
-    """What should not be covered, in pixels: line segments (k, 4) = x1, y1, x2, y2, and other words."""
+    """Surroundings to keep free, in pixels: line segments (k, 4) = x1, y1, x2, y2, and other words."""
 
     segments: Floats
     words: Sequence[QRectF] = ()

@@ -11,8 +11,9 @@ from PySide6.QtWidgets import QFrame, QGridLayout, QToolButton, QWidget
 from app.icons import icon
 from app.labels import Label, tip_of
 from app.overrides import Guarded
+from app.plotting.layers import LayerStack
 from app.plotting.pens import sign_pixmap
-from app.theme import Theme, mix
+from app.theme import mix
 from app.view_model.analysis.legend import LegendRow
 from app.view_model.analysis.settings import Ghost
 
@@ -36,24 +37,24 @@ class Legend(Guarded, QFrame):
     chosen = Signal(object)
     hidden = Signal(object)
 
-    def __init__(self, below: QWidget, theme: Theme) -> None:
+    def __init__(self, below: QWidget, style: LayerStack) -> None:
         super().__init__(below)
         self.setObjectName("legend")
         self.setAccessibleName("Legend")
         self._groups: dict[str, Sequence[LegendRow]] = {}
-        self._scale = 1.0
+        self._style = style
         self._grid = QGridLayout(self)
         self._grid.setContentsMargins(8, 5, 6, 5)
         self._grid.setHorizontalSpacing(7)
         self._grid.setVerticalSpacing(1)
         self._grid.setColumnStretch(1, 1)
-        self.theme = theme
+        self.render_style()
         below.installEventFilter(self)
         self.hide()
 
     @property
     def _below(self) -> QWidget:
-        """What it lies on, asked for anew: for PySide6 a viewport that was kept was once gone."""
+        """The viewport below, asked for anew: for PySide6 a viewport that was kept was once gone."""
         below = self.parentWidget()
         assert below is not None
         return below
@@ -72,16 +73,6 @@ class Legend(Guarded, QFrame):
             self._groups[group] = rows
         else:
             del self._groups[group]
-        self._rebuild()
-
-    @property
-    def scale(self) -> float:
-        """How much the letters are enlarged, for a projector."""
-        return self._scale
-
-    @scale.setter
-    def scale(self, scale: float) -> None:
-        self._scale = scale
         self._rebuild()
 
     def _rebuild(self) -> None:
@@ -105,10 +96,10 @@ class Legend(Guarded, QFrame):
 
     def _add(self, place: int, row: LegendRow) -> None:
         font = QFont(self.font())
-        font.setPointSizeF(font.pointSizeF() * 0.92 * self._scale)
+        font.setPointSizeF(font.pointSizeF() * 0.92 * self._style.scale)
         if row.sign is not None:
             sign = Label()
-            sign.setPixmap(sign_pixmap(row.sign, self._theme, self.devicePixelRatioF()))
+            sign.setPixmap(sign_pixmap(row.sign, self._style.theme, self.devicePixelRatioF()))
             self._grid.addWidget(sign, place, 0)
         if isinstance(row.sign, Ghost):
             choose, hide = self._ghost_buttons(row, row.sign)
@@ -119,7 +110,9 @@ class Legend(Guarded, QFrame):
         text = Label(row.text)
         text.setFont(font)
         text.setToolTip(tip_of(row.tip))
-        text.setStyleSheet(f"color: {(self._theme.muted if row.is_muted else self._theme.ink).name()}")
+        text.setStyleSheet(
+            f"color: {(self._style.theme.muted if row.is_muted else self._style.theme.ink).name()}"
+        )
         first = 0 if row.sign is None else 1
         self._grid.addWidget(text, place, first, 1, 3 - first)
 
@@ -127,7 +120,7 @@ class Legend(Guarded, QFrame):
         choose, hide = QToolButton(), QToolButton()
         choose.setText(row.text)
         choose.setEnabled(not row.is_muted)
-        hide.setIcon(icon("close", self._theme))
+        hide.setIcon(icon("close", self._style.theme))
         hide.setIconSize(QSize(11, 11))
         choose.clicked.connect(lambda: self.chosen.emit(ghost))
         hide.clicked.connect(lambda: self.hidden.emit(ghost))
@@ -167,14 +160,9 @@ class Legend(Guarded, QFrame):
             self._place()
         return super().eventFilter(watched, event)
 
-    @property
-    def theme(self) -> Theme:
-        """Whose colours it has."""
-        return self._theme
-
-    @theme.setter
-    def theme(self, theme: Theme) -> None:
-        self._theme = theme
+    def render_style(self) -> None:
+        """Take the theme and the scale of the drawing."""
+        theme = self._style.theme
         paper, line = theme.paper, theme.grid_coarse.name()
         hover = mix(theme.ink, theme.paper, 0.1).name()
         # Never opaque: Qt would cut it out of what it paints below, and drawing in a region that is no

@@ -11,10 +11,10 @@ from app.canvas.label_place import Surroundings, free_corner
 from app.document.model import Vector
 from app.plotting.fonts import Sizes
 from app.plotting.halo import Halo
+from app.plotting.layers import Layer
 from app.plotting.pixel_map import PixelMap
 from app.plotting.plates import beyond, write_on_plate
 from app.plotting.plot_widget import PlotWidget
-from app.theme import Theme
 from app.tools.marks import GestureMarks, Note, Ruler
 from app.tools.snapping import Snap
 from app.tools.transform_box import TransformBox
@@ -33,7 +33,7 @@ _CLEAR = 18.0
 """Pixels between a readout and its place: a selected point with its ring, or a grip, stays free."""
 
 
-class MarksLayer:
+class MarksLayer(Layer):
     """Draws `GestureMarks` on top of everything.
 
     Attributes
@@ -44,22 +44,22 @@ class MarksLayer:
         Where the last readout of a gesture stood, and the words about the last snap, in pixels of the area.
     """
 
-    def __init__(self, plot: PlotWidget, theme: Theme, around: Callable[[Vector], Surroundings]) -> None:
-        self.theme = theme
-        self.scale = 1.0
+    z = 20.0
+
+    def __init__(self, plot: PlotWidget, around: Callable[[Vector], Surroundings]) -> None:
+        super().__init__(plot)
         self.marks = GestureMarks()
         # Tells what words beside a pixel should not cover.
         self._around = around
         self.readout_rect = self.snap_label_rect = QRectF()
         self._halo = Halo()
         self._fonts = Sizes(plot.font())
-        self._layer = plot.layers.add(self.paint, z=20)
 
     def render(self, marks: GestureMarks) -> None:
         """Draw `marks` from the next paint on."""
         if marks != self.marks:
             self.marks = marks
-            self._layer.update()
+            self.update()
 
     def paint(self, painter: QPainter, shown: PixelMap) -> None:
         """Draw what there is."""

@@ -10,11 +10,12 @@ from PySide6.QtGui import QColor, QFont, QFontMetricsF, QPainter, QPen
 
 from app.colours import curve_colour
 from app.plotting.drawing import Segments, cut_segments
+from app.plotting.layers import Layer
 from app.plotting.pens import draw_line
 from app.plotting.pixel_map import PixelMap
 from app.plotting.plates import inside, write_on_plate
 from app.plotting.plot_widget import PlotWidget
-from app.theme import Theme, mix
+from app.theme import mix
 from app.view_model.arrow import arrow_segments
 from app.view_model.curve_view import Floats
 from app.view_model.looks import DASHED
@@ -27,22 +28,22 @@ _SHORTEST = 3.0
 """Pixels below which an arrow is not drawn: its head would cover it."""
 
 
-class MotionLayer:
+class MotionLayer(Layer):
     """Draws dots that run; the scrub line's own dot lies on top of them."""
 
-    def __init__(self, plot: PlotWidget, theme: Theme) -> None:
-        self.theme = theme
-        self.scale = 1.0
+    z = 9.0
+
+    def __init__(self, plot: PlotWidget) -> None:
+        super().__init__(plot)
         self.dots: Sequence[Dot] = ()
         self.lines: Sequence[tuple[Role, Floats]] = ()
         self._font = QFont(plot.font())
         self._written: list[QRectF] = []
-        self._layer = plot.layers.add(self.paint, z=9)
 
     def render(self, dots: Sequence[Dot], lines: Sequence[tuple[Role, Floats]]) -> None:
         """Draw `dots`, and the curves that some of them run along, from the next paint on."""
         self.dots, self.lines = dots, lines
-        self._layer.update()
+        self.update()
 
     def paint(self, painter: QPainter, shown: PixelMap) -> None:
         """Draw the lines, then the trails, then the dots with their arrows."""

@@ -15,6 +15,7 @@ from app.canvas.hit_test import CURVE_REACH, Segments
 from app.colours import curve_colour
 from app.document.model import Vector
 from app.plotting.drawing import Stroke
+from app.plotting.layers import Layer
 from app.plotting.pixel_map import Floats, PixelMap
 from app.plotting.plot_widget import PlotWidget
 from app.theme import Theme
@@ -30,18 +31,19 @@ _AT_ONCE = 400
 """Curves that are painted before the window is heard again: some hundredths of a second."""
 
 
-class OtherCurvesLayer:
-    """Draws the visible curves that are neither edited nor chosen, and tells which of them a pixel is on.
+class OtherCurvesLayer(Layer):
+    """Draws the visible curves that are neither edited nor selected, and tells which of them a pixel is on.
 
     While the active curve is dragged the others are the same objects in front of the same part of the plane;
     painting them is then copying one picture, however many they are.
     """
 
+    z = -1.0
+
     shows_hidden = False
 
-    def __init__(self, plot: PlotWidget, theme: Theme) -> None:
-        self.theme = theme
-        self.scale = 1.0
+    def __init__(self, plot: PlotWidget) -> None:
+        super().__init__(plot)
         self._is_cased = False
         self._views: list[tuple[int, CurveView]] = []
         self._picture: _Picture | None = None
@@ -53,8 +55,7 @@ class OtherCurvesLayer:
         self._next = QTimer(plot, singleShot=True, interval=0)
         self._next.timeout.connect(self._update)
         self._outline: _Outline | None = None
-        self._layer = plot.layers.add(self.paint, z=-1)
-        self._layer.set_visible(False)
+        self.set_visible(False)
 
     def render(self, views: Sequence[CurveView], places: Sequence[int]) -> None:
         """Draw those of `views` at these places from the next paint on."""
@@ -67,14 +68,14 @@ class OtherCurvesLayer:
             return
         self._views = shown
         self._picture = self._outline = None
-        self._layer.set_visible(bool(shown))
-        self._layer.update()
+        self.set_visible(bool(shown))
+        self.update()
 
     def set_cased(self, cased: bool) -> None:
         """Keep the lines apart from what lies below them, a picture to trace, or not."""
         if cased != self._is_cased:
             self._is_cased, self._picture = cased, None
-            self._layer.update()
+            self.update()
 
     def paint(self, painter: QPainter, shown: PixelMap) -> None:
         """Draw the picture; it is made anew when another part of the plane is visible.
@@ -120,10 +121,10 @@ class OtherCurvesLayer:
 
     def _make_anew(self) -> None:
         self._is_resting = True
-        self._layer.update()
+        self.update()
 
     def _update(self) -> None:
-        self._layer.update()
+        self.update()
 
     @staticmethod
     def _empty(shown: PixelMap, ratio: float) -> QPixmap:

@@ -1,4 +1,4 @@
-"""What the pen would make, before it is pressed: the curve with one point more, or the spot to insert at."""
+"""Preview of the pen before it is pressed: the curve with one point more, or the spot to insert at."""
 
 from __future__ import annotations
 
@@ -8,38 +8,39 @@ from PySide6.QtGui import QPainter, QPen
 from app.canvas.curve_layer import TOLERANCE
 from app.document.model import Vector
 from app.plotting.drawing import Stroke
+from app.plotting.layers import Layer
 from app.plotting.pixel_map import PixelMap
 from app.plotting.plot_widget import PlotWidget
-from app.theme import Theme
 from app.view_model.curve_view import CurveView
 
 _FAR = 1e5
 
 
-class PenLayer:
+class PenLayer(Layer):
     """Draws a thin line below the curve, so that only what would change is seen, and a ring on the curve."""
 
-    def __init__(self, plot: PlotWidget, theme: Theme) -> None:
-        self.theme = theme
-        self.scale = 1.0
-        self._ahead: CurveView | None = None
+    z = -0.5
+
+    def __init__(self, plot: PlotWidget) -> None:
+        super().__init__(plot)
+        self._preview: CurveView | None = None
         self._spot: Vector | None = None
         self._stroke = Stroke()
         self._drawn: tuple[CurveView | None, PixelMap | None] = (None, None)
-        self._line = plot.layers.add(self._paint_line, z=-0.5)
-        self._ring = plot.layers.add(self._paint_ring, z=9.5)
+        self._ring = Layer(plot, self._paint_ring, z=9.5)
 
-    def render(self, ahead: CurveView | None, spot: Vector | None) -> None:
+    def render(self, preview: CurveView | None, spot: Vector | None) -> None:
         """Draw these from the next paint on; None for nothing."""
-        if ahead is not self._ahead:
-            self._ahead = ahead
-            self._line.update()
+        if preview is not self._preview:
+            self._preview = preview
+            self.update()
         if spot != self._spot:
             self._spot = spot
             self._ring.update()
 
-    def _paint_line(self, painter: QPainter, shown: PixelMap) -> None:
-        view = self._ahead
+    def paint(self, painter: QPainter, shown: PixelMap) -> None:
+        """Draw the line."""
+        view = self._preview
         if view is None:
             return
         if self._drawn[0] is not view or self._drawn[1] is not shown:

@@ -1,4 +1,4 @@
-"""How large the discs of points are drawn, and which at all: many of them must not hide the curve."""
+"""Sizes of the discs of points, and which are drawn at all: many of them must not hide the curve."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ _MOST_WITH_NEIGHBOURS = 32
 
 
 class Discs(msgspec.Struct, frozen=True):
-    """How discs are drawn.
+    """Size of the discs.
 
     Attributes
     ----------

@@ -13,18 +13,18 @@ from app.document.words import with_decimals
 from app.plotting.colours import colours_of
 from app.plotting.drawing import Flags
 from app.plotting.fonts import Sizes
+from app.plotting.layers import Layer
 from app.plotting.pixel_map import Floats, PixelMap
 from app.plotting.plates import write_on_plate
 from app.plotting.plot_widget import PlotWidget
 from app.plotting.stamps import Stamps
-from app.theme import Theme
 from app.view_model.curve_view import CurveView, Integers
 from app.view_model.handles import Handle, handles_of
 
 _SELECTED_RADIUS, _GROWTH = 5.5, 1.0
 _LABELLED_UP_TO = 12
 _DISCS_MS = 200
-"""How long discs keep their size while points move."""
+"""Milliseconds for which discs keep their size while points move."""
 
 _HALF_NUMBER = 6.0
 """Half of what the number of a point takes, in pixels; what is written beside it makes it longer."""
@@ -36,12 +36,13 @@ _HIDDEN = 0.35
 """Opacity of the points of a curve that is hidden, while it is edited."""
 
 
-class PointLayer:
+class PointLayer(Layer):
     """Draws the nodes of the active curve; all in one item."""
 
-    def __init__(self, plot: PlotWidget, theme: Theme) -> None:
-        self.theme = theme
-        self.scale = 1.0
+    z = 10.0
+
+    def __init__(self, plot: PlotWidget) -> None:
+        super().__init__(plot)
         self.selection: frozenset[int] = frozenset()
         self.hovered = -1
         # While points are added, the handle of the new one is the one under the pointer: ahead of the end.
@@ -52,7 +53,6 @@ class PointLayer:
         self.scrub: tuple[float, float, float] | None = None
         self._view: CurveView | None = None
         self._handles: list[Handle] = []
-        self._layer = plot.layers.add(self.paint, z=10)
         self._fonts = Sizes(plot.font())
         self._stamps = Stamps(_disc)
         self._discs_now = Discs(RADIUS, 0.0)
@@ -73,14 +73,14 @@ class PointLayer:
     def render(self, view: CurveView) -> None:
         """Draw `view` from the next paint on."""
         self._view = view
-        self._layer.set_opacity(opacity_of(view))
+        self.set_opacity(opacity_of(view))
         self._handles = self._handles_now()
-        self._layer.update()
+        self.update()
 
     def refresh(self) -> None:
         """Draw again after one of the attributes was set."""
         self._handles = self._handles_now()
-        self._layer.update()
+        self.update()
 
     @property
     def handles(self) -> Sequence[Handle]:
@@ -165,7 +165,7 @@ class PointLayer:
 
     @property
     def note(self) -> str:
-        """What is said where points are left away; empty where all are drawn."""
+        """The sentence about points that are left away; empty where all are drawn."""
         if self._view is None or not self._discs_now.crowded:
             return ""
         return f"{len(self._view.points)} points: selection only · zoom in to see all"

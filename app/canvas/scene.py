@@ -11,7 +11,6 @@ from PySide6.QtGui import QImage
 
 from app import canvas
 from app.canvas.annotations import Annotations
-from app.canvas.chosen_curves_layer import ChosenCurvesLayer
 from app.canvas.corner_layer import CornerLayer
 from app.canvas.curve_layer import CurveLayer
 from app.canvas.grid_layer import GridLayer
@@ -22,11 +21,11 @@ from app.canvas.marks_layer import MarksLayer
 from app.canvas.other_curves_layer import OtherCurvesLayer
 from app.canvas.pen_layer import PenLayer
 from app.canvas.point_layer import PointLayer
+from app.canvas.selected_curves_layer import SelectedCurvesLayer
 from app.canvas.unit_layer import UnitLayer
 from app.document.model import Curve, ReferenceImage, Vector
 from app.plotting.drawing import cut_segments
 from app.plotting.tool_plot import ToolPlot
-from app.theme import LIGHT
 from app.tools.marks import GestureMarks
 from app.tools.pointer import Hit, Pointer
 from app.tools.tool import Tool
@@ -64,18 +63,17 @@ class CanvasScene:
         self.view: CurveView | None = None
         self.views: Sequence[CurveView] = ()
         self._scrub: float | None = None
-        style = plot.layers.style
-        self.image = style(ImageLayer(plot, LIGHT))
-        self.grid = style(GridLayer(plot, LIGHT))
-        self.units = style(UnitLayer(plot, LIGHT))
-        self.others = style(OtherCurvesLayer(plot, LIGHT))
-        self.selected = style(ChosenCurvesLayer(plot, LIGHT))
-        self.curve = style(CurveLayer(plot, LIGHT))
+        self.image = ImageLayer(plot)
+        self.grid = GridLayer(plot)
+        self.units = UnitLayer(plot)
+        self.others = OtherCurvesLayer(plot)
+        self.selected = SelectedCurvesLayer(plot)
+        self.curve = CurveLayer(plot)
         self.annotations = Annotations(plot)
-        self.points = style(PointLayer(plot, LIGHT))
-        self.corners = style(CornerLayer(plot, LIGHT))
-        self.marks = style(MarksLayer(plot, LIGHT, self._surroundings_of))
-        self.pen = style(PenLayer(plot, LIGHT))
+        self.points = PointLayer(plot)
+        self.corners = CornerLayer(plot)
+        self.marks = MarksLayer(plot, self._surroundings_of)
+        self.pen = PenLayer(plot)
         self._motion: MotionLayer | None = None
 
     # Curves
@@ -157,7 +155,7 @@ class CanvasScene:
         if self._motion is None:
             # Made when something runs: nobody waits for it at the start.
 
-            self._motion = self._plot.layers.style(canvas.motion_layer.MotionLayer(self._plot, LIGHT))
+            self._motion = canvas.motion_layer.MotionLayer(self._plot)
         had_dots = bool(self.dots)
         self._motion.render(dots, lines)
         if bool(dots) != had_dots:
@@ -174,7 +172,7 @@ class CanvasScene:
     def show_marks(self, marks: GestureMarks) -> None:
         """Show what a gesture, or the pen before a press, has over the drawing."""
         self.marks.render(marks)
-        self.pen.render(marks.ahead, marks.spot)
+        self.pen.render(marks.preview_curve, marks.spot)
 
     def hit(self, pointer: Pointer, tool: Tool) -> Hit | None:
         """Return what of the drawing a tool hits at the pointer."""

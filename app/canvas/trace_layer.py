@@ -9,10 +9,10 @@ import numpy as np
 from PySide6.QtGui import QPainter
 
 from app.plotting.drawing import Floats, Segments, Stroke
+from app.plotting.layers import Layer
 from app.plotting.pens import line_in_pixels, pen_of
 from app.plotting.pixel_map import PixelMap
 from app.plotting.plot_widget import PlotWidget
-from app.theme import Theme
 from app.view_model.looks import Look
 
 _FADED = 0.3
@@ -26,17 +26,17 @@ class Trace(msgspec.Struct, frozen=True, eq=False):
     label: str
 
 
-class TraceLayer:
+class TraceLayer(Layer):
     """Draws groups of traces."""
 
-    def __init__(self, plot: PlotWidget, theme: Theme) -> None:
-        self.theme = theme
-        self.scale = 1.0
+    z = 0.5
+
+    def __init__(self, plot: PlotWidget) -> None:
+        super().__init__(plot)
         self.groups: dict[str, tuple[Sequence[Trace], bool]] = {}
         self._lines: list[tuple[Look, bool, Stroke | Segments]] = []
         self._drawn_at: tuple[PixelMap, float] | None = None
-        self._layer = plot.layers.add(self.paint, z=0.5)
-        self._layer.set_visible(False)
+        self.set_visible(False)
 
     def render(self, group: str, traces: Sequence[Trace], *, faded: bool) -> None:
         """Draw the traces of a group from the next paint on; none take the group away."""
@@ -46,8 +46,8 @@ class TraceLayer:
         if traces:
             self.groups[group] = (traces, faded)
         self._drawn_at = None
-        self._layer.set_visible(bool(self.groups))
-        self._layer.update()
+        self.set_visible(bool(self.groups))
+        self.update()
 
     def paint(self, painter: QPainter, shown: PixelMap) -> None:
         """Draw the traces of every group, the last one on top.

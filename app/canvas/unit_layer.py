@@ -5,21 +5,23 @@ from __future__ import annotations
 from PySide6.QtCore import QRectF, Qt
 from PySide6.QtGui import QFont, QPainter
 
+from app.plotting.layers import Layer
 from app.plotting.pixel_map import PixelMap
 from app.plotting.plot_widget import PlotWidget
-from app.theme import Theme
 
 
-class UnitLayer:
+class UnitLayer(Layer):
     """Writes the unit at the right end of the x axis and the upper end of the y axis."""
 
-    def __init__(self, plot: PlotWidget, theme: Theme) -> None:
-        self.theme = theme
+    z = -5.0
+    is_still = True
+
+    def __init__(self, plot: PlotWidget) -> None:
+        super().__init__(plot)
         self._unit = ""
         self._font = QFont(plot.font())
         self._font.setPointSizeF(max(self._font.pointSizeF() - 1.5, 7.0))
-        self._layer = plot.layers.add(self.paint, z=-5, is_still=True)
-        self._layer.set_visible(False)
+        self.set_visible(False)
 
     @property
     def unit(self) -> str:
@@ -29,8 +31,8 @@ class UnitLayer:
     @unit.setter
     def unit(self, unit: str) -> None:
         self._unit = unit
-        self._layer.set_visible(bool(unit))
-        self._layer.update()
+        self.set_visible(bool(unit))
+        self.update()
 
     def paint(self, painter: QPainter, shown: PixelMap) -> None:
         """Write the name twice."""

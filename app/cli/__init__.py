@@ -1,6 +1,7 @@
 """The command line: the editor, and commands that need no window.
 
 - ``command_line``: what was typed, and which command it is.  ``refusals``: what cannot be done, in one line.
+  ``documents``: those that it names.
 - ``families``: those of files that were named.  ``commands``: render, convert, info and lesson; ``options``:
   what they take.
 - ``start``: the editor's start.  ``windows``: its first windows.  ``application``: Qt's application.

@@ -8,11 +8,10 @@ import os
 import sys
 from collections.abc import Sequence
 
-from app import __version__, cli
+from app import __version__, cli, storage
 from app.cli.refusals import RefusalError, one_line, reason_of, say
 from app.diagnostics.log import log_options, logged
 from app.exchange import READER_PROCESS
-from app.storage.files import StorageError
 
 _INTERRUPTED = 130
 """What a shell expects of a program that Ctrl+C ended."""
@@ -57,11 +56,13 @@ def main(arguments: Sequence[str] | None = None) -> int:
         return _leave_closed_pipe()
     except KeyboardInterrupt:
         return _INTERRUPTED
-    except (RefusalError, StorageError) as problem:
+    except RefusalError as problem:
         message = str(problem)
     except OSError as problem:
         # Whatever it is: which command failed, on which files, and what the system says of it.
-        message = f"{' '.join(['curvebench', *words])} failed: {reason_of(problem)}."
+        is_sentence = isinstance(problem, storage.files.StorageError)
+        failed = f"{' '.join(['curvebench', *words])} failed: {reason_of(problem)}."
+        message = str(problem) if is_sentence else failed
     else:
         return code
     print(f"curvebench: {one_line(message)}", file=sys.stderr)
@@ -100,7 +101,8 @@ def _run(words: list[str]) -> int:
         return 0
     if words and words[0] in _COMMANDS:
         return cli.commands.run_command(words)
-    return cli.start.edit(_editor_parser().parse_args(words).files)
+    files = _editor_parser().parse_args(words).files
+    return cli.start.edit(files)
 
 
 def _editor_parser() -> argparse.ArgumentParser:

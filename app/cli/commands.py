@@ -18,6 +18,7 @@ from msgspec.structs import replace
 
 from app import cli
 from app.cli.command_line import common_options
+from app.cli.documents import load_document
 from app.cli.options import (
     STYLES,
     add_convert_options,
@@ -28,7 +29,7 @@ from app.cli.options import (
     picture_options,
     positive_number,
 )
-from app.cli.refusals import RefusalError, load_document, one_line, say
+from app.cli.refusals import RefusalError, one_line, say
 from app.exchange.drawing.animation import FILMS
 from app.exchange.errors import ExchangeError
 from app.exchange.formats import FORMATS, can_import, endings_of

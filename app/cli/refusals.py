@@ -4,10 +4,6 @@ from __future__ import annotations
 
 import os
 
-from app.document.model import Document
-from app.storage.files import load
-from app.storage.format import FormatError
-
 
 class RefusalError(Exception):
     """What was asked cannot be done; the text says why."""
@@ -37,14 +33,6 @@ def reason_of(problem: OSError) -> str:
 
 def _has_name(problem: OSError) -> bool:
     return isinstance(problem.filename, str | bytes | os.PathLike) and bool(problem.filename)
-
-
-def load_document(path: str) -> Document:
-    """Return the document at `path`, or refuse it with its name."""
-    try:
-        return load(path)
-    except FormatError as problem:
-        raise RefusalError(f"“{path}” cannot be read: {problem}") from None
 
 
 def one_line(text: str) -> str:

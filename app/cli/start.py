@@ -11,7 +11,8 @@ from typing import TYPE_CHECKING
 
 from app import cli
 from app.cli.display import has_display, missing_library
-from app.cli.refusals import RefusalError, load_document
+from app.cli.documents import load_document
+from app.cli.refusals import RefusalError
 from app.commands.given import given
 from app.families import FAMILIES
 from app.storage.files import StorageError

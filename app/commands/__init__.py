@@ -15,7 +15,7 @@
 - ``hodograph_commands``, ``joint_commands``: hodograph and joint certificate.
 - ``motion_commands``, ``motion_stage``, ``motion_export``: a dot that runs along the curve; films of it.
 - ``lesson_commands``: lessons, their documents and goals.
-- ``snap_commands``: snapping, the grid's spacing and the unit.  ``image_commands``: the picture to trace.
+- ``snap_commands``: snapping, the grid's spacing and the unit.
 - ``view_commands``, ``dock_room``: tools, zoom, panels, presentation, theme; room for a dock.
 - ``focus_commands``: the keyboard's way from panel to panel.
 - ``rail_commands``: the menu of the t-rail.
@@ -23,3 +23,7 @@
 - ``messages``, ``fresh_hints``: the line on the canvas; the hint in the status line.
 - ``given``, ``drops``: files by what is done with them; those dragged over the window.
 """
+
+import lazy_loader as lazy
+
+__getattr__, __dir__, __all__ = lazy.attach_stub(__name__, __file__)

@@ -8,8 +8,8 @@ from app.actions.sections import CURVE_COLOUR, CURVE_NUMBER, CURVE_PROPERTIES, E
 from app.actions.situation import Situation
 from app.colours import CURVE_COLOURS
 from app.commands.context import WindowContext
-from app.controllers.curve_list import CurveListController
 from app.document.several_curves import active_after_removal, add_copies, named, remove_curves
+from app.features.curve_list.controller import CurveListController
 
 
 class ChosenCommands:

@@ -20,8 +20,8 @@ from app.document.edits import EditError
 from app.document.model import Curve, Document, Node
 from app.document.words import count_of
 from app.exchange.table.clipboard import Block, TableTextError, read_titled_block, write_block
+from app.features.point_table.columns import known_titles
 from app.panels.number_text import decimal_mark, exact_text
-from app.panels.point_columns import known_titles
 from app.storage.format import FormatError, decode, encode
 from app.view_model.pasting import (
     appended,

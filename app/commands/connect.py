@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Sequence
 from typing import TypeVar
 
 from PySide6.QtWidgets import QWidget
@@ -21,7 +21,6 @@ from app.commands.focus_commands import FocusCommands
 from app.commands.fresh_hints import FreshHints
 from app.commands.help_commands import HelpCommands
 from app.commands.hodograph_commands import HodographCommands
-from app.commands.image_commands import ImageCommands
 from app.commands.joint_commands import JointCommands
 from app.commands.laboratory_commands import LaboratoryCommands
 from app.commands.lesson_commands import LessonCommands
@@ -38,8 +37,11 @@ from app.commands.tool_commands import ToolCommands
 from app.commands.view_commands import ViewCommands
 from app.commands.wiggle_commands import WiggleCommands
 from app.commands.work_commands import WorkCommands
+from app.docks import late_panels
+from app.document.edits import EditError
 from app.features.file_on_disk.commands import DiskCommands
 from app.features.recovery.commands import RecoveryCommands
+from app.features.reference_image.commands import ImageCommands
 from app.tasks.owner import TaskOwner, close_all
 from app.view_model.curve_view import CurveView
 
@@ -53,12 +55,12 @@ COMMAND_SETS: tuple[type, ...] = (
     WorkCommands,
     ExchangeCommands,
     CurveCommands,
+    JointCommands,
     OverlayCommands,
     PlotCommands,
-    HodographCommands,
-    JointCommands,
     LaboratoryCommands,
     WiggleCommands,
+    HodographCommands,
     TangentCommands,
     MotionCommands,
     LessonCommands,
@@ -71,7 +73,7 @@ COMMAND_SETS: tuple[type, ...] = (
     DiskCommands,
     ToolCommands,
 )
-"""What a window can do. Within a section of a menu, actions stand in the order of their sets here."""
+"""What a window can do. Actions in a section of a menu, and tabs, stand in the order of their sets here."""
 
 _Set = TypeVar("_Set")
 
@@ -104,13 +106,11 @@ class Commands:
         self.drops = Drops(context, self[ExchangeCommands].import_files, images.add)
         self._teaching = TeachingCommands(context, laboratory.open, wiggle.explain_widest)
         self.context_menus = ContextMenus(
-            context, curves, wiggle.explain_at, self[TangentCommands].straighten_at
+            context, curves, wiggle.explain_at, self[TangentCommands].straighten_at, self.attempt
         )
         self._had_scrub = False
         for each in self._sets.values():
             context.actions.bind(each, self._run)
-        for changed in (context.store.changed, context.session.history_changed, context.clipboard.changed):
-            changed.connect(context.actions.render)
 
     def __getitem__(self, kind: type[_Set]) -> _Set:
         commands = self._sets[kind]
@@ -121,7 +121,7 @@ class Commands:
         """Carry out an action; one that could change the document does not find a gesture's preview there."""
         if action.interrupts:
             self._context.cancel_gesture()
-        handler()
+        self.attempt(handler)
         # A switch that was clicked shows what is, also where nothing changed.
         self._context.actions.render()
 
@@ -131,26 +131,25 @@ class Commands:
             self._had_scrub = t is not None
             self._context.actions.render()
 
+    def attempt(self, handler: Callable[[], object]) -> None:
+        """Do something; where it is refused, say why."""
+        try:
+            handler()
+        except EditError as reason:
+            self._context.session.refuse(str(reason))
+
     def leave_panel(self) -> bool:
         """Take a gesture back, or go to the canvas from a panel; return whether there was either."""
         return self._context.cancel_gesture() or self[FocusCommands].back_to_canvas()
 
-    def _build_analysis(self) -> QWidget:
-        from app.panels.analysis_panel import AnalysisPanel  # noqa: PLC0415 - late, as all of them
-
-        return AnalysisPanel(self._context.analysis, self._context.actions.__getitem__)
-
     def build_dock(self, name: str) -> QWidget:
         """Return the content of a dock that is shown for the first time."""
-        builders: Mapping[str, Callable[[], QWidget]] = {
-            "analysisDock": self._build_analysis,
-            "hodographDock": self[HodographCommands].build,
-            "jointsDock": self[JointCommands].build,
-            "laboratoryDock": self[LaboratoryCommands].build_panel,
-            "lessonsDock": self[LessonCommands].build,
-            "wiggleDock": self[WiggleCommands].build_panel,
-        }
-        return builders[name]()
+        return next(
+            build(commands)
+            for kind, commands in self._sets.items()
+            for panel, build in late_panels(kind)
+            if panel.name == name
+        )
 
     def close(self) -> None:
         """Let what runs beside the window end; called before the window goes."""

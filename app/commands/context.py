@@ -10,7 +10,6 @@ from PySide6.QtWidgets import QMainWindow, QToolBar
 from app.actions.qactions import Actions
 from app.analysis import Analysis
 from app.central_area import CentralArea
-from app.clipboard_watch import ClipboardWatch
 from app.commands.file_work import FileWork
 from app.docks import Docks
 from app.file_commands import FileCommands
@@ -30,8 +29,8 @@ class WindowContext(msgspec.Struct, frozen=True):
         The document; the window's state; what is remembered between starts.
     analysis
         Overlays, plots and laboratory, which are a part of the window's state.
-    actions, clipboard
-        All actions of the window; what is on the clipboard, as far as they depend on it.
+    actions
+        All actions of the window.
     files, work
         Opening and saving; what is read and written beside the window.
     window, central, docks, toolbar, status_line
@@ -43,7 +42,6 @@ class WindowContext(msgspec.Struct, frozen=True):
     preferences: Preferences
     analysis: Analysis
     actions: Actions
-    clipboard: ClipboardWatch
     files: FileCommands
     work: FileWork
     window: QMainWindow

@@ -45,9 +45,10 @@ class ContextMenus:
         curves: CurveCommands,
         explain_at: Callable[[float], None],
         straighten_at: Callable[[float], None],
+        attempt: Callable[[Callable[[], object]], None],
     ) -> None:
         self._context, self._curves, self._explain_at = context, curves, explain_at
-        self._straighten_at = straighten_at
+        self._straighten_at, self._attempt = straighten_at, attempt
         context.central.canvas.menu_requested.connect(self._open_on_canvas)
         context.docks.curve_list.menu_requested.connect(lambda place: self._popup(self._menu(_LIST), place))
 
@@ -92,7 +93,7 @@ class ContextMenus:
             here.setStatusTip(known.statusTip())
             here.setToolTip(known.toolTip())
             here.setEnabled(known.isEnabled())
-            here.triggered.connect(lambda _checked=False, act=act: act(t))
+            here.triggered.connect(lambda _checked=False, act=act: self._attempt(lambda: act(t)))
             menu.insertAction(top, here)
         menu.insertSeparator(top)
         return menu

@@ -271,7 +271,7 @@ class CurveCommands:
     @action("renameCurve", "Rename…", CURVE_NAME, full_name="Rename Curve…")
     def _rename(self) -> None:
         """Give the curve another name."""
-        dock = next(each for each in self._context.docks.side if each.objectName() == "curvesDock")
+        dock = self._context.docks["curvesDock"]
         dock.show()
         dock.raise_()
         self._context.docks.curve_list.view.edit_name(self._session.active_index)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from app.panels.plot_panel import PlotPanel
+from app.view_model import analysis
 from app.view_model.looks import METHOD_LOOKS
 
 if TYPE_CHECKING:
@@ -28,12 +29,10 @@ class ErrorPlot:
         if trial is None:
             self._panel.hide_lines(TITLE)
             return
-        # Imported with the first trial: nobody waits for them at the start.
-        from app.view_model.analysis.laboratory import error_lines  # noqa: PLC0415
-        from app.view_model.analysis.plot_lines import PlotLine, Scale  # noqa: PLC0415
-
         lines = [
-            PlotLine(each.calculation.label, each.t, each.errors, METHOD_LOOKS[each.calculation])
-            for each in error_lines(trial)
+            analysis.plot_lines.PlotLine(
+                each.calculation.label, each.t, each.errors, METHOD_LOOKS[each.calculation]
+            )
+            for each in analysis.laboratory.error_lines(trial)
         ]
-        self._panel.show_lines(lines, Scale.LOG, TITLE)
+        self._panel.show_lines(lines, analysis.plot_lines.Scale.LOG, TITLE)

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 from PySide6.QtWidgets import QMessageBox
 
-from app import __version__
+from app import __version__, panels
 from app.actions.declaration import action
 from app.actions.sections import HELP_ALL, MENUS
 from app.commands.context import WindowContext
@@ -26,15 +26,15 @@ class HelpCommands:
     @action("showShortcuts", "Keys and Mouse", HELP_ALL, "F1", "help")
     def _show_shortcuts(self) -> None:
         """Show what keys and mouse do."""
-        from app.panels.shortcut_sheet import Moment, ShortcutSheet  # noqa: PLC0415 - not at the start
-
         context = self._context
         if self._sheet is None:
-            self._sheet = ShortcutSheet(context.window, over=context.window.centralWidget() or context.window)
+            self._sheet = panels.shortcut_sheet.ShortcutSheet(
+                context.window, over=context.window.centralWidget() or context.window
+            )
         if self._sheet.isVisible():
             self._sheet.put_away()
             return
-        moment = Moment(
+        moment = panels.shortcut_sheet.Moment(
             adding=context.store.state.uses(ADD),
             selected=len(context.session.selection),
             has_derivatives=context.session.active_curve.family.derivatives > 0,

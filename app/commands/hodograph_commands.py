@@ -5,14 +5,17 @@ from __future__ import annotations
 from functools import partial
 from typing import TYPE_CHECKING
 
-from PySide6.QtWidgets import QDockWidget, QWidget
+from PySide6.QtWidgets import QWidget
 
+from app import panels
 from app.actions.declaration import action
 from app.actions.sections import PLOTS_IN_PLANE
 from app.commands.context import WindowContext
+from app.docks import LatePanel
 from app.tasks.debounced_task import DebouncedTask
 from app.tools.rail import SCRUB_ALONG
 from app.tools.toolbox import Toolbox
+from app.view_model import analysis
 from app.view_model.curve_view import CurveView
 
 if TYPE_CHECKING:
@@ -30,19 +33,17 @@ class HodographCommands:
         self._task.ready.connect(self._show)
         context.session.scrub_changed.connect(self._show_scrub)
 
-    def build(self) -> QWidget:
+    @LatePanel("hodographDock", "Hodograph", on_demand=True)
+    def build_panel(self) -> QWidget:
         """Build the panel; called when its dock is first shown."""
-        from app.panels.hodograph_panel import HodographPanel  # noqa: PLC0415
-
-        self._panel = HodographPanel(Toolbox(self._context.session, SCRUB_ALONG))
+        self._panel = panels.hodograph_panel.HodographPanel(Toolbox(self._context.session, SCRUB_ALONG))
         self._panel.changed.connect(lambda: self.follow(self._context.session.active_view))
         return self._panel
 
     @action("plotHodograph", "Hodograph…", PLOTS_IN_PLANE, icon="hodograph", full_name="Plot Hodograph…")
     def _bring_up(self) -> None:
         """Draw the velocity c′ as a curve in the plane, with the origin."""
-        dock = self._context.window.findChild(QDockWidget, "hodographDock")
-        assert dock is not None
+        dock = self._context.docks["hodographDock"]
         dock.show()
         dock.raise_()
 
@@ -55,16 +56,12 @@ class HodographCommands:
         panel = self._shown
         if panel is None:
             return
-        # Imported when there is something to show, as the panel is.
-        from app.view_model.analysis.hodograph import hodograph_of  # noqa: PLC0415
-        from app.view_model.analysis.plot_samples import is_slow  # noqa: PLC0415
-
         if not view.is_current:
             self._task.give_up()
             panel.plot.say(view.problem)
             return
-        compute = partial(hodograph_of, view, panel.order)
-        if is_slow(view):
+        compute = partial(analysis.hodograph.hodograph_of, view, panel.order)
+        if analysis.plot_samples.is_slow(view):
             panel.plot.waits = True
             panel.plot.refresh()
             self._task.ask(lambda _report: compute())
@@ -83,7 +80,8 @@ class HodographCommands:
         panel, view = self._shown, self._context.session.active_view
         if panel is None:
             return
-        from app.view_model.analysis.hodograph import derivative_at  # noqa: PLC0415
 
         known = t is not None and view.is_current
-        panel.show_value(t, derivative_at(view, t, panel.order) if known and t is not None else None)
+        panel.show_value(
+            t, analysis.hodograph.derivative_at(view, t, panel.order) if known and t is not None else None
+        )

@@ -5,11 +5,14 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from PySide6.QtGui import QGuiApplication
-from PySide6.QtWidgets import QDockWidget, QWidget
+from PySide6.QtWidgets import QWidget
 
+from app import panels
 from app.actions.declaration import action
 from app.actions.sections import ANALYSIS_JOINTS
 from app.commands.context import WindowContext
+from app.docks import LatePanel
+from app.view_model import analysis
 from app.view_model.curve_view import CurveView
 
 if TYPE_CHECKING:
@@ -30,11 +33,10 @@ class JointCommands:
         self._panel: JointsPanel | None = None
         self._view: CurveView | None = None
 
-    def build(self) -> QWidget:
+    @LatePanel("jointsDock", "Joints")
+    def build_panel(self) -> QWidget:
         """Build the panel; called when its dock is first shown."""
-        from app.panels.joints_panel import JointsPanel  # noqa: PLC0415
-
-        self._panel = JointsPanel(self._context.actions["copyJoints"])
+        self._panel = panels.joints_panel.JointsPanel(self._context.actions["copyJoints"])
         self._panel.visited.connect(self._visit)
         self._panel.shown.connect(lambda: self.render(self._context.session.active_view))
         return self._panel
@@ -45,28 +47,22 @@ class JointCommands:
         if panel is None or not panel.isVisible():
             return
         if view is not self._view:
-            # Imported when there is something to show, as the panel is.
-            from app.view_model.analysis.joints import certificate_of  # noqa: PLC0415
-
             self._view = view
-            panel.render_certificate(certificate_of(view))
+            panel.render_certificate(analysis.joints.certificate_of(view))
         panel.set_selection(self._context.session.selection)
 
     @action("showJoints", "Joint Certificate", ANALYSIS_JOINTS, icon="joints")
     def _bring_up(self) -> None:
         """Measure how smooth the curve is at each joint."""
-        dock = self._context.window.findChild(QDockWidget, "jointsDock")
-        assert dock is not None
+        dock = self._context.docks["jointsDock"]
         dock.show()
         dock.raise_()
 
     @action("copyJoints", "Copy Joint Certificate", ANALYSIS_JOINTS, icon="copy")
     def _copy(self) -> None:
         """Copy what was measured at the joints as a table of text."""
-        from app.view_model.analysis.joints import as_text, certificate_of  # noqa: PLC0415
-
-        certificate = certificate_of(self._context.session.active_view)
-        QGuiApplication.clipboard().setText(as_text(certificate))
+        certificate = analysis.joints.certificate_of(self._context.session.active_view)
+        QGuiApplication.clipboard().setText(analysis.joints.as_text(certificate))
         self._context.session.say(f"Copied: {certificate.summary}")
 
     def _visit(self, row: JointRow) -> None:

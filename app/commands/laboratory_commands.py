@@ -8,16 +8,19 @@ from msgspec.structs import replace
 from PySide6.QtCore import QEvent, QObject
 from PySide6.QtWidgets import QDockWidget, QWidget
 
+from app import panels
 from app.actions.declaration import action
 from app.actions.sections import ANALYSIS_EXPLAIN, PLOTS_OVER_T
 from app.canvas.trace_layer import Trace
 from app.commands.context import WindowContext
 from app.commands.dock_room import make_room_once
 from app.commands.error_plot import ErrorPlot
+from app.docks import LatePanel
 from app.document.words import number
 from app.overrides import Guarded
 from app.tasks.debounced_task import DebouncedTask
 from app.tasks.progress import Report
+from app.view_model import analysis
 from app.view_model.analysis.laboratory_settings import LaboratorySettings, Rounding
 from app.view_model.curve_view import CurveView
 from app.view_model.growth import growth_of_data
@@ -52,7 +55,7 @@ class LaboratoryCommands(Guarded, QObject):
         self._task, self._digits_task, self._cost_task = (
             DebouncedTask(self), DebouncedTask(self, settle_ms=0), DebouncedTask(self)
         )  # fmt: skip
-        self._dock = next(each for each in context.docks.side if each.objectName() == "laboratoryDock")
+        self._dock = context.docks["laboratoryDock"]
         self._dock.installEventFilter(self)
         self._error_plot = ErrorPlot(context.central.plot_panel)
         self._connect()
@@ -70,12 +73,12 @@ class LaboratoryCommands(Guarded, QObject):
         self._cost_task.ready.connect(self._take_cost)
         self._cost_task.busy_changed.connect(lambda _busy: self._show_cost())
 
+    @LatePanel("laboratoryDock", "Lab", on_demand=True)
     def build_panel(self) -> QWidget:
         """Return the content of the dock; called when it is first looked at."""
-        # Imported when it is wanted: nobody waits for it at the start.
-        from app.panels.laboratory_panel import LaboratoryPanel  # noqa: PLC0415
-
-        self._panel = LaboratoryPanel(self._analysis, self._context.actions["plotErrors"])
+        self._panel = panels.laboratory_panel.LaboratoryPanel(
+            self._analysis, self._context.actions["plotErrors"]
+        )
         self._panel.cost_shown.connect(lambda: self._ask_cost(self._session.active_view))
         self._panel.render_view(self._session.active_view)
         return self._panel
@@ -172,10 +175,9 @@ class LaboratoryCommands(Guarded, QObject):
         self._plot_errors()
 
     def _take(self, result: object) -> None:
-        from app.view_model.analysis.laboratory import Refused, Trial  # noqa: PLC0415 — loaded by the worker
 
-        self._trial = result if isinstance(result, Trial) else None
-        self._problem = result.reason if isinstance(result, Refused) else ""
+        self._trial = result if isinstance(result, analysis.laboratory.Trial) else None
+        self._problem = result.reason if isinstance(result, analysis.laboratory.Refused) else ""
         self._show()
         self._plot_errors()
         self._ask_digits()
@@ -210,7 +212,7 @@ class LaboratoryCommands(Guarded, QObject):
 
     def _show(self) -> None:
         busy, trial = self._task.is_busy, self._trial
-        basis = self._context.central.basis_panel.basis
+        basis = self._context.central.basis_panel.drawing.basis
         if self._panel is not None:
             lebesgue = growth_of_data(self._session.active_view, basis) if basis is not None else None
             self._panel.render_trial(trial, lebesgue, busy=busy, problem=self._problem)
@@ -250,18 +252,15 @@ def _size(view: CurveView) -> tuple[int, int]:
 
 
 def _compute(view: CurveView, settings: LaboratorySettings, report: Report) -> object:
-    from app.view_model.analysis.laboratory import try_methods  # noqa: PLC0415
 
-    return try_methods(view, settings, report)
+    return analysis.laboratory.try_methods(view, settings, report)
 
 
 def _digits(view: CurveView, settings: LaboratorySettings, t: float) -> Digits | None:
-    from app.view_model.analysis.laboratory import digits_at  # noqa: PLC0415
 
-    return digits_at(view, settings, t)
+    return analysis.laboratory.digits_at(view, settings, t)
 
 
 def _measure(view: CurveView, report: Report) -> Cost | None:
-    from app.view_model.analysis.cost import cost_of  # noqa: PLC0415
 
-    return cost_of(view, report)
+    return analysis.cost.cost_of(view, report)

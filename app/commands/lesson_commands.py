@@ -9,11 +9,15 @@ from typing import TYPE_CHECKING
 
 from msgspec.structs import replace
 
+import app
+from app import panels, view_model
 from app.actions.declaration import action
 from app.actions.sections import HELP_ALL
 from app.commands.context import WindowContext
+from app.docks import LatePanel
 from app.session import Beginning
 from app.storage.files import load
+from app.view_model.analysis.laboratory_settings import Calculation
 from app.view_model.curve_view import CurveView
 
 if TYPE_CHECKING:
@@ -62,10 +66,9 @@ class LessonCommands:
         goal = self._lesson.steps[visit.step].goal
         if goal is None or self._given is None:
             return
-        from app.view_model.goals import standing_of  # noqa: PLC0415
 
         given = next(curve for curve in self._given.curves if curve.name == goal.curve)
-        standing = standing_of(goal, view, given)
+        standing = view_model.goals.standing_of(goal, view, given)
         if standing.is_met:
             visit.reached.add(visit.step)
         self._panel.show_standing(standing, reached=visit.step in visit.reached)
@@ -82,11 +85,10 @@ class LessonCommands:
         dock.fill()
         self._begin([lesson.name for lesson in self._lessons].index(name))
 
-    def build(self) -> QWidget:
+    @LatePanel("lessonsDock", "Lessons", on_demand=True, at_left=True)
+    def build_panel(self) -> QWidget:
         """Return the panel; called when the dock is first shown."""
-        from app.panels.lesson_panel import LessonPanel  # noqa: PLC0415
-
-        panel = self._panel = LessonPanel(self._lessons)
+        panel = self._panel = panels.lesson_panel.LessonPanel(self._lessons)
         panel.lesson_chosen.connect(self._begin)
         panel.again_wanted.connect(self._begin_again)
         panel.step_chosen.connect(self._go)
@@ -97,9 +99,8 @@ class LessonCommands:
 
     @cached_property
     def _lessons(self) -> list[Lesson]:
-        from app.lessons import lesson_names, load_lesson  # noqa: PLC0415
 
-        return [load_lesson(name) for name in lesson_names()]
+        return [app.lessons.load_lesson(name) for name in app.lessons.lesson_names()]
 
     @action("toggleLessons", "Lessons", HELP_ALL, "F4", "lessons", checked=lambda now: now.state.lessons)
     def _toggle(self) -> None:
@@ -189,8 +190,6 @@ class LessonCommands:
                 self._switched_on.append(name)
 
     def _set_up_analysis(self, settings: Mapping[str, object]) -> None:
-        from app.view_model.analysis.laboratory_settings import Calculation  # noqa: PLC0415
-
         analysis = self._context.analysis
         errors = {_ERRORS[name]: value for name, value in settings.items() if name in _ERRORS}
         experiment = {name: value for name, value in settings.items() if name not in _ERRORS}

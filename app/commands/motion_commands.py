@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, NamedTuple
 
+from app import commands
 from app.actions.declaration import Action, action, action_for_each
 from app.actions.needs import CURVE_THROUGH_TWO, Need
 from app.actions.sections import MOTION_MORE, MOTION_PACE, MOTION_REPEAT, MOTION_RUN
@@ -75,13 +76,10 @@ class MotionCommands:
             self._stage.settle(view)
 
     @property
-    def stage(self) -> MotionStage:
+    def stage(self) -> commands.motion_stage.MotionStage:
         """What the motion needs in the window; made when it is first asked for."""
         if self._stage is None:
-            # Nobody waits at the start for what is perhaps never played.
-            from app.commands.motion_stage import MotionStage  # noqa: PLC0415
-
-            self._stage = MotionStage(self._context)
+            self._stage = commands.motion_stage.MotionStage(self._context)
             self._stage.settle(self._context.session.active_view)
         return self._stage
 

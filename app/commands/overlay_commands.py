@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, NamedTuple
 
+from PySide6.QtWidgets import QWidget
+
 from app.actions.declaration import Action, action, action_for_each
 from app.actions.sections import (
     GHOSTS_FAMILY,
@@ -14,9 +16,11 @@ from app.actions.sections import (
     Section,
 )
 from app.commands.context import WindowContext
+from app.docks import LatePanel
 from app.keymap import action_name
 from app.tasks.debounced_task import DebouncedTask
 from app.tasks.progress import Report
+from app.view_model import analysis
 from app.view_model.analysis.settings import AnalysisSettings, Ghost, Overlay, all_ghosts
 from app.view_model.curve_view import CurveView
 
@@ -107,6 +111,14 @@ class OverlayCommands:
         )
         context.session.scrub_changed.connect(self._follow_scrub)
 
+    @LatePanel("analysisDock", "Analysis")
+    def build_panel(self) -> QWidget:
+        """Return the panel; called when its dock is first shown."""
+        # Imported when it is wanted: nobody waits for it at the start.
+        from app.panels.analysis_panel import AnalysisPanel  # noqa: PLC0415
+
+        return AnalysisPanel(self._context.analysis, self._context.actions.__getitem__)
+
     # What is shown
 
     def follow(self, view: CurveView) -> None:
@@ -115,20 +127,18 @@ class OverlayCommands:
         if settings.is_empty:
             self._clear()
             return
-        # Imported when there is something to show: nobody waits for it at the start.
-        from app.view_model.analysis.legend import legend_rows  # noqa: PLC0415
-        from app.view_model.analysis.overlays import live_picture, settles  # noqa: PLC0415
-
-        waits = settles(view, settings)
+        waits = analysis.overlays.settles(view, settings)
         self._settle(view, settings, waits)
-        live = live_picture(view, settings, self._context.session.scrub)
+        live = analysis.overlays.live_picture(view, settings, self._context.session.scrub)
         self._ghosts = self._ghosts_of(view, settings)
         settled = self._settled
         figures = [*settled.figures, *live.figures] if settled is not None else live.figures
         ghosts = list(self._ghosts.values())
         busy = waits if settled is None else frozenset()
         self._context.central.canvas.drawing.annotations.render_figures(figures, ghosts)
-        rows = legend_rows(view, settings, ghosts, figures if settled is not None else (), busy)
+        rows = analysis.legend.legend_rows(
+            view, settings, ghosts, figures if settled is not None else (), busy
+        )
         self._context.central.canvas.drawing.annotations.render_legend(_GROUP, rows)
         notes = {**live.notes, **(settled.notes if settled is not None else {})}
         self._context.analysis.note({**notes, **dict.fromkeys(busy, "…")}, view.problem)
@@ -137,10 +147,9 @@ class OverlayCommands:
     def _ghosts_of(self, view: CurveView, settings: AnalysisSettings) -> dict[Ghost, GhostView]:
         if not (settings.ghosts and view.is_current):
             return {}
-        from app.view_model.analysis.ghosts import ghost_views  # noqa: PLC0415 - as above
 
         in_drag = self._context.session.is_previewing
-        return ghost_views(view, settings.ghosts, self._ghosts, in_drag=in_drag)
+        return analysis.ghosts.ghost_views(view, settings.ghosts, self._ghosts, in_drag=in_drag)
 
     def _clear(self) -> None:
         if not self._is_drawn:
@@ -158,16 +167,15 @@ class OverlayCommands:
             self._asked, self._settled = None, None
             self._task.give_up()
             return
-        from app.view_model.analysis.overlays import settled_picture, settling_key  # noqa: PLC0415
 
         scrub = self._context.session.scrub
-        asked = (view, settling_key(view, settings, scrub))
+        asked = (view, analysis.overlays.settling_key(view, settings, scrub))
         if asked == self._asked:
             return
         self._asked, self._settled = asked, None
 
         def compute(report: Report) -> object:
-            return asked, settled_picture(view, settings, scrub, report)
+            return asked, analysis.overlays.settled_picture(view, settings, scrub, report)
 
         self._task.ask(compute)
 
@@ -182,13 +190,10 @@ class OverlayCommands:
             self.follow(self._context.session.active_view)
 
     def _render_settings(self) -> None:
-        analysis, session = self._context.analysis, self._context.session
-        shown = analysis.settings.overlays
-        if shown & _WITH_ERRORS and analysis.settings.point_error is None:
-            from app.view_model.analysis.scene import usual_error  # noqa: PLC0415
-
+        settings, session = self._context.analysis.settings, self._context.session
+        if settings.overlays & _WITH_ERRORS and settings.point_error is None:
             # Once: an error that followed the size would change during a drag.
-            analysis.change(point_error=usual_error(session.active_view))
+            self._context.analysis.change(point_error=analysis.scene.usual_error(session.active_view))
             return
         self.follow(session.active_view)
 
@@ -242,9 +247,9 @@ class OverlayCommands:
 
     def _make_real(self, ghost: Ghost) -> None:
         """Give the curve the rules of a ghost."""
-        from app.view_model.analysis.ghosts import with_ghost_real  # noqa: PLC0415 - as above
-
         session = self._context.session
         is_family = ghost.family is not None
         text = f"Switch to {ghost.title}" if is_family else f"Use {ghost.title.lower()} parameters"
-        session.change(text, lambda document: with_ghost_real(document, session.active_index, ghost))
+        session.change(
+            text, lambda document: analysis.ghosts.with_ghost_real(document, session.active_index, ghost)
+        )

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 from PySide6.QtCore import QTimer
 
+from app import panels
 from app.actions.declaration import Action, action_for_each
 from app.actions.sections import PLOTS_OVER_T
 from app.commands.context import WindowContext
@@ -15,12 +16,12 @@ from app.keymap import action_name
 from app.tasks.debounced_task import DebouncedTask
 from app.tools.rail import SCRUB
 from app.tools.toolbox import Toolbox
+from app.view_model import analysis
 from app.view_model.analysis.settings import Plot
 from app.view_model.curve_view import CurveView
 from app.view_model.growth import growth_of_points
 
 if TYPE_CHECKING:
-    from app.panels.plot_pane import PlotPane
     from app.view_model.analysis.plot_lines import PlotData
 
 
@@ -135,20 +136,17 @@ class PlotCommands:
         else:
             self._arrange()
 
-    def _build(self) -> PlotPane:
-        # Imported when there is something to plot: nobody waits for it at the start.
-        from app.panels.plot_canvas import PlotCanvas  # noqa: PLC0415
-        from app.panels.plot_pane import PlotPane  # noqa: PLC0415
-        from app.view_model.analysis.plots import SYMBOLS  # noqa: PLC0415
-
+    def _build(self) -> panels.plot_pane.PlotPane:
         context = self._context
-        canvas = PlotCanvas(Toolbox(context.session, SCRUB))
+        canvas = panels.plot_canvas.PlotCanvas(Toolbox(context.session, SCRUB))
         canvas.camera.range_asked.connect(context.central.basis_panel.camera.show_t)
         canvas.scrub_nudged.connect(self._nudge_scrub)
         canvas.hint_changed.connect(context.status_line.show_hint)
         canvas.pointed_at.connect(context.status_line.show_t)
-        choices = [(SYMBOLS[plot], context.actions[action_name("plot", plot)]) for plot in Plot]
-        pane = PlotPane(canvas, choices)
+        choices = [
+            (analysis.plots.SYMBOLS[plot], context.actions[action_name("plot", plot)]) for plot in Plot
+        ]
+        pane = panels.plot_pane.PlotPane(canvas, choices)
         pane.close_asked.connect(lambda: context.analysis.change(plots=frozenset()))
         return pane
 
@@ -166,10 +164,6 @@ class PlotCommands:
     # What they show
 
     def _plot(self, view: CurveView, *, calm: bool) -> None:
-        # As above.
-        from app.view_model.analysis.plot_samples import is_slow  # noqa: PLC0415
-        from app.view_model.analysis.plots import orders_of, plots_of  # noqa: PLC0415
-
         pane, kinds = self._context.central.plot_panel.pane, self._context.analysis.settings.plots
         assert pane is not None
         self._plotted, self._was_calm = view if view.is_current else None, calm
@@ -177,10 +171,12 @@ class PlotCommands:
             self._task.give_up()
             pane.canvas.say(view.problem)
             return
-        basis = self._context.central.basis_panel.basis
+        basis = self._context.central.basis_panel.drawing.basis
         constant = growth_of_points(view, basis)
-        compute = partial(plots_of, view, kinds, pane.canvas.camera.t_range, pane.canvas.columns, constant)
-        if orders_of(kinds) and is_slow(view):
+        compute = partial(
+            analysis.plots.plots_of, view, kinds, pane.canvas.camera.t_range, pane.canvas.columns, constant
+        )
+        if analysis.plots.orders_of(kinds) and analysis.plot_samples.is_slow(view):
             pane.canvas.set_waiting()
             self._task.ask(lambda _report: compute())
             return
@@ -231,14 +227,15 @@ class PlotCommands:
         session.set_scrub(min(max(t, start), end))
 
     def _show_values(self) -> None:
-        from app.view_model.analysis.plots import SYMBOLS, values_at  # noqa: PLC0415
 
         panel, t = self._context.central.plot_panel, self._context.session.scrub
         assert panel.pane is not None
         values: dict[str, float] = {}
         if t is not None:
-            known = values_at(self._context.session.active_view, self._context.analysis.settings.plots, t)
-            values |= {SYMBOLS[plot]: value for plot, value in known.items()}
+            known = analysis.plots.values_at(
+                self._context.session.active_view, self._context.analysis.settings.plots, t
+            )
+            values |= {analysis.plots.SYMBOLS[plot]: value for plot, value in known.items()}
             for plot in panel.added:
                 for line in plot.lines:
                     values[line.name or plot.symbol] = line.value_at(t)

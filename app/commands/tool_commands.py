@@ -8,13 +8,14 @@ from typing import TYPE_CHECKING
 from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QMenu
 
+from app import panels
 from app.actions.declaration import action
 from app.actions.sections import EDIT_PROGRAM
 from app.commands.context import WindowContext
 from app.mnemonics import plain
 
 if TYPE_CHECKING:
-    from app.panels.command_palette import Command, CommandPalette
+    from app.panels.command_palette import CommandPalette
     from app.panels.preferences_dialog import PreferencesDialog
 
 
@@ -35,19 +36,16 @@ class ToolCommands:
     def _toggle_palette(self) -> None:
         """Find anything that can be done, by a few letters of its name."""
         if self._palette is None:
-            # Nobody waits for it at the start.
-            from app.panels.command_palette import CommandPalette  # noqa: PLC0415
-
-            self._palette = CommandPalette(self._context.central.canvas, self._commands)
+            self._palette = panels.command_palette.CommandPalette(
+                self._context.central.canvas, self._commands
+            )
         if self._palette.isVisible():
             self._palette.close_and_return()
         else:
             self._palette.open()
 
-    def _commands(self) -> list[Command]:
+    def _commands(self) -> list[panels.command_palette.Command]:
         """Return everything with a name: what the menus hold, then what only other places offer."""
-        from app.panels.command_palette import Command  # noqa: PLC0415 - as the palette itself
-
         window, found = self._context.window, dict[QAction, str]()
         for entry in window.menuBar().actions():
             menu = _menu_of(entry)
@@ -57,7 +55,11 @@ class ToolCommands:
             if each.objectName() and each.isVisible() and _menu_of(each) is None and _is_named(each):
                 found.setdefault(each, "")
         own = self._context.actions["commandPalette"]
-        return [Command(action, path) for action, path in found.items() if action is not own]
+        return [
+            panels.command_palette.Command(action, path)
+            for action, path in found.items()
+            if action is not own
+        ]
 
     # Preferences
 
@@ -71,13 +73,12 @@ class ToolCommands:
         """Theme, unit, grid, snapping and keys."""
         self._open_dialog().tabs.setCurrentIndex(0)
 
-    def _open_dialog(self) -> PreferencesDialog:
+    def _open_dialog(self) -> panels.preferences_dialog.PreferencesDialog:
         if self._dialog is None:
-            # Nobody waits for it at the start.
-            from app.panels.preferences_dialog import PreferencesDialog  # noqa: PLC0415
-
             context = self._context
-            self._dialog = PreferencesDialog(context.preferences, self._keymap, context.window)
+            self._dialog = panels.preferences_dialog.PreferencesDialog(
+                context.preferences, self._keymap, context.window
+            )
             self._dialog.theme_chosen.connect(lambda mode: context.store.change(theme_mode=mode))
             self._dialog.changed.connect(context.store.read_preferences)
         self._dialog.show_values()

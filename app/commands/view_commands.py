@@ -283,7 +283,7 @@ class ViewCommands:
         """Return what a lesson needs at hand while it is presented: the laboratory, if it is in front."""
         docks = self._context.docks
         is_wanted = docks.lessons.isVisible() and self._store.state.analysis.laboratory.on
-        return [dock for dock in docks.side if is_wanted and dock.objectName() == "laboratoryDock"]
+        return [docks["laboratoryDock"]] if is_wanted else []
 
     # Theme
 

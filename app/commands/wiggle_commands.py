@@ -7,16 +7,19 @@ from typing import TYPE_CHECKING
 from PySide6.QtCore import QObject
 from PySide6.QtWidgets import QWidget
 
+from app import panels
 from app.actions.declaration import action
 from app.actions.needs import CURVE_THROUGH_TWO
 from app.actions.sections import ANALYSIS_EXPLAIN
 from app.canvas.trace_layer import Trace
 from app.commands.context import WindowContext
 from app.commands.dock_room import make_room_once
+from app.docks import LatePanel
 from app.document.model import Document
 from app.tasks.debounced_task import DebouncedTask
 from app.tasks.progress import Report
 from app.tools.explain import EXPLAIN
+from app.view_model import analysis
 from app.view_model.curve_view import CurveView
 from app.view_model.looks import CURE_LOOK
 
@@ -41,7 +44,7 @@ class WiggleCommands(QObject):
         self._task = DebouncedTask(self)
         self._task.ready.connect(self._take)
         self._task.busy_changed.connect(lambda _busy: self._show_cures())
-        self._dock = next(each for each in context.docks.side if each.objectName() == "wiggleDock")
+        self._dock = context.docks["wiggleDock"]
         # Behind another tab a dock is visible to Qt, but not in the sense of this signal.
         self._is_seen = False
         self._dock.visibilityChanged.connect(self._look)
@@ -50,12 +53,10 @@ class WiggleCommands(QObject):
     def _follow_scrub(self) -> None:
         self.follow(self._session.active_view)
 
+    @LatePanel("wiggleDock", "Wiggle", on_demand=True)
     def build_panel(self) -> QWidget:
         """Return the content of the dock; called when it is first looked at."""
-        # Imported when it is wanted: nobody waits for it at the start.
-        from app.panels.wiggle_panel import WigglePanel  # noqa: PLC0415
-
-        self._panel = WigglePanel()
+        self._panel = panels.wiggle_panel.WigglePanel()
         self._panel.looked_at.connect(self._preview)
         self._panel.chosen.connect(self._apply)
         return self._panel
@@ -87,11 +88,10 @@ class WiggleCommands(QObject):
         self._open()
 
     def _explain_widest(self) -> None:
-        from app.view_model.analysis.wiggle import widest  # noqa: PLC0415 — late, as the panel
 
         view = self._session.active_view
         if view.is_current:
-            self._session.set_scrub(widest(view))
+            self._session.set_scrub(analysis.wiggle.widest(view))
 
     def explain_at(self, t: float) -> None:
         """Explain the curve at `t`."""
@@ -118,10 +118,9 @@ class WiggleCommands(QObject):
         panel = self._panel
         if panel is None or not self._is_seen:
             return
-        from app.view_model.analysis.wiggle import explain  # noqa: PLC0415 — late, as the panel
 
         t = self._session.scrub
-        explanation = explain(view, t) if t is not None else None
+        explanation = analysis.wiggle.explain(view, t) if t is not None else None
         panel.render_explanation(explanation, len(view.source.nodes), view.problem)
         if explanation is None:
             self._preview("")
@@ -168,15 +167,10 @@ class WiggleCommands(QObject):
 
     def _stay_in(self, knot: int) -> None:
         """Go on explaining the same segment, now that its parameters are other ones."""
-        from app.view_model.analysis.wiggle import overshoot  # noqa: PLC0415 — late, as the panel
-
         view = self._session.active_view
         if view.is_current and knot < len(view.parameters) - 1:
-            self._session.set_scrub(overshoot(view, knot)[1])
+            self._session.set_scrub(analysis.wiggle.overshoot(view, knot)[1])
 
 
 def _try(document: Document, curve: int, view: CurveView, knot: int, report: Report) -> Cures | None:
-    # Imported in the thread, where nobody waits for it.
-    from app.view_model.analysis.cures import cures_of  # noqa: PLC0415
-
-    return cures_of(document, curve, view, knot, report)
+    return analysis.cures.cures_of(document, curve, view, knot, report)

@@ -1,9 +1,8 @@
 """Controllers: by them what the person did in a panel becomes a change of the document.
 
 A panel holds no session: it shows a value and emits what the person meant. Its controller connects that to
-`Session.change`, and tells the panel why something was refused.
+`Session.change`, and tells the panel why something was refused. Those of a feature are in its package.
 
-- ``point_table``, ``curve_settings``, ``curve_list``, ``image``, ``parametrization``, ``rail``: by the panel.
-- ``history``: how the list of steps begins.
+- ``parametrization``, ``rail``: the rule for the t_i, and a t typed at its tick.
 - ``slider_gesture``: a slider that changes the document live.
 """

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import re
+from inspect import isabstract
+from types import ModuleType
 from typing import Any, Self, final
 
 import numpy.typing as npt
@@ -168,3 +170,11 @@ class Family:
 
     def __deepcopy__(self, memo: dict[int, Any]) -> Self:
         return self
+
+
+def families_of_module(module: ModuleType) -> list[type[Curve]]:
+    """Return the curve classes that a module defines and gives a name: those of families."""
+    own = (value for value in vars(module).values() if getattr(value, "__module__", "") == module.__name__)
+    classes = (value for value in own if isinstance(value, type) and issubclass(value, Curve))
+    # A property, as of chains, is no name of a family.
+    return [each for each in classes if isinstance(vars(each).get("name"), str) and not isabstract(each)]

@@ -28,7 +28,7 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from app.families.family import Family
+from app.families.family import Family, families_of_module
 from app.families.registry import Families
 from curvecore import BasisCurve, Curve, CurveError, Scheme, chebyshev, uniform
 
@@ -77,7 +77,7 @@ def families_in(path: Path) -> list[Family]:
     """Return the families that the file at `path` defines, at least one."""
     module = _run(path)
     said = vars(module)
-    found = {each: each.basis for each in said.values() if _is_family(each, module)}
+    found = {each: each.basis for each in families_of_module(module)}
     if "basis" in said:
         found[_class_of(said, path)] = said["basis"]
     if not found:
@@ -106,12 +106,6 @@ def _run(path: Path) -> ModuleType:
     finally:
         del sys.modules[_MODULE]
     return module
-
-
-def _is_family(value: object, module: ModuleType) -> bool:
-    if not (isinstance(value, type) and issubclass(value, Curve) and value.__module__ == module.__name__):
-        return False
-    return "name" in vars(value) and not inspect.isabstract(value)
 
 
 def _class_of(said: dict[str, Any], path: Path) -> type[Curve]:

@@ -5,10 +5,13 @@ from __future__ import annotations
 import copyreg
 import sys
 from collections.abc import Iterable, Iterator, Sequence
+from importlib import import_module
 from pathlib import Path
+from pkgutil import iter_modules
 from typing import overload
 
-from app.families.family import Family
+import curvecore.families
+from app.families.family import Family, families_of_module
 from curvecore import HermiteCurve, LagrangeCurve, QuinticHermiteCurve
 
 GROUP = "curvebench.families"
@@ -16,7 +19,7 @@ GROUP = "curvebench.families"
 
 
 class Families(Sequence[Family]):
-    """The families of the program, then those of installed packages, then those of files.
+    """The families of the core, then those of installed packages, then those of files.
 
     Attributes
     ----------
@@ -95,10 +98,19 @@ def _any_package_brings_families() -> bool:
     )
 
 
+def _further() -> Iterator[Family]:
+    """Yield the families of the core that are not named below: each is a file of its own there."""
+    for file in iter_modules(curvecore.families.__path__):
+        for curve_class in families_of_module(import_module(f"curvecore.families.{file.name}")):
+            if Family.of(curve_class) not in _FIRST:
+                yield Family.of(curve_class)
+
+
 LAGRANGE = Family.of(LagrangeCurve)
 HERMITE = Family.of(HermiteCurve)
 QUINTIC_HERMITE = Family.of(QuinticHermiteCurve)
-FAMILIES = Families([LAGRANGE, HERMITE, QUINTIC_HERMITE])
+_FIRST = (LAGRANGE, HERMITE, QUINTIC_HERMITE)
+FAMILIES = Families([*_FIRST, *_further()])
 
 
 def family_named(name: str) -> Family:

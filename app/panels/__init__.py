@@ -2,7 +2,7 @@
 
 Beside the canvas:
 
-- ``basis_pane``: the basis functions over t with a header.  ``basis_plot``: what is shown of them.
+- ``basis_pane``: the basis functions over t with a header.  ``basis_scene``: its layers.
   ``basis_panel``: the gestures on it.  ``basis_hits``: what lies under the pointer.  ``tick_edit``: a t typed
   at its tick.  ``basis_layers``, ``function_lines``, ``crest_names``: functions, t-rail, scrub line, painted.
 - ``plot_panel``, ``plot_pane``, ``plot_canvas``, ``plot_layers``, ``value_scale``: plots over t.
@@ -10,11 +10,6 @@ Beside the canvas:
 
 In docks:
 
-- ``point_table`` with ``point_table_view``, ``point_table_model`` and ``point_table_delegate``: the numbers.
-  ``point_columns``: a record for each column.  ``point_table_edits``: filling, pasting and resetting.
-- ``curve_list``, ``curve_list_view``, ``curve_list_model``: the curves.
-  ``curve_settings``: interval and tangent rules.
-- ``history``: undo, as a list.  ``image_panel``: the picture to trace.
 - ``late_dock``: a dock whose content is built when it is first shown.
 - ``analysis_panel``: overlays and ghosts.  ``hodograph_panel``; ``joints_panel``, ``joints_model``.
 - ``laboratory_panel``, ``method_table``, ``digits_table``: few digits.  ``cost_panel``, ``log_plot``: costs.

@@ -15,11 +15,12 @@ from app.panels.crest_names import CrestNames
 from app.panels.function_lines import Drawing, FunctionLines, way_to_draw
 from app.plotting.colours import colours_of
 from app.plotting.fonts import Sizes
+from app.plotting.layers import Layer
 from app.plotting.pens import with_dashes
 from app.plotting.pixel_map import Floats, PixelMap
 from app.plotting.plot_widget import PlotWidget
 from app.plotting.stamps import Stamps
-from app.theme import Theme, mix
+from app.theme import mix
 from app.view_model.basis_view import BasisView
 from app.view_model.curve_view import Integers
 from app.view_model.looks import KIND_DASHES
@@ -46,28 +47,22 @@ _LEAST_TICK_GAP = 4.0
 _MOST_PENS = 1000
 
 
-class FunctionLayer:
+class FunctionLayer(Layer):
     """All basis functions, in one item."""
 
-    def __init__(self, plot: PlotWidget, theme: Theme) -> None:
-        self.theme = theme
-        self.scale = 1.0
+    def __init__(self, plot: PlotWidget) -> None:
+        super().__init__(plot)
         self._pens: dict[tuple[int, float, int], QPen] = {}
         self.kinds: frozenset[int] = frozenset((0, 1, 2))
         self.emphasised: frozenset[int] = frozenset()
         self._basis: BasisView | None = None
         self._lines: FunctionLines | None = None
-        self._names = CrestNames(plot, self.refresh)
-        self._layer = plot.layers.add(self.paint, z=0)
+        self._names = CrestNames(plot, self.update)
 
     def render(self, basis: BasisView | None) -> None:
         """Draw these functions from the next paint on."""
         self._basis = basis
-        self._layer.update()
-
-    def refresh(self) -> None:
-        """Draw again after one of the attributes was set."""
-        self._layer.update()
+        self.update()
 
     def paint(self, painter: QPainter, shown: PixelMap) -> None:
         """Draw the lines 0 and 1, the functions, and the emphasised ones on top."""
@@ -170,12 +165,13 @@ class FunctionLayer:
         return self._pens[key]
 
 
-class RailLayer:
+class RailLayer(Layer):
     """The t-rail: a tick for each t_i in the colour of its point; and the scrub line above it."""
 
-    def __init__(self, plot: PlotWidget, theme: Theme) -> None:
-        self.theme = theme
-        self.scale = 1.0
+    z = 10.0
+
+    def __init__(self, plot: PlotWidget) -> None:
+        super().__init__(plot)
         self.selection: frozenset[int] = frozenset()
         self.hovered = -1
         self.scrub: float | None = None
@@ -184,18 +180,13 @@ class RailLayer:
         self._owners: Sequence[int] = ()
         self._count = 0
         self._fonts = Sizes(plot.font())
-        self._layer = plot.layers.add(self.paint, z=10)
 
     def render(self, basis: BasisView | None) -> None:
         """Draw a tick at every knot from the next paint on."""
         self._parameters = basis.curve.parameters if basis is not None else np.empty(0)
         self._owners = basis.owners if basis is not None else ()
         self._count = basis.node_count if basis is not None else 0
-        self._layer.update()
-
-    def refresh(self) -> None:
-        """Draw again after one of the attributes was set."""
-        self._layer.update()
+        self.update()
 
     def paint(self, painter: QPainter, shown: PixelMap) -> None:
         """Draw rail, ticks and scrub line."""

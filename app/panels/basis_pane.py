@@ -62,7 +62,7 @@ class BasisPane(Guarded, QWidget):
         self._soon.timeout.connect(self._write_reach)
         self._lay_out()
         self.set_theme(LIGHT)
-        panel.extent_changed.connect(self._show_extent)
+        panel.drawing.extent_changed.connect(self._show_extent)
         self._write_reach()
 
     def offer_estimates(self, action: QAction) -> None:
@@ -72,7 +72,7 @@ class BasisPane(Guarded, QWidget):
     def set_with_estimates(self, shown: bool) -> None:
         """Show what each point does with the estimates that follow it, or the family's functions."""
         self._with_estimates = shown
-        self._panel.set_with_estimates(shown)
+        self._panel.drawing.set_with_estimates(shown)
 
     def _estimates_button(self) -> QToolButton:
         button = QToolButton()
@@ -136,8 +136,8 @@ class BasisPane(Guarded, QWidget):
 
     def render_view(self, view: CurveView) -> None:
         """Show the functions of `view`, and the legend that goes with its family."""
-        self._panel.render_view(view)
-        basis = self._panel.basis
+        self._panel.drawing.render_view(view)
+        basis = self._panel.drawing.basis
         has_estimates = view.source.family.derivatives > 0
         self._estimates.setVisible(has_estimates)
         shows_cardinals = self._with_estimates and has_estimates
@@ -190,8 +190,8 @@ class BasisPane(Guarded, QWidget):
         self._wants_all = False
         self._fit.setChecked(False)
         self._fit.setVisible(self._reach is not None)
-        self._panel.calm_values()
-        self._panel.fit_domain()
+        self._panel.drawing.calm_values()
+        self._panel.drawing.fit_domain()
 
     def fit_functions(self) -> None:
         """Show the whole interval and all functions: the usual range where it holds them."""
@@ -199,7 +199,7 @@ class BasisPane(Guarded, QWidget):
         self._wants_all = True
         if self._reach is not None:
             self._fit.setChecked(True)
-            self._panel.fit_values()
+            self._panel.drawing.fit_values()
 
     def fit_again(self) -> None:
         """Fit what was fitted last: the pane has its size only now."""
@@ -209,13 +209,15 @@ class BasisPane(Guarded, QWidget):
             self.fit()
 
     def _choose_kinds(self) -> None:
-        self._panel.set_kinds(frozenset(k for k, button in enumerate(self._kinds) if button.isChecked()))
+        self._panel.drawing.set_kinds(
+            frozenset(k for k, button in enumerate(self._kinds) if button.isChecked())
+        )
 
     def _fit_or_calm(self, fitted: bool) -> None:
         if fitted:
-            self._panel.fit_values()
+            self._panel.drawing.fit_values()
         else:
-            self._panel.calm_values()
+            self._panel.drawing.calm_values()
 
     def _show_extent(self, extent: tuple[float, float] | None) -> None:
         appears_or_goes = (extent is None) != (self._reach is None)

@@ -8,15 +8,23 @@ from PySide6.QtGui import QContextMenuEvent, QFocusEvent, QKeyEvent, QMouseEvent
 from PySide6.QtWidgets import QWidget
 
 from app.panels.basis_hits import hit_test
-from app.panels.basis_plot import BasisPlot
+from app.panels.basis_layers import rail_height
+from app.panels.basis_scene import BasisScene
 from app.panels.tick_edit import TickEdit
+from app.plotting.camera import CameraOverT
+from app.plotting.tool_plot import ToolPlot
 from app.tools.pointer import Hit, Part, Pointer
 from app.tools.tool import Tool
 from app.tools.toolbox import Toolbox
 
 
-class BasisPanel(BasisPlot):
-    """The basis functions of the active curve, with the gestures on them.
+class BasisPanel(ToolPlot):
+    """The basis functions of the active curve over t, with the gestures on them.
+
+    Attributes
+    ----------
+    drawing
+        The scene: what is drawn.
 
     Signals
     -------
@@ -37,12 +45,17 @@ class BasisPanel(BasisPlot):
     tick_pointed = Signal(int)
     menu_requested = Signal(QPoint)
 
+    camera: CameraOverT
+    camera_class = CameraOverT
+
     def __init__(self, tools: Toolbox, parent: QWidget | None = None) -> None:
         super().__init__(tools, parent)
+        self.setObjectName("basisPanel")
+        self.drawing = BasisScene(self, self.camera)
         self._ripple_down = False
         self.tick_edit = TickEdit(self)
-        self.gesture_began.connect(self._hold_domain)
-        self.gesture_ended.connect(self._release_domain)
+        self.gesture_began.connect(self.drawing.hold_domain)
+        self.gesture_ended.connect(self.drawing.release_domain)
         self.gesture_ended.connect(lambda: self.drag_changed.emit(False))
 
     # Gestures
@@ -58,9 +71,21 @@ class BasisPanel(BasisPlot):
         super().abandon_gesture()
 
     def hit(self, pointer: Pointer, tool: Tool) -> Hit | None:
-        if self._basis is None:
+        drawing = self.drawing
+        if drawing.basis is None:
             return None
-        return hit_test(pointer, self.pixel_map, self._basis, self._rail, self._functions.kinds)
+        return hit_test(pointer, self.pixel_map, drawing.basis, drawing.rail, drawing.functions.kinds)
+
+    def rail_pixel(self, t: float) -> QPointF:
+        """Return where in the viewport the tick at `t` is grabbed."""
+        shown = self.pixel_map
+        area = QPointF(shown.point(t, 0.0)[0], shown.height - rail_height(self.layers.scale) + 8)
+        return self.camera.origin + area
+
+    def set_scale(self, scale: float) -> None:
+        """Enlarge lines, ticks and numbers, for a projector."""
+        super().set_scale(scale)
+        self.drawing.show_values()
 
     def pointer_at(self, event: QMouseEvent | QPointF) -> Pointer:
         return replace(super().pointer_at(event), ripple=self._ripple_down)
@@ -77,13 +102,13 @@ class BasisPanel(BasisPlot):
 
     def edit_tick(self, node: int) -> None:
         """Let the person type the parameter of a node at its tick."""
-        if self._basis is not None:
-            self._edit_knot(self._basis.owners.index(node))
+        if self.drawing.basis is not None:
+            self._edit_knot(self.drawing.basis.owners.index(node))
 
     def _edit_knot(self, knot: int) -> None:
-        assert self._basis is not None
+        assert self.drawing.basis is not None
         self.tools.cancel()
-        t = float(self._basis.curve.parameters[knot])
+        t = float(self.drawing.basis.curve.parameters[knot])
         place = self.rail_pixel(t) - QPointF(0, 8)
         self.tick_edit.open(knot, t, QPointF(self.viewport().mapTo(self, place.toPoint())))
 

@@ -16,6 +16,7 @@ from app.panels.number_text import decimal_mark
 from app.panels.tool_buttons import tool_button
 from app.plotting.colours import colours_of
 from app.plotting.drawing import MARGIN, Segments, Stroke, cut_segments
+from app.plotting.layers import Layer
 from app.plotting.pixel_map import PixelMap
 from app.plotting.tool_plot import ToolPlot
 from app.theme import LIGHT, Theme, theme_of
@@ -51,7 +52,7 @@ class HodographPlot(ToolPlot):
         self.note = ""
         self.is_fitted = True
         self._reach = 0.0
-        self._layer = self.layers.add(self.paint_layer, z=0)
+        self._layer = Layer(self, self.paint_layer)
         self.camera.steered.connect(self._leave)
 
     def render_hodograph(self, hodograph: Hodograph, owners: int, *, calm: bool) -> None:

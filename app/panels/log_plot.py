@@ -13,6 +13,7 @@ from PySide6.QtGui import QColor, QPainter, QPen, QWheelEvent
 from PySide6.QtWidgets import QWidget
 
 from app.plotting.camera import FixedCamera
+from app.plotting.layers import Layer
 from app.plotting.pens import colour_of, draw_line
 from app.plotting.pixel_map import PixelMap
 from app.plotting.plot_widget import PlotWidget
@@ -51,7 +52,7 @@ class LogPlot(PlotWidget):
         self.setMinimumHeight(120)
         self._marker: float | None = None
         self._lines: list[tuple[Floats, LogLine]] = []
-        self._layer = self.layers.add(self._paint, z=0)
+        self._layer = Layer(self, self._paint)
         self._dress()
 
     def sizeHint(self) -> QSize:

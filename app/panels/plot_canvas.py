@@ -14,7 +14,6 @@ from app.panels.value_scale import ValueScale
 from app.plotting.camera import CameraOverT
 from app.plotting.pixel_map import Floats
 from app.plotting.tool_plot import ToolPlot
-from app.theme import LIGHT
 from app.tools.toolbox import Toolbox
 from app.view_model.analysis.plot_lines import PlotData
 
@@ -50,8 +49,8 @@ class PlotCanvas(ToolPlot):
         self.setAccessibleDescription("Speed, curvature and the like over t; drag to move the scrub line.")
         self._scales: dict[str, ValueScale] = {}
         self._ticks: list[tuple[float, str]] = []
-        self._lines = self.layers.style(PlotLayer(self, LIGHT))
-        self._scrub = self.layers.style(ScrubLayer(self, LIGHT, self._lines))
+        self._lines = PlotLayer(self)
+        self._scrub = ScrubLayer(self, self._lines)
         self.getViewBox().setYRange(0.0, 1.0, padding=0)
         self.getViewBox().sigResized.connect(self._number_axis)
         self._number_axis()
@@ -108,7 +107,7 @@ class PlotCanvas(ToolPlot):
     def set_scrub(self, t: float | None) -> None:
         """Move the scrub line, or put it away (None)."""
         self._scrub.scrub = t
-        self._scrub.refresh()
+        self._scrub.update()
 
     def set_scale(self, scale: float) -> None:
         """Enlarge lines and numbers, for a projector."""
@@ -116,8 +115,8 @@ class PlotCanvas(ToolPlot):
         self._number_axis()
 
     def _refresh(self) -> None:
-        self._lines.refresh()
-        self._scrub.refresh()
+        self._lines.update()
+        self._scrub.update()
 
     def _number_axis(self) -> None:
         """Write the numbers of all plots at the one axis."""

@@ -11,10 +11,10 @@ from PySide6.QtGui import QFont, QPainter, QPen
 
 from app.panels.value_scale import ValueScale
 from app.plotting.drawing import Segments, Stroke, cut_segments
+from app.plotting.layers import Layer
 from app.plotting.pens import colour_of, line_in_pixels, with_dashes
 from app.plotting.pixel_map import Floats, PixelMap
 from app.plotting.plot_widget import PlotWidget
-from app.theme import Theme
 from app.view_model.analysis.plot_lines import PlotData, PlotLine
 from app.view_model.looks import DASHED
 
@@ -59,12 +59,11 @@ def bands(count: int, height: float, scale: float) -> list[Band]:
     return [Band(i * each, i * each + strip, (i + 1) * each - foot) for i in range(count)]
 
 
-class PlotLayer:
+class PlotLayer(Layer):
     """All plots, in one item."""
 
-    def __init__(self, plot: PlotWidget, theme: Theme) -> None:
-        self.theme = theme
-        self.scale = 1.0
+    def __init__(self, plot: PlotWidget) -> None:
+        super().__init__(plot)
         self.plots: Sequence[PlotData] = ()
         self.scales: Sequence[ValueScale] = ()
         self.knots: Floats = np.empty(0)
@@ -73,11 +72,6 @@ class PlotLayer:
         self._strokes: list[list[Stroke | Segments]] = []
         self._strokes_of: tuple[object, ...] = ()
         self._font = QFont(plot.font())
-        self._layer = plot.layers.add(self.paint, z=0)
-
-    def refresh(self) -> None:
-        """Draw again after one of the attributes was set."""
-        self._layer.update()
 
     def paint(self, painter: QPainter, shown: PixelMap) -> None:
         """Draw every plot: levels and joints, lines, title."""
@@ -236,19 +230,15 @@ def _by_columns(x: Floats, y: Floats, shown: PixelMap) -> Segments:
     return upright
 
 
-class ScrubLayer:
+class ScrubLayer(Layer):
     """The scrub line, and a dot on every line where it crosses."""
 
-    def __init__(self, plot: PlotWidget, theme: Theme, plots: PlotLayer) -> None:
-        self.theme = theme
-        self.scale = 1.0
+    z = 10.0
+
+    def __init__(self, plot: PlotWidget, plots: PlotLayer) -> None:
+        super().__init__(plot)
         self.scrub: float | None = None
         self._plots = plots
-        self._layer = plot.layers.add(self.paint, z=10)
-
-    def refresh(self) -> None:
-        """Draw again after one of the attributes was set."""
-        self._layer.update()
 
     def paint(self, painter: QPainter, shown: PixelMap) -> None:
         """Draw the line through all plots, and the dots."""

@@ -1,4 +1,4 @@
-"""What the canvas and the basis panel share.
+"""Plots that are painted by us: shared by the canvas, the basis panel and the plots over t.
 
 - ``pixel_map``: plane to pixels and back.
 - ``drawing``: polylines, discs and text drawn fast; nothing unsafe reaches Qt.

@@ -6,6 +6,8 @@ many times the time of the same path in short pieces. Numbers reach Qt as arrays
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 import numpy as np
 import numpy.typing as npt
 from pyqtgraph.functions import create_qpolygonf, ndarray_from_qpolygonf
@@ -127,38 +129,35 @@ def thinned(points: Floats, tolerance: float) -> Floats:
     return points[kept]
 
 
-class Segments:
-    """Many separate line segments, drawn in one call."""
+class _Batch:
+    """Many shapes of four numbers each, drawn in one call with the painter's pen and brush."""
 
-    def __init__(self) -> None:
-        self._lines = PrimitiveArray(QLineF, 4)
+    def __init__(self, shape: type[QLineF | QRectF], draw: Callable[..., None]) -> None:
+        self._shapes, self._draw = PrimitiveArray(shape, 4), draw
 
-    def fill(self, segments: Floats) -> None:
-        """Take segments (m, 4)."""
-        self._lines.resize(len(segments))
-        self._lines.ndarray()[:] = segments
-
-    def draw(self, painter: QPainter) -> None:
-        """Draw with the painter's pen."""
-        if len(self._lines):
-            painter.drawLines(*self._lines.drawargs())
-
-
-class Bars:
-    """Many rectangles along the axes, filled in one call: of lines on whole pixels the quickest way."""
-
-    def __init__(self) -> None:
-        self._rects = PrimitiveArray(QRectF, 4)
-
-    def fill(self, rects: Floats) -> None:
-        """Take rectangles (m, 4) = x, y, width, height."""
-        self._rects.resize(len(rects))
-        self._rects.ndarray()[:] = rects
+    def fill(self, shapes: Floats) -> None:
+        """Take shapes (m, 4)."""
+        self._shapes.resize(len(shapes))
+        self._shapes.ndarray()[:] = shapes
 
     def draw(self, painter: QPainter) -> None:
-        """Draw with the painter's brush, and its pen if it has one."""
-        if len(self._rects):
-            painter.drawRects(*self._rects.drawargs())
+        """Draw them."""
+        if len(self._shapes):
+            self._draw(painter, *self._shapes.drawargs())
+
+
+class Segments(_Batch):
+    """Many separate line segments, each x1, y1, x2, y2."""
+
+    def __init__(self) -> None:
+        super().__init__(QLineF, QPainter.drawLines)
+
+
+class Bars(_Batch):
+    """Many rectangles x, y, width, height: of lines on whole pixels the quickest way."""
+
+    def __init__(self) -> None:
+        super().__init__(QRectF, QPainter.drawRects)
 
 
 def polygon(x: Floats, y: Floats) -> QPolygonF:

@@ -6,8 +6,8 @@ Qt's graphics view nor pyqtgraph is asked to paint.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
-from typing import Protocol, TypeVar, runtime_checkable
+from collections.abc import Callable
+from typing import Protocol
 
 from PySide6.QtCore import QPointF, QRect, QSizeF
 from PySide6.QtGui import QPainter, QPixmap
@@ -17,33 +17,49 @@ from app.overrides import report
 from app.plotting.pixel_map import PixelMap
 from app.theme import LIGHT, Theme
 
-
-class Themed(Protocol):
-    """A drawing in the colours of a theme."""
-
-    theme: Theme
-
-
-@runtime_checkable
-class Scaled(Protocol):
-    """A drawing that is larger for a projector."""
-
-    scale: float
-
-
-Styled = TypeVar("Styled", bound=Themed)
-
 Painting = Callable[[QPainter, PixelMap], None]
 
 
-class Layer:
-    """One layer of the drawing: a function that paints in pixels of the plot area."""
+class HasLayers(Protocol):
+    """A plot that layers are added to."""
 
-    def __init__(self, stack: LayerStack, paint: Painting, z: float, *, is_still: bool) -> None:
-        self._stack, self._paint = stack, paint
-        self.z, self.is_still = z, is_still
+    layers: LayerStack
+
+
+class Layer:
+    """One layer of a plot, in its theme and scale; it paints in pixels of the plot area.
+
+    A subclass has a `paint` of its own, or a function is given.
+
+    Attributes
+    ----------
+    z
+        Higher is nearer to the eye.
+    is_still
+        Whether it lies below all others, and is painted only when it or the view has changed.
+    """
+
+    z = 0.0
+    is_still = False
+
+    def __init__(self, plot: HasLayers, paint: Painting | None = None, *, z: float | None = None) -> None:
+        self._stack = plot.layers
+        self._paint = paint
+        if z is not None:
+            self.z = z
         self.is_visible = True
         self._opacity = 1.0
+        self._stack.add(self)
+
+    @property
+    def theme(self) -> Theme:
+        """The theme of the plot."""
+        return self._stack.theme
+
+    @property
+    def scale(self) -> float:
+        """The size of lines and numbers; 1 as usual."""
+        return self._stack.scale
 
     def update(self) -> None:
         """Have it painted anew."""
@@ -62,13 +78,18 @@ class Layer:
             self._stack.update(self)
 
     def paint(self, painter: QPainter, shown: PixelMap) -> None:
-        """Paint; the painter is as before when it is done."""
+        """Paint what the layer shows."""
+        if self._paint is not None:
+            self._paint(painter, shown)
+
+    def draw(self, painter: QPainter, shown: PixelMap) -> None:
+        """Paint where it is visible; the painter is as before when it is done."""
         if not self.is_visible:
             return
         painter.save()
         try:
             painter.setOpacity(self._opacity)
-            self._paint(painter, shown)
+            self.paint(painter, shown)
         except Exception as problem:
             # The layers above are painted all the same.
             report(problem)
@@ -88,45 +109,14 @@ class LayerStack:
     def __init__(self, viewport: QWidget, area: Callable[[], QRect]) -> None:
         self._viewport, self._area = viewport, area
         self._layers: list[Layer] = []
-        self._styled: list[Themed] = []
         self._ground: QPixmap | None = None
         self.theme, self.scale = LIGHT, 1.0
 
-    def __iter__(self) -> Iterator[Layer]:
-        """Return the layers, the lowest first."""
-        return iter(self._layers)
-
-    def add(self, paint: Painting, *, z: float, is_still: bool = False) -> Layer:
-        """Add a layer that `paint` draws; higher `z` is nearer to the eye.
-
-        One that `is_still` lies below all others, and is painted only when it or the view has changed.
-        """
-        layer = Layer(self, paint, z, is_still=is_still)
+    def add(self, layer: Layer) -> None:
+        """Add a layer; of those of one height the later one is nearer to the eye."""
         self._layers.append(layer)
         self._layers.sort(key=lambda each: (not each.is_still, each.z))
         self.update(layer)
-        return layer
-
-    def style(self, drawing: Styled) -> Styled:
-        """Keep a drawing in the theme and, if it has one, in the scale of all; return it."""
-        self._styled.append(drawing)
-        drawing.theme = self.theme
-        if isinstance(drawing, Scaled):
-            drawing.scale = self.scale
-        return drawing
-
-    def set_theme(self, theme: Theme) -> None:
-        """Take the colours of `theme`."""
-        self.theme = theme
-        for drawing in self._styled:
-            drawing.theme = theme
-
-    def set_scale(self, scale: float) -> None:
-        """Enlarge lines and numbers, for a projector."""
-        self.scale = scale
-        for drawing in self._styled:
-            if isinstance(drawing, Scaled):
-                drawing.scale = scale
 
     def update(self, layer: Layer) -> None:
         """Have the plot area painted anew, in which `layer` is another one now."""
@@ -147,7 +137,7 @@ class LayerStack:
         painter.translate(origin)
         for layer in self._layers:
             if not layer.is_still:
-                layer.paint(painter, shown)
+                layer.draw(painter, shown)
 
     def _paint_ground(self, ratio: float, shown: PixelMap, origin: QPointF) -> QPixmap:
         """Paint the paper and the layers that are still: one picture for the frames of a drag."""
@@ -159,5 +149,5 @@ class LayerStack:
             painter.translate(origin)
             for layer in self._layers:
                 if layer.is_still:
-                    layer.paint(painter, shown)
+                    layer.draw(painter, shown)
         return ground

@@ -72,9 +72,12 @@ class PlotWidget(Guarded, pg.GraphicsView):  # type: ignore[misc]  # pyqtgraph h
     -------
     painted
         The viewport has been painted.
+    style_changed
+        Layers have another theme or scale.
     """
 
     painted = Signal()
+    style_changed = Signal()
 
     camera_class: type[Camera] = Camera
 
@@ -133,16 +136,18 @@ class PlotWidget(Guarded, pg.GraphicsView):  # type: ignore[misc]  # pyqtgraph h
 
     def set_theme(self, theme: Theme) -> None:
         """Take the colours of `theme`."""
-        self.layers.set_theme(theme)
+        self.layers.theme = theme
         self.setBackground(theme.paper)
         self._axes.set_theme(theme)
         self._repaint_all()
+        self.style_changed.emit()
 
     def set_scale(self, scale: float) -> None:
         """Enlarge lines and numbers, for a projector."""
-        self.layers.set_scale(scale)
+        self.layers.scale = scale
         self._axes.set_scale(self.font(), scale)
         self._repaint_all()
+        self.style_changed.emit()
 
     def _repaint_all(self) -> None:
         self.layers.reset_ground()

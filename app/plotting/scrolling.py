@@ -12,7 +12,7 @@ ZOOM_STEP = 1.2
 """Zoom factor of one notch of the wheel."""
 
 _NOTCH = 120.0
-"""What `QWheelEvent.angleDelta` counts for one notch."""
+"""`QWheelEvent.angleDelta` of one notch."""
 
 _PAN_STEP = 60.0
 """Pixels of one notch, or of as much of a trackpad that does not count in pixels."""

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import traceback
+
 import msgspec
 
 from app.document.curve_edits import refuse_locked
@@ -26,6 +28,12 @@ class Change(msgspec.Struct, frozen=True):
 
     def __bool__(self) -> bool:
         return self.is_done
+
+
+def raiser_of(reason: EditError) -> str:
+    """Return the function that refused an edit."""
+    *_, (frame, _line) = traceback.walk_tb(reason.__traceback__)
+    return frame.f_code.co_qualname
 
 
 def why_locked(before: Document, after: Document) -> str:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import logging
 from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -18,6 +19,9 @@ from app.view_model.curve_view import CurveView
 
 if TYPE_CHECKING:
     from app.session.session import Session
+
+
+_log = logging.getLogger("curvebench.session")
 
 
 class Files:
@@ -162,6 +166,7 @@ class Files:
         """Take note of what the file holds."""
         if self.file is not None and change is not self.file.change:
             self.file.change = change
+            _log.info("the file is seen as %s", change.name)
             self._session.file_changed.emit()
 
     def give_up_changes(self) -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import logging
 from collections.abc import Callable, Collection, Hashable, Sequence
 from pathlib import Path
 
@@ -14,7 +15,7 @@ from app.document.edits import EditError
 from app.document.model import Curve, Document
 from app.document.plain import plain
 from app.examples import first_sketch
-from app.session.change import Change, why_locked, why_not_kept
+from app.session.change import Change, raiser_of, why_locked, why_not_kept
 from app.session.files import Files
 from app.session.history import Beginning, History, State
 from app.session.messages import Message, MessageKind
@@ -23,9 +24,11 @@ from app.session.views import Views
 from app.storage.open_file import Reading
 from app.view_model.curve_view import CurveView
 
+_log = logging.getLogger("curvebench.session")
+
 
 class _Home(msgspec.Struct, frozen=True):
-    """Active curve and selection before a preview began another curve."""
+    """Active curve and selection before a gesture showed its first preview."""
 
     active: int
     points: frozenset[int]
@@ -212,7 +215,7 @@ class Session(QObject):
         try:
             document = edit(self._committed)
         except EditError as reason:
-            return self._refused(str(reason))
+            return self._refused(str(reason), raiser_of(reason))
         return self.commit(document, text, active=active, run=run)
 
     def preview(self, document: Document, *, active: int | None = None) -> bool:
@@ -226,8 +229,9 @@ class Session(QObject):
         if reason := why_locked(self._committed, document):
             self.refuse(reason)
             return False
-        if active is not None and self._home is None:
+        if self._home is None:
             self._home = _Home(self.active_index, self.selection, self.chosen_curves)
+        if active is not None and active != self.active_index:
             self._enter(active)
         self._show(document)
         return True
@@ -243,25 +247,28 @@ class Session(QObject):
         if document == self._committed:
             self.cancel()
             return Change(is_done=False)
-        if reason := why_locked(self._committed, document) or why_not_kept(self._committed, document):
-            return self._refused(reason)
+        if reason := why_locked(self._committed, document):
+            return self._refused(reason, "the lock of a curve")
+        if reason := why_not_kept(self._committed, document):
+            return self._refused(reason, "the file format")
         before = self.state
         self._home = None
         after = State(document, self.active_index if active is None else active, self.files.beginning)
         self.history.push(before, after, text, run)
+        _log.debug("a step of the history, now %d", self.undo_stack.count())
         return Change(is_done=True)
 
     def cancel(self) -> None:
-        """Drop the preview; nothing is left of it."""
-        if not self.is_previewing:
-            return
+        """Drop the preview; nothing is left of it, and what was selected before it is selected again."""
         home, self._home = self._home, None
-        if home is not None:
+        if home is None:
+            return
+        if home.active != self.active_index:
             self._enter(home.active)
-        self._show(self._committed)
-        if home is not None:
-            self.choose_curves(home.curves)
-            self.select(home.points)
+        if self.is_previewing:
+            self._show(self._committed)
+        self.choose_curves(home.curves)
+        self.select(home.points)
 
     def interrupt(self) -> bool:
         """Drop the gesture in flight, wherever it is, with its preview; return whether one was shown."""
@@ -270,8 +277,9 @@ class Session(QObject):
         self.cancel()
         return was_previewing
 
-    def _refused(self, reason: str) -> Change:
-        """Say why nothing changes."""
+    def _refused(self, reason: str, by: str) -> Change:
+        """Say why nothing changes; log `by` what, for the reason may name something."""
+        _log.info("a change was refused by %s", by)
         self.refuse(reason)
         self.cancel()
         return Change(is_done=False, refusal=reason)

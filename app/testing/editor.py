@@ -16,10 +16,10 @@ from PySide6.QtWidgets import QDockWidget, QWidget
 from app.cli.display import has_display
 from app.document.model import Curve, ParametrizationKind, Vector
 from app.families import FAMILIES, Family
+from app.features.curve_list.view import Spot, spot_rect
 from app.features.file_on_disk.bar import FileBar
 from app.main_window import MainWindow
 from app.panels.command_palette import CommandPalette
-from app.panels.curve_list_view import Spot, spot_rect
 from app.session import Session
 from app.settings.preferences import Preferences
 from app.testing.input_driver import InputDriver, spin
@@ -36,7 +36,7 @@ if not has_display():
 
 
 class QtBot(Protocol):
-    """What the driver needs of pytest-qt's ``qtbot``."""
+    """pytest-qt's ``qtbot``, as far as the driver needs it."""
 
     def addWidget(  # noqa: N802
         self, widget: QWidget, *, before_close_func: Callable[[QWidget], None] | None = None

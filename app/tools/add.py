@@ -33,7 +33,7 @@ class AddTool(Tool):
         self._finished: set[tuple[int, str]] = set()
         # What a press would make of the curve that `_seen` shows.
         self._seen: CurveView | None = None
-        self._ahead: CurveView | None = None
+        self._preview: CurveView | None = None
         self._spot: Vector | None = None
         self._place: Vector | None = None
 
@@ -43,7 +43,7 @@ class AddTool(Tool):
 
     def end(self) -> None:
         """Show nothing of what a press would do."""
-        self._seen = self._ahead = self._spot = self._place = None
+        self._seen = self._preview = self._spot = self._place = None
 
     # Finished curves
 
@@ -136,7 +136,7 @@ class AddTool(Tool):
         )
         if place is not None:
             context.preview_snap(place)
-        self._look_ahead(context, act)
+        self._update_preview(context, act)
         snaps, finished = context.settings.snapping.on, self._is_finished(context.host)
         if view.source.locked and act is not PenAct.BEGIN:
             return Hint(hints.LOCKED.format(view.source.name))
@@ -144,17 +144,17 @@ class AddTool(Tool):
             return hints.to_add(act or PenAct.APPEND, view, snaps=snaps)
         return hints.to_add_on_part(hit, view, selection, snaps=snaps, finished=finished)
 
-    def _look_ahead(self, context: ToolContext, act: PenAct | None) -> None:
+    def _update_preview(self, context: ToolContext, act: PenAct | None) -> None:
         """Find out what a press here would make of the curve."""
         host, view, hit, caught = context.host, context.view, context.hit, context.snappers.caught
         is_here = math.isfinite(context.pointer.position[0]) and not view.source.locked
         self._spot = hit.position if is_here and act is PenAct.INSERT and hit is not None else None
         if not is_here or act is not PenAct.APPEND:
-            self._seen, self._ahead, self._place = view, None, None
+            self._seen, self._preview, self._place = view, None, None
             return
         place = caught.position if caught is not None else context.pointer.position
         if place != self._place or view is not self._seen:
-            self._ahead = view_with_point(host.document, host.active_index, view, place, self._ahead)
+            self._preview = view_with_point(host.document, host.active_index, view, place, self._preview)
         self._seen, self._place = view, place
 
     def marks(self, context: ToolContext) -> GestureMarks:
@@ -162,7 +162,7 @@ class AddTool(Tool):
         is_shown = self._seen is context.view and not context.drags.is_pressed
         return GestureMarks(
             snap=context.snappers.caught,
-            ahead=self._ahead if is_shown else None,
+            preview_curve=self._preview if is_shown else None,
             spot=self._spot if is_shown else None,
         )
 

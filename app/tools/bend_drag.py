@@ -31,7 +31,7 @@ class BendCurve(msgspec.Struct, frozen=True):
 
     @property
     def keys(self) -> str:
-        """What modifiers change."""
+        """Effects of the modifier keys."""
         return bend_keys(self.view)
 
     def readout_at(self, pointer: Pointer) -> str:

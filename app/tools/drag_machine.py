@@ -17,7 +17,7 @@ THRESHOLD = 3.0
 """Pixels the pointer must travel before a press becomes a drag."""
 
 CANCELLED = "Cancelled."
-"""What is said when Escape has taken a gesture back."""
+"""The sentence when Escape has taken a gesture back."""
 
 
 class EditingHost(Protocol):
@@ -61,7 +61,7 @@ class EditingHost(Protocol):
         """Make it a step of the history; true where it is one. Quick steps of the same run are one."""
 
     def cancel(self) -> None:
-        """Drop the preview."""
+        """Drop the preview, and select what was selected before it."""
 
     def select(self, indices: Collection[int]) -> None:
         """Select nodes."""
@@ -105,7 +105,7 @@ class HasReadout(Protocol):
 
     @property
     def keys(self) -> str:
-        """What each modifier key would change."""
+        """Effects of the modifier keys."""
 
     def readout_at(self, pointer: Pointer) -> str:
         """Return the amount, such as "Rotate 30°"."""
@@ -121,7 +121,6 @@ class _Press(msgspec.Struct):
     on_done: Callable[[], None] | None = None
     active: int | None = None
     makes: int | None = None
-    selection: frozenset[int] | None = None
 
 
 class DragMachine:
@@ -139,11 +138,6 @@ class DragMachine:
         """Whether a gesture is in flight."""
         return self._press is not None
 
-    @property
-    def is_moving(self) -> bool:
-        """Whether the gesture in flight has become a drag."""
-        return self._press is not None and self._press.moving
-
     def press(self, pointer: Pointer, drag: Drag | None, on_click: Callable[[], None] | None = None) -> None:
         """Begin: `drag` takes over past the threshold, `on_click` is called if there is no drag."""
         self._press = _Press(pointer.pixel, drag, on_click, moving=False)
@@ -160,18 +154,10 @@ class DragMachine:
         """Begin a drag that shows its effect at the press (a new point) and commits without any move.
 
         `on_done` is called after the commit; `active` is the curve to edit from the press on, where the drag
-        makes another one. The node that it `makes` is selected as soon as it is there. What is selected now
-        is selected again when the drag is cancelled, or refused.
+        makes another one. The node that it `makes` is selected as soon as it is there.
         """
         self._press = _Press(
-            pointer.pixel,
-            drag,
-            None,
-            moving=True,
-            on_done=on_done,
-            active=active,
-            makes=makes,
-            selection=self._host.selection,
+            pointer.pixel, drag, None, moving=True, on_done=on_done, active=active, makes=makes
         )
         self._step(pointer)
 
@@ -245,10 +231,8 @@ class DragMachine:
         if press is None:
             return
         if press.moving and press.drag is not None and press.last is not None:
-            if not self._host.commit(press.last, press.drag.name, active=press.active):
-                if press.selection is not None:
-                    self._host.select(press.selection)
-            elif press.on_done is not None:
+            is_done = self._host.commit(press.last, press.drag.name, active=press.active)
+            if is_done and press.on_done is not None:
                 press.on_done()
         elif not press.moving and press.on_click is not None:
             press.on_click()
@@ -260,8 +244,6 @@ class DragMachine:
         if press is None:
             return False
         self._host.cancel()
-        if press.selection is not None:
-            self._host.select(press.selection)
         if press.moving:
             self._host.say(CANCELLED)
         return True

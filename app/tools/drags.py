@@ -1,4 +1,4 @@
-"""What each drag makes of the document at its press and the pointer's position now."""
+"""Drags of points and handles: the document at a place of the pointer, computed from the press."""
 
 from __future__ import annotations
 

@@ -50,7 +50,7 @@ class GestureMarks(msgspec.Struct, frozen=True):
         The amount of a transform, beside the pointer.
     axis
         The locked axis (0 or 1) and a point on it.
-    ahead
+    preview_curve
         The curve as it would be with a point where the pen is.
     spot
         Where on the curve the pen would insert a point.
@@ -62,7 +62,7 @@ class GestureMarks(msgspec.Struct, frozen=True):
     ruler: Ruler | None = None
     note: Note | None = None
     axis: tuple[Vector, int] | None = None
-    ahead: CurveView | None = None
+    preview_curve: CurveView | None = None
     spot: Vector | None = None
 
     def above(self, below: GestureMarks) -> GestureMarks:

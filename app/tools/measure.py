@@ -13,7 +13,7 @@ from app.tools.snapping import Snapper, with_snap
 from app.tools.tool import Tool, ToolContext, ToolRecord
 
 _KEYS = "Shift: steps of 15° · Ctrl: snap, or not"
-"""What each modifier key changes while something is measured."""
+"""Effects of the modifier keys while something is measured."""
 
 
 class Measurement:

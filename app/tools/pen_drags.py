@@ -22,7 +22,7 @@ from app.view_model.reshape import Reshaped, with_point_inserted
 
 
 class PenAct(Enum):
-    """What a press of the pen does where there is no point and no handle."""
+    """Act of the pen where there is no point and no handle."""
 
     APPEND = auto()
     INSERT = auto()
@@ -64,7 +64,7 @@ class AppendPoint(msgspec.Struct, frozen=True):
 
     @property
     def keys(self) -> str:
-        """What each modifier key would change while it is dragged."""
+        """Effects of the modifier keys while it is dragged."""
         # Where the point lies was decided at the press; only a velocity is still being set.
         return "Shift: steps of 15°" if self.view.source.family.derivatives else "Ctrl: snap, or not"
 
@@ -74,7 +74,7 @@ class AppendPoint(msgspec.Struct, frozen=True):
         note = f"{self.name} at {words.vector(place)}"
         if not self._sets_velocity(pointer):
             return note
-        x, y = self._way(pointer, place)
+        x, y = self._displacement(pointer, place)
         note = f"{note}, velocity at {words.angle(math.degrees(math.atan2(y, x)))}"
         if self.view.source.is_closed:
             return note
@@ -94,7 +94,7 @@ class AppendPoint(msgspec.Struct, frozen=True):
         return snapped(pointer if moves else held, self.snapper)
 
     @staticmethod
-    def _way(pointer: Pointer, place: Vector) -> Vector:
+    def _displacement(pointer: Pointer, place: Vector) -> Vector:
         """Return how far the handle is drawn out, and where to: with Shift in steps."""
         way = (pointer.position[0] - place[0], pointer.position[1] - place[1])
         return in_steps(way) if pointer.shift else way
@@ -107,7 +107,7 @@ class AppendPoint(msgspec.Struct, frozen=True):
             return document
         index = len(self.view.source.nodes)
         view = view_of(document.curves[self.curve])
-        x, y = self._way(pointer, place)
+        x, y = self._displacement(pointer, place)
         velocity = velocity_from_handle(view, index, (place[0] + x, place[1] + y), ahead=True)
         return edits.set_velocity(document, self.curve, index, velocity)
 

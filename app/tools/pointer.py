@@ -25,7 +25,7 @@ class Part(Enum):
 
 
 class Hit(msgspec.Struct, frozen=True):
-    """What lies under the pointer.
+    """A part of the drawing under the pointer.
 
     Attributes
     ----------

@@ -49,12 +49,12 @@ class DragTicks(msgspec.Struct, frozen=True):
 
     @property
     def keys(self) -> str:
-        """What each key would change."""
+        """Effects of the keys."""
         return "E: all ticks on that side"
 
     def readout_at(self, pointer: Pointer) -> str:
         """Return where the grabbed tick is, and how many go along."""
-        by, moving = self._way(pointer)
+        by, moving = self._displacement(pointer)
         text = f"t of point {self.node} = {words.number(self.parameters[self.grabbed] + by)}"
         return f"{text}, {len(moving)} ticks by {words.number(by)}" if len(moving) > 1 else text
 
@@ -64,11 +64,11 @@ class DragTicks(msgspec.Struct, frozen=True):
         With E held every tick from the grabbed one on, towards the side the pointer has moved to from the
         press, goes along: the spacings there stay, and only the gap behind opens.
         """
-        by, moving = self._way(pointer)
+        by, moving = self._displacement(pointer)
         moved = [t + by if knot in moving else t for knot, t in enumerate(self.parameters)]
         return set_parameters(self.document, self.curve, moved)
 
-    def _way(self, pointer: Pointer) -> tuple[float, frozenset[int]]:
+    def _displacement(self, pointer: Pointer) -> tuple[float, frozenset[int]]:
         """Return how far the ticks move, and which."""
         by = pointer.position[0] - self.start
         count = len(self.parameters)

@@ -122,9 +122,7 @@ class SelectTool(Tool):
         return context.target.box if is_shown else None
 
     def _grip_at(self, context: ToolContext) -> tuple[TransformBox, Grip] | None:
-        box = self._box(context)
-        grip = box.grip_at(context.pointer) if box is not None else None
-        return (box, grip) if box is not None and grip is not None else None
+        return context.target.grip_at(context.pointer) if self._box(context) is not None else None
 
 
 SELECT = ToolRecord(

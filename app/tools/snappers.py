@@ -98,7 +98,7 @@ class Snappers:
 
     @property
     def caught(self) -> Snap | None:
-        """What the snapper in use has caught."""
+        """The catch of the snapper in use."""
         return self.now.caught if self.now is not None else None
 
     def reset(self) -> None:

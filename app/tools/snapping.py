@@ -19,7 +19,7 @@ REACH = 8.0
 
 
 class SnapKind(Named):
-    """What can be snapped to."""
+    """Kind of thing to snap to."""
 
     GRID = "grid", "The grid"
     POINTS = "points", "Other points"
@@ -39,7 +39,7 @@ class Snapping(msgspec.Struct, frozen=True):
 
 
 class Snap(msgspec.Struct, frozen=True):
-    """What was snapped to.
+    """A catch: the place that something has snapped to.
 
     Attributes
     ----------
@@ -100,7 +100,7 @@ class _Line(msgspec.Struct, frozen=True):
 
 
 class Targets(msgspec.Struct, frozen=True):
-    """What there is to snap to, besides the grid.
+    """Targets of snapping besides the grid.
 
     Attributes
     ----------

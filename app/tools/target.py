@@ -18,7 +18,7 @@ from app.view_model.curve_view import CurveView
 
 
 class TransformTarget:
-    """The selected points of the active curve; with none and several curves chosen, those curves.
+    """The selected points of the active curve; with none and several curves selected, those curves.
 
     It says what is meant, and makes the drags that transform it.
     """
@@ -57,13 +57,13 @@ class TransformTarget:
 
     @property
     def curves(self) -> NodeGroup | None:
-        """The chosen curves where there are several, whatever points are selected."""
+        """The selected curves where there are several, whatever points are selected."""
         host = self._host
         return whole_curves(host.document, host.chosen_curves) if len(host.chosen_curves) > 1 else None
 
     @property
     def for_keys(self) -> NodeGroup:
-        """What keys transform: the same, or else all nodes of the curve that is edited."""
+        """The target of the keys: the same, or else all nodes of the curve that is edited."""
         return self.group or nodes_of(
             self._host.active_index, range(len(self._host.active_view.source.nodes))
         )
@@ -83,7 +83,7 @@ class TransformTarget:
 
     @property
     def refusal_of_curves(self) -> str:
-        """The same for the chosen curves, whatever points are selected."""
+        """The same for the selected curves, whatever points are selected."""
         return self._refusal_of(self.curves)
 
     def _refusal_of(self, group: NodeGroup | None) -> str:
@@ -150,7 +150,7 @@ class TransformTarget:
         return ScaleBox(self._host.document, group, box, grip, pointer.position, snapper)
 
     def moving_curves(self, pointer: Pointer) -> MovePoints | None:
-        """Return the drag of the chosen curves by one of them, None where only one is chosen."""
+        """Return the drag of the selected curves by one of them, None where only one is selected."""
         group = self.curves
         if group is None:
             return None

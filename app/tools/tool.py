@@ -53,7 +53,7 @@ class ToolContext(msgspec.Struct, frozen=True):
 
     @property
     def hit(self) -> Hit | None:
-        """What lies under the pointer."""
+        """The part of the drawing under the pointer."""
         return self.pointer.hit
 
     @property

@@ -8,7 +8,7 @@ from app.tools.snapping import Snapping
 
 
 class ToolSettings(msgspec.Struct, frozen=True):
-    """What the person has chosen.
+    """Settings of the tools, as the person has them.
 
     Attributes
     ----------
@@ -17,7 +17,7 @@ class ToolSettings(msgspec.Struct, frozen=True):
     unit
         The name of the unit of length, for what is measured.
     shows_box
-        Whether two or more selected points, or several chosen curves, get a box with grips.
+        Whether two or more selected points, or several selected curves, get a box with grips.
     """
 
     snapping: Snapping = Snapping()

@@ -22,7 +22,7 @@ _LEAST_ARM = 20.0
 
 
 class TransformKind(Enum):
-    """What is done to the selection.
+    """Kind of transform.
 
     Attributes
     ----------
@@ -86,7 +86,7 @@ class Transform(msgspec.Struct, frozen=True):
 
     @property
     def keys(self) -> str:
-        """What keys change."""
+        """Effects of the keys."""
         if self.by_grip:
             return "Shift: steps of 15°"
         if self.typed.is_pair:
@@ -123,7 +123,7 @@ class Transform(msgspec.Struct, frozen=True):
             return f"All {what}: {note[0].lower()}{note[1:]}"
         if one is None or self.kind is not TransformKind.MOVE:
             return note
-        return f"{note} · {words.point_at(one[1], self._moved(self._way(pointer)))}"
+        return f"{note} · {words.point_at(one[1], self._moved(self._displacement(pointer)))}"
 
     def _amount_at(self, pointer: Pointer) -> str:
         """Return the amount in words; while one is typed that is no number yet, with that."""
@@ -135,7 +135,7 @@ class Transform(msgspec.Struct, frozen=True):
         along = "" if self.axis is None else f" along {'xy'[self.axis]}"
         if self.kind is TransformKind.SCALE:
             return f"{words.number(self._factor(pointer))}{along}{mark}"
-        by = self._way(pointer)
+        by = self._displacement(pointer)
         return f"{words.vector(by) if self.axis is None else words.number(by[self.axis])}{along}{mark}"
 
     def _moved(self, by: Vector) -> Vector:
@@ -145,14 +145,14 @@ class Transform(msgspec.Struct, frozen=True):
 
     def place_at(self, pointer: Pointer) -> Vector | None:
         """Return where the node is that is moved, None while nodes are scaled or rotated."""
-        return self._moved(self._way(pointer)) if self.kind is TransformKind.MOVE else None
+        return self._moved(self._displacement(pointer)) if self.kind is TransformKind.MOVE else None
 
     def document_at(self, pointer: Pointer) -> Document:
         """Transform by the whole amount since the beginning."""
         if self.kind is TransformKind.MOVE:
             if self.typed.counts:
                 self.snapper.reset()
-                return moved(self.document, self.group, self._way(pointer))
+                return moved(self.document, self.group, self._displacement(pointer))
             return self._move().document_at(pointer)
         if self.kind is TransformKind.ROTATE:
             by = rotation(self._degrees(pointer), self.centre)
@@ -163,7 +163,7 @@ class Transform(msgspec.Struct, frozen=True):
     def _move(self) -> MovePoints:
         return MovePoints(self.document, self.group, self.start, self.snapper, self.grip, self.axis)
 
-    def _way(self, pointer: Pointer) -> Vector:
+    def _displacement(self, pointer: Pointer) -> Vector:
         if not self.typed.counts:
             return self._move().displacement_at(pointer)[0]
         if self.typed.is_pair:

@@ -116,12 +116,12 @@ class ScaleBox(msgspec.Struct, frozen=True):
 
     def readout_at(self, pointer: Pointer) -> str:
         """Tell the factors."""
-        x, y = self._factors(self._way(pointer), pointer)
+        x, y = self._factors(self._displacement(pointer), pointer)
         return f"Scale {words.number(x)}" if x == y else f"Scale {words.number(x)} × {words.number(y)}"
 
     def document_at(self, pointer: Pointer) -> Document:
         """Scale about the opposite side, or about the centre with Alt."""
-        way = self._way(pointer)
+        way = self._displacement(pointer)
         x, y = self._factors(way, pointer)
         document = mapped(self.document, self.group, scaling(x, y, self._fixed(pointer)))
         caught = self.snapper.caught if self.snapper is not None else None
@@ -160,7 +160,7 @@ class ScaleBox(msgspec.Struct, frozen=True):
         corner, fixed = self._corner, self._fixed(pointer)
         return (float(corner[0] - fixed[0]), float(corner[1] - fixed[1]))
 
-    def _way(self, pointer: Pointer) -> Vector:
+    def _displacement(self, pointer: Pointer) -> Vector:
         """Return how far the corner goes, after snapping."""
         corner, arm = self._corner, self._arm(pointer)
         way = (pointer.position[0] - self.start[0], pointer.position[1] - self.start[1])

@@ -14,7 +14,7 @@ _AXES = "xy"
 
 
 class TypedAmount(msgspec.Struct, frozen=True):
-    """What has been typed so far.
+    """Amount as typed so far.
 
     Attributes
     ----------
@@ -91,7 +91,7 @@ class TypedAmount(msgspec.Struct, frozen=True):
 
     @property
     def keys(self) -> str:
-        """Which of two numbers is typed, and how to get to the other one."""
+        """The number of two that is typed, and the way to the other one."""
         return f"typing {_AXES[self.at]} · Tab: {_AXES[1 - self.at]}"
 
 

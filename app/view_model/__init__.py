@@ -23,3 +23,7 @@
 - ``closing``: curves closed and opened, with the shape kept.  ``appending``: points appended by the pen;
   ``pen_preview``: the curve before it is.
 """
+
+import lazy_loader as lazy
+
+__getattr__, __dir__, __all__ = lazy.attach_stub(__name__, __file__)

@@ -41,7 +41,6 @@ class Chain(Curve):
 
     __slots__ = ("_pieces", "_rows")
 
-    name = "chain"
     title = "Chain"
 
     def __init__(self, pieces: Sequence[Curve]) -> None:
@@ -52,6 +51,11 @@ class Chain(Curve):
         self._rows = _rows([len(piece.parameters) for piece in self.pieces])
         self._rows.setflags(write=False)
         self._jets = read_only(np.concatenate([piece.jets for piece in self._pieces]))
+
+    @property
+    def name(self) -> str:  # type: ignore[override]
+        """That of the pieces."""
+        return self._pieces[0].name
 
     @property
     def pieces(self) -> tuple[Curve, ...]:

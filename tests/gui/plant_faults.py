@@ -23,16 +23,16 @@ from PySide6.QtWidgets import QApplication, QMessageBox, QPushButton, QVBoxLayou
 
 from app.cli.lifecycle import Lifecycle
 from app.cli.windows import open_windows
+from app.features.curve_list.model import CurveListModel
+from app.features.curve_list.view import _RowDelegate
+from app.features.point_table.delegate import PointTableDelegate
+from app.features.point_table.model import PointTableModel
+from app.features.point_table.view import PointTableView
 from app.features.recovery.autosave import snapshot_folder
 from app.icons import _IconEngine, icon
 from app.main_window import MainWindow
 from app.panels.command_palette import CommandPalette, _CommandDelegate
-from app.panels.curve_list_model import CurveListModel
-from app.panels.curve_list_view import _RowDelegate
 from app.panels.elided_label import ElidedLabel, SteadyLabel
-from app.panels.point_table_delegate import PointTableDelegate
-from app.panels.point_table_model import PointTableModel
-from app.panels.point_table_view import PointTableView
 from app.panels.preferences_dialog import PreferencesDialog
 from app.panels.weight_bars import WeightBars
 from app.plotting.layers import Layer
@@ -144,8 +144,8 @@ def compute_beside_the_window(editor: Editor) -> None:
 
 
 PLACES = (
-    Place(Layer, "paint", lambda editor: editor.window.canvas.grab()),
-    Place(Layer, "paint", paint_behind_a_dialog),
+    Place(Layer, "draw", lambda editor: editor.window.canvas.grab()),
+    Place(Layer, "draw", paint_behind_a_dialog),
     Place(PlotWidget, "paintEvent", lambda editor: editor.window.canvas.viewport().repaint()),
     Place(pg.AxisItem, "paint", lambda editor: editor.window.canvas.grab()),
     Place(

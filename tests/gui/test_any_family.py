@@ -276,8 +276,14 @@ def test_it_is_saved_and_opened_as_it_was(drawn, own, tmp_path):
 
 def switches(editor):
     """Every action that switches something on and off, but for those that change the curve or the window."""
-    others = {family.action_name for family in FAMILIES} | {*NO_FILM, "closeCurve", "presentation"}
-    kinds = ("curve", "parameters", "tangent", "theme", "add", "select", "measure")
+    others = {family.action_name for family in FAMILIES} | {
+        *NO_FILM,
+        "closeCurve",
+        "presentation",
+        "toggleLessons",
+    }
+    # Lessons open another document; an explanation takes the next click for itself.
+    kinds = ("curve", "parameters", "tangent", "theme", "add", "select", "measure", "lessons", "explain")
     found = [each for each in editor.window.findChildren(QAction) if each.isCheckable() and each.isEnabled()]
     names = {action.objectName() for action in found} - others - {""}
     return sorted(name for name in names if not name.startswith(kinds))
@@ -293,7 +299,7 @@ def test_everything_that_can_be_switched_on_goes_on_through_a_drag(drawn, own):
             editor.action(name).trigger()
     editor.fit()
     before = editor.session.document
-    editor.drag_point(2, (2.7, 1.3))
+    editor.drag_point(2, (3.5, 2.2))
     assert editor.session.document != before
     assert is_true(editor)
     editor.screenshot()

@@ -83,7 +83,7 @@ def test_functions_are_told_apart_by_numbers_at_their_crests(editor, panel):
     """By colour alone functions 2 and 3 are the same grey to a deuteranope."""
     editor.choose_family(HERMITE)
     editor.wait_for_rest()
-    basis, shown = panel.basis, panel.pixel_map
+    basis, shown = panel.drawing.basis, panel.pixel_map
     found = crests_of(basis, [0, 1])
     for owner, kind, t, value in found:
         values = basis.value_at(t, kind)
@@ -119,7 +119,7 @@ def test_no_function_crosses_the_number_of_another(editor, panel, family, count,
     editor.session.commit(Document((make_curve(points, family=family),)), "Begin")
     editor.fit()
     editor.wait_for_rest()
-    names, shown, basis = panel._functions._names, panel.pixel_map, panel.basis
+    names, shown, basis = panel.drawing.functions._names, panel.pixel_map, panel.drawing.basis
     cell = names._cell
     boxes = names._fragments.ndarray()[:, :2]
     assert len(boxes) >= least
@@ -136,7 +136,7 @@ def test_no_function_crosses_the_number_of_another(editor, panel, family, count,
 def test_numbers_keep_their_sides_of_moving_crests_until_these_rest(editor, panel):
     """They went from one side to the other with every line that came by."""
     editor.wait_for_rest()
-    names, start = panel._functions._names, panel.rail_pixel(editor.parameters[3])
+    names, start = panel.drawing.functions._names, panel.rail_pixel(editor.parameters[3])
     editor.send(panel, QEvent.Type.MouseButtonPress, start)
     before, crests = names._asides, names._places
     usual = names._soon.interval()
@@ -186,7 +186,7 @@ def test_the_curve_follows_a_tick_live_and_escape_puts_it_back(editor, panel):
 def test_the_functions_shown_are_those_of_the_curve(editor, panel):
     for family in FAMILIES:
         editor.choose_family(family)
-        basis, curve = panel.basis, editor.session.active_view.curve
+        basis, curve = panel.drawing.basis, editor.session.active_view.curve
         assert basis.curve.degree == curve.degree
         for index in range(8):
             for kind in range(basis.kinds):
@@ -196,7 +196,7 @@ def test_the_functions_shown_are_those_of_the_curve(editor, panel):
 
 
 def test_at_a_parameter_only_its_own_function_is_one(editor, panel):
-    basis = panel.basis
+    basis = panel.drawing.basis
     for index, t in enumerate(editor.parameters):
         assert basis.value_at(t, 0) == pytest.approx(np.eye(8)[index], abs=1e-14)
 
@@ -241,9 +241,9 @@ def test_larger_drawing_enlarges_the_rail_and_the_numbers_at_the_axes(editor, pa
 
 def test_hovering_a_point_of_the_canvas_lights_its_tick(editor, panel):
     editor.hover(editor.point(5))
-    assert panel.emphasised == {5}
+    assert panel.drawing.functions.emphasised == {5}
     editor.hover((-1.0, -0.2))
-    assert panel.emphasised == frozenset()
+    assert panel.drawing.functions.emphasised == frozenset()
 
 
 def test_scrubbing_shows_the_weights_that_add_up_to_one(editor):
@@ -278,9 +278,9 @@ def test_kinds_can_be_switched(editor, panel):
         button = editor.window.findChild(QToolButton, name)
         assert button.isVisible()
         button.click()
-        assert kind not in panel.kinds
+        assert kind not in panel.drawing.functions.kinds
         button.click()
-        assert kind in panel.kinds
+        assert kind in panel.drawing.functions.kinds
     editor.choose_family(LAGRANGE)
     assert not editor.window.findChild(QToolButton, "velocityFunctions").isVisible()
 
@@ -294,7 +294,7 @@ def test_functions_that_leave_the_range_are_reported_and_fit_shows_them(editor, 
     assert fit.isVisible()
     fit.click()
     editor.settle()
-    low, high = panel.basis.extent((0,))
+    low, high = panel.drawing.basis.extent((0,))
     _, y_min, _, y_max = panel.pixel_map.box
     assert y_min < low
     assert high < y_max
@@ -307,9 +307,9 @@ def test_functions_that_leave_the_range_are_reported_and_fit_shows_them(editor, 
 
 def test_a_point_dragged_at_frozen_parameters_leaves_the_functions_alone(editor, panel):
     editor.trigger("freezeParameters")
-    basis = panel.basis
+    basis = panel.drawing.basis
     editor.drag_point(2, to=(0.2, 4.5))
-    assert panel.basis is basis
+    assert panel.drawing.basis is basis
 
 
 def test_wheel_zooms_along_t_alone(editor, panel):
@@ -325,7 +325,7 @@ def test_functions_of_derivatives_never_leave_the_usual_range(editor, panel):
     """They used to, by the program's own scaling, and set off its own warning: −0.79 at uneven spacing."""
     editor.choose_family(QUINTIC_HERMITE)
     editor.drag_parameter(3, to=editor.parameters[2] + 0.02)
-    low, high = panel.basis.extent((1, 2))
+    low, high = panel.drawing.basis.extent((1, 2))
     assert -0.5 <= low < -0.4
     assert 0.4 < high <= 0.5
     assert editor.window.basis_pane.extent_text == ""
@@ -335,7 +335,7 @@ def test_functions_are_sampled_densely_enough_in_a_long_segment(editor, panel):
     editor.choose_family(HERMITE)
     for index in range(1, 6):
         editor.drag_parameter(index, to=0.01 * index)
-    t, values = panel.basis.function(6, 0)
+    t, values = panel.drawing.basis.function(6, 0)
     rising = values[t < editor.parameters[6]]
     # Second differences of a function drawn smoothly are small against a pixel's height, 1/150.
     assert np.abs(np.diff(rising, 2)).max() < 1e-3

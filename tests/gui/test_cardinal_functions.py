@@ -36,28 +36,28 @@ def switch(editor):
 def test_the_switch_shows_what_each_point_does_and_says_so(uneven):
     panel, cardinal = uneven.window.basis_panel, uneven.session.active_view.cardinal
     assert label(uneven, "basisTitle") == "Basis functions"
-    assert panel.basis.kinds == 2
+    assert panel.drawing.basis.kinds == 2
     QTest.mouseClick(switch(uneven), Qt.MouseButton.LeftButton)
     assert uneven.action("toggleEstimates").isChecked()
     assert label(uneven, "basisTitle").startswith("Cardinal functions")
     assert panel.accessibleName() == "Cardinal functions"
     assert not uneven.window.findChild(QToolButton, "velocityFunctions").isVisible()
     for point in range(7):
-        t, values = panel.basis.function(point, 0)
+        t, values = panel.drawing.basis.function(point, 0)
         assert values == pytest.approx(cardinal.basis(t)[:, point])
     # Hovering a function lights its point: between points 2 and 3 the function of point 1 is at −1.8.
-    panel.fit_values()
+    panel.drawing.fit_values()
     uneven.settle()
-    value = panel.basis.value_at(0.4, 0)[1]
+    value = panel.drawing.basis.value_at(0.4, 0)[1]
     assert value == pytest.approx(-1.79, abs=0.01)
     uneven.send(panel, QEvent.Type.MouseMove, panel.to_pixel(0.4, value), held=False)
     assert uneven.session.hovered == 1
     # By keyboard back, and for good with the space bar; a Lagrange curve has no estimates.
     switch(uneven).setFocus()
     QTest.keyClick(switch(uneven), Qt.Key.Key_Space)
-    assert panel.basis.kinds == 2
+    assert panel.drawing.basis.kinds == 2
     uneven.key(Qt.Key.Key_F8, Qt.KeyboardModifier.ShiftModifier)
-    assert panel.basis.kinds == 1
+    assert panel.drawing.basis.kinds == 1
     uneven.choose_family(LAGRANGE)
     assert label(uneven, "basisTitle") == "Basis functions"
     assert not switch(uneven).isVisible()
@@ -71,23 +71,23 @@ def test_the_functions_follow_a_drag_and_a_handle_and_stay_where_nothing_changes
     panel = uneven.window.basis_panel
     uneven.trigger("toggleEstimates")
     for move in (lambda: uneven.drag_point(3, (4.0, 2.0)), lambda: uneven.drag_parameter(2, to=0.2)):
-        before = panel.basis
+        before = panel.drawing.basis
         move()
-        assert panel.basis is not before
-        assert panel.basis.cardinal is uneven.session.active_view.cardinal
+        assert panel.drawing.basis is not before
+        assert panel.drawing.basis.cardinal is uneven.session.active_view.cardinal
     # The parameters are set by hand now: a point changes nothing, a handle that is set does.
-    before = panel.basis
+    before = panel.drawing.basis
     uneven.drag_point(3, (4.5, 2.0))
-    assert panel.basis is before
+    assert panel.drawing.basis is before
     uneven.select_point(3)
     uneven.drag_handle((4.8, 3.0))
-    assert panel.basis is not before
+    assert panel.drawing.basis is not before
     assert uneven.curve.nodes[3].velocity is not None
     # Position functions that were put away are not missed here, where there are no others.
     uneven.trigger("toggleEstimates")
     QTest.mouseClick(uneven.window.findChild(QToolButton, "positionFunctions"), Qt.MouseButton.LeftButton)
     uneven.trigger("toggleEstimates")
-    assert panel.basis.shown_of(panel.kinds) == [0]
+    assert panel.drawing.basis.shown_of(panel.drawing.functions.kinds) == [0]
     uneven.trigger("toggleEstimates")
     QTest.mouseClick(uneven.window.findChild(QToolButton, "positionFunctions"), Qt.MouseButton.LeftButton)
 

@@ -13,7 +13,7 @@ from PySide6.QtWidgets import QApplication, QLabel, QPushButton
 from app.commands.curve_clipboard import CURVES
 from app.document.model import Document, Node, Parametrization, ParametrizationKind, make_curve
 from app.families import QUINTIC_HERMITE
-from app.panels.curve_list_view import Spot, spot_rect
+from app.features.curve_list.view import Spot, spot_rect
 from app.tools.snapping import SnapKind, Snapping
 
 CTRL = Qt.KeyboardModifier.ControlModifier

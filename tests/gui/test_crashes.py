@@ -197,7 +197,7 @@ def test_a_fault_while_painting_is_told_and_painting_goes_on(guarded, qtbot, mon
         raise RuntimeError("cannot paint")
 
     with monkeypatch.context() as patch:
-        patch.setattr(layer, "_paint", fail)
+        patch.setattr(layer, "paint", fail)
         for times in range(1, 6):
             guarded.window.canvas.viewport().update()
             qtbot.waitUntil(lambda times=times: len(failed) >= times, timeout=WAIT_MS)

@@ -22,7 +22,7 @@ from app.exchange.drawing.styles import INK
 from app.exchange.drawing.styles import LIGHT as LIGHT_STYLE
 from app.exchange.options import Options
 from app.exchange.svg.writer import svg_of
-from app.panels.curve_list_view import Spot, spot_rect
+from app.features.curve_list.view import Spot, spot_rect
 from app.panels.export_dialog import ExportDialog
 from app.theme import DARK, LIGHT, ThemeMode, apply_theme, mix
 from app.view_model.palette import adjustment_of, colour_on

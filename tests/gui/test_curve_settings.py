@@ -6,11 +6,11 @@ from PySide6.QtCore import QLocale, Qt
 from PySide6.QtGui import QFocusEvent
 from PySide6.QtWidgets import QApplication, QComboBox, QLabel, QLineEdit, QToolButton, QWidget
 
-from app.controllers.curve_settings import CurveSettingsController
 from app.document import edits
 from app.document.model import AccelerationRule, ParametrizationKind, VelocityRule, make_curve
 from app.families import HERMITE, LAGRANGE, QUINTIC_HERMITE
-from app.panels.curve_settings import CurveSettings
+from app.features.curve_settings.controller import CurveSettingsController
+from app.features.curve_settings.panel import CurveSettings
 from app.session import MessageKind, Session
 from app.theme import ThemeMode, apply_theme
 

@@ -5,12 +5,14 @@ from __future__ import annotations
 import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QAction
-from PySide6.QtWidgets import QLabel
+from PySide6.QtWidgets import QDockWidget, QLabel
 
 from app.actions.declaration import Action, action, action_for_each, all_declared
 from app.actions.needs import Need
 from app.actions.sections import ANALYSIS, CURVE_SHAPE, PLOTS_IN_PLANE
 from app.commands.connect import COMMAND_SETS, all_actions
+from app.docks import LatePanel
+from app.document.edits import EditError
 from app.main_window import MainWindow
 from app.mnemonics import plain
 from app.panels.shortcut_editor import ShortcutEditor
@@ -27,6 +29,7 @@ class CountingCommands:
     def __init__(self, context):
         self._context = context
         self.counted = []
+        self.refuses = False
 
     @action(
         "countPoints",
@@ -36,10 +39,16 @@ class CountingCommands:
         "measure",
         full_name="Count Points Aloud",
         needs=Need("one selected point", lambda now: len(now.selection) == 1),
-        tip=TIP,
     )
     def _count(self):
+        """Count the selected points aloud."""
+        if self.refuses:
+            raise EditError("These points are not counted.")
         self.counted.append(len(self._context.session.selection))
+
+    @LatePanel("countDock", "Count", on_demand=True)
+    def build_panel(self):
+        return QLabel("Counted")
 
 
 class SwitchCommands:
@@ -111,6 +120,31 @@ def test_it_is_enabled_by_what_it_needs_and_done_by_its_key(counting, qtbot):
     assert commands.counted == [1]
     counting.select([0, 1])
     assert not counting.action("countPoints").isEnabled()
+
+
+def test_what_its_handler_refuses_stands_in_the_status_line(counting):
+    counting.window._commands[CountingCommands].refuses = True
+    counting.select([1])
+    counting.trigger("countPoints")
+    assert counting.window.status_line.text == "These points are not counted."
+    assert counting.window.status_line.is_refusal
+
+
+def test_whether_it_is_on_is_asked_of_its_declaration(counting):
+    actions = counting.window.actions_by_name
+    assert actions.is_on("toggleGrid")
+    assert not actions.is_on("toggleScrub")
+    assert not actions.is_on("countPoints")
+
+
+def test_a_panel_is_declared_on_what_builds_it(counting):
+    dock = counting.window.findChild(QDockWidget, "countDock")
+    assert dock.windowTitle() == "Count"
+    assert dock.isHidden()
+    assert dock.widget() is None
+    assert "countDockShown" in entries(submenu(counting.window, "View", "Panels"))
+    counting.show_dock("countDock")
+    assert [label.text() for label in dock.findChildren(QLabel)] == ["Counted"]
 
 
 def test_palette_keys_and_sheet_know_it(counting):

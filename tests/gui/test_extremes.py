@@ -47,7 +47,7 @@ def test_wild_functions_are_fitted_about_zero_as_far_as_an_axis_reaches(opened, 
     pane._fit.click()
     editor.settle()
     _, low, _, high = panel.pixel_map.box
-    least, greatest = panel.basis.extent({0})
+    least, greatest = panel.drawing.basis.extent({0})
     assert low < 0.0 < high
     assert high - low <= GREATEST_SPAN * (1 + 1e-9)
     if n > 60:

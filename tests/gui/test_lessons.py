@@ -409,7 +409,7 @@ def test_a_start_with_a_lesson_shows_all_of_its_functions(qtbot, is_shown_first)
     qtbot.waitExposed(window)
     qtbot.waitUntil(lambda: not [each for each in window.children() if type(each).__name__ == "_FirstShow"])
     assert window.lessons_dock.isVisible()
-    low, high = window.basis_panel.basis.extent(frozenset((0, 1, 2)))
+    low, high = window.basis_panel.drawing.basis.extent(frozenset((0, 1, 2)))
     _, bottom, _, top = window.basis_panel.pixel_map.box
     assert low < -0.5
     assert bottom < low < high < top

@@ -15,6 +15,7 @@ from app.diagnostics.crash_report import place_of, report_of
 from app.diagnostics.log import FORMAT, LAST_LINES, NAME, last_lines, logged
 from app.diagnostics.log_file import FILE_NAME, LogFile
 from app.diagnostics.slow_frames import SlowFrames
+from app.document.edits import set_position
 from app.document.model import Document, make_curve
 from app.features.recovery.autosave import Autosave
 from app.storage.files import load, save
@@ -68,6 +69,12 @@ def test_nothing_of_the_person_is_in_it(editor, qtbot, folder, debug, monkeypatc
     editor.drag_point(1, to=(1.5, 3.0))
     named = replace(session.active_curve, name="letters")
     session.commit(replace(session.document, curves=(named,)), "Rename to letters")
+    locked = replace(session.active_curve, locked=True)
+    session.change("Lock letters", lambda document: replace(document, curves=(locked,)))
+    session.change("Move", lambda document: set_position(document, 0, 1, (71.25, 2.0)))
+    session.change("Move", lambda document: set_position(document, 0, 1, (float("nan"), 2.0)))
+    free = replace(locked, locked=False)
+    session.change("Unlock letters", lambda document: replace(document, curves=(free,)))
     editor.trigger("saveDocument")
     other = OpenFile.open(path).file  # as another window
     other.take_over()
@@ -117,6 +124,10 @@ def test_nothing_of_the_person_is_in_it(editor, qtbot, folder, debug, monkeypatc
         "curvebench.storage: read ",
         "curvebench.storage: written ",
         "not read: enoent",
+        "the file is seen as changed",
+        "a change was refused by the lock of a curve",
+        "a change was refused by checked",
+        "a step of the history, now ",
         "no snapshot: ",
         "curvebench.crash: formaterror in app/storage/format.py:",
         "curvebench.tasks: ",

@@ -69,7 +69,7 @@ def test_one_function_among_many_is_sampled_finely(index):
 def test_the_spans_are_the_functions():
     basis = basis_view(view_of(wave(80, HERMITE)))
     lines = FunctionLines(basis, SHOWN)
-    assert len(lines.spans(0)._lines) == 2 * (len(basis.t) - (basis.count - 1))
+    assert len(lines.spans(0)._shapes) == 2 * (len(basis.t) - (basis.count - 1))
 
 
 @pytest.fixture
@@ -106,13 +106,13 @@ def test_wide_functions_among_many_narrow_ones_are_smooth(open_wave, family):
     assert editor.parameters[98:101:2] == pytest.approx([0.4, 0.6], abs=0.01)
     editor.screenshot()
     panel = editor.window.basis_panel
-    basis, shown, lines = panel.basis, panel.pixel_map, panel._functions._lines
+    basis, shown, lines = panel.drawing.basis, panel.pixel_map, panel.drawing.functions._lines
     assert lines.are_of(basis, shown)
     assert way_to_draw(basis) is Drawing.SPANS
     # Of a quintic needle three pixels wide, eight chords cut off the tip.
     narrow = (0, 50, 97, 101, 199) if family is HERMITE else ()
     for kind in range(basis.kinds):
-        spans = lines.spans(kind)._lines.ndarray()
+        spans = lines.spans(kind)._shapes.ndarray()
         spans = spans[(spans[:, 2] > shown.x(0.35)) & (spans[:, 0] < shown.x(0.65))]
         for knot in (*narrow, 98, 99, 100):
             exact = exact_pixels(basis, shown, knot, kind)
@@ -127,7 +127,7 @@ def test_a_curve_with_pieces_alike_is_drawn_with_its_samples_alone():
     for n in (70, 200, 390):
         for family in (HERMITE, QUINTIC_HERMITE):
             basis = basis_view(view_of(wave(n, family)))
-            chords = len(FunctionLines(basis, SHOWN).spans(0)._lines)
+            chords = len(FunctionLines(basis, SHOWN).spans(0)._shapes)
             assert chords == 2 * (len(basis.t) - (basis.count - 1))
 
 

@@ -9,6 +9,7 @@ from hypothesis import strategies as st
 from PySide6.QtGui import QFontMetrics, QGuiApplication
 
 from app.document.words import number
+from app.features.point_table.delegate import COMPACT_DIGITS, ColumnWidths, width_for
 from app.panels.number_text import (
     NEGLIGIBLE,
     column_decimals,
@@ -17,7 +18,6 @@ from app.panels.number_text import (
     numbers_of_columns,
     widest_texts,
 )
-from app.panels.point_table_delegate import COMPACT_DIGITS, ColumnWidths, width_for
 
 numbers = st.one_of(
     st.floats(-1e4, 1e4),

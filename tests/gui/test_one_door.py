@@ -20,7 +20,7 @@ from app.document.model import (
 )
 from app.document.several_curves import with_looks
 from app.families import HERMITE, LAGRANGE
-from app.panels.curve_list_view import Spot
+from app.features.curve_list.view import Spot
 from app.storage.format import FormatError, validate
 from app.view_model.curve_view import view_of
 
@@ -385,3 +385,24 @@ def test_why_a_locked_curve_stays_is_told_to_who_asked_too(two):
     assert not change
     assert change.refusal == two.status
     assert "locked" in change.refusal
+
+
+@pytest.mark.parametrize("refuses", [False, True])
+def test_what_was_selected_is_selected_again_after_a_gesture_that_is_dropped(two, refuses):
+    """A press of the pen selects the point it makes; what was selected before was then lost."""
+    session = two.session
+    two.trigger("addTool")
+    two.press((1.5, 3.5))
+    assert session.is_previewing
+    assert session.selection == {4}
+    if refuses:
+
+        def edit(_document):
+            raise edits.EditError("There is no other way.")
+
+        session.change("Never", edit)
+    else:
+        session.interrupt()
+    assert not session.is_previewing
+    assert session.selection == {1, 2}
+    two.release((1.5, 3.5))

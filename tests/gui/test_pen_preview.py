@@ -44,7 +44,7 @@ def drawn(editor, family):
 
 def ahead(editor):
     """The curve shown ahead, as a value."""
-    view = editor.window.canvas.marks.ahead
+    view = editor.window.canvas.marks.preview_curve
     return view.source if view is not None else None
 
 

@@ -137,7 +137,7 @@ def test_the_lebesgue_constant_of_the_plot_is_that_of_the_status_line(editor):
     editor.trigger("plotLebesgue")
     editor.drag_parameter(3, to=editor.parameters[2] + 0.02)
     (plot,) = canvas(editor).plots
-    assert plot.levels[0].value == editor.window.basis_panel.basis.lebesgue_constant
+    assert plot.levels[0].value == editor.window.basis_panel.drawing.basis.lebesgue_constant
     known = plot.lines[0]
     assert known.values == pytest.approx(lebesgue_function(editor.session.active_view.curve, known.t))
 

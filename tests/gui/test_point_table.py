@@ -8,12 +8,12 @@ from PySide6.QtTest import QSignalSpy
 from PySide6.QtWidgets import QApplication, QLabel, QLineEdit, QMainWindow, QToolButton
 
 from app.colours import point_colours
-from app.controllers.point_table import PointTableController
 from app.document import edits
 from app.document.model import ParametrizationKind, VelocityRule, make_curve
 from app.families import FAMILIES, HERMITE, LAGRANGE, QUINTIC_HERMITE
-from app.panels.point_table import INTERVAL_MS, PointTable
-from app.panels.point_table_delegate import LEFT_PADDING, PADDING, CellEditor
+from app.features.point_table.controller import PointTableController
+from app.features.point_table.delegate import LEFT_PADDING, PADDING, CellEditor
+from app.features.point_table.panel import INTERVAL_MS, PointTable
 from app.session import MessageKind, Session
 from app.testing import wait_for_rest
 from app.theme import DARK, LIGHT, ThemeMode, apply_theme

@@ -13,7 +13,7 @@ from PySide6.QtWidgets import QApplication
 from app.document.curve_edits import set_colour
 from app.document.model import Document, make_curve
 from app.families import HERMITE, LAGRANGE
-from app.panels.curve_list_view import Spot, spot_rect
+from app.features.curve_list.view import Spot, spot_rect
 from app.view_model import flattener
 
 CTRL = Qt.KeyboardModifier.ControlModifier

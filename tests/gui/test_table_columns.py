@@ -12,10 +12,11 @@ from PySide6.QtTest import QTest
 
 from app.document import edits
 from app.document.edits import EditError
-from app.document.model import Document, Family, make_curve
-from app.panels import point_columns
-from app.panels.point_columns import Column
-from app.panels.point_table_delegate import CellEditor
+from app.document.model import Document, make_curve
+from app.families import HERMITE, LAGRANGE
+from app.features.point_table import columns
+from app.features.point_table.columns import Column
+from app.features.point_table.delegate import CellEditor
 
 Key, Role = Qt.Key, Qt.ItemDataRole
 CTRL = Qt.KeyboardModifier.ControlModifier
@@ -65,8 +66,8 @@ def point_locale():
 @pytest.fixture
 def table(monkeypatch, editor):
     """A table of four points with the two columns behind those that every Lagrange curve has."""
-    monkeypatch.setattr(point_columns, "COLUMNS", (*point_columns.COLUMNS, CURVATURE, DISTANCE))
-    curve = make_curve([(3.0, 4.0), (6.0, 8.0), (0.0, 5.0), (-3.0, 4.0)], family=Family.LAGRANGE)
+    monkeypatch.setattr(columns, "COLUMNS", (*columns.COLUMNS, CURVATURE, DISTANCE))
+    curve = make_curve([(3.0, 4.0), (6.0, 8.0), (0.0, 5.0), (-3.0, 4.0)], family=LAGRANGE)
     editor.session.change("Begin", lambda _document: Document((curve,)))
     editor.settle()
     view = editor.window.point_table
@@ -187,10 +188,10 @@ def test_one_that_is_computed_is_neither_typed_nor_pasted(editor, table):
 
 
 def test_a_family_shows_those_for_its_derivatives(monkeypatch, editor, table):
-    columns = (*point_columns.COLUMNS, Column(name="s", tip="", get=distances, derivatives=1))
-    monkeypatch.setattr(point_columns, "COLUMNS", columns)
-    editor.choose_family(Family.HERMITE)
+    more = Column(name="s", tip="", get=distances, derivatives=1)
+    monkeypatch.setattr(columns, "COLUMNS", (*columns.COLUMNS, more))
+    editor.choose_family(HERMITE)
     names = [column.name for column in table.model().columns]
     assert names == ["t", "x", "y", "vx", "vy", "kappa", "r", "s"]
-    editor.choose_family(Family.LAGRANGE)
+    editor.choose_family(LAGRANGE)
     assert [column.name for column in table.model().columns] == ["t", "x", "y", "kappa", "r"]

@@ -5,9 +5,11 @@ from __future__ import annotations
 import msgspec
 import pytest
 from PySide6.QtCore import QEvent, Qt
+from PySide6.QtWidgets import QLabel, QMenu
 
 from app.document import edits
 from app.document.model import Document, Node
+from app.testing import Editor
 from app.tools.marks import GestureMarks, Ruler
 from app.tools.pointer import Cursor, Hint
 from app.tools.registry import TOOLS
@@ -61,15 +63,31 @@ class RaiseTool(Tool):
         return GestureMarks(ruler=Ruler(self.drag.foot, self.drag.head(context.pointer), "up"))
 
 
-RAISE = ToolRecord(name="raise", make=RaiseTool, hint="Drag upwards.")
+RAISE = ToolRecord(
+    name="raise",
+    make=RaiseTool,
+    hint="Drag upwards.",
+    action="raiseTool",
+    title="Raise Points",
+    key="Y",
+    icon="move",
+    tip="Put points above others",
+)
 FOOT, HEAD = (2.0, 1.0), (2.5, 3.0)
 
 
 @pytest.fixture
-def raising(editor):
-    editor.window.canvas.choose_tool(RAISE)
-    yield editor
-    editor.trigger("selectTool")
+def raising(qtbot):
+    """A window with the tool, chosen by its key."""
+    TOOLS.append(RAISE)
+    try:
+        editor = Editor(qtbot)
+    finally:
+        TOOLS.remove(RAISE)
+    editor.window.activateWindow()
+    editor.settle()
+    editor.key(Qt.Key.Key_Y)
+    return editor
 
 
 def ink(editor):
@@ -81,9 +99,17 @@ def ink(editor):
     return min(abs(each.red() - accent.red()) + abs(each.blue() - accent.blue()) for each in near)
 
 
+def test_it_is_found_where_all_tools_are(raising):
+    assert raising.action("raiseTool").isChecked()
+    assert raising.window.findChild(QLabel, "hint").text() == RAISE.hint
+    assert raising.find_command("raise po")[0] == "Raise Points"
+    edit = next(menu for menu in raising.window.menuBar().findChildren(QMenu) if "Edit" in menu.title())
+    assert raising.action("raiseTool") in edit.actions()
+
+
 def test_its_hint_and_its_cursor_are_shown(raising):
     raising.hover(HEAD)
-    assert raising.window.findChild(object, "hint").text() == HINT
+    assert raising.window.findChild(QLabel, "hint").text() == HINT
     assert raising.window.canvas.viewport().cursor().shape() == Qt.CursorShape.SizeVerCursor
 
 

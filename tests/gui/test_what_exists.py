@@ -219,7 +219,7 @@ def test_actions_are_checked_by_the_document_that_the_panels_show(editor):
     render = editor.window._commands.render
 
     def noted(view):
-        seen.append(view.source.family is editor.window.basis_panel._view.source.family)
+        seen.append(view.source.family is editor.window.basis_panel.drawing._view.source.family)
         render(view)
 
     editor.window._commands.render = noted

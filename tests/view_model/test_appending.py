@@ -10,8 +10,8 @@ import pytest
 from app.document import edits
 from app.document.model import Document, Node, ParametrizationKind, make_curve
 from app.families import HERMITE, QUINTIC_HERMITE
-from app.panels.point_columns import COLUMNS, POSITION
-from app.panels.point_table_edits import paste_block
+from app.features.point_table.columns import COLUMNS, POSITION
+from app.features.point_table.edits import paste_block
 from app.view_model.appending import with_point_appended
 from app.view_model.curve_view import view_of
 from app.view_model.handles import handles_of

@@ -24,13 +24,13 @@ def polygon(view: CurveView) -> list[Figure]:
 
 def bezier_polygons(view: CurveView) -> tuple[list[Figure], str]:
     """Return the control polygons of the segments of piecewise polynomials, or in words why not."""
-    if view.curve is not None and view.curve.degree is None:
-        return [], f"Not drawn: a {view.source.family.title} curve is made of no polynomials."
     figures = []
     for piece in view.pieces:
         if (controls := piece.bezier_pieces()) is not None:
             figures += _polygons(controls)
-    return figures, ""
+    if figures or view.source.family.is_one_polynomial:
+        return figures, ""
+    return [], f"Not drawn: no control points are known of a {view.source.family.title} curve."
 
 
 def bezier_polygon_of_polynomial(scene: Scene) -> tuple[list[Figure], str]:

@@ -6,7 +6,7 @@ from collections.abc import Callable
 
 from app.document import edits
 from app.document.model import AccelerationRule, Document, VelocityRule
-from app.panels.curve_settings import CurveSettings, orders_set
+from app.features.curve_settings.panel import CurveSettings, orders_set
 from app.session import Session
 
 

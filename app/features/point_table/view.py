@@ -17,9 +17,9 @@ from PySide6.QtCore import (
 from PySide6.QtGui import QFont, QKeyEvent, QKeySequence, QResizeEvent
 from PySide6.QtWidgets import QAbstractButton, QAbstractItemView, QHeaderView, QTableView, QWidget
 
+from app.features.point_table.delegate import COMPACT_DIGITS, PADDING, PointTableDelegate
+from app.features.point_table.model import PointTableModel
 from app.overrides import Guarded
-from app.panels.point_table_delegate import COMPACT_DIGITS, PADDING, PointTableDelegate
-from app.panels.point_table_model import PointTableModel
 
 _ENTER = (Qt.Key.Key_Return, Qt.Key.Key_Enter)
 _DELETE = (Qt.Key.Key_Delete, Qt.Key.Key_Backspace)

@@ -8,7 +8,7 @@ from functools import partial
 from app.document.edits import rename_curve
 from app.document.model import Document
 from app.document.several_curves import move_curves, named, place_in, with_looks
-from app.panels.curve_list import CurveList
+from app.features.curve_list.panel import CurveList
 from app.session import Session
 
 

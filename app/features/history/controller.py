@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from app.panels.history import HistoryPanel
+from app.features.history.panel import HistoryPanel
 from app.session import Session
 
 

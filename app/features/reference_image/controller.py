@@ -7,7 +7,7 @@ from collections.abc import Callable
 from app.controllers.slider_gesture import SliderGesture
 from app.document.image_edits import place_image, set_image_locked, set_image_opacity
 from app.document.model import Document
-from app.panels.image_panel import STEPS, ImagePanel
+from app.features.reference_image.panel import STEPS, ImagePanel
 from app.session import Session
 
 

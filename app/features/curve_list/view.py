@@ -37,10 +37,10 @@ from PySide6.QtWidgets import (
 )
 
 from app.colours import curve_colour
+from app.features.curve_list.model import CurveListModel, Row
 from app.icons import icon
 from app.labels import tip_of
 from app.overrides import Guarded
-from app.panels.curve_list_model import CurveListModel, Row
 from app.theme import mix, theme_of
 from app.view_model.palette import adjustment_of
 

@@ -10,9 +10,9 @@ from app.document import edits
 from app.document.edits import EditError
 from app.document.model import Document
 from app.document.words import count_of
-from app.panels.point_columns import POSITION, Column
-from app.panels.point_table import PointTable
-from app.panels.point_table_edits import fill_cells, keepers, paste_block, reset_name
+from app.features.point_table.columns import POSITION, Column
+from app.features.point_table.edits import fill_cells, keepers, paste_block, reset_name
+from app.features.point_table.panel import PointTable
 from app.session import Session
 
 

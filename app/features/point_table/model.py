@@ -22,9 +22,14 @@ from app.document.edits import EditError, checked
 from app.document.expression import ExpressionError, parse_number
 from app.document.model import Node
 from app.document.words import number, with_minus
+from app.features.point_table.columns import Column, columns_of
 from app.overrides import Guarded
-from app.panels.number_text import ColumnNumbers, decimal_mark, exact_text, numbers_of_columns
-from app.panels.point_columns import Column, columns_of
+from app.panels.number_text import (
+    ColumnNumbers,
+    decimal_mark,
+    exact_text,
+    numbers_of_columns,
+)
 from app.plotting.colours import colours_of
 from app.theme import LIGHT, Theme
 from app.view_model.curve_view import CurveView, Floats

@@ -1,16 +1,13 @@
-"""Plot of every basis function over t, with the t-rail at its foot and the scrub line."""
+"""Scene of the basis panel: every basis function over t, the t-rail at its foot, and the scrub line."""
 
 from __future__ import annotations
 
 import numpy as np
-from PySide6.QtCore import QPointF, Signal
-from PySide6.QtWidgets import QWidget
+from PySide6.QtCore import QObject, Signal
 
 from app.panels.basis_layers import FunctionLayer, RailLayer, rail_height
 from app.plotting.camera import GREATEST_SPAN, CameraOverT
 from app.plotting.tool_plot import ToolPlot
-from app.theme import LIGHT
-from app.tools.toolbox import Toolbox
 from app.view_model.basis_view import BasisView, basis_view
 from app.view_model.cardinal_view import CardinalView, cardinal_view
 from app.view_model.curve_view import CurveView
@@ -20,8 +17,15 @@ _PADDING = 0.035
 _WHAT = "The basis functions"
 
 
-class BasisPlot(ToolPlot):
-    """Draws all basis functions of the active curve; x axis t. No gestures.
+class BasisScene(QObject):
+    """The layers of the basis panel, and the ranges that show them.
+
+    Attributes
+    ----------
+    functions, rail
+        All basis functions of the curve that is edited; the t-rail with the scrub line.
+    basis
+        The functions on screen, None without a curve.
 
     Signals
     -------
@@ -31,35 +35,33 @@ class BasisPlot(ToolPlot):
 
     extent_changed = Signal(object)
 
-    camera: CameraOverT
-    camera_class = CameraOverT
-
-    def __init__(self, tools: Toolbox, parent: QWidget | None = None) -> None:
-        super().__init__(tools, parent)
-        self.setObjectName("basisPanel")
+    def __init__(self, plot: ToolPlot, camera: CameraOverT) -> None:
+        super().__init__(plot)
+        self._plot, self._camera = plot, camera
+        self._box = plot.getViewBox()
         self._view: CurveView | None = None
-        self._basis: BasisView | None = None
+        self.basis: BasisView | None = None
         self._values: tuple[float, float] = _CALM_RANGE
         self._held_domain: tuple[float, float] | None = None
         self._with_estimates = False
-        self._functions = self.layers.style(FunctionLayer(self, LIGHT))
-        self._rail = self.layers.style(RailLayer(self, LIGHT))
-        self.getViewBox().sigResized.connect(self._show_values)
+        self.functions = FunctionLayer(plot)
+        self.rail = RailLayer(plot)
+        self._box.sigResized.connect(self.show_values)
         self.set_with_estimates(False)
 
     def render_view(self, view: CurveView) -> None:
         """Show the functions of `view`; they are sampled again only if they are other ones."""
         self._view = view
         shows_cardinals = self._with_estimates and view.source.family.derivatives > 0
-        if _is_of(self._basis, view, shows_cardinals):
+        if _is_of(self.basis, view, shows_cardinals):
             return
-        old = self._basis
-        self._basis = cardinal_view(view) if shows_cardinals else basis_view(view, old)
-        self._functions.render(self._basis)
-        self._rail.render(self._basis)
-        moved = self._basis is not None and (old is None or old.curve.domain != self._basis.curve.domain)
+        old = self.basis
+        self.basis = cardinal_view(view) if shows_cardinals else basis_view(view, old)
+        self.functions.render(self.basis)
+        self.rail.render(self.basis)
+        moved = self.basis is not None and (old is None or old.curve.domain != self.basis.curve.domain)
         was_held = self._held_domain is not None and self._domain() == self._held_domain
-        if (moved or not view.source.nodes) and not self.is_dragging and not was_held:
+        if (moved or not view.source.nodes) and not self._plot.is_dragging and not was_held:
             self.fit_domain()
         self._report_extent()
 
@@ -67,56 +69,36 @@ class BasisPlot(ToolPlot):
         """Show what each point does with the estimates that follow it, or the family's functions."""
         self._with_estimates = shown
         name, what = ("Cardinal functions", "What each point does") if shown else ("Basis functions", _WHAT)
-        self.setAccessibleName(name)
-        self.setAccessibleDescription(f"{what} over t; drag a tick at the foot to change t.")
+        self._plot.setAccessibleName(name)
+        self._plot.setAccessibleDescription(f"{what} over t; drag a tick at the foot to change t.")
         if self._view is not None:
             self.render_view(self._view)
 
-    @property
-    def emphasised(self) -> frozenset[int]:
-        """The points whose functions are drawn thick."""
-        return self._functions.emphasised
-
-    @property
-    def kinds(self) -> frozenset[int]:
-        """The kinds of functions that are shown."""
-        return self._functions.kinds
-
-    @property
-    def basis(self) -> BasisView | None:
-        """The functions on screen, None without a curve."""
-        return self._basis
-
-    def set_scale(self, scale: float) -> None:
-        """Enlarge lines, ticks and numbers, for a projector."""
-        super().set_scale(scale)
-        self._show_values()
-
     def set_selection(self, selection: frozenset[int]) -> None:
         """Draw the functions of these points thick."""
-        self._rail.selection = selection
+        self.rail.selection = selection
         self._emphasise()
 
     def set_hovered(self, index: int) -> None:
         """Draw the functions of this point thick, too (−1 for none)."""
-        self._rail.hovered = index
+        self.rail.hovered = index
         self._emphasise()
 
     def _emphasise(self) -> None:
-        hovered = self._rail.hovered
-        self._functions.emphasised = self._rail.selection | ({hovered} if hovered >= 0 else frozenset())
-        self._functions.refresh()
-        self._rail.refresh()
+        hovered = self.rail.hovered
+        self.functions.emphasised = self.rail.selection | ({hovered} if hovered >= 0 else frozenset())
+        self.functions.update()
+        self.rail.update()
 
     def set_scrub(self, t: float | None) -> None:
         """Move the scrub line, or put it away (None)."""
-        self._rail.scrub = t
-        self._rail.refresh()
+        self.rail.scrub = t
+        self.rail.update()
 
     def set_kinds(self, kinds: frozenset[int]) -> None:
         """Show these kinds of functions: 0 position, 1 velocity, 2 acceleration."""
-        self._functions.kinds = kinds
-        self._functions.refresh()
+        self.functions.kinds = kinds
+        self.functions.update()
         self._report_extent()
 
     # Ranges
@@ -127,14 +109,14 @@ class BasisPlot(ToolPlot):
         if domain is not None:
             start, end = domain
             padding = _PADDING * (end - start)
-            self.camera.show_t(start - padding, end + padding)
-        self._show_values()
+            self._camera.show_t(start - padding, end + padding)
+        self.show_values()
 
-    def _hold_domain(self) -> None:
+    def hold_domain(self) -> None:
         """Keep the interval in view as it is while a drag changes it: ticks must not run from the pointer."""
         self._held_domain = self._domain()
 
-    def _release_domain(self) -> None:
+    def release_domain(self) -> None:
         """Show the whole interval if the drag that ends has changed it."""
         held, self._held_domain = self._held_domain, None
         if held is not None and self._domain() != held:
@@ -142,8 +124,8 @@ class BasisPlot(ToolPlot):
 
     def _domain(self) -> tuple[float, float] | None:
         """Return the interval of t; without points that which the rule is going to span, else None."""
-        if self._basis is not None:
-            return self._basis.curve.domain
+        if self.basis is not None:
+            return self.basis.curve.domain
         if self._view is None or self._view.source.nodes:
             return None
         rule = self._view.source.parametrization
@@ -151,42 +133,36 @@ class BasisPlot(ToolPlot):
 
     def fit_values(self) -> None:
         """Show the functions from their least to their greatest value, as far as an axis reaches."""
-        if self._basis is not None:
-            low, high = self._basis.extent(self._functions.kinds)
+        if self.basis is not None:
+            low, high = self.basis.extent(self.functions.kinds)
             most = 0.5 * GREATEST_SPAN / (1.0 + self._rail_share())
             low, high = max(low, -most), min(high, most)
             margin = 0.05 * (high - low)
             low, high = min(low - margin, _CALM_RANGE[0]), max(high + margin, _CALM_RANGE[1])
             self._values = (max(low, -most), min(high, most))
-            self._show_values()
+            self.show_values()
 
     def calm_values(self) -> None:
         """Show the usual range again, −0.5 to 1.2."""
         self._values = _CALM_RANGE
-        self._show_values()
+        self.show_values()
 
-    def _show_values(self) -> None:
+    def show_values(self) -> None:
         """Map the range of values to the part of the plot area above the rail."""
         low, high = self._values
-        self.getViewBox().setYRange(low - self._rail_share() * (high - low), high, padding=0)
+        self._box.setYRange(low - self._rail_share() * (high - low), high, padding=0)
         self._report_extent()
 
     def _rail_share(self) -> float:
         """Return the height of the rail as a share of what is left for the functions."""
-        rail, height = rail_height(self._rail.scale), float(self.getViewBox().rect().height())
+        rail, height = rail_height(self.rail.scale), float(self._box.rect().height())
         return rail / max(height - rail, 1.0)
 
     def _report_extent(self) -> None:
-        extent = self._basis.extent(self._functions.kinds) if self._basis is not None else None
+        extent = self.basis.extent(self.functions.kinds) if self.basis is not None else None
         low, high = self._values
         inside = extent is None or (extent[0] >= low and extent[1] <= high)
         self.extent_changed.emit(None if inside else extent)
-
-    def rail_pixel(self, t: float) -> QPointF:
-        """Return where in the viewport the tick at `t` is grabbed."""
-        shown = self.pixel_map
-        area = QPointF(shown.point(t, 0.0)[0], shown.height - rail_height(self._rail.scale) + 8)
-        return self.camera.origin + area
 
 
 def _is_of(basis: BasisView | None, view: CurveView, cardinals: bool) -> bool:

@@ -9,7 +9,7 @@ from msgspec.structs import replace
 from app.document import edits
 from app.document.edits import EditError
 from app.document.model import Document, Node
-from app.panels.point_columns import PARAMETER, POSITION, Column, knot_parameters
+from app.features.point_table.columns import PARAMETER, POSITION, Column, knot_parameters
 from app.view_model.appending import with_nodes_appended
 from app.view_model.curve_view import CurveView, Floats, appended_parameter, view_of
 from app.view_model.jets import explicit_sides

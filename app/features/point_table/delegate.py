@@ -26,6 +26,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from app.features.point_table.model import PointTableModel
 from app.overrides import Guarded
 from app.panels.number_text import (
     Extent,
@@ -36,7 +37,6 @@ from app.panels.number_text import (
     most_decimals,
     widest_texts,
 )
-from app.panels.point_table_model import PointTableModel
 from app.theme import LIGHT, Theme, mix
 
 _MARK = 6

@@ -1,4 +1,4 @@
-"""The curves that are chosen beside the active one: in full colour, with halos, their points as rings."""
+"""The curves that are selected beside the active one: in full colour, with halos, their points as rings."""
 
 from __future__ import annotations
 
@@ -26,8 +26,8 @@ _MOST_RINGS = 400
 """Points in sight of one curve above which only as many are ringed: more would be a band."""
 
 
-class ChosenCurvesLayer(OtherCurvesLayer):
-    """Draws chosen curves as `OtherCurvesLayer` draws the others: from a picture, kept while they stay.
+class SelectedCurvesLayer(OtherCurvesLayer):
+    """Draws selected curves as `OtherCurvesLayer` draws the others: from a picture, kept while they stay.
 
     Hidden ones are faint, as the active curve is: they are moved with the others.
     """

@@ -10,9 +10,9 @@ from PySide6.QtWidgets import QHBoxLayout, QMenu, QVBoxLayout, QWidget
 
 from app.colours import CURVE_COLOURS, curve_colour
 from app.document.model import Document
+from app.features.curve_list.model import CurveListModel
+from app.features.curve_list.view import CurveListView, Spot
 from app.overrides import Guarded
-from app.panels.curve_list_model import CurveListModel
-from app.panels.curve_list_view import CurveListView, Spot
 from app.panels.tool_buttons import action_button
 from app.theme import Theme, theme_of
 from app.view_model.palette import adjustment_of

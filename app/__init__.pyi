@@ -1,0 +1,4 @@
+# Modules that are imported when they are first used.
+from . import lessons as lessons
+
+__version__: str

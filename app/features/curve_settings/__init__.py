@@ -1,0 +1,4 @@
+"""The form of the active curve: name, interval of t and tangent rules.
+
+- ``panel``: the form.  ``controller``: turns what is typed and chosen into changes of the curve.
+"""
