@@ -8,7 +8,10 @@ import msgspec
 from msgspec.structs import replace
 from PySide6.QtCore import QObject, Signal
 
-from app.view_model.analysis.settings import AnalysisSettings, Ghost, Overlay, Plot
+from app.view_model.analysis.ghost import Ghost
+from app.view_model.analysis.overlay import Overlay
+from app.view_model.analysis.plot import Plot
+from app.view_model.analysis.settings import AnalysisSettings, Setting
 from app.window_state import WindowState, WindowStore
 
 
@@ -55,6 +58,10 @@ class Analysis(QObject):
     def change(self, **fields: object) -> None:
         """Take other values for some of the settings."""
         self._store.change(analysis=replace(self.settings, **fields))
+
+    def set_value(self, setting: Setting, value: float) -> None:
+        """Take another value for a setting of overlays."""
+        self._store.change(analysis=self.settings.with_value(setting, value))
 
     def reset(self) -> None:
         """Take all settings back to what they are at the start."""

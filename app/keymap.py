@@ -147,7 +147,7 @@ class Keymap(QObject):
 
 def action_name(prefix: str, member: Enum) -> str:
     """Return the name of the action for a member of an enumeration: "ghostQuinticHermite"."""
-    return prefix + "".join(word.capitalize() for word in str(member.value).split("_"))
+    return prefix + "".join(word.capitalize() for word in str(member.value).replace("-", "_").split("_"))
 
 
 def set_full_name(action: QAction, name: str) -> None:

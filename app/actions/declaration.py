@@ -26,7 +26,7 @@ from app.actions.needs import NOTHING, Need
 from app.actions.sections import Section
 from app.actions.situation import Situation
 
-_DECLARED = "declared_actions"
+_DECLARED, _AT_PLACE = "declared_actions", "place_action"
 
 _Handler = TypeVar("_Handler", bound=Callable[..., object])
 _Record = TypeVar("_Record")
@@ -136,6 +136,37 @@ def action_for_each(
     return Decorator(
         lambda: [(describe(each), (each,)) for each in (records() if callable(records) else records)]
     )
+
+
+class PlaceAction(msgspec.Struct, frozen=True):
+    """Declares the method that it is put on as what an entry of the menu for a place on the curve does.
+
+    The method takes the parameter t there.
+
+    Attributes
+    ----------
+    name, text
+        The entry's objectName and text.
+    like
+        The action that does it elsewhere: its icon, tip and needs are the entry's.
+    """
+
+    name: str
+    text: str
+    like: str
+
+    def __call__(self, handler: _Handler) -> _Handler:
+        """Declare `handler`, and leave it as it is."""
+        setattr(handler, _AT_PLACE, self)
+        return handler
+
+
+def place_actions(commands: object) -> Iterator[tuple[PlaceAction, Callable[[float], object]]]:
+    """Yield the entries that a command set declares for the menu of a place, with what they do."""
+    for member in vars(type(commands)).values():
+        entry = getattr(member, _AT_PLACE, None)
+        if isinstance(entry, PlaceAction):
+            yield entry, partial(member, commands)
 
 
 def declared_by(commands: type) -> Iterator[Declared]:

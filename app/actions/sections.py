@@ -10,6 +10,8 @@ from itertools import count
 
 import msgspec
 
+from app.view_model.analysis.overlay import Group
+
 MENUS: list[Menu] = []
 """The menus of the menu bar, in order."""
 
@@ -103,9 +105,7 @@ CURVE_ORDER = CURVE.section("Order", is_separated=False)
 CURVE_WALK = CURVE.section("Order")
 
 ANALYSIS = Menu("Analysis")
-OVERLAYS_SHAPE = ANALYSIS.section("Overlays", is_separated=False)
-OVERLAYS_POLYGONS = ANALYSIS.section("Overlays")
-OVERLAYS_ERRORS = ANALYSIS.section("Overlays")
+OVERLAY_SECTIONS = [ANALYSIS.section("Overlays", is_separated=group > 0) for group in Group]
 GHOSTS_FAMILY = ANALYSIS.section("Ghosts", is_separated=False)
 GHOSTS_RULE = ANALYSIS.section("Ghosts")
 PLOTS_OVER_T = ANALYSIS.section("Plots", is_separated=False)

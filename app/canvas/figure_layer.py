@@ -19,7 +19,7 @@ from app.plotting.pixel_map import PixelMap
 from app.plotting.plates import inside, write_on_plate
 from app.plotting.plot_widget import PlotWidget
 from app.view_model.analysis.figures import Figure, Shape
-from app.view_model.looks import LOOKS, Look, ghost_look
+from app.view_model.looks import Look
 
 if TYPE_CHECKING:
     from app.view_model.analysis.ghosts import GhostView
@@ -80,7 +80,7 @@ class FigureLayer(Layer):
     def _paint_figures(self, painter: QPainter, shown: PixelMap, figures: Sequence[Figure]) -> None:
         painter.setRenderHint(QPainter.RenderHint.Antialiasing, True)
         for figure in figures:
-            look = LOOKS[figure.style]
+            look = figure.style
             painter.setPen(pen_of(look, self.theme, self.scale))
             if figure.shape is Shape.AREA:
                 self._paint_area(painter, shown, figure, painter.pen().color())
@@ -101,7 +101,7 @@ class FigureLayer(Layer):
     def _paint_ghost(self, painter: QPainter, shown: PixelMap, ghost: GhostView) -> None:
         if not ghost.is_drawn:
             return
-        look = ghost_look(ghost.ghost)
+        look = ghost.ghost.look
         painter.setPen(pen_of(look, self.theme, self.scale))
         line = ghost.line(TOLERANCE / max(shown.sx, shown.sy), shown.box)
         draw_line(painter, _pixels(line, shown), look.dashes, shown)

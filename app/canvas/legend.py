@@ -14,8 +14,8 @@ from app.overrides import Guarded
 from app.plotting.layers import LayerStack
 from app.plotting.pens import sign_pixmap
 from app.theme import mix
+from app.view_model.analysis.ghost import Ghost
 from app.view_model.analysis.legend import LegendRow
-from app.view_model.analysis.settings import Ghost
 
 _MARGIN = 10
 
@@ -97,12 +97,12 @@ class Legend(Guarded, QFrame):
     def _add(self, place: int, row: LegendRow) -> None:
         font = QFont(self.font())
         font.setPointSizeF(font.pointSizeF() * 0.92 * self._style.scale)
-        if row.sign is not None:
+        if row.look is not None:
             sign = Label()
-            sign.setPixmap(sign_pixmap(row.sign, self._style.theme, self.devicePixelRatioF()))
+            sign.setPixmap(sign_pixmap(row.look, self._style.theme, self.devicePixelRatioF()))
             self._grid.addWidget(sign, place, 0)
-        if isinstance(row.sign, Ghost):
-            choose, hide = self._ghost_buttons(row, row.sign)
+        if row.ghost is not None:
+            choose, hide = self._ghost_buttons(row, row.ghost)
             choose.setFont(font)
             self._grid.addWidget(choose, place, 1)
             self._grid.addWidget(hide, place, 2)
@@ -113,7 +113,7 @@ class Legend(Guarded, QFrame):
         text.setStyleSheet(
             f"color: {(self._style.theme.muted if row.is_muted else self._style.theme.ink).name()}"
         )
-        first = 0 if row.sign is None else 1
+        first = 0 if row.look is None else 1
         self._grid.addWidget(text, place, first, 1, 3 - first)
 
     def _ghost_buttons(self, row: LegendRow, ghost: Ghost) -> tuple[QToolButton, QToolButton]:

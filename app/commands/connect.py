@@ -55,13 +55,13 @@ COMMAND_SETS: tuple[type, ...] = (
     WorkCommands,
     ExchangeCommands,
     CurveCommands,
+    TangentCommands,
     JointCommands,
     OverlayCommands,
     PlotCommands,
     LaboratoryCommands,
     WiggleCommands,
     HodographCommands,
-    TangentCommands,
     MotionCommands,
     LessonCommands,
     EditCommands,
@@ -101,13 +101,11 @@ class Commands:
         self._sets = {kind: kind(context) for kind in command_sets}
         self._live = [each for each in self._sets.values() if isinstance(each, Follows)]
         self._slow = [each for each in self._sets.values() if isinstance(each, Renders)]
-        images, curves = self[ImageCommands], self[CurveCommands]
+        images = self[ImageCommands]
         laboratory, wiggle = self[LaboratoryCommands], self[WiggleCommands]
         self.drops = Drops(context, self[ExchangeCommands].import_files, images.add)
         self._teaching = TeachingCommands(context, laboratory.open, wiggle.explain_widest)
-        self.context_menus = ContextMenus(
-            context, curves, wiggle.explain_at, self[TangentCommands].straighten_at, self.attempt
-        )
+        self.context_menus = ContextMenus(context, self._sets.values(), self.attempt)
         self._had_scrub = False
         for each in self._sets.values():
             context.actions.bind(each, self._run)

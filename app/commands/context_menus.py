@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtWidgets import QMenu
 
+from app.actions.declaration import place_actions
 from app.commands.context import WindowContext
-from app.commands.curve_commands import CurveCommands
 from app.tools.pointer import Hit, Part
 
 _SEPARATOR = ""
@@ -42,13 +42,11 @@ class ContextMenus:
     def __init__(
         self,
         context: WindowContext,
-        curves: CurveCommands,
-        explain_at: Callable[[float], None],
-        straighten_at: Callable[[float], None],
+        command_sets: Iterable[object],
         attempt: Callable[[Callable[[], object]], None],
     ) -> None:
-        self._context, self._curves, self._explain_at = context, curves, explain_at
-        self._straighten_at, self._attempt = straighten_at, attempt
+        self._context, self._attempt = context, attempt
+        self._at_place = [pair for each in command_sets for pair in place_actions(each)]
         context.central.canvas.menu_requested.connect(self._open_on_canvas)
         context.docks.curve_list.menu_requested.connect(lambda place: self._popup(self._menu(_LIST), place))
 
@@ -81,15 +79,10 @@ class ContextMenus:
         """Return the menu for a place on the active curve."""
         menu = self._menu(_CURVE)
         top = menu.actions()[0]
-        for name, text, icon, act in (
-            ("insertPointHere", "Insert Point Here", "insertPoint", self._curves.insert_at),
-            ("splitHere", "Split Here", "splitCurve", self._curves.split_at),
-            ("straightHere", "Straight Segment", "straightSegment", self._straighten_at),
-            ("explainHere", "Explain This Wiggle", "explainWiggle", self._explain_at),
-        ):
-            known = self._context.actions[icon]
-            here = menu.addAction(known.icon(), text)
-            here.setObjectName(name)
+        for entry, act in self._at_place:
+            known = self._context.actions[entry.like]
+            here = menu.addAction(known.icon(), entry.text)
+            here.setObjectName(entry.name)
             here.setStatusTip(known.statusTip())
             here.setToolTip(known.toolTip())
             here.setEnabled(known.isEnabled())

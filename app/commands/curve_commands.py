@@ -6,7 +6,7 @@ from collections.abc import Callable
 
 import numpy as np
 
-from app.actions.declaration import action
+from app.actions.declaration import PlaceAction, action
 from app.actions.needs import SECOND_CURVE, TWO_POINTS, UNLOCKED_CURVE, Need
 from app.actions.sections import (
     CURVE_NAME,
@@ -107,6 +107,7 @@ class CurveCommands:
         """Insert a point on the curve; under manual parameters its shape stays."""
         self._at_scrub(self.insert_at)
 
+    @PlaceAction("insertPointHere", "Insert Point Here", like="insertPoint")
     def insert_at(self, t: float) -> None:
         """Insert a point on the active curve at `t`."""
         view = self._session.active_view
@@ -141,6 +142,7 @@ class CurveCommands:
         else:
             session.undo_stack.redo()
 
+    @PlaceAction("splitHere", "Split Here", like="splitCurve")
     def split_at(self, t: float) -> None:
         """Split the active curve at `t`."""
         session, done = self._session, list[Split]()

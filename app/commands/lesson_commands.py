@@ -17,6 +17,7 @@ from app.commands.context import WindowContext
 from app.docks import LatePanel
 from app.session import Beginning
 from app.storage.files import load
+from app.view_model.analysis.errors import PARAMETER_ERROR, POINT_ERROR
 from app.view_model.analysis.laboratory_settings import Calculation
 from app.view_model.curve_view import CurveView
 
@@ -31,7 +32,7 @@ _GALLERY = -1
 _DESK = ("plotErrors", "toggleLaboratory", "playMotion", "motionCompare", "toggleScrub")
 """What can be switched on and is no setting of the analysis."""
 
-_ERRORS = {"epsilon": "point_error", "delta": "parameter_error"}
+_ERRORS = {"epsilon": POINT_ERROR, "delta": PARAMETER_ERROR}
 
 
 @dataclass
@@ -191,11 +192,13 @@ class LessonCommands:
 
     def _set_up_analysis(self, settings: Mapping[str, object]) -> None:
         analysis = self._context.analysis
-        errors = {_ERRORS[name]: value for name, value in settings.items() if name in _ERRORS}
+        for name, setting in _ERRORS.items():
+            if isinstance(error := settings.get(name), float):
+                analysis.set_value(setting, error)
         experiment = {name: value for name, value in settings.items() if name not in _ERRORS}
         if isinstance(count := experiment.get("methods"), int):
             experiment["methods"] = frozenset(list(Calculation)[:count])
-        analysis.change(**errors, laboratory=replace(analysis.settings.laboratory, **experiment))
+        analysis.change(laboratory=replace(analysis.settings.laboratory, **experiment))
 
     def _trigger(self, name: str) -> None:
         if name in self._context.actions:

@@ -9,6 +9,7 @@ from app.actions.declaration import Action, action, action_for_each
 from app.actions.needs import CURVE_THROUGH_TWO, Need
 from app.actions.sections import MOTION_MORE, MOTION_PACE, MOTION_REPEAT, MOTION_RUN
 from app.commands.context import WindowContext
+from app.keymap import action_name
 from app.view_model.curve_view import CurveView
 from app.view_model.motion_settings import Pace, Repeat
 
@@ -20,7 +21,6 @@ class _Repeat(NamedTuple):
     """What happens at the end, and what its action says."""
 
     repeat: Repeat
-    name: str
     text: str
     tip: str
     full_name: str
@@ -31,31 +31,26 @@ class _Pace(NamedTuple):
     """What grows evenly, and what its action says."""
 
     pace: Pace
-    name: str
     text: str
     tip: str
     full_name: str
 
 
 _REPEATS = (
-    _Repeat(
-        Repeat.ONCE, "motionOnce", "Once", "Run to the end of the curve and rest there", "Play Motion Once"
-    ),
-    _Repeat(Repeat.LOOP, "motionLoop", "Loop", "Begin again at the end", "Loop Motion", "loop"),
-    _Repeat(Repeat.PING_PONG, "motionPingPong", "Ping-Pong", "Run to and fro", "Ping-Pong Motion"),
+    _Repeat(Repeat.ONCE, "Once", "Run to the end of the curve and rest there", "Play Motion Once"),
+    _Repeat(Repeat.LOOP, "Loop", "Begin again at the end", "Loop Motion", "loop"),
+    _Repeat(Repeat.PING_PONG, "Ping-Pong", "Run to and fro", "Ping-Pong Motion"),
 )
 
 _PACES = (
     _Pace(
         Pace.PARAMETER,
-        "motionByT",
         "By t",
         "Let t grow evenly: the dot is as fast as c′ says",
         "Motion by t",
     ),
     _Pace(
         Pace.LENGTH,
-        "motionByLength",
         "By Arc Length",
         "Let the length grow evenly: the dot is equally fast everywhere",
         "Motion by Arc Length",
@@ -127,7 +122,7 @@ class MotionCommands:
     @action_for_each(
         _REPEATS,
         lambda each: Action(
-            each.name,
+            action_name("motion", each.repeat),
             each.text,
             MOTION_REPEAT,
             "",
@@ -144,7 +139,7 @@ class MotionCommands:
     @action_for_each(
         _PACES,
         lambda each: Action(
-            each.name,
+            action_name("motionBy", each.pace),
             each.text,
             MOTION_PACE,
             "",

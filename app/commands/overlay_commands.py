@@ -2,94 +2,29 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING
 
 from PySide6.QtWidgets import QWidget
 
 from app.actions.declaration import Action, action, action_for_each
-from app.actions.sections import (
-    GHOSTS_FAMILY,
-    GHOSTS_RULE,
-    OVERLAYS_ERRORS,
-    OVERLAYS_POLYGONS,
-    OVERLAYS_SHAPE,
-    Section,
-)
+from app.actions.sections import GHOSTS_FAMILY, GHOSTS_RULE, OVERLAY_SECTIONS
 from app.commands.context import WindowContext
 from app.docks import LatePanel
-from app.keymap import action_name
 from app.tasks.debounced_task import DebouncedTask
 from app.tasks.progress import Report
 from app.view_model import analysis
-from app.view_model.analysis.settings import AnalysisSettings, Ghost, Overlay, all_ghosts
+from app.view_model.analysis.ghost import Ghost, all_ghosts
+from app.view_model.analysis.overlay import OVERLAYS, Group, Overlay
+from app.view_model.analysis.overlays.ensemble import ENSEMBLE, SEED
+from app.view_model.analysis.settings import AnalysisSettings, ErrorSize
 from app.view_model.curve_view import CurveView
 
 if TYPE_CHECKING:
     from app.view_model.analysis.ghosts import GhostView
-    from app.view_model.analysis.overlays import Picture
+    from app.view_model.analysis.picture import Picture
 
-
-class _Switch(NamedTuple):
-    """Something that can be drawn over the curve, and what its action says."""
-
-    overlay: Overlay
-    text: str
-    section: Section
-    tip: str
-    key: str = ""
-    icon: str = ""
-    full_name: str = ""
-
-
-_OVERLAYS = (
-    _Switch(
-        Overlay.COMB, "Curvature Comb", OVERLAYS_SHAPE,
-        "Draw how the curve bends, at right angles to it", "Ctrl+Alt+1", "comb",
-    ),
-    _Switch(
-        Overlay.VELOCITIES, "Velocities", OVERLAYS_SHAPE,
-        "Draw c′ as arrows at the points and at the scrub line",
-        "Ctrl+Alt+2", "velocity", "Velocities as Arrows",
-    ),
-    _Switch(
-        Overlay.ACCELERATIONS, "Accelerations", OVERLAYS_SHAPE,
-        "Draw c″ as arrows at the points and at the scrub line; two where it jumps",
-        "Ctrl+Alt+3", "acceleration", "Accelerations as Arrows",
-    ),
-    _Switch(
-        Overlay.CIRCLE, "Osculating Circle", OVERLAYS_SHAPE,
-        "Draw the circle that the curve follows at the scrub line", "Ctrl+Alt+4", "circle",
-    ),
-    _Switch(
-        Overlay.TICKS, "Ticks at Equal t", OVERLAYS_SHAPE,
-        "Draw ticks at equal steps of t: far apart where the curve is fast", "Ctrl+Alt+5", "ticks",
-    ),
-    _Switch(
-        Overlay.MARKS, "Inflections and Extrema", OVERLAYS_SHAPE,
-        "Mark inflections, the sharpest and flattest places, and crossings of the curve with itself",
-        "Ctrl+Alt+6", "marks",
-    ),
-    _Switch(
-        Overlay.BEZIER, "Bézier Polygons", OVERLAYS_POLYGONS,
-        "Draw the Bézier control polygon of every segment", "Ctrl+Alt+7", "bezier",
-    ),
-    _Switch(
-        Overlay.POLYGON, "Polygon of the Points", OVERLAYS_POLYGONS,
-        "Join the points by straight lines", "", "polygon",
-    ),
-    _Switch(
-        Overlay.BAND, "Sensitivity Band", OVERLAYS_ERRORS,
-        "Shade where errors of points and parameters can bring the curve, at worst", "Ctrl+Alt+8", "band",
-    ),
-    _Switch(
-        Overlay.ENSEMBLE, "Disturbed Curves", OVERLAYS_ERRORS,
-        "Draw curves through points and parameters with random errors", "Ctrl+Alt+9", "ensemble",
-    ),
-)  # fmt: skip
 
 _GROUP = "overlays"
-_AT_SCRUB = {Overlay.CIRCLE, Overlay.VELOCITIES, Overlay.ACCELERATIONS}
-_WITH_ERRORS = {Overlay.BAND, Overlay.ENSEMBLE}
 
 
 class OverlayCommands:
@@ -127,9 +62,9 @@ class OverlayCommands:
         if settings.is_empty:
             self._clear()
             return
-        waits = analysis.overlays.settles(view, settings)
+        waits = analysis.picture.settling(view, settings)
         self._settle(view, settings, waits)
-        live = analysis.overlays.live_picture(view, settings, self._context.session.scrub)
+        live = analysis.picture.live_picture(view, settings, self._context.session.scrub)
         self._ghosts = self._ghosts_of(view, settings)
         settled = self._settled
         figures = [*settled.figures, *live.figures] if settled is not None else live.figures
@@ -169,13 +104,13 @@ class OverlayCommands:
             return
 
         scrub = self._context.session.scrub
-        asked = (view, analysis.overlays.settling_key(view, settings, scrub))
+        asked = (view, analysis.picture.settling_key(view, settings, scrub))
         if asked == self._asked:
             return
         self._asked, self._settled = asked, None
 
         def compute(report: Report) -> object:
-            return asked, analysis.overlays.settled_picture(view, settings, scrub, report)
+            return asked, analysis.picture.settled_picture(view, settings, scrub, report)
 
         self._task.ask(compute)
 
@@ -186,37 +121,38 @@ class OverlayCommands:
             self.follow(self._context.session.active_view)
 
     def _follow_scrub(self) -> None:
-        if self._context.analysis.settings.overlays & _AT_SCRUB:
+        if any(each.follows_scrub for each in self._context.analysis.settings.overlays):
             self.follow(self._context.session.active_view)
 
     def _render_settings(self) -> None:
-        settings, session = self._context.analysis.settings, self._context.session
-        if settings.overlays & _WITH_ERRORS and settings.point_error is None:
-            # Once: an error that followed the size would change during a drag.
-            self._context.analysis.change(point_error=analysis.scene.usual_error(session.active_view))
-            return
-        self.follow(session.active_view)
+        view, settings = self._context.session.active_view, self._context.analysis.settings
+        for setting in [setting for each in settings.overlays for setting in each.settings]:
+            if isinstance(setting, ErrorSize) and setting.usual and not settings.has(setting):
+                # Once: an error that followed the size would change during a drag.
+                self._context.analysis.set_value(setting, setting.usual(view))
+                return
+        self.follow(view)
 
     # What the person does
 
     @action_for_each(
-        _OVERLAYS,
+        OVERLAYS,
         lambda each: Action(
-            action_name("overlay", each.overlay),
+            each.action_name,
             each.text,
-            each.section,
+            OVERLAY_SECTIONS[each.group],
             each.key,
             each.icon,
             each.tip,
             each.full_name,
-            checked=lambda now: each.overlay in now.state.analysis.overlays,
+            checked=lambda now: each in now.state.analysis.overlays,
         ),
     )
-    def _switch(self, switch: _Switch) -> None:
-        overlay, analysis, session = switch.overlay, self._context.analysis, self._context.session
+    def _switch(self, overlay: Overlay) -> None:
+        analysis, session = self._context.analysis, self._context.session
         shown = overlay not in analysis.settings.overlays
         view = session.active_view
-        if overlay is Overlay.CIRCLE and shown and session.scrub is None and view.curve is not None:
+        if overlay.brings_scrub and shown and session.scrub is None and view.curve is not None:
             start, end = view.curve.domain
             session.set_scrub((start + end) / 2)
         analysis.show(overlay, shown)
@@ -236,14 +172,18 @@ class OverlayCommands:
         analysis = self._context.analysis
         analysis.show_ghost(ghost, ghost not in analysis.settings.ghosts)
 
-    @action("newSeed", "New Seed", OVERLAYS_ERRORS, icon="seed", full_name="New Seed of Disturbed Curves")
+    @action(
+        "newSeed",
+        "New Seed",
+        OVERLAY_SECTIONS[Group.ERRORS],
+        icon="seed",
+        full_name="New Seed of Disturbed Curves",
+    )
     def _new_seed(self) -> None:
         """Draw other random errors."""
         analysis = self._context.analysis
-        analysis.change(
-            ensemble_seed=analysis.settings.ensemble_seed + 1,
-            overlays=analysis.settings.overlays | {Overlay.ENSEMBLE},
-        )
+        analysis.set_value(SEED, analysis.settings.value(SEED) + 1)
+        analysis.show(ENSEMBLE, True)
 
     def _make_real(self, ghost: Ghost) -> None:
         """Give the curve the rules of a ghost."""

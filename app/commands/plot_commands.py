@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from functools import partial
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING
 
 import numpy as np
 from PySide6.QtCore import QTimer
@@ -12,34 +12,17 @@ from app import panels
 from app.actions.declaration import Action, action_for_each
 from app.actions.sections import PLOTS_OVER_T
 from app.commands.context import WindowContext
-from app.keymap import action_name
 from app.tasks.debounced_task import DebouncedTask
 from app.tools.rail import SCRUB
 from app.tools.toolbox import Toolbox
 from app.view_model import analysis
-from app.view_model.analysis.settings import Plot
+from app.view_model.analysis.plot import PLOTS, Plot
 from app.view_model.curve_view import CurveView
 from app.view_model.growth import growth_of_points
 
 if TYPE_CHECKING:
     from app.view_model.analysis.plot_lines import PlotData
 
-
-class _Plot(NamedTuple):
-    """A plot over t, and what its action says."""
-
-    kind: Plot
-    text: str
-    tip: str
-
-
-_PLOTS = (
-    _Plot(Plot.SPEED, "Speed", "Plot the speed |c′| over t, below the basis functions"),
-    _Plot(Plot.ACCELERATION, "Acceleration", "Plot the size of the acceleration |c″| over t"),
-    _Plot(Plot.JERK, "Jerk", "Plot |c‴| over t: how fast the acceleration changes"),
-    _Plot(Plot.CURVATURE, "Curvature", "Plot the curvature κ over t, positive where the curve turns left"),
-    _Plot(Plot.LEBESGUE, "Lebesgue Function", "Plot Λ(t): how many times errors of the points can grow at t"),
-)
 
 _CALM_MS = 300
 """How long after the last change of the visible part the scales fit again."""
@@ -77,8 +60,9 @@ class PlotCommands:
 
     def _shows_same(self, view: CurveView) -> bool:
         """Whether only points have moved, and nothing but the Lebesgue function is plotted."""
-        others = self._context.analysis.settings.plots - {Plot.LEBESGUE}
-        if others or self._plotted is None or not view.is_current:
+        shown = self._context.analysis.settings.plots
+        follow = any(plot.follows_points for plot in shown)
+        if follow or self._plotted is None or not view.is_current:
             return False
         same = view.source.family == self._plotted.source.family
         same = same and np.array_equal(view.parameters, self._plotted.parameters)
@@ -91,21 +75,21 @@ class PlotCommands:
     # Which plots there are
 
     @action_for_each(
-        _PLOTS,
+        PLOTS,
         lambda plot: Action(
-            action_name("plot", plot.kind),
+            plot.action_name,
             plot.text,
             PLOTS_OVER_T,
             "",
-            f"plot-{plot.kind}",
+            f"plot-{plot.name}",
             plot.tip,
             f"Plot {plot.text}",
-            checked=lambda now: plot.kind in now.state.analysis.plots,
+            checked=lambda now: plot in now.state.analysis.plots,
         ),
     )
-    def _switch(self, plot: _Plot) -> None:
+    def _switch(self, plot: Plot) -> None:
         analysis = self._context.analysis
-        analysis.show_plot(plot.kind, plot.kind not in analysis.settings.plots)
+        analysis.show_plot(plot, plot not in analysis.settings.plots)
 
     def _arrange(self) -> None:
         """Show or hide the panel, and plot."""
@@ -143,9 +127,7 @@ class PlotCommands:
         canvas.scrub_nudged.connect(self._nudge_scrub)
         canvas.hint_changed.connect(context.status_line.show_hint)
         canvas.pointed_at.connect(context.status_line.show_t)
-        choices = [
-            (analysis.plots.SYMBOLS[plot], context.actions[action_name("plot", plot)]) for plot in Plot
-        ]
+        choices = [(plot.symbol, context.actions[plot.action_name]) for plot in PLOTS]
         pane = panels.plot_pane.PlotPane(canvas, choices)
         pane.close_asked.connect(lambda: context.analysis.change(plots=frozenset()))
         return pane
@@ -174,9 +156,9 @@ class PlotCommands:
         basis = self._context.central.basis_panel.drawing.basis
         constant = growth_of_points(view, basis)
         compute = partial(
-            analysis.plots.plots_of, view, kinds, pane.canvas.camera.t_range, pane.canvas.columns, constant
+            analysis.plotted.plots_of, view, kinds, pane.canvas.camera.t_range, pane.canvas.columns, constant
         )
-        if analysis.plots.orders_of(kinds) and analysis.plot_samples.is_slow(view):
+        if analysis.plotted.orders_of(kinds) and analysis.plot_samples.is_slow(view):
             pane.canvas.set_waiting()
             self._task.ask(lambda _report: compute())
             return
@@ -232,10 +214,10 @@ class PlotCommands:
         assert panel.pane is not None
         values: dict[str, float] = {}
         if t is not None:
-            known = analysis.plots.values_at(
+            known = analysis.plotted.values_at(
                 self._context.session.active_view, self._context.analysis.settings.plots, t
             )
-            values |= {analysis.plots.SYMBOLS[plot]: value for plot, value in known.items()}
+            values |= {plot.symbol: value for plot, value in known.items()}
             for plot in panel.added:
                 for line in plot.lines:
                     values[line.name or plot.symbol] = line.value_at(t)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import enum
 from collections.abc import Callable, Collection, Sequence
 
-from app.actions.declaration import action
+from app.actions.declaration import PlaceAction, action
 from app.actions.needs import HERMITE_CURVE, HERMITE_POINTS, Need
 from app.actions.sections import CURVE_TANGENTS, CURVE_VELOCITIES
 from app.actions.situation import Situation
@@ -142,6 +142,7 @@ class TangentCommands:
 
     # Straight segments
 
+    @PlaceAction("straightHere", "Straight Segment", like="straightSegment")
     def straighten_at(self, t: float) -> None:
         """Make the segment of the active curve straight that runs through `t`."""
         self._straighten([segment_at(self._session.active_view, t)])

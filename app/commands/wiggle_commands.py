@@ -8,7 +8,7 @@ from PySide6.QtCore import QObject
 from PySide6.QtWidgets import QWidget
 
 from app import panels
-from app.actions.declaration import action
+from app.actions.declaration import PlaceAction, action
 from app.actions.needs import CURVE_THROUGH_TWO
 from app.actions.sections import ANALYSIS_EXPLAIN
 from app.canvas.trace_layer import Trace
@@ -93,6 +93,7 @@ class WiggleCommands(QObject):
         if view.is_current:
             self._session.set_scrub(analysis.wiggle.widest(view))
 
+    @PlaceAction("explainHere", "Explain This Wiggle", like="explainWiggle")
     def explain_at(self, t: float) -> None:
         """Explain the curve at `t`."""
         self._session.set_scrub(t)

@@ -26,11 +26,13 @@ from app.overrides import Guarded
 from app.panels.action_switch import mirror
 from app.panels.field_edit import NumberEdit, read_number
 from app.panels.number_text import decimal_mark, exact_text
-from app.panels.setting_slider import SettingSlider, count_slider, scale_slider
+from app.panels.setting_slider import SettingSlider, slider_of
 from app.panels.tool_buttons import action_button, tool_button
 from app.plotting.pens import SIGN, sign_pixmap
 from app.theme import theme_of
-from app.view_model.analysis.settings import Ghost, Overlay, all_ghosts
+from app.view_model.analysis.ghost import Ghost, all_ghosts
+from app.view_model.analysis.overlay import OVERLAYS, Overlay
+from app.view_model.analysis.settings import Count, ErrorSize, Factor
 
 _NOTES_MS = 60
 """Milliseconds that the words may lag behind a drag."""
@@ -50,7 +52,8 @@ class AnalysisPanel(Guarded, QScrollArea):
         self._analysis, self._actions = analysis, actions
         self._refusal = ""
         self._notes: dict[Overlay, Label] = {}
-        self._sliders: dict[str, tuple[Overlay, SettingSlider]] = {}
+        self._sliders: list[tuple[Overlay, Factor | Count, SettingSlider]] = []
+        self._error_fields: dict[ErrorSize, NumberEdit] = {}
         self._ghost_boxes: dict[Ghost, QCheckBox] = {}
         self._problem = _note("analysisProblem")
         self._rows = QGridLayout()
@@ -63,22 +66,8 @@ class AnalysisPanel(Guarded, QScrollArea):
         self._render()
 
     def _build(self) -> None:
-        self._add("overlayComb", Overlay.COMB, "comb_scale", scale_slider("combScale", "Length of the teeth"))
-        for name, overlay, field in (
-            ("overlayVelocities", Overlay.VELOCITIES, "velocity_scale"),
-            ("overlayAccelerations", Overlay.ACCELERATIONS, "acceleration_scale"),
-        ):
-            slider = scale_slider(field.replace("_s", "S"), "Length of the arrows")
-            self._add(name, overlay, field, slider)
-        self._add("overlayCircle", Overlay.CIRCLE)
-        ticks = count_slider("tickCount", "Number of steps", 2, 100)
-        self._add("overlayTicks", Overlay.TICKS, "tick_count", ticks)
-        self._add("overlayMarks", Overlay.MARKS)
-        self._add("overlayBezier", Overlay.BEZIER)
-        self._add("overlayPolygon", Overlay.POLYGON)
-        self._add("overlayBand", Overlay.BAND)
-        count = count_slider("ensembleCount", "Number of curves", 1, 200)
-        self._add("overlayEnsemble", Overlay.ENSEMBLE, "ensemble_count", count)
+        for overlay in OVERLAYS:
+            self._add(overlay)
         self._errors = self._make_errors()
         self._rows.addWidget(self._errors, self._rows.rowCount(), 0, 1, 2)
         title = Label("Ghosts: the same points, otherwise")
@@ -97,16 +86,21 @@ class AnalysisPanel(Guarded, QScrollArea):
         bar = self.verticalScrollBar().sizeHint().width()
         self.setMinimumWidth(content.minimumSizeHint().width() + bar)
 
-    def _add(self, name: str, overlay: Overlay, field: str = "", slider: SettingSlider | None = None) -> None:
+    def _add(self, overlay: Overlay) -> None:
         row = self._rows.rowCount()
-        self._rows.addWidget(self._switch(name), row, 0)
-        if slider is not None:
-            self._rows.addWidget(slider, row, 1)
-            self._sliders[field] = (overlay, slider)
-            slider.moved.connect(lambda value: self._analysis.change(**{field: value}))
-        note = self._notes[overlay] = _note(f"{name}Note")
+        self._rows.addWidget(self._switch(overlay.action_name), row, 0)
+        sliders = [each for each in overlay.settings if isinstance(each, Factor | Count)]
+        for below, setting in enumerate(sliders):
+            self._rows.addWidget(self._slider(overlay, setting), row + below, 1)
+        note = self._notes[overlay] = _note(f"{overlay.action_name}Note")
         note.setIndent(24)
-        self._rows.addWidget(note, row + 1, 0, 1, 2)
+        self._rows.addWidget(note, self._rows.rowCount(), 0, 1, 2)
+
+    def _slider(self, overlay: Overlay, setting: Factor | Count) -> SettingSlider:
+        slider = slider_of(setting)
+        slider.moved.connect(lambda value: self._analysis.set_value(setting, value))
+        self._sliders.append((overlay, setting, slider))
+        return slider
 
     def _switch(self, name: str) -> QCheckBox:
         action = self._actions(name)
@@ -117,27 +111,18 @@ class AnalysisPanel(Guarded, QScrollArea):
         return box
 
     def _make_errors(self) -> QWidget:
-        """Return the fields that band and ensemble share, and the button for other random numbers."""
-        self.point_error = NumberEdit(
-            "pointError",
-            "Error of the points",
-            "Largest error of every point; velocities and accelerations stay (a number or an expression)",
-            _error_size,
-        )
-        self.parameter_error = NumberEdit(
-            "parameterError",
-            "Error of the parameters",
-            "Largest error of every t; for the band to first order (a number or an expression)",
-            _error_size,
-        )
+        """Return the fields that overlays share, and the button for other random numbers."""
         seed = action_button(self._actions("newSeed"))
         errors = QWidget()
         layout = QHBoxLayout(errors)
         layout.setContentsMargins(24, 0, 0, 0)
         layout.setSpacing(6)
-        for label, edit in (("ε points", self.point_error), ("δ in t", self.parameter_error)):
-            layout.addWidget(Label(label))
-            layout.addWidget(edit, 1)
+        for setting in dict.fromkeys(each for overlay in OVERLAYS for each in overlay.settings):
+            if isinstance(setting, ErrorSize):
+                field = NumberEdit(setting.name, setting.label, setting.tip, _error_size)
+                self._error_fields[setting] = field
+                layout.addWidget(Label(setting.short))
+                layout.addWidget(field, 1)
         layout.addWidget(seed)
         return errors
 
@@ -156,8 +141,8 @@ class AnalysisPanel(Guarded, QScrollArea):
         self._notes_due.timeout.connect(self._render_notes)
         self._analysis.changed.connect(self._render)
         self._analysis.noted.connect(self._note_soon)
-        for edit, field in ((self.point_error, "point_error"), (self.parameter_error, "parameter_error")):
-            edit.entered.connect(partial(self._set_error, field))
+        for setting, edit in self._error_fields.items():
+            edit.entered.connect(partial(self._set_error, setting))
             edit.refused.connect(self._refuse)
             edit.left.connect(lambda: self._refuse(""))
 
@@ -165,14 +150,13 @@ class AnalysisPanel(Guarded, QScrollArea):
 
     def _render(self) -> None:
         settings, mark = self._analysis.settings, decimal_mark()
-        for field, (overlay, slider) in self._sliders.items():
-            slider.render_value(getattr(settings, field))
+        for overlay, setting, slider in self._sliders:
+            slider.render_value(settings.value(setting))
             slider.setEnabled(overlay in settings.overlays)
-        self._errors.setVisible(bool(settings.overlays & {Overlay.BAND, Overlay.ENSEMBLE}))
-        for edit, value in (
-            (self.point_error, settings.point_error or 0.0),
-            (self.parameter_error, settings.parameter_error),
-        ):
+        wanted = {setting for overlay in settings.overlays for setting in overlay.settings}
+        self._errors.setVisible(not wanted.isdisjoint(self._error_fields))
+        for error, edit in self._error_fields.items():
+            value = settings.value(error)
             edit.show_text(exact_text(value, mark).removesuffix(f"{mark}0"), number(value, 6, mark))
         self._render_notes()
 
@@ -196,7 +180,7 @@ class AnalysisPanel(Guarded, QScrollArea):
             label.setStyleSheet(f"color: {theme.muted.name()}")
         self._problem.setStyleSheet(f"color: {theme.warning.name()}")
         for ghost, box in self._ghost_boxes.items():
-            box.setIcon(QIcon(sign_pixmap(ghost, theme, self.devicePixelRatioF())))
+            box.setIcon(QIcon(sign_pixmap(ghost.look, theme, self.devicePixelRatioF())))
 
     def changeEvent(self, event: QEvent) -> None:
         super().changeEvent(event)
@@ -205,8 +189,8 @@ class AnalysisPanel(Guarded, QScrollArea):
 
     # What the person did
 
-    def _set_error(self, field: str, value: float) -> None:
-        self._analysis.change(**{field: value})
+    def _set_error(self, setting: ErrorSize, value: float) -> None:
+        self._analysis.set_value(setting, value)
         self._render()
 
     def _refuse(self, reason: str) -> None:

@@ -17,6 +17,7 @@ from PySide6.QtWidgets import (
 
 from app.document.words import with_decimals
 from app.icons import icon
+from app.keymap import action_name
 from app.mnemonics import plain
 from app.panels.elided_label import ElidedLabel
 from app.panels.tool_buttons import ICON, action_button, tool_button
@@ -26,9 +27,6 @@ from app.view_model.motion_settings import SPEEDS, MotionSettings, Pace, Repeat
 
 _READ_MS = 80
 """Numbers that change faster cannot be read."""
-
-_REPEATS = {Repeat.ONCE: "motionOnce", Repeat.LOOP: "motionLoop", Repeat.PING_PONG: "motionPingPong"}
-_PACES = {Pace.PARAMETER: "motionByT", Pace.LENGTH: "motionByLength"}
 
 
 class MotionBar(QWidget):
@@ -50,8 +48,12 @@ class MotionBar(QWidget):
         self._speed = _box("motionSpeed", "Speed", "Seconds of the motion in a second (J slower, L faster)")
         self._speed.addItems([f"{speed:g}×" for speed in SPEEDS])
         self._speed.activated.connect(lambda index: self.speed_chosen.emit(SPEEDS[index]))
-        self._repeat = self._action_box("motionRepeat", "At the end", list(_REPEATS.values()))
-        self._pace = self._action_box("motionPace", "What grows evenly", list(_PACES.values()))
+        self._repeat = self._action_box(
+            "motionRepeat", "At the end", [action_name("motion", each) for each in Repeat]
+        )
+        self._pace = self._action_box(
+            "motionPace", "What grows evenly", [action_name("motionBy", each) for each in Pace]
+        )
         self._readout = ElidedLabel()
         self._readout.setObjectName("motionReadout")
         self._readout.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
@@ -115,8 +117,8 @@ class MotionBar(QWidget):
     def show_settings(self, settings: MotionSettings, theme: Theme, *, playing: bool) -> None:
         """Show how the dot runs."""
         self._speed.setCurrentIndex(SPEEDS.index(settings.speed))
-        self._repeat.setCurrentIndex(list(_REPEATS).index(settings.repeat))
-        self._pace.setCurrentIndex(list(_PACES).index(settings.pace))
+        self._repeat.setCurrentIndex(list(Repeat).index(settings.repeat))
+        self._pace.setCurrentIndex(list(Pace).index(settings.pace))
         self._play.setIcon(icon("pause" if playing else "play", theme))
         self._play.setAccessibleName("Pause" if playing else "Play")
 

@@ -10,6 +10,10 @@ from PySide6.QtWidgets import QHBoxLayout, QWidget
 
 from app.labels import Label
 from app.panels.live_slider import LiveSlider
+from app.view_model.analysis.settings import Count, Factor
+
+_PER_DECADE = 20
+"""Steps of a factor."""
 
 _NARROWEST = 64
 """Pixels below which a slider cannot be set."""
@@ -77,19 +81,18 @@ class SettingSlider(QWidget):
         self._at_press = self._value
 
 
-def scale_slider(name: str, label: str) -> SettingSlider:
-    """Return a slider for a factor from a tenth to ten."""
-    per_decade = 20
+def slider_of(setting: Factor | Count) -> SettingSlider:
+    """Return the slider of a setting."""
+    if isinstance(setting, Count):
+        steps = (setting.least, setting.most)
+        return SettingSlider(
+            setting.name, setting.label, steps, lambda step: step, round, lambda value: f"{value:.0f}"
+        )
     return SettingSlider(
-        name,
-        label,
-        (-per_decade, per_decade),
-        lambda step: 10.0 ** (step / per_decade),
-        lambda value: round(per_decade * log10(value)),
+        setting.name,
+        setting.label,
+        (-_PER_DECADE, _PER_DECADE),
+        lambda step: 10.0 ** (step / _PER_DECADE),
+        lambda value: round(_PER_DECADE * log10(value)),
         lambda value: f"× {value:.2g}" if value < 9.95 else "× 10",
     )
-
-
-def count_slider(name: str, label: str, least: int, most: int) -> SettingSlider:
-    """Return a slider for a whole number."""
-    return SettingSlider(name, label, (least, most), lambda step: step, round, lambda value: f"{value:.0f}")

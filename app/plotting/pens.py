@@ -10,16 +10,10 @@ from app.plotting.dashes import dashed
 from app.plotting.drawing import Floats, Segments, Stroke, visible_segments
 from app.plotting.pixel_map import PixelMap
 from app.theme import Theme, mix
-from app.view_model.analysis.figures import Style
-from app.view_model.analysis.settings import Ghost
-from app.view_model.looks import LOOKS, Dashes, Look, Mark, ghost_look
+from app.view_model.looks import Dashes, Look, Mark, Sign
 
 SIGN = QSize(30, 14)
 """Size of a sign in pixels."""
-
-Sign = Style | Ghost | Look
-
-_MARKS = (Style.INFLECTION, Style.SHARPEST, Style.FLATTEST, Style.CROSSING)
 
 
 def colour_of(look: Look, theme: Theme, strength: float = 1.0) -> QColor:
@@ -90,30 +84,21 @@ def draw_mark(painter: QPainter, mark: Mark, x: float, y: float, size: float) ->
     painter.setBrush(Qt.BrushStyle.NoBrush)
 
 
-def sign_pixmap(sign: Sign, theme: Theme, ratio: float = 1.0) -> QPixmap:
+def sign_pixmap(look: Look, theme: Theme, ratio: float = 1.0) -> QPixmap:
     """Return a small picture of a line, a mark or an area as it is drawn."""
     picture = QPixmap(SIGN * ratio)
     picture.setDevicePixelRatio(ratio)
     picture.fill(Qt.GlobalColor.transparent)
     painter = QPainter(picture)
     painter.setRenderHint(QPainter.RenderHint.Antialiasing, True)
-    middle = SIGN.height() / 2
-    look = _look(sign)
+    centre = QPointF(SIGN.width() / 2, SIGN.height() / 2)
     painter.setPen(pen_of(look, theme))
-    if sign in _MARKS:
-        draw_mark(painter, look.mark, SIGN.width() / 2, middle, 4.5)
-    elif sign is Style.BAND:
+    if look.sign is Sign.AREA:
         painter.fillRect(QRectF(1, 2, SIGN.width() - 2, SIGN.height() - 4), painter.pen().color())
-    else:
+    if look.sign in (Sign.LINE, Sign.LINE_WITH_MARK):
         painter.setPen(with_dashes(painter.pen(), look.dashes))
-        painter.drawLine(QPointF(1, middle), QPointF(SIGN.width() - 1, middle))
-        if sign is Style.BEZIER:
-            draw_mark(painter, Mark.SQUARE, SIGN.width() / 2, middle, 4.0)
+        painter.drawLine(QPointF(1, centre.y()), QPointF(SIGN.width() - 1, centre.y()))
+    if look.sign in (Sign.MARK, Sign.LINE_WITH_MARK):
+        draw_mark(painter, look.mark, centre.x(), centre.y(), 4.5 if look.sign is Sign.MARK else 4.0)
     painter.end()
     return picture
-
-
-def _look(sign: Sign) -> Look:
-    if isinstance(sign, Look):
-        return sign
-    return ghost_look(sign) if isinstance(sign, Ghost) else LOOKS[sign]

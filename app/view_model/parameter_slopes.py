@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import numpy as np
 
+import curvecore
 from app.view_model.curve_view import CurveView, Floats
 from app.view_model.jets import sides_of
-from curvecore import parameter_sensitivity
 
 _STEP = 1e-5
 """Step of the differences as a share of the narrower gap: what is left out is its square."""
@@ -20,7 +20,7 @@ def parameter_moves(view: CurveView, piece: int, t: Floats) -> Floats:
     core = view.pieces[piece]
     moves = np.zeros((len(t), len(view.parameters), 2))
     first = sum(len(each.parameters) - 1 for each in view.pieces[:piece])
-    moves[:, first : first + len(core.parameters)] = parameter_sensitivity(core, t)
+    moves[:, first : first + len(core.parameters)] = curvecore.parameter_sensitivity(core, t)
     if core.derivatives and core.is_local:
         segment, values = core.local_basis(t)
         for end, slopes in enumerate(_slopes(view)):

@@ -27,6 +27,7 @@ from app.document.model import Curve, Document, Node, Parametrization, Parametri
 from app.families import FAMILIES, HERMITE, LAGRANGE, QUINTIC_HERMITE, Family
 from app.session import Session
 from app.testing import Editor
+from app.view_model.analysis.errors import PARAMETER_ERROR, POINT_ERROR
 
 SIZE = (1200, 600)
 
@@ -212,7 +213,8 @@ def test_ten_thousand_points(open_wave, beside):
 def test_a_point_dragged_under_all_that_explains_the_curve(open_wave, beside, family, errors):
     """With comb, band, and two ghosts, one of which has other parameters in every frame."""
     editor = open_wave(20, family, frozen(family))
-    editor.window.analysis.change(point_error=errors[0], parameter_error=errors[1])
+    editor.window.analysis.set_value(POINT_ERROR, errors[0])
+    editor.window.analysis.set_value(PARAMETER_ERROR, errors[1])
     for name in (*EXPLAINING, *EXPLAINING_GHOSTS[family]):
         editor.trigger(name)
     error = "error of points" if not errors[1] else "and parameters"
@@ -225,7 +227,7 @@ def test_a_point_dragged_under_all_that_explains_the_curve(open_wave, beside, fa
 def test_a_point_dragged_under_all_that_explains_while_parameters_move(open_wave, beside, family):
     """Under chord length the functions and the Lebesgue function change in every frame, too."""
     editor = open_wave(20, family, ParametrizationKind.CHORD_LENGTH)
-    editor.window.analysis.change(point_error=0.02)
+    editor.window.analysis.set_value(POINT_ERROR, 0.02)
     for name in (*EXPLAINING, *EXPLAINING_GHOSTS[family]):
         editor.trigger(name)
     what = f"{NAMES[family]} n = 20, the same under chord length"

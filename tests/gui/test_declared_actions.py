@@ -7,7 +7,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QDockWidget, QLabel
 
-from app.actions.declaration import Action, action, action_for_each, all_declared
+from app.actions.declaration import Action, PlaceAction, action, action_for_each, all_declared
 from app.actions.needs import Need
 from app.actions.sections import ANALYSIS, CURVE_SHAPE, PLOTS_IN_PLANE
 from app.commands.connect import COMMAND_SETS, all_actions
@@ -45,6 +45,10 @@ class CountingCommands:
         if self.refuses:
             raise EditError("These points are not counted.")
         self.counted.append(len(self._context.session.selection))
+
+    @PlaceAction("countHere", "Count Here", like="countPoints")
+    def count_at(self, t):
+        self.counted.append(t)
 
     @LatePanel("countDock", "Count", on_demand=True)
     def build_panel(self):
@@ -135,6 +139,15 @@ def test_whether_it_is_on_is_asked_of_its_declaration(counting):
     assert actions.is_on("toggleGrid")
     assert not actions.is_on("toggleScrub")
     assert not actions.is_on("countPoints")
+
+
+def test_the_menu_of_a_place_on_the_curve_has_what_is_declared_for_it(counting):
+    counting.select([1])
+    at = tuple(counting.session.active_view.curve.evaluate(0.43))
+    counting.open_menu(at)
+    counting.choose("countHere")
+    (t,) = counting.window._commands[CountingCommands].counted
+    assert t == pytest.approx(0.43, abs=0.02)
 
 
 def test_a_panel_is_declared_on_what_builds_it(counting):

@@ -13,8 +13,7 @@ from app.families import HERMITE, LAGRANGE, QUINTIC_HERMITE
 from app.plotting.dashes import dashed
 from app.plotting.pens import colour_of
 from app.theme import theme_of
-from app.view_model.analysis.settings import Ghost, all_ghosts
-from app.view_model.looks import ghost_look
+from app.view_model.analysis.ghost import Ghost, all_ghosts
 
 
 def shown(editor):
@@ -147,7 +146,7 @@ def test_a_ghost_is_painted_in_its_colour(editor):
     editor.window.canvas.drawing.annotations.legend.hide()
     canvas = editor.window.canvas
     image, theme = canvas.grab().toImage(), theme_of(canvas.palette())
-    wanted = colour_of(ghost_look(Ghost(kind=ParametrizationKind.UNIFORM)), theme)
+    wanted = colour_of(Ghost(kind=ParametrizationKind.UNIFORM).look, theme)
     near = sum(
         abs(image.pixelColor(x, y).red() - wanted.red()) < 12
         and abs(image.pixelColor(x, y).green() - wanted.green()) < 12
@@ -158,7 +157,7 @@ def test_a_ghost_is_painted_in_its_colour(editor):
 
 
 def test_every_ghost_has_a_look_of_its_own():
-    looks = [(look.colour, look.dashes) for look in map(ghost_look, all_ghosts())]
+    looks = [(look.colour, look.dashes) for look in (ghost.look for ghost in all_ghosts())]
     assert len({colour for colour, _ in looks}) == len({dashes for _, dashes in looks}) == len(looks) == 7
 
 

@@ -22,7 +22,9 @@ from app.main_window import MainWindow
 from app.panels.basis_layers import rail_height
 from app.session import Session
 from app.storage.files import load
+from app.view_model.analysis.errors import POINT_ERROR
 from app.view_model.analysis.laboratory_settings import LaboratorySettings
+from app.view_model.analysis.overlays.ensemble import COUNT
 from app.view_model.analysis.settings import AnalysisSettings
 from app.view_model.curve_view import view_of
 from app.view_model.goals import standing_of
@@ -329,7 +331,8 @@ def test_a_lesson_that_nothing_was_done_in_leaves_no_trace(editor, qtbot):
 def test_a_lesson_begins_with_a_clear_desk(editor, qtbot):
     """What lesson 5 and 6 had switched on used to stay on in lesson 8."""
     editor.window.open_lesson("06_errors_along_t")
-    editor.window.analysis.change(ensemble_count=7, laboratory=LaboratorySettings(on=True, shift=100.0))
+    editor.window.analysis.set_value(COUNT, 7)
+    editor.window.analysis.change(laboratory=LaboratorySettings(on=True, shift=100.0))
     editor.trigger("overlayEnsemble")
     editor.drag_point(1, to=(1.2, 1.5))
     editor.window.open_lesson("01_basis_functions")
@@ -344,7 +347,7 @@ def test_a_step_sets_the_numbers_it_speaks_of(editor, qtbot):
     laboratory = editor.window.analysis.settings.laboratory
     assert (laboratory.on, laboratory.digits, len(laboratory.methods)) == (True, 16, 5)
     editor.window.open_lesson("05_sensitivity")
-    assert editor.window.analysis.settings.point_error == 0.03
+    assert editor.window.analysis.settings.value(POINT_ERROR) == 0.03
 
 
 def test_the_end_of_a_lesson_leads_to_the_next(editor, qtbot):

@@ -11,10 +11,20 @@ from PySide6.QtWidgets import QApplication, QCheckBox, QLabel, QLineEdit, QSlide
 from app.document.edits import set_position
 from app.document.model import ParametrizationKind
 from app.families import HERMITE
-from app.keymap import action_name
 from app.theme import ThemeMode
-from app.view_model.analysis.figures import Style
-from app.view_model.analysis.settings import Overlay
+from app.view_model.analysis.errors import POINT_ERROR
+from app.view_model.analysis.overlay import OVERLAYS
+from app.view_model.analysis.overlays import (
+    band,
+    bezier,
+    circle,
+    comb,
+    ensemble,
+    marks,
+    polygon,
+    ticks,
+    vectors,
+)
 
 
 def figures(editor, style):
@@ -25,7 +35,7 @@ def first(editor, style):
     return figures(editor, style)[0].points
 
 
-def longest(editor, style=Style.COMB_TEETH):
+def longest(editor, style=comb.TEETH):
     ends = first(editor, style).reshape(-1, 2, 2)
     return np.linalg.norm(ends[:, 1] - ends[:, 0], axis=1).max()
 
@@ -63,14 +73,14 @@ def type_into(line, text):
 
 
 LIVE = {
-    "overlayComb": Style.COMB_TEETH,
-    "overlayVelocities": Style.VELOCITY,
-    "overlayAccelerations": Style.ACCELERATION,
-    "overlayCircle": Style.CIRCLE,
-    "overlayTicks": Style.TICK,
-    "overlayPolygon": Style.POLYGON,
-    "overlayBezier": Style.BEZIER,
-    "overlayBand": Style.BAND,
+    "overlayComb": comb.TEETH,
+    "overlayVelocities": vectors.VELOCITY,
+    "overlayAccelerations": vectors.ACCELERATION,
+    "overlayCircle": circle.LINE,
+    "overlayTicks": ticks.TICK,
+    "overlayPolygon": polygon.SIDES,
+    "overlayBezier": bezier.SIDES,
+    "overlayBand": band.AREA,
 }
 
 
@@ -91,9 +101,9 @@ def test_an_overlay_follows_a_drag(editor, name):
 
 
 HEAVY = {
-    "overlayMarks": Style.INFLECTION,
-    "overlayEnsemble": Style.ENSEMBLE,
-    "overlayBezier": Style.BEZIER,
+    "overlayMarks": marks.INFLECTION,
+    "overlayEnsemble": ensemble.LINES,
+    "overlayBezier": bezier.SIDES,
 }
 
 
@@ -122,7 +132,7 @@ def test_the_window_may_close_while_something_is_computed(editor):
 
 def test_switches_of_the_dock_and_actions_agree(dock, qtbot):
     editor = dock
-    for name, overlay in ((action_name("overlay", each), each) for each in Overlay):
+    for name, overlay in ((each.action_name, each) for each in OVERLAYS):
         switch = panel(editor, QCheckBox, f"{name}Switch")
         qtbot.keyClick(switch, Qt.Key.Key_Space)
         assert editor.action(name).isChecked()
@@ -134,9 +144,9 @@ def test_switches_of_the_dock_and_actions_agree(dock, qtbot):
 @pytest.mark.parametrize(
     ("name", "slider", "style"),
     [
-        ("overlayComb", "combScale", Style.COMB_TEETH),
-        ("overlayVelocities", "velocityScale", Style.VELOCITY),
-        ("overlayAccelerations", "accelerationScale", Style.ACCELERATION),
+        ("overlayComb", "combScale", comb.TEETH),
+        ("overlayVelocities", "velocityScale", vectors.VELOCITY),
+        ("overlayAccelerations", "accelerationScale", vectors.ACCELERATION),
     ],
 )
 def test_a_scale_is_set_by_key_and_shown(dock, qtbot, name, slider, style):
@@ -172,27 +182,27 @@ def test_the_number_of_ticks(dock, qtbot):
     editor.trigger("overlayTicks")
     qtbot.keyClick(panel(editor, QSlider, "tickCount"), Qt.Key.Key_Left)
     # A tick at both ends: 19 steps, 20 ticks.
-    assert len(first(editor, Style.TICK)) == 2 * 20
+    assert len(first(editor, ticks.TICK)) == 2 * 20
 
 
 def test_the_circle_brings_the_scrub_line_and_follows_it(dock, qtbot):
     editor = dock
     editor.trigger("overlayCircle")
     assert editor.session.scrub == pytest.approx(0.5)
-    before = first(editor, Style.CIRCLE)
+    before = first(editor, circle.LINE)
     editor.scrub(0.8)
-    assert not np.array_equal(first(editor, Style.CIRCLE), before)
-    radius = float(np.linalg.norm(np.diff(first(editor, Style.CIRCLE_CENTRE), axis=0)))
+    assert not np.array_equal(first(editor, circle.LINE), before)
+    radius = float(np.linalg.norm(np.diff(first(editor, circle.CENTRE), axis=0)))
     qtbot.waitUntil(lambda: note(editor, qtbot, "overlayCircle").startswith(f"Radius {radius:.3g}"))
     editor.trigger("toggleScrub")
     qtbot.waitUntil(lambda: "scrub line" in note(editor, qtbot, "overlayCircle"))
-    assert not figures(editor, Style.CIRCLE)
+    assert not figures(editor, circle.LINE)
 
 
 def test_an_arrow_at_the_scrub_line_has_its_length_in_words(editor):
     editor.trigger("overlayVelocities")
     editor.scrub(0.5)
-    arrow = figures(editor, Style.VELOCITY)[1]
+    arrow = figures(editor, vectors.VELOCITY)[1]
     assert arrow.label.startswith("|c′| ")
     velocity = editor.session.active_view.curve.evaluate(editor.session.scrub, 1)
     assert float(arrow.label.split()[1]) == pytest.approx(np.hypot(*velocity), rel=0.01)
@@ -202,11 +212,11 @@ def test_errors_are_typed_as_expressions(dock, qtbot):
     editor = dock
     editor.choose_parametrization(ParametrizationKind.UNIFORM)
     editor.trigger("overlayBand")
-    before = first(editor, Style.BAND)
+    before = first(editor, band.AREA)
     line = panel(editor, QLineEdit, "pointError")
     type_into(line, "1/8")
-    assert editor.window.analysis.settings.point_error == 0.125
-    assert not np.array_equal(first(editor, Style.BAND), before, equal_nan=True)
+    assert editor.window.analysis.settings.value(POINT_ERROR) == 0.125
+    assert not np.array_equal(first(editor, band.AREA), before, equal_nan=True)
     # Eight uniform parameters: the Lebesgue constant is 6.9297.
     qtbot.waitUntil(lambda: "half-width 0.866" in note(editor, qtbot, "overlayBand"))
     assert "times ε" in note(editor, qtbot, "overlayBand")
@@ -216,7 +226,7 @@ def test_errors_are_typed_as_expressions(dock, qtbot):
     for text in ("-1", "abc"):
         type_into(line, text)
         assert panel(editor, QLabel, "analysisProblem").text().startswith("⚠")
-        assert editor.window.analysis.settings.point_error == 0.125
+        assert editor.window.analysis.settings.value(POINT_ERROR) == 0.125
     qtbot.keyClick(line, Qt.Key.Key_Escape)
     assert line.text() == "0.125"
     assert not panel(editor, QLabel, "analysisProblem").text()
@@ -224,22 +234,22 @@ def test_errors_are_typed_as_expressions(dock, qtbot):
 
 def test_the_first_error_is_a_hundredth_of_the_size_and_stays(editor):
     editor.trigger("overlayBand")
-    error = editor.window.analysis.settings.point_error
+    error = editor.window.analysis.settings.value(POINT_ERROR)
     size = np.ptp(editor.session.active_view.points, axis=0).max()
     assert error == pytest.approx(size / 100, rel=0.5)
     editor.drag_point(0, (4.0, 4.0))
-    assert editor.window.analysis.settings.point_error == error
+    assert editor.window.analysis.settings.value(POINT_ERROR) == error
 
 
 def test_another_seed_draws_other_curves(dock, qtbot):
     editor = dock
     editor.trigger("overlayEnsemble")
-    qtbot.waitUntil(lambda: bool(figures(editor, Style.ENSEMBLE)))
-    before = first(editor, Style.ENSEMBLE)
+    qtbot.waitUntil(lambda: bool(figures(editor, ensemble.LINES)))
+    before = first(editor, ensemble.LINES)
     qtbot.mouseClick(panel(editor, QToolButton, "newSeedButton"), Qt.MouseButton.LeftButton)
-    assert not figures(editor, Style.ENSEMBLE)
-    qtbot.waitUntil(lambda: bool(figures(editor, Style.ENSEMBLE)))
-    assert not np.array_equal(first(editor, Style.ENSEMBLE), before, equal_nan=True)
+    assert not figures(editor, ensemble.LINES)
+    qtbot.waitUntil(lambda: bool(figures(editor, ensemble.LINES)))
+    assert not np.array_equal(first(editor, ensemble.LINES), before, equal_nan=True)
     qtbot.keyClick(panel(editor, QSlider, "ensembleCount"), Qt.Key.Key_Left)
     qtbot.waitUntil(lambda: note(editor, qtbot, "overlayEnsemble") == "29 curves, seed 1.")
 
@@ -256,7 +266,7 @@ def test_without_a_curve_nothing_is_drawn_and_the_dock_says_why(dock, qtbot):
     problem = panel(editor, QLabel, "analysisProblem")
     qtbot.waitUntil(lambda: "distinct" in problem.text() or "coincide" in problem.text())
     editor.trigger("undo")
-    assert figures(editor, Style.COMB_TEETH)
+    assert figures(editor, comb.TEETH)
     qtbot.waitUntil(lambda: not problem.text())
 
 
@@ -264,7 +274,7 @@ def test_the_band_is_one_even_shade(editor):
     """Where a band of half-width 0.87 folds over itself there are neither seams nor holes."""
     editor.choose_parametrization(ParametrizationKind.UNIFORM)
     editor.trigger("overlayBand")
-    editor.window.analysis.change(point_error=0.125)
+    editor.window.analysis.set_value(POINT_ERROR, 0.125)
     editor.trigger("toggleGrid")
     editor.settle()
     canvas = editor.window.canvas

@@ -16,17 +16,16 @@ from app.panels.value_scale import ValueScale
 from app.settings.preferences import Preferences
 from app.testing import Editor
 from app.view_model.analysis.plot_lines import PlotLine, Scale, plot_of
-from app.view_model.analysis.plots import TITLES
-from app.view_model.analysis.settings import Plot
+from app.view_model.analysis.plots import curvature, lebesgue, lengths
 from app.view_model.looks import DASHED, Look
 from curvecore import lebesgue_function
 
 ACTIONS = {
-    "plotSpeed": Plot.SPEED,
-    "plotAcceleration": Plot.ACCELERATION,
-    "plotJerk": Plot.JERK,
-    "plotCurvature": Plot.CURVATURE,
-    "plotLebesgue": Plot.LEBESGUE,
+    "plotSpeed": lengths.SPEED,
+    "plotAcceleration": lengths.ACCELERATION,
+    "plotJerk": lengths.JERK,
+    "plotCurvature": curvature.CURVATURE,
+    "plotLebesgue": lebesgue.LEBESGUE,
 }
 
 
@@ -38,8 +37,8 @@ def canvas(editor):
     return pane(editor).canvas
 
 
-def line(editor, plot=Plot.SPEED):
-    (found,) = (each for each in canvas(editor).plots if each.title == TITLES[plot])
+def line(editor, plot=lengths.SPEED):
+    (found,) = (each for each in canvas(editor).plots if each.title == plot.title)
     return found.lines[0]
 
 
@@ -65,7 +64,7 @@ def test_each_plot_is_switched_on_and_off(editor, name):
     assert panel.isHidden()
     editor.trigger(name)
     assert panel.isVisible()
-    assert [each.title for each in canvas(editor).plots] == [TITLES[ACTIONS[name]]]
+    assert [each.title for each in canvas(editor).plots] == [ACTIONS[name].title]
     assert editor.action(name).isChecked()
     editor.trigger(name)
     assert panel.isHidden()
@@ -80,11 +79,11 @@ def test_the_buttons_of_the_header_choose(editor, qtbot):
     editor.trigger("plotSpeed")
     qtbot.mouseClick(editor.window.findChild(QToolButton, "plotCurvatureChoice"), Qt.MouseButton.LeftButton)
     assert editor.action("plotCurvature").isChecked()
-    assert [each.title for each in canvas(editor).plots] == [TITLES[Plot.SPEED], TITLES[Plot.CURVATURE]]
+    assert [each.title for each in canvas(editor).plots] == [lengths.SPEED.title, curvature.CURVATURE.title]
     button = editor.window.findChild(QToolButton, "plotSpeedChoice")
     qtbot.keyClick(button, Qt.Key.Key_Space)
     assert not button.isChecked()
-    assert [each.title for each in canvas(editor).plots] == [TITLES[Plot.CURVATURE]]
+    assert [each.title for each in canvas(editor).plots] == [curvature.CURVATURE.title]
     qtbot.mouseClick(editor.window.findChild(QToolButton, "closePlots"), Qt.MouseButton.LeftButton)
     assert editor.window.plot_panel.isHidden()
     assert not editor.action("plotCurvature").isChecked()
@@ -104,7 +103,7 @@ def test_a_plot_follows_a_drag_and_escape_brings_it_back(editor):
 
 def test_the_scale_only_grows_during_a_drag_and_fits_afterwards(editor):
     editor.trigger("plotSpeed")
-    title = TITLES[Plot.SPEED]
+    title = lengths.SPEED.title
     rest = canvas(editor).scale_of(title).high
     x, y = editor.point(3)
     editor.press((x, y))
@@ -119,7 +118,7 @@ def test_the_scale_only_grows_during_a_drag_and_fits_afterwards(editor):
 
 def test_the_lebesgue_scale_fits_again_after_a_drag_of_a_tick(editor):
     editor.trigger("plotLebesgue")
-    panel, title = editor.window.basis_panel, TITLES[Plot.LEBESGUE]
+    panel, title = editor.window.basis_panel, lebesgue.LEBESGUE.title
     rest = canvas(editor).scale_of(title).high
     t = editor.parameters
     start, wild = panel.rail_pixel(t[3]), panel.rail_pixel(t[2] + 0.004)
@@ -252,7 +251,7 @@ def test_others_can_add_lines_of_their_own(editor):
     editor.settle()
     assert editor.window.plot_panel.isVisible()
     editor.trigger("plotSpeed")
-    assert [each.title for each in canvas(editor).plots] == [TITLES[Plot.SPEED], "Error of each method"]
+    assert [each.title for each in canvas(editor).plots] == [lengths.SPEED.title, "Error of each method"]
     editor.scrub(0.5)
     assert "Newton 1e−9" in pane(editor).values_text
     editor.trigger("plotSpeed")
@@ -357,7 +356,7 @@ def test_the_plots_zoom_while_the_basis_functions_are_hidden(editor):
 
 def test_the_scale_stays_while_t_is_zoomed_and_fits_when_it_rests(editor, qtbot):
     editor.trigger("plotCurvature")
-    plots, title = canvas(editor), TITLES[Plot.CURVATURE]
+    plots, title = canvas(editor), curvature.CURVATURE.title
     before = plots.scale_of(title)
     wheel(editor, plots, plots.to_pixel(0.25, 0.5), 8)
     assert plots.scale_of(title).holding(before) == plots.scale_of(title)

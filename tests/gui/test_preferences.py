@@ -6,7 +6,7 @@ import pytest
 from PySide6.QtCore import QByteArray, QPoint, QRect, QSettings
 from PySide6.QtWidgets import QWidget
 
-from app.settings.kinds import Setting
+from app.settings.kinds import Choice, Setting, Switch
 from app.settings.preferences import Preferences
 from app.testing import Editor
 from app.theme import ThemeMode
@@ -292,3 +292,26 @@ def test_a_place_that_cannot_be_read_is_said(tmp_path):
     assert "cannot be read" in preferences.complaint
     preferences.theme_mode = ThemeMode.DARK
     assert preferences.last_folder == Path.home()
+
+
+class _WithOneMore(Preferences):
+    """What it takes to add a setting: one line, and its docstring."""
+
+    beeps = Switch("tests/beeps", default=True)
+    """Whether the tests beep."""
+
+    corner = Choice("tests/corner", ThemeMode.DARK)
+    """Where they do."""
+
+
+def test_a_setting_is_one_line(store):
+    assert _WithOneMore(store).beeps is True
+    _WithOneMore(store).beeps = False
+    _WithOneMore(store).corner = ThemeMode.LIGHT
+    kept = _WithOneMore(store)
+    assert (kept.beeps, kept.corner, kept.complaint) == (False, ThemeMode.LIGHT, "")
+    assert "beeps=off" in store.read_text(encoding="utf-8")
+    store.write_text("[tests]\nbeeps=perhaps\ncorner=light\n", encoding="utf-8")
+    broken = _WithOneMore(store)
+    assert (broken.beeps, broken.corner) == (True, ThemeMode.LIGHT)
+    assert "“perhaps” is neither on nor off" in broken.complaint

@@ -8,12 +8,15 @@ from msgspec.structs import replace
 
 from app.document.model import Curve, Document, Node, Parametrization, ParametrizationKind
 from app.families import FAMILIES, HERMITE, LAGRANGE, QUINTIC_HERMITE
-from app.view_model.analysis.circle import AT_REST, NO_BEND, NO_SCRUB
-from app.view_model.analysis.figures import Shape, Style, number
+from app.view_model.analysis.errors import PARAMETER_ERROR, POINT_ERROR, usual_error
+from app.view_model.analysis.figures import Shape, number
+from app.view_model.analysis.ghost import Ghost, all_ghosts
 from app.view_model.analysis.ghosts import ghost_views, with_ghost_real
-from app.view_model.analysis.overlays import live_picture, settled_picture, settles
-from app.view_model.analysis.scene import usual_error
-from app.view_model.analysis.settings import AnalysisSettings, Ghost, Overlay, all_ghosts
+from app.view_model.analysis.overlay import OVERLAYS
+from app.view_model.analysis.overlays import band, bezier, circle, comb, marks, polygon, ticks, vectors
+from app.view_model.analysis.overlays import ensemble as disturbed
+from app.view_model.analysis.picture import live_picture, settled_picture, settling
+from app.view_model.analysis.settings import AnalysisSettings
 from app.view_model.curve_view import view_of
 from curvecore import ensemble, lebesgue_constant, lebesgue_function
 
@@ -30,12 +33,13 @@ def wave(n, family=LAGRANGE, kind=UNIFORM):
     return curve_of(np.column_stack([x, np.sin(3 * x)]), family, kind)
 
 
-def settings_of(*overlays, **fields):
-    return AnalysisSettings(overlays=frozenset(overlays), **fields)
+def settings_of(*overlays, values=None, **fields):
+    values = frozenset((values or {}).items())
+    return AnalysisSettings(overlays=frozenset(overlays), values=values, **fields)
 
 
-def live(curve, *overlays, scrub=None, **fields):
-    return live_picture(view_of(curve), settings_of(*overlays, **fields), scrub)
+def live(curve, *overlays, scrub=None, values=None):
+    return live_picture(view_of(curve), settings_of(*overlays, values=values), scrub)
 
 
 def points_of(picture, style):
@@ -59,26 +63,26 @@ PARABOLA = curve_of([(-1, 1), (0, 0), (1, 1)])
 
 
 def test_the_circle_at_the_vertex_of_a_parabola():
-    picture = live(PARABOLA, Overlay.CIRCLE, scrub=0.5)
-    away = np.linalg.norm(points_of(picture, Style.CIRCLE) - (0, 0.5), axis=1)
+    picture = live(PARABOLA, circle.CIRCLE, scrub=0.5)
+    away = np.linalg.norm(points_of(picture, circle.LINE) - (0, 0.5), axis=1)
     assert away == pytest.approx(np.full(len(away), 0.5))
-    assert points_of(picture, Style.CIRCLE_CENTRE)[-1] == pytest.approx((0, 0.5))
-    assert picture.notes[Overlay.CIRCLE] == "Radius 0.5, curvature 2."
+    assert points_of(picture, circle.CENTRE)[-1] == pytest.approx((0, 0.5))
+    assert picture.notes[circle.CIRCLE] == "Radius 0.5, curvature 2."
 
 
 def test_the_circle_at_an_inflection_is_a_line_and_none_at_a_rest():
     cubic = curve_of([(-1, -1), (-1 / 3, -1 / 27), (1 / 3, 1 / 27), (1, 1)])
-    picture = live(cubic, Overlay.CIRCLE, scrub=0.5)
-    assert picture.notes[Overlay.CIRCLE] == NO_BEND
-    assert points_of(picture, Style.CIRCLE)[:, 1] == pytest.approx([0, 0], abs=1e-12)
+    picture = live(cubic, circle.CIRCLE, scrub=0.5)
+    assert picture.notes[circle.CIRCLE] == circle.NO_BEND
+    assert points_of(picture, circle.LINE)[:, 1] == pytest.approx([0, 0], abs=1e-12)
     # (s², s²) turns back where it rests, at s = 0.
     rest = curve_of([(1, 1), (0, 0), (1, 1)])
-    assert live(rest, Overlay.CIRCLE, scrub=0.5).notes[Overlay.CIRCLE] == AT_REST
-    assert live(PARABOLA, Overlay.CIRCLE).notes[Overlay.CIRCLE] == NO_SCRUB
+    assert live(rest, circle.CIRCLE, scrub=0.5).notes[circle.CIRCLE] == circle.AT_REST
+    assert live(PARABOLA, circle.CIRCLE).notes[circle.CIRCLE] == circle.NO_SCRUB
 
 
 def test_arrows_have_the_direction_and_proportion_of_the_derivatives():
-    picture = live(PARABOLA, Overlay.VELOCITIES, scrub=0.5, velocity_scale=2.0)
+    picture = live(PARABOLA, vectors.VELOCITIES, scrub=0.5, values={vectors.VELOCITY_SCALE: 2.0})
     at_points, at_scrub = (figure for figure in picture.figures if figure.shape is Shape.ARROWS)
     arrows = np.diff(at_points.points.reshape(-1, 2, 2), axis=1)[:, 0]
     # A quarter of the size, twice: the longest velocity is √20.
@@ -91,8 +95,8 @@ def test_accelerations_of_cubics_have_two_sides_at_joints():
     """Two cubics through three points, velocities 0: c'' = ±6 (p₁ − p₀) / h² at their ends."""
     nodes = tuple(Node(float(x), 0.0, velocity=(0.0, 0.0)) for x in (0, 1, 3))
     curve = Curve("Test", HERMITE, Parametrization(UNIFORM), nodes)
-    picture = live(curve, Overlay.ACCELERATIONS)
-    ends = points_of(picture, Style.ACCELERATION).reshape(-1, 2, 2)
+    picture = live(curve, vectors.ACCELERATIONS)
+    ends = points_of(picture, vectors.ACCELERATION).reshape(-1, 2, 2)
     arrows = {tuple(start.tolist()): [] for start in ends[:, 0]}
     for start, end in ends:
         arrows[tuple(start.tolist())].append(float((end - start)[0]))
@@ -105,8 +109,8 @@ def test_accelerations_of_cubics_have_two_sides_at_joints():
 def test_the_comb_jumps_where_the_curvature_does():
     """A straight segment, a corner, and a bend: at the corner a tooth of length 0 and a long one."""
     nodes = (Node(0, 0), Node(1, 0, velocity=(1.0, 0.0), corner=True, velocity_after=(1.0, 2.0)), Node(2, 0))
-    picture = live(Curve("Test", HERMITE, Parametrization(UNIFORM), nodes), Overlay.COMB)
-    teeth = points_of(picture, Style.COMB_TEETH).reshape(-1, 2, 2)
+    picture = live(Curve("Test", HERMITE, Parametrization(UNIFORM), nodes), comb.COMB)
+    teeth = points_of(picture, comb.TEETH).reshape(-1, 2, 2)
     there = teeth[np.linalg.norm(teeth[:, 0] - (1, 0), axis=1) < 1e-9]
     lengths = sorted(np.linalg.norm(there[:, 1] - there[:, 0], axis=1))
     assert len(lengths) == 2
@@ -116,54 +120,54 @@ def test_the_comb_jumps_where_the_curvature_does():
 
 def test_ticks_stand_at_equal_steps_of_t():
     curve = wave(6)
-    picture = live(curve, Overlay.TICKS, tick_count=7)
-    places = points_of(picture, Style.TICK)[::2]
+    picture = live(curve, ticks.TICKS, values={ticks.COUNT: 7})
+    places = points_of(picture, ticks.TICK)[::2]
     assert places == pytest.approx(view_of(curve).curve.evaluate(np.linspace(0, 1, 8)))
 
 
 def test_polygons():
     closed = curve_of([(0, 0), (2, 0), (1, 2)], HERMITE, closed=True)
-    picture = live(closed, Overlay.POLYGON, Overlay.BEZIER)
-    assert points_of(picture, Style.POLYGON).tolist() == [[0, 0], [2, 0], [1, 2], [0, 0]]
+    picture = live(closed, polygon.POLYGON, bezier.BEZIER)
+    assert points_of(picture, polygon.SIDES).tolist() == [[0, 0], [2, 0], [1, 2], [0, 0]]
     # Two inner control points a segment, three segments.
-    assert points_of(picture, Style.BEZIER_POINT).shape == (6, 2)
+    assert points_of(picture, bezier.CONTROL_POINT).shape == (6, 2)
 
 
 def test_the_bezier_polygon_of_a_parabola_and_of_too_much():
-    picture = settled_picture(view_of(PARABOLA), settings_of(Overlay.BEZIER))
-    assert points_of(picture, Style.BEZIER_POINT) == pytest.approx(np.array([(0, -1)]))
+    picture = settled_picture(view_of(PARABOLA), settings_of(bezier.BEZIER))
+    assert points_of(picture, bezier.CONTROL_POINT) == pytest.approx(np.array([(0, -1)]))
     for n in (32, 40):
-        refused = settled_picture(view_of(wave(n)), settings_of(Overlay.BEZIER))
+        refused = settled_picture(view_of(wave(n)), settings_of(bezier.BEZIER))
         assert not refused.figures
-        assert refused.notes[Overlay.BEZIER].startswith("Not drawn")
+        assert refused.notes[bezier.BEZIER].startswith("Not drawn")
 
 
 def test_marks_of_a_figure_eight():
     t = 2 * np.pi * np.arange(8) / 8
     eight = curve_of(np.column_stack([np.sin(t), np.sin(2 * t)]), QUINTIC_HERMITE, closed=True)
-    picture = settled_picture(view_of(eight), settings_of(Overlay.MARKS))
-    crossing = points_of(picture, Style.CROSSING)
+    picture = settled_picture(view_of(eight), settings_of(marks.MARKS))
+    crossing = points_of(picture, marks.CROSSING)
     assert crossing == pytest.approx(np.zeros((1, 2)), abs=1e-6)
-    assert "1 crossing." in picture.notes[Overlay.MARKS]
+    assert "1 crossing." in picture.notes[marks.MARKS]
     # The sharpest bends are outside; in the centre the curve bends the other way.
-    assert (np.linalg.norm(points_of(picture, Style.SHARPEST), axis=1) > 0.4).all()
-    assert np.abs(points_of(picture, Style.INFLECTION)).min() < 1e-6
+    assert (np.linalg.norm(points_of(picture, marks.SHARPEST), axis=1) > 0.4).all()
+    assert np.abs(points_of(picture, marks.INFLECTION)).min() < 1e-6
 
 
 def test_the_widest_place_of_the_band_is_the_lebesgue_constant():
     curve = wave(12)
-    note = live(curve, Overlay.BAND, point_error=0.01).notes[Overlay.BAND]
+    note = live(curve, band.BAND, values={POINT_ERROR: 0.01}).notes[band.BAND]
     constant = lebesgue_constant(view_of(curve).curve)
     assert f"Largest half-width {number(0.01 * constant)} at t = 0.0" in note
     assert f"{number(constant)} times ε" in note
-    assert live(curve, Overlay.BAND, point_error=0.0).notes[Overlay.BAND].startswith("Both errors are 0")
+    assert live(curve, band.BAND, values={POINT_ERROR: 0.0}).notes[band.BAND].startswith("Both errors are 0")
 
 
 def windings(polygons, places):
     """How often the polygons of a figure go round each place."""
     total = np.zeros(len(places))
-    for polygon in np.split(polygons, np.flatnonzero(np.isnan(polygons[:, 0]))):
-        corners = polygon[~np.isnan(polygon[:, 0])]
+    for part in np.split(polygons, np.flatnonzero(np.isnan(polygons[:, 0]))):
+        corners = part[~np.isnan(part[:, 0])]
         if len(corners):
             away = corners - places[:, None]
             angle = np.arctan2(away[..., 1], away[..., 0])
@@ -177,8 +181,8 @@ def windings(polygons, places):
 def test_disturbed_curves_stay_inside_the_area_of_the_band(family, epsilon):
     """Also where the band is wider than the curve bends: 0.4 against a smallest radius of 0.1 or so."""
     view = view_of(wave(7, family))
-    picture = live_picture(view, settings_of(Overlay.BAND, point_error=epsilon))
-    area = points_of(picture, Style.BAND)
+    picture = live_picture(view, settings_of(band.BAND, values={POINT_ERROR: epsilon}))
+    area = points_of(picture, band.AREA)
     random = ensemble(view.curve, epsilon, count=12, seed=1, remake=view.with_knots)
     disturbed = random.evaluate(np.linspace(0, 1, 25))
     assert (windings(area, disturbed.reshape(-1, 2)) > 0).all()
@@ -193,7 +197,7 @@ def test_disturbed_curves_stay_inside_the_area_of_the_band(family, epsilon):
 def test_the_area_is_the_union_of_all_discs(kind, epsilon):
     """Points just inside the rims of discs are in it, also around a cusp, where discs grow fast."""
     view = view_of(curve_of(S_CURVE, kind=kind))
-    area = points_of(live_picture(view, settings_of(Overlay.BAND, point_error=epsilon)), Style.BAND)
+    area = points_of(live_picture(view, settings_of(band.BAND, values={POINT_ERROR: epsilon})), band.AREA)
     t = np.linspace(0, 1, 45)
     radii = epsilon * lebesgue_function(view.curve, t)
     angle = np.linspace(0, 2 * np.pi, 9)[:-1]
@@ -209,16 +213,17 @@ def test_the_area_is_the_union_of_all_discs(kind, epsilon):
 
 
 def test_too_large_errors_of_parameters_are_explained():
-    settings = settings_of(Overlay.ENSEMBLE, point_error=0.01, parameter_error=0.2)
+    settings = settings_of(disturbed.ENSEMBLE, values={POINT_ERROR: 0.01, PARAMETER_ERROR: 0.2})
     picture = settled_picture(view_of(wave(6)), settings)
     assert not picture.figures
-    assert picture.notes[Overlay.ENSEMBLE].startswith("Not drawn: δ must be less than half")
+    assert picture.notes[disturbed.ENSEMBLE].startswith("Not drawn: δ must be less than half")
 
 
 def test_the_same_seed_draws_the_same_curves():
     def drawn(seed):
-        settings = settings_of(Overlay.ENSEMBLE, point_error=0.01, ensemble_seed=seed, ensemble_count=5)
-        return points_of(settled_picture(view_of(wave(6)), settings), Style.ENSEMBLE)
+        values = {POINT_ERROR: 0.01, disturbed.SEED: seed, disturbed.COUNT: 5}
+        settings = settings_of(disturbed.ENSEMBLE, values=values)
+        return points_of(settled_picture(view_of(wave(6)), settings), disturbed.LINES)
 
     assert np.array_equal(drawn(1), drawn(1), equal_nan=True)
     assert not np.array_equal(drawn(1), drawn(2), equal_nan=True)
@@ -261,7 +266,8 @@ WILD = {
 @pytest.mark.parametrize("name", list(WILD))
 def test_curves_that_nobody_draws_on_purpose(name):
     view = view_of(WILD[name])
-    everything = settings_of(*Overlay, point_error=0.01, parameter_error=1e-6, ghosts=frozenset(all_ghosts()))
+    errors = {POINT_ERROR: 0.01, PARAMETER_ERROR: 1e-6}
+    everything = settings_of(*OVERLAYS, values=errors, ghosts=frozenset(all_ghosts()))
     live_picture(view, everything, 0.5)
     settled_picture(view, everything, 0.5)
     assert ghost_views(view, everything.ghosts, {})
@@ -270,17 +276,17 @@ def test_curves_that_nobody_draws_on_purpose(name):
 
 def test_a_curve_that_is_not_current_shows_nothing():
     broken = view_of(curve_of([(0, 0), (0, 0), (1, 1)], kind=ParametrizationKind.CHORD_LENGTH))
-    everything = settings_of(*Overlay, point_error=0.01)
+    everything = settings_of(*OVERLAYS, values={POINT_ERROR: 0.01})
     assert not broken.is_current
     assert not live_picture(broken, everything).figures
-    assert not settles(broken, everything)
+    assert not settling(broken, everything)
 
 
-def test_what_is_too_slow_for_a_frame_settles():
+def test_what_is_too_slow_for_a_frame_settling():
     """Derivatives of a polynomial through 100 points take 26 ms."""
-    settings = settings_of(Overlay.COMB)
-    assert settles(view_of(wave(20)), settings) == frozenset()
+    settings = settings_of(comb.COMB)
+    assert settling(view_of(wave(20)), settings) == frozenset()
     long = view_of(wave(100, kind=ParametrizationKind.CHEBYSHEV))
-    assert settles(long, settings) == {Overlay.COMB}
+    assert settling(long, settings) == {comb.COMB}
     assert not live_picture(long, settings).figures
     assert settled_picture(long, settings).figures

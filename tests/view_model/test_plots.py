@@ -11,10 +11,11 @@ from msgspec.structs import replace
 from app.document.model import Curve, Node, Parametrization, ParametrizationKind, VelocityRule
 from app.families import FAMILIES, HERMITE, LAGRANGE, QUINTIC_HERMITE
 from app.view_model.analysis.hodograph import derivative_at, hodograph_of
+from app.view_model.analysis.plot import PLOTS
 from app.view_model.analysis.plot_lines import PlotLine, Scale, extent_of, plot_of
 from app.view_model.analysis.plot_samples import is_slow, samples_over
-from app.view_model.analysis.plots import SYMBOLS, TITLES, plots_of, values_at
-from app.view_model.analysis.settings import Plot
+from app.view_model.analysis.plots import curvature, lebesgue, lengths
+from app.view_model.analysis.plotted import plots_of, values_at
 from app.view_model.basis_view import basis_view
 from app.view_model.curve_view import view_of
 from app.view_model.growth import growth_of_points
@@ -34,7 +35,7 @@ def plots(view, *kinds, t_range=None, columns=800):
 @pytest.mark.parametrize("family", FAMILIES)
 def test_the_derivatives_plotted_are_those_of_the_curve(family):
     view = wave(9, family)
-    for kind, order in ((Plot.SPEED, 1), (Plot.ACCELERATION, 2), (Plot.JERK, 3)):
+    for kind, order in ((lengths.SPEED, 1), (lengths.ACCELERATION, 2), (lengths.JERK, 3)):
         (plot,) = plots(view, kind)
         (line,) = plot.lines
         known = ~np.isnan(line.values)
@@ -59,14 +60,14 @@ def test_the_curvature_is_that_of_a_circle_and_its_sign_tells_left_from_right():
         )
         rule = Parametrization(ParametrizationKind.MANUAL, start=0.0, end=float(angles[-1]))
         view = view_of(Curve("Circle", QUINTIC_HERMITE, rule, nodes))
-        (plot,) = plots(view, Plot.CURVATURE)
+        (plot,) = plots(view, curvature.CURVATURE)
         values = plot.lines[0].values
         assert values[~np.isnan(values)] == pytest.approx(sign * 0.5, rel=1e-4)
 
 
 def test_a_jump_has_no_line_across_and_a_smooth_joint_has_no_gap():
     view = wave(7, HERMITE, velocity_rule=VelocityRule.BESSEL)
-    speed, acceleration = plots(view, Plot.SPEED, Plot.ACCELERATION)
+    speed, acceleration = plots(view, lengths.SPEED, lengths.ACCELERATION)
     assert not np.isnan(speed.lines[0].values).any()
     line = acceleration.lines[0]
     gaps = np.flatnonzero(np.isnan(line.values))
@@ -82,7 +83,7 @@ def test_a_corner_breaks_the_speed():
     nodes = list(view.source.nodes)
     nodes[2] = Node(nodes[2].x, nodes[2].y, velocity=(1, 0), corner=True, velocity_after=(0, 5))
     view = view_of(Curve("Corner", HERMITE, Parametrization(), tuple(nodes)))
-    line = plots(view, Plot.SPEED)[0].lines[0]
+    line = plots(view, lengths.SPEED)[0].lines[0]
     (gap,) = np.flatnonzero(np.isnan(line.values))
     assert line.t[gap] == view.parameters[2]
     assert line.values[[gap - 1, gap + 1]] == pytest.approx([1, 5])
@@ -91,7 +92,7 @@ def test_a_corner_breaks_the_speed():
 def test_the_lebesgue_function_is_one_at_the_parameters_and_reaches_its_constant():
     """n = 11 uniform: the constant 29.900 of Luttmann and Rivlin's table."""
     view = wave(11, LAGRANGE, ParametrizationKind.UNIFORM)
-    (plot,) = plots(view, Plot.LEBESGUE)
+    (plot,) = plots(view, lebesgue.LEBESGUE)
     line = plot.lines[0]
     assert plot.scale is Scale.LOG
     assert line.values.max() == pytest.approx(29.900, rel=2e-3)
@@ -104,13 +105,13 @@ def test_the_lebesgue_function_is_one_at_the_parameters_and_reaches_its_constant
 def test_no_error_of_a_point_grows_where_no_derivative_follows_it():
     """It was said of curves with estimated velocities, too."""
     view = wave(6, QUINTIC_HERMITE)
-    (plot,) = plots(view, Plot.LEBESGUE)
+    (plot,) = plots(view, lebesgue.LEBESGUE)
     known = plot.lines[0]
     assert known.values == pytest.approx(np.maximum(view.cardinal.sums(known.t), 1.0))
     assert plot.levels[0].name == f"Lebesgue constant Λ = {view.growth:.3g}"
     assert view.growth > 1.2
     still = [replace(node, velocity=(1.0, 0.0), acceleration=(0.0, 0.0)) for node in view.source.nodes]
-    (plot,) = plots(view_of(replace(view.source, nodes=tuple(still))), Plot.LEBESGUE)
+    (plot,) = plots(view_of(replace(view.source, nodes=tuple(still))), lebesgue.LEBESGUE)
     assert plot.lines[0].values == pytest.approx(1.0, abs=1e-12)
     assert "no error of a point grows" in plot.levels[0].name
 
@@ -137,7 +138,7 @@ def test_samples_ascend_even_where_parameters_are_far_from_zero():
 def test_a_spike_of_the_curvature_does_not_flatten_the_rest():
     nodes = tuple(Node(x, y) for x, y in ((0, 0), (1, 1), (2, 0), (1.0001, 1), (0, 0.5)))
     view = view_of(Curve("Needle", HERMITE, Parametrization(), nodes))
-    (plot,) = plots(view, Plot.CURVATURE)
+    (plot,) = plots(view, curvature.CURVATURE)
     finite = plot.lines[0].values[np.isfinite(plot.lines[0].values)]
     assert np.abs(finite).max() > 2 * max(-plot.extent[0], plot.extent[1])
     assert plot.note.startswith("⚠ reaches")
@@ -145,17 +146,19 @@ def test_a_spike_of_the_curvature_does_not_flatten_the_rest():
 
 def test_values_at_the_scrub_line_are_exact():
     view = wave(8, LAGRANGE)
-    values = values_at(view, frozenset(Plot), 0.3)
+    values = values_at(view, frozenset(PLOTS), 0.3)
     c1, c2 = (view.curve.evaluate(0.3, order) for order in (1, 2))
-    assert values[Plot.SPEED] == pytest.approx(np.linalg.norm(c1))
-    assert values[Plot.CURVATURE] == pytest.approx((c1[0] * c2[1] - c1[1] * c2[0]) / np.linalg.norm(c1) ** 3)
-    assert set(SYMBOLS) == set(TITLES) == set(values)
+    assert values[lengths.SPEED] == pytest.approx(np.linalg.norm(c1))
+    assert values[curvature.CURVATURE] == pytest.approx(
+        (c1[0] * c2[1] - c1[1] * c2[0]) / np.linalg.norm(c1) ** 3
+    )
+    assert set(PLOTS) == set(values)
 
 
 def test_without_a_curve_there_is_nothing_to_plot():
     view = view_of(Curve("One", LAGRANGE, Parametrization(), (Node(0.0, 0.0),)))
-    assert plots_of(view, frozenset(Plot), (0.0, 1.0), 100) == []
-    assert values_at(view, frozenset(Plot), 0.5) == {}
+    assert plots_of(view, frozenset(PLOTS), (0.0, 1.0), 100) == []
+    assert values_at(view, frozenset(PLOTS), 0.5) == {}
 
 
 def test_huge_numbers_stay_quiet():
@@ -163,7 +166,7 @@ def test_huge_numbers_stay_quiet():
     rule = Parametrization(ParametrizationKind.MANUAL, start=0.0, end=2e-9)
     for family in FAMILIES:
         view = view_of(Curve("Huge", family, rule, nodes))
-        for plot in plots(view, *Plot):
+        for plot in plots(view, *PLOTS):
             assert np.isfinite(plot.extent).all()
         assert np.isfinite(hodograph_of(view, 2).reach)
 

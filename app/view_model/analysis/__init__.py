@@ -1,13 +1,16 @@
 """Why the curve goes where it goes: what the overlays, plots and tables show, as arrays to draw.
 
 - ``settings``: what is switched on and how; no part of the document.
+- ``records``: registries that read their records off the modules of a package.
+- ``overlay``, ``overlays``: what can be drawn over the curve: the record, and one file for each or two.
+  ``picture``: the figures of those that are switched on, live or once things have settled.
 - ``figures``: lines, arrows, marks and areas of the plane, each in a style that has a meaning.
-- ``overlays``: the figures of everything that is switched on, live or once things have settled.
 - ``scene``, ``samples``: the curve with what overlays share; its derivatives where a drawing needs them.
-- ``comb``, ``vectors``, ``circle``, ``ticks``, ``polygons``, ``marks``: one overlay or two each.
-- ``band``, ``ensembles``: what errors of the data do, at worst and at random.
-- ``ghosts``: the same points under other rules.
-- ``plot_lines``, ``plot_samples``, ``plots``: plots over t; ``hodograph``: c' and c'' in the plane.
+  ``errors``: errors of points and parameters.
+- ``ghost``, ``ghosts``: the same points under other rules: which there are, and their curves.
+- ``plot``, ``plots``: what can be plotted over t: the record, and a file for one or more.
+  ``plotted``: those that are switched on.  ``plot_lines``, ``plot_samples``: their data, and at which t.
+- ``hodograph``: c' and c'' in the plane.
 - ``joints``: how smooth the curve is at each joint, in numbers and words.
 - ``legend``: which of all this needs a line of explanation.  ``wording``: numbers in sentences.
 - ``laboratory_settings``, ``laboratory``: the curve computed with few digits, by several methods.

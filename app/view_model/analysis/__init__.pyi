@@ -6,9 +6,8 @@ from . import hodograph as hodograph
 from . import joints as joints
 from . import laboratory as laboratory
 from . import legend as legend
-from . import overlays as overlays
+from . import picture as picture
 from . import plot_lines as plot_lines
 from . import plot_samples as plot_samples
-from . import plots as plots
-from . import scene as scene
+from . import plotted as plotted
 from . import wiggle as wiggle

@@ -9,30 +9,10 @@ import numpy as np
 import numpy.typing as npt
 
 from app.document.words import with_minus
+from app.view_model.looks import Look
 
 Floats = npt.NDArray[np.float64]
 Flags = npt.NDArray[np.bool_]
-
-
-class Style(enum.Enum):
-    """What a figure means; the canvas has a pen for each."""
-
-    COMB_TEETH = enum.auto()
-    COMB_EDGE = enum.auto()
-    VELOCITY = enum.auto()
-    ACCELERATION = enum.auto()
-    CIRCLE = enum.auto()
-    CIRCLE_CENTRE = enum.auto()
-    BEZIER = enum.auto()
-    BEZIER_POINT = enum.auto()
-    POLYGON = enum.auto()
-    TICK = enum.auto()
-    INFLECTION = enum.auto()
-    SHARPEST = enum.auto()
-    FLATTEST = enum.auto()
-    CROSSING = enum.auto()
-    BAND = enum.auto()
-    ENSEMBLE = enum.auto()
 
 
 class Shape(enum.Enum):
@@ -53,15 +33,17 @@ class Shape(enum.Enum):
 
 
 class Figure(msgspec.Struct, frozen=True, eq=False):
-    """Points (k, 2) of the plane, how they belong together and what they mean.
+    """Points (k, 2) of the plane, how they belong together and how they look.
 
     Attributes
     ----------
+    style
+        Its lines and marks; what the figure means is known by it.
     label
         A word beside the last point; empty for none.
     """
 
-    style: Style
+    style: Look
     shape: Shape
     points: Floats
     label: str = ""

@@ -11,8 +11,8 @@ import numpy as np
 from app.document import edits
 from app.document.model import Curve, Document, ParametrizationKind
 from app.families import Family
+from app.view_model.analysis.ghost import Ghost, all_ghosts
 from app.view_model.analysis.scene import is_quick
-from app.view_model.analysis.settings import Ghost, all_ghosts
 from app.view_model.curve_view import Box, CurveView, Floats, view_of
 
 

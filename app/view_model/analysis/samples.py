@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
+import msgspec
 import numpy as np
 import numpy.typing as npt
 
@@ -20,8 +19,7 @@ _FEW, _LONG = 3, 200
 """Samples a segment of a polynomial through more than `_LONG` points, whose derivatives cost most."""
 
 
-@dataclass(frozen=True, eq=False)
-class Samples:
+class Samples(msgspec.Struct, frozen=True, eq=False):
     """A piece of a curve without corners: parameters (m,), and c, c', c'' there, (m, 2) each."""
 
     parameters: Floats
@@ -53,3 +51,13 @@ def _parameters(knots: Floats, count: int) -> Floats:
     t[:, -1] = np.nextafter(knots[1:], -np.inf)
     t[-1, -1] = knots[-1]
     return np.asarray(t.ravel())
+
+
+def unit_tangents(velocities: Floats) -> Floats:
+    """Return vectors (m, 2) of length 1 in the same directions, zero for zero."""
+    largest = np.abs(velocities).max(axis=1, keepdims=True)
+    # Divided first, so that squares of huge velocities stay finite.
+    scaled = velocities / np.where(largest > 0, largest, 1.0)
+    length = np.hypot(scaled[:, 0], scaled[:, 1])
+    result: Floats = scaled / np.where(length > 0, length, 1.0)[:, None]
+    return result

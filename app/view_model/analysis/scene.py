@@ -2,27 +2,40 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from functools import cached_property
 
+import msgspec
 import numpy as np
 
+from app.tasks.progress import Report, silent
 from app.view_model.analysis.figures import Floats
 from app.view_model.analysis.samples import Samples, samples_of
-from app.view_model.analysis.settings import AnalysisSettings
+from app.view_model.analysis.settings import AnalysisSettings, Setting
 from app.view_model.curve_view import CurveView
 
 _QUICK = 64
 """Points of the longest polynomial whose derivatives are found within a frame."""
 
 
-@dataclass(frozen=True, eq=False)
-class Scene:
-    """A curve, what is to be shown of it, and the scrub line's t."""
+class Scene(msgspec.Struct, frozen=True, eq=False, dict=True):
+    """A curve and how it is to be shown.
+
+    Attributes
+    ----------
+    scrub
+        The scrub line's t; None without one.
+    report
+        Called now and then by what takes long; raises when nobody waits for it any more.
+    """
 
     view: CurveView
     settings: AnalysisSettings
     scrub: float | None = None
+    report: Report = silent
+
+    def value(self, setting: Setting) -> float:
+        """Return what a setting of an overlay is."""
+        return self.settings.value(setting)
 
     @cached_property
     def samples(self) -> list[Samples]:
@@ -41,12 +54,6 @@ class Scene:
             return None
         value: Floats = curve.evaluate(min(max(self.scrub, curve.domain[0]), curve.domain[1]), order)
         return value if np.isfinite(value).all() else None
-
-
-def usual_error(view: CurveView) -> float:
-    """Return a round number near one hundredth of the size of the points."""
-    size = float(np.ptp(view.points, axis=0).max()) if len(view.points) else 0.0
-    return float(f"{size / 100:.0e}") if size > 0 else 0.01
 
 
 def is_quick(view: CurveView) -> bool:

@@ -2,82 +2,67 @@
 
 from __future__ import annotations
 
-import enum
+from collections.abc import Callable
+from typing import TYPE_CHECKING
 
 import msgspec
 
-from app.document.model import ParametrizationKind
-from app.families import FAMILIES, Family
 from app.view_model.analysis.laboratory_settings import LaboratorySettings
 
-
-class Overlay(enum.StrEnum):
-    """Something that can be drawn over the curve."""
-
-    COMB = "comb"
-    VELOCITIES = "velocities"
-    ACCELERATIONS = "accelerations"
-    CIRCLE = "circle"
-    BEZIER = "bezier"
-    POLYGON = "polygon"
-    TICKS = "ticks"
-    MARKS = "marks"
-    BAND = "band"
-    ENSEMBLE = "ensemble"
+if TYPE_CHECKING:
+    from app.view_model.analysis.ghost import Ghost
+    from app.view_model.analysis.overlay import Overlay
+    from app.view_model.analysis.plot import Plot
+    from app.view_model.curve_view import CurveView
 
 
-class Ghost(msgspec.Struct, frozen=True):
-    """The same points under another family or another rule for the parameters: one of the two."""
+class Setting(msgspec.Struct, frozen=True):
+    """A number that an overlay is drawn with; this kind is set by an action.
 
-    family: Family | None = None
-    kind: ParametrizationKind | None = None
+    Attributes
+    ----------
+    name
+        Object name of what sets it.
+    label
+        What it is, for people.
+    default
+        What it is until it is set.
+    """
 
-    @property
-    def name(self) -> str:
-        """The name of the family or the rule."""
-        return self.family.name if self.family is not None else str(self.kind)
-
-    @property
-    def title(self) -> str:
-        """What people read: Chord length."""
-        return self.family.label if self.family is not None else str(self.kind).replace("_", " ").capitalize()
-
-    @property
-    def action_name(self) -> str:
-        """The object name of its action: ghostChordLength."""
-        return "ghost" + "".join(word.capitalize() for word in self.name.split("_"))
-
-    @property
-    def tip(self) -> str:
-        """What its action does."""
-        if self.family is not None:
-            return f"Draw the same points as a {self.family.full_title} curve, too"
-        rule = "Chebyshev" if self.kind is ParametrizationKind.CHEBYSHEV else str(self.kind).replace("_", "-")
-        return f"Draw the curve with {rule} parameters, too"
+    name: str
+    label: str
+    default: float = 0.0
 
 
-GHOST_KINDS = tuple(
-    kind
-    for kind in ParametrizationKind
-    if kind not in (ParametrizationKind.POWER, ParametrizationKind.MANUAL)
-)
-"""The rules that need nothing but the points."""
+class Factor(Setting, frozen=True):
+    """A factor from a tenth to ten, set by a slider."""
+
+    default: float = 1.0
 
 
-def all_ghosts() -> tuple[Ghost, ...]:
-    """Return a ghost for every family and for every rule that needs nothing but the points, in order."""
-    families = (Ghost(family=family) for family in FAMILIES)
-    return (*families, *(Ghost(kind=kind) for kind in GHOST_KINDS))
+class Count(Setting, frozen=True, kw_only=True):
+    """A whole number from `least` to `most`, set by a slider."""
+
+    least: int
+    most: int
 
 
-class Plot(enum.StrEnum):
-    """Something that can be plotted over t, in the order in which plots stand below each other."""
+class ErrorSize(Setting, frozen=True, kw_only=True):
+    """The largest error of something, typed.
 
-    SPEED = "speed"
-    ACCELERATION = "acceleration"
-    JERK = "jerk"
-    CURVATURE = "curvature"
-    LEBESGUE = "lebesgue"
+    Attributes
+    ----------
+    short
+        What stands before the field.
+    tip
+        More about it.
+    usual
+        What it becomes when it is first needed, from the curve that is then shown; None for the default.
+    """
+
+    short: str
+    tip: str
+    usual: Callable[[CurveView], float] | None = None
 
 
 class AnalysisSettings(msgspec.Struct, frozen=True):
@@ -87,20 +72,10 @@ class AnalysisSettings(msgspec.Struct, frozen=True):
     ----------
     overlays
         What is switched on.
-    comb_scale
-        Length of the comb's teeth; 1 makes the longest a fifth of the curve's size.
+    values
+        The settings of overlays that are not at their defaults.
     plots
         What is plotted over t.
-    velocity_scale, acceleration_scale
-        Length of the arrows; 1 makes the longest a quarter of the curve's size.
-    tick_count
-        Equal steps of t that the ticks show.
-    point_error
-        Largest error of every point, in the plane's unit; None until it is first needed.
-    parameter_error
-        Largest error of every parameter.
-    ensemble_count, ensemble_seed
-        How many disturbed curves, and which ones.
     ghosts
         The variants that are shown.
     laboratory
@@ -108,15 +83,8 @@ class AnalysisSettings(msgspec.Struct, frozen=True):
     """
 
     overlays: frozenset[Overlay] = frozenset()
-    comb_scale: float = 1.0
+    values: frozenset[tuple[Setting, float]] = frozenset()
     plots: frozenset[Plot] = frozenset()
-    velocity_scale: float = 1.0
-    acceleration_scale: float = 1.0
-    tick_count: int = 20
-    point_error: float | None = None
-    parameter_error: float = 0.0
-    ensemble_count: int = 30
-    ensemble_seed: int = 0
     ghosts: frozenset[Ghost] = frozenset()
     laboratory: LaboratorySettings = LaboratorySettings()
 
@@ -124,3 +92,16 @@ class AnalysisSettings(msgspec.Struct, frozen=True):
     def is_empty(self) -> bool:
         """Whether nothing is switched on."""
         return not self.overlays and not self.ghosts
+
+    def value(self, setting: Setting) -> float:
+        """Return what a setting is."""
+        return dict(self.values).get(setting, setting.default)
+
+    def has(self, setting: Setting) -> bool:
+        """Whether a setting was ever set."""
+        return setting in dict(self.values)
+
+    def with_value(self, setting: Setting, value: float) -> AnalysisSettings:
+        """Return these settings with another value for one of them."""
+        values = dict(self.values) | {setting: value}
+        return msgspec.structs.replace(self, values=frozenset(values.items()))

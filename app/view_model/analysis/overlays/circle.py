@@ -4,10 +4,15 @@ from __future__ import annotations
 
 import numpy as np
 
-from app.view_model.analysis.comb import unit_tangents
-from app.view_model.analysis.figures import Figure, Shape, Style, number
+import curvecore
+from app.view_model.analysis.figures import Figure, Shape, number
+from app.view_model.analysis.overlay import Drawn, Group, Overlay
+from app.view_model.analysis.samples import unit_tangents
 from app.view_model.analysis.scene import Scene
-from curvecore import curvature_of
+from app.view_model.looks import PURPLE, Look
+
+LINE = Look(PURPLE, width=1.4)
+CENTRE = Look(PURPLE, 0.8)
 
 _REACH = 10.0
 """How much of a large circle is drawn to either side, in sizes of the curve."""
@@ -22,12 +27,12 @@ AT_REST = "c′ = 0 here: there is no circle."
 NO_BEND = "Straight here: the circle is a line."
 
 
-def circle(scene: Scene) -> tuple[list[Figure], str]:
+def _circle(scene: Scene) -> Drawn:
     """Return the circle with its centre, and its radius in words."""
     here, velocity, acceleration = (scene.at_scrub(order) for order in range(3))
     if here is None or velocity is None or acceleration is None:
         return [], NO_SCRUB
-    curvature = float(curvature_of(velocity[None], acceleration[None])[0])
+    curvature = float(curvecore.curvature_of(velocity[None], acceleration[None])[0])
     if np.isnan(curvature):
         return [], AT_REST
     reach = _REACH * scene.size
@@ -35,16 +40,31 @@ def circle(scene: Scene) -> tuple[list[Figure], str]:
     normal = np.array([-tangent[1], tangent[0]])
     if abs(curvature) * scene.size < _STRAIGHT:
         line = here + np.outer([-reach, reach], tangent)
-        return [Figure(Style.CIRCLE, Shape.LINE, line)], NO_BEND
+        return [Figure(LINE, Shape.LINE, line)], NO_BEND
     radius = 1.0 / abs(curvature)
     # Along the arc from here, so that a huge circle is exact where it touches.
     angle = min(np.pi, reach / radius) * np.linspace(-1.0, 1.0, _CORNERS + 1)
     along, away = radius * np.sin(angle), np.sign(curvature) * 2 * radius * np.sin(angle / 2) ** 2
     arc = here + np.outer(along, tangent) + np.outer(away, normal)
     words = f"radius {number(radius)}"
-    figures = [Figure(Style.CIRCLE, Shape.LINE, arc)]
+    figures = [Figure(LINE, Shape.LINE, arc)]
     if radius < reach:
         centre = here + np.sign(curvature) * radius * normal
-        figures.append(Figure(Style.CIRCLE_CENTRE, Shape.LINE, np.array([here, centre])))
-        figures.append(Figure(Style.CIRCLE_CENTRE, Shape.MARKS, centre[None], words))
+        figures.append(Figure(CENTRE, Shape.LINE, np.array([here, centre])))
+        figures.append(Figure(CENTRE, Shape.MARKS, centre[None], words))
     return figures, f"{words[0].upper()}{words[1:]}, curvature {number(curvature)}."
+
+
+CIRCLE = Overlay(
+    name="circle",
+    text="Osculating Circle",
+    tip="Draw the circle that the curve follows at the scrub line",
+    key="Ctrl+Alt+4",
+    icon="circle",
+    group=Group.SHAPE,
+    place=40,
+    layer=60,
+    draw=_circle,
+    follows_scrub=True,
+    brings_scrub=True,
+)

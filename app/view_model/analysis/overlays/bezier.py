@@ -1,13 +1,18 @@
-"""The Bézier control polygon of every segment, and the polygon of the points themselves."""
+"""The Bézier control polygon of every segment."""
 
 from __future__ import annotations
 
 import numpy as np
 
-from app.view_model.analysis.figures import Figure, Floats, Shape, Style, number
+import curvecore
+from app.view_model.analysis.figures import Figure, Floats, Shape, number
+from app.view_model.analysis.overlay import Drawn, Group, Overlay
 from app.view_model.analysis.scene import Scene
 from app.view_model.curve_view import CurveView
-from curvecore import lagrange_to_bezier
+from app.view_model.looks import Look, Mark, Sign
+
+SIDES = Look("handle", 0.9, mark=Mark.SQUARE, sign=Sign.LINE_WITH_MARK)
+CONTROL_POINT = Look("handle", mark=Mark.SQUARE)
 
 _MOST = 32
 """Points of the longest polynomial that is converted; the work grows with the fourth power."""
@@ -16,32 +21,32 @@ _WORST = 1e10
 """Condition number above which the control points say nothing any more."""
 
 
-def polygon(view: CurveView) -> list[Figure]:
-    """Return the polygon through the points."""
-    points = view.points[[*range(len(view.points)), *([0] if view.source.is_closed else [])]]
-    return [Figure(Style.POLYGON, Shape.LINE, points)]
+def _is_one_polynomial(view: CurveView) -> bool:
+    return view.curve is not None and view.curve.is_one_polynomial
 
 
-def bezier_polygons(view: CurveView) -> tuple[list[Figure], str]:
-    """Return the control polygons of the segments of piecewise polynomials, or in words why not."""
+def _bezier(scene: Scene) -> Drawn:
+    """Return the control polygons of the segments, or the one of a polynomial, or in words why not."""
+    view = scene.view
+    if _is_one_polynomial(view):
+        return _of_polynomial(scene)
     figures = []
     for piece in view.pieces:
         if (controls := piece.bezier_pieces()) is not None:
             figures += _polygons(controls)
-    if figures or view.source.family.is_one_polynomial:
+    if figures:
         return figures, ""
     return [], f"Not drawn: no control points are known of a {view.source.family.title} curve."
 
 
-def bezier_polygon_of_polynomial(scene: Scene) -> tuple[list[Figure], str]:
-    """Return the one control polygon of a Lagrange curve, or in words why it is not drawn."""
+def _of_polynomial(scene: Scene) -> Drawn:
+    """Return the control polygon of a Lagrange curve, or in words why it is not drawn; heavy."""
     curve = scene.view.curve
-    if curve is None or not curve.is_one_polynomial:
-        return [], ""
+    assert curve is not None
     count = len(curve.parameters)
     if count > _MOST:
         return [], f"Not drawn: one polynomial of {count} points; up to {_MOST} are converted."
-    controls, condition = lagrange_to_bezier(curve)
+    controls, condition = curvecore.lagrange_to_bezier(curve)
     if condition > _WORST:
         return [], (
             f"Not drawn: its condition number is {number(condition)}; errors of the points grow as much in "
@@ -59,4 +64,19 @@ def _polygons(controls: Floats) -> list[Figure]:
     breaks = np.full((len(controls), 1, 2), np.nan)
     lines = np.concatenate([controls, breaks], axis=1).reshape(-1, 2)
     inner = controls[:, 1:-1].reshape(-1, 2)
-    return [Figure(Style.BEZIER, Shape.LINE, lines), Figure(Style.BEZIER_POINT, Shape.MARKS, inner)]
+    return [Figure(SIDES, Shape.LINE, lines), Figure(CONTROL_POINT, Shape.MARKS, inner)]
+
+
+BEZIER = Overlay(
+    name="bezier",
+    text="Bézier Polygons",
+    tip="Draw the Bézier control polygon of every segment",
+    key="Ctrl+Alt+7",
+    icon="bezier",
+    group=Group.POLYGONS,
+    place=70,
+    layer=40,
+    draw=_bezier,
+    settles=_is_one_polynomial,
+    legend=lambda _settings: [(SIDES, "Bézier polygon")],
+)

@@ -12,12 +12,17 @@ from itertools import pairwise
 
 import numpy as np
 
-from app.view_model.analysis.comb import unit_tangents
-from app.view_model.analysis.figures import Figure, Flags, Floats, Shape, Style, number
-from app.view_model.analysis.samples import Samples
+import curvecore
+from app.view_model.analysis.errors import PARAMETER_ERROR, POINT_ERROR, errors_text
+from app.view_model.analysis.figures import Figure, Flags, Floats, Shape, number
+from app.view_model.analysis.overlay import Drawn, Entry, Group, Overlay
+from app.view_model.analysis.samples import Samples, unit_tangents
 from app.view_model.analysis.scene import Scene
+from app.view_model.analysis.settings import AnalysisSettings
+from app.view_model.looks import Look, Sign
 from app.view_model.parameter_slopes import parameter_moves
-from curvecore import worst_case_band
+
+AREA = Look("accent", 0.16, sign=Sign.AREA)
 
 _MOST = 300
 """Samples of a whole curve; with errors of the parameters half as many, for these cost ten times as much."""
@@ -33,9 +38,9 @@ _MOST_FOLLOWED = 40
 """Knots up to which estimates follow the parameters: each is estimated anew for each."""
 
 
-def band(scene: Scene) -> tuple[list[Figure], str]:
+def _band(scene: Scene) -> Drawn:
     """Return the region, and its largest half-width in words."""
-    epsilon, delta = scene.settings.point_error or 0.0, scene.settings.parameter_error
+    epsilon, delta = scene.value(POINT_ERROR), scene.value(PARAMETER_ERROR)
     curve = scene.view.curve
     if curve is None or epsilon == delta == 0.0:
         return [], "Both errors are 0: the curve stays where it is."
@@ -51,7 +56,9 @@ def band(scene: Scene) -> tuple[list[Figure], str]:
     for index, (piece, core) in enumerate(zip(pieces, scene.view.pieces, strict=True)):
         moves = parameter_moves(scene.view, index, piece.parameters) if follows and not is_held else None
         errors = (piece.parameters, epsilon, delta)
-        radii = worst_case_band(core, *errors, cardinal=scene.view.cardinal, sensitivity=moves).across
+        radii = curvecore.worst_case_band(
+            core, *errors, cardinal=scene.view.cardinal, sensitivity=moves
+        ).across
         polygons += _strip(piece, radii)
         largest, t = _largest(piece.parameters, radii)
         if largest > best:
@@ -61,7 +68,7 @@ def band(scene: Scene) -> tuple[list[Figure], str]:
         words += ", the estimates as if they did not follow t"
     if delta == 0.0:
         words += f", {number(best / epsilon)} times ε"
-    return [Figure(Style.BAND, Shape.AREA, np.vstack(polygons))], f"{words}."
+    return [Figure(AREA, Shape.AREA, np.vstack(polygons))], f"{words}."
 
 
 def _thinned(piece: Samples, most: int) -> Samples:
@@ -147,3 +154,24 @@ def _largest(t: Floats, radii: Floats) -> tuple[float, float]:
             shift = -slope / (2 * bend)
             return best + float(slope * shift / 2), best_t + float(shift)
     return best, best_t
+
+
+def _legend(settings: AnalysisSettings) -> list[Entry]:
+    # Errors of the parameters are added up as first changes; of the points nothing is left out.
+    worst = "Worst case to first order" if settings.value(PARAMETER_ERROR) else "Worst case"
+    return [(AREA, f"{worst}, {errors_text(settings)}")]
+
+
+BAND = Overlay(
+    name="band",
+    text="Sensitivity Band",
+    tip="Shade where errors of points and parameters can bring the curve, at worst",
+    key="Ctrl+Alt+8",
+    icon="band",
+    group=Group.ERRORS,
+    place=90,
+    layer=10,
+    draw=_band,
+    settings=(POINT_ERROR, PARAMETER_ERROR),
+    legend=_legend,
+)

@@ -1,0 +1,39 @@
+"""Errors of the data: how large they are, in numbers and words."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from app.view_model.analysis.figures import number
+from app.view_model.analysis.settings import AnalysisSettings, ErrorSize
+from app.view_model.curve_view import CurveView
+
+
+def usual_error(view: CurveView) -> float:
+    """Return a round number near one hundredth of the size of the points."""
+    size = float(np.ptp(view.points, axis=0).max()) if len(view.points) else 0.0
+    return float(f"{size / 100:.0e}") if size > 0 else 0.01
+
+
+POINT_ERROR = ErrorSize(
+    "pointError",
+    "Error of the points",
+    short="ε points",
+    tip="Largest error of every point; velocities and accelerations stay (a number or an expression)",
+    usual=usual_error,
+)
+"""In the plane's unit."""
+
+PARAMETER_ERROR = ErrorSize(
+    "parameterError",
+    "Error of the parameters",
+    short="δ in t",
+    tip="Largest error of every t; for the band to first order (a number or an expression)",
+)
+
+
+def errors_text(settings: AnalysisSettings) -> str:
+    """Return the errors as the legend has them: ε = 0.01, δ = 0.001."""
+    delta = settings.value(PARAMETER_ERROR)
+    text = f"ε = {number(settings.value(POINT_ERROR))}"
+    return f"{text}, δ = {number(delta)}" if delta else text

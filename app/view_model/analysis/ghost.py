@@ -1,0 +1,67 @@
+"""The ghosts: the same points under every family, and under every rule that needs nothing but the points."""
+
+from __future__ import annotations
+
+import msgspec
+
+from app.document.model import ParametrizationKind
+from app.families import FAMILIES, Family
+from app.view_model.looks import BLUE, GREEN, ORANGE, PURPLE, SKY, VERMILLION, YELLOW, Look
+
+_NEED_MORE = (ParametrizationKind.POWER, ParametrizationKind.MANUAL)
+
+_FAMILY_COLOURS = (BLUE, VERMILLION, GREEN, ORANGE, PURPLE, SKY, YELLOW)
+_RULE_LOOKS = (
+    Look(PURPLE, width=1.5, dashes=(3.3, 2.0)),
+    Look(ORANGE, width=1.5, dashes=(1.3, 2.0)),
+    Look(SKY, width=1.5, dashes=(9.3, 2.7)),
+    Look(YELLOW, width=1.5, dashes=(9.3, 2.7, 1.3, 2.7)),
+)
+
+
+class Ghost(msgspec.Struct, frozen=True):
+    """The same points under another family or another rule for the parameters: one of the two."""
+
+    family: Family | None = None
+    kind: ParametrizationKind | None = None
+
+    @property
+    def name(self) -> str:
+        """The name of the family or the rule."""
+        return self.family.name if self.family is not None else str(self.kind)
+
+    @property
+    def title(self) -> str:
+        """What people read: Chord length."""
+        return self.family.label if self.family is not None else str(self.kind).replace("_", " ").capitalize()
+
+    @property
+    def action_name(self) -> str:
+        """The object name of its action: ghostChordLength."""
+        return "ghost" + "".join(word.capitalize() for word in self.name.split("_"))
+
+    @property
+    def tip(self) -> str:
+        """What its action does."""
+        if self.family is not None:
+            return f"Draw the same points as a {self.family.full_title} curve, too"
+        rule = "Chebyshev" if self.kind is ParametrizationKind.CHEBYSHEV else str(self.kind).replace("_", "-")
+        return f"Draw the curve with {rule} parameters, too"
+
+    @property
+    def look(self) -> Look:
+        """How it looks: no two ghosts have the same dashes."""
+        if self.family is None:
+            return _RULE_LOOKS[_rules().index(self)]
+        place = FAMILIES.index(self.family)
+        colour = _FAMILY_COLOURS[place % len(_FAMILY_COLOURS)]
+        return Look(colour, width=1.5, dashes=(6.0, 2.7, *(1.3, 2.7) * place))
+
+
+def all_ghosts() -> tuple[Ghost, ...]:
+    """Return a ghost for every family and for every rule that needs nothing but the points, in order."""
+    return (*(Ghost(family=family) for family in FAMILIES), *_rules())
+
+
+def _rules() -> tuple[Ghost, ...]:
+    return tuple(Ghost(kind=kind) for kind in ParametrizationKind if kind not in _NEED_MORE)

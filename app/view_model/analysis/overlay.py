@@ -1,0 +1,98 @@
+"""The record of an overlay: something that can be drawn over the curve.
+
+To add one: a file in ``overlays`` with a record. Menu, palette, keys, Analysis dock, legend and canvas
+read it there.
+"""
+
+from __future__ import annotations
+
+import enum
+from collections.abc import Callable, Sequence
+from typing import TYPE_CHECKING
+
+import msgspec
+
+from app.view_model.analysis.figures import Figure
+from app.view_model.analysis.records import Records
+from app.view_model.analysis.settings import AnalysisSettings, Setting
+from app.view_model.looks import Look
+
+if TYPE_CHECKING:
+    from app.view_model.analysis.scene import Scene
+    from app.view_model.curve_view import CurveView
+
+Drawn = tuple[list[Figure], str]
+"""Figures, the first one at the bottom, and what there is to say about them."""
+
+Entry = tuple[Look, str]
+"""A style of figures, and what the legend says about it."""
+
+
+class Group(enum.IntEnum):
+    """What an overlay shows; overlays of a group stand together."""
+
+    SHAPE = 0
+    POLYGONS = 1
+    ERRORS = 2
+
+
+class Overlay(msgspec.Struct, frozen=True, eq=False, kw_only=True):
+    """Something that can be drawn over the curve; compares by identity.
+
+    Attributes
+    ----------
+    name
+        A word in lower case, of which its object names are made.
+    text, tip, key, icon, full_name
+        Those of its action.
+    group, place
+        Where it stands in the menu and the dock.
+    layer
+        Those with larger numbers are drawn over the others.
+    draw
+        Computes figures and words, in every frame of a drag: in some 2 ms, or it has to settle.
+    settles
+        Whether it is too heavy for a frame, of some curve: drawn once nothing has changed for a moment,
+        beside the window.
+    settings
+        What it can be drawn with; the dock shows them.
+    follows_scrub
+        Whether the t of the scrub line is shown in it.
+    brings_scrub
+        Whether a scrub line appears with it.
+    legend
+        What the legend explains of it.
+    finds
+        What it may find: explained where it is drawn.
+    """
+
+    name: str
+    text: str
+    tip: str
+    group: Group
+    place: int
+    layer: int
+    draw: Callable[[Scene], Drawn]
+    settles: Callable[[CurveView], bool] = lambda _view: False
+    key: str = ""
+    icon: str = ""
+    full_name: str = ""
+    settings: tuple[Setting, ...] = ()
+    follows_scrub: bool = False
+    brings_scrub: bool = False
+    legend: Callable[[AnalysisSettings], Sequence[Entry]] = lambda _settings: ()
+    finds: Sequence[Entry] = ()
+
+    @property
+    def order(self) -> tuple[int, ...]:
+        """Where it stands among the others."""
+        return self.group, self.place
+
+    @property
+    def action_name(self) -> str:
+        """The object name of its action: overlayComb."""
+        return f"overlay{self.name.capitalize()}"
+
+
+OVERLAYS = Records(Overlay, "app.view_model.analysis.overlays")
+"""All overlays, in the order of the menu."""

@@ -1,0 +1,69 @@
+"""Curves through points and parameters that were disturbed at random."""
+
+from __future__ import annotations
+
+import numpy as np
+
+import curvecore
+from app.view_model.analysis.errors import PARAMETER_ERROR, POINT_ERROR, errors_text
+from app.view_model.analysis.figures import Figure, Shape
+from app.view_model.analysis.overlay import Drawn, Group, Overlay
+from app.view_model.analysis.scene import Scene
+from app.view_model.analysis.settings import Count, Setting
+from app.view_model.curve_view import Floats
+from app.view_model.looks import Look
+from app.view_model.refusals import in_words
+
+LINES = Look("muted", 0.3)
+
+COUNT = Count("ensembleCount", "Number of curves", 30, least=1, most=200)
+SEED = Setting("ensembleSeed", "Which random numbers")
+
+_SAMPLES = 240
+
+
+def _disturbed_curves(scene: Scene) -> Drawn:
+    """Return the curves as one figure, or in words why there are none; heavy."""
+    curve, seed = scene.view.curve, int(scene.value(SEED))
+    if curve is None:
+        return [], ""
+    try:
+        made = curvecore.ensemble(
+            curve,
+            scene.value(POINT_ERROR),
+            scene.value(PARAMETER_ERROR),
+            int(scene.value(COUNT)),
+            seed,
+            closed=scene.view.source.is_closed,
+            remake=scene.view.with_knots if scene.view.source.family.derivatives else None,
+        )
+    except curvecore.CurveError as reason:
+        text = in_words(str(reason).replace("parameter_error", "δ"))
+        return [], f"Not drawn: {text}."
+    curves = made.evaluate(_parameters(curve.parameters))
+    lines = np.concatenate([curves, np.full((len(curves), 1, 2), np.nan)], axis=1)
+    words = f"{len(curves)} curves, seed {seed}."
+    return [Figure(LINES, Shape.LINE, lines.reshape(-1, 2))], words
+
+
+def _parameters(knots: Floats) -> Floats:
+    """Return parameters for a drawing, the knots among them."""
+    count = max(_SAMPLES // (len(knots) - 1), 3)
+    inner = knots[:-1, None] + np.diff(knots)[:, None] * np.linspace(0.0, 1.0, count, endpoint=False)
+    return np.append(inner.ravel(), knots[-1])
+
+
+ENSEMBLE = Overlay(
+    name="ensemble",
+    text="Disturbed Curves",
+    tip="Draw curves through points and parameters with random errors",
+    key="Ctrl+Alt+9",
+    icon="ensemble",
+    group=Group.ERRORS,
+    place=100,
+    layer=0,
+    draw=_disturbed_curves,
+    settles=lambda _view: True,
+    settings=(COUNT, POINT_ERROR, PARAMETER_ERROR, SEED),
+    legend=lambda settings: [(LINES, f"{settings.value(COUNT):.0f} random cases, {errors_text(settings)}")],
+)

@@ -1,0 +1,77 @@
+"""Where the curve bends otherwise, bends most, bends least, and crosses itself."""
+
+from __future__ import annotations
+
+import numpy as np
+
+import curvecore
+from app.view_model.analysis.figures import Figure, Floats, Shape
+from app.view_model.analysis.overlay import Drawn, Group, Overlay
+from app.view_model.analysis.scene import Scene
+from app.view_model.looks import GREEN, PURPLE, SKY, VERMILLION, Look, Mark, Sign
+
+INFLECTION = Look(SKY, width=1.8, mark=Mark.RING, sign=Sign.MARK)
+SHARPEST = Look(VERMILLION, width=1.4, mark=Mark.DIAMOND, sign=Sign.MARK)
+FLATTEST = Look(GREEN, width=1.6, mark=Mark.SQUARE, sign=Sign.MARK)
+CROSSING = Look(PURPLE, width=2.0, mark=Mark.CROSS, sign=Sign.MARK)
+
+_TOLERANCE = 1e-6
+"""Share of the size within which two places of the curve are one."""
+
+_MORE = " There may be more crossings: it runs along itself, or has too many."
+
+
+def _marks(scene: Scene) -> Drawn:
+    """Return the marks and how many there are, in words; heavy."""
+    curve = scene.view.curve
+    if curve is None:
+        return [], ""
+    found = [(INFLECTION, "inflection", curve.evaluate(curvecore.inflections(curve)))]
+    scene.report(0.0, "Computing")
+    bends = curvecore.curvature_extrema(curve)
+    # The largest signed curvature is the sharpest bend to the left, and the flattest to the right.
+    is_sharp = bends.is_maximum == (bends.curvatures > 0)
+    found.append((SHARPEST, "sharpest bend", curve.evaluate(bends.parameters[is_sharp])))
+    found.append((FLATTEST, "flattest place", curve.evaluate(bends.parameters[~is_sharp])))
+    scene.report(0.0, "Computing")
+    words = ""
+    if scene.size > 0:
+        crossings = curvecore.self_intersections(curve, _TOLERANCE * scene.size)
+        found.append((CROSSING, "crossing", _distinct(crossings.points, 10 * _TOLERANCE * scene.size)))
+        words = "" if crossings.is_complete else _MORE
+    figures = [
+        Figure(look, Shape.MARKS, points.reshape(-1, 2)) for look, _, points in found if np.size(points)
+    ]
+    counts = [f"{len(points)} {name}{'s' * (len(points) != 1)}" for _, name, points in found]
+    return figures, f"{', '.join(counts)}.{words}"
+
+
+def _distinct(points: Floats, tolerance: float) -> Floats:
+    """Leave out points at the place of an earlier one: of three branches, each two cross there."""
+    kept = np.empty_like(points)
+    count = 0
+    for point in points:
+        if not count or np.abs(kept[:count] - point).max(axis=1).min() > tolerance:
+            kept[count] = point
+            count += 1
+    return kept[:count]
+
+
+MARKS = Overlay(
+    name="marks",
+    text="Inflections and Extrema",
+    tip="Mark inflections, the sharpest and flattest places, and crossings of the curve with itself",
+    key="Ctrl+Alt+6",
+    icon="marks",
+    group=Group.SHAPE,
+    place=60,
+    layer=90,
+    draw=_marks,
+    settles=lambda _view: True,
+    finds=(
+        (INFLECTION, "Inflection"),
+        (SHARPEST, "Sharpest bend"),
+        (FLATTEST, "Flattest place"),
+        (CROSSING, "Crossing"),
+    ),
+)

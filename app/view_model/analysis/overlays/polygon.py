@@ -1,0 +1,30 @@
+"""The polygon of the points themselves."""
+
+from __future__ import annotations
+
+from app.view_model.analysis.figures import Figure, Shape
+from app.view_model.analysis.overlay import Drawn, Group, Overlay
+from app.view_model.analysis.scene import Scene
+from app.view_model.looks import Look
+
+SIDES = Look("muted", 0.8, dashes=(2.0, 4.0))
+
+
+def _polygon(scene: Scene) -> Drawn:
+    """Return the polygon through the points."""
+    view = scene.view
+    points = view.points[[*range(len(view.points)), *([0] if view.source.is_closed else [])]]
+    return [Figure(SIDES, Shape.LINE, points)], ""
+
+
+POLYGON = Overlay(
+    name="polygon",
+    text="Polygon of the Points",
+    tip="Join the points by straight lines",
+    icon="polygon",
+    group=Group.POLYGONS,
+    place=80,
+    layer=30,
+    draw=_polygon,
+    legend=lambda _settings: [(SIDES, "Polygon of the points")],
+)

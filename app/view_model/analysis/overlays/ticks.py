@@ -1,0 +1,43 @@
+"""Ticks on the curve at equal steps of t: far apart where it is fast."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from app.view_model.analysis.figures import Figure, Shape
+from app.view_model.analysis.overlay import Drawn, Group, Overlay
+from app.view_model.analysis.samples import unit_tangents
+from app.view_model.analysis.scene import Scene
+from app.view_model.analysis.settings import Count
+from app.view_model.looks import Look
+
+TICK = Look("accent", width=1.4)
+
+COUNT = Count("tickCount", "Number of steps", 20, least=2, most=100)
+"""Equal steps of t."""
+
+
+def _ticks(scene: Scene) -> Drawn:
+    """Return ticks across the curve."""
+    curve = scene.view.curve
+    if curve is None:
+        return [], ""
+    t = np.linspace(*curve.domain, int(scene.value(COUNT)) + 1)
+    places, tangents = curve.evaluate(t), unit_tangents(curve.evaluate(t, 1))
+    across = np.column_stack([-tangents[:, 1], tangents[:, 0]]) * scene.size
+    points = np.hstack([places, places + across]).reshape(-1, 2)
+    return [Figure(TICK, Shape.TICKS, points)], ""
+
+
+TICKS = Overlay(
+    name="ticks",
+    text="Ticks at Equal t",
+    tip="Draw ticks at equal steps of t: far apart where the curve is fast",
+    key="Ctrl+Alt+5",
+    icon="ticks",
+    group=Group.SHAPE,
+    place=50,
+    layer=50,
+    draw=_ticks,
+    settings=(COUNT,),
+)

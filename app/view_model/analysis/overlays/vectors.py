@@ -1,0 +1,95 @@
+"""Velocities and accelerations as arrows at the points, and at the scrub line."""
+
+from __future__ import annotations
+
+from functools import partial
+
+import numpy as np
+
+from app.view_model.analysis.figures import Figure, Floats, Shape, number
+from app.view_model.analysis.overlay import Drawn, Group, Overlay
+from app.view_model.analysis.scene import Scene, usual_length
+from app.view_model.analysis.settings import Factor
+from app.view_model.looks import GREEN, VERMILLION, Look
+
+VELOCITY = Look(GREEN, width=1.6)
+ACCELERATION = Look(VERMILLION, width=1.6)
+
+VELOCITY_SCALE = Factor("velocityScale", "Length of the arrows")
+ACCELERATION_SCALE = Factor("accelerationScale", "Length of the arrows")
+"""1 makes the longest a quarter of the curve's size."""
+
+_SHARE = 0.25
+"""The longest arrow against the size of the points at scale 1."""
+
+_LONGEST = 4.0
+_EQUAL = 1e-6
+"""Vectors on both sides of a point that differ by less, relatively, are one."""
+
+
+def _vectors(order: int, look: Look, scale: Factor, symbol: str, scene: Scene) -> Drawn:
+    """Return the arrows of a derivative of order 1 or 2; two where it jumps at a point."""
+    places, arrows = _at_knots(scene, order)
+    if not len(places):
+        return [], ""
+    longest = usual_length(arrows, _LONGEST)
+    unit = _SHARE * scene.size / longest * scene.value(scale) if longest > 0 else 0.0
+    figures = [_figure(look, places, arrows * unit)]
+    here, arrow = scene.at_scrub(0), scene.at_scrub(order)
+    if here is not None and arrow is not None:
+        label = f"{symbol} {number(float(np.hypot(*arrow)))}"
+        figures.append(_figure(look, here[None], arrow[None] * unit, label))
+    return figures, ""
+
+
+def _figure(look: Look, places: Floats, arrows: Floats, label: str = "") -> Figure:
+    points = np.hstack([places, places + arrows]).reshape(-1, 2)
+    return Figure(look, Shape.ARROWS, points, label)
+
+
+def _at_knots(scene: Scene, order: int) -> tuple[Floats, Floats]:
+    """Return the knots and the derivative there, from both sides where these differ."""
+    places, arrows = [], []
+    for piece, curve in zip(scene.samples, scene.view.pieces, strict=True):
+        derivative = piece.velocities if order == 1 else piece.accelerations
+        ends = derivative.reshape(len(curve.parameters) - 1, -1, 2)
+        before, after = ends[:, -1], ends[:, 0]
+        size = np.abs(ends[:, [0, -1]]).max()
+        jumps = np.abs(after[1:] - before[:-1]).max(axis=1) > _EQUAL * size
+        places += [curve.points[:-1], curve.points[1:-1][jumps], curve.points[-1:]]
+        arrows += [after, before[:-1][jumps], before[-1:]]
+    if not places:
+        return np.empty((0, 2)), np.empty((0, 2))
+    return np.vstack(places), np.vstack(arrows)
+
+
+VELOCITIES = Overlay(
+    name="velocities",
+    text="Velocities",
+    full_name="Velocities as Arrows",
+    tip="Draw c′ as arrows at the points and at the scrub line",
+    key="Ctrl+Alt+2",
+    icon="velocity",
+    group=Group.SHAPE,
+    place=20,
+    layer=70,
+    draw=partial(_vectors, 1, VELOCITY, VELOCITY_SCALE, "|c′|"),
+    settings=(VELOCITY_SCALE,),
+    follows_scrub=True,
+    legend=lambda _settings: [(VELOCITY, "Velocity c′")],
+)
+ACCELERATIONS = Overlay(
+    name="accelerations",
+    text="Accelerations",
+    full_name="Accelerations as Arrows",
+    tip="Draw c″ as arrows at the points and at the scrub line; two where it jumps",
+    key="Ctrl+Alt+3",
+    icon="acceleration",
+    group=Group.SHAPE,
+    place=30,
+    layer=80,
+    draw=partial(_vectors, 2, ACCELERATION, ACCELERATION_SCALE, "|c″|"),
+    settings=(ACCELERATION_SCALE,),
+    follows_scrub=True,
+    legend=lambda _settings: [(ACCELERATION, "Acceleration c″")],
+)

@@ -1,0 +1,68 @@
+"""The figures of everything that is switched on."""
+
+from __future__ import annotations
+
+from collections.abc import Collection
+
+import msgspec
+import numpy as np
+
+from app.tasks.progress import Report, silent
+from app.view_model.analysis.figures import Figure
+from app.view_model.analysis.overlay import Overlay
+from app.view_model.analysis.scene import Scene, is_quick
+from app.view_model.analysis.settings import AnalysisSettings
+from app.view_model.curve_view import CurveView
+
+
+class Picture(msgspec.Struct, frozen=True, eq=False):
+    """What is drawn over a curve, the first figure at the bottom, and a sentence to some of the overlays."""
+
+    figures: list[Figure] = []
+    notes: dict[Overlay, str] = {}
+
+
+def live_picture(view: CurveView, settings: AnalysisSettings, scrub: float | None = None) -> Picture:
+    """Return what follows a drag frame by frame."""
+    if not view.is_current:
+        return Picture()
+    return _picture(Scene(view, settings, scrub), settings.overlays - settling(view, settings))
+
+
+def settling(view: CurveView, settings: AnalysisSettings) -> frozenset[Overlay]:
+    """Return the overlays that are computed only once things have settled."""
+    if not view.is_current:
+        return frozenset()
+    if not is_quick(view):
+        return settings.overlays
+    return frozenset(each for each in settings.overlays if each.settles(view))
+
+
+def settling_key(view: CurveView, settings: AnalysisSettings, scrub: float | None) -> object:
+    """Return what the settled picture of a curve depends on; equal keys, equal pictures."""
+    waiting = settling(view, settings)
+    values = {setting: settings.value(setting) for each in waiting for setting in each.settings}
+    return waiting, values, scrub if any(each.follows_scrub for each in waiting) else None
+
+
+def settled_picture(
+    view: CurveView,
+    settings: AnalysisSettings,
+    scrub: float | None = None,
+    report: Report = silent,
+) -> Picture:
+    """Return what is too heavy for a frame."""
+    return _picture(Scene(view, settings, scrub, report), settling(view, settings))
+
+
+def _picture(scene: Scene, overlays: Collection[Overlay]) -> Picture:
+    picture = Picture()
+    # A wild curve leaves the range of numbers; what is not finite is not drawn.
+    with np.errstate(all="ignore"):
+        for overlay in sorted(overlays, key=lambda each: each.layer):
+            scene.report(0.0, "Computing")
+            figures, words = overlay.draw(scene)
+            picture.figures.extend(figures)
+            if words:
+                picture.notes[overlay] = words
+    return picture

@@ -1,0 +1,87 @@
+"""The record of a plot over t.
+
+To add one: a file in ``plots`` with a record. Menu, palette, the buttons of the plots and the plots
+themselves read it there.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import TYPE_CHECKING
+
+import msgspec
+
+from app.view_model.analysis.plot_lines import Floats, PlotData, Scale
+from app.view_model.analysis.records import Records
+
+if TYPE_CHECKING:
+    from app.view_model.curve_view import CurveView
+
+
+class Sampled(msgspec.Struct, frozen=True, eq=False):
+    """A current curve where it is plotted.
+
+    Attributes
+    ----------
+    t
+        Ascending parameters (m,).
+    derivatives
+        Derivatives (m, 2) there, by their order: those that the plots asked for.
+    lebesgue_constant
+        The largest factor by which errors of its points grow.
+    """
+
+    view: CurveView
+    t: Floats
+    derivatives: dict[int, Floats]
+    lebesgue_constant: float = 1.0
+
+
+class Plot(msgspec.Struct, frozen=True, eq=False, kw_only=True):
+    """Something that can be plotted over t; compares by identity.
+
+    Attributes
+    ----------
+    name
+        A word in lower case, of which its object names and its icon's are made.
+    text, tip
+        Those of its action.
+    title, symbol
+        What stands beside the plot, and before its value.
+    place
+        Where it stands among the others.
+    orders
+        Orders of the derivatives that it needs.
+    values
+        Computes its values (m,).
+    follows_points
+        Whether it changes where points move and parameters stay.
+    finish
+        Says which values are worth seeing, marks some, adds a note.
+    """
+
+    name: str
+    text: str
+    tip: str
+    title: str
+    symbol: str
+    place: int
+    values: Callable[[Sampled], Floats]
+    orders: tuple[int, ...] = ()
+    scale: Scale = Scale.LINEAR
+    follows_points: bool = True
+    finish: Callable[[PlotData, Sampled], PlotData] = lambda plot, _sampled: plot
+
+    @property
+    def order(self) -> tuple[int, ...]:
+        """Where it stands among the others."""
+        return (self.place,)
+
+    @property
+    def action_name(self) -> str:
+        """The object name of its action: plotSpeed."""
+        return f"plot{self.name.capitalize()}"
+
+
+PLOTS = Records(Plot, "app.view_model.analysis.plots")
+"""All plots over t, in the order in which they stand below each other."""

@@ -1,0 +1,41 @@
+"""The curvature over t."""
+
+from __future__ import annotations
+
+import numpy as np
+from msgspec.structs import replace
+
+import curvecore
+from app.document.words import number
+from app.view_model.analysis.plot import Plot, Sampled
+from app.view_model.analysis.plot_lines import PlotData
+
+_SPIKE = 6.0
+"""How far a curvature may surpass nine tenths of all: at a cusp it would be infinite."""
+
+
+def _without_spikes(plot: PlotData, _sampled: Sampled) -> PlotData:
+    """Return the plot with an extent that a few huge values do not decide, and how far these reach."""
+    values = plot.lines[0].values
+    sizes = np.abs(values[np.isfinite(values)])
+    if not len(sizes):
+        return plot
+    limit = _SPIKE * float(np.quantile(sizes, 0.9))
+    low, high = max(plot.extent[0], -limit), min(plot.extent[1], limit)
+    if limit == 0 or (low, high) == plot.extent:
+        return plot
+    far = plot.extent[0] if -plot.extent[0] > plot.extent[1] else plot.extent[1]
+    return replace(plot, extent=(low, high), note=f"⚠ reaches {number(far, 3)}")
+
+
+CURVATURE = Plot(
+    name="curvature",
+    text="Curvature",
+    tip="Plot the curvature κ over t, positive where the curve turns left",
+    title="Curvature κ",
+    symbol="κ",
+    place=40,
+    orders=(1, 2),
+    values=lambda sampled: curvecore.curvature_of(sampled.derivatives[1], sampled.derivatives[2]),
+    finish=_without_spikes,
+)

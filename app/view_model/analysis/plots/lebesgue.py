@@ -1,0 +1,42 @@
+"""The Lebesgue function over t: how much errors of the points grow."""
+
+from __future__ import annotations
+
+import numpy as np
+from msgspec.structs import replace
+
+from app.document.words import number
+from app.view_model.analysis.plot import Plot, Sampled
+from app.view_model.analysis.plot_lines import Floats, Level, PlotData, Scale
+from app.view_model.growth import growth_at
+
+
+def _values(sampled: Sampled) -> Floats:
+    return np.maximum(growth_at(sampled.view, sampled.t), 1.0)
+
+
+def _with_constant(plot: PlotData, sampled: Sampled) -> PlotData:
+    constant = max(sampled.lebesgue_constant, 1.0)
+    extent = (1.0, max(plot.extent[1], constant))
+    return replace(plot, extent=extent, levels=(Level(constant, _about(constant)),))
+
+
+def _about(constant: float) -> str:
+    """Return what is written at the Lebesgue constant."""
+    if constant < 1.0 + 1e-9:
+        return "Lebesgue constant Λ = 1: no error of a point grows"
+    return f"Lebesgue constant Λ = {number(constant, 3)}"
+
+
+LEBESGUE = Plot(
+    name="lebesgue",
+    text="Lebesgue Function",
+    tip="Plot Λ(t): how many times errors of the points can grow at t",
+    title="Lebesgue function Λ(t)",
+    symbol="Λ(t)",
+    place=50,
+    values=_values,
+    scale=Scale.LOG,
+    follows_points=False,
+    finish=_with_constant,
+)

@@ -1,0 +1,43 @@
+"""How long the derivatives are: speed, acceleration and jerk."""
+
+from __future__ import annotations
+
+from app.view_model.analysis.plot import Plot, Sampled
+from app.view_model.analysis.plot_lines import Floats
+from curvecore.vectors import vector_lengths
+
+
+def _length(sampled: Sampled, order: int) -> Floats:
+    return vector_lengths(sampled.derivatives[order])
+
+
+SPEED = Plot(
+    name="speed",
+    text="Speed",
+    tip="Plot the speed |c′| over t, below the basis functions",
+    title="Speed |c′|",
+    symbol="|c′|",
+    place=10,
+    orders=(1,),
+    values=lambda sampled: _length(sampled, 1),
+)
+ACCELERATION = Plot(
+    name="acceleration",
+    text="Acceleration",
+    tip="Plot the size of the acceleration |c″| over t",
+    title="Acceleration |c″|",
+    symbol="|c″|",
+    place=20,
+    orders=(2,),
+    values=lambda sampled: _length(sampled, 2),
+)
+JERK = Plot(
+    name="jerk",
+    text="Jerk",
+    tip="Plot |c‴| over t: how fast the acceleration changes",
+    title="Jerk |c‴|",
+    symbol="|c‴|",
+    place=30,
+    orders=(3,),
+    values=lambda sampled: _length(sampled, 3),
+)

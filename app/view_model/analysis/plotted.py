@@ -1,0 +1,53 @@
+"""The plots over t that are switched on, computed."""
+
+from __future__ import annotations
+
+from collections.abc import Collection
+
+import numpy as np
+
+from app.view_model.analysis.plot import Plot, Sampled
+from app.view_model.analysis.plot_lines import PlotData, PlotLine, extent_of
+from app.view_model.analysis.plot_samples import PlotSamples, derivatives_of, samples_over
+from app.view_model.curve_view import CurveView
+
+
+def plots_of(
+    view: CurveView,
+    plots: Collection[Plot],
+    t_range: tuple[float, float],
+    columns: int,
+    lebesgue_constant: float = 1.0,
+) -> list[PlotData]:
+    """Return the plots of a curve over the visible part of t, which is `columns` pixels wide."""
+    if not view.is_current:
+        return []
+    samples = samples_over(view, t_range, columns)
+    derivatives = derivatives_of(view, samples.t, orders_of(plots)) if len(samples.t) else {}
+    sampled = Sampled(view, samples.t, derivatives, lebesgue_constant)
+    return [_plotted(plot, sampled, samples) for plot in _in_order(plots)]
+
+
+def orders_of(plots: Collection[Plot]) -> tuple[int, ...]:
+    """Return the orders of the derivatives that these plots need."""
+    return tuple(sorted({order for plot in plots for order in plot.orders}))
+
+
+def values_at(view: CurveView, plots: Collection[Plot], t: float) -> dict[Plot, float]:
+    """Return the value of each plot at one t; at a joint, that of the segment after it."""
+    if not view.is_current:
+        return {}
+    at = np.array([t])
+    sampled = Sampled(view, at, derivatives_of(view, at, orders_of(plots)))
+    return {plot: float(plot.values(sampled)[0]) for plot in _in_order(plots)}
+
+
+def _plotted(plot: Plot, sampled: Sampled, samples: PlotSamples) -> PlotData:
+    values = plot.values(sampled) if len(sampled.t) else np.empty(0)
+    line = PlotLine(plot.title, *samples.broken_at_jumps(values))
+    extent = extent_of([line.values], plot.scale)
+    return plot.finish(PlotData(plot.title, plot.symbol, plot.scale, (line,), extent), sampled)
+
+
+def _in_order(plots: Collection[Plot]) -> list[Plot]:
+    return sorted(plots, key=lambda plot: plot.order)

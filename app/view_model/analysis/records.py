@@ -1,0 +1,68 @@
+"""Registries that list themselves: the records of a kind that the modules of a package define."""
+
+from __future__ import annotations
+
+import pkgutil
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
+from functools import cached_property
+from importlib import import_module
+from typing import Any, Protocol, TypeVar, overload
+
+
+class Record(Protocol):
+    """What can be listed in a registry."""
+
+    @property
+    def order(self) -> tuple[int, ...]:
+        """Where it stands among the others, in menus and panels."""
+        ...
+
+
+_Record = TypeVar("_Record", bound=Record)
+
+
+class Records(Sequence[_Record]):
+    """All records of a kind, in their order.
+
+    Parameters
+    ----------
+    kind
+        Class of the records.
+    package
+        Name of the package in whose modules they are; imported when somebody first asks.
+    """
+
+    def __init__(self, kind: type[_Record], package: str) -> None:
+        self._kind, self._package = kind, package
+
+    @overload
+    def __getitem__(self, index: int) -> _Record: ...
+    @overload
+    def __getitem__(self, index: slice) -> Sequence[_Record]: ...
+    def __getitem__(self, index: int | slice) -> _Record | Sequence[_Record]:
+        return self._records[index]
+
+    def __len__(self) -> int:
+        return len(self._records)
+
+    @contextmanager
+    def with_record(self, record: _Record) -> Iterator[None]:
+        """Have one record more for a while."""
+        before = self._records
+        self.__dict__["_records"] = self._sorted({*before, record})
+        try:
+            yield
+        finally:
+            self.__dict__["_records"] = before
+
+    @cached_property
+    def _records(self) -> list[_Record]:
+        package = import_module(self._package)
+        names = [each.name for each in pkgutil.iter_modules(package.__path__, f"{self._package}.")]
+        members: list[Any] = [value for name in names for value in vars(import_module(name)).values()]
+        return self._sorted({each for each in members if isinstance(each, self._kind)})
+
+    @staticmethod
+    def _sorted(records: set[_Record]) -> list[_Record]:
+        return sorted(records, key=lambda each: each.order)
