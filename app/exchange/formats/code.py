@@ -13,7 +13,6 @@ import numpy as np
 
 from app.document.model import Document
 from app.exchange import code_runtime
-from app.exchange.drawing.drawing import Floats
 from app.exchange.formats import Format, Written
 from app.exchange.naming import Names
 from app.exchange.options import DEFAULT, Options
@@ -21,6 +20,7 @@ from app.exchange.parts import Source, accuracy, bezier_values, measured, one_li
 from app.tasks.progress import part, told
 from app.view_model.curve_view import CoreCurve
 from curvecore import bezier_segments
+from curvecore.arrays import FloatArray
 
 _TAKEN = {"np", "lagrange", "hermite", "evaluate", "pieces", "t", "interpolate"}
 
@@ -30,7 +30,7 @@ _RUNTIME: tuple[Callable[..., Any], ...] = (
     code_runtime.hermite,
     code_runtime.evaluate,
 )
-_evaluate: Callable[..., Floats] = code_runtime.evaluate
+_evaluate: Callable[..., FloatArray] = code_runtime.evaluate
 
 
 def python_code(document: Document, options: Options = DEFAULT) -> Written:
@@ -120,7 +120,7 @@ def _function(name: str, source: Source) -> str:
     return f"def {name}(t):\n    # {_title(source)}\n    return evaluate({name.upper()}, t)"
 
 
-def _array(values: Floats, indent: int) -> str:
+def _array(values: FloatArray, indent: int) -> str:
     """Return an array as code, one line for each of its rows; every float reads back as itself."""
     margin = " " * indent
     rows = "".join(f"{margin}    {row!r},\n" for row in values.tolist())
@@ -149,7 +149,7 @@ def _scipy_object(name: str, source: Source) -> str:
     )
 
 
-def _chained(source: Source) -> tuple[Floats, Floats]:
+def _chained(source: Source) -> tuple[FloatArray, FloatArray]:
     """Return the control points (k, degree + 1, 2) of all Hermite pieces, and their parameters (k + 1,)."""
     first, *others = source.polynomials.pieces
     controls = [bezier_segments(piece) for piece in (first, *others)]
@@ -172,7 +172,7 @@ def _bernstein_deviation(piece: CoreCurve) -> float:
     return measured(piece, lambda t: bezier_values(controls, parameters, t))
 
 
-def _barycentric(t: Floats, parameters: Floats, points: Floats) -> Floats:
+def _barycentric(t: FloatArray, parameters: FloatArray, points: FloatArray) -> FloatArray:
     """Return the second barycentric form, which SciPy uses (Berrut and Trefethen 2004, (4.2))."""
     differences = (parameters[:, None] - parameters) * (4.0 / (parameters[-1] - parameters[0]))
     np.fill_diagonal(differences, 1.0)
@@ -185,7 +185,7 @@ def _barycentric(t: Floats, parameters: Floats, points: Floats) -> Floats:
     return np.asarray(ratios @ points / ratios.sum(axis=1, keepdims=True))
 
 
-def _local_powers(t: Floats, piece: CoreCurve) -> Floats:
+def _local_powers(t: FloatArray, piece: CoreCurve) -> FloatArray:
     """Return the curve by powers of t - t_i, as `CubicHermiteSpline` computes it."""
     x, y, v = piece.parameters, piece.points, piece.jets[:, 1]
     h = np.diff(x)[:, None]

@@ -13,7 +13,7 @@ import numpy as np
 
 from app import __version__
 from app.document.model import Document
-from app.exchange.drawing.drawing import Floats, drawing_of
+from app.exchange.drawing.drawing import drawing_of
 from app.exchange.errors import ExchangeError
 from app.exchange.formats import Format, Written
 from app.exchange.options import DEFAULT, TOLERANCE, Options
@@ -29,6 +29,7 @@ from app.exchange.svg.writer import path_data
 from app.tasks.progress import part, told
 from app.view_model.curve_view import CoreCurve
 from curvecore import bezier_segments
+from curvecore.arrays import FloatArray
 
 MOST_COEFFICIENTS = 100
 """Points of the largest Lagrange curve whose coefficients are written: beyond, no float holds them well."""
@@ -56,7 +57,7 @@ def desmos_expressions(document: Document, options: Options = DEFAULT) -> Writte
     return Written("\n".join(lines) + "\n", max(each.deviation for each in pieces), remarks)
 
 
-def _desmos_line(controls: Floats) -> str:
+def _desmos_line(controls: FloatArray) -> str:
     x, y = (_desmos_polynomial(column.tolist()) for column in controls.T)
     return rf"\left({x},{y}\right)"
 
@@ -128,12 +129,12 @@ def coefficients_json(document: Document, options: Options = DEFAULT) -> Written
     return Written(json.dumps(content, indent=1, ensure_ascii=False) + "\n", worst, remarks)
 
 
-def _segment(ends: Floats, index: int, rows: Floats) -> dict[str, Any]:
+def _segment(ends: FloatArray, index: int, rows: FloatArray) -> dict[str, Any]:
     x, y = rows.T.tolist()
     return {"start": float(ends[index]), "end": float(ends[index + 1]), "x": x, "y": y}
 
 
-def _coefficients(piece: CoreCurve) -> Floats:
+def _coefficients(piece: CoreCurve) -> FloatArray:
     """Return the coefficients (segments, degree + 1, 2)."""
     if not piece.is_one_polynomial:
         return _from_bernstein(bezier_segments(piece))
@@ -146,7 +147,7 @@ def _coefficients(piece: CoreCurve) -> Floats:
     return np.array([[_float(value) for value in column] for column in exact]).T[None]
 
 
-def _from_bernstein(controls: Floats) -> Floats:
+def _from_bernstein(controls: FloatArray) -> FloatArray:
     """Return the coefficients of Bézier pieces: binomials times the forward differences at s = 0."""
     degree = controls.shape[1] - 1
     rows = []
@@ -170,7 +171,7 @@ def _float(value: Fraction) -> float:
         return float("inf")
 
 
-def _horner(coefficients: Floats, ends: Floats, t: Floats) -> Floats:
+def _horner(coefficients: FloatArray, ends: FloatArray, t: FloatArray) -> FloatArray:
     i = np.clip(np.searchsorted(ends, t, side="right") - 1, 0, len(coefficients) - 1)
     s = ((t - ends[i]) / (ends[i + 1] - ends[i]))[:, None]
     result = coefficients[i, -1]

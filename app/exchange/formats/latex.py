@@ -8,7 +8,7 @@ from collections.abc import Callable
 import numpy as np
 
 from app.document.model import Document
-from app.exchange.drawing.drawing import Floats, Frame, Outline, drawing_of
+from app.exchange.drawing.drawing import Frame, Outline, drawing_of
 from app.exchange.errors import ExchangeError
 from app.exchange.formats import Format, Written
 from app.exchange.options import DEFAULT, TOLERANCE, TRUE_SIZE, Options
@@ -26,6 +26,7 @@ from app.tasks.progress import part, told
 from app.view_model.curve_view import CoreCurve
 from app.view_model.refusals import in_words
 from curvecore import CurveError
+from curvecore.arrays import FloatArray
 
 DIGITS = 6
 """Significant digits of the numbers in a formula, unless asked otherwise."""
@@ -199,7 +200,7 @@ def _text(text: str) -> str:
     return "".join(_SPECIAL.get(each, each) for each in plain)
 
 
-def _rounded(values: Floats, digits: int) -> Floats:
+def _rounded(values: FloatArray, digits: int) -> FloatArray:
     return np.array([float(f"{value:.{digits}g}") for value in values.ravel().tolist()]).reshape(values.shape)
 
 

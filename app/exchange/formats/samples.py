@@ -11,7 +11,6 @@ import numpy as np
 
 from app.document.model import Document
 from app.document.words import Named
-from app.exchange.drawing.drawing import Floats
 from app.exchange.errors import ExchangeError
 from app.exchange.formats import Format, Written
 from app.exchange.options import DEFAULT, TOLERANCE, OneOf, Option, Options, SomeOf, Whole
@@ -20,6 +19,7 @@ from app.tasks.progress import Report, part
 from app.view_model.arc_lengths import arc_lengths_of
 from app.view_model.curve_view import CoreCurve
 from curvecore import ArcLength, flatten_pieces
+from curvecore.arrays import FloatArray
 
 MOST_SAMPLES = 1_000_000
 
@@ -99,7 +99,7 @@ def sampled_table(document: Document, options: Options = DEFAULT, separator: str
 
 def _samples_of(
     core: CoreCurve, options: Options, allowed: float, with_lengths: bool, report: Report
-) -> Iterator[tuple[Floats, float]]:
+) -> Iterator[tuple[FloatArray, float]]:
     """Yield the rows of a curve, some at a time, with the deviation of the polyline through them."""
     report(0.0, "Computing samples")
     needed = with_lengths or options[SPACING] is Spacing.LENGTH
@@ -111,8 +111,8 @@ def _samples_of(
 
 
 def _in_parts(
-    core: CoreCurve, t: Floats, lengths: ArcLength | None, is_measured: bool, report: Report
-) -> Iterator[tuple[Floats, float]]:
+    core: CoreCurve, t: FloatArray, lengths: ArcLength | None, is_measured: bool, report: Report
+) -> Iterator[tuple[FloatArray, float]]:
     """Yield the rows of a curve, some at a time, with the deviation of their polyline if it `is_measured`."""
     for first in range(0, len(t) - 1, _ROWS_AT_ONCE):
         report(first / len(t), "Computing samples")
@@ -136,7 +136,7 @@ def _parameters_of(
     tolerance: float,
     lengths: ArcLength | None,
     report: Report,
-) -> tuple[Floats, float | None]:
+) -> tuple[FloatArray, float | None]:
     """Return the parameters to sample a curve at, both ends of its domain among them.
 
     The second value is a bound of the deviation of the polyline through the samples, None where that is
@@ -152,7 +152,7 @@ def _parameters_of(
     return np.append(start + (end - start) * (np.arange(samples - 1) / (samples - 1)), end), None
 
 
-def _rows_of(core: CoreCurve, t: Floats, lengths: ArcLength | None) -> Floats:
+def _rows_of(core: CoreCurve, t: FloatArray, lengths: ArcLength | None) -> FloatArray:
     """Return the columns of `TITLES` at parameters t (m,) as (m, 9); the curvature of a point at rest is NaN.
 
     Curvature is positive where the curve turns to the left; the length counts from the beginning of the
@@ -166,7 +166,7 @@ def _rows_of(core: CoreCurve, t: Floats, lengths: ArcLength | None) -> Floats:
     return np.column_stack([t, point, velocity, acceleration, curvature, length])
 
 
-def polyline_deviation(core: CoreCurve, t: Floats) -> float:
+def polyline_deviation(core: CoreCurve, t: FloatArray) -> float:
     """Return about the largest distance of a curve from its chords between the parameters t (m,).
 
     Measured at seven parameters a chord and the joints between; an eighth of the second differences is
@@ -189,7 +189,7 @@ def polyline_deviation(core: CoreCurve, t: Floats) -> float:
     return float(distance.max())
 
 
-def _by_length(core: CoreCurve, lengths: ArcLength, samples: int, report: Report) -> Floats:
+def _by_length(core: CoreCurve, lengths: ArcLength, samples: int, report: Report) -> FloatArray:
     """Return parameters at equal arc lengths."""
     if not lengths.total.error < lengths.total.value < np.finfo(float).max:
         raise ExchangeError("The curve has no length to divide.")

@@ -19,7 +19,6 @@ from app.document.model import (
 )
 from app.document.words import Named
 from app.exchange.cubics_in import Imported
-from app.exchange.drawing.drawing import Floats
 from app.exchange.errors import ExchangeError
 from app.exchange.table.columns import AFTER, ROLES, ColumnMapping, guessed
 from app.exchange.table.layout import MissingNumber, RowProblem
@@ -28,6 +27,7 @@ from app.exchange.table.thinning import Thinning, thinned
 from app.families import FAMILIES, HERMITE, Family
 from app.storage.format import FormatError, validate
 from app.tasks.progress import Report, part, silent
+from curvecore.arrays import FloatArray
 
 MOST_CURVES = 1_000
 
@@ -253,17 +253,17 @@ class _Rows:
         """Return the line of the file that holds a row."""
         return self.table.line_of(int(self.rows[row]))
 
-    def column(self, role: str) -> Floats:
+    def column(self, role: str) -> FloatArray:
         """Return the numbers of one column."""
         return np.asarray(self.table.values[self.rows, self.columns[role]])
 
     @property
-    def t(self) -> Floats | None:
+    def t(self) -> FloatArray | None:
         """The parameters; None where there is no column of them."""
         return self.column("t") if "t" in self.columns else None
 
     @property
-    def points(self) -> Floats:
+    def points(self) -> FloatArray:
         """The points, (n, 2)."""
         return np.column_stack([self.column("x"), self.column("y")])
 
@@ -330,13 +330,13 @@ def _nodes(own: _Rows, family: Family, report: Report) -> Iterator[Node]:
             yield Node(at_x, at_y, at, velocity, acceleration, after is not None, after, bend)
 
 
-def _thinned_curve(name: str, own: _Rows, kept: npt.NDArray[np.intp], parameters: Floats) -> Curve:
+def _thinned_curve(name: str, own: _Rows, kept: npt.NDArray[np.intp], parameters: FloatArray) -> Curve:
     points = zip(own.points[kept].tolist(), parameters.tolist(), strict=True)
     nodes = tuple(Node(x, y, t) for (x, y), t in points)
     return Curve(name, HERMITE, _rule(parameters), nodes)
 
 
-def _rule(t: Floats | None) -> Parametrization:
+def _rule(t: FloatArray | None) -> Parametrization:
     """Return the rule for parameters t, or chord length without."""
     if t is None:
         return Parametrization()

@@ -7,10 +7,10 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from app.document.model import MAX_MAGNITUDE
-from app.exchange.drawing.drawing import Floats
 from app.exchange.errors import ExchangeError
 from app.exchange.table.columns import ColumnMapping, Guess, guess
 from app.exchange.table.layout import Layout, RowProblem
+from curvecore.arrays import FloatArray
 
 MAX_COLUMNS = 64
 MAX_ROWS = 2_000_000
@@ -105,7 +105,7 @@ class Table:
 
     layout: Layout
     titles: tuple[str, ...]
-    values: Floats
+    values: FloatArray
     first_row: int
     gaps: tuple[int, ...] = ()
     words: dict[int, list[str]] = field(default_factory=dict)
@@ -128,7 +128,7 @@ class Table:
 
 
 def table_of(
-    values: Floats,
+    values: FloatArray,
     titles: tuple[str, ...],
     *,
     words: dict[int, list[str]] | None = None,
