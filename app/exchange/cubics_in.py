@@ -49,7 +49,7 @@ _INFLUENCE = 4.0 / 9.0
 
 @dataclass(frozen=True)
 class Imported:
-    """What a file held.
+    """Content of a file that was read.
 
     Attributes
     ----------
@@ -235,7 +235,7 @@ def _lengths(pieces: FloatArray) -> FloatArray:
 
 
 class _Joints:
-    """Which joints are smooth, and how long the segments are in t, up to a common factor.
+    """Smoothness of joints, and lengths of segments in t up to a common factor.
 
     Attributes
     ----------

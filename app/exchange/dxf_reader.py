@@ -112,7 +112,7 @@ class _Reader:
 
     @property
     def remarks(self) -> tuple[str, ...]:
-        """What was left out."""
+        """Sentences on what was left out."""
         lost = [f"{what} is not read ({count})." for what, count in sorted(self._lost.items())]
         if self._through:
             lost.append(

@@ -1,4 +1,4 @@
-"""What every writer of data starts from: the curves of a document, and the pieces they are made of."""
+"""The curves of a document and the pieces they are made of: the source of every writer of data."""
 
 from __future__ import annotations
 

@@ -29,7 +29,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class ImportOptions:
-    """How to read; each format takes what concerns it.
+    """Options of imports; each format takes what concerns it.
 
     Attributes
     ----------

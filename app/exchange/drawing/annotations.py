@@ -1,4 +1,4 @@
-"""What a picture can show beside the curves: a grid, the handles, the basis functions."""
+"""Annotations of a picture beside the curves: a grid, the handles, the basis functions."""
 
 from __future__ import annotations
 

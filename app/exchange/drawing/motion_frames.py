@@ -24,7 +24,7 @@ _NOMINAL = 640.0
 """Longer side of a picture in which dots and lines have their nominal sizes."""
 
 _REACH = 0.5
-"""How far the frame may grow for the sake of arrows, against its longer side."""
+"""Largest growth of the frame for the sake of arrows, against its longer side."""
 
 _LOOKED_AT = 100
 """Frames in which the arrows are looked at to find the room they need."""

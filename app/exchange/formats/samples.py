@@ -27,7 +27,7 @@ TITLES = ("t", "x", "y", "vx", "vy", "ax", "ay", "curvature", "length")
 
 
 class Spacing(Named):
-    """How samples are spread along a curve."""
+    """Spacing of samples along a curve."""
 
     T = "t", "equal steps of t"
     LENGTH = "length", "equal arc lengths"

@@ -46,7 +46,7 @@ class Subpath:
 
     @property
     def end(self) -> FloatArray:
-        """Where the pen is."""
+        """The end of the last piece."""
         return np.asarray(self.pieces[-1][-1, 3]) if self.pieces else self.start
 
     @property

@@ -48,7 +48,7 @@ _OUR_MARK = "Largest deviation from the true curves"
 
 @dataclass(frozen=True, eq=False)
 class _State:
-    """What an element inherits: the matrix (2, 3) to the document's plane, and the style."""
+    """Inherited state of an element: the matrix (2, 3) to the document's plane, and the style."""
 
     matrix: FloatArray
     stroke: str = "none"
@@ -103,7 +103,7 @@ class _Reader:
 
     @property
     def remarks(self) -> tuple[str, ...]:
-        """What was left out."""
+        """Sentences on what was left out."""
         lost = [f"{what} is not read." for what in sorted(self._lost)]
         # What our own pictures look like is the program's choice, not the file's.
         style = "" if self._ours else remark_on(self._lost_style)

@@ -40,7 +40,7 @@ CLOSED = "closed "
 
 
 class Missing(Named):
-    """What becomes of rows without a number for t, x or y."""
+    """Treatment of rows without a number for t, x or y."""
 
     REFUSE = "refuse", "Refuse them"
     SKIP = "skip", "Leave them out"

@@ -1,4 +1,4 @@
-"""What becomes of a table under the person's choices: curves, or the row that keeps it from becoming any."""
+"""A table under the person's choices: its curves, or the row that keeps it from becoming any."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ _MOST_DOUBLINGS = 16
 
 @dataclass(frozen=True)
 class TableChoice:
-    """How a table is to be read.
+    """The person's choices for a table.
 
     Attributes
     ----------
@@ -62,7 +62,7 @@ class TableChoice:
 
 @dataclass(frozen=True)
 class Prepared:
-    """What became of it.
+    """Result of the choices for a table.
 
     Attributes
     ----------
@@ -98,7 +98,7 @@ class Prepared:
 
     @property
     def points(self) -> int:
-        """How many points the curves have."""
+        """Number of points of the curves."""
         return sum(len(curve.nodes) for curve in self.document.curves) if self.document else 0
 
 

@@ -53,7 +53,7 @@ class Preview:
 
     @property
     def mapping(self) -> ColumnMapping | None:
-        """What the columns seem to be; None with fewer than two of numbers."""
+        """Roles that the columns seem to have; None with fewer than two of numbers."""
         return self.guess.mapping
 
     def certain_mapping(self) -> ColumnMapping:
@@ -114,7 +114,7 @@ class Table:
 
     @property
     def words_on_blocks(self) -> str:
-        """How many curves the rows are divided into, as a sentence; empty for one."""
+        """Sentence on the number of curves that the rows are divided into; empty for one."""
         return f"The rows are divided into {len(self.blocks) + 1} curves." if self.blocks else ""
 
     def line_of(self, row: int) -> int:

@@ -27,7 +27,7 @@ class TooManyLeftError(ExchangeError):
 
 
 class Thinning(Named):
-    """What stays within the tolerance of every point."""
+    """Line that stays within the tolerance of every point."""
 
     CURVE = "curve", "Fit a curve within"
     POLYLINE = "polyline", "Keep corners within"
@@ -35,7 +35,7 @@ class Thinning(Named):
 
 @dataclass(frozen=True, eq=False)
 class Thinned:
-    """What is left of the points.
+    """Points that were kept.
 
     Attributes
     ----------
