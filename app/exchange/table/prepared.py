@@ -9,7 +9,7 @@ import numpy as np
 from app.document.model import Document
 from app.exchange.errors import ExchangeError
 from app.exchange.table.columns import ColumnMapping
-from app.exchange.table.curves import Missing, document_of_table
+from app.exchange.table.curves import Missing, TableOptions, document_of_table
 from app.exchange.table.layout import Layout, MissingNumber, RowProblem
 from app.exchange.table.source import TableSource
 from app.exchange.table.table import Table
@@ -140,11 +140,13 @@ def _made(table: Table, choice: TableChoice, report: Report) -> Prepared:
             made = document_of_table(
                 table,
                 choice.mapping,
-                family=choice.family,
-                name=choice.name,
-                missing=choice.missing,
-                thin=tolerance or None,
-                thinning=choice.thinning or Thinning.CURVE,
+                TableOptions(
+                    family=choice.family,
+                    name=choice.name,
+                    missing=choice.missing,
+                    thin=tolerance or None,
+                    thinning=choice.thinning or Thinning.CURVE,
+                ),
                 report=report,
             )
         except TooManyLeftError:
