@@ -5,7 +5,6 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-import numpy.typing as npt
 from msgspec.structs import replace
 
 from app.document import edits
@@ -15,8 +14,7 @@ from app.tasks.progress import Report, silent, told
 from app.view_model.analysis.wiggle import overshoot
 from app.view_model.curve_view import CurveView, view_of
 from app.view_model.growth import growth_of_points
-
-Floats = npt.NDArray[np.float64]
+from curvecore.arrays import FloatArray
 
 _IN_USE = "The curve is like that already."
 
@@ -52,7 +50,7 @@ class Cure:
     label: str
     step: str
     document: Document | None
-    points: Floats
+    points: FloatArray
     overshoot: float
     lebesgue: float
     problem: str = ""
