@@ -158,7 +158,9 @@ def test_a_ghost_is_painted_in_its_colour(editor):
 
 def test_every_ghost_has_a_look_of_its_own():
     looks = [(look.colour, look.dashes) for look in (ghost.look for ghost in all_ghosts())]
-    assert len({colour for colour, _ in looks}) == len({dashes for _, dashes in looks}) == len(looks) == 7
+    assert len({dashes for _, dashes in looks}) == len(looks) >= 7
+    # There are no more colours that everybody tells apart.
+    assert len({colour for colour, _ in looks}) == 7
 
 
 def test_dashes_run_on_over_corners():
