@@ -9,8 +9,9 @@ import numpy as np
 from PySide6.QtCore import QPointF
 
 from app.plotting.camera import Camera
-from app.plotting.pixel_map import Floats, PixelMap
+from app.plotting.pixel_map import PixelMap
 from app.view_model.curve_view import CurveView
+from curvecore.arrays import FloatArray
 
 if TYPE_CHECKING:
     from app.canvas.scene import CanvasScene
@@ -24,8 +25,8 @@ _REVEAL_MARGIN = 40.0
 class PlaneBox(NamedTuple):
     """Lower left and upper right corner, (2,) each, in the plane."""
 
-    low: Floats
-    high: Floats
+    low: FloatArray
+    high: FloatArray
 
 
 def box_of(views: Sequence[CurveView]) -> PlaneBox | None:
@@ -54,7 +55,7 @@ def are_in_sight(views: Sequence[CurveView], shown: PixelMap) -> bool:
     return all_inside(shown, _boxes(views).reshape(-1, 2))
 
 
-def all_inside(shown: PixelMap, points: Floats) -> bool:
+def all_inside(shown: PixelMap, points: FloatArray) -> bool:
     """Whether points (n, 2) of the plane lie in sight."""
     pixels = shown.points(points)
     return bool(((pixels >= 0) & (pixels <= (shown.width, shown.height))).all())
@@ -107,7 +108,7 @@ class Framing:
         else:
             self._show_below(*box, self.covered_top())
 
-    def _show_below(self, low: Floats, high: Floats, covered: float) -> None:
+    def _show_below(self, low: FloatArray, high: FloatArray, covered: float) -> None:
         """Show a box below `covered` pixels at the top, on which a message lies."""
         shown = self._camera.pixel_map
         room = max(shown.height - covered, 0.5 * shown.height)
@@ -135,12 +136,12 @@ class Framing:
             self._camera.pan(dx, dy)
 
 
-def _boxes(views: Sequence[CurveView]) -> Floats:
+def _boxes(views: Sequence[CurveView]) -> FloatArray:
     """Return the boxes to show, (k, 2, 2): of the curves, at most three times as large as their points."""
     return _limited(views)[0]
 
 
-def _limited(views: Sequence[CurveView]) -> tuple[Floats, Floats]:
+def _limited(views: Sequence[CurveView]) -> tuple[FloatArray, FloatArray]:
     """Return the boxes, and of each how large what it shows counts, (k,).
 
     One point, or several at one place, are shown in an area of unit size (at 1e9 a visible part of that).

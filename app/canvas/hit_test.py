@@ -9,10 +9,11 @@ import numpy as np
 from msgspec.structs import replace
 
 from app.document.model import Vector
-from app.plotting.pixel_map import Floats, PixelMap
+from app.plotting.pixel_map import PixelMap
 from app.tools.pointer import Hit, Part
 from app.view_model.curve_view import CoreCurve, CurveView, Polyline
 from app.view_model.handles import Handle
+from curvecore.arrays import FloatArray
 
 POINT_REACH = 10.0
 """Pixels from the pointer within which a point or a handle is grabbed."""
@@ -116,7 +117,7 @@ class NearestSegment(NamedTuple):
 class PixelOutline:
     """Segments of polylines in pixels, numbered one polyline after the other: one pass finds the nearest."""
 
-    def __init__(self, polylines: Sequence[Floats]) -> None:
+    def __init__(self, polylines: Sequence[FloatArray]) -> None:
         # Far away vertices would overflow when squared; beyond this nobody points at them.
         clipped = [np.clip(points, -1e9, 1e9) for points in polylines]
         self._starts = np.vstack([points[:-1] for points in clipped])

@@ -25,12 +25,15 @@ from app.storage.coding import from_plain, to_plain
 from app.storage.format import FormatError, validate
 from app.tasks.progress import Report, silent
 
+if sys.platform == "linux":
+    import resource
+
 SECONDS = 5.0
 """The longest that a file of up to `SMALL` bytes may take to be read."""
 
 SMALL = 2**20
 SECONDS_PER_MB = 5.0
-"""What every further 2**20 bytes may take: a file that makes a parser work for hours can be small, and an
+"""Seconds for every further 2**20 bytes: a file that makes a parser work for hours can be small, and an
 honest large one takes its time. Whoever waits can cancel.
 """
 
@@ -49,7 +52,7 @@ _START = "import sys; sys.path[:] = sys.argv[2:]; from app.exchange.child import
 
 
 class _Request(msgspec.Struct):
-    """What the child shall do."""
+    """Message to the child: a reader and a file."""
 
     module: str
     reader: str
@@ -58,7 +61,7 @@ class _Request(msgspec.Struct):
 
 
 class _Answer(msgspec.Struct):
-    """What came of it: one or the other."""
+    """Message of the child: a result or a problem."""
 
     result: Imported | None = None
     problem: str = ""
@@ -212,8 +215,6 @@ def _limit_memory(extra: int) -> None:
     """Let this process take no more than `extra` bytes beyond what it has; only Linux counts that."""
     if sys.platform != "linux":
         return
-    import resource  # noqa: PLC0415
-
     with contextlib.suppress(OSError, ValueError), open("/proc/self/statm", encoding="ascii") as file:  # noqa: PTH123
         pages = int(file.read().split()[0])
         most = pages * resource.getpagesize() + extra

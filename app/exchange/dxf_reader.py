@@ -11,15 +11,17 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from app import exchange
 from app.exchange.arcs import PIECES_OF_A_TURN, error_of_arc
 from app.exchange.cubics_in import Imported, ImportedPath, PointsAlone, imported, lines
-from app.exchange.drawing.drawing import RELATIVE_TOLERANCE, Floats
+from app.exchange.drawing.drawing import RELATIVE_TOLERANCE
 from app.exchange.errors import ExchangeError
 from app.exchange.parts import (
     bezier_values,
     one_line,
 )
 from curvecore import LagrangeCurve, chebyshev, cubic_path
+from curvecore.arrays import FloatArray
 
 if TYPE_CHECKING:
     from ezdxf.document import Drawing
@@ -111,7 +113,7 @@ class _Reader:
 
     @property
     def remarks(self) -> tuple[str, ...]:
-        """What was left out."""
+        """Sentences on what was left out."""
         lost = [f"{what} is not read ({count})." for what, count in sorted(self._lost.items())]
         if self._through:
             lost.append(
@@ -171,7 +173,7 @@ class _Reader:
         layer = str(entity.dxf.layer)
         return layer if layer != "0" else f"{entity.dxftype().capitalize()} {len(self.paths) + 1}"
 
-    def _add(self, entity: DXFGraphic, pieces: Floats, closed: bool, deviation: float = 0.0) -> None:
+    def _add(self, entity: DXFGraphic, pieces: FloatArray, closed: bool, deviation: float = 0.0) -> None:
         if not np.isfinite(pieces).all():
             raise ExchangeError(f"The {entity.dxftype()} on layer “{entity.dxf.layer}” is not finite.")
         if pieces.shape[1] > 4:
@@ -187,7 +189,7 @@ class _Reader:
             )
         )
 
-    def _as_cubics(self, pieces: Floats) -> tuple[Floats, float]:
+    def _as_cubics(self, pieces: FloatArray) -> tuple[FloatArray, float]:
         size = float(np.ptp(pieces.reshape(-1, 2), axis=0).max())
         tolerance = self._tolerance or RELATIVE_TOLERANCE * max(size, 1e-300)
         s = chebyshev(pieces.shape[1])
@@ -199,8 +201,7 @@ class _Reader:
         return cubics, max(path.deviation for path in paths)
 
     def _take_path(self, entity: DXFGraphic, number: int) -> None:
-        from ezdxf.path import Command, make_path  # noqa: PLC0415
-
+        library = exchange.dxf_library
         radius = _largest_radius(entity)
         count = PIECES_OF_A_TURN
         while (
@@ -209,16 +210,16 @@ class _Reader:
             and count < _FINEST_TURN
         ):
             count += 1
-        whole = make_path(entity, segments=count)
+        whole = library.make_path(entity, segments=count)
         closed = bool(getattr(entity, "is_closed", False)) or entity.dxftype() in ("CIRCLE",)
         for path in whole.sub_paths() if whole.has_sub_paths else [whole]:
             pieces = []
             pen = _flat(path.start)
             for command in path.commands():
-                if command.type == Command.CURVE4_TO:
+                if command.type == library.Command.CURVE4_TO:
                     controls = (command.ctrl1, command.ctrl2, command.end)  # type: ignore[union-attr]
                     pieces.append(np.array([[pen, *map(_flat, controls)]]))
-                elif command.type == Command.LINE_TO:
+                elif command.type == library.Command.LINE_TO:
                     pieces.append(lines(np.array([pen, _flat(command.end)])))
                 else:
                     raise ExchangeError(f"Entity {number} ({entity.dxftype()}) has a curve of another kind.")
@@ -228,14 +229,12 @@ class _Reader:
                 self._add(entity, _welded(np.concatenate(pieces)), closed, deviation)
 
     def _colour(self, entity: DXFGraphic) -> str:
-        from ezdxf.colors import aci2rgb  # noqa: PLC0415
-
         rgb, index = entity.rgb, int(entity.dxf.color)
         if rgb is None and index in (0, 256) and entity.dxf.layer in self._drawing.layers:
             layer = self._drawing.layers.get(entity.dxf.layer)
             rgb, index = layer.rgb, abs(int(layer.dxf.color))
         if rgb is None and 1 <= index <= 255 and index != WHITE:
-            rgb = aci2rgb(index)
+            rgb = exchange.dxf_library.aci2rgb(index)
         return "" if rgb is None else "#{:02x}{:02x}{:02x}".format(*rgb)
 
 
@@ -248,13 +247,12 @@ def ezdxf_module() -> ModuleType:
         If it is not installed.
     """
     try:
-        import ezdxf  # noqa: PLC0415
+        return exchange.dxf_library.ezdxf
     except ImportError:
         raise ExchangeError("DXF needs the package ezdxf: pip install 'curvebench[dxf]'.") from None
-    return ezdxf
 
 
-def _is_clamped(knots: Floats, degree: int, count: int) -> bool:
+def _is_clamped(knots: FloatArray, degree: int, count: int) -> bool:
     """Whether knots are as many as they must be, do not decrease, and begin and end at the points."""
     if count <= degree or len(knots) != count + degree + 1 or not np.isfinite(knots).all():
         return False
@@ -264,21 +262,21 @@ def _is_clamped(knots: Floats, degree: int, count: int) -> bool:
     return bool((steps >= 0).all() and not any(ends) and knots[-1] > knots[0] and inner.max() <= degree)
 
 
-def _beziers(points: Floats, knots: Floats, degree: int) -> Floats:
+def _beziers(points: FloatArray, knots: FloatArray, degree: int) -> FloatArray:
     """Return the Bézier pieces (k, degree + 1, 2) of a clamped B-spline."""
     if len(knots) > 2 and (np.unique(knots[1:-1], return_counts=True)[1] == degree).all():
         starts = np.arange(0, len(points) - 1, degree)
         return np.asarray(points[starts[:, None] + np.arange(degree + 1)])
-    from ezdxf.math import BSpline  # noqa: PLC0415
-
     # ezdxf takes knots for equal that differ by less than 1e-9 of their size.
     unit = (knots - knots[0]) / (knots[-1] - knots[0])
-    spline = BSpline([(x, y, 0.0) for x, y in points.tolist()], order=degree + 1, knots=unit.tolist())
+    spline = exchange.dxf_library.BSpline(
+        [(x, y, 0.0) for x, y in points.tolist()], order=degree + 1, knots=unit.tolist()
+    )
     found = [[_flat(point) for point in piece] for piece in spline.bezier_decomposition()]
     return _welded(np.array(found, dtype=float).reshape(-1, degree + 1, 2))
 
 
-def _welded(pieces: Floats) -> Floats:
+def _welded(pieces: FloatArray) -> FloatArray:
     """Return pieces of which each begins exactly where the one before ends, a closed one's first too."""
     pieces[1:, 0] = pieces[:-1, -1]
     size = np.ptp(pieces.reshape(-1, 2), axis=0).max()
@@ -287,7 +285,7 @@ def _welded(pieces: Floats) -> Floats:
     return pieces
 
 
-def _raised(pieces: Floats) -> Floats:
+def _raised(pieces: FloatArray) -> FloatArray:
     """Return pieces of degree 1, 2 or 3 as cubics."""
     degree = pieces.shape[1] - 1
     if degree == 1:

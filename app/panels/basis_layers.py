@@ -17,13 +17,13 @@ from app.plotting.colours import colours_of
 from app.plotting.fonts import Sizes
 from app.plotting.layers import Layer
 from app.plotting.pens import with_dashes
-from app.plotting.pixel_map import Floats, PixelMap
+from app.plotting.pixel_map import PixelMap
 from app.plotting.plot_widget import PlotWidget
 from app.plotting.stamps import Stamps
 from app.theme import mix
 from app.view_model.basis_view import BasisView
-from app.view_model.curve_view import Integers
 from app.view_model.looks import KIND_DASHES
+from curvecore.arrays import FloatArray, IntArray
 
 _RAIL_HEIGHT = 34.0
 
@@ -175,7 +175,7 @@ class RailLayer(Layer):
         self.selection: frozenset[int] = frozenset()
         self.hovered = -1
         self.scrub: float | None = None
-        self._parameters: Floats = np.empty(0)
+        self._parameters: FloatArray = np.empty(0)
         self._stamps = Stamps(_tick)
         self._owners: Sequence[int] = ()
         self._count = 0
@@ -218,8 +218,8 @@ class RailLayer(Layer):
                 numbers_right_of = place + 16 * self.scale if not chosen else numbers_right_of
 
     def _stamp_ticks(
-        self, painter: QPainter, x: Floats, visible: Integers, count: int, top: float
-    ) -> Integers:
+        self, painter: QPainter, x: FloatArray, visible: IntArray, count: int, top: float
+    ) -> IntArray:
         """Draw as many ticks as there is room for, and return the chosen ones, which are drawn after all."""
         least = _LEAST_TICK_GAP * self.scale
         ticks, gap = spread_out(x, visible, least)
@@ -267,7 +267,7 @@ class RailLayer(Layer):
         painter.drawText(box, int(side | Qt.AlignmentFlag.AlignTop), f"t = {number(t)}")
 
 
-def spread_out(x: Floats, ticks: Integers, least: float) -> tuple[Integers, float]:
+def spread_out(x: FloatArray, ticks: IntArray, least: float) -> tuple[IntArray, float]:
     """Return ticks that lie at least so far apart, from the left, and the usual gap between them.
 
     Parameters

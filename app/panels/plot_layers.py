@@ -13,10 +13,11 @@ from app.panels.value_scale import ValueScale
 from app.plotting.drawing import Segments, Stroke, cut_segments
 from app.plotting.layers import Layer
 from app.plotting.pens import colour_of, line_in_pixels, with_dashes
-from app.plotting.pixel_map import Floats, PixelMap
+from app.plotting.pixel_map import PixelMap
 from app.plotting.plot_widget import PlotWidget
 from app.view_model.analysis.plot_lines import PlotData, PlotLine
 from app.view_model.looks import DASHED
+from curvecore.arrays import FloatArray
 
 _STRIP, _LARGEST_STRIP = 17.0, 0.4
 """Pixels above a plot for its title, and the share of the height that they never surpass."""
@@ -46,7 +47,7 @@ class PlotBand:
         """The height of the plot without its title."""
         return self.foot - self.head
 
-    def y(self, shares: Floats) -> Floats:
+    def y(self, shares: FloatArray) -> FloatArray:
         """Return vertical pixels of shares of the height."""
         return self.foot - shares * self.height
 
@@ -66,7 +67,7 @@ class PlotLayer(Layer):
         super().__init__(plot)
         self.plots: Sequence[PlotData] = ()
         self.scales: Sequence[ValueScale] = ()
-        self.knots: Floats = np.empty(0)
+        self.knots: FloatArray = np.empty(0)
         self.note = ""
         self.waits = False
         self._strokes: list[list[Stroke | Segments]] = []
@@ -212,7 +213,7 @@ def _stroke(
     return line_in_pixels(np.column_stack([x, y]), line.look.dashes, width, shown)
 
 
-def _by_columns(x: Floats, y: Floats, shown: PixelMap) -> Segments:
+def _by_columns(x: FloatArray, y: FloatArray, shown: PixelMap) -> Segments:
     """Draw one upright line for each column of pixels: where there are more samples, no more is seen."""
     column = np.floor(x)
     seen = (column >= 0) & (column <= shown.width) & ~np.isnan(y)

@@ -11,8 +11,9 @@ import numpy as np
 from app.document.model import Vector
 from app.document.words import Named
 from app.tools.pointer import Pointer
-from app.view_model.curve_view import CurveView, Floats, Integers
+from app.view_model.curve_view import CurveView
 from app.view_model.nearest import NearestPoint
+from curvecore.arrays import FloatArray, IntArray
 
 REACH = 8.0
 """Pixels within which something snaps."""
@@ -70,8 +71,8 @@ def with_snap(text: str, caught: Snap | None) -> str:
 class _SnapPoints(msgspec.Struct, frozen=True, eq=False):
     """Points of one curve, (k, 2), with their numbers; `of` names the curve if it is another."""
 
-    positions: Floats
-    numbers: Integers
+    positions: FloatArray
+    numbers: IntArray
     of: str = ""
 
     def nearest(self, position: Vector, reach: float) -> tuple[float, Snap] | None:

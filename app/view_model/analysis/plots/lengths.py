@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from app.view_model.analysis.plot import Plot, Sampled
-from app.view_model.analysis.plot_lines import Floats
+from curvecore.arrays import FloatArray
 from curvecore.vectors import vector_lengths
 
 
-def _length(sampled: Sampled, order: int) -> Floats:
+def _length(sampled: Sampled, order: int) -> FloatArray:
     return vector_lengths(sampled.derivatives[order])
 
 
@@ -15,6 +15,7 @@ SPEED = Plot(
     name="speed",
     text="Speed",
     tip="Plot the speed |c′| over t, below the basis functions",
+    icon="plot-speed",
     title="Speed |c′|",
     symbol="|c′|",
     place=10,
@@ -25,6 +26,7 @@ ACCELERATION = Plot(
     name="acceleration",
     text="Acceleration",
     tip="Plot the size of the acceleration |c″| over t",
+    icon="plot-acceleration",
     title="Acceleration |c″|",
     symbol="|c″|",
     place=20,
@@ -35,6 +37,7 @@ JERK = Plot(
     name="jerk",
     text="Jerk",
     tip="Plot |c‴| over t: how fast the acceleration changes",
+    icon="plot-jerk",
     title="Jerk |c‴|",
     symbol="|c‴|",
     place=30,
