@@ -23,7 +23,7 @@ from app.plotting.stamps import Stamps
 from app.theme import mix
 from app.view_model.basis_view import BasisView
 from app.view_model.curve_view import Integers
-from app.view_model.looks import KIND_DASHES
+from app.view_model.line_styles import KIND_DASHES
 
 _RAIL_HEIGHT = 34.0
 

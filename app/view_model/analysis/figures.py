@@ -9,7 +9,7 @@ import numpy as np
 import numpy.typing as npt
 
 from app.document.words import with_minus
-from app.view_model.looks import Look
+from app.view_model.line_styles import LineStyle
 
 Floats = npt.NDArray[np.float64]
 Flags = npt.NDArray[np.bool_]
@@ -43,7 +43,7 @@ class Figure(msgspec.Struct, frozen=True, eq=False):
         A word beside the last point; empty for none.
     """
 
-    style: Look
+    style: LineStyle
     shape: Shape
     points: Floats
     label: str = ""
